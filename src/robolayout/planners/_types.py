@@ -1,0 +1,66 @@
+"""What a planner is asked and what it answers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol, runtime_checkable
+
+from robolayout.scene import Layout, Scene
+
+
+@dataclass(frozen=True)
+class Group:
+    """Assets that belong together and are planned at once.
+
+    Attributes:
+        label: What the group is ("sleeping").
+        rationale: Why these belong together, in one sentence.
+        items: Names of its assets, most structural first.
+        relations: How they stand to each other, one phrase each ("night_stand-0 beside double_bed-0").
+    """
+
+    label: str
+    rationale: str
+    items: tuple[str, ...]
+    relations: tuple[str, ...] = ()
+
+    def to_dict(self) -> dict[str, object]:
+        """Return the group as it is written to `grouping.json`."""
+        return {
+            "label": self.label,
+            "rationale": self.rationale,
+            "items": list(self.items),
+            "relations": list(self.relations),
+        }
+
+
+@dataclass(frozen=True)
+class PlanRequest:
+    """One question to a planner.
+
+    Attributes:
+        scene: What is given.
+        group: Plan only these assets; None plans everything.
+        placed: Poses that are settled already; they stay where they are.
+        feedback: What was wrong with earlier answers (rejections, violations), in words; empty at first.
+        seed: Number that settles every choice; same request, same text.
+    """
+
+    scene: Scene
+    group: Group | None = None
+    placed: Layout | None = None
+    feedback: str = ""
+    seed: int = 0
+
+
+@runtime_checkable
+class Planner(Protocol):
+    """Anything that writes constraint programs."""
+
+    def group(self, scene: Scene) -> tuple[Group, ...]:
+        """Return all assets in groups, structural first, decorative last."""
+        ...
+
+    def plan(self, request: PlanRequest) -> str:
+        """Return the text of a constraint program for the request."""
+        ...
