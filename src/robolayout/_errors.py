@@ -1,0 +1,111 @@
+"""All errors of RoboLayout, sorted by who must act.
+
+RoboLayoutError
+├── InputError                 the user's input is wrong (exit code 2)
+│   ├── SceneError             a scene file cannot be read or makes no sense
+│   ├── LayoutError            a layout file cannot be read or does not fit its scene
+│   ├── AgentError             an agent profile is unknown or makes no sense
+│   ├── AssetError             an asset's mesh, metadata or folder is unusable
+│   ├── ProgramError           a constraint program cannot be read (line and caret)
+│   │   └── ProgramLimitError  a constraint program ran over its time, memory or size
+│   ├── UnknownNameError       a name is not one of those known
+│   ├── OutputError            the output cannot be written
+│   └── MissingExtraError      an optional dependency is not installed
+└── ModelError                 a model provider failed or its answers stayed unusable
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+
+
+class RoboLayoutError(Exception):
+    """Base of every error that RoboLayout raises on purpose."""
+
+
+class InputError(RoboLayoutError):
+    """The user's input is wrong; the message names the thing, the value, what is allowed and the next step."""
+
+
+class SceneError(InputError):
+    """A scene file cannot be read or describes an impossible room."""
+
+
+class LayoutError(InputError):
+    """A layout file cannot be read or does not fit its scene."""
+
+
+class AgentError(InputError):
+    """An agent profile is unknown or its figures make no sense."""
+
+
+class AssetError(InputError):
+    """An asset's mesh, metadata or folder is unusable."""
+
+
+class ProgramError(InputError):
+    """A constraint program cannot be read.
+
+    Args:
+        message: What is wrong, in one sentence.
+        line: Line of the program text, counted from 1; None when no line is to blame.
+        source: That line's text, shown under the message.
+        column: Column of the caret, counted from 0.
+    """
+
+    def __init__(
+        self, message: str, *, line: int | None = None, source: str | None = None, column: int | None = None
+    ) -> None:
+        self.line = line
+        self.source = source
+        self.column = column
+        text = message if line is None else f"line {line}: {message}"
+        if source is not None:
+            text += f"\n    {source}"
+            if column is not None:
+                text += f"\n    {' ' * column}^"
+        super().__init__(text)
+
+
+class ProgramLimitError(ProgramError):
+    """A constraint program ran over its limit of time, memory, steps or output."""
+
+
+class UnknownNameError(InputError):
+    """A name is not one of those known.
+
+    Args:
+        kind: What the name should be ("agent", "exporter").
+        name: The name given.
+        known: All names that would have worked.
+    """
+
+    def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
+        self.kind = kind
+        self.name = name
+        self.known = sorted(known)
+        near = difflib.get_close_matches(name, self.known, n=1)
+        hint = f" Did you mean {near[0]!r}?" if near else ""
+        super().__init__(f"unknown {kind} {name!r}.{hint} Known: {', '.join(self.known)}.")
+
+
+class OutputError(InputError):
+    """The output folder or file cannot be written."""
+
+
+class MissingExtraError(InputError):
+    """An optional dependency is not installed.
+
+    Args:
+        feature: What was asked for.
+        extra: The extra that brings it.
+    """
+
+    def __init__(self, feature: str, extra: str) -> None:
+        self.extra = extra
+        super().__init__(f"{feature} needs the extra {extra!r}: pip install 'robolayout[{extra}]'.")
+
+
+class ModelError(RoboLayoutError):
+    """A model provider failed, refused, or its answers stayed unusable."""

@@ -1,0 +1,46 @@
+"""What meshes are made of: coloured convex parts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True)
+class Material:
+    """How a surface looks.
+
+    Attributes:
+        name: What it is ("oak", "linen").
+        color: sRGB colour, each channel 0 to 1.
+        roughness: 0 mirror, 1 chalk.
+        metallic: 0 or 1.
+        opacity: 1 opaque; glass below.
+    """
+
+    name: str
+    color: tuple[float, float, float]
+    roughness: float = 0.8
+    metallic: float = 0.0
+    opacity: float = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """One piece of a mesh.
+
+    Attributes:
+        name: What it is ("mattress", "leg").
+        vertices: (n, 3) metres, in the frame of its asset: origin in the middle of its box, front along +x, z up.
+        faces: (m, 3) vertex indices, counter-clockwise seen from outside.
+        material: How it looks.
+        convex: Whether it may serve as a collider as it is.
+    """
+
+    name: str
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.int32]
+    material: Material
+    convex: bool = True

@@ -1,0 +1,86 @@
+"""The vocabulary: one relation a file, with arguments, solver rows, exact check and one-line meaning."""
+
+from collections.abc import Mapping
+from importlib.metadata import entry_points
+from types import MappingProxyType
+
+from robolayout.constraints._refs import AssetRef, PointRef, Ref, WallRef
+from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._terms import FAR, ClearTerm, CustomTerm, FrameTerm, Interval, MirrorTerm, Term
+from robolayout.constraints.against_wall import AgainstWall
+from robolayout.constraints.align_with import AlignWith
+from robolayout.constraints.around import Around
+from robolayout.constraints.behind import Behind
+from robolayout.constraints.ceiling_above import CeilingAbove
+from robolayout.constraints.centered_on import CenteredOn
+from robolayout.constraints.corner import Corner
+from robolayout.constraints.distance_constraint import DistanceConstraint
+from robolayout.constraints.facing_pair import FacingPair
+from robolayout.constraints.grid import Grid
+from robolayout.constraints.in_front_of import InFrontOf
+from robolayout.constraints.keep_clear import KeepClear
+from robolayout.constraints.left_of import LeftOf
+from robolayout.constraints.mounted_on import MountedOn
+from robolayout.constraints.next_to import NextTo
+from robolayout.constraints.on_top_of import OnTopOf
+from robolayout.constraints.point_towards import PointTowards
+from robolayout.constraints.right_of import RightOf
+from robolayout.constraints.row import Row
+from robolayout.constraints.symmetric_pair import SymmetricPair
+from robolayout.constraints.under import Under
+from robolayout.constraints.zone import Zone
+
+_BUILT_IN: tuple[type[Relation], ...] = (
+    AgainstWall,
+    DistanceConstraint,
+    OnTopOf,
+    AlignWith,
+    PointTowards,
+    SymmetricPair,
+    NextTo,
+    InFrontOf,
+    Behind,
+    LeftOf,
+    RightOf,
+    FacingPair,
+    Corner,
+    CenteredOn,
+    Around,
+    Row,
+    Grid,
+    Under,
+    MountedOn,
+    CeilingAbove,
+    KeepClear,
+    Zone,
+)
+
+
+def _registry() -> Mapping[str, type[Relation]]:
+    """Return the built-in relations and those of installed packages (entry points `robolayout.constraints`)."""
+    relations = {relation.name: relation for relation in _BUILT_IN}
+    for point in sorted(entry_points(group="robolayout.constraints"), key=lambda p: p.name):
+        relations[point.name] = point.load()
+    return MappingProxyType(relations)
+
+
+RELATIONS: Mapping[str, type[Relation]] = _registry()
+"""All relations by the word that names them in a program."""
+
+__all__ = [
+    "FAR",
+    "RELATIONS",
+    "AssetRef",
+    "ClearTerm",
+    "CustomTerm",
+    "FrameTerm",
+    "Interval",
+    "MirrorTerm",
+    "Outcome",
+    "PointRef",
+    "Ref",
+    "Relation",
+    "Term",
+    "WallRef",
+    "argument",
+]

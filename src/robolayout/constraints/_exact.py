@@ -1,0 +1,99 @@
+"""Exact measurements for the checks: footprints as Shapely polygons, seen from the frame of another thing."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from shapely import LineString, Polygon
+from shapely.affinity import affine_transform
+
+from robolayout.constraints._refs import AssetRef, PointRef, Ref, WallRef
+from robolayout.scene import Layout, Scene
+
+ANGLE_TOLERANCE = 10.0
+"""Degrees by which a heading may be off (DESIGN section 4)."""
+
+GAP_TOLERANCE = 0.05
+"""Metres by which a distance or gap may be off (DESIGN section 4)."""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A frame in plan: origin in metres and yaw in radians."""
+
+    x: float
+    y: float
+    yaw: float
+
+    def local(self, shape: Polygon) -> Polygon:
+        """Return the shape as seen from this frame."""
+        c, s = math.cos(self.yaw), math.sin(self.yaw)
+        return affine_transform(shape, [c, s, -s, c, -c * self.x - s * self.y, s * self.x - c * self.y])
+
+    def point(self, x: float, y: float) -> tuple[float, float]:
+        """Return the world point (x, y) as seen from this frame."""
+        c, s = math.cos(self.yaw), math.sin(self.yaw)
+        dx, dy = x - self.x, y - self.y
+        return (c * dx + s * dy, c * dy - s * dx)
+
+
+def frame(scene: Scene, layout: Layout, ref: Ref) -> Frame:
+    """Return the frame of an asset (x along its front), a wall (origin in its middle, x along it) or a point."""
+    if isinstance(ref, AssetRef):
+        pose = layout[ref.name]
+        return Frame(pose.x, pose.y, pose.yaw)
+    if isinstance(ref, WallRef):
+        wall = scene.room.walls[ref.index]
+        return Frame(*wall.midpoint, math.atan2(wall.direction[1], wall.direction[0]))
+    return Frame(ref.x, ref.y, 0.0)
+
+
+def footprint(scene: Scene, layout: Layout, ref: AssetRef) -> Polygon:
+    """Return the exact footprint of a placed asset."""
+    return Polygon(layout[ref.name].corners(scene.by_name[ref.name].size))
+
+
+def shape(scene: Scene, layout: Layout, ref: Ref) -> Polygon | LineString:
+    """Return the footprint of an asset, the segment of a wall, or a tiny square around a point."""
+    if isinstance(ref, AssetRef):
+        return footprint(scene, layout, ref)
+    if isinstance(ref, WallRef):
+        wall = scene.room.walls[ref.index]
+        return LineString([wall.start, wall.end])
+    return Polygon([(ref.x + dx, ref.y + dy) for dx, dy in ((-1e-6, 0), (0, -1e-6), (1e-6, 0), (0, 1e-6))])
+
+
+def half_size(scene: Scene, ref: Ref) -> tuple[float, float]:
+    """Return half the depth and half the width of an asset; half the length and 0 for a wall; 0 for a point."""
+    if isinstance(ref, AssetRef):
+        depth, width, _ = scene.by_name[ref.name].size
+        return (depth / 2, width / 2)
+    if isinstance(ref, WallRef):
+        return (scene.room.walls[ref.index].length / 2, 0.0)
+    return (0.0, 0.0)
+
+
+def angle_between(first: float, second: float) -> float:
+    """Return the angle between two yaws (radians) in degrees, 0 to 180."""
+    return abs(math.degrees(math.remainder(first - second, math.tau)))
+
+
+def facing_error(scene: Scene, layout: Layout, a: AssetRef, b: Ref, angle: float = 0.0) -> float:
+    """Return by how many degrees a's front, turned by `angle` radians, misses b: 0 if its ray hits b's footprint."""
+    pose = layout[a.name]
+    yaw = pose.yaw + angle
+    ray = LineString([(pose.x, pose.y), (pose.x + 100 * math.cos(yaw), pose.y + 100 * math.sin(yaw))])
+    if ray.intersects(shape(scene, layout, b)):
+        return 0.0
+    target = frame(scene, layout, b)
+    dx, dy = target.x - pose.x, target.y - pose.y
+    return angle_between(math.atan2(dy, dx), yaw) if dx or dy else 0.0
+
+
+def point_ref(value: PointRef | AssetRef | WallRef | None, scene: Scene) -> Ref:
+    """Return the reference itself, or the middle of the room for None."""
+    if value is not None:
+        return value
+    centroid = Polygon(scene.room.vertices).centroid
+    return PointRef(centroid.x, centroid.y)

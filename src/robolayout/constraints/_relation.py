@@ -1,0 +1,124 @@
+"""What a relation is: arguments, terms for the solver, and an exact check for the judge.
+
+`against_wall(bed[0], walls[2])` in a program becomes one frozen `Relation` object whose fields are its arguments. For the
+solver it states *terms*: rows of numbers for a few batched kernels (`_geometry`), so that a thousand statements cost
+one array program. For the judge it offers `check`, which measures a finished layout exactly and shares no code with the
+terms. Hardness is data: a hard relation is multiplied by a larger, ramped weight.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from robolayout.constraints._refs import AssetRef, PointRef, Ref, WallRef
+from robolayout.constraints._terms import Term
+from robolayout.scene import Layout, Scene
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What an exact check measured.
+
+    Attributes:
+        met: Whether the relation holds within its tolerance.
+        value: The measured figure (the worst one where there are several).
+        limit: What that figure is compared with, in the same unit.
+        unit: Unit of both ("m", "deg", "m2", "").
+        text: The measurement as part of a sentence ("back edge 0.02 m from walls[2], front 1 deg off").
+    """
+
+    met: bool
+    value: float
+    limit: float
+    unit: str
+    text: str
+
+
+def argument(*takes: str, many: bool = False, unit: str = "", choices: tuple[str, ...] = (), **options: Any) -> Any:
+    """Declare an argument of a relation.
+
+    Args:
+        takes: What may stand here: "asset", "wall", "point", "room" (None), "number", "text", "polygon".
+        many: Whether it is a list of those.
+        unit: Unit of a number as it is written in programs ("m", "deg").
+        choices: Allowed texts.
+        options: `default=` as for `dataclasses.field`.
+    """
+    return dataclasses.field(metadata={"takes": takes, "many": many, "unit": unit, "choices": choices}, **options)
+
+
+class Relation(ABC):
+    """One statement about where things stand; concrete relations are frozen dataclasses, one per file.
+
+    Class attributes:
+        name: The word in a program, `solver.<name>(...)`.
+        moves: Which arguments the solver may move to satisfy it.
+        orients: Whether it settles the heading of its first argument (the filter allows one of those per asset).
+        hard: Whether it must hold before anything else counts.
+        surrogate: Whether the terms only approximate the check (held to one direction by the laws).
+        example: One line of program text that uses it.
+    """
+
+    name: ClassVar[str]
+    moves: ClassVar[tuple[str, ...]] = ("a",)
+    orients: ClassVar[bool] = False
+    hard: ClassVar[bool] = False
+    surrogate: ClassVar[bool] = False
+    example: ClassVar[str]
+
+    @abstractmethod
+    def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
+        """Return the rows that the solver evaluates; their sum is the residual, 0 when satisfied.
+
+        Args:
+            scene: The scene.
+            near: A first guess of all poses, by which a relation with several ways out ("a corner") picks one.
+        """
+
+    @abstractmethod
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """Measure the relation exactly in a finished layout; all its assets must be placed."""
+
+    @classmethod
+    def arguments(cls) -> tuple[dataclasses.Field[Any], ...]:
+        """Return the declared arguments, in program order."""
+        return dataclasses.fields(cls)  # type: ignore[arg-type]
+
+    @classmethod
+    def meaning(cls) -> str:
+        """Return the first line of the docstring: what it says, in one sentence."""
+        return (cls.__doc__ or "").strip().splitlines()[0]
+
+    def refs(self) -> tuple[Ref, ...]:
+        """Return everything it is about, in argument order, lists flattened."""
+        found: list[Ref] = []
+        for field in self.arguments():
+            value = getattr(self, field.name)
+            for item in value if isinstance(value, tuple) else (value,):
+                if isinstance(item, AssetRef | WallRef | PointRef):
+                    found.append(item)
+        return tuple(found)
+
+    def asset_names(self) -> tuple[str, ...]:
+        """Return the names of the assets it is about, in argument order."""
+        return tuple(ref.name for ref in self.refs() if isinstance(ref, AssetRef))
+
+    def sentence(self) -> str:
+        """Return the statement as program-like text for reports: `against_wall(bed-0, walls[2])`."""
+        shown: list[str] = []
+        for field in self.arguments():
+            value = getattr(self, field.name)
+            if field.default is not dataclasses.MISSING and value == field.default:
+                continue
+            text = _shown(value)
+            shown.append(text if not shown or "number" not in field.metadata["takes"] else f"{field.name}={text}")
+        return f"{self.name}({', '.join(shown)})"
+
+
+def _shown(value: object) -> str:
+    if isinstance(value, tuple):
+        return "[" + ", ".join(_shown(item) for item in value) + "]"
+    return f"{value:g}" if isinstance(value, float) else str(value)

@@ -1,0 +1,36 @@
+"""`align_with`: two things face the same way, or at a given angle."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+from robolayout.constraints._exact import ANGLE_TOLERANCE, angle_between, frame
+from robolayout.constraints._refs import AssetRef, WallRef
+from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._terms import FrameTerm, Term
+from robolayout.scene import Layout, Scene
+
+
+@dataclass(frozen=True)
+class AlignWith(Relation):
+    """The front of `a` is turned by `angle` degrees (counter-clockwise) from the front of `b`, or from a wall's direction."""
+
+    name: ClassVar[str] = "align_with"
+    orients: ClassVar[bool] = True
+    example: ClassVar[str] = "solver.align_with(monitor[0], desk[0])"
+
+    a: AssetRef = argument("asset")
+    b: AssetRef | WallRef = argument("asset", "wall")
+    angle: float = argument("number", unit="deg", default=0.0)
+
+    def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
+        """Return one row that sets the heading."""
+        return (FrameTerm(self.a, self.b, heading=math.radians(self.angle)),)
+
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """Within 10 degrees."""
+        wanted = frame(scene, layout, self.b).yaw + math.radians(self.angle)
+        off = angle_between(layout[self.a.name].yaw, wanted)
+        return Outcome(off <= ANGLE_TOLERANCE, off, ANGLE_TOLERANCE, "deg", f"heading {off:.0f} deg off")

@@ -1,0 +1,94 @@
+"""`around`: seats stand around a table and face it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+from robolayout.constraints._exact import ANGLE_TOLERANCE, GAP_TOLERANCE, facing_error, footprint, half_size
+from robolayout.constraints._refs import AssetRef
+from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._terms import FrameTerm, Interval, Term
+from robolayout.scene import Layout, Scene
+
+Slot = tuple[float, float, float]
+"""Place of a seat's centre in the table's frame (metres) and its heading there (radians)."""
+
+SLACK = 0.03
+"""Metres by which a seat may stand beside its slot."""
+
+
+def _side_slots(count: int, side: str, table: tuple[float, float], depth: float, gap: float) -> list[Slot]:
+    """Return evenly spaced slots along one side of the table."""
+    hx, hy = table
+    run, reach = (hy, hx) if side in ("front", "back") else (hx, hy)
+    places = [run * (2 * (i + 0.5) / count - 1) for i in range(count)]
+    out = reach + gap + depth / 2
+    yaw = {"front": math.pi, "back": 0.0, "left": -math.pi / 2, "right": math.pi / 2}[side]
+    sign = 1.0 if side in ("front", "left") else -1.0
+    return [(sign * out, p, yaw) if side in ("front", "back") else (p, sign * out, yaw) for p in places]
+
+
+def shares(count: int, table: tuple[float, float], width: float) -> dict[str, int]:
+    """Return how many seats go to each side: long sides first in pairs, then the heads, then whatever is left evenly."""
+    hx, hy = table
+    long, short = (("front", "back"), ("left", "right")) if hy >= hx else (("left", "right"), ("front", "back"))
+    room_long = max(1, int(2 * max(hx, hy) / max(width, 0.4) + 1e-6))
+    square = max(hx, hy) < 1.15 * min(hx, hy)
+    if square and count <= 4:
+        order = (*long, *short)
+        return {side: int(i < count) for i, side in enumerate(order)}
+    per_long = min(room_long, (count + 1) // 2)
+    heads = 2 if count - 2 * per_long >= 1 or (count >= 6 and count % 2 == 0 and count // 2 - 1 >= 1) else 0
+    rest = max(count - heads, 0)
+    result = {long[0]: (rest + 1) // 2, long[1]: rest // 2, short[0]: 0, short[1]: 0}
+    for i in range(min(heads, count)):
+        result[short[i % 2]] += 1
+    return result
+
+
+@dataclass(frozen=True)
+class Around(Relation):
+    """The `items` stand evenly around `b`, `gap` m from its edge, each facing it."""
+
+    name: ClassVar[str] = "around"
+    moves: ClassVar[tuple[str, ...]] = ("items",)
+    orients: ClassVar[bool] = True
+    example: ClassVar[str] = "solver.around([chair[0], chair[1], chair[2], chair[3]], dining_table[0])"
+
+    items: tuple[AssetRef, ...] = argument("asset", many=True)
+    b: AssetRef = argument("asset")
+    gap: float = argument("number", unit="m", default=0.05)
+
+    def slots(self, scene: Scene) -> tuple[Slot, ...]:
+        """Return the place and heading of each item in b's frame."""
+        table = half_size(scene, self.b)
+        sizes = [scene.by_name[item.name].size for item in self.items]
+        depth, width = max(s[0] for s in sizes), max(s[1] for s in sizes)
+        slots: list[Slot] = []
+        for side, count in shares(len(self.items), table, width).items():
+            slots += _side_slots(count, side, table, depth, self.gap)
+        return tuple(slots)
+
+    def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
+        """Return one row per item that pins it to its slot."""
+        return tuple(
+            FrameTerm(
+                item,
+                self.b,
+                along=Interval(x - SLACK, x + SLACK),
+                across=Interval(y - SLACK, y + SLACK),
+                heading=yaw,
+            )
+            for item, (x, y, yaw) in zip(self.items, self.slots(scene), strict=True)
+        )
+
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """Each item faces b and stands at most gap + 0.35 m from its edge."""
+        table = footprint(scene, layout, self.b)
+        limit = self.gap + 0.30
+        gaps = [table.distance(footprint(scene, layout, item)) for item in self.items]
+        turned = max(facing_error(scene, layout, item, self.b) for item in self.items)
+        met = max(gaps) <= limit + GAP_TOLERANCE and turned <= ANGLE_TOLERANCE
+        return Outcome(met, max(gaps), limit, "m", f"up to {max(gaps):.2f} m from {self.b}, up to {turned:.0f} deg off")

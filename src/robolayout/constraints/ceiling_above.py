@@ -1,0 +1,39 @@
+"""`ceiling_above`: a ceiling thing hangs above another."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+from robolayout.constraints._exact import frame, point_ref
+from robolayout.constraints._refs import AssetRef, Ref
+from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._terms import FrameTerm, Interval, Term
+from robolayout.scene import Layout, Scene
+
+ABOVE_TOLERANCE = 0.15
+"""Metres in plan by which a hanging thing may be off."""
+
+
+@dataclass(frozen=True)
+class CeilingAbove(Relation):
+    """`a` hangs from the ceiling above the middle of `b`; None is the middle of the room."""
+
+    name: ClassVar[str] = "ceiling_above"
+    example: ClassVar[str] = "solver.ceiling_above(pendant_lamp[0], dining_table[0])"
+
+    a: AssetRef = argument("asset")
+    b: Ref | None = argument("asset", "point", "room", default=None)
+
+    def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
+        """Return one row that pins the centre of a to the centre of b."""
+        here = Interval(0.0, 0.0)
+        return (FrameTerm(self.a, point_ref(self.b, scene), along=here, across=here),)
+
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """Within 15 cm in plan."""
+        target = frame(scene, layout, point_ref(self.b, scene))
+        off = math.hypot(layout[self.a.name].x - target.x, layout[self.a.name].y - target.y)
+        where = "the middle of the room" if self.b is None else str(self.b)
+        return Outcome(off <= ABOVE_TOLERANCE, off, ABOVE_TOLERANCE, "m", f"{off:.2f} m off the place above {where}")

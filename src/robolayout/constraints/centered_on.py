@@ -1,0 +1,51 @@
+"""`centered_on`: a thing stands in the middle of a wall, of another thing or of the room."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from robolayout.constraints._exact import frame, point_ref
+from robolayout.constraints._refs import AssetRef, Ref, WallRef
+from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._terms import FrameTerm, Interval, Term
+from robolayout.scene import Layout, Scene
+
+CENTER_TOLERANCE = 0.10
+"""Metres by which a centre may be off."""
+
+MIDDLE = Interval(0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class CenteredOn(Relation):
+    """`a` is centred on `b`: along a wall, over an asset (wall things: sideways only), on a point; None is the room."""
+
+    name: ClassVar[str] = "centered_on"
+    example: ClassVar[str] = "solver.centered_on(picture[0], bed[0])"
+
+    a: AssetRef = argument("asset")
+    b: Ref | None = argument("asset", "wall", "point", "room", default=None)
+
+    def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
+        """Return one row that pins the bound axes of b's frame to 0."""
+        target = point_ref(self.b, scene)
+        along, across = self._bound(scene)
+        row = FrameTerm(self.a, target, along=MIDDLE if along else Interval(), across=MIDDLE if across else Interval())
+        return (row,)
+
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """Within 10 cm along each bound axis."""
+        pose = layout[self.a.name]
+        u, v = frame(scene, layout, point_ref(self.b, scene)).point(pose.x, pose.y)
+        along, across = self._bound(scene)
+        off = max(abs(u) * along, abs(v) * across)
+        where = "the middle of the room" if self.b is None else f"the middle of {self.b}"
+        return Outcome(off <= CENTER_TOLERANCE, off, CENTER_TOLERANCE, "m", f"{off:.2f} m off {where}")
+
+    def _bound(self, scene: Scene) -> tuple[bool, bool]:
+        """Return which axes of b's frame are bound: along, across."""
+        if isinstance(self.b, WallRef):
+            return (True, False)
+        sideways = isinstance(self.b, AssetRef) and scene.by_name[self.a.name].on_wall
+        return (not sideways, True)

@@ -1,0 +1,62 @@
+"""`corner`: a thing stands in a corner of the room."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+from robolayout.constraints._exact import footprint, shape
+from robolayout.constraints._refs import AssetRef, WallRef
+from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._terms import FrameTerm, Interval, Term
+from robolayout.scene import Layout, Room, Scene
+
+CORNER_GAP = 0.15
+"""Metres that may stay free between a thing and each wall of its corner."""
+
+
+def convex_corners(room: Room) -> tuple[int, ...]:
+    """Return the vertices at which the room's inner angle is below 180 degrees."""
+    walls = room.walls
+    return tuple(
+        i
+        for i, wall in enumerate(walls)
+        if walls[i - 1].direction[0] * wall.direction[1] - walls[i - 1].direction[1] * wall.direction[0] > 1e-6
+    )
+
+
+@dataclass(frozen=True)
+class Corner(Relation):
+    """`a` stands in a corner of the room, close to both walls; `vertex` picks the corner, None takes the nearest one."""
+
+    name: ClassVar[str] = "corner"
+    example: ClassVar[str] = "solver.corner(plant[0])"
+
+    a: AssetRef = argument("asset")
+    vertex: int | None = argument("integer", "none", default=None)
+
+    def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
+        """Return one row per wall of the corner: the near side close to it."""
+        vertex = self.vertex
+        if vertex is None:
+            pose = near[self.a.name]
+            vertex = min(convex_corners(scene.room), key=lambda i: math.dist(scene.room.vertices[i], (pose.x, pose.y)))
+        close = Interval(0.0, CORNER_GAP / 3, 1.0, -1.0)
+        half = [scene.room.walls[i].length / 2 for i in (vertex - 1, vertex)]
+        count = len(scene.room.walls)
+        return tuple(
+            FrameTerm(self.a, WallRef(i % count), along=Interval(-h, h, 1.0, 1.0), across=close)
+            for i, h in zip((vertex - 1, vertex), half, strict=True)
+        )
+
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """Within 15 cm of both walls of one inner corner."""
+        body = footprint(scene, layout, self.a)
+        count = len(scene.room.walls)
+        vertices = convex_corners(scene.room) if self.vertex is None else (self.vertex,)
+        gap = min(
+            max(shape(scene, layout, WallRef(i % count)).distance(body) for i in (vertex - 1, vertex))
+            for vertex in vertices
+        )
+        return Outcome(gap <= CORNER_GAP, gap, CORNER_GAP, "m", f"{gap:.2f} m from the walls of its corner")

@@ -1,0 +1,39 @@
+"""`facing_pair`: two things look at each other."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from robolayout.constraints._exact import ANGLE_TOLERANCE, facing_error
+from robolayout.constraints._refs import AssetRef
+from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._terms import FrameTerm, Term
+from robolayout.scene import Layout, Scene
+
+
+@dataclass(frozen=True)
+class FacingPair(Relation):
+    """`a` and `b` look at each other."""
+
+    name: ClassVar[str] = "facing_pair"
+    moves: ClassVar[tuple[str, ...]] = ("a", "b")
+    orients: ClassVar[bool] = True
+    example: ClassVar[str] = "solver.facing_pair(armchair[0], armchair[1])"
+
+    a: AssetRef = argument("asset")
+    b: AssetRef = argument("asset")
+
+    def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
+        """Return one row for each direction to look."""
+        return (
+            FrameTerm(self.a, self.b, look=0.0, moves="both"),
+            FrameTerm(self.b, self.a, look=0.0, moves="both"),
+        )
+
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """Each front's ray hits the other's footprint, or is within 10 degrees of its centre."""
+        off = max(facing_error(scene, layout, self.a, self.b), facing_error(scene, layout, self.b, self.a))
+        return Outcome(
+            off <= ANGLE_TOLERANCE, off, ANGLE_TOLERANCE, "deg", f"fronts up to {off:.0f} deg off each other"
+        )

@@ -1,0 +1,66 @@
+"""`keep_clear`: the floor before one side of a thing stays free."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+from shapely import box
+from shapely.affinity import rotate, translate
+
+from robolayout.constraints._exact import footprint, half_size
+from robolayout.constraints._refs import AssetRef
+from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._terms import ClearTerm, Term
+from robolayout.scene import Layout, Scene, vertical_span
+
+CLEAR_TOLERANCE = 0.01
+"""Square metres by which things may reach into the strip."""
+
+
+def side_box(half: tuple[float, float], side: str, depth: float) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return centre and half size, in the owner's frame, of the strip `depth` metres deep before one side."""
+    hx, hy = half
+    if side in ("front", "back"):
+        return ((math.copysign(hx + depth / 2, 1 if side == "front" else -1), 0.0), (depth / 2, hy))
+    return ((0.0, math.copysign(hy + depth / 2, 1 if side == "left" else -1)), (hx, depth / 2))
+
+
+@dataclass(frozen=True)
+class KeepClear(Relation):
+    """The strip `depth` m deep before one `side` of `a` stays free of other things that stand at its height."""
+
+    name: ClassVar[str] = "keep_clear"
+    example: ClassVar[str] = 'solver.keep_clear(wardrobe[0], "front", 0.7)'
+
+    a: AssetRef = argument("asset")
+    side: str = argument("text", choices=("front", "back", "left", "right"), default="front")
+    depth: float = argument("number", unit="m", default=0.6)
+
+    def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
+        """Return one strip in a's frame."""
+        center, half = side_box(half_size(scene, self.a), self.side, self.depth)
+        return (ClearTerm(self.a, center, half, self._span(scene, near), hard=False),)
+
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """At most 0.01 m2 of other footprints (rugs aside) in the strip."""
+        center, half = side_box(half_size(scene, self.a), self.side, self.depth)
+        pose = layout[self.a.name]
+        strip = box(center[0] - half[0], center[1] - half[1], center[0] + half[0], center[1] + half[1])
+        strip = translate(rotate(strip, pose.yaw, origin=(0, 0), use_radians=True), pose.x, pose.y)
+        low, high = self._span(scene, layout)
+        taken, culprit = 0.0, ""
+        for asset in scene.assets:
+            if asset.name == self.a.name or asset.is_flat or asset.name not in layout:
+                continue
+            bottom, top = vertical_span(asset, layout[asset.name])
+            area = strip.intersection(footprint(scene, layout, AssetRef(asset.name))).area
+            if area > taken and bottom < high and top > low:
+                taken, culprit = area, asset.name
+        text = f"{taken:.2f} m2 of {culprit} in the strip" if taken > CLEAR_TOLERANCE else "free"
+        return Outcome(taken <= CLEAR_TOLERANCE, taken, CLEAR_TOLERANCE, "m2", text)
+
+    def _span(self, scene: Scene, layout: Layout) -> tuple[float, float]:
+        low, high = vertical_span(scene.by_name[self.a.name], layout[self.a.name])
+        return (low + 0.02, high)

@@ -1,0 +1,35 @@
+"""`point_towards`: a thing looks at another."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+from robolayout.constraints._exact import ANGLE_TOLERANCE, facing_error
+from robolayout.constraints._refs import AssetRef, Ref
+from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._terms import FrameTerm, Term
+from robolayout.scene import Layout, Scene
+
+
+@dataclass(frozen=True)
+class PointTowards(Relation):
+    """The front of `a`, turned by `angle` degrees (counter-clockwise), points at `b`."""
+
+    name: ClassVar[str] = "point_towards"
+    orients: ClassVar[bool] = True
+    example: ClassVar[str] = "solver.point_towards(sofa[0], tv[0])"
+
+    a: AssetRef = argument("asset")
+    b: Ref = argument("asset", "wall", "point")
+    angle: float = argument("number", unit="deg", default=0.0)
+
+    def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
+        """Return one row that sets where the front looks."""
+        return (FrameTerm(self.a, self.b, look=math.radians(self.angle)),)
+
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """The ray along the turned front hits b's footprint, or is within 10 degrees of its centre."""
+        off = facing_error(scene, layout, self.a, self.b, math.radians(self.angle))
+        return Outcome(off <= ANGLE_TOLERANCE, off, ANGLE_TOLERANCE, "deg", f"front {off:.0f} deg off {self.b}")

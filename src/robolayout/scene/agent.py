@@ -1,0 +1,74 @@
+"""The agent: the body that must get through the room and use it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where a figure of an agent comes from.
+
+    Attributes:
+        text: The source in words.
+        verified: Whether the figure was checked against that source.
+    """
+
+    text: str
+    verified: bool
+
+
+@dataclass(frozen=True)
+class Agent:
+    """A body that moves through a room.
+
+    Attributes:
+        name: Name of the profile.
+        radius: Radius in metres of the disc that must pass (half the corridor it needs, for rectangular bodies).
+        height: Height in metres; what hangs higher is no obstacle.
+        length: Length of a rectangular footprint in metres; None for a disc.
+        width: Width of a rectangular footprint in metres; None for a disc.
+        turning_diameter: Diameter in metres of the circle it needs to turn; None where it turns in place.
+        reach_distance: Horizontal reach in metres from the centre of its footprint; None if it does not reach.
+        reach_low: Lowest height it reaches, metres.
+        reach_high: Highest height it reaches, metres.
+        shoulder_height: Height of the shoulder in metres; None leaves the reach a cylinder.
+        step: Height in metres that it steps or drives over.
+        title: Name for people.
+        sources: Source of each figure, by attribute name.
+    """
+
+    name: str
+    radius: float
+    height: float
+    length: float | None = None
+    width: float | None = None
+    turning_diameter: float | None = None
+    reach_distance: float | None = None
+    reach_low: float = 0.0
+    reach_high: float = 2.0
+    shoulder_height: float | None = None
+    step: float = 0.03
+    title: str = ""
+    sources: Mapping[str, Source] = field(default_factory=dict[str, Source], compare=False)
+
+    @property
+    def reach(self) -> float:
+        """Horizontal reach in metres from its centre; at least touching distance (radius + 0.10 m)."""
+        return max(self.reach_distance or 0.0, self.radius + TOUCH)
+
+    @property
+    def circumradius(self) -> float:
+        """Radius in metres of the disc that holds the whole footprint."""
+        if self.length is None or self.width is None:
+            return self.radius
+        return math.hypot(self.length, self.width) / 2
+
+
+TOUCH = 0.10
+"""Metres beyond its own disc at which every agent counts as having got to a thing."""
+
+DEFAULT_AGENT = Agent(name="disc", radius=0.30, height=1.5, title="disc of radius 0.30 m")
+"""The agent of a scene that names none."""

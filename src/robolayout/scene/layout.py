@@ -1,0 +1,101 @@
+"""Where everything stands: poses of box centres, and the record of how a solver got there."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+from robolayout.scene.asset import Asset
+
+
+@dataclass(frozen=True)
+class Pose:
+    """Where one asset's box centre is and which way it faces.
+
+    Attributes:
+        x: Metres.
+        y: Metres.
+        z: Metres, of the box centre.
+        yaw: Radians counter-clockwise about z; 0 faces +x.
+    """
+
+    x: float
+    y: float
+    z: float
+    yaw: float
+
+    @property
+    def forward(self) -> tuple[float, float]:
+        """Unit vector of the front, in plan."""
+        return (math.cos(self.yaw), math.sin(self.yaw))
+
+    def corners(self, size: tuple[float, float, float]) -> tuple[tuple[float, float], ...]:
+        """Return the four footprint corners of a box of `size` at this pose, counter-clockwise."""
+        c, s = self.forward
+        hx, hy = size[0] / 2, size[1] / 2
+        local = ((hx, -hy), (hx, hy), (-hx, hy), (-hx, -hy))
+        return tuple((self.x + c * px - s * py, self.y + s * px + c * py) for px, py in local)
+
+
+@dataclass(frozen=True)
+class Layout(Mapping[str, Pose]):
+    """Poses by asset name; assets without a pose are unplaced."""
+
+    poses: Mapping[str, Pose]
+
+    def __getitem__(self, name: str) -> Pose:
+        return self.poses[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.poses)
+
+    def __len__(self) -> int:
+        return len(self.poses)
+
+    def __repr__(self) -> str:
+        rows = (f"{n}: ({p.x:.2f}, {p.y:.2f}, {p.z:.2f}) {math.degrees(p.yaw):.0f} deg" for n, p in self.items())
+        return f"Layout({'; '.join(rows)})"
+
+    def to_dict(self) -> dict[str, dict[str, list[float]]]:
+        """Return the content of `layout.json`: metres and degrees, rounded to 1e-6."""
+        return {
+            name: {
+                "position": [round(pose.x, 6) + 0.0, round(pose.y, 6) + 0.0, round(pose.z, 6) + 0.0],
+                "rotation": [0.0, 0.0, round(math.degrees(pose.yaw) % 360.0, 6) % 360.0 + 0.0],
+            }
+            for name, pose in self.items()
+        }
+
+
+def vertical_span(asset: Asset, pose: Pose) -> tuple[float, float]:
+    """Return the heights in metres of the bottom and the top of an asset's box."""
+    return (pose.z - asset.size[2] / 2, pose.z + asset.size[2] / 2)
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """The layout at one moment of the search.
+
+    Attributes:
+        step: Step counted from the start of the run.
+        stage: What was running ("search", "routes", "repair", ...).
+        poses: (x, y, yaw) by asset name, metres and radians.
+    """
+
+    step: int
+    stage: str
+    poses: Mapping[str, tuple[float, float, float]]
+
+
+@dataclass(frozen=True)
+class Trace:
+    """How a run went: loss terms per step and a few snapshots.
+
+    Attributes:
+        losses: One mapping of loss terms per step; terms may be absent (DESIGN section 6).
+        snapshots: The layout every few steps, in order.
+    """
+
+    losses: tuple[Mapping[str, float], ...] = ()
+    snapshots: tuple[Snapshot, ...] = field(default=())

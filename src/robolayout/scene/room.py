@@ -1,0 +1,122 @@
+"""The room: a floor polygon with walls, doors and windows.
+
+A rectangular room has four walls, and a person enters it through the first door; an L-shaped one has six walls, one of
+whose corners points inwards. Both are a counter-clockwise ring of vertices: wall i runs from vertex i to vertex i + 1,
+and the room lies on its left.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+Point = tuple[float, float]
+
+LANDING_DEPTH = 0.9
+"""Depth in metres of the clear landing inside a door (DESIGN section 4)."""
+
+
+@dataclass(frozen=True)
+class Wall:
+    """One straight wall, seen from above.
+
+    Attributes:
+        index: Its place in the room; it starts at vertex `index`.
+        start: First end, metres.
+        end: Second end, metres.
+    """
+
+    index: int
+    start: Point
+    end: Point
+
+    @cached_property
+    def length(self) -> float:
+        """Length in metres."""
+        return math.dist(self.start, self.end)
+
+    @cached_property
+    def direction(self) -> Point:
+        """Unit vector from start to end."""
+        return ((self.end[0] - self.start[0]) / self.length, (self.end[1] - self.start[1]) / self.length)
+
+    @cached_property
+    def normal(self) -> Point:
+        """Unit vector into the room."""
+        return (-self.direction[1], self.direction[0])
+
+    @cached_property
+    def midpoint(self) -> Point:
+        """Middle of the wall, metres."""
+        return ((self.start[0] + self.end[0]) / 2, (self.start[1] + self.end[1]) / 2)
+
+    def point(self, offset: float, depth: float = 0.0) -> Point:
+        """Return the point `offset` metres along the wall and `depth` metres into the room."""
+        (dx, dy), (nx, ny) = self.direction, self.normal
+        return (self.start[0] + dx * offset + nx * depth, self.start[1] + dy * offset + ny * depth)
+
+
+@dataclass(frozen=True)
+class Opening:
+    """A door or window in a wall.
+
+    Attributes:
+        wall: Index of the wall it is in.
+        offset: Metres from the wall's start to the opening's nearer edge.
+        width: Clear width in metres.
+        height: Height of the opening in metres.
+        sill: Height of its lower edge above the floor in metres; 0 for doors.
+    """
+
+    wall: int
+    offset: float
+    width: float
+    height: float
+    sill: float = 0.0
+
+    @property
+    def center(self) -> float:
+        """Metres from the wall's start to the middle of the opening."""
+        return self.offset + self.width / 2
+
+
+@dataclass(frozen=True)
+class Room:
+    """A room: its floor polygon, wall height, doors and windows.
+
+    Attributes:
+        vertices: Counter-clockwise floor corners in metres; may be concave.
+        wall_height: Height of walls and ceiling in metres.
+        doors: Doors; the first one is where agents enter.
+        windows: Windows.
+    """
+
+    vertices: tuple[Point, ...]
+    wall_height: float
+    doors: tuple[Opening, ...] = ()
+    windows: tuple[Opening, ...] = ()
+
+    @cached_property
+    def walls(self) -> tuple[Wall, ...]:
+        """All walls, in the order of the vertices."""
+        ring = zip(self.vertices, self.vertices[1:] + self.vertices[:1], strict=True)
+        return tuple(Wall(i, start, end) for i, (start, end) in enumerate(ring))
+
+    @cached_property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Smallest x, smallest y, largest x, largest y in metres."""
+        xs, ys = zip(*self.vertices, strict=True)
+        return (min(xs), min(ys), max(xs), max(ys))
+
+    @cached_property
+    def area(self) -> float:
+        """Floor area in square metres."""
+        ring = zip(self.vertices, self.vertices[1:] + self.vertices[:1], strict=True)
+        return sum(ax * by - bx * ay for (ax, ay), (bx, by) in ring) / 2
+
+    def landing(self, door: Opening, depth: float = LANDING_DEPTH) -> tuple[Point, Point, Point, Point]:
+        """Return the corners of the door's landing: its width, `depth` metres into the room, counter-clockwise."""
+        wall = self.walls[door.wall]
+        near, far = door.offset, door.offset + door.width
+        return (wall.point(near), wall.point(far), wall.point(far, depth), wall.point(near, depth))

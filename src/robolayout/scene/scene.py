@@ -1,0 +1,55 @@
+"""The scene: everything that is given before anything is placed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+from robolayout.scene.agent import DEFAULT_AGENT, Agent
+from robolayout.scene.asset import Asset
+from robolayout.scene.room import Room
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What is given: a room, assets, an instruction and one or more agents.
+
+    Attributes:
+        room: The room.
+        assets: Everything to be placed, in the order of the file.
+        task_description: The instruction in plain language.
+        layout_criteria: What the result should be like, in plain language.
+        agents: The bodies that the layout must serve.
+        name: Short name, from the file's name.
+        warnings: What was mended on reading, one sentence each.
+    """
+
+    room: Room
+    assets: tuple[Asset, ...]
+    task_description: str = ""
+    layout_criteria: str = ""
+    agents: tuple[Agent, ...] = (DEFAULT_AGENT,)
+    name: str = "scene"
+    warnings: tuple[str, ...] = field(default=(), compare=False)
+
+    @property
+    def agent(self) -> Agent:
+        """The first agent."""
+        return self.agents[0]
+
+    @cached_property
+    def by_name(self) -> dict[str, Asset]:
+        """Assets by name."""
+        return {asset.name: asset for asset in self.assets}
+
+    @cached_property
+    def variables(self) -> dict[str, tuple[Asset, ...]]:
+        """Assets by program variable, in the order of their index."""
+        groups: dict[str, list[Asset]] = {}
+        for asset in self.assets:
+            groups.setdefault(asset.variable, []).append(asset)
+        return {name: tuple(sorted(group, key=lambda a: a.index)) for name, group in groups.items()}
+
+    def with_agents(self, *agents: Agent) -> Scene:
+        """Return the same scene for other agents."""
+        return replace(self, agents=agents)
