@@ -1,0 +1,97 @@
+"""Files that simulators, viewers and drawing programs load: one format a file.
+
+>>> from robolayout.export import EXPORTERS
+>>> EXPORTERS["glb"].suffix
+'.glb'
+
+A new format is one file with one `Exporter` and one line below. A package outside registers its own under the entry
+point group `robolayout.exporters`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from importlib.metadata import entry_points
+from pathlib import Path
+from types import MappingProxyType
+
+from robolayout._errors import UnknownNameError
+from robolayout._files import write_atomic
+from robolayout.export._exporter import Contents, Exporter, Options, Routes, check_layout
+from robolayout.export.glb import GLB
+from robolayout.scene import Layout, Scene
+
+__all__ = ["EXPORTERS", "Contents", "Exporter", "Options", "Routes", "export", "exporters", "find_exporter", "to_bytes"]
+
+EXPORTERS: Mapping[str, Exporter] = MappingProxyType({exporter.name: exporter for exporter in (GLB,)})
+"""The formats of this package, by name."""
+
+GROUP = "robolayout.exporters"
+"""Entry point group under which other packages register formats."""
+
+
+@cache
+def exporters() -> Mapping[str, Exporter]:
+    """Return all formats by name: those of this package, then those that other installed packages register."""
+    outside = (point.load() for point in sorted(entry_points(group=GROUP), key=lambda point: point.name))
+    found = {exporter.name: exporter for exporter in outside if isinstance(exporter, Exporter)}
+    return MappingProxyType({**found, **EXPORTERS})
+
+
+def find_exporter(target: str | Path) -> Exporter:
+    """Return the format of a name ("glb") or of a file's suffix ("out/room.glb"); the longest suffix that fits wins.
+
+    Raises:
+        UnknownNameError: Neither is known; the message lists all.
+    """
+    known, text = exporters(), str(target)
+    if text in known:
+        return known[text]
+    fitting = [exporter for exporter in known.values() if f".{Path(text).name}".lower().endswith(exporter.suffix)]
+    if not fitting:
+        raise UnknownNameError("export format", text, [*known, *(exporter.suffix for exporter in known.values())])
+    return max(fitting, key=lambda exporter: len(exporter.suffix))
+
+
+def to_bytes(
+    scene: Scene, layout: Layout, name: str | Path, *, options: Options | None = None, partial: bool = False
+) -> bytes:
+    """Return a layout in one format, as the bytes that `export` would write."""
+    exporter = find_exporter(name)
+    check_layout(scene, layout, partial=partial)
+    return exporter.write(scene, layout, options or Options())
+
+
+def export(
+    scene: Scene,
+    layout: Layout,
+    target: str | Path,
+    *,
+    folder: str | Path = ".",
+    options: Options | None = None,
+    partial: bool = False,
+) -> Path:
+    """Write a layout in the format that the target names.
+
+    Args:
+        scene: The scene.
+        layout: Where everything stands.
+        target: A format ("glb"), written as `<scene name><suffix>`; or a file, whose suffix says the format.
+        folder: Where a relative target goes.
+        options: Agent, routes and seed; none, none and 0 by default.
+        partial: Whether assets without a pose may be left out; otherwise they are an error.
+
+    Returns:
+        The file written.
+
+    Raises:
+        UnknownNameError: The format is not known.
+        LayoutError: The layout does not fit the scene.
+        MissingExtraError: The format needs a dependency that is not installed.
+        OutputError: The file cannot be written; nothing half-written is left.
+    """
+    exporter = find_exporter(target)
+    data = to_bytes(scene, layout, exporter.name, options=options, partial=partial)
+    name = f"{scene.name}{exporter.suffix}" if str(target) in exporters() else Path(target)
+    return write_atomic(Path(folder) / name, data)

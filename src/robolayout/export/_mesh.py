@@ -1,0 +1,172 @@
+"""Triangles with normals, and boxes recognised among convex parts."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.assets import Material, Part
+
+CREASE = math.cos(math.radians(40.0))
+"""Cosine of the angle between two faces above which their edge is drawn sharp."""
+
+SMALLEST_FACE = 1e-12
+"""Area in square metres below which a triangle is dropped: it has no direction."""
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """Triangles of one material, ready to be drawn.
+
+    Attributes:
+        positions: (n, 3) metres.
+        normals: (n, 3) unit vectors.
+        indices: (m, 3) counter-clockwise seen from outside.
+    """
+
+    positions: FloatArray
+    normals: FloatArray
+    indices: IntArray
+
+
+@dataclass(frozen=True, eq=False)
+class Box:
+    """An oriented box.
+
+    Attributes:
+        center: (3,) metres.
+        half: (3,) half extents in metres along its own axes.
+        rotation: (3, 3) whose columns are its axes; right-handed.
+    """
+
+    center: FloatArray
+    half: FloatArray
+    rotation: FloatArray
+
+
+def surface(part: Part) -> Surface:
+    """Return a part's triangles with normals: smooth across shallow edges, sharp across those above 40 degrees."""
+    positions, inverse = _unique_rows(np.asarray(part.vertices, np.float64))
+    faces = inverse[np.asarray(part.faces, np.int64)]
+    cross = np.cross(positions[faces[:, 1]] - positions[faces[:, 0]], positions[faces[:, 2]] - positions[faces[:, 0]])
+    area = np.linalg.norm(cross, axis=1) / 2
+    keep = area > SMALLEST_FACE
+    faces, cross = faces[keep], cross[keep]
+    normals = _corner_normals(faces, cross, cross / (2 * area[keep, None]))
+    corners, indices = _unique_rows(np.round(np.hstack([positions[faces.reshape(-1)], normals]), 9))
+    lengths = np.linalg.norm(corners[:, 3:], axis=1, keepdims=True)
+    return Surface(corners[:, :3], corners[:, 3:] / lengths, indices.reshape(-1, 3))
+
+
+def _unique_rows(rows: FloatArray) -> tuple[FloatArray, IntArray]:
+    """Return the distinct rows, sorted, and the place of every row among them."""
+    unique, inverse = np.unique(rows, axis=0, return_inverse=True)
+    return unique, np.asarray(inverse, np.int64).reshape(-1)
+
+
+def _corner_normals(faces: IntArray, weighted: FloatArray, units: FloatArray) -> FloatArray:
+    """Return (3 m, 3) unit normals of face corners: the area-weighted mean of the faces around within the crease."""
+    owner = np.repeat(np.arange(len(faces)), 3)
+    order = np.argsort(faces.reshape(-1), kind="stable")
+    starts = np.flatnonzero(np.diff(faces.reshape(-1)[order], prepend=-1))
+    total = np.zeros((len(owner), 3))
+    for ring in np.split(order, starts[1:]):
+        around = owner[ring]
+        near = (units[around] @ units[around].T) >= CREASE
+        total[ring] = near @ weighted[around]
+    length = np.linalg.norm(total, axis=1, keepdims=True)
+    return np.where(length > SMALLEST_FACE, total / np.maximum(length, SMALLEST_FACE), units[owner])
+
+
+def merged(parts: tuple[Part, ...]) -> tuple[tuple[Material, bool, Surface], ...]:
+    """Return one surface per material, in the order in which the materials first appear.
+
+    The flag says whether every part is closed and convex, so that its inside is never seen.
+    """
+    groups: dict[Material, list[Part]] = {}
+    for part in parts:
+        groups.setdefault(part.material, []).append(part)
+    return tuple(
+        (material, all(part.convex for part in group), _joined([surface(part) for part in group]))
+        for material, group in groups.items()
+    )
+
+
+def _joined(surfaces: list[Surface]) -> Surface:
+    """Return several surfaces as one."""
+    offsets = np.cumsum([0] + [len(s.positions) for s in surfaces[:-1]])
+    return Surface(
+        np.vstack([s.positions for s in surfaces]),
+        np.vstack([s.normals for s in surfaces]),
+        np.vstack([s.indices + offset for s, offset in zip(surfaces, offsets, strict=True)]),
+    )
+
+
+def as_box(part: Part, tolerance: float = 1e-6) -> Box | None:
+    """Return the oriented box that a part is, or None if it is no box.
+
+    A box has eight distinct corners; the three edges at one corner are at right angles, and the corners that they
+    span are exactly the part's.
+    """
+    corners = np.unique(np.round(np.asarray(part.vertices, np.float64), 9), axis=0)
+    if len(corners) != 8:
+        return None
+    center = corners.mean(axis=0)
+    offsets = corners[1:] - corners[0]
+    edges = _right_edges(offsets[np.argsort(np.linalg.norm(offsets, axis=1), kind="stable")])
+    if edges is None:
+        return None
+    lengths = np.linalg.norm(edges, axis=1)
+    axes = edges / lengths[:, None]
+    local = np.abs((corners - center) @ axes.T)
+    if np.abs(local - lengths / 2).max() > tolerance:
+        return None
+    return _upright(Box(center, lengths / 2, axes.T))
+
+
+def _right_edges(offsets: FloatArray) -> FloatArray | None:
+    """Return the first three mutually orthogonal offsets (shortest first), or None."""
+    chosen: list[FloatArray] = []
+    for offset in offsets:
+        length = float(np.linalg.norm(offset))
+        if all(abs(offset @ other) <= 1e-6 * length * float(np.linalg.norm(other)) for other in chosen):
+            chosen.append(offset)
+        if len(chosen) == 3:
+            return np.array(chosen)
+    return None
+
+
+def _upright(box: Box) -> Box:
+    """Return the same box with its axes ordered as near to x, y, z as they can be, and right-handed."""
+    order: list[int] = []
+    for row in range(3):
+        free = [axis for axis in range(3) if axis not in order]
+        order.append(max(free, key=lambda axis: (round(abs(float(box.rotation[row, axis])), 9), -axis)))
+    rotation = box.rotation[:, order]
+    signs = np.array([1.0 if rotation[i, i] >= 0 else -1.0 for i in range(3)])
+    rotation = rotation * signs
+    if np.linalg.det(rotation) < 0:
+        rotation = rotation * np.array([1.0, 1.0, -1.0])
+    return Box(box.center, box.half[order], rotation + 0.0)
+
+
+def quaternion(rotation: FloatArray) -> tuple[float, float, float, float]:
+    """Return (w, x, y, z) of a rotation matrix, with w >= 0."""
+    m = rotation
+    w = math.sqrt(max(0.0, 1 + m[0, 0] + m[1, 1] + m[2, 2])) / 2
+    x = math.copysign(math.sqrt(max(0.0, 1 + m[0, 0] - m[1, 1] - m[2, 2])) / 2, m[2, 1] - m[1, 2])
+    y = math.copysign(math.sqrt(max(0.0, 1 - m[0, 0] + m[1, 1] - m[2, 2])) / 2, m[0, 2] - m[2, 0])
+    z = math.copysign(math.sqrt(max(0.0, 1 - m[0, 0] - m[1, 1] + m[2, 2])) / 2, m[1, 0] - m[0, 1])
+    return (w, x, y, z)
+
+
+def linear(color: tuple[float, float, float]) -> tuple[float, float, float]:
+    """Return an sRGB colour as linear light, which is what GLB and USD store (IEC 61966-2-1)."""
+    red, green, blue = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in color)
+    return (red, green, blue)

@@ -1,0 +1,196 @@
+"""GLB (glTF 2.0 binary): what viewers, game engines and Habitat-style simulators load.
+
+One node per asset with its name, pose and facts ("extras"), one child mesh per material. glTF is y up, so the root
+turns the whole scene by -90 degrees about x; below it everything keeps this package's frame (z up, metres, box
+centres).
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import struct
+from collections.abc import Mapping
+from typing import cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout._errors import LayoutError
+from robolayout._version import __version__
+from robolayout.assets import Material, Part, parts, room_parts
+from robolayout.export._exporter import Contents, Exporter, Options, facts, placed
+from robolayout.export._mesh import Surface, linear, merged
+from robolayout.scene import Layout, Pose, Scene
+
+MAGIC = b"glTF"
+Json = dict[str, object]
+
+FLOAT, UINT32 = 5126, 5125
+VERTICES, INDICES = 34962, 34963
+
+
+class _Builder:
+    """Collects nodes, meshes and binary data; equal meshes are stored once."""
+
+    def __init__(self) -> None:
+        self.nodes: list[Json] = []
+        self.meshes: list[Json] = []
+        self.materials: list[Json] = []
+        self.accessors: list[Json] = []
+        self.views: list[Json] = []
+        self.blob = bytearray()
+        self._known: dict[object, int] = {}
+
+    def node(self, name: str, **content: object) -> int:
+        """Add a node; return its index."""
+        self.nodes.append({"name": name, **content})
+        return len(self.nodes) - 1
+
+    def object(self, name: str, pieces: tuple[Part, ...], **content: object) -> int:
+        """Add a node with one child mesh per material; return its index."""
+        children = [
+            self.node(f"{name}.{material.name}", mesh=self._mesh(name, material, closed, shape))
+            for material, closed, shape in merged(pieces)
+            if len(shape.indices)
+        ]
+        return self.node(name, **content, **({"children": children} if children else {}))
+
+    def _mesh(self, name: str, material: Material, closed: bool, shape: Surface) -> int:
+        key = (material, closed, shape.positions.tobytes(), shape.normals.tobytes(), shape.indices.tobytes())
+        if key not in self._known:
+            attributes = {
+                "POSITION": self._accessor(shape.positions.astype("<f4"), VERTICES),
+                "NORMAL": self._accessor(shape.normals.astype("<f4"), VERTICES),
+            }
+            indices = self._accessor(shape.indices.reshape(-1).astype("<u4"), INDICES)
+            primitive = {"attributes": attributes, "indices": indices, "material": self._material(material, closed)}
+            self.meshes.append({"name": f"{name}.{material.name}", "primitives": [primitive]})
+            self._known[key] = len(self.meshes) - 1
+        return self._known[key]
+
+    def _material(self, material: Material, closed: bool) -> int:
+        key = (material, closed)
+        if key not in self._known:
+            entry: Json = {
+                "name": material.name,
+                "pbrMetallicRoughness": {
+                    "baseColorFactor": [*(round(c, 6) for c in linear(material.color)), material.opacity],
+                    "metallicFactor": material.metallic,
+                    "roughnessFactor": material.roughness,
+                },
+            }
+            if material.opacity < 1:
+                entry["alphaMode"] = "BLEND"
+            if not closed:
+                entry["doubleSided"] = True
+            self.materials.append(entry)
+            self._known[key] = len(self.materials) - 1
+        return self._known[key]
+
+    def _accessor(self, array: NDArray[np.float32 | np.uint32], target: int) -> int:
+        data = array.tobytes()
+        self.views.append({"buffer": 0, "byteOffset": len(self.blob), "byteLength": len(data), "target": target})
+        self.blob += data
+        entry: Json = {"bufferView": len(self.views) - 1, "count": len(array)}
+        if target == INDICES:
+            entry |= {"componentType": UINT32, "type": "SCALAR"}
+        else:
+            low, high = array.min(axis=0), array.max(axis=0)
+            entry |= {"componentType": FLOAT, "type": "VEC3", "min": low.tolist(), "max": high.tolist()}
+        self.accessors.append(entry)
+        return len(self.accessors) - 1
+
+    def document(self, root: int) -> Json:
+        """Return the JSON of the whole file; empty lists are left out, as the format demands."""
+        lists: dict[str, list[Json]] = {
+            "meshes": self.meshes,
+            "materials": self.materials,
+            "accessors": self.accessors,
+            "bufferViews": self.views,
+            "buffers": [{"byteLength": len(self.blob)}] if self.blob else [],
+        }
+        return {
+            "asset": {"version": "2.0", "generator": f"robolayout {__version__}"},
+            "scene": 0,
+            "scenes": [{"nodes": [root]}],
+            "nodes": self.nodes,
+            **{name: entries for name, entries in lists.items() if entries},
+        }
+
+
+def by_name(pieces: tuple[Part, ...]) -> dict[str, tuple[Part, ...]]:
+    """Return parts grouped by their name, in the order in which the names first appear."""
+    groups: dict[str, list[Part]] = {}
+    for part in pieces:
+        groups.setdefault(part.name, []).append(part)
+    return {name: tuple(group) for name, group in groups.items()}
+
+
+def write(scene: Scene, layout: Layout, options: Options) -> bytes:
+    """Return the room and all placed assets as one GLB file."""
+    builder = _Builder()
+    room = [builder.object(name, pieces) for name, pieces in by_name(room_parts(scene.room)).items()]
+    children = [builder.node("room", children=room, extras={"kind": "room"})]
+    for asset, pose in placed(scene, layout):
+        half = pose.yaw / 2
+        children.append(
+            builder.object(
+                asset.name,
+                parts(asset, seed=options.seed),
+                translation=[pose.x, pose.y, pose.z],
+                rotation=[0.0, 0.0, math.sin(half), math.cos(half)],
+                extras={"kind": "asset", **facts(asset)},
+            )
+        )
+    turn = math.sqrt(0.5)
+    extras: Json = {"kind": "scene", "frame": "z up, metres, box centres, yaw 0 faces +x"}
+    if options.agent is not None:
+        extras["agent"] = options.agent.name
+    if options.routes:
+        extras["routes"] = {name: [list(point) for point in line] for name, line in options.routes.items()}
+    root = builder.node(scene.name, rotation=[-turn, 0.0, 0.0, turn], children=children, extras=extras)
+    return _packed(builder.document(root), bytes(builder.blob))
+
+
+def _packed(document: Json, blob: bytes) -> bytes:
+    """Return the two chunks of a GLB file, each padded to four bytes."""
+    text = json.dumps(document, separators=(",", ":"), ensure_ascii=False, allow_nan=False).encode()
+    chunks = struct.pack("<II", len(text) + -len(text) % 4, 0x4E4F534A) + text + b" " * (-len(text) % 4)
+    if blob:
+        chunks += struct.pack("<II", len(blob) + -len(blob) % 4, 0x004E4942) + blob + b"\0" * (-len(blob) % 4)
+    return MAGIC + struct.pack("<II", 2, 12 + len(chunks)) + chunks
+
+
+def document(data: bytes) -> Json:
+    """Return the JSON chunk of a GLB file.
+
+    Raises:
+        LayoutError: The bytes are no GLB file.
+    """
+    if len(data) < 20 or data[:4] != MAGIC or data[16:20] != b"JSON":
+        raise LayoutError("this is no GLB file: it must start with the four letters glTF and a JSON chunk.")
+    (length,) = struct.unpack("<I", data[12:16])
+    try:
+        return cast(Json, json.loads(data[20 : 20 + length]))
+    except ValueError as error:
+        raise LayoutError(f"the JSON chunk of this GLB file cannot be read: {error}.") from error
+
+
+def read(data: bytes) -> Contents:
+    """Return the names, poses and sizes in a GLB file that this package wrote."""
+    poses: dict[str, Pose] = {}
+    sizes: dict[str, tuple[float, float, float]] = {}
+    for node in cast(list[Json], document(data).get("nodes", [])):
+        extras = cast(Mapping[str, object], node.get("extras", {}))
+        if extras.get("kind") != "asset":
+            continue
+        x, y, z = cast(list[float], node["translation"])
+        _, _, sine, cosine = cast(list[float], node["rotation"])
+        depth, width, height = cast(list[float], extras["size"])
+        poses[str(node["name"])] = Pose(x, y, z, 2 * math.atan2(sine, cosine))
+        sizes[str(node["name"])] = (depth, width, height)
+    return Contents(Layout(poses), sizes)
+
+
+GLB = Exporter("glb", ".glb", "glTF binary: meshes, materials, one node per asset", None, write, read)
