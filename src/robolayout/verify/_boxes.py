@@ -1,0 +1,118 @@
+"""All assets of a scene as arrays, ready for vectorised Shapely."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import Polygon
+
+from robolayout.scene import Layout, Room, Scene
+
+AREA_TOLERANCE = 1e-4
+"""Square metres of intersection in plan that still count as touching (DESIGN section 4)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Boxes:
+    """The boxes of all assets, in the order of the scene; one row each, placed or not.
+
+    Attributes:
+        names: Asset names.
+        placed: (n,) whether it has a pose of finite numbers.
+        footprints: (n,) Shapely polygons in the world frame; empty where unplaced.
+        centers: (n, 2) metres; NaN where unplaced.
+        bottom: (n,) metres; NaN where unplaced.
+        top: (n,) metres; NaN where unplaced.
+        flat: (n,) whether it is a rug.
+        ceiling: (n,) whether it hangs from the ceiling.
+    """
+
+    names: tuple[str, ...]
+    placed: NDArray[np.bool_]
+    footprints: NDArray[np.object_]
+    centers: NDArray[np.float64]
+    bottom: NDArray[np.float64]
+    top: NDArray[np.float64]
+    flat: NDArray[np.bool_]
+    ceiling: NDArray[np.bool_]
+
+    def obstacles(self, step: float, height: float) -> NDArray[np.intp]:
+        """Return the rows in the way of a body: their heights intersect [step, height] and they are no rugs."""
+        return np.flatnonzero(self.placed & ~self.flat & (self.top > step + 1e-9) & (self.bottom < height - 1e-9))
+
+    def carrier(self, row: int, tolerance: float) -> int | None:
+        """Return the row that carries asset `row`: its top is at the asset's bottom and the centre is over it."""
+        if not self.placed[row]:
+            return None
+        near = self.placed & (np.abs(self.top - self.bottom[row]) <= tolerance + 1e-9)
+        near[row] = False
+        candidates = np.flatnonzero(near)
+        over = candidates[shapely.intersects_xy(self.footprints[candidates], *self.centers[row])]
+        if not len(over):
+            return None
+        return int(over[np.argmin(np.abs(self.top[over] - self.bottom[row]))])
+
+
+def boxes(scene: Scene, layout: Layout) -> Boxes:
+    """Return the boxes of all assets; poses of names that the scene does not have are ignored."""
+    count = len(scene.assets)
+    poses = np.full((count, 4), np.nan)
+    for row, asset in enumerate(scene.assets):
+        pose = layout.get(asset.name)
+        if pose is not None:
+            poses[row] = (pose.x, pose.y, pose.z, pose.yaw)
+    placed = np.asarray(np.isfinite(poses).all(axis=1))
+    poses[~placed] = np.nan
+    sizes = np.array([asset.size for asset in scene.assets], dtype=float).reshape(count, 3)
+    footprints = np.full(count, Polygon(), dtype=object)
+    if placed.any():
+        footprints[placed] = shapely.polygons(corners(poses[placed], sizes[placed]))
+    return Boxes(
+        names=tuple(asset.name for asset in scene.assets),
+        placed=placed,
+        footprints=footprints,
+        centers=poses[:, :2],
+        bottom=poses[:, 2] - sizes[:, 2] / 2,
+        top=poses[:, 2] + sizes[:, 2] / 2,
+        flat=np.array([asset.is_flat for asset in scene.assets], dtype=bool),
+        ceiling=np.array([asset.on_ceiling for asset in scene.assets], dtype=bool),
+    )
+
+
+def corners(poses: NDArray[np.float64], sizes: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return (n, 4, 2) footprint corners of boxes at (n, 4) poses x, y, z, yaw.
+
+    Counter-clockwise from the front right one, so that the edges are front, left, back, right.
+    """
+    forward = np.stack([np.cos(poses[:, 3]), np.sin(poses[:, 3])], axis=1)
+    left = np.stack([-forward[:, 1], forward[:, 0]], axis=1)
+    half_depth, half_width = forward * sizes[:, :1] / 2, left * sizes[:, 1:2] / 2
+    center = poses[:, :2]
+    ring = (half_depth - half_width, half_depth + half_width, half_width - half_depth, -half_depth - half_width)
+    return np.stack([center + corner for corner in ring], axis=1)
+
+
+def room_polygon(room: Room) -> Polygon:
+    """Return the floor as a Shapely polygon."""
+    return Polygon(room.vertices)
+
+
+def landings(room: Room) -> NDArray[np.object_]:
+    """Return the landing polygons of all doors (DESIGN section 4)."""
+    return np.array([Polygon(room.landing(door)) for door in room.doors], dtype=object)
+
+
+def share(flags: Any) -> float:
+    """Return the share of true values; 1 for none at all."""
+    values = np.asarray(flags, dtype=bool)
+    return float(values.mean()) if values.size else 1.0
+
+
+def metres(value: float) -> str:
+    """Return a length for a sentence: `0.62 m`."""
+    return f"{value:.2f} m" if math.isfinite(value) else "no distance"

@@ -1,0 +1,124 @@
+"""Navigation: can a body of this radius get from the door to every asset?
+
+The agent is a disc; its free space is the room shrunk by its radius minus the obstacles grown by it (`_space.py`). What
+it can enter through the first door is the main component. An asset is reached when its footprint lies within the
+agent's reach, measured in plan from the agent's centre. Ceiling assets and rugs count as reached, unplaced ones never.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from shapely import MultiPolygon, Polygon
+
+from robolayout.scene import Agent, Layout, Point, Scene
+from robolayout.verify._boxes import Boxes, boxes, share
+from robolayout.verify._space import Space, disc_space, plan_distances, reached_rows
+from robolayout.verify.passages import Passage, find_passages
+from robolayout.verify.routes import Route, entry_point, find_routes
+
+
+@dataclass(frozen=True, eq=False)
+class Navigation:
+    """Where an agent can go and what it reaches; routes and passages are computed when first asked for.
+
+    Attributes:
+        scene: The scene.
+        layout: The layout.
+        agent: The body.
+        space: Its free space and the component it enters.
+        distances: Metres in plan from each asset's footprint to the nearest place of the agent's centre; infinite if
+            there is none, NaN if unplaced.
+        reached: Verdict per asset.
+    """
+
+    scene: Scene
+    layout: Layout
+    agent: Agent
+    space: Space
+    distances: Mapping[str, float]
+    reached: Mapping[str, bool]
+    _boxes: Boxes = field(repr=False)
+
+    @property
+    def free(self) -> MultiPolygon:
+        """Everywhere the agent's centre could be."""
+        return self.space.free
+
+    @property
+    def main(self) -> Polygon:
+        """Everywhere the agent's centre can get to from the door."""
+        return self.space.main
+
+    @property
+    def walkable_ratio(self) -> float:
+        """Area of the main component over all free area."""
+        return self.space.walkable_ratio
+
+    @property
+    def reachable_share(self) -> float:
+        """Share of all assets that are reached."""
+        return share(list(self.reached.values()))
+
+    @cached_property
+    def unreached(self) -> tuple[str, ...]:
+        """Placed assets that are not reached, in the order of the scene."""
+        found = self._boxes
+        return tuple(found.names[row] for row in np.flatnonzero(found.placed) if not self.reached[found.names[row]])
+
+    @cached_property
+    def obstacles(self) -> tuple[str, ...]:
+        """Names of the assets that stand in this body's way."""
+        rows = self._boxes.obstacles(self.agent.step, self.agent.height)
+        return tuple(self._boxes.names[row] for row in rows)
+
+    @cached_property
+    def entry(self) -> Point | None:
+        """Where routes start: the place of its centre nearest to the first door (no door: to the room's middle)."""
+        return entry_point(self.scene.room, self.space)
+
+    @cached_property
+    def routes(self) -> Mapping[str, Route]:
+        """A short collision-free way to every asset that is reached and stands or hangs within the walls."""
+        goals = {name: self._footprint(name) for name in self._wanted if self.reached[name]}
+        return find_routes(self.scene.room, self.space, goals)
+
+    @cached_property
+    def passages(self) -> Mapping[str, Passage]:
+        """The narrowest passage on the widest way to every placed asset, reached or not."""
+        return find_passages(self.scene, self.layout, self.agent, self._wanted)
+
+    @cached_property
+    def _wanted(self) -> tuple[str, ...]:
+        found = self._boxes
+        return tuple(found.names[row] for row in np.flatnonzero(found.placed & ~found.flat & ~found.ceiling))
+
+    def _footprint(self, name: str) -> Polygon:
+        return self._boxes.footprints[self._boxes.names.index(name)]
+
+    def __repr__(self) -> str:
+        return (
+            f"Navigation({self.agent.name}: walkable {self.walkable_ratio:.2f}, reachable {self.reachable_share:.2f}, "
+            f"unreached {list(self.unreached)})"
+        )
+
+
+def navigation(scene: Scene, layout: Layout, agent: Agent | None = None) -> Navigation:
+    """Judge where an agent can go by the definitions of DESIGN section 8; about 5 ms for 40 assets."""
+    agent = agent or scene.agent
+    found = boxes(scene, layout)
+    space = disc_space(scene.room, found.footprints[found.obstacles(agent.step, agent.height)], agent.radius)
+    distances = plan_distances(found, space.main)
+    reached = reached_rows(found, distances, agent.reach)
+    return Navigation(
+        scene=scene,
+        layout=layout,
+        agent=agent,
+        space=space,
+        distances=dict(zip(found.names, distances.tolist(), strict=True)),
+        reached=dict(zip(found.names, reached.tolist(), strict=True)),
+        _boxes=found,
+    )

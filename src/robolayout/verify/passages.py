@@ -1,0 +1,128 @@
+"""Passages: how wide is the narrowest place on the widest way to each asset?
+
+The clear width to an asset is defined by the very check that it explains: the diameter of the largest disc that, in
+this layout, comes in by the door and reaches the asset (same heights, same reach). It is found by bisection over radii on a
+lattice of 5 mm; the place is where the widest disc's way is cut when the disc grows by one more step.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+import shapely
+from shapely import LineString, Polygon
+
+from robolayout.scene import Agent, Layout, Point, Scene
+from robolayout.verify._boxes import Boxes, boxes
+from robolayout.verify._space import Space, disc_space, plan_distances, reached_rows
+from robolayout.verify.routes import find_routes
+
+STEP = 0.005
+"""Metres between the radii that are tried; a width is known to twice that."""
+WIDE = 1.5
+"""Metres of clear width beyond which a passage is not called narrow any more."""
+
+
+@dataclass(frozen=True)
+class Passage:
+    """The narrowest place on the widest way to an asset.
+
+    Attributes:
+        asset: Where the way leads.
+        width: Clear width in metres, to 1 cm; 0 if not even a disc of 1 cm gets there, `WIDE` stands for that or more.
+        point: Where it is, metres; None where no passage limits the way (open floor, or only the arm is too short).
+        between: What stands left and right of it: asset names or "wall 2"; empty where there is no such place.
+    """
+
+    asset: str
+    width: float
+    point: Point | None
+    between: tuple[str, ...]
+
+    @property
+    def shown(self) -> str:
+        """The width in words: "0.62 m", "1.50 m or more", "none"."""
+        if self.width == 0:
+            return "none"
+        return f"{self.width:.2f} m" + (" or more" if self.width >= WIDE - 1e-9 else "")
+
+
+def find_passages(scene: Scene, layout: Layout, agent: Agent, names: Sequence[str]) -> dict[str, Passage]:
+    """Return the narrowest passage on the way to each of these placed assets."""
+    search = _Search(scene, boxes(scene, layout), agent)
+    top = max(math.ceil(WIDE / 2 / STEP), math.floor(agent.radius / STEP) + 1)
+    widest = {name: _largest(partial(search.reached, search.row(name)), top) for name in names}
+    result = {name: Passage(name, min(2 * STEP * step, 2 * STEP * top), None, ()) for name, step in widest.items()}
+    for step in sorted({step for step in widest.values() if 0 < step < top}):
+        group = [name for name, found in widest.items() if found == step]
+        for name, place in search.necks(step, group).items():
+            result[name] = replace(result[name], point=place, between=search.neighbours(place, step * STEP))
+    return result
+
+
+def _largest(holds: Callable[[int], bool], top: int) -> int:
+    """Return the largest step in 1..top for which a falling property holds; 0 if none."""
+    low, high = 0, top + 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (middle, high) if holds(middle) else (low, middle)
+    return low
+
+
+class _Search:
+    """Free spaces of one layout by radius, computed once each."""
+
+    def __init__(self, scene: Scene, found: Boxes, agent: Agent) -> None:
+        self._scene, self._found, self._agent = scene, found, agent
+        self._rows = found.obstacles(agent.step, agent.height)
+        self._spaces: dict[int, tuple[Space, list[bool]]] = {}
+
+    def row(self, name: str) -> int:
+        return self._found.names.index(name)
+
+    def space(self, step: int) -> tuple[Space, list[bool]]:
+        """Return the free space of a disc of `step` lattice steps and what it reaches."""
+        if step not in self._spaces:
+            radius = step * STEP
+            space = disc_space(self._scene.room, self._found.footprints[self._rows], radius)
+            reach = replace(self._agent, radius=radius).reach
+            reached = reached_rows(self._found, plan_distances(self._found, space.main), reach)
+            self._spaces[step] = (space, reached.tolist())
+        return self._spaces[step]
+
+    def reached(self, row: int, step: int) -> bool:
+        return self.space(step)[1][row]
+
+    def necks(self, step: int, names: Sequence[str]) -> dict[str, Point]:
+        """Return where the ways of the widest disc are cut when it grows by one step."""
+        space, grown = self.space(step)[0], self.space(step + 1)[0]
+        reopened = grown.free.buffer(1.5 * STEP)
+        goals: Mapping[str, Polygon] = {name: self._found.footprints[self.row(name)] for name in names}
+        result: dict[str, Point] = {}
+        for name, route in find_routes(self._scene.room, space, goals).items():
+            cut = [part for part in shapely.get_parts(route.line.difference(reopened)) if isinstance(part, LineString)]
+            cut = [part for part in cut if part.length > 0]
+            if cut:
+                middle = max(cut, key=lambda part: part.length).interpolate(0.5, normalized=True)
+                result[name] = (float(middle.x), float(middle.y))
+        return result
+
+    def neighbours(self, place: Point, radius: float) -> tuple[str, ...]:
+        """Return what touches a disc at a place: the nearest thing, and the nearest one across from it."""
+        spot = shapely.Point(place)
+        names = [f"wall {wall.index}" for wall in self._scene.room.walls] + [
+            self._found.names[row] for row in self._rows
+        ]
+        shapes = [LineString((wall.start, wall.end)) for wall in self._scene.room.walls]
+        shapes += list(self._found.footprints[self._rows])
+        feet = shapely.get_coordinates(shapely.shortest_line(spot, np.array(shapes, dtype=object)))[1::2]
+        offsets = feet - np.array(place)
+        distance = np.hypot(offsets[:, 0], offsets[:, 1])
+        first = int(np.argmin(distance))
+        across = np.flatnonzero((offsets @ offsets[first] < 0) & (distance <= 2 * radius + 0.05))
+        others = [names[first]] + ([names[across[np.argmin(distance[across])]]] if len(across) else [])
+        return tuple(others)

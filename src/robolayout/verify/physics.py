@@ -1,0 +1,244 @@
+"""Physics: is everything placed, apart, inside, held, and are the doors clear?
+
+The exact checks of the implicit relations (DESIGN section 4), measured with Shapely on the finished layout. Two assets
+collide when their footprints share more than 1e-4 m2 and their heights more than 1 cm; rugs below 3 cm never collide.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import Polygon, STRtree
+
+from robolayout.scene import Layout, Scene
+from robolayout.verify._boxes import AREA_TOLERANCE, Boxes, boxes, landings, room_polygon, share
+
+
+@dataclass(frozen=True)
+class PhysicsLimits:
+    """Tolerances of the physical checks; the defaults are the definitions of DESIGN section 4.
+
+    Attributes:
+        area: Shared footprint in m2 above which two assets collide, or an asset stands in a landing.
+        height: Shared height in metres above which two assets collide.
+        boundary: Metres that a box may stick out of the room, in plan and in height.
+        support: Metres between an asset and what holds it.
+        door_height: Metres below which nothing may stand in a landing.
+    """
+
+    area: float = AREA_TOLERANCE
+    height: float = 0.01
+    boundary: float = 0.01
+    support: float = 0.02
+    door_height: float = 2.0
+
+
+@dataclass(frozen=True)
+class Collision:
+    """Two assets that share space.
+
+    Attributes:
+        a: First asset, in the order of the scene.
+        b: Second asset.
+        area: Shared footprint in m2.
+        height: Shared height in metres.
+    """
+
+    a: str
+    b: str
+    area: float
+    height: float
+
+
+@dataclass(frozen=True)
+class Obstruction:
+    """An asset in a door's landing.
+
+    Attributes:
+        door: Index of the door.
+        asset: Name of the asset.
+        area: How much of the landing it takes, m2.
+    """
+
+    door: int
+    asset: str
+    area: float
+
+
+@dataclass(frozen=True)
+class Physics:
+    """What the physical checks found; the mappings hold one verdict per asset of the scene.
+
+    Attributes:
+        placed: Has a pose.
+        collision_free: Shares no space with another asset.
+        in_boundary: Lies inside the room.
+        supported: Stands on, touches or hangs from what it should.
+        collisions: Colliding pairs.
+        obstructions: What stands in door landings.
+        reasons: For each failing asset, sentences with numbers; in the order of the scene.
+    """
+
+    placed: Mapping[str, bool]
+    collision_free: Mapping[str, bool]
+    in_boundary: Mapping[str, bool]
+    supported: Mapping[str, bool]
+    collisions: tuple[Collision, ...]
+    obstructions: tuple[Obstruction, ...]
+    reasons: tuple[str, ...]
+
+    @property
+    def door_clear(self) -> bool:
+        """Whether nothing stands in a landing."""
+        return not self.obstructions
+
+    @cached_property
+    def shares(self) -> dict[str, float]:
+        """The shares over all assets, by the names of DESIGN section 8."""
+        return {
+            "placed_share": share(list(self.placed.values())),
+            "collision_free_share": share(list(self.collision_free.values())),
+            "in_boundary_share": share(list(self.in_boundary.values())),
+            "supported_share": share(list(self.supported.values())),
+        }
+
+    @cached_property
+    def failing(self) -> tuple[str, ...]:
+        """Names of assets that fail any check or block a door, in the order of the scene."""
+        blocking = {item.asset for item in self.obstructions}
+        checks = (self.placed, self.collision_free, self.in_boundary, self.supported)
+        return tuple(name for name in self.placed if name in blocking or not all(check[name] for check in checks))
+
+    @property
+    def ok(self) -> bool:
+        """Whether every asset passes every check and the doors are clear."""
+        return not self.failing
+
+    def __repr__(self) -> str:
+        shares = ", ".join(f"{name.removesuffix('_share')} {value:.2f}" for name, value in self.shares.items())
+        return f"Physics({shares}, door_clear {self.door_clear})"
+
+
+def physics(scene: Scene, layout: Layout, limits: PhysicsLimits | None = None) -> Physics:
+    """Check a layout's physics; about 2 ms for 40 assets."""
+    limits = limits or PhysicsLimits()
+    found = boxes(scene, layout)
+    pairs = collisions(found, limits)
+    hit = {name for pair in pairs for name in (pair.a, pair.b)}
+    inside = _inside(scene, found, limits)
+    held = _held(scene, found, limits)
+    blocked = obstructions(scene, found, limits)
+    sentences = [
+        f"{name} is not placed." for name, is_placed in zip(found.names, found.placed, strict=True) if not is_placed
+    ]
+    sentences += [f"{c.a} and {c.b} overlap by {c.area:.3f} m2 in plan and {c.height:.2f} m in height." for c in pairs]
+    sentences += [_outside_sentence(scene, found, int(row)) for row in np.flatnonzero(found.placed & ~inside)]
+    sentences += [_floating_sentence(scene, found, int(row)) for row in np.flatnonzero(found.placed & ~held)]
+    sentences += [f"{o.asset} takes {o.area:.2f} m2 of the landing of door {o.door}." for o in blocked]
+    return Physics(
+        placed=_verdicts(found, found.placed),
+        collision_free={n: bool(p) and n not in hit for n, p in zip(found.names, found.placed, strict=True)},
+        in_boundary=_verdicts(found, inside),
+        supported=_verdicts(found, held),
+        collisions=pairs,
+        obstructions=blocked,
+        reasons=tuple(sentences),
+    )
+
+
+def collisions(found: Boxes, limits: PhysicsLimits) -> tuple[Collision, ...]:
+    """Return all pairs that share more footprint and height than allowed; rugs aside."""
+    rows = np.flatnonzero(found.placed & ~found.flat)
+    footprints = found.footprints[rows]
+    first, second = STRtree(footprints).query(footprints, predicate="intersects")
+    first, second = first[first < second], second[first < second]
+    order = np.lexsort((second, first))
+    a, b = rows[first[order]], rows[second[order]]
+    height = np.minimum(found.top[a], found.top[b]) - np.maximum(found.bottom[a], found.bottom[b])
+    tall = height > limits.height + 1e-9
+    a, b, height = a[tall], b[tall], height[tall]
+    area = shapely.area(shapely.intersection(found.footprints[a], found.footprints[b]))
+    return tuple(
+        Collision(found.names[i], found.names[j], float(shared), float(tallness))
+        for i, j, shared, tallness in zip(a, b, area, height, strict=True)
+        if shared > limits.area
+    )
+
+
+def obstructions(scene: Scene, found: Boxes, limits: PhysicsLimits) -> tuple[Obstruction, ...]:
+    """Return what stands in door landings below the door height; rugs aside."""
+    rows = np.flatnonzero(found.placed & ~found.flat & (found.bottom < limits.door_height - 1e-9))
+    result: list[Obstruction] = []
+    for door, landing in enumerate(landings(scene.room)):
+        area = shapely.area(shapely.intersection(found.footprints[rows], landing))
+        result += [
+            Obstruction(door, found.names[row], float(shared))
+            for row, shared in zip(rows, area, strict=True)
+            if shared > limits.area
+        ]
+    return tuple(result)
+
+
+def _inside(scene: Scene, found: Boxes, limits: PhysicsLimits) -> NDArray[np.bool_]:
+    grown = room_polygon(scene.room).buffer(limits.boundary)
+    shapely.prepare(grown)
+    slack = limits.boundary + 1e-9
+    height = (found.bottom >= -slack) & (found.top <= scene.room.wall_height + slack)
+    return found.placed & height & shapely.covers(grown, found.footprints)
+
+
+def _held(scene: Scene, found: Boxes, limits: PhysicsLimits) -> NDArray[np.bool_]:
+    """Return what is held in a way that its flags allow: on the floor or an asset, at a wall, from the ceiling."""
+    assets = scene.assets
+    tolerance = limits.support + 1e-9
+    on_wall = np.array([asset.on_wall for asset in assets], dtype=bool)
+    stands = np.array([a.on_floor or a.on_object or not (a.on_wall or a.on_ceiling) for a in assets], dtype=bool)
+    walls = room_polygon(scene.room).exterior
+    floor = np.abs(found.bottom) <= tolerance
+    ceiling = np.abs(found.top - scene.room.wall_height) <= tolerance
+    wall = shapely.distance(found.footprints, walls) <= tolerance
+    carried = np.zeros(len(assets), dtype=bool)
+    for row in np.flatnonzero(found.placed & stands & ~floor):
+        carried[row] = found.carrier(int(row), limits.support) is not None
+    return found.placed & ((stands & (floor | carried)) | (on_wall & wall) | (found.ceiling & ceiling))
+
+
+def _verdicts(found: Boxes, flags: NDArray[np.bool_]) -> dict[str, bool]:
+    return {name: bool(flag) for name, flag in zip(found.names, flags, strict=True)}
+
+
+def _outside_sentence(scene: Scene, found: Boxes, row: int) -> str:
+    name, room = found.names[row], room_polygon(scene.room)
+    if found.bottom[row] < -0.01:
+        return f"{name} reaches {-found.bottom[row]:.2f} m below the floor."
+    if found.top[row] > scene.room.wall_height + 0.01:
+        return f"{name} reaches {found.top[row] - scene.room.wall_height:.2f} m above the ceiling."
+    out: Polygon = found.footprints[row].difference(room)
+    depth = float(shapely.distance(shapely.points(shapely.get_coordinates(out)), room).max())
+    return f"{name} sticks {depth:.2f} m out of the room ({out.area:.3f} m2 of its footprint)."
+
+
+def _floating_sentence(scene: Scene, found: Boxes, row: int) -> str:
+    asset, name = scene.assets[row], found.names[row]
+    if asset.on_ceiling:
+        return f"{name} hangs {scene.room.wall_height - found.top[row]:.2f} m below the ceiling instead of from it."
+    if asset.on_wall:
+        gap = found.footprints[row].distance(room_polygon(scene.room).exterior)
+        return f"{name} should hang on a wall but is {gap:.2f} m from the nearest one."
+    below = np.flatnonzero(found.placed & (found.top <= found.bottom[row] + 1e-9))
+    under = below[shapely.intersects_xy(found.footprints[below], *found.centers[row])]
+    base = (
+        f"the top of {found.names[best]} at {found.top[best]:.2f} m"
+        if (best := _highest(found, under)) is not None
+        else "the floor at 0.00 m"
+    )
+    return f"{name} is not supported: its bottom is at {found.bottom[row]:.2f} m, {base}."
+
+
+def _highest(found: Boxes, rows: NDArray[np.intp]) -> int | None:
+    return int(rows[np.argmax(found.top[rows])]) if len(rows) else None

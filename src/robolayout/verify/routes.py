@@ -1,0 +1,189 @@
+"""Routes: a short collision-free way from the door to each asset, inside the free space.
+
+The main component is cut into triangles (constrained Delaunay), so that the way cannot leave it and no gap is ever
+missed, however thin. One search over the triangles from the door serves all assets; pulling the string tight in each row of
+triangles gives the shortest way of its kind (past the same obstacles on the same sides).
+"""
+
+from __future__ import annotations
+
+import heapq
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import LineString, Polygon
+
+from robolayout.scene import Point, Room
+from robolayout.verify._boxes import room_polygon
+from robolayout.verify._space import Space
+
+
+@dataclass(frozen=True)
+class Route:
+    """A way of the agent's centre.
+
+    Attributes:
+        asset: Where it leads.
+        points: Corners of the way in metres, from the door to the nearest place to the asset.
+    """
+
+    asset: str
+    points: tuple[Point, ...]
+
+    @cached_property
+    def length(self) -> float:
+        """Length in metres."""
+        return sum(math.dist(a, b) for a, b in zip(self.points, self.points[1:], strict=False))
+
+    @property
+    def line(self) -> LineString:
+        """The way as a line; two equal points where the agent already stands there."""
+        return LineString(self.points if len(self.points) > 1 else self.points * 2)
+
+
+def entry_point(room: Room, space: Space) -> Point | None:
+    """Return the place in the main component nearest to the middle of the first door; without a door, of the room."""
+    if space.main.is_empty:
+        return None
+    if space.door is None:
+        target, area = room_polygon(room).centroid, space.main
+    else:
+        door = room.doors[0]
+        target, area = shapely.Point(room.walls[door.wall].point(door.center)), space.main.intersection(space.door)
+    x, y = shapely.get_coordinates(shapely.shortest_line(area, target))[0]
+    return (float(x), float(y))
+
+
+def find_routes(room: Room, space: Space, goals: Mapping[str, Polygon]) -> dict[str, Route]:
+    """Return a route from the entry to the place in the main component nearest to each goal's footprint."""
+    start = entry_point(room, space)
+    if start is None or not goals:
+        return {}
+    lines = shapely.shortest_line(space.main, np.array(list(goals.values()), dtype=object))
+    ends = shapely.get_coordinates(lines)[::2]
+    mesh = _Mesh(space.main)
+    tree = mesh.search(start)
+    return {name: Route(name, mesh.route(tree, (float(x), float(y)))) for name, (x, y) in zip(goals, ends, strict=True)}
+
+
+class _Mesh:
+    """The triangles of a polygon and who neighbours whom."""
+
+    def __init__(self, polygon: Polygon) -> None:
+        triangles = shapely.get_parts(shapely.constrained_delaunay_triangles(polygon))
+        rings = shapely.get_coordinates(triangles).reshape(-1, 4, 2)[:, :3]
+        self._tree = shapely.STRtree(triangles)
+        self._points, index = np.unique(rings.reshape(-1, 2), axis=0, return_inverse=True)
+        self._corners = index.reshape(-1, 3)
+        self._edges = self._neighbours()
+
+    def _neighbours(self) -> list[list[tuple[int, int, int]]]:
+        """Return for each triangle its inner edges as (neighbour, corner, corner)."""
+        owners: dict[tuple[int, int], list[int]] = {}
+        for row, (a, b, c) in enumerate(self._corners.tolist()):
+            for edge in ((a, b), (b, c), (c, a)):
+                owners.setdefault((min(edge), max(edge)), []).append(row)
+        result: list[list[tuple[int, int, int]]] = [[] for _ in self._corners]
+        for (a, b), rows in owners.items():
+            if len(rows) == 2:
+                result[rows[0]].append((rows[1], a, b))
+                result[rows[1]].append((rows[0], a, b))
+        return result
+
+    def locate(self, point: Point) -> int:
+        """Return the triangle that a point is in, or the nearest one."""
+        return int(self._tree.nearest(shapely.Point(point)))
+
+    def search(self, start: Point) -> _Tree:
+        """Return the shortest ways over edge midpoints from a point to all triangles."""
+        source = self.locate(start)
+        tree = _Tree(start, source, {source: 0.0}, {})
+        queue: list[tuple[float, int, Point]] = [(0.0, source, start)]
+        done: set[int] = set()
+        while queue:
+            cost, row, at = heapq.heappop(queue)
+            if row in done:
+                continue
+            done.add(row)
+            for neighbour, a, b in self._edges[row]:
+                middle = tuple(((self._points[a] + self._points[b]) / 2).tolist())
+                further = cost + math.dist(at, middle)
+                if further < tree.cost.get(neighbour, math.inf):
+                    tree.cost[neighbour] = further
+                    tree.parent[neighbour] = (row, a, b)
+                    heapq.heappush(queue, (further, neighbour, middle))
+        return tree
+
+    def route(self, tree: _Tree, goal: Point) -> tuple[Point, ...]:
+        """Return the taut way from the tree's start to a point."""
+        row = self.locate(goal)
+        portals: list[tuple[NDArray[np.float64], NDArray[np.float64]]] = []
+        while row != tree.source and row in tree.parent:
+            before, a, b = tree.parent[row]
+            portals.append(self._oriented(before, a, b))
+            row = before
+        return _pull(tree.start, portals[::-1], goal)
+
+    def _oriented(self, row: int, a: int, b: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return an edge as (left, right), seen by somebody who leaves triangle `row` through it."""
+        middle = self._points[self._corners[row]].mean(axis=0)
+        left, right = self._points[a], self._points[b]
+        return (left, right) if _turn(middle, right, left) > 0 else (right, left)
+
+
+@dataclass(frozen=True)
+class _Tree:
+    start: Point
+    source: int
+    cost: dict[int, float]
+    parent: dict[int, tuple[int, int, int]]
+
+
+def _turn(a: NDArray[np.float64], b: NDArray[np.float64], c: NDArray[np.float64]) -> float:
+    """Return twice the signed area of a, b, c: positive when c is left of the line from a to b."""
+    return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+
+
+def _pull(
+    start: Point, portals: list[tuple[NDArray[np.float64], NDArray[np.float64]]], goal: Point
+) -> tuple[Point, ...]:
+    """Pull a string tight through portals (the funnel algorithm); returns its corners."""
+    end = np.array(goal)
+    gates = [*portals, (end, end)]
+    apex = np.array(start)
+    points = [apex]
+    left, right = gates[0]
+    left_at = right_at = 0
+    at = 0
+    while at < len(gates):
+        new_left, new_right = gates[at]
+        if _turn(apex, right, new_right) >= 0:
+            if np.array_equal(apex, right) or _turn(apex, left, new_right) < 0:
+                right, right_at = new_right, at
+            else:
+                points.append(left)
+                apex, at = left, left_at + 1
+                left = right = apex
+                left_at = right_at = at - 1
+                continue
+        if _turn(apex, left, new_left) <= 0:
+            if np.array_equal(apex, left) or _turn(apex, right, new_left) > 0:
+                left, left_at = new_left, at
+            else:
+                points.append(right)
+                apex, at = right, right_at + 1
+                left = right = apex
+                left_at = right_at = at - 1
+                continue
+        at += 1
+    points.append(end)
+    kept = [points[0]]
+    for point in points[1:]:
+        if not np.array_equal(point, kept[-1]):
+            kept.append(point)
+    return tuple((float(x), float(y)) for x, y in kept)

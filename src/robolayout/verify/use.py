@@ -1,0 +1,221 @@
+"""Use: can the agent stand where each asset can be used?
+
+An asset is used from its sides (a wardrobe from the front, a bed from left or right). The agent can use it when its
+centre can stand in the main component, beyond that side's edge, within horizontal and vertical reach, and when what must be
+opened has room to open. What stands on something is reached over the edge of its carrier, from any side.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+import shapely
+from shapely import LineString, Polygon
+from shapely.geometry.base import BaseGeometry
+
+from robolayout.scene import Agent, Layout, Point, Scene
+from robolayout.verify._boxes import AREA_TOLERANCE, Boxes, boxes, room_polygon, share
+from robolayout.verify._space import QUAD_SEGS, REACH_SLACK
+from robolayout.verify.navigation import navigation
+
+CARRIED = 0.02
+"""Metres between an asset and the top of what carries it."""
+SIDES = ("front", "left", "back", "right")
+"""Sides in counter-clockwise order, starting with the one that faces +x at zero rotation."""
+
+
+@dataclass(frozen=True)
+class Use:
+    """Whether and how an asset can be used.
+
+    Attributes:
+        asset: Its name.
+        usable: The verdict.
+        side: The side it is used from; empty where any side will do.
+        stand: A place for the agent's centre, metres; None where it is not usable or needs no use.
+        reason: Why it cannot be used, as the end of a sentence; empty if it can.
+    """
+
+    asset: str
+    usable: bool
+    side: str
+    stand: Point | None
+    reason: str
+
+
+@dataclass(frozen=True, eq=False)
+class Usage:
+    """Which assets an agent can use; details are worked out when first asked for.
+
+    Attributes:
+        agent: The body.
+        usable: Verdict per asset.
+    """
+
+    agent: Agent
+    usable: Mapping[str, bool]
+    _judge: _Judge = field(repr=False)
+
+    @property
+    def usable_share(self) -> float:
+        """Share of all assets that can be used."""
+        return share(list(self.usable.values()))
+
+    @cached_property
+    def uses(self) -> Mapping[str, Use]:
+        """How each placed asset is used, or why not."""
+        return {name: self._judge.explain(row) for row, name in enumerate(self.usable) if self._judge.found.placed[row]}
+
+
+def usage(
+    scene: Scene, layout: Layout, agent: Agent | None = None, *, standing: Sequence[BaseGeometry] | None = None
+) -> Usage:
+    """Judge what an agent can use.
+
+    Args:
+        scene: The scene.
+        layout: The layout.
+        agent: The body; the scene's first one if None.
+        standing: Where its centre can stand, one region per heading; the disc's main component if None.
+    """
+    agent = agent or scene.agent
+    regions = [navigation(scene, layout, agent).main] if standing is None else list(standing)
+    judge = _Judge(scene, boxes(scene, layout), agent, [region for region in regions if not region.is_empty])
+    return Usage(agent, {name: judge.usable(row) for row, name in enumerate(judge.found.names)}, judge)
+
+
+def horizontal_reach(agent: Agent, bottom: float, top: float) -> float | None:
+    """Return the horizontal reach in metres to something between two heights; None if it is out of reach in height.
+
+    An agent without a reach distance only gets to things, whatever their height. With a shoulder height the reach is a
+    sphere around the shoulder, otherwise a cylinder between the lowest and the highest height it reaches.
+    """
+    if agent.reach_distance is None:
+        return agent.reach
+    low, high = max(bottom, agent.reach_low), min(top, agent.reach_high)
+    if low > high + REACH_SLACK:
+        return None
+    if agent.shoulder_height is None:
+        return agent.reach
+    height = abs(min(max(agent.shoulder_height, low), high) - agent.shoulder_height)
+    return math.sqrt(agent.reach**2 - height**2) if height <= agent.reach else None
+
+
+class _Judge:
+    """Looks at one asset after the other."""
+
+    def __init__(self, scene: Scene, found: Boxes, agent: Agent, standing: Sequence[BaseGeometry]) -> None:
+        self.scene, self.found, self.agent, self.standing = scene, found, agent, standing
+        self.room = room_polygon(scene.room)
+        for region in standing:
+            shapely.prepare(region)
+
+    def usable(self, row: int) -> bool:
+        if not self.found.placed[row]:
+            return False
+        return self._needs_no_use(row) or bool(self._ways(row))
+
+    def _needs_no_use(self, row: int) -> bool:
+        return bool(self.found.flat[row] or self.found.ceiling[row]) or self._sides(row) == ()
+
+    def _sides(self, row: int) -> tuple[str, ...]:
+        from robolayout.assets import category_of
+
+        asset = self.scene.assets[row]
+        return tuple(category_of(asset).use_sides if asset.use_sides is None else asset.use_sides)
+
+    def _edge(self, row: int, side: str) -> LineString:
+        """Return a side's edge, counter-clockwise, so that outside is on its right."""
+        ring = shapely.get_coordinates(self.found.footprints[row])
+        at = SIDES.index(side)
+        return LineString((ring[at], ring[at + 1]))
+
+    def _approaches(self, row: int) -> dict[str, BaseGeometry]:
+        """Return, by side, what must come within reach: edges, or the whole footprint of what stands on something."""
+        if self.found.carrier(row, CARRIED) is not None:
+            return {"": self.found.footprints[row]}
+        return {side: self._edge(row, side) for side in self._sides(row)}
+
+    def _ways(self, row: int) -> dict[str, tuple[BaseGeometry, float]]:
+        """Return by side a region that the agent can use the asset from, and the asset's horizontal reach."""
+        reach = horizontal_reach(self.agent, self.found.bottom[row], self.found.top[row])
+        if reach is None:
+            return {}
+        ways: dict[str, tuple[BaseGeometry, float]] = {}
+        for side, target in self._approaches(row).items():
+            zone = _within(target, reach + REACH_SLACK)
+            if not self.opening_blockers(row, side) and any(region.intersects(zone) for region in self.standing):
+                ways[side] = (zone, reach)
+        return ways
+
+    def opening_blockers(self, row: int, side: str) -> tuple[str, ...]:
+        """Return what stands in the depth that an asset needs in front to be opened: names, or "the wall"."""
+        from robolayout.assets import category_of
+
+        depth = category_of(self.scene.assets[row]).open_depth if side == "front" else 0.0
+        if depth <= 0:
+            return ()
+        zone = _strip(self._edge(row, side), depth)
+        names = ["the wall"] if zone.difference(self.room).area > AREA_TOLERANCE else []
+        found = self.found
+        shared = np.minimum(found.top, found.top[row]) - np.maximum(found.bottom, found.bottom[row]) > 0.01
+        rows = np.flatnonzero(found.placed & ~found.flat & shared & (np.arange(len(found.names)) != row))
+        area = shapely.area(shapely.intersection(found.footprints[rows], zone))
+        names += [
+            found.names[other]
+            for other, taken in zip(rows, area, strict=True)
+            if taken > AREA_TOLERANCE and not category_of(self.scene.assets[other]).movable
+        ]
+        return tuple(names)
+
+    def explain(self, row: int) -> Use:
+        name = self.found.names[row]
+        if self._needs_no_use(row):
+            return Use(name, True, "", None, "")
+        ways = self._ways(row)
+        if not ways:
+            return Use(name, False, "", None, self._reason(row))
+        side, (zone, _) = next(iter(ways.items()))
+        region = next(region for region in self.standing if region.intersects(zone))
+        target = self._approaches(row)[side].centroid
+        spot = shapely.get_coordinates(shapely.shortest_line(region.intersection(zone), target))[0]
+        return Use(name, True, side, (float(spot[0]), float(spot[1])), "")
+
+    def _reason(self, row: int) -> str:
+        agent, found = self.agent, self.found
+        bottom, top = float(found.bottom[row]), float(found.top[row])
+        reach = horizontal_reach(agent, bottom, top)
+        if reach is None:
+            return _height_reason(agent, bottom, top)
+        blockers = [name for side in self._sides(row) for name in self.opening_blockers(row, side)]
+        if blockers:
+            return f"its front has no room to open: {' and '.join(blockers)} in the way"
+        sides = " or ".join(side for side in self._approaches(row) if side) or "nearest edge"
+        return f"no place to stand at its {sides} is within {reach:.2f} m of the agent's centre"
+
+
+def _height_reason(agent: Agent, bottom: float, top: float) -> str:
+    if bottom > agent.reach_high:
+        return f"it begins {bottom:.2f} m high, reach ends at {agent.reach_high:.2f} m"
+    if top < agent.reach_low:
+        return f"it ends {top:.2f} m high, reach begins at {agent.reach_low:.2f} m"
+    return f"it is too far from the shoulder at {agent.shoulder_height:.2f} m for a reach of {agent.reach:.2f} m"
+
+
+def _within(target: BaseGeometry, reach: float) -> BaseGeometry:
+    """Return everything within `reach` of a footprint, or of an edge on its right-hand (outer) side."""
+    near = target.buffer(reach, quad_segs=QUAD_SEGS)
+    return near.intersection(_strip(target, reach, margin=reach)) if isinstance(target, LineString) else near
+
+
+def _strip(edge: LineString, depth: float, margin: float = 0.0) -> Polygon:
+    """Return the rectangle `depth` metres deep on the right of an edge, `margin` metres longer at both ends."""
+    (ax, ay), (bx, by) = edge.coords
+    length = math.hypot(bx - ax, by - ay)
+    dx, dy = (bx - ax) / length, (by - ay) / length
+    ax, ay, bx, by = ax - dx * margin, ay - dy * margin, bx + dx * margin, by + dy * margin
+    return Polygon(((ax, ay), (ax + dy * depth, ay - dx * depth), (bx + dy * depth, by - dx * depth), (bx, by)))

@@ -1,0 +1,79 @@
+"""`verify`: judge a finished layout, whoever made it."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from robolayout.scene import Agent, Layout, Scene
+from robolayout.verify.navigation import navigation
+from robolayout.verify.physics import physics
+from robolayout.verify.report import AgentReport, Demands, Report, StatementResult
+from robolayout.verify.use import usage
+
+if TYPE_CHECKING:
+    from robolayout.program import Program, Statement
+
+AgentSpec = Agent | str | Path | Mapping[str, Any]
+
+
+def verify(
+    scene: Scene,
+    layout: Layout,
+    program: Program | None = None,
+    *,
+    agent: AgentSpec | Sequence[AgentSpec] | None = None,
+    demands: Demands | None = None,
+) -> Report:
+    """Judge a layout: physics, navigation and use for each agent, and every statement as asked.
+
+    Args:
+        scene: What was given.
+        layout: Poses; assets without one fail every share.
+        program: The statements as asked; None leaves semantics out.
+        agent: One body or several: an `Agent`, the name of a profile, a file, or a mapping as in a scene file; those of
+            the scene if None.
+        demands: What the layout must achieve for `Report.ok`.
+    """
+    wall, cpu = time.perf_counter(), time.process_time()
+    placed = {name for name, pose in layout.items() if all(map(math.isfinite, (pose.x, pose.y, pose.z, pose.yaw)))}
+    reports = tuple(_judge_agent(scene, layout, body) for body in _agents(scene, agent))
+    statements = () if program is None else tuple(_measure(scene, layout, s, placed) for s in program.statements)
+    judged = physics(scene, layout)
+    timing = {"verify": {"wall": time.perf_counter() - wall, "cpu": time.process_time() - cpu}}
+    return Report(scene, layout, judged, reports, statements, demands or Demands(), timing)
+
+
+def _judge_agent(scene: Scene, layout: Layout, agent: Agent) -> AgentReport:
+    nav = navigation(scene, layout, agent)
+    return AgentReport(agent, nav, usage(scene, layout, agent, standing=(nav.main,)))
+
+
+def _agents(scene: Scene, agent: AgentSpec | Sequence[AgentSpec] | None) -> tuple[Agent, ...]:
+    if agent is None:
+        return scene.agents
+    several = agent if isinstance(agent, Sequence) and not isinstance(agent, str) else (agent,)
+    return tuple(_load(item) for item in several)
+
+
+def _load(spec: AgentSpec) -> Agent:
+    from robolayout.scene import load_agent
+
+    return spec if isinstance(spec, Agent) else load_agent(spec)
+
+
+def _measure(scene: Scene, layout: Layout, statement: Statement, placed: set[str]) -> StatementResult:
+    """Measure one statement; it fails if one of its assets is unplaced."""
+    relation = statement.relation
+    missing = [name for name in relation.asset_names() if name not in placed]
+    if missing:
+        met, value, limit, unit, text = False, math.nan, math.nan, "", f"{' and '.join(missing)} not placed"
+    else:
+        outcome = relation.check(scene, layout)
+        met, value, limit, unit, text = outcome.met, outcome.value, outcome.limit, outcome.unit, outcome.text
+    return StatementResult(
+        statement.number, statement.line, statement.source, relation.sentence(), met, value, limit, unit, text
+    )
