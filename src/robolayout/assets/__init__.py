@@ -1,0 +1,15 @@
+"""What furniture is: categories with typical sizes, free words to category, parametric meshes, own meshes."""
+
+from robolayout.assets.category import CATALOGUE, Category, read_categories
+from robolayout.assets.lexicon import category_of, find_category
+from robolayout.assets.part import Material, Part
+
+__all__ = [
+    "CATALOGUE",
+    "Category",
+    "Material",
+    "Part",
+    "category_of",
+    "find_category",
+    "read_categories",
+]

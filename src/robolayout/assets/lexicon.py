@@ -1,0 +1,210 @@
+"""From free words to a category: "a squashy old couch" is a sofa.
+
+The words are looked up as phrases, longest first; the last one before the first preposition is the head noun and wins
+("table lamp with a glass plate" is a lamp, not a plate). Where a word names several things ("cot", "lamp"), placement
+flags and then the size decide. What no word explains is sorted by flags and size alone.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import tomllib
+import unicodedata
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+
+from robolayout.assets.category import DATA, PLACES, Category, built_in_categories
+from robolayout.scene import FLAT_HEIGHT, Asset
+
+Size = tuple[float, float, float]
+
+MAX_TEXT = 2000
+"""Characters of a text that are looked at; the rest is ignored."""
+LONGEST_PHRASE = 5
+ODD_SIZE = math.log(4.0)
+"""A word whose typical size differs by more than this factor in its longest edge yields to another word."""
+BREAKS = frozenset(
+    "with of for in on from to by at under over near and or that which where who inside against above below beside "
+    "between behind next underneath including without plus per like used made is has into onto before".split()
+)
+IRREGULAR = {"shelves": "shelf", "knives": "knife", "loaves": "loaf", "leaves": "leaf", "mice": "mouse", "feet": "foot"}
+KEEPS_S = ("ss", "us", "is")
+LOSES_ES = ("ches", "shes", "xes", "sses", "zes")
+
+
+@dataclass(frozen=True)
+class Match:
+    """A phrase found in a text: its segment (0 before the first preposition), token span and candidate categories."""
+
+    segment: int
+    start: int
+    end: int
+    names: tuple[str, ...]
+
+
+def find_category(
+    text: str, *, description: str = "", size: Size | None = None, place: str | None = None
+) -> Category:
+    """Return the category that fits the words best; never fails.
+
+    Args:
+        text: The category in words ("night stand", "Scandinavian_sofa_3seater").
+        description: Free words, looked at where `text` says nothing.
+        size: Depth, width, height in metres, if known.
+        place: "floor", "wall", "ceiling" or "object", if known.
+
+    >>> find_category("squashy old couch").name
+    'sofa'
+    """
+    for words in (text, description):
+        category = _from_words(words, size, place)
+        if category is not None:
+            return category
+    return _from_size(size, place)
+
+
+def category_of(asset: Asset) -> Category:
+    """Return the category of an asset, from its category, description, placement flags and size."""
+    return find_category(asset.category, description=asset.description, size=asset.size, place=_place(asset))
+
+
+def _place(asset: Asset) -> str | None:
+    """Return the one place where the asset may be; None where the flags leave a choice of several."""
+    flags = (asset.on_floor, asset.on_wall, asset.on_ceiling, asset.on_object)
+    places = [place for place, flag in zip(PLACES, flags, strict=True) if flag]
+    return places[0] if len(places) == 1 else None
+
+
+def _from_words(text: str, size: Size | None, place: str | None) -> Category | None:
+    """Return the category of the best phrase in `text`, or None."""
+    matches = _matches(_segments(text))
+    matches.sort(key=lambda m: (m.segment, -m.end, m.start))
+    found = [_choose(match.names, size, place) for match in matches]
+    fitting = [category for category in found if size is None or _mismatch(category, size) < ODD_SIZE]
+    return next(iter(fitting or found), None)
+
+
+def _segments(text: str) -> list[list[str]]:
+    """Split a text into lower-case words, in segments that end at punctuation; "NightStand" is two words."""
+    text = text[:MAX_TEXT]
+    if not re.search(r"\s", text):
+        text = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)
+    text = unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode().lower()
+    text = re.sub(r"(?<=\w)'s?\b", "", text)
+    pieces = re.split(r"[,;:()/\[\]|\n]+|\.\s| - ", text)
+    segments = [re.findall(r"[a-z0-9]+", re.sub(r"[_\-]", " ", piece)) for piece in pieces]
+    return [segment for segment in segments if segment]
+
+
+def _matches(segments: Sequence[Sequence[str]]) -> list[Match]:
+    """Return every known phrase of the segments, maximal ones only."""
+    matches: list[Match] = []
+    number = offset = 0
+    for tokens in segments:
+        covered = 0
+        for start, token in enumerate(tokens):
+            if token in BREAKS and start >= covered:
+                number += 1
+            for end in range(min(len(tokens), start + LONGEST_PHRASE), start, -1):
+                names = _lookup(tokens[start:end])
+                if names and end > covered:
+                    matches.append(Match(number, offset + start, offset + end, names))
+                    covered = end
+                    break
+        number, offset = number + 1, offset + len(tokens)
+    return matches
+
+
+def _lookup(tokens: Sequence[str]) -> tuple[str, ...]:
+    """Return the categories of a phrase, as it stands or in the singular."""
+    index = phrase_index()
+    raw = " ".join(tokens)
+    return index.get(raw) or index.get(singular(raw)) or ()
+
+
+def _choose(names: Sequence[str], size: Size | None, place: str | None) -> Category:
+    """Return the candidate that fits the place, then the size; the first where nothing decides."""
+    catalogue = built_in_categories()
+    candidates = [catalogue[name] for name in names]
+    if place is not None:
+        candidates = [c for c in candidates if place in c.places] or candidates
+    if size is None:
+        return candidates[0]
+    return min(candidates, key=lambda c: _distance(c, size))
+
+
+def _distance(category: Category, size: Size) -> float:
+    """Return how far the size is from the category's, as a sum of log ratios; depth and width may swap."""
+    (a, b, c), (d, w, h) = category.size, size
+    flat = min(abs(math.log(a / d)) + abs(math.log(b / w)), abs(math.log(b / d)) + abs(math.log(a / w)))
+    return flat + abs(math.log(c / h))
+
+
+def _mismatch(category: Category, size: Size) -> float:
+    """Return the log ratio of the longest edges."""
+    return abs(math.log(max(category.size) / max(size)))
+
+
+def _from_size(size: Size | None, place: str | None) -> Category:
+    """Return the category of a thing that no word explains, from where it goes and how large it is."""
+    catalogue = built_in_categories()
+    fixed = {"wall": "unknown wall decor", "ceiling": "unknown ceiling item"}
+    if place in fixed:
+        return catalogue[fixed[place]]
+    return catalogue["unknown furniture" if size is None else _shape_name(size)]
+
+
+def _shape_name(size: Size) -> str:
+    """Name the unknown category of a floor or table-top thing by its shape."""
+    depth, width, height = size
+    across, tallest = max(depth, width), max(size)
+    rules = (
+        (height < FLAT_HEIGHT and across > 0.6, "unknown floor covering"),
+        (tallest < 0.45, "unknown decor"),
+        (height >= 1.2 and across >= 0.5, "unknown storage"),
+        (across < 0.5 and height >= 0.45, "unknown floor decor"),
+        (0.35 <= height <= 1.15 and across >= 0.9, "unknown surface"),
+        (0.4 <= across <= 0.9 and 0.4 <= height <= 1.2, "unknown seat"),
+    )
+    return next((name for holds, name in rules if holds), "unknown furniture")
+
+
+def singular(phrase: str) -> str:
+    """Return a phrase with each plural word made singular, by spelling alone."""
+    return " ".join(_singular(word) for word in phrase.split())
+
+
+def _singular(word: str) -> str:
+    """Return one word in the singular."""
+    if word in IRREGULAR:
+        return IRREGULAR[word]
+    if len(word) <= 3 or not word.endswith("s") or word.endswith(KEEPS_S):
+        return word
+    if word.endswith("ies") and len(word) > 4:
+        return word[:-3] + "y"
+    return word[:-2] if word.endswith(LOSES_ES) else word[:-1]
+
+
+def normalise(phrase: str) -> str:
+    """Return a phrase as the index spells it: lower case, plain letters, single spaces."""
+    return " ".join(token for segment in _segments(phrase) for token in segment)
+
+
+@cache
+def phrase_index() -> dict[str, tuple[str, ...]]:
+    """Build the phrase table: ambiguous words, then names, synonyms and WordNet's words; earlier entries win."""
+    index: dict[str, tuple[str, ...]] = {}
+    ambiguous = tomllib.loads((DATA / "ambiguous.toml").read_text(encoding="utf-8"))
+    wordnet = tomllib.loads((DATA / "wordnet.toml").read_text(encoding="utf-8"))
+    catalogue = built_in_categories()
+    known = [(word, tuple(names)) for word, names in ambiguous.items()]
+    known += [(name, (name,)) for name in catalogue if not name.startswith("unknown ")]
+    known += [(word, (category.name,)) for category in catalogue.values() for word in category.synonyms]
+    known += [(word, (name,)) for name, entry in wordnet.items() for word in entry["words"]]
+    for word, names in known:
+        index.setdefault(normalise(word), names)
+    for word, names in known:
+        index.setdefault(singular(normalise(word)), names)
+    return index
