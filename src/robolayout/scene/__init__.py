@@ -1,7 +1,9 @@
 """The nouns: what is given (room, assets, agents) and what comes out (poses)."""
 
 from robolayout.scene.agent import DEFAULT_AGENT, Agent, Source
-from robolayout.scene.asset import FLAT_HEIGHT, Asset, variable_name
+from robolayout.scene.agents_io import agent_from_dict, agent_names, agent_to_dict, load_agent, load_agents
+from robolayout.scene.asset import FLAT_HEIGHT, RESERVED_NAMES, Asset, variable_name
+from robolayout.scene.io import layout_from_dict, load_layout, load_scene, scene_from_dict, scene_to_dict
 from robolayout.scene.layout import Layout, Pose, Snapshot, Trace, vertical_span
 from robolayout.scene.room import LANDING_DEPTH, Opening, Point, Room, Wall
 from robolayout.scene.scene import Scene
@@ -10,6 +12,7 @@ __all__ = [
     "DEFAULT_AGENT",
     "FLAT_HEIGHT",
     "LANDING_DEPTH",
+    "RESERVED_NAMES",
     "Agent",
     "Asset",
     "Layout",
@@ -22,6 +25,16 @@ __all__ = [
     "Source",
     "Trace",
     "Wall",
+    "agent_from_dict",
+    "agent_names",
+    "agent_to_dict",
+    "layout_from_dict",
+    "load_agent",
+    "load_agents",
+    "load_layout",
+    "load_scene",
+    "scene_from_dict",
+    "scene_to_dict",
     "variable_name",
     "vertical_span",
 ]

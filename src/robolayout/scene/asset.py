@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import keyword
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -59,7 +60,17 @@ FLAT_HEIGHT = 0.03
 """Height in metres below which a floor asset is a rug."""
 
 
+_LANGUAGE = (
+    "solver, walls, room, assets, math, radians, degrees, pi, range, len, enumerate, zip, min, max, abs, sum, round, "
+    "print, int, float, str, bool, list, dict, tuple, set, sorted, reversed, any, all, map, filter"
+)
+
+RESERVED_NAMES = frozenset(_LANGUAGE.split(", "))
+"""Names that mean something else in a constraint program, so that no asset may take them."""
+
+
 def variable_name(category: str) -> str:
-    """Return the Python variable for a category: "night stand" becomes "night_stand"."""
+    """Return the Python variable for a category: "night stand" becomes "night_stand", "range" "asset_range"."""
     name = re.sub(r"\W+", "_", category.strip().lower(), flags=re.ASCII).strip("_")
-    return f"asset_{name}" if not name or name[0].isdigit() else name
+    taken = not name or name[0].isdigit() or name in RESERVED_NAMES or keyword.iskeyword(name)
+    return f"asset_{name}" if taken else name

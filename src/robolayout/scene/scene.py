@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from robolayout.scene.agent import DEFAULT_AGENT, Agent
+from robolayout.scene.agents_io import check_headroom
 from robolayout.scene.asset import Asset
 from robolayout.scene.room import Room
 
@@ -51,5 +52,6 @@ class Scene:
         return {name: tuple(sorted(group, key=lambda a: a.index)) for name, group in groups.items()}
 
     def with_agents(self, *agents: Agent) -> Scene:
-        """Return the same scene for other agents."""
+        """Return the same scene for other agents, none of which may be higher than the room."""
+        check_headroom(agents, self.room)
         return replace(self, agents=agents)

@@ -1,0 +1,184 @@
+"""Reads and writes the assets of a scene file."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+from robolayout._errors import SceneError
+from robolayout.scene import reference
+from robolayout.scene._schema import Checker, inside, misspelt, show
+from robolayout.scene.asset import Asset, variable_name
+
+MAX_ASSETS = 2000
+"""Most assets of a scene."""
+SMALLEST, LARGEST = 1e-4, 100.0
+"""Allowed side of an asset's box in metres."""
+SIDES = ("front", "back", "left", "right")
+"""Sides that an asset can be used from."""
+
+_CHECK = Checker(SceneError)
+_FLAGS = ("onFloor", "onWall", "onCeiling", "onObject")
+_KNOWN = ("category", "description", "path", "useSides", "assetMetadata", *_FLAGS)
+
+
+def read_assets(
+    data: Mapping[str, object], *, base: Path | None, asset_dir: Path | None, warnings: list[str]
+) -> tuple[Asset, ...]:
+    """Return the assets of a scene file, in its order.
+
+    Args:
+        data: The scene file.
+        base: Folder of the scene file, in which meshes may lie.
+        asset_dir: Folder of assets, for meshes and for keys of the form `<uid>-<n>`.
+        warnings: Gets a sentence for everything that was mended.
+    """
+    entries = _CHECK.mapping(_CHECK.required(data, "assets", "the scene"), "assets")
+    if not 0 < len(entries) <= MAX_ASSETS:
+        raise SceneError(f"the scene has {len(entries)} assets; from 1 to {MAX_ASSETS} are allowed.")
+    named = _named({key: _CHECK.mapping(entry, f"asset {show(key)}") for key, entry in entries.items()}, asset_dir)
+    folders = [folder for folder in (base, asset_dir) if folder is not None]
+    assets: dict[str, Asset] = {}
+    for key, (given, entry) in named.items():
+        name = _instance_name(given)
+        if name != given:
+            warnings.append(
+                f"asset {show(given)} is called {name!r}: names are a program variable, a dash and a number."
+            )
+        if name in assets:
+            raise SceneError(f"two assets are called {name!r} (one of them is {show(key)}); give each its own name.")
+        assets[name] = _asset(name, entry, folders, warnings)
+    _warn_of_gaps(assets, warnings)
+    return tuple(assets.values())
+
+
+def write_asset(asset: Asset, base: Path | None = None) -> dict[str, object]:
+    """Return one entry of "assets" in a scene file; a mesh inside `base` is written relative to it."""
+    depth, width, height = asset.size
+    entry: dict[str, object] = {
+        "category": asset.category,
+        "description": asset.description,
+        "onFloor": asset.on_floor,
+        "onWall": asset.on_wall,
+        "onCeiling": asset.on_ceiling,
+        "onObject": asset.on_object,
+        "assetMetadata": {"boundingBox": {"x": depth, "y": width, "z": height}},
+    }
+    if asset.path is not None:
+        near = base is not None and inside(asset.path, [base])
+        entry["path"] = (asset.path.relative_to(base.resolve()) if base and near else asset.path).as_posix()
+    if asset.use_sides is not None:
+        entry["useSides"] = list(asset.use_sides)
+    return entry | {key: value for key, value in asset.metadata.items() if key not in entry}
+
+
+def _named(
+    entries: dict[str, Mapping[str, object]], asset_dir: Path | None
+) -> dict[str, tuple[str, Mapping[str, object]]]:
+    """Return (name, entry) by key, after looking up those without a box in the folder of assets."""
+    unknown = [key for key, entry in entries.items() if "assetMetadata" not in entry]
+    if unknown and asset_dir is None:
+        raise SceneError(
+            f"asset {show(unknown[0])} has no assetMetadata: give its boundingBox (x: depth, y: width, z: height, in "
+            "metres), or name the folder in which to look it up (--asset-dir)."
+        )
+    found = reference.look_up(unknown, asset_dir) if asset_dir is not None and unknown else {}
+    return {
+        key: (found[key][0], found[key][1] | dict(entry)) if key in found else (key, entry)
+        for key, entry in entries.items()
+    }
+
+
+def _instance_name(key: str) -> str:
+    """Return `<variable>-<number>` for a name in a file: "night stand-01" becomes "night_stand-1"."""
+    if len(key) > 200:
+        raise SceneError(f"the asset name {show(key)} has {len(key)} characters; at most 200 are allowed.")
+    match = re.fullmatch(r"(.*)-(\d{1,6})", key, flags=re.ASCII | re.DOTALL)
+    stem, number = (match[1], int(match[2])) if match else (key, 0)
+    plain = re.fullmatch(r"[A-Za-z]\w*", stem, flags=re.ASCII)
+    variable = stem if plain and variable_name(stem) == stem.lower() else variable_name(stem)
+    return f"{variable}-{number}"
+
+
+def _asset(name: str, entry: Mapping[str, object], folders: list[Path], warnings: list[str]) -> Asset:
+    where = f"asset {name!r}"
+    warnings.extend(misspelt(entry, _KNOWN, where))
+    category = entry.get("category", name.rpartition("-")[0].replace("_", " "))
+    words = " ".join(_CHECK.text(category, f"{where}: category", most=200).split())
+    if not words:
+        raise SceneError(f"{where}: category is empty; say in a word or two what it is.")
+    floor, wall, ceiling, thing = (_CHECK.flag(entry.get(key, False), f"{where}: {key}") for key in _FLAGS)
+    if not (floor or wall or ceiling or thing):
+        floor = True
+        warnings.append(f"{where} says nowhere where it may stand; it goes on the floor (onFloor).")
+    return Asset(
+        name=name,
+        category=words,
+        size=_size(entry, where),
+        description=_CHECK.text(entry.get("description", ""), f"{where}: description"),
+        on_floor=floor,
+        on_wall=wall,
+        on_ceiling=ceiling,
+        on_object=thing,
+        path=_mesh(entry.get("path"), where, folders),
+        use_sides=_sides(entry.get("useSides"), where),
+        metadata={key: value for key, value in entry.items() if key not in _KNOWN},
+    )
+
+
+def _size(entry: Mapping[str, object], where: str) -> tuple[float, float, float]:
+    metadata = _CHECK.mapping(entry["assetMetadata"], f"{where}: assetMetadata")
+    place = f"{where}: assetMetadata.boundingBox"
+    box = _CHECK.mapping(_CHECK.required(metadata, "boundingBox", f"{where}: assetMetadata"), place)
+    sides: list[float] = []
+    for axis, meaning in (("x", "depth"), ("y", "width"), ("z", "height")):
+        value, label = _CHECK.required(box, axis, place), f"{where}: {meaning} (boundingBox.{axis})"
+        sides.append(_CHECK.number(value, label, above=0.0, most=LARGEST))
+        if sides[-1] < SMALLEST:
+            raise SceneError(f"{label} is {sides[-1]:g} m; sizes are in metres, at least {SMALLEST:g}.")
+    return (sides[0], sides[1], sides[2])
+
+
+def _sides(value: object, where: str) -> tuple[str, ...] | None:
+    if value is None:
+        return None
+    sides = tuple(str(side) for side in _CHECK.sequence(value, f"{where}: useSides", most=len(SIDES)))
+    for side in sides:
+        if side not in SIDES:
+            raise SceneError(f"{where}: useSides names {show(side)}; allowed are {', '.join(SIDES)}.")
+    return sides
+
+
+def _mesh(value: object, where: str, folders: list[Path]) -> Path | None:
+    """Return the mesh file, which must be a GLB inside one of the folders."""
+    if value is None or value == "":
+        return None
+    text = _CHECK.text(value, f"{where}: path", most=1000)
+    if not text.lower().endswith(".glb") or "\0" in text:
+        raise SceneError(f"{where}: path {show(text)} is not a .glb file; convert the mesh to GLB or leave path out.")
+    places = [folder / text for folder in folders]
+    allowed = [place for place in places if inside(place, folders)]
+    if not allowed:
+        raise SceneError(
+            f"{where}: path {show(text)} lies outside the scene file's folder and the asset folder; "
+            "move the mesh there or name its folder with --asset-dir."
+        )
+    for place in allowed:
+        if place.is_file():
+            return place.resolve()
+    raise SceneError(f"{where}: path {show(text)} does not exist; correct it or leave it out for a built-in shape.")
+
+
+def _warn_of_gaps(assets: Mapping[str, Asset], warnings: list[str]) -> None:
+    """Warn where the numbers of a variable have a gap, since a program counts its list without gaps."""
+    groups: dict[str, list[int]] = {}
+    for asset in assets.values():
+        groups.setdefault(asset.variable, []).append(asset.index)
+    for variable, numbers in groups.items():
+        numbers.sort()
+        gap = next((i for i, number in enumerate(numbers) if i != number), None)
+        if gap is not None:
+            warnings.append(
+                f"there is no {variable}-{gap}: in a program, {variable}[{gap}] is {variable}-{numbers[gap]}."
+            )

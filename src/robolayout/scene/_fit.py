@@ -1,0 +1,72 @@
+"""Can each asset stand in the room at all, alone, at any heading?
+
+A box at one heading fits where its centre keeps clear of every wall widened by the box (a Minkowski sum), so it fits at
+that heading if anything of the floor is left. Headings along the walls are tried first, then all others in steps.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+import numpy as np
+import shapely
+
+from robolayout._errors import SceneError
+from robolayout.scene.asset import Asset
+from robolayout.scene.room import Room
+
+LEEWAY = 0.01
+"""Metres by which a box may stick out on each side: the tolerance of the boundary check (DESIGN section 4)."""
+HEADING_STEP = 3
+"""Degrees between the headings that are tried."""
+MAX_WORK = 100_000
+"""Walls tested in all, before the remaining assets are left to the verifier: bounds the time for hostile files."""
+
+
+def check_fit(room: Room, assets: Iterable[Asset]) -> None:
+    """Raise a SceneError for the first asset that is too large for the room."""
+    work = MAX_WORK
+    fitting: list[tuple[float, float]] = []
+    for asset in assets:
+        depth, width, height = asset.size
+        if height > room.wall_height + LEEWAY:
+            raise SceneError(
+                f"asset {asset.name!r} is {height:.2f} m high, but the walls are {room.wall_height:.2f} m high; "
+                "make it lower or the walls higher (sizes are in metres)."
+            )
+        short, long = sorted((depth, width))
+        if work <= 0 or any(short <= a and long <= b for a, b in fitting):
+            continue
+        fits, used = _fits(room, depth, width)
+        work -= used
+        if not fits:
+            raise SceneError(
+                f"asset {asset.name!r} ({depth:.2f} x {width:.2f} m) is larger than the room: it fits at no heading; "
+                "make it smaller or the room larger (sizes are in metres)."
+            )
+        fitting.append((short, long))
+
+
+def _fits(room: Room, depth: float, width: float) -> tuple[bool, int]:
+    """Return whether a box fits into the room at some heading, and how many walls were tested for it."""
+    half = (depth / 2 - LEEWAY, width / 2 - LEEWAY)
+    if min(half) <= 0:
+        half = (max(half[0], LEEWAY / 2), max(half[1], LEEWAY / 2))
+    along = {round(math.degrees(math.atan2(w.direction[1], w.direction[0])) % 90, 6) for w in room.walls}
+    headings = sorted(h + quarter for h in along for quarter in (0, 90)) + list(range(0, 180, HEADING_STEP))
+    for tried, heading in enumerate(headings, start=1):
+        if _fits_at(room, half, math.radians(heading)):
+            return True, tried * len(room.walls)
+    return False, len(headings) * len(room.walls)
+
+
+def _fits_at(room: Room, half: tuple[float, float], heading: float) -> bool:
+    """Return whether a box with half sides `half` fits at one heading."""
+    c, s = math.cos(heading), math.sin(heading)
+    corners = np.asarray(room.vertices) @ np.array([[c, -s], [s, c]])
+    offsets = np.array([(half[0], half[1]), (half[0], -half[1]), (-half[0], -half[1]), (-half[0], half[1])])
+    ends = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
+    hulls = shapely.convex_hull(shapely.multipoints((ends[:, :, None] + offsets).reshape(len(corners), 8, 2)))
+    free = shapely.difference(shapely.Polygon(corners), shapely.union_all(hulls))
+    return float(free.area) > 0.0

@@ -1,0 +1,177 @@
+"""Reads and writes the room of a scene file: corners, wall height, doors and windows."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import combinations
+
+from robolayout._errors import SceneError
+from robolayout.scene._schema import MAX_LENGTH, Checker
+from robolayout.scene.room import Opening, Point, Room, Wall
+
+MAX_CORNERS = 200
+"""Most corners of a room."""
+MAX_OPENINGS = 100
+"""Most doors, and most windows, of a room."""
+MIN_AREA = 0.01
+"""Smallest floor area in square metres that counts as a room."""
+TOLERANCE = 1e-6
+"""Metres below which two points are one, and by which an opening may overshoot through rounding."""
+DOOR_HEIGHT = 2.05
+"""Height in metres of a door that gives none."""
+WINDOW_HEIGHT, WINDOW_SILL = 1.2, 0.9
+"""Height and sill in metres of a window that gives none."""
+
+_CHECK = Checker(SceneError)
+
+
+def read_room(data: Mapping[str, object], warnings: list[str]) -> Room:
+    """Return the room of a scene file; a clockwise one is turned around, with a warning."""
+    boundary = _CHECK.mapping(_CHECK.required(data, "boundary", "the scene"), "boundary")
+    vertices = _vertices(_CHECK.required(boundary, "floor_vertices", "boundary"))
+    height = _CHECK.number(
+        _CHECK.required(boundary, "wall_height", "boundary"), "boundary.wall_height", above=0.0, most=100.0
+    )
+    room = Room(vertices, height)
+    _check_shape(room)
+    doors = _openings(data, "doors", room)
+    windows = _openings(data, "windows", room)
+    _check_overlaps([*doors, *windows])
+    room = replace(room, doors=tuple(o for _, o in doors), windows=tuple(o for _, o in windows))
+    if room.area > 0:
+        return room
+    warnings.append("the room's corners ran clockwise and were turned around; doors and windows stay where they were.")
+    return _turned(room)
+
+
+def write_room(room: Room) -> dict[str, object]:
+    """Return the keys "boundary", "doors" and "windows" of a scene file."""
+    return {
+        "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in room.vertices], "wall_height": room.wall_height},
+        "doors": [
+            {"wall": d.wall, "offset": d.offset, "width": d.width, "height": d.height}
+            | ({"sill": d.sill} if d.sill else {})
+            for d in room.doors
+        ],
+        "windows": [
+            {"wall": w.wall, "offset": w.offset, "width": w.width, "height": w.height, "sill": w.sill}
+            for w in room.windows
+        ],
+    }
+
+
+def _vertices(value: object) -> tuple[Point, ...]:
+    corners: list[Point] = []
+    for i, entry in enumerate(_CHECK.sequence(value, "boundary.floor_vertices", most=MAX_CORNERS)):
+        where = f"boundary.floor_vertices[{i}]"
+        point = _CHECK.numbers(entry, where, (2, 3))
+        if any(abs(number) > MAX_LENGTH for number in point):
+            raise SceneError(f"{where} lies more than {MAX_LENGTH:g} m from the origin; coordinates are in metres.")
+        if len(point) == 3 and abs(point[2]) > TOLERANCE:
+            raise SceneError(f"{where} has height {point[2]:g}; the floor lies at z = 0.")
+        corners.append((point[0], point[1]))
+    if len(corners) > 1 and math.dist(corners[0], corners[-1]) < TOLERANCE:
+        corners.pop()
+    if len(corners) < 3:
+        raise SceneError(f"boundary.floor_vertices has {len(corners)} different corners; a room needs at least 3.")
+    return tuple(corners)
+
+
+def _check_shape(room: Room) -> None:
+    for wall in room.walls:
+        if wall.length < TOLERANCE:
+            following = (wall.index + 1) % len(room.walls)
+            raise SceneError(f"boundary.floor_vertices {wall.index} and {following} are the same point; drop one.")
+    first = max(room.walls, key=lambda wall: wall.length)
+    if all(abs(_height(first, corner)) < TOLERANCE for corner in room.vertices):
+        raise SceneError("the room has no area: all its corners lie on one line.")
+    for a, b in combinations(room.walls, 2):
+        if _touching(a, b, room):
+            raise SceneError(
+                f"the room's walls {a.index} and {b.index} cross or touch; list the corners in order around the room."
+            )
+    if abs(room.area) < MIN_AREA:
+        raise SceneError(f"the room's area is {abs(room.area):.4f} m2; at least {MIN_AREA} m2 are needed (in metres).")
+
+
+def _height(wall: Wall, point: Point) -> float:
+    """Return the signed distance of a point from the wall's line, positive on its left."""
+    (nx, ny), (x, y) = wall.normal, wall.start
+    return (point[0] - x) * nx + (point[1] - y) * ny
+
+
+def _distance(wall: Wall, point: Point) -> float:
+    """Return the distance of a point from the wall."""
+    (dx, dy), (x, y) = wall.direction, wall.start
+    along = min(max((point[0] - x) * dx + (point[1] - y) * dy, 0.0), wall.length)
+    return math.dist(point, wall.point(along))
+
+
+def _touching(a: Wall, b: Wall, room: Room) -> bool:
+    """Return whether two walls cross or touch elsewhere than at the corner they share."""
+    count = len(room.walls)
+    if b.index - a.index == 1:
+        return _distance(a, b.end) < TOLERANCE or _distance(b, a.start) < TOLERANCE
+    if (b.index + 1) % count == a.index:
+        return _distance(a, b.start) < TOLERANCE or _distance(b, a.end) < TOLERANCE
+    ends = [_distance(a, b.start), _distance(a, b.end), _distance(b, a.start), _distance(b, a.end)]
+    crossing = (_height(a, b.start) > 0) != (_height(a, b.end) > 0) and (_height(b, a.start) > 0) != (
+        _height(b, a.end) > 0
+    )
+    return crossing or min(ends) < TOLERANCE
+
+
+def _openings(data: Mapping[str, object], key: str, room: Room) -> list[tuple[str, Opening]]:
+    entries = _CHECK.sequence(data.get(key, []), key, most=MAX_OPENINGS)
+    return [(f"{key}[{i}]", _opening(entry, f"{key}[{i}]", room)) for i, entry in enumerate(entries)]
+
+
+def _opening(value: object, where: str, room: Room) -> Opening:
+    data = _CHECK.mapping(value, where)
+    index, count = _CHECK.required(data, "wall", where), len(room.walls)
+    if isinstance(index, bool) or not isinstance(index, int) or not 0 <= index < count:
+        raise SceneError(f"{where}.wall must be a whole number from 0 to {count - 1}, but is {index!r:.60}.")
+    window = where.startswith("windows")
+    offset = _CHECK.number(_CHECK.required(data, "offset", where), f"{where}.offset", least=-TOLERANCE)
+    width = _CHECK.number(_CHECK.required(data, "width", where), f"{where}.width", above=0.0)
+    height = _CHECK.number(
+        data.get("height", WINDOW_HEIGHT if window else DOOR_HEIGHT), f"{where}.height", above=0.0, most=100.0
+    )
+    sill = _CHECK.number(data.get("sill", WINDOW_SILL if window else 0.0), f"{where}.sill", least=0.0, most=100.0)
+    length = room.walls[index].length
+    if offset + width > length + TOLERANCE:
+        raise SceneError(
+            f"{where} ends at {offset + width:.3f} m, past the end of wall {index}, which is {length:.3f} m long."
+        )
+    if sill + height > room.wall_height + TOLERANCE:
+        raise SceneError(
+            f"{where} ends {sill + height:.3f} m above the floor; the walls are {room.wall_height:g} m high."
+        )
+    return Opening(index, max(offset, 0.0), width, height, sill)
+
+
+def _check_overlaps(openings: list[tuple[str, Opening]]) -> None:
+    for (name_a, a), (name_b, b) in combinations(openings, 2):
+        along = min(a.offset + a.width, b.offset + b.width) - max(a.offset, b.offset)
+        upwards = min(a.sill + a.height, b.sill + b.height) - max(a.sill, b.sill)
+        if a.wall == b.wall and along > TOLERANCE and upwards > TOLERANCE:
+            raise SceneError(f"{name_a} and {name_b} overlap by {along:.3f} m on wall {a.wall}; move one of them.")
+
+
+def _turned(room: Room) -> Room:
+    """Return the same room with its corners in the other direction; vertex 0 stays, wall i becomes wall n - 1 - i."""
+    count = len(room.vertices)
+
+    def moved(opening: Opening) -> Opening:
+        length = room.walls[opening.wall].length
+        offset = max(length - opening.offset - opening.width, 0.0)
+        return replace(opening, wall=count - 1 - opening.wall, offset=offset)
+
+    return Room(
+        vertices=(room.vertices[0], *reversed(room.vertices[1:])),
+        wall_height=room.wall_height,
+        doors=tuple(moved(door) for door in room.doors),
+        windows=tuple(moved(window) for window in room.windows),
+    )

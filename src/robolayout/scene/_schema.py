@@ -1,0 +1,151 @@
+"""Checks on the values of a file: each returns the value in its right type or raises one clear sentence.
+
+Files are hostile until they have passed through here: sizes, counts, lengths and numbers are bounded.
+"""
+
+from __future__ import annotations
+
+import difflib
+import json
+import math
+import reprlib
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import cast
+
+from robolayout._errors import InputError
+
+MAX_FILE_BYTES = 20_000_000
+"""Largest scene, layout or asset file in bytes."""
+MAX_TEXT = 10_000
+"""Longest text in a file, in characters."""
+MAX_LENGTH = 1000.0
+"""Largest coordinate or length in metres."""
+
+
+def show(value: object) -> str:
+    """Return a short form of a value for a message."""
+    return str(value) if isinstance(value, (int, float)) and abs(value) < 1e15 else reprlib.repr(value)
+
+
+@dataclass(frozen=True)
+class Checker:
+    """Checks values and raises `error` with a sentence that names the place, the value and what is allowed."""
+
+    error: type[InputError]
+
+    def mapping(self, value: object, where: str) -> Mapping[str, object]:
+        """Return `value` if it is an object with text keys."""
+        if not isinstance(value, Mapping) or not all(isinstance(key, str) for key in value):
+            raise self.error(f"{where} must be an object with named values, but is {show(value)}.")
+        return cast("Mapping[str, object]", value)
+
+    def sequence(self, value: object, where: str, most: int) -> list[object]:
+        """Return `value` as a list if it is one with at most `most` entries."""
+        if not isinstance(value, (list, tuple)):
+            raise self.error(f"{where} must be a list, but is {show(value)}.")
+        entries = cast("list[object] | tuple[object, ...]", value)
+        if len(entries) > most:
+            raise self.error(f"{where} has {len(entries)} entries; at most {most} are allowed.")
+        return list(entries)
+
+    def required(self, data: Mapping[str, object], key: str, where: str) -> object:
+        """Return `data[key]`, which must be there."""
+        if key not in data:
+            raise self.error(f'{where} has no "{key}"; add it.')
+        return data[key]
+
+    def number(
+        self,
+        value: object,
+        where: str,
+        *,
+        above: float | None = None,
+        least: float | None = None,
+        most: float = MAX_LENGTH,
+    ) -> float:
+        """Return `value` as a finite float within (above, most] or [least, most]."""
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or abs(value) > 1e300 or math.isnan(value):
+            raise self.error(f"{where} must be a finite number, but is {show(value)}.")
+        if above is not None and value <= above:
+            raise self.error(f"{where} must be above {above:g}, but is {show(value)}.")
+        if least is not None and value < least:
+            raise self.error(f"{where} must be at least {least:g}, but is {show(value)}.")
+        if value > most:
+            raise self.error(f"{where} must be at most {most:g}, but is {show(value)}.")
+        return float(value) + 0.0
+
+    def numbers(self, value: object, where: str, count: tuple[int, ...]) -> tuple[float, ...]:
+        """Return a list of as many finite numbers as one of `count` says."""
+        entries = self.sequence(value, where, most=max(count))
+        if len(entries) not in count:
+            allowed = " or ".join(str(n) for n in count)
+            raise self.error(f"{where} must have {allowed} numbers, but has {len(entries)}.")
+        return tuple(
+            self.number(entry, f"{where}[{i}]", least=-MAX_LENGTH * 10, most=MAX_LENGTH * 10)
+            for i, entry in enumerate(entries)
+        )
+
+    def text(self, value: object, where: str, most: int = MAX_TEXT) -> str:
+        """Return `value` if it is a text of at most `most` characters."""
+        if not isinstance(value, str):
+            raise self.error(f"{where} must be a text, but is {show(value)}.")
+        if len(value) > most:
+            raise self.error(f"{where} has {len(value)} characters; at most {most} are allowed.")
+        return value
+
+    def flag(self, value: object, where: str) -> bool:
+        """Return `value` if it is true or false."""
+        if not isinstance(value, bool):
+            raise self.error(f"{where} must be true or false, but is {show(value)}.")
+        return value
+
+    def read_json(self, path: Path, what: str) -> object:
+        """Return the content of a JSON file; duplicate keys, deep nesting and large files are refused."""
+        text = self.read_text(path, what)
+        try:
+            return json.loads(text, object_pairs_hook=self._unique)
+        except json.JSONDecodeError as error:
+            message = f"{what} {path} is not JSON: {error.msg} at line {error.lineno}, column {error.colno}."
+            raise self.error(message) from None
+        except RecursionError:
+            raise self.error(f"{what} {path} is nested too deeply.") from None
+        except ValueError as error:
+            raise self.error(f"{what} {path} is not JSON: {error}.") from None
+
+    def read_text(self, path: Path, what: str) -> str:
+        """Return the text of a file of at most `MAX_FILE_BYTES`, in UTF-8."""
+        if not path.is_file():
+            raise self.error(f"{what} {path} does not exist; check the path.")
+        try:
+            with path.open("rb") as file:
+                content = file.read(MAX_FILE_BYTES + 1)
+        except OSError as error:
+            raise self.error(f"{what} {path} cannot be read: {error.strerror}.") from None
+        if len(content) > MAX_FILE_BYTES:
+            raise self.error(f"{what} {path} is larger than {MAX_FILE_BYTES // 1_000_000} MB.")
+        try:
+            return content.decode("utf-8-sig")
+        except UnicodeDecodeError as error:
+            raise self.error(f"{what} {path} is not UTF-8 text (byte {error.start}).") from None
+
+    def _unique(self, pairs: list[tuple[str, object]]) -> dict[str, object]:
+        data = dict(pairs)
+        if len(data) < len(pairs):
+            seen: set[str] = set()
+            twice = next(key for key, _ in pairs if key in seen or seen.add(key))
+            raise self.error(f"the name {show(twice)} stands twice in one object; give each its own name.")
+        return data
+
+
+def misspelt(keys: Iterable[str], known: Iterable[str], where: str) -> list[str]:
+    """Return one warning for each unknown key that looks like a known one."""
+    names = list(known)
+    pairs = ((key, difflib.get_close_matches(key[:40], names, n=1, cutoff=0.8)) for key in keys if key not in names)
+    return [f"{where}: {show(key)} is not known; did you mean {near[0]!r}?" for key, near in pairs if near]
+
+
+def inside(path: Path, folders: Iterable[Path]) -> bool:
+    """Return whether `path`, links followed, lies in one of the folders."""
+    return any(path.resolve().is_relative_to(folder.resolve()) for folder in folders)

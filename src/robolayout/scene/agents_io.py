@@ -1,0 +1,229 @@
+"""Reads agents: built-in profiles, TOML and JSON files, dictionaries and URDF models.
+
+A profile gives each figure either as a number or as `{ value = 0.45, source = "where it is from", verified = true }`.
+Lengths are in metres. `radius` may be left out where `length` and `width` are given: it is then half the width and
+3 cm.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from robolayout._errors import AgentError, UnknownNameError
+from robolayout.scene._schema import Checker, show
+from robolayout.scene.agent import Agent, Source
+from robolayout.scene.agents import BUILT_IN
+from robolayout.scene.room import Room
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
+
+FIGURES = (
+    "radius",
+    "height",
+    "length",
+    "width",
+    "turning_diameter",
+    "reach_distance",
+    "reach_low",
+    "reach_high",
+    "shoulder_height",
+    "step",
+)
+"""Figures of a profile, in metres; `reach` is short for `reach_distance`."""
+CLEARANCE = 0.03
+"""Metres kept free on each side of a rectangular body for which no corridor is given (rule of thumb)."""
+ENTRY_POINTS = "robolayout.agents"
+"""Entry-point group through which other packages add agents: each loads to a dictionary or the path of a profile."""
+
+_CHECK = Checker(AgentError)
+_MAY_BE_ZERO = ("reach_low", "reach_high", "shoulder_height", "step")
+_LARGEST = 20.0
+_ALLOWED = ("name", "title", *FIGURES, "reach")
+
+
+def agent_names() -> tuple[str, ...]:
+    """Return the names of all agents that can be given by name."""
+    return (*BUILT_IN, *sorted(_outside()))
+
+
+def load_agent(spec: str | Path | Mapping[str, object] | Agent) -> Agent:
+    """Return one agent.
+
+    Args:
+        spec: A name, the path of a .toml, .json or .urdf file, a dictionary of figures, or an agent itself.
+    """
+    if isinstance(spec, Agent):
+        return checked(spec)
+    if not isinstance(spec, (str, Path)):
+        return agent_from_dict(spec)
+    path = Path(spec)
+    if path.suffix.lower() == ".urdf":
+        from robolayout.scene.urdf import load_urdf
+
+        return checked(load_urdf(path))
+    if path.suffix.lower() in (".toml", ".json"):
+        return _load_profile(path)
+    return built_in_agent(str(spec))
+
+
+def load_agents(spec: str | Path | Mapping[str, object] | Agent | Iterable[object]) -> tuple[Agent, ...]:
+    """Return one or more agents: "wheelchair,child_6", anything that `load_agent` takes, or a list of that."""
+    if isinstance(spec, str):
+        parts: list[object] = [part.strip() for part in spec.split(",") if part.strip()]
+    elif isinstance(spec, (Path, Mapping, Agent)):
+        parts = [spec]
+    else:
+        parts = list(spec)
+    if not parts:
+        raise AgentError(f"no agent is named in {show(spec)}. Known: {', '.join(agent_names())}.")
+    return check_names([load_agent(part) for part in parts])  # pyright: ignore[reportArgumentType]
+
+
+def built_in_agent(name: str) -> Agent:
+    """Return an agent by its name: a built-in one, or one that an installed package brings."""
+    if name in BUILT_IN:
+        return _built_in(name)
+    outside = _outside()
+    if name not in outside:
+        raise UnknownNameError("agent", name[:100], agent_names())
+    found = outside[name].load()
+    return agent_from_dict(found, name=name) if isinstance(found, Mapping) else _load_profile(Path(found))
+
+
+def agent_from_dict(data: object, name: str = "agent") -> Agent:
+    """Return the agent that a dictionary describes (the keys of `Agent`; `reach` is short for `reach_distance`).
+
+    Args:
+        data: The figures, each a number or {"value", "source", "verified"}.
+        name: Name if the dictionary gives none.
+    """
+    content = dict(_CHECK.mapping(data, "the agent"))
+    label = _CHECK.text(content.pop("name", name), "the agent's name", most=100)
+    title = _CHECK.text(content.pop("title", ""), f"agent {label!r}: title", most=200)
+    unknown = [key for key in content if key not in _ALLOWED]
+    if unknown:
+        raise AgentError(f"agent {label!r} has the unknown key {show(unknown[0])}. Allowed: {', '.join(_ALLOWED)}.")
+    if "reach" in content:
+        content["reach_distance"] = content.pop("reach")
+    figures: dict[str, float] = {}
+    sources: dict[str, Source] = {}
+    for key, value in content.items():
+        if value is not None:
+            figures[key], source = _figure(value, f"agent {label!r}: {key}", key)
+            sources |= {key: source} if source else {}
+    if "radius" not in figures:
+        figures["radius"] = _half_passage(figures, label)
+    if "height" not in figures:
+        raise AgentError(f"agent {label!r} has no height; give it in metres.")
+    return checked(Agent(name=label, title=title, sources=sources, **figures))
+
+
+def agent_to_dict(agent: Agent) -> str | dict[str, object]:
+    """Return an agent as a scene file gives it: its name if it is built in, else its figures."""
+    if agent.name in BUILT_IN and agent == _built_in(agent.name):
+        return agent.name
+    data: dict[str, object] = {"name": agent.name, "title": agent.title}
+    for key in FIGURES:
+        value, source = getattr(agent, key), agent.sources.get(key)
+        if value is not None:
+            full = source and {"value": value, "source": source.text, "verified": source.verified}
+            data[key] = full or value
+    return data
+
+
+def checked(agent: Agent) -> Agent:
+    """Return the agent if its figures make sense together."""
+    name = f"agent {agent.name!r}"
+    for key in FIGURES:
+        if (value := getattr(agent, key)) is not None:
+            _positive(value, f"{name}: {key}", key)
+    if (agent.length is None) != (agent.width is None):
+        raise AgentError(f"{name} has only one of length and width; give both for a rectangle, none for a disc.")
+    if agent.width is not None and agent.radius < agent.width / 2 - 1e-9:
+        raise AgentError(
+            f"{name}: radius {agent.radius:g} is less than half its width {agent.width:g}; the radius is that of "
+            "the disc that must pass, half the corridor it needs."
+        )
+    if agent.height <= agent.step:
+        raise AgentError(f"{name}: height {agent.height:g} must be above its step {agent.step:g}.")
+    if agent.reach_low > agent.reach_high:
+        raise AgentError(f"{name}: reach_low {agent.reach_low:g} is above reach_high {agent.reach_high:g}.")
+    return agent
+
+
+def check_names(agents: Iterable[Agent]) -> tuple[Agent, ...]:
+    """Return the agents if no two share a name."""
+    by_name: dict[str, Agent] = {}
+    for agent in agents:
+        if agent.name in by_name:
+            raise AgentError(f"two agents are called {agent.name!r}; give each its own name.")
+        by_name[agent.name] = agent
+    return tuple(by_name.values())
+
+
+def check_headroom(agents: Iterable[Agent], room: Room) -> None:
+    """Raise an AgentError for the first agent that is higher than the room."""
+    for agent in agents:
+        if agent.height > room.wall_height:
+            raise AgentError(
+                f"agent {agent.name!r} is {agent.height:.2f} m high, but the room only {room.wall_height:.2f} m; "
+                "choose a lower agent or raise wall_height."
+            )
+
+
+@cache
+def _built_in(name: str) -> Agent:
+    return _load_profile(Path(__file__).parent / "agents" / f"{name}.toml")
+
+
+def _outside() -> dict[str, EntryPoint]:
+    """Return the agents of installed packages by name."""
+    from importlib.metadata import entry_points
+
+    return {point.name: point for point in entry_points(group=ENTRY_POINTS)}
+
+
+def _load_profile(path: Path) -> Agent:
+    if path.suffix.lower() == ".json":
+        return agent_from_dict(_CHECK.read_json(path, "agent file"), name=path.stem)
+    import tomllib
+
+    text = _CHECK.read_text(path, "agent file")
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise AgentError(f"agent file {path} is not TOML: {error}.") from None
+    return agent_from_dict(data, name=path.stem)
+
+
+def _figure(value: object, where: str, key: str) -> tuple[float, Source | None]:
+    """Return a figure and its source; the value stands alone or in a table."""
+    if not isinstance(value, Mapping):
+        return _positive(value, where, key), None
+    table = _CHECK.mapping(value, where)
+    odd = [name for name in table if name not in ("value", "source", "verified")]
+    if odd:
+        raise AgentError(f"{where} has the unknown key {show(odd[0])}. Allowed: value, source, verified.")
+    text = _CHECK.text(table.get("source", ""), f"{where}.source", most=500)
+    verified = _CHECK.flag(table.get("verified", False), f"{where}.verified")
+    number = _positive(_CHECK.required(table, "value", where), where, key)
+    return number, Source(text, verified) if text else None
+
+
+def _positive(value: object, where: str, key: str) -> float:
+    if key in _MAY_BE_ZERO:
+        return _CHECK.number(value, f"{where} (metres)", least=0.0, most=_LARGEST)
+    if key == "radius" and value == 0 and not isinstance(value, bool):
+        raise AgentError(f"{where} is 0: a point has no body to get through the room; give a radius above 0 m.")
+    return _CHECK.number(value, f"{where} (metres)", above=0.0, most=_LARGEST)
+
+
+def _half_passage(figures: Mapping[str, float], label: str) -> float:
+    """Return the radius of a rectangular body without one: half its width and the clearance."""
+    if "width" not in figures:
+        raise AgentError(f"agent {label!r} has no radius; give it in metres, or length and width for a rectangle.")
+    return figures["width"] / 2 + CLEARANCE

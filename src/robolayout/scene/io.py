@@ -1,0 +1,145 @@
+"""Reads and writes scene files and layout files (the formats of `docs/conventions.md`).
+
+Degrees and dictionaries live here, at the edge; inside there are radians and frozen nouns. Whatever can be mended
+without guessing is mended with a warning in `Scene.warnings`; everything else is an error of one sentence.
+"""
+
+from __future__ import annotations
+
+import difflib
+import math
+from collections.abc import Mapping
+from pathlib import Path
+
+from robolayout._errors import LayoutError, SceneError
+from robolayout.scene._asset_io import MAX_ASSETS, read_assets, write_asset
+from robolayout.scene._room_io import read_room, write_room
+from robolayout.scene._schema import Checker, misspelt, show
+from robolayout.scene.agent import DEFAULT_AGENT, Agent
+from robolayout.scene.agents_io import agent_from_dict, agent_to_dict, built_in_agent, check_headroom, check_names
+from robolayout.scene.layout import Layout, Pose
+from robolayout.scene.scene import Scene
+
+MAX_AGENTS = 16
+"""Most agents of a scene."""
+
+_SCENE = Checker(SceneError)
+_LAYOUT = Checker(LayoutError)
+_KEYS = ("task_description", "layout_criteria", "boundary", "doors", "windows", "agent", "assets")
+_LEVEL = 1e-3
+"""Degrees of roll or pitch that count as none."""
+
+
+def load_scene(path: str | Path, asset_dir: str | Path | None = None) -> Scene:
+    """Return the scene of a file.
+
+    Args:
+        path: A scene file in JSON (DESIGN section 3, or the reference's own).
+        asset_dir: Folder in which assets given as `<uid>-<n>` are looked up; it may also hold meshes.
+    """
+    file = Path(path)
+    data = _SCENE.read_json(file, "scene file")
+    return scene_from_dict(data, name=file.stem, base=file.parent, asset_dir=asset_dir)
+
+
+def scene_from_dict(
+    data: object, *, name: str = "scene", base: str | Path | None = None, asset_dir: str | Path | None = None
+) -> Scene:
+    """Return the scene that a scene file's content describes.
+
+    Args:
+        data: The content of a scene file.
+        name: Name of the scene.
+        base: Folder in which the meshes of assets may lie; None allows none but those in `asset_dir`.
+        asset_dir: As in `load_scene`.
+    """
+    content = _SCENE.mapping(data, "the scene")
+    warnings = misspelt(content, _KEYS, "the scene")
+    room = read_room(content, warnings)
+    assets = read_assets(
+        content,
+        base=None if base is None else Path(base),
+        asset_dir=None if asset_dir is None else Path(asset_dir),
+        warnings=warnings,
+    )
+    from robolayout.scene._fit import check_fit
+
+    check_fit(room, assets)
+    agents = _agents(content.get("agent"))
+    check_headroom(agents, room)
+    return Scene(
+        room=room,
+        assets=assets,
+        task_description=_SCENE.text(content.get("task_description", ""), "task_description"),
+        layout_criteria=_SCENE.text(content.get("layout_criteria", ""), "layout_criteria"),
+        agents=agents,
+        name=name,
+        warnings=tuple(warnings),
+    )
+
+
+def scene_to_dict(scene: Scene, base: str | Path | None = None) -> dict[str, object]:
+    """Return the content of a scene file that reads back as an equal scene.
+
+    Args:
+        scene: The scene.
+        base: Folder that the file will stand in; meshes inside it are written relative to it.
+    """
+    folder = None if base is None else Path(base)
+    data: dict[str, object] = {"task_description": scene.task_description, "layout_criteria": scene.layout_criteria}
+    data |= write_room(scene.room)
+    if scene.agents != (DEFAULT_AGENT,):
+        agents = [agent_to_dict(agent) for agent in scene.agents]
+        data["agent"] = agents[0] if len(agents) == 1 else agents
+    data["assets"] = {asset.name: write_asset(asset, folder) for asset in scene.assets}
+    return data
+
+
+def load_layout(path: str | Path, scene: Scene) -> Layout:
+    """Return the layout of a file, checked against its scene."""
+    return layout_from_dict(_LAYOUT.read_json(Path(path), "layout file"), scene)
+
+
+def layout_from_dict(data: object, scene: Scene | None = None) -> Layout:
+    """Return the layout that a layout file's content describes.
+
+    Args:
+        data: The content of a layout file: position in metres, rotation in degrees, by asset name.
+        scene: The scene that it belongs to; names unknown to it are refused, assets without a pose stay unplaced.
+    """
+    content = _LAYOUT.mapping(data, "the layout")
+    if len(content) > MAX_ASSETS:
+        raise LayoutError(f"the layout has {len(content)} entries; at most {MAX_ASSETS} are allowed.")
+    poses = {name: _pose(entry, name) for name, entry in content.items()}
+    if scene is None:
+        return Layout(poses)
+    for name in poses:
+        if name not in scene.by_name:
+            near = difflib.get_close_matches(name[:200], scene.by_name, n=1)
+            hint = f" Did you mean {near[0]!r}?" if near else ""
+            known = ", ".join(sorted(scene.by_name))
+            raise LayoutError(f"the layout places {show(name)}, which is not in the scene.{hint} Known: {known}.")
+    return Layout({asset.name: poses[asset.name] for asset in scene.assets if asset.name in poses})
+
+
+def _pose(value: object, name: str) -> Pose:
+    where = f"layout[{show(name)}]"
+    data: Mapping[str, object] = _LAYOUT.mapping(value, where)
+    x, y, z = _LAYOUT.numbers(_LAYOUT.required(data, "position", where), f"{where}.position", (3,))
+    turns = _LAYOUT.numbers(_LAYOUT.required(data, "rotation", where), f"{where}.rotation", (1, 3))
+    if any(abs(turn) > _LEVEL for turn in turns[:-1]):
+        raise LayoutError(
+            f"{where}.rotation is {[*turns]}: only the last number may differ from 0, degrees about the vertical."
+        )
+    return Pose(x, y, z, math.radians(turns[-1] % 360.0))
+
+
+def _agents(value: object) -> tuple[Agent, ...]:
+    """Return the agents of a scene file: none, one, or a list; names of built-in agents only, never paths."""
+    if value is None:
+        return (DEFAULT_AGENT,)
+    entries = _SCENE.sequence(value, "agent", most=MAX_AGENTS) if isinstance(value, (list, tuple)) else [value]
+    if not entries:
+        raise SceneError("agent is an empty list; name at least one agent or leave it out.")
+    agents = [built_in_agent(entry) if isinstance(entry, str) else agent_from_dict(entry) for entry in entries]
+    return check_names(agents)
