@@ -19,12 +19,30 @@ from types import MappingProxyType
 from robolayout._errors import UnknownNameError
 from robolayout._files import write_atomic
 from robolayout.export._exporter import Contents, Exporter, Options, Routes, check_layout
+from robolayout.export.dxf import DXF
 from robolayout.export.glb import GLB
+from robolayout.export.layout_json import LAYOUT_JSON
+from robolayout.export.procthor import PROCTHOR
+from robolayout.export.sceneeval import SCENEEVAL
+from robolayout.export.usd import USDA, USDZ
 from robolayout.scene import Layout, Scene
 
 __all__ = ["EXPORTERS", "Contents", "Exporter", "Options", "Routes", "export", "exporters", "find_exporter", "to_bytes"]
 
-EXPORTERS: Mapping[str, Exporter] = MappingProxyType({exporter.name: exporter for exporter in (GLB,)})
+EXPORTERS: Mapping[str, Exporter] = MappingProxyType(
+    {
+        exporter.name: exporter
+        for exporter in (
+            GLB,
+            LAYOUT_JSON,
+            SCENEEVAL,
+            PROCTHOR,
+            DXF,
+            USDA,
+            USDZ,
+        )
+    }
+)
 """The formats of this package, by name."""
 
 GROUP = "robolayout.exporters"

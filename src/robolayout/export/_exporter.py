@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import cast
 
 from robolayout._errors import LayoutError
 from robolayout.assets import category_of
-from robolayout.scene import Agent, Asset, Layout, Point, Pose, Scene
+from robolayout.scene import Agent, Asset, Layout, Point, Pose, Scene, vertical_span
 
 Routes = Mapping[str, Sequence[Point]]
 """The polyline in metres that the agent's centre follows to each asset, by asset name."""
 
-ANGLE_DIGITS = 12
-"""Decimals kept where a yaw goes through degrees; far below the 1e-6 that every file must keep."""
+Json = dict[str, object]
 
 
 @dataclass(frozen=True)
@@ -103,7 +104,7 @@ def is_movable(asset: Asset) -> bool:
     return not hangs and not asset.is_flat and category_of(asset).movable
 
 
-def facts(asset: Asset) -> dict[str, object]:
+def facts(asset: Asset) -> Json:
     """Return what a file says about an asset beside its pose and shape."""
     return {
         "name": asset.name,
@@ -112,3 +113,54 @@ def facts(asset: Asset) -> dict[str, object]:
         "size": list(asset.size),
         "movable": is_movable(asset),
     }
+
+
+def supporter(asset: Asset, scene: Scene, layout: Layout, *, tolerance: float = 0.02) -> str | None:
+    """Return the name of the asset that another one rests on, or None.
+
+    It rests on it if its bottom is within `tolerance` metres of the other's top and its centre is over the other's
+    footprint (DESIGN section 4); of several, the one whose top is nearest.
+    """
+    pose = layout[asset.name]
+    bottom, _ = vertical_span(asset, pose)
+    found: list[tuple[float, str]] = []
+    for other, place in placed(scene, layout):
+        gap = abs(bottom - vertical_span(other, place)[1])
+        if other.name != asset.name and gap <= tolerance and _covers(place, other, pose):
+            found.append((gap, other.name))
+    return min(found)[1] if found and asset.on_object else None
+
+
+def _covers(place: Pose, other: Asset, pose: Pose) -> bool:
+    """Return whether the centre of `pose` is over the footprint of `other` at `place`."""
+    cosine, sine = place.forward
+    dx, dy = pose.x - place.x, pose.y - place.y
+    return abs(cosine * dx + sine * dy) <= other.size[0] / 2 and abs(cosine * dy - sine * dx) <= other.size[1] / 2
+
+
+def dump_json(content: object) -> bytes:
+    """Return JSON text, indented, with a newline at its end; numbers keep every digit."""
+    return (json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode()
+
+
+def parse_json(data: bytes, what: str) -> Json:
+    """Return the JSON object in a file's bytes.
+
+    Raises:
+        LayoutError: The bytes are no JSON object; the message says what was expected and where reading stopped.
+    """
+    try:
+        content: object = json.loads(data)
+    except (ValueError, RecursionError) as error:
+        raise LayoutError(f"this {what} is no JSON: {error}. Was the file written to its end?") from error
+    if not isinstance(content, dict):
+        raise LayoutError(f"this {what} must be a JSON object, not {type(content).__name__}.")
+    return cast(Json, content)
+
+
+def mass(asset: Asset) -> float:
+    """Return a plausible mass in kilograms: that of its category, scaled with its box, by no more than a factor of 4."""
+    category = category_of(asset)
+    typical = category.size[0] * category.size[1] * category.size[2]
+    scale = asset.size[0] * asset.size[1] * asset.size[2] / typical
+    return category.mass * min(max(scale, 0.25), 4.0)

@@ -26,7 +26,7 @@ class Surface:
 
     Attributes:
         positions: (n, 3) metres.
-        normals: (n, 3) unit vectors.
+        normals: (n, 3) unit vectors, one for each position unless said otherwise.
         indices: (m, 3) counter-clockwise seen from outside.
     """
 
@@ -50,16 +50,24 @@ class Box:
     rotation: FloatArray
 
 
-def surface(part: Part) -> Surface:
-    """Return a part's triangles with normals: smooth across shallow edges, sharp across those above 40 degrees."""
+def welded(part: Part) -> Surface:
+    """Return a part's triangles with equal corners joined; normals are (3 m, 3), one for each corner of each face.
+
+    Normals are smooth across shallow edges and sharp across those above 40 degrees.
+    """
     positions, inverse = _unique_rows(np.asarray(part.vertices, np.float64))
     faces = inverse[np.asarray(part.faces, np.int64)]
     cross = np.cross(positions[faces[:, 1]] - positions[faces[:, 0]], positions[faces[:, 2]] - positions[faces[:, 0]])
     area = np.linalg.norm(cross, axis=1) / 2
     keep = area > SMALLEST_FACE
     faces, cross = faces[keep], cross[keep]
-    normals = _corner_normals(faces, cross, cross / (2 * area[keep, None]))
-    corners, indices = _unique_rows(np.round(np.hstack([positions[faces.reshape(-1)], normals]), 9))
+    return Surface(positions, _corner_normals(faces, cross, cross / (2 * area[keep, None])), faces)
+
+
+def surface(part: Part) -> Surface:
+    """Return a part's triangles with one normal for each vertex; vertices on sharp edges are repeated."""
+    shape = welded(part)
+    corners, indices = _unique_rows(np.round(np.hstack([shape.positions[shape.indices.reshape(-1)], shape.normals]), 9))
     lengths = np.linalg.norm(corners[:, 3:], axis=1, keepdims=True)
     return Surface(corners[:, :3], corners[:, 3:] / lengths, indices.reshape(-1, 3))
 

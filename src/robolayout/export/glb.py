@@ -19,12 +19,11 @@ from numpy.typing import NDArray
 from robolayout._errors import LayoutError
 from robolayout._version import __version__
 from robolayout.assets import Material, Part, parts, room_parts
-from robolayout.export._exporter import Contents, Exporter, Options, facts, placed
+from robolayout.export._exporter import Contents, Exporter, Json, Options, facts, placed
 from robolayout.export._mesh import Surface, linear, merged
-from robolayout.scene import Layout, Pose, Scene
+from robolayout.scene import Asset, Layout, Pose, Scene
 
 MAGIC = b"glTF"
-Json = dict[str, object]
 
 FLOAT, UINT32 = 5126, 5125
 VERTICES, INDICES = 34962, 34963
@@ -55,6 +54,10 @@ class _Builder:
             if len(shape.indices)
         ]
         return self.node(name, **content, **({"children": children} if children else {}))
+
+    def turned(self, name: str, child: int) -> int:
+        """Add a node that turns this package's axes (front x, up z) into glTF's (front z, up y); return its index."""
+        return self.node(name, rotation=[-0.5, -0.5, -0.5, 0.5], children=[child])
 
     def _mesh(self, name: str, material: Material, closed: bool, shape: Surface) -> int:
         key = (material, closed, shape.positions.tobytes(), shape.normals.tobytes(), shape.indices.tobytes())
@@ -151,6 +154,13 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
         extras["routes"] = {name: [list(point) for point in line] for name, line in options.routes.items()}
     root = builder.node(scene.name, rotation=[-turn, 0.0, 0.0, turn], children=children, extras=extras)
     return _packed(builder.document(root), bytes(builder.blob))
+
+
+def asset_glb(asset: Asset, *, seed: int = 0) -> bytes:
+    """Return one asset alone in glTF's own frame: y up, front along +z, origin in the middle of its box."""
+    builder = _Builder()
+    body = builder.object(asset.name, parts(asset, seed=seed), extras={"kind": "asset", **facts(asset)})
+    return _packed(builder.document(builder.turned(asset.name, body)), bytes(builder.blob))
 
 
 def _packed(document: Json, blob: bytes) -> bytes:

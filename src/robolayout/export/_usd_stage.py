@@ -1,0 +1,197 @@
+"""Builds the USD stage; the only file that imports USD's library, loaded when a stage is asked for."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pxr import Gf, Kind, Sdf, Tf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdShade, Vt
+
+from robolayout.assets import Material, Part, category_of, parts, room_parts
+from robolayout.export._exporter import Options, is_movable, mass, placed
+from robolayout.export._mesh import linear, welded
+from robolayout.scene import Asset, Layout, Pose, Scene
+
+WORLD, ROOM, ASSETS, LOOKS, ROUTES = "/World", "/World/Room", "/World/Assets", "/World/Looks", "/World/Routes"
+ROUTE_WIDTH = 0.03
+"""Width in metres that routes are drawn with."""
+
+Row = tuple[str, tuple[float, float, float], float, tuple[float, float, float]]
+"""Name, position, degrees about z, size."""
+
+
+def build(scene: Scene, layout: Layout, options: Options) -> Any:
+    """Return a stage in memory with the room, all placed assets, materials, physics and routes."""
+    stage = Usd.Stage.CreateInMemory()
+    UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.z)
+    UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+    UsdPhysics.SetStageKilogramsPerUnit(stage, 1.0)
+    world = UsdGeom.Xform.Define(stage, WORLD).GetPrim()
+    stage.SetDefaultPrim(world)
+    Usd.ModelAPI(world).SetKind(Kind.Tokens.assembly)
+    physics = UsdPhysics.Scene.Define(stage, f"{WORLD}/Physics")
+    physics.CreateGravityDirectionAttr(Gf.Vec3f(0, 0, -1))
+    physics.CreateGravityMagnitudeAttr(9.81)
+    for path in (ROOM, ASSETS):
+        group = UsdGeom.Xform.Define(stage, path).GetPrim()
+        Usd.ModelAPI(group).SetKind(Kind.Tokens.component if path == ROOM else Kind.Tokens.group)
+    UsdGeom.Scope.Define(stage, LOOKS)
+    builder = _Builder(stage)
+    builder.meshes(ROOM, room_parts(scene.room), movable=False)
+    for asset, pose in placed(scene, layout):
+        builder.asset(asset, pose, options.seed)
+    _routes(stage, options)
+    return stage
+
+
+class _Builder:
+    """Adds assets to a stage; equal materials are defined once, and every name becomes a legal, unique prim name."""
+
+    def __init__(self, stage: Any) -> None:
+        self.stage = stage
+        self.looks: dict[object, Any] = {}
+        self.taken: set[str] = set()
+
+    def path(self, folder: str, name: str) -> str:
+        """Return a new prim path below a folder for a name of ours."""
+        stem = f"{folder}/{Tf.MakeValidIdentifier(name)}"
+        path, number = stem, 2
+        while path in self.taken:
+            path, number = f"{stem}_{number}", number + 1
+        self.taken.add(path)
+        return path
+
+    def asset(self, asset: Asset, pose: Pose, seed: int) -> None:
+        """Add one asset: its place, its facts, its physics and its parts."""
+        form = UsdGeom.Xform.Define(self.stage, self.path(ASSETS, asset.name))
+        prim, movable = form.GetPrim(), is_movable(asset)
+        form.AddTranslateOp().Set(Gf.Vec3d(pose.x, pose.y, pose.z))
+        form.AddRotateZOp(UsdGeom.XformOp.PrecisionDouble).Set(math.degrees(pose.yaw))
+        Usd.ModelAPI(prim).SetKind(Kind.Tokens.component)
+        prim.SetDisplayName(asset.name)
+        prim.SetDocumentation(asset.description or asset.category)
+        _custom(prim, "name", Sdf.ValueTypeNames.String, asset.name)
+        _custom(prim, "category", Sdf.ValueTypeNames.String, asset.category)
+        _custom(prim, "size", Sdf.ValueTypeNames.Double3, Gf.Vec3d(*asset.size))
+        _custom(prim, "movable", Sdf.ValueTypeNames.Bool, movable)
+        UsdSemantics.LabelsAPI.Apply(prim, "class").CreateLabelsAttr([category_of(asset).name, asset.category])
+        UsdSemantics.LabelsAPI.Apply(prim, "instance").CreateLabelsAttr([asset.name])
+        if movable:
+            UsdPhysics.RigidBodyAPI.Apply(prim)
+            UsdPhysics.MassAPI.Apply(prim).CreateMassAttr(mass(asset))
+        self.bind(prim, self.friction(category_of(asset).friction), "physics")
+        self.meshes(str(prim.GetPath()), parts(asset, seed=seed), movable=movable, collides=not asset.is_flat)
+
+    def meshes(self, folder: str, pieces: tuple[Part, ...], *, movable: bool, collides: bool = True) -> None:
+        """Add one mesh for each part, each its own collider."""
+        for part in pieces:
+            shape = welded(part)
+            if not len(shape.indices):
+                continue
+            mesh = UsdGeom.Mesh.Define(self.stage, self.path(folder, part.name))
+            points = Vt.Vec3fArray.FromNumpy(shape.positions.astype(np.float32))
+            mesh.CreatePointsAttr(points)
+            mesh.CreateFaceVertexCountsAttr(Vt.IntArray.FromNumpy(np.full(len(shape.indices), 3, np.int32)))
+            mesh.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(shape.indices.reshape(-1).astype(np.int32)))
+            mesh.CreateNormalsAttr(Vt.Vec3fArray.FromNumpy(shape.normals.astype(np.float32)))
+            mesh.SetNormalsInterpolation(UsdGeom.Tokens.faceVarying)
+            mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
+            mesh.CreateExtentAttr(UsdGeom.PointBased.ComputeExtent(points))
+            mesh.CreateDoubleSidedAttr(not part.convex)
+            prim = mesh.GetPrim()
+            self.bind(prim, self.look(part.material))
+            if collides:
+                UsdPhysics.CollisionAPI.Apply(prim)
+                collider = UsdPhysics.MeshCollisionAPI.Apply(prim)
+                collider.CreateApproximationAttr(_approximation(part, movable))
+
+    def bind(self, prim: Any, material: Any, purpose: str = "") -> None:
+        """Bind a material to a prim."""
+        binding = UsdShade.MaterialBindingAPI.Apply(prim)
+        weaker = UsdShade.Tokens.fallbackStrength
+        binding.Bind(material, weaker, purpose) if purpose else binding.Bind(material)
+
+    def look(self, material: Material) -> Any:
+        """Return the Preview Surface material of a look."""
+        if material not in self.looks:
+            path = self.path(LOOKS, material.name)
+            look = UsdShade.Material.Define(self.stage, path)
+            shader = UsdShade.Shader.Define(self.stage, f"{path}/Surface")
+            shader.CreateIdAttr("UsdPreviewSurface")
+            for name, kind, value in (
+                ("diffuseColor", Sdf.ValueTypeNames.Color3f, Gf.Vec3f(*linear(material.color))),
+                ("roughness", Sdf.ValueTypeNames.Float, material.roughness),
+                ("metallic", Sdf.ValueTypeNames.Float, material.metallic),
+                ("opacity", Sdf.ValueTypeNames.Float, material.opacity),
+            ):
+                shader.CreateInput(name, kind).Set(value)
+            look.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
+            self.looks[material] = look
+        return self.looks[material]
+
+    def friction(self, value: float) -> Any:
+        """Return the physics material with a friction coefficient."""
+        if value not in self.looks:
+            look = UsdShade.Material.Define(self.stage, self.path(LOOKS, f"friction_{round(value * 100)}"))
+            physics = UsdPhysics.MaterialAPI.Apply(look.GetPrim())
+            physics.CreateStaticFrictionAttr(value)
+            physics.CreateDynamicFrictionAttr(value)
+            physics.CreateRestitutionAttr(0.0)
+            self.looks[value] = look
+        return self.looks[value]
+
+
+def _approximation(part: Part, movable: bool) -> str:
+    """Return how a simulator makes a collider of a part: convex parts are their own hull."""
+    if part.convex:
+        return UsdPhysics.Tokens.convexHull
+    return UsdPhysics.Tokens.convexDecomposition if movable else UsdPhysics.Tokens.none
+
+
+def _custom(prim: Any, name: str, kind: Any, value: object) -> None:
+    """Set one attribute of ours on a prim."""
+    prim.CreateAttribute(f"robolayout:{name}", kind, True, Sdf.VariabilityUniform).Set(value)
+
+
+def _routes(stage: Any, options: Options) -> None:
+    """Add the agent's routes as guide curves on the floor."""
+    if not options.routes:
+        return
+    scope = UsdGeom.Scope.Define(stage, ROUTES).GetPrim()
+    if options.agent is not None:
+        _custom(scope, "agent", Sdf.ValueTypeNames.String, options.agent.name)
+    taken = _Builder(stage)
+    for name, line in options.routes.items():
+        if len(line) < 2:
+            continue
+        curve = UsdGeom.BasisCurves.Define(stage, taken.path(ROUTES, name))
+        points = Vt.Vec3fArray([Gf.Vec3f(float(x), float(y), 0.0) for x, y in line])
+        curve.CreateTypeAttr(UsdGeom.Tokens.linear)
+        curve.CreatePointsAttr(points)
+        curve.CreateCurveVertexCountsAttr([len(line)])
+        curve.CreateWidthsAttr([ROUTE_WIDTH])
+        curve.SetWidthsInterpolation(UsdGeom.Tokens.constant)
+        curve.CreateExtentAttr(UsdGeom.Curves.ComputeExtent(points, Vt.FloatArray([ROUTE_WIDTH])))
+        curve.CreatePurposeAttr(UsdGeom.Tokens.guide)
+        _custom(curve.GetPrim(), "name", Sdf.ValueTypeNames.String, name)
+
+
+def assets_of(path: Path) -> list[Row]:
+    """Return what a stage on disk says about its assets.
+
+    Raises:
+        RuntimeError: The stage cannot be opened, or holds no `/World/Assets`.
+    """
+    stage = Usd.Stage.Open(str(path))
+    folder = stage.GetPrimAtPath(ASSETS) if stage else None
+    if not folder:
+        raise RuntimeError(f"it has no {ASSETS}")
+    rows: list[Row] = []
+    for prim in folder.GetChildren():
+        x, y, z = prim.GetAttribute("xformOp:translate").Get()
+        depth, width, height = prim.GetAttribute("robolayout:size").Get()
+        degrees = prim.GetAttribute("xformOp:rotateZ").Get()
+        rows.append((str(prim.GetAttribute("robolayout:name").Get()), (x, y, z), degrees, (depth, width, height)))
+    return rows

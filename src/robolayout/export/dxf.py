@@ -1,0 +1,218 @@
+"""DXF (release 12, plain text): the plan for drawing programs, in metres, one layer per kind of thing.
+
+Every asset is a block (its footprint and a line along its front) inserted at its pose, so that a draughtsman moves it
+as one thing; its exact name, size and the height of its centre travel with the insert as extended data.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+
+from robolayout._errors import LayoutError
+from robolayout.export._exporter import Contents, Exporter, Options, placed
+from robolayout.scene import Asset, Layout, Opening, Point, Pose, Room, Scene
+
+APPLICATION = "ROBOLAYOUT"
+LAYERS = {
+    "FLOOR": 8,
+    "WALLS": 7,
+    "DOORS": 3,
+    "WINDOWS": 5,
+    "RUGS": 9,
+    "FURNITURE": 30,
+    "TOPS": 40,
+    "WALL_MOUNTED": 6,
+    "CEILING": 4,
+    "NAMES": 7,
+    "ROUTES": 1,
+}
+"""Layers and their colours (AutoCAD colour index)."""
+
+WALL = 0.1
+"""Thickness in metres that walls are drawn with."""
+
+LETTER = (0.03, 0.1)
+"""Smallest and largest height of letters in metres."""
+
+Group = tuple[int, object]
+"""One line pair of a DXF file: group code and value."""
+
+
+def write(scene: Scene, layout: Layout, options: Options) -> bytes:
+    """Return the plan of a layout."""
+    rows = placed(scene, layout)
+    names = [re.sub(r"[^A-Z0-9_]", "_", asset.name.upper())[:20] for asset, _ in rows]
+    blocks = {asset.name: f"A{i}_{names[i]}" for i, (asset, _) in enumerate(rows)}
+    groups: list[Group] = [(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009")]
+    groups += [
+        (9, "$INSUNITS"),
+        (70, 6),
+        (9, "$MEASUREMENT"),
+        (70, 1),
+        *_extents(scene.room),
+        (0, "ENDSEC"),
+        *_tables(),
+    ]
+    groups += [(0, "SECTION"), (2, "BLOCKS")]
+    for asset, _ in rows:
+        groups += _block(blocks[asset.name], asset)
+    groups += [(0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES"), *_room(scene.room)]
+    for name, line in options.routes.items():
+        if len(line) > 1 and name in layout:
+            groups += _polyline("ROUTES", line)
+    for asset, pose in rows:
+        groups += _insert(blocks[asset.name], asset, pose) + _name(asset, pose)
+    groups += [(0, "ENDSEC"), (0, "EOF")]
+    return "".join(f"{code:>3}\r\n{_text(value)}\r\n" for code, value in groups).encode("ascii")
+
+
+def _text(value: object) -> str:
+    """Return a value as DXF text: floats with every digit, letters beyond ASCII as \\U+XXXX."""
+    if isinstance(value, float):
+        return repr(value + 0.0)
+    flat = re.sub(r"[\r\n]+", " ", str(value))
+    return "".join(letter if 31 < ord(letter) < 127 else f"\\U+{min(ord(letter), 0xFFFF):04X}" for letter in flat)
+
+
+def _extents(room: Room) -> list[Group]:
+    """Return the header's corners of the drawing."""
+    low_x, low_y, high_x, high_y = room.bounds
+    low: list[Group] = [(9, "$EXTMIN"), (10, low_x - 0.5), (20, low_y - 0.5), (30, 0.0)]
+    return [*low, (9, "$EXTMAX"), (10, high_x + 0.5), (20, high_y + 0.5), (30, 0.0)]
+
+
+def _tables() -> list[Group]:
+    """Return the tables of line types, layers and applications."""
+    groups: list[Group] = [(0, "SECTION"), (2, "TABLES"), (0, "TABLE"), (2, "LTYPE"), (70, 1), (0, "LTYPE")]
+    groups += [(2, "CONTINUOUS"), (70, 0), (3, "Solid line"), (72, 65), (73, 0), (40, 0.0), (0, "ENDTAB")]
+    groups += [(0, "TABLE"), (2, "LAYER"), (70, len(LAYERS))]
+    for name, color in LAYERS.items():
+        groups += [(0, "LAYER"), (2, name), (70, 0), (62, color), (6, "CONTINUOUS")]
+    groups += [(0, "ENDTAB"), (0, "TABLE"), (2, "APPID"), (70, 1), (0, "APPID"), (2, APPLICATION), (70, 0)]
+    return [*groups, (0, "ENDTAB"), (0, "ENDSEC")]
+
+
+def _polyline(layer: str, points: Iterable[Point], *, closed: bool = False) -> list[Group]:
+    """Return a polyline."""
+    groups: list[Group] = [(0, "POLYLINE"), (8, layer), (66, 1), (10, 0.0), (20, 0.0), (30, 0.0), (70, int(closed))]
+    for x, y in points:
+        groups += [(0, "VERTEX"), (8, layer), (10, float(x)), (20, float(y)), (30, 0.0)]
+    return [*groups, (0, "SEQEND"), (8, layer)]
+
+
+def _layer(asset: Asset) -> str:
+    """Return the layer of an asset, by where it may stand."""
+    if asset.is_flat:
+        return "RUGS"
+    if asset.on_floor:
+        return "FURNITURE"
+    return "TOPS" if asset.on_object else "CEILING" if asset.on_ceiling else "WALL_MOUNTED"
+
+
+def _block(block: str, asset: Asset) -> list[Group]:
+    """Return an asset's block around the middle of its box: its footprint and a line along its front."""
+    half_x, half_y = asset.size[0] / 2, asset.size[1] / 2
+    corners = ((half_x, -half_y), (half_x, half_y), (-half_x, half_y), (-half_x, -half_y))
+    inset = half_x - min(0.04, half_x / 4)
+    groups: list[Group] = [(0, "BLOCK"), (8, "0"), (2, block), (70, 0), (10, 0.0), (20, 0.0), (30, 0.0), (3, block)]
+    groups += _polyline(_layer(asset), corners, closed=True)
+    groups += _polyline(_layer(asset), ((inset, -half_y), (inset, half_y)))
+    return [*groups, (0, "ENDBLK"), (8, "0")]
+
+
+def _name(asset: Asset, pose: Pose) -> list[Group]:
+    """Return an asset's name along the longer side of its footprint, never upside down; a rug's along its edge."""
+    depth, width, _ = asset.size
+    along = pose.yaw if depth >= width else pose.yaw + math.pi / 2
+    along = math.remainder(along - 1e-9, math.pi) + 1e-9
+    long, short = max(depth, width), min(depth, width)
+    height = min(LETTER[1], max(LETTER[0], min(long / (0.7 * len(asset.name)), short / 2)))
+    down = short / 2 - height if asset.is_flat else 0.0
+    x, y = pose.x + down * math.sin(along), pose.y - down * math.cos(along)
+    groups: list[Group] = [(0, "TEXT"), (8, "NAMES"), (10, x), (20, y), (30, 0.0), (40, height), (1, asset.name)]
+    return [*groups, (50, math.degrees(along)), (72, 1), (73, 2), (11, x), (21, y), (31, 0.0)]
+
+
+def _insert(block: str, asset: Asset, pose: Pose) -> list[Group]:
+    """Return the insert of an asset, with its exact name, size and centre height as extended data."""
+    groups: list[Group] = [(0, "INSERT"), (8, _layer(asset)), (2, block), (10, pose.x), (20, pose.y), (30, 0.0)]
+    groups += [(50, math.degrees(pose.yaw)), (1001, APPLICATION), (1000, asset.name)]
+    return [*groups, *((1040, float(value)) for value in (*asset.size, pose.z))]
+
+
+def _room(room: Room) -> list[Group]:
+    """Return floor, walls with gaps for doors and windows, leaves and panes."""
+    groups = _polyline("FLOOR", room.vertices, closed=True)
+    outer = [_mitre(room, i) for i in range(len(room.walls))]
+    for wall in room.walls:
+        openings = [opening for opening in (*room.doors, *room.windows) if opening.wall == wall.index]
+        for start, end in _solid(wall.length, openings):
+            far = outer[(wall.index + 1) % len(outer)] if end == wall.length else wall.point(end, -WALL)
+            near = outer[wall.index] if start == 0.0 else wall.point(start, -WALL)
+            outline = (wall.point(start), wall.point(end), far, near)
+            groups += _polyline("WALLS", outline, closed=True)
+    for door in room.doors:
+        groups += _door(room, door)
+    for window in room.windows:
+        wall, ends = room.walls[window.wall], (window.offset, window.offset + window.width)
+        for depth in (0.0, -WALL / 2, -WALL):
+            groups += _polyline("WINDOWS", [wall.point(offset, depth) for offset in ends])
+    return groups
+
+
+def _mitre(room: Room, corner: int) -> Point:
+    """Return where the outer faces of the two walls at a corner meet."""
+    (ax, ay), (bx, by) = room.walls[corner - 1].normal, room.walls[corner].normal
+    scale = WALL / max(1 + ax * bx + ay * by, 0.1)
+    x, y = room.vertices[corner]
+    return (x - (ax + bx) * scale, y - (ay + by) * scale)
+
+
+def _solid(length: float, openings: Sequence[Opening]) -> list[tuple[float, float]]:
+    """Return the stretches of a wall (metres along it) that no opening takes."""
+    stretches: list[tuple[float, float]] = []
+    done = 0.0
+    for opening in sorted(openings, key=lambda opening: opening.offset):
+        if opening.offset > done:
+            stretches.append((done, opening.offset))
+        done = max(done, opening.offset + opening.width)
+    return [*stretches, (done, length)] if done < length else stretches
+
+
+def _door(room: Room, door: Opening) -> list[Group]:
+    """Return a door leaf, open by 90 degrees into the room, and its swing."""
+    wall = room.walls[door.wall]
+    hinge, latch = wall.point(door.offset), wall.point(door.offset, door.width)
+    start = math.degrees(math.atan2(wall.direction[1], wall.direction[0]))
+    groups = _polyline("DOORS", (hinge, latch))
+    groups += [(0, "ARC"), (8, "DOORS"), (10, hinge[0]), (20, hinge[1]), (30, 0.0), (40, door.width)]
+    return [*groups, (50, start % 360.0), (51, (start + 90.0) % 360.0)]
+
+
+def read(data: bytes) -> Contents:
+    """Return the names, poses and sizes of the inserts in a plan that this package wrote.
+
+    Raises:
+        LayoutError: The bytes are no DXF text.
+    """
+    lines = data.decode("ascii", errors="replace").splitlines()
+    if len(lines) < 4 or lines[0].strip() != "0" or lines[-1].strip() != "EOF":
+        raise LayoutError("this is no DXF text: it must begin with a section and end with EOF.")
+    pairs = [(int(code), value.strip()) for code, value in zip(lines[::2], lines[1::2], strict=False)]
+    poses: dict[str, Pose] = {}
+    sizes: dict[str, tuple[float, float, float]] = {}
+    starts = [i for i, (code, _) in enumerate(pairs) if code == 0]
+    for start, end in pairwise(starts):
+        if pairs[start][1] == "INSERT" and (1001, APPLICATION) in pairs[start:end]:
+            entity = dict(pairs[start:end])
+            depth, width, height, z = (float(value) for code, value in pairs[start:end] if code == 1040)
+            name = re.sub(r"\\U\+([0-9A-F]{4})", lambda match: chr(int(match[1], 16)), entity[1000])
+            poses[name] = Pose(float(entity[10]), float(entity[20]), z, math.radians(float(entity[50])))
+            sizes[name] = (depth, width, height)
+    return Contents(Layout(poses), sizes)
+
+
+DXF = Exporter("dxf", ".dxf", "the plan as a drawing: walls, doors, windows, footprints as blocks", None, write, read)

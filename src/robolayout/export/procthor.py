@@ -1,0 +1,263 @@
+"""House JSON, which AI2-THOR's `CreateHouse` loads (schema 1.0.0, that of ProcTHOR-10k).
+
+Unity is y up and left-handed: our (x, y, z) is its (x, z, y), and a yaw counter-clockwise from +x is a rotation clockwise from +z,
+that is 90 degrees minus the yaw. Every asset becomes the nearest THOR asset of the same type and size, on the same floor, wall or
+ceiling; `metadata.robolayout.assets` says which one, and how far its box is from the asked one. A wall of THOR holds one door
+or window, so walls with more are cut into pieces.
+"""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from typing import cast
+
+from robolayout._errors import LayoutError
+from robolayout.export._exporter import (
+    Contents,
+    Exporter,
+    Json,
+    Options,
+    dump_json,
+    is_movable,
+    parse_json,
+    placed,
+    supporter,
+)
+from robolayout.export._thor import ThorAsset, nearest, nearest_of, thor_type
+from robolayout.scene import Asset, Layout, Opening, Point, Pose, Room, Scene, Wall
+
+ROOM = "room|2"
+"""Rooms of THOR are numbered from 2; 1 is outside."""
+
+AGENT_HEIGHT = 0.95
+"""Height in metres of the middle of THOR's default agent."""
+
+ROOM_TYPES = {"kitchen": "Kitchen", "bath": "Bathroom", "bed": "Bedroom"}
+WALL_MATERIAL, FLOOR_MATERIAL, OUTSIDE_MATERIAL = "PureWhite", "WoodFloorsCross", "BrownDrywall"
+
+Hole = tuple[str, int, Opening]
+"""Kind ("door", "window"), number and opening."""
+
+
+def write(scene: Scene, layout: Layout, options: Options) -> bytes:
+    """Return the house of a layout."""
+    pieces = [piece for wall in scene.room.walls for piece in _cut(wall, _holes(scene.room, wall))]
+    inside = [_wall(scene.room, index, piece, outside=False) for index, piece in enumerate(pieces)]
+    outside = [_wall(scene.room, index, piece, outside=True) for index, piece in enumerate(pieces)]
+    holes = [(index, piece) for index, piece in enumerate(pieces) if piece[3] is not None]
+    objects, assets = _objects(scene, layout)
+    house: Json = {
+        "doors": [_cover(index, piece) for index, piece in holes if piece[3] and piece[3][0] == "door"],
+        "metadata": _metadata(scene, assets),
+        "objects": objects,
+        "proceduralParameters": _parameters(scene.room),
+        "rooms": [_room(scene)],
+        "walls": inside + outside,
+        "windows": [_cover(index, piece) for index, piece in holes if piece[3] and piece[3][0] == "window"],
+    }
+    return dump_json(house)
+
+
+def _vector(x: float, y: float, z: float) -> Json:
+    """Return a Unity vector from our coordinates."""
+    return {"x": x + 0.0, "y": z + 0.0, "z": y + 0.0}
+
+
+def _degrees(yaw: float) -> float:
+    """Return Unity's rotation about its y axis in degrees for one of our yaws."""
+    return (90.0 - math.degrees(yaw)) % 360.0
+
+
+Piece = tuple[Wall, float, float, Hole | None]
+"""A wall, the metres along it where the piece starts and ends, and the hole in it."""
+
+
+def _holes(room: Room, wall: Wall) -> list[Hole]:
+    """Return the doors and windows of a wall, from its start on."""
+    found = [("door", i, door) for i, door in enumerate(room.doors) if door.wall == wall.index]
+    found += [("window", i, window) for i, window in enumerate(room.windows) if window.wall == wall.index]
+    return sorted(found, key=lambda hole: hole[2].offset)
+
+
+def _cut(wall: Wall, holes: list[Hole]) -> list[Piece]:
+    """Return a wall in pieces with at most one hole each, cut half-way between the holes."""
+    cuts = [0.0]
+    for (_, _, before), (_, _, after) in pairwise(holes):
+        cuts.append((before.offset + before.width + after.offset) / 2)
+    cuts.append(wall.length)
+    known: list[Hole | None] = [*holes] or [None]
+    return [(wall, start, end, hole) for start, end, hole in zip(cuts[:-1], cuts[1:], known, strict=True)]
+
+
+def _wall_id(index: int, *, outside: bool) -> str:
+    return f"wall|exterior|{index}" if outside else f"wall|2|{index}"
+
+
+def _wall(room: Room, index: int, piece: Piece, *, outside: bool) -> Json:
+    """Return one face of a wall; seen from the room its lower corners run clockwise in plan, ours counter-clockwise."""
+    wall, start, end, _ = piece
+    low, high = wall.point(end), wall.point(start)
+    corners = [(low, 0.0), (high, 0.0), (low, room.wall_height), (high, room.wall_height)]
+    if outside:
+        corners.reverse()
+    return {
+        "id": _wall_id(index, outside=outside),
+        "material": {"name": OUTSIDE_MATERIAL if outside else WALL_MATERIAL},
+        "polygon": [_vector(x, y, z) for (x, y), z in corners],
+        "roomId": "exterior" if outside else ROOM,
+    }
+
+
+def _cover(index: int, piece: Piece) -> Json:
+    """Return a door or window: the nearest THOR asset, scaled to the hole, placed along its wall from the wall's first corner."""
+    _, _, end, hole = piece
+    kind, number, opening = cast(Hole, hole)
+    thor = nearest_of(["Doorway" if kind == "door" else "Window"], (0.1, opening.width, opening.height))
+    near, top = end - opening.offset - opening.width, opening.sill + opening.height
+    cover: Json = {
+        "id": f"{kind}|1|2|{number}",
+        "assetId": thor.name,
+        "room0": ROOM,
+        "room1": ROOM,
+        "wall0": _wall_id(index, outside=False),
+        "wall1": _wall_id(index, outside=True),
+        "holePolygon": [{"x": near, "y": opening.sill, "z": 0.0}, {"x": near + opening.width, "y": top, "z": 0.0}],
+        "assetPosition": {"x": near + opening.width / 2, "y": opening.sill + opening.height / 2, "z": 0.0},
+        "scale": {"x": opening.width / thor.size[1], "y": opening.height / thor.size[2], "z": 1.0},
+    }
+    return {**cover, "openable": False, "openness": 0.0} if kind == "door" else cover
+
+
+def _objects(scene: Scene, layout: Layout) -> tuple[list[Json], dict[str, Json]]:
+    """Return the objects, those on others as their children, and what is known about each of our assets."""
+    objects: dict[str, Json] = {}
+    assets: dict[str, Json] = {}
+    for number, (asset, pose) in enumerate(placed(scene, layout)):
+        thor = nearest(asset)
+        anchor, shift = _shift(asset, thor)
+        identity = f"{thor.type}|2|{number}"
+        objects[asset.name] = {
+            "assetId": thor.name,
+            "id": identity,
+            "kinematic": not is_movable(asset),
+            "position": _vector(pose.x, pose.y, pose.z + shift),
+            "rotation": {"x": 0.0, "y": _degrees(pose.yaw), "z": 0.0},
+            "room": ROOM,
+            "children": [],
+        }
+        assets[asset.name] = {
+            "id": identity,
+            "category": asset.category,
+            "size": list(asset.size),
+            "thorSize": list(thor.size),
+            "sizeDistance": round(thor.distance(asset.size), 4),
+            "sameType": thor_type(asset.category) is not None,
+            "anchor": anchor,
+        }
+    roots: list[Json] = []
+    for name, entry in objects.items():
+        parent = supporter(scene.by_name[name], scene, layout)
+        children = roots if parent is None else cast(list[Json], objects[parent]["children"])
+        children.append(entry)
+    return roots, assets
+
+
+def _shift(asset: Asset, thor: ThorAsset) -> tuple[str, float]:
+    """Return what is kept of an asset's height (bottom, middle or top), and how far up its middle moves for that."""
+    grow = (thor.size[2] - asset.size[2]) / 2
+    if asset.on_floor or asset.on_object:
+        return "bottom", grow
+    return ("top", -grow) if asset.on_ceiling else ("middle", 0.0)
+
+
+def _room(scene: Scene) -> Json:
+    """Return the room; floor corners run clockwise in plan."""
+    words = f"{scene.name} {scene.task_description}".lower()
+    kind = next((value for word, value in ROOM_TYPES.items() if word in words), "LivingRoom")
+    floor = [_vector(x, y, 0.0) for x, y in reversed(scene.room.vertices)]
+    material: Json = {"name": FLOOR_MATERIAL}
+    return {
+        "id": ROOM,
+        "roomType": kind,
+        "floorMaterial": material,
+        "floorPolygon": floor,
+        "ceilings": [],
+        "children": [],
+    }
+
+
+def _entrance(room: Room) -> tuple[Point, float]:
+    """Return where the agent starts (the middle of the first door's landing, else of the room's box) and its yaw."""
+    if not room.doors:
+        low_x, low_y, high_x, high_y = room.bounds
+        return ((low_x + high_x) / 2, (low_y + high_y) / 2), 0.0
+    wall = room.walls[room.doors[0].wall]
+    return wall.point(room.doors[0].center, 0.5), math.atan2(wall.normal[1], wall.normal[0])
+
+
+def _metadata(scene: Scene, assets: dict[str, Json]) -> Json:
+    """Return the schema, the agent's start and our own facts."""
+    (x, y), yaw = _entrance(scene.room)
+    pose: Json = {"horizon": 30, "position": _vector(x, y, AGENT_HEIGHT), "standing": True}
+    pose["rotation"] = {"x": 0.0, "y": _degrees(yaw), "z": 0.0}
+    return {
+        "agent": pose,
+        "agentPoses": {mode: pose for mode in ("default", "arm", "locobot", "stretch")},
+        "roomSpecId": "robolayout",
+        "schema": "1.0.0",
+        "robolayout": {"scene": scene.name, "assets": assets},
+    }
+
+
+def _parameters(room: Room) -> Json:
+    """Return ceiling, sky and lights: a soft sun and one lamp under the ceiling's middle, as ProcTHOR has them."""
+    (x, y), _ = _entrance(Room(room.vertices, room.wall_height))
+    shadow: Json = {"type": "Soft", "strength": 1, "normalBias": 0, "bias": 0.05, "nearPlane": 0.2}
+    shadow["resolution"] = "FromQualitySettings"
+    sun: Json = {"id": "DirectionalLight", "type": "directional", "intensity": 0.35, "indirectMultiplier": 1.0}
+    sun |= {"position": {"x": 0.84, "y": 0.1855, "z": -1.09}, "rotation": {"x": 43.4, "y": -3.9, "z": -63.6}}
+    lamp: Json = {"id": "light_2", "type": "point", "intensity": 0.75, "range": 15}
+    lamp["position"] = _vector(x, y, room.wall_height - 0.2)
+    white: Json = {"r": 1.0, "g": 1.0, "b": 1.0}
+    return {
+        "ceilingMaterial": {"name": WALL_MATERIAL},
+        "floorColliderThickness": 1.0,
+        "lights": [{**sun, "rgb": white, "shadow": shadow}, {**lamp, "rgb": white, "shadow": shadow}],
+        "receptacleHeight": 0.7,
+        "reflections": [],
+        "skyboxId": "Sky1",
+    }
+
+
+def read(data: bytes) -> Contents:
+    """Return our names, poses and sizes in a house that this package wrote.
+
+    Raises:
+        LayoutError: The house carries no `metadata.robolayout`.
+    """
+    house = parse_json(data, "house")
+    notes = cast(Json, cast(Json, house.get("metadata", {})).get("robolayout", {}))
+    if "assets" not in notes:
+        raise LayoutError("this house was not written by robolayout: it has no metadata.robolayout.assets.")
+    objects = {str(entry["id"]): entry for entry in _flat(cast(list[Json], house["objects"]))}
+    poses: dict[str, Pose] = {}
+    sizes: dict[str, tuple[float, float, float]] = {}
+    for name, note in cast(dict[str, Json], notes["assets"]).items():
+        entry = objects[str(note["id"])]
+        depth, width, height = cast(list[float], note["size"])
+        grow = (cast(list[float], note["thorSize"])[2] - height) / 2
+        shift = {"bottom": grow, "top": -grow, "middle": 0.0}[str(note["anchor"])]
+        position, rotation = cast(dict[str, float], entry["position"]), cast(dict[str, float], entry["rotation"])
+        yaw = math.radians(90.0 - rotation["y"])
+        poses[name] = Pose(position["x"], position["z"], position["y"] - shift, yaw)
+        sizes[name] = (depth, width, height)
+    return Contents(Layout(poses), sizes)
+
+
+def _flat(objects: list[Json]) -> list[Json]:
+    """Return objects and all their children."""
+    return [each for entry in objects for each in (entry, *_flat(cast(list[Json], entry["children"])))]
+
+
+PROCTHOR = Exporter("procthor", ".procthor.json", "AI2-THOR house JSON with the nearest THOR assets", None, write, read)
