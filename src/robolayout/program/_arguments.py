@@ -1,0 +1,199 @@
+"""From recorded arguments to a `Relation`, checked against what the relation declares it takes."""
+
+from __future__ import annotations
+
+import dataclasses
+import difflib
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from robolayout.constraints import RELATIONS, AssetRef, PointRef, Relation, WallRef
+from robolayout.scene import Scene
+
+Recorded = list[Any]
+"""A value as the recorder wrote it: ["asset", name], ["number", 1.5], ["list", [...]], ..."""
+
+NOUNS = {
+    "asset": "an asset such as bed[0]",
+    "wall": "a wall such as walls[0]",
+    "point": "a point such as [1.5, 2.0]",
+    "room": "room",
+    "none": "None",
+    "number": "a number",
+    "integer": "a whole number",
+    "text": "a text",
+    "polygon": "a list of points",
+}
+"""Words for what an argument takes."""
+
+LARGEST = 1e6
+"""Largest number in an argument, in its own unit."""
+
+OTHER_NAMES = {"asset": "a", "asset1": "a", "asset2": "b", "target": "b", "wall": "wall", "assets": "items"}
+"""Argument names that programs of LayoutVLM use, by ours."""
+
+
+class ArgumentError(Exception):
+    """An argument does not fit.
+
+    Args:
+        message: What is wrong with it.
+        argument: Its place among the positional arguments, or its keyword; None for the whole call.
+    """
+
+    def __init__(self, message: str, argument: int | str | None = None) -> None:
+        super().__init__(message)
+        self.argument = argument
+
+
+def expressions(scene: Scene) -> dict[str, str]:
+    """Return how each asset is written in a program, by its name ("bed-0": "bed[0]"), grouped by variable."""
+    return {a.name: f"{variable}[{i}]" for variable, group in scene.variables.items() for i, a in enumerate(group)}
+
+
+def build_relation(name: str, given: list[Recorded], named: list[tuple[str, Recorded]], scene: Scene) -> Relation:
+    """Return the relation that a recorded call states; raises `ArgumentError`."""
+    relation = RELATIONS[name]
+    specs = {spec.name: spec for spec in relation.arguments()}
+    values: dict[str, object] = {}
+    for key, (place, recorded) in _bind(name, specs, given, named).items():
+        try:
+            values[key] = _convert(specs[key], recorded, scene)
+        except ArgumentError as error:
+            raise ArgumentError(f"{key} of {name} {error}", place) from error
+    for key, spec in specs.items():
+        if key not in values and spec.default is dataclasses.MISSING:
+            raise ArgumentError(f"{name} needs {key}: {_wanted(spec)}. Example: {relation.example}")
+    _check_order(name, values)
+    return relation(**values)
+
+
+def _bind(
+    name: str, specs: Mapping[str, dataclasses.Field[Any]], given: list[Recorded], named: list[tuple[str, Recorded]]
+) -> dict[str, tuple[int | str, Recorded]]:
+    """Return (place in the call, value) by argument name."""
+    names = list(specs)
+    if len(given) > len(names):
+        raise ArgumentError(f"{name} takes {len(names)} arguments ({', '.join(names)}), not {len(given)}", len(names))
+    bound: dict[str, tuple[int | str, Recorded]] = {names[i]: (i, value) for i, value in enumerate(given)}
+    for word, value in named:
+        key = word if word in specs else OTHER_NAMES.get(word, word)
+        if key not in specs:
+            near = difflib.get_close_matches(word, names, n=1)
+            hint = f" Did you mean {near[0]!r}?" if near else ""
+            raise ArgumentError(f"{name} has no argument {word!r}.{hint} It takes {', '.join(names)}.", word)
+        if key in bound:
+            raise ArgumentError(f"{name} gets {key!r} twice", word)
+        bound[key] = (word, value)
+    return bound
+
+
+def _convert(spec: dataclasses.Field[Any], recorded: Recorded, scene: Scene) -> object:
+    """Return the value of one argument."""
+    if not spec.metadata["many"]:
+        return _one(spec, recorded, scene)
+    if recorded[0] == "none" and "none" in spec.metadata["takes"]:
+        return None
+    is_point = "point" in spec.metadata["takes"] and _numbers(recorded) is not None
+    items = recorded[1] if recorded[0] == "list" and not is_point else [recorded]
+    if not items:
+        raise ArgumentError("is an empty list")
+    if "point" in spec.metadata["takes"] and len(items) < 3:
+        raise ArgumentError(f"takes at least 3 points, not {len(items)}")
+    return tuple(_one(spec, item, scene) for item in items)
+
+
+def _one(spec: dataclasses.Field[Any], recorded: Recorded, scene: Scene) -> object:
+    """Return one thing that an argument takes."""
+    takes: tuple[str, ...] = spec.metadata["takes"]
+    kind = recorded[0]
+    if kind == "list" and len(recorded[1]) == 1 and recorded[1][0][0] == "asset":
+        return _one(spec, recorded[1][0], scene)
+    if kind == "asset" and "asset" in takes:
+        return _asset(recorded[1], scene)
+    if kind == "wall" and "wall" in takes:
+        return WallRef(_index(recorded[1], len(scene.room.walls)))
+    if kind in ("point", "list") and "point" in takes:
+        return _point(recorded)
+    if kind == "number" and ("number" in takes or "integer" in takes):
+        if spec.name == "weight" and recorded[1] < 0:
+            raise ArgumentError(f"is {recorded[1]:g}; a weight is 0 or more")
+        return _number(recorded[1], whole="number" not in takes)
+    if kind == "text" and "text" in takes:
+        return _text(recorded[1], spec.metadata["choices"])
+    if (kind == "none" and "none" in takes) or (kind in ("none", "room") and "room" in takes):
+        return None
+    raise ArgumentError(f"takes {_wanted(spec)}, not {_described(recorded, scene)}")
+
+
+def _asset(name: object, scene: Scene) -> AssetRef:
+    if not isinstance(name, str) or name not in scene.by_name:
+        raise ArgumentError("takes an asset of the scene, not one that was changed or made up")
+    return AssetRef(name)
+
+
+def _index(index: object, count: int) -> int:
+    if not isinstance(index, int) or not 0 <= index < count:
+        raise ArgumentError("takes a wall of the room, not one that was changed or made up")
+    return index
+
+
+def _number(value: float, *, whole: bool = False) -> float:
+    if not math.isfinite(value):
+        raise ArgumentError("is not finite (NaN or infinite)")
+    if abs(value) > LARGEST:
+        raise ArgumentError(f"is {value:g}; numbers go up to {LARGEST:g}")
+    if whole and not value.is_integer():
+        raise ArgumentError(f"takes a whole number, not {value:g}")
+    return int(value) if whole else value
+
+
+def _numbers(recorded: Recorded) -> list[float] | None:
+    """Return the numbers of a recorded list of numbers, else None."""
+    if recorded[0] != "list" or not recorded[1] or any(item[0] != "number" for item in recorded[1]):
+        return None
+    return [item[1] for item in recorded[1]]
+
+
+def _point(recorded: Recorded) -> PointRef:
+    numbers = _numbers(recorded[1] if recorded[0] == "point" else recorded)
+    if numbers is None or len(numbers) not in (2, 3):
+        raise ArgumentError(
+            "takes a point of two or three numbers, such as [1.5, 2.0] or AssetInstance(position=[1.5, 2.0, 0])"
+        )
+    return PointRef(*(_number(value) for value in numbers))
+
+
+def _text(value: str, choices: tuple[str, ...]) -> str:
+    if choices and value not in choices:
+        known = ", ".join(repr(choice) for choice in choices)
+        raise ArgumentError(f"is {value!r}, which is not one of {known}")
+    return value
+
+
+def _wanted(spec: dataclasses.Field[Any]) -> str:
+    takes = " or ".join(NOUNS[kind] if kind in NOUNS else str(kind) for kind in spec.metadata["takes"])
+    return f"a list, each item of it {takes}" if spec.metadata["many"] else takes
+
+
+def _described(recorded: Recorded, scene: Scene) -> str:
+    kind, value = recorded[0], recorded[1] if len(recorded) > 1 else None
+    if kind == "list":
+        return f"a list of {len(recorded[1])}"
+    if kind == "asset":
+        return expressions(scene).get(str(value), "an asset")
+    if kind == "wall":
+        return f"walls[{value}]"
+    if kind in ("number", "text"):
+        return f"{value:g}" if kind == "number" else repr(value)
+    return {"none": "None", "room": "room", "point": "a point"}.get(str(kind), f"{value}")
+
+
+def _check_order(name: str, values: Mapping[str, object]) -> None:
+    """Raise where a lowest value lies above its highest (`min_distance`, `max_distance`)."""
+    for key, low in values.items():
+        high = values.get(key.replace("min", "max", 1)) if key.startswith("min") else None
+        if isinstance(low, float) and isinstance(high, float) and low > high:
+            other = key.replace("min", "max", 1)
+            raise ArgumentError(f"{name}: {key} = {low:g} is above {other} = {high:g}", other)

@@ -1,0 +1,130 @@
+"""The constraint program as data: statements about where things stand, and first guesses of poses.
+
+`solver.against_wall(bed[0], walls[2])` on line 12 is a `Statement` whose relation is `AgainstWall(bed-0, walls[2])`;
+`bed[0].position = [2, 1, 0.3]` is part of the `Guess` for bed-0.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What a program may use; everything beyond ends in a `ProgramLimitError`.
+
+    Attributes:
+        seconds: Time to run, in seconds.
+        memory: Memory of the interpreter in bytes.
+        text: Characters of program text.
+        statements: Number of statements, however they are made.
+        items: Number of things named in all arguments together.
+        depth: Calls inside calls.
+        printed: Characters kept of what it prints; the rest is dropped.
+    """
+
+    seconds: float = 5.0
+    memory: int = 256 * 2**20
+    text: int = 128 * 1024
+    statements: int = 5_000
+    items: int = 50_000
+    depth: int = 200
+    printed: int = 4_000
+
+
+@dataclass(frozen=True)
+class Statement:
+    """One relation that a program states.
+
+    Attributes:
+        relation: What it says.
+        line: Line of the program text that states it, counted from 1; 0 if it was not read from text.
+        source: That call as it is written, on one line.
+        number: Its place among the statements, counted from 1.
+    """
+
+    relation: Relation
+    line: int = 0
+    source: str = ""
+    number: int = 0
+
+
+@dataclass(frozen=True)
+class Guess:
+    """Where a program first puts an asset.
+
+    Attributes:
+        position: Box centre in metres; None if the program does not say.
+        yaw: Radians counter-clockwise about z; None if the program does not say.
+    """
+
+    position: tuple[float, float, float] | None = None
+    yaw: float | None = None
+
+
+@dataclass(frozen=True)
+class Program:
+    """A constraint program that was read.
+
+    Attributes:
+        text: The program text that was run.
+        statements: What it states, in the order in which it ran.
+        guesses: First poses by asset name, in the order of the scene.
+        notes: Lines that it printed.
+        expressions: How each asset is written in program text, by name ("bed-0": "bed[0]").
+    """
+
+    text: str = ""
+    statements: tuple[Statement, ...] = ()
+    guesses: Mapping[str, Guess] = field(default_factory=dict[str, Guess])
+    notes: tuple[str, ...] = ()
+    expressions: Mapping[str, str] = field(default_factory=dict[str, str], compare=False, repr=False)
+
+    def to_text(self) -> str:
+        """Return normalised program text; reading it gives the same statements and guesses."""
+        lines: list[str] = []
+        for name, guess in self.guesses.items():
+            if guess.position is not None:
+                lines.append(f"{self._asset(name)}.position = {list(guess.position)!r}")
+            if guess.yaw is not None:
+                lines.append(f"{self._asset(name)}.rotation = [0, 0, {guess.yaw!r}]")
+        lines += [f"solver.{self.call(statement.relation)}" for statement in self.statements]
+        return "".join(line + "\n" for line in lines)
+
+    def call(self, relation: Relation) -> str:
+        """Return a relation as program text: `against_wall(bed[0], walls[2])`."""
+        shown: list[str] = []
+        for spec in relation.arguments():
+            value = getattr(relation, spec.name)
+            if spec.default is dataclasses.MISSING:
+                shown.append(self._value(value))
+            elif value != spec.default:
+                shown.append(f"{spec.name}={self._value(value)}")
+        return f"{relation.name}({', '.join(shown)})"
+
+    def _asset(self, name: str) -> str:
+        variable, _, index = name.rpartition("-")
+        return self.expressions.get(name, f"{variable}[{index}]")
+
+    def _value(self, value: object) -> str:
+        match value:
+            case AssetRef(name):
+                return self._asset(name)
+            case WallRef(index):
+                return f"walls[{index}]"
+            case PointRef(x, y, z):
+                return f"AssetInstance(position=[{x!r}, {y!r}, {z!r}])"
+            case tuple():
+                return "[" + ", ".join(self._value(item) for item in value) + "]"  # type: ignore[misc]
+            case str():
+                return json.dumps(value)
+            case float() if value.is_integer() and math.fabs(value) < 1e9:
+                return str(int(value))
+            case _:
+                return repr(value)

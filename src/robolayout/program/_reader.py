@@ -1,0 +1,123 @@
+"""Reads a constraint program safely: checked text in, statements and guesses out, nothing of it executed in our process."""
+
+from __future__ import annotations
+
+import ast
+import keyword
+import math
+from typing import Any
+
+from robolayout._errors import ProgramError
+from robolayout.constraints import RELATIONS
+from robolayout.program._arguments import ArgumentError, Recorded, build_relation, expressions
+from robolayout.program._prelude import RESERVED
+from robolayout.program._program import Guess, Limits, Program, Statement
+from robolayout.program._sandbox import run
+from robolayout.program._source import Site, Source, read_source
+from robolayout.scene import Scene
+
+FARTHEST = 1e4
+"""Metres from the origin beyond which a position is a mistake."""
+
+
+def read_program(text: str, scene: Scene, limits: Limits | None = None) -> Program:
+    """Return the statements and guesses of a program for `scene`.
+
+    Args:
+        text: Program text, or a model's answer with the program in ``` fences.
+        scene: What the program is about; its assets and walls are the program's variables.
+        limits: What the program may use.
+
+    Raises:
+        ProgramError: With line, source and caret, and what would have worked.
+        ProgramLimitError: Where it ran over a limit.
+    """
+    limits = limits or Limits()
+    _check_variables(scene)
+    source = read_source(text, tuple(RELATIONS), scene.variables, limits)
+    recorded = run(source, scene, tuple(RELATIONS), limits)
+    statements = tuple(_statement(i, row, source, scene) for i, row in enumerate(recorded["log"], start=1))
+    written = expressions(scene)
+    poses = dict(zip(written, recorded["poses"], strict=True))
+    guesses = {
+        asset.name: guess
+        for asset in scene.assets
+        if (guess := _guess(written[asset.name], poses[asset.name], source)) is not None
+    }
+    return Program(source.text, statements, guesses, tuple(recorded["notes"]), written)
+
+
+def _check_variables(scene: Scene) -> None:
+    for variable in scene.variables:
+        if not variable.isidentifier() or keyword.iskeyword(variable) or variable in RESERVED or variable[0] == "_":
+            raise ProgramError(
+                f"the asset name '{variable}-0' cannot be written in a program, because {variable!r} means something "
+                "else there; rename the asset in the scene file"
+            )
+
+
+def _statement(number: int, row: list[Any], source: Source, scene: Scene) -> Statement:
+    """Return one recorded call as a statement."""
+    place, name, given, named = row
+    site = _site(source, place)
+    try:
+        relation = build_relation(name, given, [(key, value) for key, value in named], scene)
+    except ArgumentError as error:
+        node = _argument(site, error.argument)
+        line = node.lineno if node else site.line
+        column = node.col_offset if node else site.column
+        raise source.error(str(error), line or None, column) from error
+    return Statement(relation, site.line, source.segment(site.call) if site.call else f"solver.{name}(...)", number)
+
+
+def _site(source: Source, place: object) -> Site:
+    return source.sites[place] if isinstance(place, int) and 0 <= place < len(source.sites) else Site(0, 0)
+
+
+def _argument(site: Site, argument: int | str | None) -> ast.expr | None:
+    """Return the node of an argument of the call, if it can be told."""
+    if site.call is None or argument is None:
+        return None
+    if isinstance(argument, str):
+        return next((word.value for word in site.call.keywords if word.arg == argument), None)
+    starred = any(isinstance(node, ast.Starred) for node in site.call.args)
+    return None if starred or argument >= len(site.call.args) else site.call.args[argument]
+
+
+def _guess(expression: str, recorded: list[Any], source: Source) -> Guess | None:
+    """Return the guess for one asset, None if the program says nothing about it."""
+    place, turn, place_site, turn_site = recorded
+    if place is None and turn is None:
+        return None
+    position = None if place is None else _vector(place, f"{expression}.position", _site(source, place_site), source)
+    if position is not None and len(position) != 3:
+        where = _site(source, place_site)
+        raise source.error(
+            f"{expression}.position is three numbers, x, y, z in metres", where.line or None, where.column
+        )
+    yaw = None if turn is None else _yaw(turn, expression, _site(source, turn_site), source)
+    return Guess((position[0], position[1], position[2]) if position else None, yaw)
+
+
+def _yaw(recorded: Recorded, expression: str, site: Site, source: Source) -> float:
+    """Return the yaw in radians: one number is degrees, three are radians about x, y and z."""
+    numbers = _vector(
+        ["list", [recorded]] if recorded[0] == "number" else recorded, f"{expression}.rotation", site, source
+    )
+    if len(numbers) not in (1, 3):
+        message = f"{expression}.rotation is [degrees] or [0, 0, radians(degrees)]"
+        raise source.error(message, site.line or None, site.column)
+    return math.radians(numbers[0]) if len(numbers) == 1 else numbers[2]
+
+
+def _vector(recorded: Recorded, what: str, site: Site, source: Source) -> list[float]:
+    """Return a recorded list of finite numbers."""
+    items = recorded[1] if recorded[0] == "list" else []
+    if not items or any(item[0] != "number" for item in items):
+        raise source.error(f"{what} takes a list of numbers", site.line or None, site.column)
+    numbers: list[float] = [item[1] for item in items]
+    if not all(math.isfinite(value) and abs(value) <= FARTHEST for value in numbers):
+        shown = ", ".join(f"{value:g}" for value in numbers[:3])
+        message = f"{what} = [{shown}]: every number must be finite and within {FARTHEST:g}"
+        raise source.error(message, site.line or None, site.column)
+    return numbers

@@ -1,0 +1,130 @@
+"""Runs program text in pydantic-monty: a Python interpreter of its own, in a child process, without files or network.
+
+The child gets three feeds: the prelude, the program (a feed of its own, so that line numbers fit) and one expression that
+returns all that was recorded as one JSON text. Time, memory and depth are limited inside the child, and the child is
+killed should it ever overrun them.
+"""
+
+from __future__ import annotations
+
+import ast
+import difflib
+import json
+import re
+from collections.abc import Collection
+from typing import TYPE_CHECKING, Any
+
+from robolayout._errors import ProgramError, ProgramLimitError
+from robolayout.program._prelude import RESULT, prelude, scene_data
+from robolayout.program._program import Limits
+from robolayout.program._source import Source, characters
+from robolayout.scene import Scene
+
+if TYPE_CHECKING:
+    from pydantic_monty import MontyError
+
+PROGRAM_FEED = "<python-input-1>"
+"""What the interpreter calls the second feed: the program."""
+GRACE = 2.0
+"""Seconds after its time limit at which the child is killed."""
+LONGEST_MESSAGE = 400
+"""Characters kept of a message that a program raises."""
+
+
+def run(source: Source, scene: Scene, relations: Collection[str], limits: Limits) -> dict[str, Any]:
+    """Run the program and return what it recorded; raises `ProgramError` for what goes wrong in it."""
+    from pydantic_monty import Monty, MontyError  # 0.08 s to import
+
+    bounds = {
+        "max_feed_duration_secs": limits.seconds,
+        "max_memory": limits.memory,
+        "max_recursion_depth": limits.depth,
+    }
+    try:
+        with (
+            Monty(max_processes=1, request_timeout=limits.seconds + GRACE) as pool,
+            pool.checkout(limits=bounds, assert_message_annotations=False) as session,  # type: ignore[arg-type]
+        ):
+            data = scene_data(scene, limits)
+            session.feed_run(prelude(scene, relations), inputs={"_rl_scene": data}, print_callback=_drop)
+            session.feed_run(source.marked, print_callback=_drop)
+            return json.loads(session.feed_run(RESULT, print_callback=_drop))
+    except MontyError as error:
+        raise _translate(error, source, scene, relations, limits) from error
+
+
+def _drop(stream: str, text: str) -> None:
+    """Drop what the interpreter prints by itself; the prelude's own `print` keeps a bounded part."""
+
+
+def _translate(
+    error: MontyError, source: Source, scene: Scene, relations: Collection[str], limits: Limits
+) -> ProgramError:
+    """Return our error for an error of the interpreter, at the line of the program that caused it."""
+    line, column = _place(error, source)
+    inner = error.exception()
+    text = (str(inner) or str(error))[:LONGEST_MESSAGE]
+    exceeded = _exceeded(error, text, limits)
+    if exceeded:
+        return source.error(exceeded, line, column, kind=ProgramLimitError)
+    if isinstance(inner, NameError) and (match := re.search(r"'(\w+)'", text)):
+        text = _unknown_name(match[1], scene, relations)
+    elif isinstance(inner, IndexError):
+        text = _out_of_range(source, scene, line, column) or text
+    elif isinstance(inner, NotImplementedError):
+        text = text.replace("The monty syntax parser does not yet support", "programs cannot use")
+    elif isinstance(inner, OSError):
+        text = f"programs cannot reach files ({text})"
+    elif isinstance(inner, AttributeError) and "'list' object has no attribute" in text:
+        text = f"a list of assets has no {text.split()[-1]}; pick one of it, such as bed[0]"
+    return source.error(text, line, column)
+
+
+def _place(error: MontyError, source: Source) -> tuple[int | None, int | None]:
+    """Return line (from 1) and column (from 0) in the program, where the innermost frame of it stands."""
+    traceback = getattr(error, "traceback", list)
+    frames = [frame for frame in traceback() if frame.filename == PROGRAM_FEED]
+    if not frames:
+        return None, None
+    return frames[-1].line, source.original_column(frames[-1].line, frames[-1].column - 1)
+
+
+def _exceeded(error: MontyError, text: str, limits: Limits) -> str | None:
+    from pydantic_monty import MontyCrashedError, MontySyntaxError
+
+    inner = error.exception()
+    if text.startswith("_rl_limit "):
+        return text.removeprefix("_rl_limit ") + "; that is the limit"
+    if isinstance(inner, TimeoutError) or (isinstance(error, MontyCrashedError) and error.timed_out):
+        return f"the program ran longer than {limits.seconds:g} s; does a loop never end?"
+    if isinstance(inner, MemoryError):
+        return f"the program needs more than {limits.memory // 2**20} MB of memory"
+    if isinstance(inner, RecursionError):
+        return f"calls are nested deeper than {limits.depth}; does a function call itself for ever?"
+    if isinstance(error, MontySyntaxError) and "nested" in text:
+        return "the program is nested too deeply to be read; write shorter expressions"
+    if isinstance(error, MontyCrashedError):
+        return "the program crashed its interpreter; write it in a simpler way"
+    return None
+
+
+def _unknown_name(name: str, scene: Scene, relations: Collection[str]) -> str:
+    if name in relations:
+        return f"{name!r} is a relation: write solver.{name}(...)"
+    known = [*scene.variables, "walls", "room", "solver"]
+    near = difflib.get_close_matches(name, known, n=1)
+    hint = f" Did you mean {near[0]!r}?" if near else ""
+    return f"unknown asset or variable {name!r}.{hint} Known variables: {', '.join(known)}."
+
+
+def _out_of_range(source: Source, scene: Scene, line: int | None, column: int | None) -> str | None:
+    """Return a sentence about the list that is too short, if it is one of the scene's variables."""
+    counts = {name: len(group) for name, group in scene.variables.items()} | {"walls": len(scene.room.walls)}
+    for node in ast.walk(source.tree):
+        if isinstance(node, ast.Subscript) and isinstance(node.value, ast.Name) and node.lineno == line:
+            count = counts.get(node.value.id)
+            if count is not None and characters(source.lines[node.lineno - 1], node.col_offset) == column:
+                name = node.value.id
+                known = f"{name}[0]" if count == 1 else f"{name}[0] to {name}[{count - 1}]"
+                return f"{source.segment(node)}: {name} has {count} item{'s' if count > 1 else ''} ({known})"
+    return None

@@ -1,0 +1,273 @@
+"""Program text before it runs: fences, size, syntax, the words it may not use, and marks that record line numbers.
+
+Nothing is executed here. The text is parsed with `ast` (of bounded size, so of bounded time and memory) to find what the
+language does not have, and to insert marks such as `_rl_at(solver, 7).against_wall(...)`: they tell the recorder which
+call of the text it is about. Marks never add a line, so every message of the interpreter fits the text as written.
+"""
+
+from __future__ import annotations
+
+import ast
+import difflib
+import re
+import warnings
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+
+from robolayout._errors import ProgramError, ProgramLimitError
+from robolayout.program._program import Limits
+
+FENCE = re.compile(r"^(\s*)```+\s*([A-Za-z0-9_+-]*)")
+PYTHON = {"python", "py", "python3", "robolayout"}
+IMPORTS = {"math", "typing", "__future__"}
+"""What may be imported: arithmetic, and names that only annotate."""
+FORBIDDEN = frozenset(
+    {"eval", "exec", "compile", "open", "input", "getattr", "setattr", "delattr", "globals", "locals", "vars"}
+)
+"""Builtins that no program needs to place furniture."""
+LONGEST_LINE = 160
+"""Characters shown of a line in a message."""
+
+
+@dataclass(frozen=True)
+class Site:
+    """A place in the text that a mark points at.
+
+    Attributes:
+        line: Line, counted from 1.
+        column: Column, counted from 0.
+        call: The call, for a statement.
+    """
+
+    line: int
+    column: int
+    call: ast.Call | None = None
+
+
+@dataclass(frozen=True)
+class Source:
+    """Program text that may run.
+
+    Attributes:
+        text: The text as given, without fences and prose (their lines are empty).
+        lines: Its lines.
+        tree: Its syntax tree.
+        marked: The text with marks.
+        sites: What the marks point at.
+        edits: Where marks were inserted: (line, column in the text, length), in order.
+    """
+
+    text: str
+    lines: tuple[str, ...]
+    tree: ast.Module
+    marked: str
+    sites: tuple[Site, ...]
+    edits: tuple[tuple[int, int, int], ...]
+
+    def error(
+        self, message: str, line: int | None, column: int | None = None, *, kind: type[ProgramError] = ProgramError
+    ) -> ProgramError:
+        """Return an error that shows the line and a caret."""
+        return error_at(self.lines, message, line, column, kind=kind)
+
+    def segment(self, node: ast.expr) -> str:
+        """Return the text of a node on one line."""
+        first, last = node.lineno - 1, (node.end_lineno or node.lineno) - 1
+        rows = [row.encode() for row in self.lines[first : last + 1]]
+        rows[-1] = rows[-1][: node.end_col_offset]
+        rows[0] = rows[0][node.col_offset :]
+        return " ".join(b"\n".join(rows).decode().split())
+
+    def original_column(self, line: int, column: int) -> int:
+        """Return the column in the text for a column (both from 0) of the marked text."""
+        shift = 0
+        for row, place, length in self.edits:
+            if row == line and place + shift < column:
+                shift += min(length, column - place - shift)
+        return max(column - shift, 0)
+
+
+def read_source(text: str, relations: Collection[str], variables: Collection[str], limits: Limits) -> Source:
+    """Return checked and marked text; raises `ProgramError` for what the language does not have."""
+    if len(text) > limits.text:
+        raise ProgramLimitError(
+            f"the program has {len(text)} characters; at most {limits.text} are read. Use loops to say more with less."
+        )
+    text = strip_fences(text.replace("\r\n", "\n").replace("\r", "\n"))
+    lines = tuple(text.split("\n"))
+    tree = _parse(text, lines)
+    if refusal := min(_refusals(tree, relations, variables), default=None):
+        line, column, message = refusal
+        raise error_at(lines, message, line, characters(lines[line - 1], column))
+    sites, edits = _marks(tree, lines, relations)
+    return Source(text, lines, tree, _insert(lines, edits), sites, tuple((r, c, len(t)) for r, c, _, t in edits))
+
+
+def strip_fences(text: str) -> str:
+    """Return the fenced Python of an answer, all other lines emptied; without a fence, the whole text.
+
+    >>> strip_fences("Here it is:\\n```python\\nx = 1\\n```")
+    '\\n\\nx = 1\\n'
+    """
+    blocks: list[tuple[str, list[int], int]] = []
+    lines = text.split("\n")
+    inside = False
+    for number, line in enumerate(lines):
+        if match := FENCE.match(line):
+            if not inside:
+                blocks.append((match[2].lower(), [], len(match[1])))
+            inside = not inside
+        elif inside:
+            blocks[-1][1].append(number)
+    kept = [block for block in blocks if block[0] in PYTHON] or [block for block in blocks if not block[0]]
+    if not blocks:
+        return text
+    result = [""] * len(lines)
+    for _, numbers, indent in kept:
+        for number in numbers:
+            line = lines[number]
+            result[number] = line[min(indent, len(line) - len(line.lstrip())) :]
+    return "\n".join(result)
+
+
+def error_at(
+    lines: tuple[str, ...],
+    message: str,
+    line: int | None,
+    column: int | None = None,
+    *,
+    kind: type[ProgramError] = ProgramError,
+) -> ProgramError:
+    """Return a `ProgramError` that shows a line (from 1) and a caret (from 0), or neither if there is no such line."""
+    if line is None or not 1 <= line <= len(lines):
+        return kind(message)
+    row = lines[line - 1]
+    start = max(0, (column or 0) - 60) if len(row) > LONGEST_LINE else 0
+    shown = row[start : start + LONGEST_LINE].replace("\t", " ")
+    return kind(message, line=line, source=shown, column=None if column is None else column - start)
+
+
+def _parse(text: str, lines: tuple[str, ...]) -> ast.Module:
+    try:
+        text.encode()
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return ast.parse(text)
+    except UnicodeEncodeError as error:
+        raise ProgramError("the program contains characters that are no text (lone surrogates)") from error
+    except SyntaxError as error:
+        column = None if error.offset is None else max(error.offset - 1, 0)
+        raise error_at(lines, f"this is not Python: {error.msg}", error.lineno, column) from error
+    except ValueError as error:
+        raise ProgramError(f"this is not Python: {error}") from error
+    except (RecursionError, MemoryError) as error:
+        raise ProgramLimitError("the program is nested too deeply to be read; write shorter expressions") from error
+
+
+def _refusals(
+    tree: ast.Module, relations: Collection[str], variables: Collection[str]
+) -> Iterator[tuple[int, int, str]]:
+    """Yield (line, column in bytes, message) for everything that a program may not say."""
+    for node in ast.walk(tree):
+        if message := _refusal(node, relations, variables):
+            column: int = getattr(node, "col_offset", 0)
+            if isinstance(node, ast.Attribute) and node.end_lineno == node.lineno:
+                column = (node.end_col_offset or 0) - len(node.attr.encode())
+            yield getattr(node, "lineno", 1), column, message
+
+
+def _refusal(node: ast.AST, relations: Collection[str], variables: Collection[str]) -> str | None:
+    if isinstance(node, ast.Import | ast.ImportFrom):
+        return _refused_import(node)
+    if isinstance(node, ast.Attribute):
+        if node.attr.startswith("_"):
+            return f"{node.attr!r}: attributes that start with an underscore do not exist in programs"
+        if isinstance(node.value, ast.Name) and node.value.id == "solver" and node.attr not in relations:
+            return _unknown_relation(node.attr, relations)
+    if isinstance(node, ast.Name) and node.id in FORBIDDEN and node.id not in variables:
+        return f"{node.id!r} does not exist in programs; they only compute positions and state relations"
+    if isinstance(node, ast.Yield | ast.YieldFrom | ast.Await | ast.AsyncFunctionDef | ast.AsyncFor | ast.AsyncWith):
+        return "generators and async code do not exist in programs; use a list"
+    for name in _identifiers(node):
+        if name.startswith(("__", "_rl_")) and name.strip("_"):
+            return f"{name!r}: names that start with two underscores or with _rl_ do not exist in programs"
+    return None
+
+
+def _refused_import(node: ast.Import | ast.ImportFrom) -> str | None:
+    names = [node.module or "."] if isinstance(node, ast.ImportFrom) else [alias.name for alias in node.names]
+    for name in names:
+        if name not in IMPORTS:
+            return f"{name!r} cannot be imported; programs have only math (already there, with pi, radians and degrees)"
+    return None
+
+
+def _unknown_relation(name: str, relations: Collection[str]) -> str:
+    near = difflib.get_close_matches(name, relations, n=1)
+    hint = f" Did you mean {near[0]!r}?" if near else ""
+    return f"unknown relation {name!r}.{hint} Known: {', '.join(relations)}."
+
+
+def _identifiers(node: ast.AST) -> Iterator[str]:
+    """Yield the names that a node itself mentions or binds."""
+    if isinstance(node, ast.Constant):
+        return
+    for _, value in ast.iter_fields(node):
+        for item in value if isinstance(value, list) else (value,):  # type: ignore[reportUnknownVariableType]
+            if isinstance(item, str):
+                yield item
+
+
+Edit = tuple[int, int, int, str]
+"""Line, column in characters, a key that orders marks at one place, inserted text."""
+
+
+def _marks(tree: ast.Module, lines: tuple[str, ...], relations: Collection[str]) -> tuple[tuple[Site, ...], list[Edit]]:
+    """Return the sites of the text and the marks to insert.
+
+    `x.against_wall` becomes `_rl_at(x, site).against_wall`, `x.position` and `x.rotation` become
+    `_rl_one(x, "position", site).position` (no site when it is only read), `x.placements` becomes `_rl_all(x).placements`.
+    """
+    calls = {id(node.func): node for node in ast.walk(tree) if isinstance(node, ast.Call)}
+    sites: list[Site] = []
+    edits: list[Edit] = []
+    for node in _attributes(tree):
+        if node.attr in relations and isinstance(node.ctx, ast.Load):
+            opening, closing = "_rl_at(", f", {len(sites)})"
+        elif node.attr in ("position", "rotation"):
+            site = "None" if isinstance(node.ctx, ast.Load) else str(len(sites))
+            opening, closing = "_rl_one(", f", {node.attr!r}, {site})"
+        elif node.attr == "placements":
+            opening, closing = "_rl_all(", ")"
+        else:
+            continue
+        value, call = node.value, calls.get(id(node))
+        start = characters(lines[value.lineno - 1], value.col_offset)
+        last, end = value.end_lineno or value.lineno, value.end_col_offset or 0
+        sites.append(Site(node.lineno, start, call))
+        edits.append((value.lineno, start, -(last * 1_000_000 + end), opening))
+        edits.append((last, characters(lines[last - 1], end), 0, closing))
+    return tuple(sites), sorted(edits)
+
+
+def _attributes(tree: ast.Module) -> Iterator[ast.Attribute]:
+    """Yield all attributes outside f-strings (Python 3.11 does not know the columns inside those)."""
+    nodes: list[ast.AST] = [tree]
+    while nodes:
+        node = nodes.pop()
+        if isinstance(node, ast.Attribute):
+            yield node
+        if not isinstance(node, ast.JoinedStr):
+            nodes.extend(ast.iter_child_nodes(node))
+
+
+def _insert(lines: tuple[str, ...], edits: list[Edit]) -> str:
+    rows = list(lines)
+    for line, column, _, text in reversed(edits):
+        rows[line - 1] = rows[line - 1][:column] + text + rows[line - 1][column:]
+    return "\n".join(rows)
+
+
+def characters(row: str, offset: int) -> int:
+    """Return the column in characters for an offset in UTF-8 bytes."""
+    return offset if row.isascii() else len(row.encode()[:offset].decode(errors="ignore"))
