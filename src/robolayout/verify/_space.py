@@ -51,7 +51,8 @@ def disc_space(room: Room, footprints: NDArray[np.object_], radius: float) -> Sp
     """Return the free space of a disc among obstacle footprints.
 
     The main component is the one with the largest intersection with the first door's landing; without a door, the
-    largest. Where furniture fills the whole landing nothing can be entered, and it is empty. A disc too wide to stand in an empty landing of 0.9 m gets one as deep as its diameter.
+    largest. Where furniture fills the whole landing nothing can be entered, and it is empty. A disc too wide to stand
+    in an empty landing of 0.9 m gets one as deep as its diameter.
     """
     floor = room_polygon(room)
     eroded = floor.buffer(-radius, quad_segs=QUAD_SEGS)

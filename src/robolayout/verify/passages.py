@@ -1,8 +1,8 @@
 """Passages: how wide is the narrowest place on the widest way to each asset?
 
 The clear width to an asset is defined by the very check that it explains: the diameter of the largest disc that, in
-this layout, comes in by the door and reaches the asset (same heights, same reach). It is found by bisection over radii on a
-lattice of 5 mm; the place is where the widest disc's way is cut when the disc grows by one more step.
+this layout, comes in by the door and reaches the asset (same heights, same reach). It is found by bisection over radii
+on a lattice of 5 mm; the place is where the widest disc's way is cut when the disc grows by one more step.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Routes: a short collision-free way from the door to each asset, inside the free space.
 
 The main component is cut into triangles (constrained Delaunay), so that the way cannot leave it and no gap is ever
-missed, however thin. One search over the triangles from the door serves all assets; pulling the string tight in each row of
-triangles gives the shortest way of its kind (past the same obstacles on the same sides).
+missed, however thin. One search over the triangles from the door serves all assets; pulling the string tight in each
+row of triangles gives the shortest way of its kind (past the same obstacles on the same sides).
 """
 
 from __future__ import annotations
@@ -19,8 +19,13 @@ from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
 from robolayout.scene import Point, Room
+from robolayout.scene.agent import TOUCH
 from robolayout.verify._boxes import room_polygon
-from robolayout.verify._space import Space
+from robolayout.verify._space import QUAD_SEGS, Space
+
+
+AIMS = 3
+"""How often the end of a route is moved to the place nearest to its last corner."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +34,7 @@ class Route:
 
     Attributes:
         asset: Where it leads.
-        points: Corners of the way in metres, from the door to the nearest place to the asset.
+        points: Corners of the way in metres, from the door to the first place that is near enough to the asset.
     """
 
     asset: str
@@ -60,15 +65,17 @@ def entry_point(room: Room, space: Space) -> Point | None:
 
 
 def find_routes(room: Room, space: Space, goals: Mapping[str, Polygon]) -> dict[str, Route]:
-    """Return a route from the entry to the place in the main component nearest to each goal's footprint."""
+    """Return a route from the entry to touching distance of each goal's footprint, or as near to it as possible."""
     start = entry_point(room, space)
     if start is None or not goals:
         return {}
-    lines = shapely.shortest_line(space.main, np.array(list(goals.values()), dtype=object))
-    ends = shapely.get_coordinates(lines)[::2]
     mesh = _Mesh(space.main)
     tree = mesh.search(start)
-    return {name: Route(name, mesh.route(tree, (float(x), float(y)))) for name, (x, y) in zip(goals, ends, strict=True)}
+    result: dict[str, Route] = {}
+    for name, footprint in goals.items():
+        near = max(space.main.distance(footprint), space.radius + TOUCH) + 1e-4
+        result[name] = Route(name, mesh.route(tree, footprint.buffer(near, quad_segs=QUAD_SEGS)))
+    return result
 
 
 class _Mesh:
@@ -77,6 +84,7 @@ class _Mesh:
     def __init__(self, polygon: Polygon) -> None:
         triangles = shapely.get_parts(shapely.constrained_delaunay_triangles(polygon))
         rings = shapely.get_coordinates(triangles).reshape(-1, 4, 2)[:, :3]
+        self._triangles = triangles
         self._tree = shapely.STRtree(triangles)
         self._points, index = np.unique(rings.reshape(-1, 2), axis=0, return_inverse=True)
         self._corners = index.reshape(-1, 3)
@@ -102,7 +110,7 @@ class _Mesh:
     def search(self, start: Point) -> _Tree:
         """Return the shortest ways over edge midpoints from a point to all triangles."""
         source = self.locate(start)
-        tree = _Tree(start, source, {source: 0.0}, {})
+        tree = _Tree(start, source, {source: (0.0, start)}, {})
         queue: list[tuple[float, int, Point]] = [(0.0, source, start)]
         done: set[int] = set()
         while queue:
@@ -113,21 +121,39 @@ class _Mesh:
             for neighbour, a, b in self._edges[row]:
                 middle = tuple(((self._points[a] + self._points[b]) / 2).tolist())
                 further = cost + math.dist(at, middle)
-                if further < tree.cost.get(neighbour, math.inf):
-                    tree.cost[neighbour] = further
+                if further < tree.cost.get(neighbour, (math.inf,))[0]:
+                    tree.cost[neighbour] = (further, middle)
                     tree.parent[neighbour] = (row, a, b)
                     heapq.heappush(queue, (further, neighbour, middle))
         return tree
 
-    def route(self, tree: _Tree, goal: Point) -> tuple[Point, ...]:
-        """Return the taut way from the tree's start to a point."""
-        row = self.locate(goal)
+    def route(self, tree: _Tree, zone: Polygon) -> tuple[Point, ...]:
+        """Return the taut way from the tree's start into a zone."""
+        last = self._nearest(tree, zone)
+        target = shapely.intersection(self._triangles[last], zone)
+        portals = self._portals(tree, last)
+        points: tuple[Point, ...] = (tree.cost[last][1], tree.cost[last][1])
+        for _ in range(AIMS):
+            aim = shapely.get_coordinates(shapely.shortest_line(target, shapely.Point(points[-2:][0])))[0]
+            points = _pull(tree.start, portals, (float(aim[0]), float(aim[1])))
+        return points
+
+    def _portals(self, tree: _Tree, row: int) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
+        """Return the edges that the way to a triangle crosses, each as (left, right)."""
         portals: list[tuple[NDArray[np.float64], NDArray[np.float64]]] = []
         while row != tree.source and row in tree.parent:
             before, a, b = tree.parent[row]
             portals.append(self._oriented(before, a, b))
             row = before
-        return _pull(tree.start, portals[::-1], goal)
+        return portals[::-1]
+
+    def _nearest(self, tree: _Tree, zone: Polygon) -> int:
+        """Return the triangle through which the way into a zone is shortest."""
+        rows = [row for row in np.sort(self._tree.query(zone, predicate="intersects")).tolist() if row in tree.cost]
+        doors = shapely.points([tree.cost[row][1] for row in rows])
+        lines = shapely.shortest_line(shapely.intersection(self._triangles[rows], zone), doors)
+        best = int(np.argmin(np.array([tree.cost[row][0] for row in rows]) + shapely.length(lines)))
+        return rows[best]
 
     def _oriented(self, row: int, a: int, b: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Return an edge as (left, right), seen by somebody who leaves triangle `row` through it."""
@@ -138,9 +164,11 @@ class _Mesh:
 
 @dataclass(frozen=True)
 class _Tree:
+    """Ways from a start to triangles: for each, cost in metres, where the way comes in, and (triangle before, edge)."""
+
     start: Point
     source: int
-    cost: dict[int, float]
+    cost: dict[int, tuple[float, Point]]
     parent: dict[int, tuple[int, int, int]]
 
 

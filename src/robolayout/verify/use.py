@@ -1,8 +1,8 @@
 """Use: can the agent stand where each asset can be used?
 
 An asset is used from its sides (a wardrobe from the front, a bed from left or right). The agent can use it when its
-centre can stand in the main component, beyond that side's edge, within horizontal and vertical reach, and when what must be
-opened has room to open. What stands on something is reached over the edge of its carrier, from any side.
+centre can stand in the main component, beyond that side's edge, within horizontal and vertical reach, and when what
+must be opened has room to open. What stands on something is reached over the edge of its carrier, from any side.
 """
 
 from __future__ import annotations

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from robolayout.scene import Agent, Layout, Scene
+from robolayout.scene import Agent, Layout, Scene, load_agents
 from robolayout.verify.navigation import navigation
 from robolayout.verify.physics import physics
 from robolayout.verify.report import AgentReport, Demands, Report, StatementResult
@@ -25,7 +25,7 @@ def verify(
     layout: Layout,
     program: Program | None = None,
     *,
-    agent: AgentSpec | Sequence[AgentSpec] | None = None,
+    agent: AgentSpec | Iterable[AgentSpec] | None = None,
     demands: Demands | None = None,
 ) -> Report:
     """Judge a layout: physics, navigation and use for each agent, and every statement as asked.
@@ -34,8 +34,8 @@ def verify(
         scene: What was given.
         layout: Poses; assets without one fail every share.
         program: The statements as asked; None leaves semantics out.
-        agent: One body or several: an `Agent`, the name of a profile, a file, or a mapping as in a scene file; those of
-            the scene if None.
+        agent: One body or several: an `Agent`, names of profiles ("wheelchair,child_6"), a file, a mapping as in a
+            scene file, or a list of those; the scene's own if None.
         demands: What the layout must achieve for `Report.ok`.
     """
     wall, cpu = time.perf_counter(), time.process_time()
@@ -52,17 +52,10 @@ def _judge_agent(scene: Scene, layout: Layout, agent: Agent) -> AgentReport:
     return AgentReport(agent, nav, usage(scene, layout, agent, standing=(nav.main,)))
 
 
-def _agents(scene: Scene, agent: AgentSpec | Sequence[AgentSpec] | None) -> tuple[Agent, ...]:
+def _agents(scene: Scene, agent: AgentSpec | Iterable[AgentSpec] | None) -> tuple[Agent, ...]:
     if agent is None:
         return scene.agents
-    several = agent if isinstance(agent, Sequence) and not isinstance(agent, str) else (agent,)
-    return tuple(_load(item) for item in several)
-
-
-def _load(spec: AgentSpec) -> Agent:
-    from robolayout.scene import load_agent
-
-    return spec if isinstance(spec, Agent) else load_agent(spec)
+    return load_agents(agent)
 
 
 def _measure(scene: Scene, layout: Layout, statement: Statement, placed: set[str]) -> StatementResult:
