@@ -2,6 +2,7 @@
 
 from robolayout.assets.category import CATALOGUE, Category, read_categories
 from robolayout.assets.lexicon import category_of, find_category
+from robolayout.assets.obstacles import blocks
 from robolayout.assets.part import Material, Part
 
 __all__ = [
@@ -9,6 +10,7 @@ __all__ = [
     "Category",
     "Material",
     "Part",
+    "blocks",
     "category_of",
     "find_category",
     "read_categories",

@@ -1,0 +1,104 @@
+"""Words to categories: exact, synonyms, plurals, head nouns, flags, sizes, hostile text, and 212 free descriptions."""
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from robolayout.assets import CATALOGUE, category_of, find_category
+from robolayout.assets.lexicon import phrase_index
+from robolayout.scene import Asset
+
+DESCRIPTIONS = Path(__file__).parent / "descriptions.txt"
+
+
+def _descriptions() -> list[tuple[str, set[str]]]:
+    rows = [line for line in DESCRIPTIONS.read_text(encoding="utf-8").splitlines() if " => " in line]
+    pairs = [row.rpartition(" => ") for row in rows]
+    return [(text, {name.strip() for name in names.split("|")}) for text, _, names in pairs]
+
+
+def test_every_name_and_synonym_finds_its_own_category_when_nothing_else_claims_it() -> None:
+    index = phrase_index()
+    for category in CATALOGUE.values():
+        if category.group != "unknown":
+            assert find_category(category.name).name in index[category.name.replace("'", "")]
+            assert find_category(category.name, size=category.size, place=category.places[0]) is category
+
+
+def test_two_hundred_free_descriptions_land_right_nine_times_in_ten() -> None:
+    rows = _descriptions()
+    expected = {name for _, names in rows for name in names}
+    assert len(rows) >= 200
+    assert expected <= set(CATALOGUE)
+    misses = [text for text, names in rows if find_category(text).name not in names]
+    assert len(misses) <= 0.1 * len(rows), misses
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("credenza", "sideboard"),
+        ("settee", "sofa"),
+        ("étagère", "bookshelf"),
+        ("loo", "toilet"),
+        ("pouf", "ottoman"),
+        ("whiteboard", "whiteboard"),
+        ("checkout counter", "checkout counter"),
+        ("night_stand", "night stand"),
+        ("NightStand", "night stand"),
+        ("dining-chairs", "chair"),
+        ("bookshelves", "bookshelf"),
+        ("chest of drawers", "dresser"),
+        ("knives", "knife"),
+        ("table lamp", "table lamp"),
+        ("a lamp for the desk", "table lamp"),
+        ("table with four chairs", "dining table"),
+    ],
+)
+def test_words(text: str, name: str) -> None:
+    assert find_category(text).name == name
+
+
+def test_size_and_place_decide_what_an_ambiguous_word_means() -> None:
+    assert find_category("cot", size=(1.3, 0.7, 0.9)).name == "crib"
+    assert find_category("cot", size=(2.0, 0.75, 0.4)).name == "camp bed"
+    assert find_category("lamp", size=(0.4, 0.4, 1.7)).name == "floor lamp"
+    assert find_category("lamp", place="ceiling").name == "pendant lamp"
+    assert find_category("table", size=(0.6, 1.1, 0.4)).name == "coffee table"
+
+
+def test_flags_of_an_asset_decide_as_well() -> None:
+    hanging = Asset("lamp-0", "lamp", (0.4, 0.4, 0.3), on_floor=False, on_ceiling=True)
+    assert category_of(hanging).on_ceiling
+
+
+def test_a_category_that_says_nothing_yields_to_the_description() -> None:
+    assert find_category("asset 3", description="squashy old couch").name == "sofa"
+
+
+@pytest.mark.parametrize(
+    ("size", "place", "name"),
+    [
+        ((0.4, 1.0, 1.9), "floor", "unknown storage"),
+        ((0.1, 0.1, 0.1), "object", "unknown decor"),
+        ((0.05, 0.5, 0.5), "wall", "unknown wall decor"),
+        ((0.3, 0.3, 0.3), "ceiling", "unknown ceiling item"),
+        ((1.5, 2.0, 0.01), "floor", "unknown floor covering"),
+        ((0.8, 1.6, 0.75), "floor", "unknown surface"),
+        (None, None, "unknown furniture"),
+    ],
+)
+def test_unknown_words_are_sorted_by_size_and_place(size, place, name) -> None:
+    assert find_category("zorblax", size=size, place=place).name == name
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.text(max_size=300), st.text(max_size=300))
+def test_any_text_lands_somewhere(text: str, description: str) -> None:
+    assert find_category(text, description=description).name in CATALOGUE
+
+
+def test_a_megabyte_of_text_is_cut() -> None:
+    assert find_category("sofa " * 300_000).name == "sofa"
