@@ -16,6 +16,9 @@ from robolayout.scene import Layout, Room, Scene
 AREA_TOLERANCE = 1e-4
 """Square metres of intersection in plan that still count as touching (DESIGN section 4)."""
 
+CARRIED = 0.02
+"""Metres between an asset and the top of what carries it (DESIGN section 4)."""
+
 
 @dataclass(frozen=True, eq=False)
 class Boxes:
@@ -45,7 +48,7 @@ class Boxes:
         """Return the rows in the way of a body: their heights intersect [step, height] and they are no rugs."""
         return np.flatnonzero(self.placed & ~self.flat & (self.top > step + 1e-9) & (self.bottom < height - 1e-9))
 
-    def carrier(self, row: int, tolerance: float) -> int | None:
+    def carrier(self, row: int, tolerance: float = CARRIED) -> int | None:
         """Return the row that carries asset `row`: its top is at the asset's bottom and the centre is over it."""
         if not self.placed[row]:
             return None

@@ -33,6 +33,7 @@ class Navigation:
         distances: Metres in plan from each asset's footprint to the nearest place of the agent's centre; infinite if
             there is none, NaN if unplaced.
         reached: Verdict per asset.
+        boxes: The assets' boxes.
     """
 
     scene: Scene
@@ -41,7 +42,7 @@ class Navigation:
     space: Space
     distances: Mapping[str, float]
     reached: Mapping[str, bool]
-    _boxes: Boxes = field(repr=False)
+    boxes: Boxes = field(repr=False)
 
     @property
     def free(self) -> MultiPolygon:
@@ -66,14 +67,14 @@ class Navigation:
     @cached_property
     def unreached(self) -> tuple[str, ...]:
         """Placed assets that are not reached, in the order of the scene."""
-        found = self._boxes
+        found = self.boxes
         return tuple(found.names[row] for row in np.flatnonzero(found.placed) if not self.reached[found.names[row]])
 
     @cached_property
     def obstacles(self) -> tuple[str, ...]:
         """Names of the assets that stand in this body's way."""
-        rows = self._boxes.obstacles(self.agent.step, self.agent.height)
-        return tuple(self._boxes.names[row] for row in rows)
+        rows = self.boxes.obstacles(self.agent.step, self.agent.height)
+        return tuple(self.boxes.names[row] for row in rows)
 
     @cached_property
     def entry(self) -> Point | None:
@@ -93,11 +94,11 @@ class Navigation:
 
     @cached_property
     def _wanted(self) -> tuple[str, ...]:
-        found = self._boxes
+        found = self.boxes
         return tuple(found.names[row] for row in np.flatnonzero(found.placed & ~found.flat & ~found.ceiling))
 
     def _footprint(self, name: str) -> Polygon:
-        return self._boxes.footprints[self._boxes.names.index(name)]
+        return self.boxes.footprints[self.boxes.names.index(name)]
 
     def __repr__(self) -> str:
         return (
@@ -120,5 +121,5 @@ def navigation(scene: Scene, layout: Layout, agent: Agent | None = None) -> Navi
         space=space,
         distances=dict(zip(found.names, distances.tolist(), strict=True)),
         reached=dict(zip(found.names, reached.tolist(), strict=True)),
-        _boxes=found,
+        boxes=found,
     )

@@ -9,8 +9,10 @@ from typing import Any
 
 from robolayout.scene import Agent, Layout, Scene
 from robolayout.verify._boxes import share
+from robolayout.verify.heading import HeadingSpace
 from robolayout.verify.navigation import Navigation
 from robolayout.verify.physics import Physics
+from robolayout.verify.proofs import Remedies, exempt_from_reach, exempt_from_use, impossible, remedies
 from robolayout.verify.sentences import agent_violations
 from robolayout.verify.use import Usage
 
@@ -63,11 +65,35 @@ class AgentReport:
         agent: The body.
         navigation: Where it can go and what it reaches.
         usage: What it can use.
+        headings: Where a rectangular body gets to and turns; None for a disc.
     """
 
     agent: Agent
     navigation: Navigation
     usage: Usage
+    headings: HeadingSpace | None = None
+
+    @cached_property
+    def exempt(self) -> Mapping[str, str]:
+        """Assets that this body is not asked to use (the figures still count them), and why."""
+        return exempt_from_use(self.navigation.scene, self.agent)
+
+    @cached_property
+    def short(self) -> tuple[str, ...]:
+        """Names of assets that it is asked to reach and use and does not, in the order of the scene."""
+        scene, reached, usable = self.navigation.scene, self.navigation.reached, self.usage.usable
+        reach, use = exempt_from_reach(scene, self.agent), self.exempt
+        return tuple(n for n in reached if not (reached[n] or n in reach) or not (usable[n] or n in use))
+
+    @cached_property
+    def impossible(self) -> tuple[str, ...]:
+        """What no layout of this scene can achieve for this body, with proofs in numbers."""
+        return impossible(self.navigation.scene, self.agent)
+
+    @cached_property
+    def remedies(self) -> Remedies:
+        """The smallest changes to this layout that would let it reach everything."""
+        return remedies(self.navigation)
 
     @property
     def figures(self) -> dict[str, float]:
@@ -81,7 +107,7 @@ class AgentReport:
     @cached_property
     def violations(self) -> tuple[str, ...]:
         """What this agent cannot do, in sentences with numbers and names."""
-        return agent_violations(self.navigation, self.usage)
+        return agent_violations(self.navigation, self.usage, self.exempt)
 
     def to_dict(self) -> dict[str, Any]:
         """Return figures, routes, passages and uses as plain data."""
@@ -100,6 +126,10 @@ class AgentReport:
             },
             "unreached": {name: nav.distances[name] for name in nav.unreached},
             "unusable": {name: use.reason for name, use in self.usage.uses.items() if not use.usable},
+            "turning_places": None if self.headings is None else _places(self.headings),
+            "exempt": dict(self.exempt),
+            "impossible": list(self.impossible),
+            "remedies": list(self.remedies.sentences(self.agent)),
             "violations": list(self.violations),
         }
 
@@ -147,17 +177,16 @@ class Report:
 
     @cached_property
     def unmet(self) -> tuple[str, ...]:
-        """Names of the figures that fall short of what is demanded."""
-        least = {name: 1.0 for name in self.figures} | {
-            "walkable_ratio": self.demands.walkable_ratio,
-            "statements_met_share": self.demands.statements_met_share,
-        }
+        """Names of the figures that fall short of what is demanded; exempt assets are not demanded of an agent."""
+        least = dict.fromkeys(self.figures, 1.0) | vars(self.demands)
+        if not any(report.short for report in self.agents):
+            least |= {"reachable_share": 0.0, "usable_share": 0.0}
         return tuple(name for name, value in self.figures.items() if value < least[name])
 
     @property
     def ok(self) -> bool:
-        """Whether every demand is met."""
-        return not self.unmet
+        """Whether every demand is met and nothing that is demanded is impossible."""
+        return not self.unmet and not any(report.impossible for report in self.agents)
 
     @cached_property
     def violations(self) -> tuple[str, ...]:
@@ -198,6 +227,9 @@ class Report:
         lines += [f"| {name} | {value} | {'ok' if met else '**short**'} |" for name, value, met in self.rows()]
         if self.violations:
             lines += ["", "## What is wrong", "", *(f"- {sentence}" for sentence in self.violations)]
+        helps = [sentence for report in self.agents for sentence in report.remedies.sentences(report.agent)]
+        if helps:
+            lines += ["", "## What would help", "", *(f"- {sentence}" for sentence in helps)]
         for report in self.agents:
             lines += ["", f"## {report.agent.title or report.agent.name}", "", *_agent_table(report)]
         return "\n".join(lines) + "\n"
@@ -205,6 +237,12 @@ class Report:
     def __repr__(self) -> str:
         shown = ", ".join(f"{name} {value}" for name, value, _ in self.rows())
         return f"Report({'ok' if self.ok else f'{len(self.violations)} violations'}: {shown})"
+
+
+def _places(space: HeadingSpace) -> list[dict[str, Any]]:
+    """Return a point of each place where the centre can be while the body turns right round, and the place's area."""
+    points = [place.representative_point() for place in space.turning.geoms]
+    return [{"point": [p.x, p.y], "area": g.area} for p, g in zip(points, space.turning.geoms, strict=True)]
 
 
 def _agent_table(report: AgentReport) -> list[str]:
@@ -217,4 +255,6 @@ def _agent_table(report: AgentReport) -> list[str]:
         reached = "yes" if nav.reached[name] else "**no**"
         usable = "yes" if report.usage.usable[name] else "**no**"
         lines.append(f"| {name} | {reached} | {length} | {passage.shown} | {between} | {usable} |")
+    if report.exempt:
+        lines += ["", *(f"- not asked: {reason}." for reason in report.exempt.values())]
     return lines

@@ -23,7 +23,6 @@ from robolayout.scene.agent import TOUCH
 from robolayout.verify._boxes import room_polygon
 from robolayout.verify._space import QUAD_SEGS, Space
 
-
 AIMS = 3
 """How often the end of a route is moved to the place nearest to its last corner."""
 
@@ -73,7 +72,7 @@ def find_routes(room: Room, space: Space, goals: Mapping[str, Polygon]) -> dict[
     tree = mesh.search(start)
     result: dict[str, Route] = {}
     for name, footprint in goals.items():
-        near = max(space.main.distance(footprint), space.radius + TOUCH) + 1e-4
+        near = 1.002 * max(space.main.distance(footprint), space.radius + TOUCH) + 1e-4
         result[name] = Route(name, mesh.route(tree, footprint.buffer(near, quad_segs=QUAD_SEGS)))
     return result
 

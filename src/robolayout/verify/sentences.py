@@ -2,50 +2,37 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from robolayout.verify.navigation import Navigation
+from robolayout.verify.proofs import exempt_from_reach, impossible
 from robolayout.verify.use import Usage
 
+WALKABLE = 0.95
+"""Walkable ratio below which the report says what is cut off."""
 
-def agent_violations(nav: Navigation, usage: Usage) -> tuple[str, ...]:
-    """Return what keeps an agent from entering, moving, reaching and using."""
-    found = [*body_violations(nav)]
+
+def agent_violations(nav: Navigation, usage: Usage, exempt: Mapping[str, str]) -> tuple[str, ...]:
+    """Return what keeps an agent from entering, moving, reaching and using; nothing that is not asked of it."""
     agent = nav.agent.name
-    if nav.walkable_ratio < 0.95 and not nav.main.is_empty:
+    found = list(impossible(nav.scene, nav.agent))
+    if nav.main.is_empty:
+        found.append(
+            f"{agent} (a disc of {2 * nav.agent.radius:.2f} m) cannot come in: the landing of door 0 is blocked."
+        )
+    elif nav.walkable_ratio < WALKABLE:
         parts = len(nav.free.geoms) - 1
         found.append(
             f"{agent} can walk only {nav.walkable_ratio:.0%} of the free floor: {parts} further "
             f"{'part is' if parts == 1 else 'parts are'} cut off."
         )
-    found += [unreached_sentence(nav, name) for name in nav.unreached]
+    aside = exempt_from_reach(nav.scene, nav.agent)
+    found += [unreached_sentence(nav, name) for name in nav.unreached if name not in aside]
     found += [
         f"{name} cannot be used by {agent}: {use.reason}."
         for name, use in usage.uses.items()
-        if not use.usable and nav.reached[name]
+        if not use.usable and nav.reached[name] and name not in exempt
     ]
-    return tuple(found)
-
-
-def body_violations(nav: Navigation) -> tuple[str, ...]:
-    """Return what keeps a body out of the room, whatever the furniture."""
-    agent, room = nav.agent, nav.scene.room
-    found: list[str] = []
-    across = agent.width or 2 * agent.radius
-    if room.doors and room.doors[0].width < across - 1e-9:
-        found.append(
-            f"Door 0 is {room.doors[0].width:.2f} m wide, {agent.name} needs {across:.2f} m: it cannot come in."
-        )
-    if room.doors and room.doors[0].height < agent.height - 1e-9:
-        found.append(
-            f"Door 0 is {room.doors[0].height:.2f} m high, {agent.name} is {agent.height:.2f} m: it cannot come in."
-        )
-    if room.wall_height < agent.height - 1e-9:
-        found.append(
-            f"The room is {room.wall_height:.2f} m high, {agent.name} is {agent.height:.2f} m: it cannot stand in it."
-        )
-    if nav.main.is_empty:
-        found.append(
-            f"{agent.name} (a disc of {2 * agent.radius:.2f} m) cannot stand inside the door: nothing can be reached."
-        )
     return tuple(found)
 
 

@@ -2,7 +2,8 @@
 
 An asset is used from its sides (a wardrobe from the front, a bed from left or right). The agent can use it when its
 centre can stand in the main component, beyond that side's edge, within horizontal and vertical reach, and when what
-must be opened has room to open. What stands on something is reached over the edge of its carrier, from any side.
+must be opened has room to open. What stands on something is reached over the edge of its carrier, and what a person
+moves in daily use (a chair) is taken hold of from any side.
 """
 
 from __future__ import annotations
@@ -17,13 +18,12 @@ import shapely
 from shapely import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
+from robolayout.assets import category_of
 from robolayout.scene import Agent, Layout, Point, Scene
 from robolayout.verify._boxes import AREA_TOLERANCE, Boxes, boxes, room_polygon, share
 from robolayout.verify._space import QUAD_SEGS, REACH_SLACK
 from robolayout.verify.navigation import navigation
 
-CARRIED = 0.02
-"""Metres between an asset and the top of what carries it."""
 SIDES = ("front", "left", "back", "right")
 """Sides in counter-clockwise order, starting with the one that faces +x at zero rotation."""
 
@@ -123,8 +123,6 @@ class _Judge:
         return bool(self.found.flat[row] or self.found.ceiling[row]) or self._sides(row) == ()
 
     def _sides(self, row: int) -> tuple[str, ...]:
-        from robolayout.assets import category_of
-
         asset = self.scene.assets[row]
         return tuple(category_of(asset).use_sides if asset.use_sides is None else asset.use_sides)
 
@@ -135,8 +133,8 @@ class _Judge:
         return LineString((ring[at], ring[at + 1]))
 
     def _approaches(self, row: int) -> dict[str, BaseGeometry]:
-        """Return, by side, what must come within reach: edges, or the whole footprint of what stands on something."""
-        if self.found.carrier(row, CARRIED) is not None:
+        """Return, by side, what must come within reach: edges, or the footprint of what is carried or movable."""
+        if self.found.carrier(row) is not None or category_of(self.scene.assets[row]).movable:
             return {"": self.found.footprints[row]}
         return {side: self._edge(row, side) for side in self._sides(row)}
 
@@ -154,8 +152,6 @@ class _Judge:
 
     def opening_blockers(self, row: int, side: str) -> tuple[str, ...]:
         """Return what stands in the depth that an asset needs in front to be opened: names, or "the wall"."""
-        from robolayout.assets import category_of
-
         depth = category_of(self.scene.assets[row]).open_depth if side == "front" else 0.0
         if depth <= 0:
             return ()

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from robolayout.scene import Agent, Layout, Scene, load_agents
+from robolayout.verify.heading import heading_space
 from robolayout.verify.navigation import navigation
 from robolayout.verify.physics import physics
 from robolayout.verify.report import AgentReport, Demands, Report, StatementResult
@@ -49,7 +50,10 @@ def verify(
 
 def _judge_agent(scene: Scene, layout: Layout, agent: Agent) -> AgentReport:
     nav = navigation(scene, layout, agent)
-    return AgentReport(agent, nav, usage(scene, layout, agent, standing=(nav.main,)))
+    rectangular = agent.length is not None and agent.width is not None
+    space = heading_space(scene, layout, agent) if rectangular else None
+    standing = space.standing if space else (nav.main,)
+    return AgentReport(agent, nav, usage(scene, layout, agent, standing=standing), space)
 
 
 def _agents(scene: Scene, agent: AgentSpec | Iterable[AgentSpec] | None) -> tuple[Agent, ...]:

@@ -1,0 +1,137 @@
+"""Rectangular bodies with a heading: where can they stand, which way round, and where can they turn?
+
+For each heading of a lattice the free space of the rectangle is exact: the room minus all walls and obstacles grown by it
+(Minkowski sums of convex shapes). Headings are joined where the body can turn from one to the next: in place, where the
+shape that it sweeps is free; a body with a turning circle only where the whole circle is free. What is joined to the door,
+coming in along its normal, can be stood in. Bodies slide sideways as well as ahead: steering is not modelled.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import MultiPolygon, Polygon
+
+from robolayout.scene import LANDING_DEPTH, Agent, Layout, Room, Scene
+from robolayout.verify._boxes import boxes, room_polygon
+from robolayout.verify._space import components, disc_space
+
+HEADINGS = 8
+"""Headings in half a turn; a rectangle looks the same half a turn later, so this is a lattice of 22.5 degrees."""
+
+
+@dataclass(frozen=True, eq=False)
+class HeadingSpace:
+    """Where a rectangular body can get to.
+
+    Attributes:
+        headings: Radians, one per region; the first is the door's normal (no door: the first wall's).
+        standing: For each heading, where the centre can get to from the door.
+        turning: Where the body can get to and turn right round.
+    """
+
+    headings: tuple[float, ...]
+    standing: tuple[MultiPolygon, ...]
+    turning: MultiPolygon
+
+
+def heading_space(scene: Scene, layout: Layout, agent: Agent) -> HeadingSpace:
+    """Return where a rectangular body can get to and which way round; its length and width must be given."""
+    found = boxes(scene, layout)
+    obstacles = found.footprints[found.obstacles(agent.step, agent.height)]
+    first, step = _first_heading(scene.room), math.pi / HEADINGS
+    headings = tuple(first + step * k for k in range(HEADINGS))
+    free = [_parts(scene.room, obstacles, rectangle(agent, heading)) for heading in headings]
+    circle = max(agent.circumradius, (agent.turning_diameter or 0.0) / 2)
+    turning = components(disc_space(scene.room, obstacles, circle).free)
+    joined = _Joined(free)
+    for place in turning:
+        joined.join([(k, place) for k in range(HEADINGS)])
+    if agent.turning_diameter is None:
+        for k, heading in enumerate(headings):
+            for place in _parts(scene.room, obstacles, _swept(agent, heading, step)):
+                joined.join([(k, place), ((k + 1) % HEADINGS, place)])
+    group = joined.group(joined.entry(scene.room, max(LANDING_DEPTH, agent.length or 0.0)))
+    return HeadingSpace(
+        headings=headings,
+        standing=tuple(MultiPolygon([p for i, p in enumerate(free[k]) if (k, i) in group]) for k in range(HEADINGS)),
+        turning=MultiPolygon([place for place in turning if joined.node(0, place) in group]),
+    )
+
+
+def rectangle(agent: Agent, heading: float) -> NDArray[np.float64]:
+    """Return the four corners of a rectangular body around its centre."""
+    half_length, half_width = (agent.length or 0.0) / 2, (agent.width or 0.0) / 2
+    corners = np.array([(1, -1), (1, 1), (-1, 1), (-1, -1)]) * (half_length, half_width)
+    c, s = math.cos(heading), math.sin(heading)
+    return corners @ np.array([(c, s), (-s, c)])
+
+
+def grown(shapes: NDArray[np.float64], body: NDArray[np.float64]) -> NDArray[np.object_]:
+    """Return the Minkowski sums of convex shapes (n, corners, 2) and a centrally symmetric convex body (m, 2)."""
+    sums = (shapes[:, :, None, :] + body[None, None, :, :]).reshape(len(shapes), -1, 2)
+    return np.asarray(shapely.convex_hull(shapely.multipoints(sums)), dtype=object)
+
+
+def _swept(agent: Agent, heading: float, step: float) -> NDArray[np.float64]:
+    """Return corners of a convex shape that holds the body at every heading between this one and the next."""
+    corners = np.concatenate([rectangle(agent, heading + part * step) for part in (0.0, 0.5, 1.0)])
+    return corners / math.cos(step / 4)
+
+
+def _parts(room: Room, obstacles: NDArray[np.object_], body: NDArray[np.float64]) -> list[Polygon]:
+    """Return the pieces of the free space of a convex body, largest first."""
+    walls = np.array([(wall.start, wall.end) for wall in room.walls])
+    blocked = [*grown(walls, body)]
+    if len(obstacles):
+        blocked += [*grown(shapely.get_coordinates(obstacles).reshape(-1, 5, 2)[:, :4], body)]
+    return list(components(room_polygon(room).difference(shapely.union_all(blocked))))
+
+
+def _first_heading(room: Room) -> float:
+    wall = room.walls[room.doors[0].wall if room.doors else 0]
+    return math.atan2(wall.normal[1], wall.normal[0])
+
+
+class _Joined:
+    """Pieces of free space, by (heading, index), and which of them the body can change between."""
+
+    def __init__(self, free: Sequence[Sequence[Polygon]]) -> None:
+        self._free = free
+        self._leader = {(k, i): (k, i) for k, pieces in enumerate(free) for i in range(len(pieces))}
+
+    def node(self, heading: int, place: Polygon) -> tuple[int, int] | None:
+        """Return the piece of a heading that holds a place."""
+        point = place.representative_point()
+        return next(((heading, i) for i, piece in enumerate(self._free[heading]) if piece.intersects(point)), None)
+
+    def join(self, places: Sequence[tuple[int, Polygon]]) -> None:
+        """Join the pieces that hold these places."""
+        nodes = [node for heading, place in places if (node := self.node(heading, place)) is not None]
+        for node in nodes[1:]:
+            self._leader[self._root(node)] = self._root(nodes[0])
+
+    def group(self, start: tuple[int, int] | None) -> set[tuple[int, int]]:
+        """Return everything joined to a piece."""
+        return set() if start is None else {node for node in self._leader if self._root(node) == self._root(start)}
+
+    def entry(self, room: Room, depth: float) -> tuple[int, int] | None:
+        """Return the piece in which a body comes in by the first door, heading along its normal."""
+        if not room.doors:
+            return max(self._leader, key=self._area, default=None)
+        landing = Polygon(room.landing(room.doors[0], depth))
+        shared = [piece.intersection(landing).area for piece in self._free[0]]
+        return (0, int(np.argmax(shared))) if shared and max(shared) > 0 else None
+
+    def _area(self, node: tuple[int, int]) -> float:
+        return sum(self._free[k][i].area for k, i in self.group(node))
+
+    def _root(self, node: tuple[int, int]) -> tuple[int, int]:
+        while self._leader[node] != node:
+            node = self._leader[node]
+        return node

@@ -1,0 +1,177 @@
+"""Proofs: what no layout can achieve, what is not asked of a body, and the smallest change that would help.
+
+Two kinds of claim are kept apart. `impossible` holds for every layout of the scene and follows from sizes alone. `remedies`
+is about this layout: the smallest sets of assets whose removal lets the agent reach what it does not reach, found by
+trying them with the very check that failed.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from robolayout.scene import Agent, Scene
+from robolayout.verify._boxes import Boxes, landings, room_polygon
+from robolayout.verify._space import REACH_SLACK, disc_space, plan_distances, reached_rows
+from robolayout.verify.navigation import Navigation
+
+NEIGHBOURS = 12
+"""Obstacles nearest to an unreached asset that are tried in pairs (66 pairs of 12)."""
+TRIALS = 400
+"""Sets of assets that are tried in all, some 4 ms each with 40 assets."""
+
+
+@dataclass(frozen=True)
+class Remedies:
+    """What would let an agent reach everything in this layout.
+
+    Attributes:
+        removals: For each unreached asset the smallest sets of assets whose removal, with all that stands on them, lets the
+            agent reach it; none where not even a pair would do.
+        largest_disc: Diameter in metres of the largest disc that reaches every asset it is asked to reach.
+        margin: Metres by which the agent's own diameter exceeds that; 0 or less where it is not the width that fails.
+    """
+
+    removals: Mapping[str, tuple[tuple[str, ...], ...]]
+    largest_disc: float
+    margin: float
+
+    def sentences(self, agent: Agent) -> tuple[str, ...]:
+        """Return the smallest changes in words, one sentence per set of remedies."""
+        groups: dict[tuple[tuple[str, ...], ...], list[str]] = {}
+        for name, sets in self.removals.items():
+            groups.setdefault(sets, []).append(name)
+        found: list[str] = []
+        for sets, names in groups.items():
+            ways = ", or without ".join(" and ".join(group) for group in sets)
+            change = f"without {ways}" if sets else "only by more than two removals or a longer reach"
+            found.append(f"{agent.name} would reach {' and '.join(names)} {change}.")
+        if self.removals and self.margin > 0:
+            found.append(
+                f"As it stands a disc of {self.largest_disc:.2f} m reaches everything; {agent.name} is "
+                f"{self.margin:.2f} m wider."
+            )
+        return tuple(found)
+
+
+def exempt_from_reach(scene: Scene, agent: Agent) -> dict[str, str]:
+    """Return which assets a body is not asked to reach, in any layout, and why.
+
+    A body without an arm is asked to get to what stands on the floor only.
+    """
+    if agent.reach_distance is not None:
+        return {}
+    return {
+        asset.name: f"{agent.name} has no arm and {asset.name} does not stand on the floor"
+        for asset in scene.assets
+        if not (asset.on_floor or asset.on_ceiling)
+    }
+
+
+def exempt_from_use(scene: Scene, agent: Agent) -> dict[str, str]:
+    """Return which assets a body is not asked to use, in any layout, and why.
+
+    Those it is not asked to reach, and what can only stand on the floor and ends below the lowest height that it reaches.
+    """
+    low = {
+        asset.name: f"{asset.name} ends {asset.size[2]:.2f} m high and {agent.name} reaches down to {agent.reach_low:.2f} m"
+        for asset in scene.assets
+        if agent.reach_distance is not None
+        and asset.size[2] < agent.reach_low - REACH_SLACK
+        and asset.on_floor
+        and not (asset.on_wall or asset.on_object or asset.is_flat)
+    }
+    return exempt_from_reach(scene, agent) | low
+
+
+def impossible(scene: Scene, agent: Agent) -> tuple[str, ...]:
+    """Return what no layout of this scene can achieve for an agent, each with its proof in numbers."""
+    room = scene.room
+    found = list(body_misfits(scene, agent))
+    floor, radius = room_polygon(room), agent.radius
+    if floor.buffer(-radius).is_empty:
+        largest = 2 * float(shapely.maximum_inscribed_circle(floor, 1e-3).length)
+        found.append(
+            f"{agent.name} needs {2 * radius:.2f} m; the largest disc that fits into the empty room is {largest:.2f} m wide."
+        )
+    standing = [a for a in scene.assets if a.on_floor and not (a.is_flat or a.on_wall or a.on_ceiling or a.on_object)]
+    needed = sum(a.size[0] * a.size[1] for a in standing)
+    clear = float(shapely.union_all(landings(room)).intersection(floor).area) if room.doors else 0.0
+    if needed > floor.area - clear + 1e-9:
+        found.append(
+            f"The {len(standing)} assets that stand on the floor cover {needed:.2f} m2, the floor outside door landings has "
+            f"{floor.area - clear:.2f} m2: they cannot all stand apart."
+        )
+    return tuple(found)
+
+
+def body_misfits(scene: Scene, agent: Agent) -> Iterator[str]:
+    """Yield what keeps a body out of a room, whatever the furniture: its door, its height."""
+    room, name = scene.room, agent.name
+    across = agent.width or 2 * agent.radius
+    if room.doors:
+        door = room.doors[0]
+        if door.width < across - REACH_SLACK:
+            yield f"Door 0 is {door.width:.2f} m wide, {name} needs {across:.2f} m: it cannot come in."
+        if door.height < agent.height - REACH_SLACK:
+            yield f"Door 0 is {door.height:.2f} m high, {name} is {agent.height:.2f} m: it cannot come in."
+    if room.wall_height < agent.height - REACH_SLACK:
+        yield f"The room is {room.wall_height:.2f} m high, {name} is {agent.height:.2f} m: it cannot stand in it."
+
+
+def remedies(nav: Navigation) -> Remedies:
+    """Return the smallest changes to this layout that would let an agent reach what it does not reach."""
+    aside = exempt_from_reach(nav.scene, nav.agent)
+    trials = _Trials(nav)
+    largest = min((p.width for name, p in nav.passages.items() if name not in aside), default=0.0)
+    return Remedies(
+        removals={name: trials.removals(name) for name in nav.unreached if name not in aside},
+        largest_disc=largest,
+        margin=2 * nav.agent.radius - largest,
+    )
+
+
+class _Trials:
+    """What would be reached without this or that; each set of assets is tried once."""
+
+    def __init__(self, nav: Navigation) -> None:
+        self._nav, self._found = nav, nav.boxes
+        self._rows = [int(row) for row in nav.boxes.obstacles(nav.agent.step, nav.agent.height)]
+        self._below = [_chain(nav.boxes, row) for row in range(len(nav.boxes.names))]
+        self._tried: dict[tuple[int, ...], NDArray[np.bool_]] = {}
+
+    def removals(self, name: str) -> tuple[tuple[str, ...], ...]:
+        """Return the smallest sets, of one or else of two, without which an asset is reached."""
+        row, feet = self._found.names.index(name), self._found.footprints
+        rows = [other for other in self._rows if other not in self._below[row]]
+        near = sorted(sorted(rows, key=lambda other: feet[other].distance(feet[row]))[:NEIGHBOURS])
+        for sets in (itertools.combinations(rows, 1), itertools.combinations(near, 2)):
+            helpful = [group for group in sets if self._reached(group, row)]
+            if helpful:
+                return tuple(tuple(self._found.names[other] for other in group) for group in helpful)
+        return ()
+
+    def _reached(self, removed: tuple[int, ...], row: int) -> bool:
+        """Tell whether an asset is reached without some others; no once all trials are used up."""
+        if removed not in self._tried:
+            if len(self._tried) >= TRIALS:
+                return False
+            kept = [other for other in self._rows if not self._below[other].intersection(removed)]
+            space = disc_space(self._nav.scene.room, self._found.footprints[kept], self._nav.agent.radius)
+            reach = self._nav.agent.reach
+            self._tried[removed] = reached_rows(self._found, plan_distances(self._found, space.main), reach)
+        return bool(self._tried[removed][row])
+
+
+def _chain(found: Boxes, row: int) -> set[int]:
+    """Return an asset's row and the rows of everything that carries it."""
+    chain, carrier = {row}, found.carrier(row)
+    while carrier is not None and carrier not in chain:
+        chain.add(carrier)
+        carrier = found.carrier(carrier)
+    return chain

@@ -1,0 +1,92 @@
+"""Rectangular bodies: where they stand, pass and turn, on rooms whose figures can be worked out on paper."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import shapely
+from verify_rooms import furnished, on_floor, square, thing
+
+from robolayout.scene import Agent, Layout, Room, Scene
+from robolayout.verify.heading import grown, heading_space, rectangle
+
+CART = Agent(name="cart", radius=0.4, height=1.0, length=1.2, width=0.6)
+
+
+def test_the_minkowski_sum_of_two_rectangles():
+    box = np.array([[(0, 0), (2, 0), (2, 1), (0, 1)]], dtype=float)
+    (result,) = grown(box, rectangle(CART, 0.0))
+    assert result.equals(shapely.box(-0.6, -0.3, 2.6, 1.3))
+    (turned,) = grown(box, rectangle(CART, math.radians(45)))
+    perimeter_term = 2 * (1.2 + 0.6) / math.sqrt(2) * 0.5 * (2 + 1) * 2 / 2
+    assert turned.area == pytest.approx(2 * 1 + 1.2 * 0.6 + perimeter_term)
+
+
+def test_an_empty_room_is_the_room_less_half_a_body_on_each_side():
+    """The door's normal is +y: length along y, so centres keep 0.3 m from the side walls and 0.6 m from the others."""
+    space = heading_space(*furnished(square(), agents=(CART,)), CART)
+    assert space.headings[0] == pytest.approx(math.pi / 2)
+    assert space.standing[0].symmetric_difference(shapely.box(0.3, 0.6, 3.7, 3.4)).area < 1e-9
+    assert space.standing[4].area == pytest.approx(2.8 * 3.4)
+    reach = 4 - 2 * CART.circumradius
+    assert space.turning.area == pytest.approx(reach**2)
+
+
+def corridor(width: float) -> tuple[Scene, Layout]:
+    """A 4 x 4 m room whose upper part is left open; below it, two blocks leave a corridor straight in from the door."""
+    side = (3.6 - width) / 2
+    left, right = thing("left-0", (side, 2.4, 1.0)), thing("right-0", (4 - width - side, 2.4, 1.0))
+    return furnished(
+        square(),
+        (left, on_floor(left, side / 2, 1.2)),
+        (right, on_floor(right, side + width + (4 - width - side) / 2, 1.2)),
+        agents=(CART,),
+    )
+
+
+@pytest.mark.parametrize(("width", "passes"), [(0.62, True), (0.58, False)])
+def test_a_straight_corridor_needs_the_width_only(width: float, passes: bool):
+    space = heading_space(*corridor(width), CART)
+    assert bool(space.standing[0].intersects(shapely.Point(1.8, 3.2))) is passes
+
+
+def bend(width: float) -> Room:
+    """An L of two corridors; the door is at the lower end of the upright one."""
+    from robolayout.scene import Opening
+
+    return Room(
+        ((0, 0), (width, 0), (width, 4 - width), (4, 4 - width), (4, 4), (0, 4)), 2.6, (Opening(0, 0.0, width, 2.05),)
+    )
+
+
+@pytest.mark.parametrize(("width", "turns"), [(1.4, True), (1.1, True), (0.75, False)])
+def test_a_bend_needs_room_to_turn(width: float, turns: bool):
+    """A rectangle 1.2 x 0.6 turned by 45 degrees needs (1.2 / 2 + 0.6) / sqrt(2) = 0.85 m of both corridors."""
+    scene = Scene(bend(width), (), agents=(CART,))
+    space = heading_space(scene, Layout({}), CART)
+    assert bool(space.standing[4].intersects(shapely.Point(3.3, 4 - width / 2))) is turns
+
+
+@pytest.mark.parametrize(("circle", "turns"), [(1.6, True), (1.7, False)])
+def test_a_turning_circle_must_be_free_as_a_whole(circle: float, turns: bool):
+    """In the bend of two corridors 1.4 m wide the largest circle has the diameter 2 x 1.4 / (1 + 1 / sqrt(2)) = 1.64."""
+    scene = Scene(bend(1.4), (), agents=(CART,))
+    space = heading_space(scene, Layout({}), replace(CART, turning_diameter=circle))
+    assert bool(space.standing[4].intersects(shapely.Point(3.0, 3.3))) is turns
+    assert space.turning.is_empty is not turns
+
+
+def test_a_body_longer_than_the_room_cannot_come_in():
+    scene = Scene(square(), (), agents=(CART,))
+    space = heading_space(scene, Layout({}), replace(CART, length=4.5))
+    assert all(region.is_empty for region in space.standing)
+
+
+def test_without_a_door_the_largest_group_counts():
+    shelf = thing("shelf-0", (4.0, 0.4, 1.8))
+    scene, layout = furnished(square(doors=()), (shelf, on_floor(shelf, 2.0, 1.2)), agents=(CART,))
+    space = heading_space(scene, layout, CART)
+    assert space.standing[0].bounds[1] > 1.4
