@@ -22,8 +22,10 @@ from robolayout.export._exporter import Contents, Exporter, Options, Routes, che
 from robolayout.export.dxf import DXF
 from robolayout.export.glb import GLB
 from robolayout.export.layout_json import LAYOUT_JSON
+from robolayout.export.mjcf import MJCF
 from robolayout.export.procthor import PROCTHOR
 from robolayout.export.sceneeval import SCENEEVAL
+from robolayout.export.urdf import URDF
 from robolayout.export.usd import USDA, USDZ
 from robolayout.scene import Layout, Scene
 
@@ -40,6 +42,8 @@ EXPORTERS: Mapping[str, Exporter] = MappingProxyType(
             DXF,
             USDA,
             USDZ,
+            MJCF,
+            URDF,
         )
     }
 )

@@ -17,6 +17,9 @@ Routes = Mapping[str, Sequence[Point]]
 
 Json = dict[str, object]
 
+STANDING = 0.02
+"""Largest gap in metres between a thing and what it stands on (DESIGN section 4)."""
+
 
 @dataclass(frozen=True)
 class Options:
@@ -98,24 +101,31 @@ def check_layout(scene: Scene, layout: Layout, *, partial: bool = False) -> None
             )
 
 
-def is_movable(asset: Asset) -> bool:
-    """Return whether an asset may be pushed around: a movable category that stands on the floor or on another asset."""
-    hangs = (asset.on_wall or asset.on_ceiling) and not (asset.on_floor or asset.on_object)
-    return not hangs and not asset.is_flat and category_of(asset).movable
+def hangs(asset: Asset, scene: Scene, layout: Layout) -> bool:
+    """Return whether an asset is fixed to a wall or the ceiling: it may be, and stands on nothing where it is."""
+    if not (asset.on_wall or asset.on_ceiling):
+        return False
+    bottom, _ = vertical_span(asset, layout[asset.name])
+    return bottom > STANDING and supporter(asset, scene, layout) is None
 
 
-def facts(asset: Asset) -> Json:
+def is_movable(asset: Asset, scene: Scene, layout: Layout) -> bool:
+    """Return whether an asset may be pushed around: of a movable category, not fixed to the room, and no rug."""
+    return category_of(asset).movable and not asset.is_flat and not hangs(asset, scene, layout)
+
+
+def facts(asset: Asset, *, movable: bool) -> Json:
     """Return what a file says about an asset beside its pose and shape."""
     return {
         "name": asset.name,
         "category": asset.category,
         "description": asset.description,
         "size": list(asset.size),
-        "movable": is_movable(asset),
+        "movable": movable,
     }
 
 
-def supporter(asset: Asset, scene: Scene, layout: Layout, *, tolerance: float = 0.02) -> str | None:
+def supporter(asset: Asset, scene: Scene, layout: Layout, *, tolerance: float = STANDING) -> str | None:
     """Return the name of the asset that another one rests on, or None.
 
     It rests on it if its bottom is within `tolerance` metres of the other's top and its centre is over the other's

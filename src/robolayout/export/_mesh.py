@@ -178,3 +178,11 @@ def linear(color: tuple[float, float, float]) -> tuple[float, float, float]:
     """Return an sRGB colour as linear light, which is what GLB and USD store (IEC 61966-2-1)."""
     red, green, blue = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in color)
     return (red, green, blue)
+
+
+def volume(part: Part) -> float:
+    """Return the volume in cubic metres that a part's faces enclose; for open surfaces, that of its bounding box."""
+    if not part.convex:
+        return float(np.ptp(part.vertices, axis=0).prod())
+    a, b, c = (part.vertices[part.faces[:, corner]] for corner in range(3))
+    return abs(float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum())) / 6

@@ -41,7 +41,7 @@ def build(scene: Scene, layout: Layout, options: Options) -> Any:
     builder = _Builder(stage)
     builder.meshes(ROOM, room_parts(scene.room), movable=False)
     for asset, pose in placed(scene, layout):
-        builder.asset(asset, pose, options.seed)
+        builder.asset(asset, pose, movable=is_movable(asset, scene, layout), seed=options.seed)
     _routes(stage, options)
     return stage
 
@@ -63,10 +63,10 @@ class _Builder:
         self.taken.add(path)
         return path
 
-    def asset(self, asset: Asset, pose: Pose, seed: int) -> None:
+    def asset(self, asset: Asset, pose: Pose, *, movable: bool, seed: int) -> None:
         """Add one asset: its place, its facts, its physics and its parts."""
         form = UsdGeom.Xform.Define(self.stage, self.path(ASSETS, asset.name))
-        prim, movable = form.GetPrim(), is_movable(asset)
+        prim = form.GetPrim()
         form.AddTranslateOp().Set(Gf.Vec3d(pose.x, pose.y, pose.z))
         form.AddRotateZOp(UsdGeom.XformOp.PrecisionDouble).Set(math.degrees(pose.yaw))
         Usd.ModelAPI(prim).SetKind(Kind.Tokens.component)

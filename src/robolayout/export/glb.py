@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 
 from robolayout._errors import LayoutError
 from robolayout._version import __version__
-from robolayout.assets import Material, Part, parts, room_parts
-from robolayout.export._exporter import Contents, Exporter, Json, Options, facts, placed
+from robolayout.assets import Material, Part, category_of, parts, room_parts
+from robolayout.export._exporter import Contents, Exporter, Json, Options, facts, is_movable, placed
 from robolayout.export._mesh import Surface, linear, merged
 from robolayout.scene import Asset, Layout, Pose, Scene
 
@@ -143,7 +143,7 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
                 parts(asset, seed=options.seed),
                 translation=[pose.x, pose.y, pose.z],
                 rotation=[0.0, 0.0, math.sin(half), math.cos(half)],
-                extras={"kind": "asset", **facts(asset)},
+                extras={"kind": "asset", **facts(asset, movable=is_movable(asset, scene, layout))},
             )
         )
     turn = math.sqrt(0.5)
@@ -158,8 +158,8 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
 
 def asset_glb(asset: Asset, *, seed: int = 0) -> bytes:
     """Return one asset alone in glTF's own frame: y up, front along +z, origin in the middle of its box."""
-    builder = _Builder()
-    body = builder.object(asset.name, parts(asset, seed=seed), extras={"kind": "asset", **facts(asset)})
+    builder, known = _Builder(), facts(asset, movable=category_of(asset).movable)
+    body = builder.object(asset.name, parts(asset, seed=seed), extras={"kind": "asset", **known})
     return _packed(builder.document(builder.turned(asset.name, body)), bytes(builder.blob))
 
 

@@ -140,7 +140,7 @@ def _objects(scene: Scene, layout: Layout) -> tuple[list[Json], dict[str, Json]]
         objects[asset.name] = {
             "assetId": thor.name,
             "id": identity,
-            "kinematic": not is_movable(asset),
+            "kinematic": not is_movable(asset, scene, layout),
             "position": _vector(pose.x, pose.y, pose.z + shift),
             "rotation": {"x": 0.0, "y": _degrees(pose.yaw), "z": 0.0},
             "room": ROOM,

@@ -21,6 +21,7 @@ from robolayout.export._exporter import (
     Options,
     dump_json,
     facts,
+    is_movable,
     parse_json,
     placed,
     supporter,
@@ -49,7 +50,7 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
                 "parentId": parent or "",
                 "parentIndex": -1 if parent is None else index[parent],
                 "transform": {"rows": 4, "cols": 4, "data": _matrix(pose)},
-                "metadata": facts(asset),
+                "metadata": facts(asset, movable=is_movable(asset, scene, layout)),
             }
         )
     return dump_json(

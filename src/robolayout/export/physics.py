@@ -1,0 +1,323 @@
+"""Physics checks in MuJoCo: does the furniture stay where it stands, and does the agent's base get through.
+
+Both build the MJCF model in memory. `settle` lets gravity work on everything that stands; `drive` holds the furniture still and
+moves the base along its planned routes.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from importlib.util import find_spec
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout._errors import MissingExtraError
+from robolayout.export._exporter import Options, Routes, check_layout, hangs
+from robolayout.export.mjcf import AGENT, AGENT_MASS, DAMPING, STIFFNESS, build
+from robolayout.scene import Agent, Asset, Layout, Point, Scene
+
+if TYPE_CHECKING:
+    import mujoco
+
+STILL, UPRIGHT = 0.01, math.radians(2.0)
+"""A stable asset moves by less than 1 cm and tilts by less than 2 degrees."""
+
+MARGIN = 0.01
+"""Metres by which the driven collider is smaller than the body: what a controller may stray from the planned line."""
+
+ACCELERATION = 0.5
+"""Metres per second squared."""
+
+SLOWEST = 0.05
+"""Metres per second around a sharp corner."""
+
+TURN_RATE = 1.0
+"""Radians per second of a long body that turns on the spot."""
+
+SPACING = 0.01
+"""Metres between the points of a driven line."""
+
+SETTLING = 0.3
+"""Seconds of standing still at the end of a route."""
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Motion:
+    """How far one asset moved.
+
+    Attributes:
+        displacement: Metres between where its centre was and where it came to rest.
+        tilt: Radians between its upright axis and the vertical.
+    """
+
+    displacement: float
+    tilt: float
+
+    @property
+    def stable(self) -> bool:
+        """Whether it moved by less than 1 cm and tilted by less than 2 degrees."""
+        return self.displacement < STILL and self.tilt < UPRIGHT
+
+
+@dataclass(frozen=True)
+class Settled:
+    """What gravity did to a layout.
+
+    Attributes:
+        seconds: Simulated time.
+        motions: How far each placed asset moved; what hangs on walls or the ceiling is held and does not.
+        unplaced: Names of the assets without a pose; they count as not stable.
+    """
+
+    seconds: float
+    motions: Mapping[str, Motion]
+    unplaced: tuple[str, ...] = ()
+
+    @property
+    def stable_share(self) -> float:
+        """Share of all assets that stayed where they are; 1 for an empty scene."""
+        total = len(self.motions) + len(self.unplaced)
+        return sum(motion.stable for motion in self.motions.values()) / total if total else 1.0
+
+    @property
+    def violations(self) -> tuple[str, ...]:
+        """One sentence for each asset that did not stay."""
+        return tuple(
+            f"{name} does not stay: it moved {motion.displacement * 100:.1f} cm and tilts {math.degrees(motion.tilt):.1f} "
+            f"degrees after {self.seconds:g} s of gravity."
+            for name, motion in self.motions.items()
+            if not motion.stable
+        )
+
+    def to_dict(self) -> dict[str, object]:
+        """Return the figures in metres and degrees."""
+        rows = {
+            name: {"displacement": round(motion.displacement, 5), "tilt": round(math.degrees(motion.tilt), 3)}
+            for name, motion in self.motions.items()
+        }
+        return {
+            "seconds": self.seconds,
+            "stable_share": self.stable_share,
+            "assets": rows,
+            "unplaced": [*self.unplaced],
+        }
+
+
+@dataclass(frozen=True)
+class Drive:
+    """How one route went.
+
+    Attributes:
+        contacts: Names of what the base touched (assets, "wall-0", "door-0"), sorted.
+        error: Largest distance in metres between the planned and the driven position.
+        length: Length of the route in metres.
+        seconds: Time it took.
+    """
+
+    contacts: tuple[str, ...]
+    error: float
+    length: float
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Driven:
+    """How an agent's routes went.
+
+    Attributes:
+        agent: Name of the agent.
+        drives: One drive for each asset with a route.
+    """
+
+    agent: str
+    drives: Mapping[str, Drive]
+
+    @property
+    def contacts(self) -> Mapping[str, tuple[str, ...]]:
+        """What was touched on the way to each asset, where anything was."""
+        return {name: drive.contacts for name, drive in self.drives.items() if drive.contacts}
+
+    @property
+    def violations(self) -> tuple[str, ...]:
+        """One sentence for each route on which something was touched."""
+        return tuple(
+            f"{self.agent} touches {', '.join(names)} on its way to {target}."
+            for target, names in self.contacts.items()
+        )
+
+    def to_dict(self) -> dict[str, object]:
+        """Return the figures in metres and seconds."""
+        rows = {
+            name: {
+                "contacts": [*drive.contacts],
+                "error": round(drive.error, 4),
+                "length": round(drive.length, 3),
+                "seconds": round(drive.seconds, 2),
+            }
+            for name, drive in self.drives.items()
+        }
+        return {"agent": self.agent, "routes": rows}
+
+
+def _model(text: bytes) -> tuple[Any, Any]:
+    """Return MuJoCo's model and state for a model text."""
+    if find_spec("mujoco") is None:
+        raise MissingExtraError("the physics check", "sim")
+    import mujoco
+
+    model = mujoco.MjModel.from_xml_string(text.decode())
+    return model, mujoco.MjData(model)
+
+
+def _stands(asset: Asset, scene: Scene, layout: Layout) -> bool:
+    """Return whether gravity may move an asset: all but rugs and what is fixed to walls or the ceiling."""
+    return not asset.is_flat and not hangs(asset, scene, layout)
+
+
+def settle(scene: Scene, layout: Layout, seconds: float = 5.0, *, seed: int = 0) -> Settled:
+    """Let gravity work on a layout and measure what moves.
+
+    Everything that stands is free, built-in furniture too: a wardrobe that would fall over is found.
+
+    Args:
+        scene: The scene.
+        layout: Where everything stands; assets without a pose count as not stable.
+        seconds: Simulated time.
+        seed: Seed of the parametric meshes.
+
+    Raises:
+        LayoutError: The layout names an asset that the scene does not have, or holds a pose that is not finite.
+        MissingExtraError: MuJoCo is not installed.
+    """
+    check_layout(scene, layout, partial=True)
+    model, data = _model(build(scene, layout, Options(seed=seed), free=_stands))
+    import mujoco
+
+    model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_AUTORESET
+    mujoco.mj_forward(model, data)
+    names = [asset.name for asset in scene.assets if asset.name in layout]
+    before = {name: data.body(name).xpos.copy() for name in names}
+    for _ in range(math.ceil(seconds / model.opt.timestep)):
+        mujoco.mj_step(model, data)
+    mujoco.mj_forward(model, data)
+    motions = {name: _motion(before[name], data.body(name).xpos, data.body(name).xmat) for name in names}
+    unplaced = tuple(asset.name for asset in scene.assets if asset.name not in layout)
+    return Settled(seconds, motions, unplaced)
+
+
+def _motion(before: FloatArray, after: FloatArray, axes: FloatArray) -> Motion:
+    """Return how far a body moved; a simulation that broke down counts as infinitely far."""
+    if not (np.isfinite(after).all() and np.isfinite(axes).all()):
+        return Motion(math.inf, math.pi)
+    tilt = math.acos(min(1.0, max(-1.0, float(axes[8]))))
+    return Motion(float(np.linalg.norm(after - before)), tilt)
+
+
+def drive(scene: Scene, layout: Layout, agent: Agent, routes: Routes, speed: float = 0.5) -> Driven:
+    """Drive an agent's base along its routes and report what it touches.
+
+    The base follows each line with position and velocity fed forward, slowing down for corners; the furniture holds
+    still. A disc keeps its heading; a longer body faces along the line and turns on the spot at its corners.
+
+    Args:
+        scene: The scene.
+        layout: Where everything stands.
+        agent: The body.
+        routes: Line in metres of the base's centre to each asset, by asset name; lines of fewer than two points are
+            skipped, since there is nothing to drive.
+        speed: Metres per second.
+
+    Raises:
+        LayoutError: The layout does not fit the scene.
+        MissingExtraError: MuJoCo is not installed.
+    """
+    check_layout(scene, layout, partial=True)
+    lines = {name: line for name, line in routes.items() if len(line) > 1}
+    body = replace(agent, radius=agent.radius - MARGIN)
+    if agent.length is not None and agent.width is not None:
+        body = replace(body, length=agent.length - 2 * MARGIN, width=agent.width - 2 * MARGIN)
+    model, data = _model(build(scene, layout, Options(agent=body, routes=lines), free=lambda *_: False))
+    turns = agent.length is not None and agent.width is not None
+    return Driven(agent.name, {name: _drive(model, data, line, speed, turns=turns) for name, line in lines.items()})
+
+
+def _drive(model: mujoco.MjModel, data: mujoco.MjData, line: Sequence[Point], speed: float, *, turns: bool) -> Drive:
+    """Drive one line from standstill to standstill."""
+    import mujoco
+
+    step = float(model.opt.timestep)
+    times, path = timeline(line, speed, turns=turns)
+    clock = np.arange(0.0, times[-1] + SETTLING, step)
+    wanted = np.stack([np.interp(clock, times, column) for column in path.T], axis=1)
+    rates = np.gradient(wanted, step, axis=0)
+    push = np.gradient(rates, step, axis=0) * np.array([AGENT_MASS, AGENT_MASS, 0.0])
+    controls = wanted + rates * (DAMPING / STIFFNESS) + push / STIFFNESS
+    mujoco.mj_resetData(model, data)
+    places = [int(model.joint(f"{AGENT}/{axis}").qposadr[0]) for axis in ("x", "y", "yaw")]
+    data.qpos[places] = wanted[0]
+    touched: set[str] = set()
+    error = 0.0
+    for goal, control in zip(wanted, controls, strict=True):
+        data.ctrl[:] = control
+        mujoco.mj_step(model, data)
+        error = max(error, math.dist(data.qpos[places[:2]], goal[:2]))
+        if data.ncon:
+            touched |= _touched(model, data)
+    length = sum(math.dist(a, b) for a, b in pairwise(line))
+    return Drive(tuple(sorted(touched)), error, length, float(times[-1]))
+
+
+def _touched(model: mujoco.MjModel, data: mujoco.MjData) -> set[str]:
+    """Return the names of what the base touches now."""
+    names: set[str] = set()
+    for pair in data.contact.geom[: data.ncon]:
+        for geom in pair:
+            body, _, rest = str(model.geom(int(geom)).name).partition("/")
+            if body != AGENT:
+                names.add(rest.partition("/")[0] if body == "room" else body)
+    return names
+
+
+def timeline(line: Sequence[Point], speed: float, *, turns: bool) -> tuple[FloatArray, FloatArray]:
+    """Return when the base is where: times (n,) in seconds and poses (n, 3) as x, y, yaw.
+
+    It starts and ends at rest, accelerates by no more than `ACCELERATION`, and slows down at corners: the cosine of the
+    turn tells how much of the speed is kept. With `turns` the yaw follows the line and the base turns on the spot at corners;
+    without, it keeps the first heading.
+    """
+    corners = np.array([point for point, after in zip(line, [*line[1:], None], strict=True) if point != after], float)
+    if len(corners) < 2:
+        return np.array([0.0, SPACING]), np.tile([*corners[0], 0.0], (2, 1))
+    headings = np.unwrap(np.arctan2(np.diff(corners[:, 1]), np.diff(corners[:, 0])))
+    kept = np.clip(np.cos(np.diff(headings)), 0.0, 1.0) ** 2
+    limits = np.concatenate([[0.0], np.zeros_like(kept) if turns else kept * speed, [0.0]])
+    times, rows, now = [0.0], [[*corners[0], headings[0]]], 0.0
+    for i, heading in enumerate(headings):
+        if turns and i:
+            now += abs(heading - headings[i - 1]) / TURN_RATE
+            times.append(now)
+            rows.append([*corners[i], heading])
+        for ahead, fraction in _segment(float(np.linalg.norm(corners[i + 1] - corners[i])), limits[i : i + 2], speed):
+            times.append(now + ahead)
+            yaw = heading if turns else headings[0]
+            rows.append([*(corners[i] + fraction * (corners[i + 1] - corners[i])), yaw])
+        now = times[-1]
+    return np.array(times), np.array(rows)
+
+
+def _segment(length: float, limits: FloatArray, speed: float) -> list[tuple[float, float]]:
+    """Return (seconds, share of the way) along one straight piece, under the speed limits at its ends."""
+    count = max(2, math.ceil(length / SPACING) + 1)
+    way = np.linspace(0.0, length, count)
+    allowed = np.minimum(np.sqrt(limits[0] ** 2 + 2 * ACCELERATION * way), speed)
+    allowed = np.minimum(allowed, np.sqrt(limits[1] ** 2 + 2 * ACCELERATION * way[::-1]))
+    rates = np.maximum(allowed, SLOWEST)
+    spent = np.concatenate([[0.0], np.cumsum(np.diff(way) / ((rates[1:] + rates[:-1]) / 2))])
+    return [(float(t), float(s)) for t, s in zip(spent[1:], way[1:] / length, strict=True)]
