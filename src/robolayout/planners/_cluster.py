@@ -1,0 +1,159 @@
+"""Things that stand together, laid out around the one they join: a bed with its night stands and their lamps.
+
+A cluster lives in the frame of its anchor: origin at the anchor's centre, x along its front, metres and radians.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from robolayout.constraints import RELATIONS, AssetRef
+from robolayout.planners._member import Member, box_of
+from robolayout.planners._roles import Cast
+from robolayout.planners._tops import Top
+from robolayout.scene import Scene
+
+@dataclass(frozen=True)
+class Cluster:
+    """Assets placed as one.
+
+    Attributes:
+        anchor: Name of the asset whose frame it is.
+        members: All assets, the anchor first.
+    """
+
+    anchor: str
+    members: tuple[Member, ...]
+
+    def mirrored(self) -> Cluster:
+        """Return its image left to right."""
+        return replace(self, members=tuple(member.mirrored() for member in self.members))
+
+
+_SLOT_ORDER = {"around": 0, "front": 1, "behind": 2, "beside": 3, "flank": 4, "setting": 5, "on": 6}
+
+
+class ClusterBuilder:
+    """Lays out what joins what.
+
+    Args:
+        scene: The scene.
+        cast: All assets in their roles.
+    """
+
+    def __init__(self, scene: Scene, cast: Mapping[str, Cast]) -> None:
+        self.scene = scene
+        self.cast = cast
+        self.followers: dict[str, list[Cast]] = {}
+        for item in cast.values():
+            if item.anchor is not None:
+                self.followers.setdefault(item.anchor, []).append(item)
+        self.reachable = max(0.05, scene.agent.reach - scene.agent.radius - 0.02)
+
+    def build(self, name: str) -> Cluster:
+        """Return the cluster of an asset and everything that joins it."""
+        return Cluster(name, tuple(self._members(name)))
+
+    def _members(self, name: str) -> list[Member]:
+        """Return the asset at the origin and its followers around it, nearest kinds first."""
+        anchor = self.cast[name]
+        placed = [Member(name, 0.0, 0.0, 0.0)]
+        by_role: dict[str, list[Cast]] = {}
+        for item in self.followers.get(name, ()):
+            by_role.setdefault(item.role.name, []).append(item)
+        for items in sorted(by_role.values(), key=lambda group: (_SLOT_ORDER[_slot(group)], group[0].role.rank)):
+            for member in self._slots(anchor, items, placed):
+                lift = anchor.asset.size[2] if _slot(items) in ("on", "setting") else 0.0
+                for part in self._members(member.name):
+                    moved = part.moved(member.x, member.y, member.yaw)
+                    side = member.side if part.name == member.name else part.side
+                    placed.append(replace(moved, bottom=part.bottom + lift, side=side))
+        return placed
+
+    def _slots(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
+        solvers: dict[str, Callable[[Cast, Sequence[Cast], Sequence[Member]], list[Member]]] = {
+            "beside": self._beside,
+            "flank": self._flank,
+            "front": self._front,
+            "behind": self._front,
+            "around": self._around,
+            "on": self._on,
+            "setting": self._on,
+        }
+        return solvers[_slot(items)](anchor, items, placed)
+
+    def _beside(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
+        """Left, right, left, ... with the backs in line, each outside of what stands there already."""
+        bx, by = _half(anchor)
+        reach = {"left": by, "right": by}
+        for member in placed[1:]:
+            if member.side in reach and member.bottom == 0.0:
+                box = box_of(member, self.cast[member.name].asset.size)
+                reach[member.side] = max(reach[member.side], box[3], -box[1])
+        found: list[Member] = []
+        for item in items:
+            ax, ay = _half(item)
+            side = min(reach, key=lambda s: (round(reach[s], 6), s))
+            y = reach[side] + item.joined.gap + ay
+            reach[side] = y + ay
+            found.append(Member(item.name, ax - bx, y if side == "left" else -y, 0.0, side=side))
+        return found
+
+    def _flank(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
+        """Left and right of the anchor, looking at it; further ones beside the first."""
+        _, by = _half(anchor)
+        found: list[Member] = []
+        for i, item in enumerate(items):
+            ax, ay = _half(item)
+            side, row = ("left", "right")[i % 2], i // 2
+            sign = 1.0 if side == "left" else -1.0
+            found.append(Member(item.name, row * (2 * ay + 0.1), sign * (by + item.joined.gap + ax), -sign * math.pi / 2, side=side))
+        return found
+
+    def _front(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
+        """Side by side before the front (or behind the back), facing the anchor unless told otherwise."""
+        bx, _ = _half(anchor)
+        sign = 1.0 if _slot(items) == "front" else -1.0
+        side = "front" if sign > 0 else "back"
+        taken = [box_of(m, self.cast[m.name].asset.size) for m in placed[1:] if m.side == side and m.bottom == 0.0]
+        edge = max([bx] + [box[2] if sign > 0 else -box[0] for box in taken])
+        toward = math.pi if sign > 0 else 0.0
+        width = sum(item.asset.size[1] + 0.12 for item in items) - 0.12
+        y, found = width / 2, list[Member]()
+        for item in items:
+            ax, ay = _half(item)
+            yaw = toward if item.joined.faces in ("", "anchor") else toward + math.pi
+            yaw = 0.0 if item.joined.faces == "same" else yaw
+            found.append(Member(item.name, sign * (edge + item.joined.gap + ax), y - ay, yaw, side=side))
+            y -= 2 * ay + 0.12
+        return found
+
+    def _around(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
+        """At the slots of the relation `around`."""
+        relation = RELATIONS["around"](  # type: ignore[call-arg]
+            items=tuple(AssetRef(item.name) for item in items), b=AssetRef(anchor.name), gap=items[0].joined.gap
+        )
+        slots: Iterable[tuple[float, float, float]] = relation.slots(self.scene)  # type: ignore[attr-defined]
+        return [Member(item.name, x, y, yaw, side=_side_of(yaw)) for item, (x, y, yaw) in zip(items, slots, strict=True)]
+
+    def _on(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
+        """On the anchor's top: place settings before its seats, the rest where its kind belongs."""
+        sizes = {name: item.asset.size for name, item in self.cast.items()}
+        seats = [member for member in placed[1:] if self.cast[member.name].role.name == "seat"]
+        top = Top(anchor.asset.size, sizes, placed[1:], self.reachable)
+        return top.put([(item.name, item.joined.at, item.joined.slot) for item in items], seats)
+
+
+def _slot(items: Sequence[Cast]) -> str:
+    return items[0].joined.slot
+
+
+def _half(item: Cast) -> tuple[float, float]:
+    return (item.asset.size[0] / 2, item.asset.size[1] / 2)
+
+
+def _side_of(yaw: float) -> str:
+    """Return the side of a table on which a seat with that heading stands."""
+    return ("back", "right", "front", "left")[round(yaw / (math.pi / 2)) % 4]

@@ -1,0 +1,150 @@
+"""The floor as a fine grid: what is outside, taken, or wanted by others."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from robolayout.planners._member import Rect
+from robolayout.scene import Agent, Room
+
+CELLS = 90_000
+"""Most cells of the grid; larger rooms get coarser ones."""
+
+Points = NDArray[np.float64]
+
+
+def rect_points(rect: Rect, shrink: float, step: float = 0.1) -> Points:
+    """Return points (k, 2) that cover a rectangle, `shrink` metres inside its edges."""
+    axes: list[Points] = []
+    for low, high in ((rect[0], rect[2]), (rect[1], rect[3])):
+        inset = min(shrink, (high - low) / 2)
+        count = max(2, math.ceil((high - low - 2 * inset) / step) + 1)
+        axes.append(np.linspace(low + inset, high - inset, count))
+    return np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 2)
+
+
+def moved(points: Points, poses: NDArray[np.float64]) -> Points:
+    """Return points (n, k, 2): each of the points (k, 2) in each of the frames (n, 3)."""
+    c, s = np.cos(poses[:, 2, None]), np.sin(poses[:, 2, None])
+    x, y = points[None, :, 0], points[None, :, 1]
+    return np.stack([poses[:, 0, None] + c * x - s * y, poses[:, 1, None] + s * x + c * y], axis=-1)
+
+
+@dataclass
+class Floor:
+    """The state of the floor while things are being placed.
+
+    Attributes:
+        room: The room.
+        cell: Size of a cell in metres.
+        origin: World point of the grid's corner.
+        inside: Cells in the room, (nx, ny).
+        body: How many things stand on each cell.
+        wanted: How much each cell should stay free: landings and strips before furniture.
+        landing: Cells of the door landings.
+    """
+
+    room: Room
+    cell: float
+    origin: tuple[float, float]
+    inside: NDArray[np.bool_]
+    body: NDArray[np.int16]
+    wanted: NDArray[np.float32]
+    landing: NDArray[np.bool_]
+
+    @staticmethod
+    def of(room: Room, corridor: float) -> Floor:
+        """Return the empty floor of a room; doors want `corridor` metres of depth."""
+        left, bottom, right, top = room.bounds
+        cell = max(0.05, math.sqrt((right - left) * (top - bottom) / CELLS))
+        nx, ny = math.ceil((right - left) / cell) + 1, math.ceil((top - bottom) / cell) + 1
+        xs, ys = left + cell * (np.arange(nx) + 0.5), bottom + cell * (np.arange(ny) + 0.5)
+        polygon = shapely.Polygon(room.vertices)
+        inside = shapely.contains_xy(polygon, *np.meshgrid(xs, ys, indexing="ij"))
+        shape = inside.shape
+        floor = Floor(
+            room,
+            cell,
+            (left, bottom),
+            inside,
+            np.zeros(shape, np.int16),
+            np.zeros(shape, np.float32),
+            np.zeros(shape, np.bool_),
+        )
+        for door in room.doors:
+            floor.landing[floor.cells([np.array(room.landing(door))])] = True
+            depth = max(corridor, room_depth(room))
+            floor.wanted[floor.cells([np.array(room.landing(door, depth))])] += 2.0
+        return floor
+
+    def copy(self) -> Floor:
+        """Return an independent copy."""
+        return Floor(
+            self.room, self.cell, self.origin, self.inside, self.body.copy(), self.wanted.copy(), self.landing
+        )
+
+    def cells(self, corners: Iterable[Points]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """Return the indices of the cells whose centres lie in any of the convex polygons (k, 2)."""
+        mask = np.zeros(self.inside.shape, np.bool_)
+        for polygon in corners:
+            low = np.floor((polygon.min(0) - self.origin) / self.cell).astype(int).clip(0)
+            high = np.ceil((polygon.max(0) - self.origin) / self.cell).astype(int) + 1
+            nx, ny = mask[low[0] : high[0], low[1] : high[1]].shape
+            xs = self.origin[0] + self.cell * (low[0] + np.arange(nx) + 0.5)
+            ys = self.origin[1] + self.cell * (low[1] + np.arange(ny) + 0.5)
+            within = np.ones((nx, ny), np.bool_)
+            for (ax, ay), (bx, by) in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
+                within &= (bx - ax) * (ys[None, :] - ay) - (by - ay) * (xs[:, None] - ax) >= 0
+            mask[low[0] : high[0], low[1] : high[1]] |= within
+        return np.nonzero(mask)
+
+    def look(self, points: Points) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.bool_]]:
+        """Return cell indices of points (..., 2), clipped to the grid, and whether each point is on it."""
+        raw = np.floor((points - np.asarray(self.origin)) / self.cell).astype(np.intp)
+        nx, ny = self.inside.shape
+        i, j = raw[..., 0].clip(0, nx - 1), raw[..., 1].clip(0, ny - 1)
+        return i, j, (raw[..., 0] == i) & (raw[..., 1] == j)
+
+    def blocked(self, points: Points, *, landings: bool) -> NDArray[np.float64]:
+        """Return the share of points (n, k, 2) that are outside, on a body or, if asked, in a landing."""
+        i, j, on_grid = self.look(points)
+        bad = ~on_grid | ~self.inside[i, j] | (self.body[i, j] > 0)
+        if landings:
+            bad |= self.landing[i, j]
+        return bad.mean(axis=-1)
+
+    def wish(self, points: Points) -> NDArray[np.float64]:
+        """Return how much others want the floor under points (n, k, 2) to stay free, in the mean."""
+        i, j, _ = self.look(points)
+        return self.wanted[i, j].mean(axis=-1, dtype=np.float64)
+
+    def unreached(self, agent: Agent, footprints: list[Points]) -> list[bool]:
+        """Return, for each footprint (k, 2), whether the agent cannot get within its reach of it from the door."""
+        from scipy import ndimage
+
+        free = np.pad(self.inside & (self.body == 0), 1)
+        clearance = ndimage.distance_transform_edt(free)[1:-1, 1:-1] * self.cell
+        passable = clearance >= agent.radius
+        labels, count = ndimage.label(passable, np.ones((3, 3)))
+        if not count:
+            return [True] * len(footprints)
+        at_door = np.bincount(labels[self.landing], minlength=count + 1)[1:]
+        sizes = at_door if at_door.any() else np.bincount(labels.ravel(), minlength=count + 1)[1:]
+        main = labels == 1 + int(np.argmax(sizes))
+        away = ndimage.distance_transform_edt(~main) * self.cell
+        found: list[bool] = []
+        for points in footprints:
+            i, j, _ = self.look(points)
+            found.append(bool(away[i, j].min() > agent.reach - 0.03))
+        return found
+
+
+def room_depth(room: Room) -> float:
+    """Return the depth in metres of what should stay free before a door, by the room's size."""
+    return 0.9 if room.area < 12 else 1.1

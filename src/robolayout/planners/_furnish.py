@@ -1,0 +1,264 @@
+"""Finds a place for everything: big things first, each at its best place, several times over, and the best room is kept."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from robolayout.planners._cluster import Cluster, ClusterBuilder
+from robolayout.planners._floor import rect_points
+from robolayout.planners._grid import cell_poses, grid_batches
+from robolayout.planners._member import Member
+from robolayout.planners._overhead import hang, lay_rugs, overhead
+from robolayout.planners._places import Batch, batches
+from robolayout.planners._roles import Cast
+from robolayout.planners._site import GridPlan, Site, Spot
+from robolayout.planners._taste import taste
+from robolayout.scene import Layout, Scene
+
+UNREACHED = 8.0
+"""Cost of an asset that the agent cannot get to."""
+
+BAD = 2.5
+"""Cost above which a place counts as bad enough to try something else."""
+
+MOOD = 0.3
+"""Standard deviation of the logarithm by which wishes vary from one attempt to the next."""
+
+
+def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed: int) -> Site:
+    """Return the best of several attempts; the first one follows the knowledge to the letter."""
+    empty = Site.of(scene, cast)
+    builder = ClusterBuilder(scene, cast)
+    best: tuple[float, Site] | None = None
+    for attempt in range(attempts(len(scene.assets))):
+        site = empty.copy()
+        _keep(site, builder, placed)
+        rng = np.random.default_rng((seed, attempt))
+        cost = _Attempt(site, builder, rng, calm=attempt == 0 and seed == 0).run()
+        cost += UNREACHED * sum(unreached(site).values())
+        if best is None or cost < best[0]:
+            best = (cost, site)
+        if best[0] < 1.0:
+            break
+    assert best is not None
+    return best[1]
+
+
+def attempts(count: int) -> int:
+    """Return how many rooms to try for so many assets: 16 for small rooms, fewer for crowded ones."""
+    return max(6, min(16, 400 // max(count, 1)))
+
+
+def unreached(site: Site) -> dict[str, bool]:
+    """Return, for each asset that counts, whether some agent of the scene cannot get to it."""
+    names = [n for n, s in site.spots.items() if s.mode not in ("ceiling", "rug")]
+    points = []
+    for name in names:
+        member, (depth, width, _) = site.spots[name].member, site.size(name)
+        local = rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.0)
+        points.append(_world(local, member))
+    found = dict.fromkeys(names, False)
+    for agent in site.scene.agents:
+        for name, bad in zip(names, site.floor.unreached(agent, points), strict=True):
+            found[name] |= bad
+    return found
+
+
+def _world(points: np.ndarray, member: Member) -> np.ndarray:  # type: ignore[type-arg]
+    from robolayout.planners._floor import moved
+
+    return moved(points, np.array([[member.x, member.y, member.yaw]]))[0]
+
+
+def _keep(site: Site, builder: ClusterBuilder, placed: Layout | None) -> None:
+    """Put down what is settled already, and let what joins it join it."""
+    if not placed:
+        return
+    given = [name for name in site.cast if name in placed]
+    for name in given:
+        pose = placed[name]
+        member = Member(name, pose.x, pose.y, pose.yaw, pose.z - site.size(name)[2] / 2)
+        site.spots[name] = Spot(member, "given")
+        site.mark([member])
+    for name in given:
+        pose = placed[name]
+        for member in builder.build(name).members:
+            if member.name not in site.spots and site.cast[member.name].anchor is not None:
+                world = member.moved(pose.x, pose.y, pose.yaw)
+                world = replace(world, bottom=world.bottom + site.spots[name].member.bottom)
+                site.spots[member.name] = Spot(world, "join", None, site.cast[member.name].anchor)
+                site.mark([world])
+
+
+class _Attempt:
+    """One pass over all assets."""
+
+    def __init__(self, site: Site, builder: ClusterBuilder, rng: np.random.Generator, *, calm: bool) -> None:
+        self.site = site
+        self.builder = builder
+        self.rng = rng
+        self.calm = calm
+        self.cost = 0.0
+
+    def run(self) -> float:
+        """Place everything and return the total cost."""
+        left = [item for item in self.site.cast.values() if item.anchor is None and item.name not in self.site.spots]
+        by_role: dict[str, list[Cast]] = {}
+        for item in left:
+            by_role.setdefault(item.role.name, []).append(item)
+        order = sorted(by_role.values(), key=lambda items: items[0].role.rank + (0.0 if self.calm else self._nudge()))
+        for items in order:
+            items.sort(key=lambda item: -item.asset.size[0] * item.asset.size[1])
+            self._place_role(items)
+        return self.cost
+
+    def _nudge(self) -> float:
+        """Return a small change of order between roles of similar rank."""
+        return float(self.rng.normal(0.0, 1.5))
+
+    def _place_role(self, items: Sequence[Cast]) -> None:
+        hung, high, flat, standing = _by_manner(items)
+        for name in hung:
+            hang(self.site, name, self.rng)
+        overhead(self.site, high)
+        lay_rugs(self.site, flat)
+        clusters = [self.builder.build(name) for name in standing]
+        if not clusters:
+            return
+        role = items[0].role
+        weights = self._weights(role.prefer)
+        modes = [mode for mode in role.stands if mode in ("wall", "corner", "middle", "facing")]
+        if "grid" in role.stands:
+            clusters = self._in_rows(clusters, modes, weights)
+        for cluster in clusters:
+            self._place(cluster, modes or ["wall", "middle"], weights)
+
+    def _weights(self, prefer: Mapping[str, float]) -> dict[str, float]:
+        if self.calm:
+            return dict(prefer)
+        return {key: value * float(np.exp(self.rng.normal(0.0, MOOD))) for key, value in prefer.items()}
+
+    def _in_rows(
+        self, clusters: Sequence[Cluster], modes: Sequence[str], weights: Mapping[str, float]
+    ) -> list[Cluster]:
+        """Place what fits well along the walls, put the rest into a grid, and return what fits nowhere."""
+        left = list(clusters)
+        if "wall" in modes:
+            left = [cluster for cluster in clusters if not self._place(cluster, ["wall"], weights, limit=BAD)]
+        for alike in _alike(self.site, left):
+            if len(alike) >= 2 and self._place_grid(alike, weights):
+                left = [cluster for cluster in left if cluster not in alike]
+        return left
+
+    def _place(
+        self, cluster: Cluster, modes: Sequence[str], weights: Mapping[str, float], limit: float | None = None
+    ) -> bool:
+        """Put a cluster at its best place; with a limit only if that place is no worse than it."""
+        best = self._best(batches(self.site, cluster, modes), weights, modes)
+        if best is None:
+            return False if limit is not None else self._anywhere(cluster)
+        cost, batch, row = best
+        if limit is not None and cost > limit:
+            return False
+        if cost > 10 and len(cluster.members) > 1 and limit is None and self._split(cluster, modes, weights):
+            return True
+        wall = int(batch.walls[row])
+        anchor = batch.anchors[row] if batch.anchors else ""
+        self.site.put(batch.cluster, batch.poses[row], batch.mode, wall if wall >= 0 else None, anchor or None)
+        self.cost += cost
+        return True
+
+    def _best(
+        self, found: Sequence[Batch], weights: Mapping[str, float], modes: Sequence[str]
+    ) -> tuple[float, Batch, int] | None:
+        best: tuple[float, Batch, int] | None = None
+        for batch in found:
+            cost = self.site.base_cost(batch.cluster, batch.poses) + taste(self.site, batch, weights)
+            cost += 0.6 * list(modes).index(batch.mode) if batch.mode in modes else 0.0
+            cost += 0.0 if self.calm else self.rng.random(len(cost)) * 0.1
+            row = int(np.argmin(cost))
+            if best is None or cost[row] < best[0]:
+                best = (float(cost[row]), batch, row)
+        return best
+
+    def _split(self, cluster: Cluster, modes: Sequence[str], weights: Mapping[str, float]) -> bool:
+        """Place a cluster that fits nowhere as a whole: floor things that can stand alone are placed on their own."""
+        loose = [m.name for m in cluster.members[1:] if self._stands_alone(m.name)]
+        if not loose:
+            return False
+        gone = {name for start in loose for name in (m.name for m in self.builder.build(start).members)}
+        self._place(replace(cluster, members=tuple(m for m in cluster.members if m.name not in gone)), modes, weights)
+        for name in loose:
+            role = self.site.cast[name].role
+            self._place(self.builder.build(name), [m for m in role.stands if m in ("wall", "corner", "middle")], weights)
+        return True
+
+    def _stands_alone(self, name: str) -> bool:
+        item = self.site.cast[name]
+        by_itself = any(mode in ("wall", "corner", "middle") for mode in item.role.stands)
+        return by_itself and item.asset.on_floor and item.join is not None and item.join.loose
+
+    def _anywhere(self, cluster: Cluster) -> bool:
+        """Put a cluster for which no place was found into the middle; the solver has to see."""
+        from robolayout.planners._places import centroid
+
+        self.site.put(cluster, np.array([*centroid(self.site), 0.0]), "middle", None, None)
+        self.cost += 50.0
+        return True
+
+    def _place_grid(self, clusters: Sequence[Cluster], weights: Mapping[str, float]) -> bool:
+        """Put equal clusters into their best grid; False if none is good."""
+        best: tuple[float, GridPlan, Batch, int] | None = None
+        for plan, batch in grid_batches(self.site, clusters):
+            cost = self.site.base_cost(batch.cluster, batch.poses) / len(clusters)
+            cost += taste(self.site, batch, weights)
+            cost += 0.5 * (plan.rows * plan.columns - len(plan.names)) + 0.3 * abs(plan.rows - plan.columns) ** 0.5
+            row = int(np.argmin(cost))
+            if best is None or cost[row] < best[0]:
+                best = (float(cost[row]), plan, batch, row)
+        if best is None or best[0] > BAD + 1.0:
+            return False
+        cost, plan, batch, row = best
+        frame = batch.poses[row]
+        size = self.site.size(plan.names[0])
+        for cluster, cell in zip(clusters, cell_poses(plan, size), strict=True):
+            pose = Member("", *cell).moved(*(float(v) for v in frame))
+            self.site.put(cluster, np.array([pose.x, pose.y, pose.yaw]), "grid", None, None)
+            self.site.spots[cluster.anchor] = replace(self.site.spots[cluster.anchor], grid=plan)
+        self.cost += cost * len(clusters)
+        return True
+
+
+def _by_manner(items: Sequence[Cast]) -> tuple[list[str], list[str], list[str], list[str]]:
+    """Sort assets of one role into hung, overhead, flat and standing ones, as role and flags allow."""
+    manners: tuple[list[str], list[str], list[str], list[str]] = ([], [], [], [])
+    for item in items:
+        asset, stands = item.asset, item.role.stands
+        if asset.is_flat and "rug" in stands:
+            manners[2].append(item.name)
+        elif asset.on_wall and ("hang" in stands or not asset.on_floor):
+            manners[0].append(item.name)
+        elif asset.on_ceiling and not asset.on_floor:
+            manners[1].append(item.name)
+        else:
+            manners[3].append(item.name)
+    return manners
+
+
+def _alike(site: Site, clusters: Sequence[Cluster]) -> list[list[Cluster]]:
+    """Return clusters in sets of the same make: anchors and followers of the same sizes."""
+    sets: dict[tuple[object, ...], list[Cluster]] = {}
+    for cluster in clusters:
+        key = tuple(
+            (site.cast[m.name].role.name, *(round(v, 1) for v in site.size(m.name)[:2]))
+            for m in cluster.members
+            if site.on_floor(m)
+        )
+        sets.setdefault(key, []).append(cluster)
+    return list(sets.values())
+
+
+

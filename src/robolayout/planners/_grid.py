@@ -1,0 +1,106 @@
+"""Equal things in rows and columns: shelves with aisles, pupils before a board, tables of a cafe."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from robolayout.planners._cluster import Cluster
+from robolayout.planners._member import Rect, box_of
+from robolayout.planners._places import Batch, room_yaws, targets
+from robolayout.planners._site import GridPlan, Site
+
+MOST = 40
+"""Most things in one grid."""
+
+
+def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[GridPlan, Batch]]:
+    """Yield every arrangement of equal clusters in a grid, with the places for its middle."""
+    role = site.cast[clusters[0].anchor].role
+    paired = role.prefer.get("paired", 0) > 0
+    extent = _extent(site, clusters[0])
+    size = site.size(clusters[0].anchor)
+    between = (extent[2] - extent[0] - size[0], extent[3] - extent[1] - size[1])
+    aisle0 = max(role.prefer.get("aisle", 0.0), site.corridor)
+    gap0 = role.prefer.get("gap", site.corridor)
+    names = tuple(cluster.anchor for cluster in clusters)
+    for columns in range(1, len(names) + 1):
+        rows = math.ceil(len(names) / columns)
+        if columns * (rows - 1) >= len(names):
+            continue
+        for wider in (1.0, 1.35, 1.8):
+            aisle = round(between[0] + aisle0 * wider, 2)
+            gap = round(between[1] + gap0 * (wider if gap0 > 0.3 else 1.0), 2)
+            plan = GridPlan(names, rows, columns, aisle, gap, paired)
+            cluster = _cluster(clusters, plan, size)
+            poses = _poses(site, cluster)
+            if len(poses):
+                yield plan, Batch("grid", cluster, poses, np.full(len(poses), -1))
+
+
+def _extent(site: Site, cluster: Cluster) -> Rect:
+    boxes = [box_of(m, site.size(m.name)) for m in cluster.members if site.on_floor(m)]
+    return (
+        min(b[0] for b in boxes),
+        min(b[1] for b in boxes),
+        max(b[2] for b in boxes),
+        max(b[3] for b in boxes),
+    )
+
+
+def _cluster(clusters: Sequence[Cluster], plan: GridPlan, size: tuple[float, float, float]) -> Cluster:
+    """Return all clusters as one, in the frame of the first: rows go backwards, columns to the right."""
+    members = [
+        member.moved(x, y, yaw)
+        for cluster, (x, y, yaw) in zip(clusters, cell_poses(plan, size), strict=True)
+        for member in cluster.members
+    ]
+    return Cluster(plan.names[0], tuple(members))
+
+
+def cell_poses(plan: GridPlan, size: tuple[float, float, float]) -> list[tuple[float, float, float]]:
+    """Return the place of each anchor in the frame of the first."""
+    found: list[tuple[float, float, float]] = []
+    x = 0.0
+    for row in range(plan.rows):
+        turned = plan.paired and row % 2 == 1
+        if row:
+            x -= size[0] + (0.03 if turned else plan.aisle)
+        for column in range(plan.columns):
+            if len(found) < len(plan.names):
+                found.append((x, -column * (size[1] + plan.gap), math.pi if turned else 0.0))
+    return found
+
+
+def _poses(site: Site, cluster: Cluster) -> np.ndarray:  # type: ignore[type-arg]
+    """Return places (n, 3) of the first anchor such that the whole block lies within the room's bounds."""
+    box = _extent(site, cluster)
+    middle = ((box[0] + box[2]) / 2, (box[1] + box[3]) / 2)
+    left, bottom, right, top = site.room.bounds
+    found: list[tuple[float, float, float]] = []
+    for yaw in _yaws(site, cluster.anchor):
+        c, s = math.cos(yaw), math.sin(yaw)
+        hx = (abs(c) * (box[2] - box[0]) + abs(s) * (box[3] - box[1])) / 2
+        hy = (abs(s) * (box[2] - box[0]) + abs(c) * (box[3] - box[1])) / 2
+        for x in _steps(left + hx, right - hx):
+            for y in _steps(bottom + hy, top - hy):
+                found.append((x - c * middle[0] + s * middle[1], y - s * middle[0] - c * middle[1], yaw))
+    return np.array(found).reshape(-1, 3)
+
+
+def _steps(low: float, high: float) -> list[float]:
+    if high < low:
+        return []
+    count = max(2, min(9, math.ceil((high - low) / 0.3) + 1))
+    return [float(v) for v in np.linspace(low, high, count)]
+
+
+def _yaws(site: Site, anchor: str) -> list[float]:
+    """Return the headings to try: one if there is something to face, else along and across the room."""
+    face = site.cast[anchor].role.face
+    there = targets(site, anchor)
+    if face and there:
+        return [site.spots[there[0]].member.yaw + (math.pi if face.how == "toward" else 0.0)]
+    return room_yaws(site)

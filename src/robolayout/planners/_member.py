@@ -1,0 +1,56 @@
+"""One asset of a cluster, in the cluster's frame."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+Size = tuple[float, float, float]
+Rect = tuple[float, float, float, float]
+"""Smallest x, smallest y, largest x, largest y in metres."""
+
+MARGIN = 0.02
+"""Metres left between neighbours, so that rounding never makes them touch."""
+
+
+@dataclass(frozen=True)
+class Member:
+    """One asset of a cluster.
+
+    Attributes:
+        name: The asset.
+        x: Metres, of its centre.
+        y: Metres.
+        yaw: Radians.
+        bottom: Metres above what the anchor stands on.
+        side: Side of the thing it joins ("left", "right", "front", "back", "").
+    """
+
+    name: str
+    x: float
+    y: float
+    yaw: float
+    bottom: float = 0.0
+    side: str = ""
+
+    def moved(self, x: float, y: float, yaw: float) -> Member:
+        """Return the member after the frame it is in was put at (x, y, yaw) of another frame."""
+        c, s = math.cos(yaw), math.sin(yaw)
+        return replace(self, x=x + c * self.x - s * self.y, y=y + s * self.x + c * self.y, yaw=self.yaw + yaw)
+
+    def mirrored(self) -> Member:
+        """Return its image left to right."""
+        side = {"left": "right", "right": "left"}.get(self.side, self.side)
+        return replace(self, y=-self.y, yaw=-self.yaw, side=side)
+
+
+def box_of(member: Member, size: Size) -> Rect:
+    """Return the upright bounds of a member's footprint in its cluster's frame."""
+    c, s = abs(math.cos(member.yaw)), abs(math.sin(member.yaw))
+    hx, hy = (c * size[0] + s * size[1]) / 2, (s * size[0] + c * size[1]) / 2
+    return (member.x - hx, member.y - hy, member.x + hx, member.y + hy)
+
+
+def overlaps(a: Rect, b: Rect, margin: float = 0.0) -> bool:
+    """Whether two rectangles come closer than `margin`."""
+    return a[0] < b[2] + margin and b[0] < a[2] + margin and a[1] < b[3] + margin and b[1] < a[3] + margin

@@ -1,0 +1,194 @@
+"""Things off the floor: on walls, under the ceiling, and the rugs under everything."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from robolayout.planners._cluster import Cluster
+from robolayout.planners._member import Member
+from robolayout.planners._places import WALL_GAP, targets, wall_yaw
+from robolayout.planners._site import Site, Spot, along_wall
+from robolayout.scene import Wall
+
+EYE = 1.5
+"""Metres at which the middle of a picture hangs."""
+
+CLEAR_ABOVE = 0.12
+"""Metres between a piece of furniture and what hangs over it."""
+
+
+def hang(site: Site, name: str, rng: np.random.Generator) -> None:
+    """Hang a thing where a wall is free: over what it belongs to, else where there is most room around it."""
+    best: tuple[float, float, Spot] | None = None
+    for wall in site.room.walls:
+        for t in _hang_offsets(site, name, wall):
+            cost, spot = _hang_cost(site, name, wall, t)
+            key = (cost + 0.2 * float(rng.random()), cost, spot)
+            if best is None or key[0] < best[0]:
+                best = key
+    if best is not None:
+        site.spots[name] = best[2]
+        site.mark([best[2].member])
+
+
+def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
+    width = site.size(name)[1]
+    low, high = width / 2 + 0.05, wall.length - width / 2 - 0.05
+    marks = [wall.length / 2, *np.arange(low, high, 0.15)]
+    for other, spot in site.spots.items():
+        span = along_wall(spot.member, site.size(other), wall, near=0.6)
+        if span is not None:
+            marks.append(sum(span) / 2)
+    return sorted({round(float(t), 3) for t in marks if low <= t <= high})
+
+
+def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot]:
+    role, (depth, width, height) = site.cast[name].role, site.size(name)
+    owner, bonus, lift = _below(site, name, wall, t)
+    middle = max(role.height or max(EYE, 0.4 + height / 2), lift + CLEAR_ABOVE + height / 2)
+    middle = min(middle, site.room.wall_height - height / 2 - 0.03)
+    takers = site.wall_takers(wall)
+    rect = (t - width / 2, middle - height / 2, t + width / 2, middle + height / 2)
+    yaw = wall_yaw(wall)
+    member = Member(name, *wall.point(t, depth / 2 + WALL_GAP / 2), yaw, middle - height / 2)
+    cost = 30.0 * (site.wall_conflict(rect, takers) > 0.0) + 20.0 * site.wall_conflict(rect, takers)
+    cost += 1.2 * site.wall_conflict((rect[0] - 0.4, rect[1], rect[2] + 0.4, rect[3]), takers)
+    cost += 0.8 * abs(t - wall.length / 2) / wall.length * (1 + role.prefer.get("centre", 0)) - bonus
+    cost += role.prefer.get("long", 0.0) * (1 - wall.length / max(w.length for w in site.room.walls))
+    cost += _crowding(site, name, member) + _sight(site, name, member)
+    if role.prefer.get("door"):
+        cost += role.prefer["door"] * _door_cost(site, member)
+    return cost, Spot(member, "hang", wall.index, owner)
+
+
+def _below(site: Site, name: str, wall: Wall, t: float) -> tuple[str | None, float, float]:
+    """Return what stands below that place and the thing belongs over, what that is worth, and the height it reaches."""
+    role, width = site.cast[name].role, site.size(name)[1]
+    top = 0.0
+    for other, spot in site.spots.items():
+        span = along_wall(spot.member, site.size(other), wall, near=0.15)
+        if span is None or spot.mode in ("hang", "ceiling", "rug"):
+            continue
+        reach = spot.member.bottom + site.size(other)[2]
+        if span[0] < t + width / 2 and span[1] > t - width / 2 and reach < 1.6:
+            top = max(top, reach)
+    for rank, wanted in enumerate(role.above):
+        for other, spot in site.spots.items():
+            if site.cast[other].role.name != wanted or spot.wall != wall.index:
+                continue
+            span = along_wall(spot.member, site.size(other), wall)
+            used = any(s.anchor == other and s.mode == "hang" for s in site.spots.values())
+            if span is not None and abs(sum(span) / 2 - t) < 0.03 and not used:
+                return other, 6.0 - rank, top
+    return None, 0.0, top
+
+
+def _crowding(site: Site, name: str, member: Member) -> float:
+    """Return a cost for hanging close to others of its kind, so that pictures spread over the room."""
+    same = [s.member for n, s in site.spots.items() if site.cast[n].role is site.cast[name].role and s.mode == "hang"]
+    return sum(max(0.0, 2.0 - math.hypot(m.x - member.x, m.y - member.y)) for m in same)
+
+
+def _door_cost(site: Site, member: Member) -> float:
+    """Return how far the nearest door is, as a share of the room."""
+    points = [site.room.walls[d.wall].point(d.center) for d in site.room.doors]
+    away = [math.dist(point, (member.x, member.y)) for point in points]
+    return -min(away) / math.sqrt(site.room.area) if away else 0.0
+
+
+def _sight(site: Site, name: str, member: Member) -> float:
+    """Return a cost for not being in front of what it serves (a screen before its sofa)."""
+    face = site.cast[name].role.face
+    costs = [0.0]
+    for other in targets(site, name) if face else ():
+        target = site.spots[other].member
+        dx, dy = member.x - target.x, member.y - target.y
+        away = max(math.hypot(dx, dy), 1e-6)
+        seen = (dx * math.cos(target.yaw) + dy * math.sin(target.yaw)) / away
+        costs.append((face.weight if face else 0.0) * (1 - seen))
+    return max(costs)
+
+
+def overhead(site: Site, names: Sequence[str]) -> None:
+    """Hang ceiling things: one over each thing they belong to, the rest evenly over the room."""
+    free: list[str] = []
+    used: set[str] = set()
+    for name in names:
+        owner = next((n for r in site.cast[name].role.above for n in site.spots if _is(site, n, r) and n not in used), None)
+        if owner is None:
+            free.append(name)
+            continue
+        used.add(owner)
+        there = site.spots[owner].member
+        turned = site.size(name)[1] > site.size(name)[0] and site.size(owner)[0] > site.size(owner)[1]
+        _hang_from_ceiling(site, name, (there.x, there.y), there.yaw + (math.pi / 2 if turned else 0.0), owner)
+    for name, point in zip(free, _spread(site, len(free)), strict=True):
+        _hang_from_ceiling(site, name, point, 0.0, None)
+
+
+def _is(site: Site, name: str, role: str) -> bool:
+    return site.cast[name].role.name == role
+
+
+def _hang_from_ceiling(
+    site: Site, name: str, point: tuple[float, float], yaw: float, owner: str | None
+) -> None:
+    bottom = site.room.wall_height - site.size(name)[2]
+    site.spots[name] = Spot(Member(name, *point, yaw, bottom), "ceiling", None, owner)
+
+
+def _spread(site: Site, count: int) -> list[tuple[float, float]]:
+    """Return points that share the floor evenly, by a few rounds of Lloyd's algorithm from a fixed start."""
+    if not count:
+        return []
+    i, j = np.nonzero(site.floor.inside)
+    stride = max(1, len(i) // 4000)
+    points = np.stack([i[::stride], j[::stride]], -1) + 0.5
+    order = np.lexsort((points[:, 1], points[:, 0])) if np.ptp(points[:, 0]) > np.ptp(points[:, 1]) else np.lexsort(points.T)
+    seeds = np.array([part.mean(0) for part in np.array_split(points[order], count)])
+    for _ in range(30):
+        nearest = np.argmin(((points[:, None] - seeds[None]) ** 2).sum(-1), axis=1)
+        seeds = np.array([points[nearest == k].mean(0) if (nearest == k).any() else seeds[k] for k in range(count)])
+    world = seeds * site.floor.cell + np.asarray(site.floor.origin)
+    return [(float(x), float(y)) for x, y in world]
+
+
+def lay_rugs(site: Site, names: Sequence[str]) -> None:
+    """Lay each rug under what it belongs to, moved and turned so that it fits the room."""
+    used: set[str] = set()
+    for name in names:
+        owner = next((n for r in site.cast[name].role.above for n in site.spots if _is(site, n, r) and n not in used), None)
+        if owner is None:
+            pose = (*_spread(site, 1)[0], 0.0)
+        else:
+            used.add(owner)
+            there = site.spots[owner].member
+            ahead = site.size(owner)[0] * 0.3 if _is(site, owner, "bed") else 0.0
+            pose = there.x + ahead * math.cos(there.yaw), there.y + ahead * math.sin(there.yaw), there.yaw
+        site.spots[name] = Spot(_fitted(site, name, pose), "rug", None, owner)
+
+
+def _fitted(site: Site, name: str, pose: tuple[float, float, float]) -> Member:
+    """Return the place nearest to `pose`, turned by a right angle if need be, at which a flat thing is inside the room."""
+    shifts = [0.1 * k for k in range(-8, 9)]
+    options = sorted(
+        (abs(dx) + abs(dy) + (0.3 if turn else 0.0), turn, dx, dy) for turn in (0.0, math.pi / 2) for dx in shifts for dy in shifts
+    )
+    cluster = Cluster(name, (Member(name, 0.0, 0.0, 0.0),))
+    poses = np.array([(pose[0] + dx, pose[1] + dy, pose[2] + turn) for _, turn, dx, dy in options])
+    outside = _outside(site, cluster, poses)
+    best = int(np.argmin(outside > 0.0)) if (outside <= 0.0).any() else int(np.argmin(outside))
+    return Member(name, *(float(v) for v in poses[best]))
+
+
+def _outside(site: Site, cluster: Cluster, poses: np.ndarray) -> np.ndarray:  # type: ignore[type-arg]
+    """Return the share of a flat thing that lies outside the room, per pose."""
+    from robolayout.planners._floor import moved, rect_points
+
+    depth, width, _ = site.size(cluster.anchor)
+    points = moved(rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.03, 0.15), poses)
+    i, j, on_grid = site.floor.look(points)
+    return (~on_grid | ~site.floor.inside[i, j]).mean(axis=-1)

@@ -1,0 +1,181 @@
+"""Places where a cluster could stand: along walls, in corners, on the open floor, before what it faces, on a wall, overhead."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.planners._cluster import Cluster
+from robolayout.planners._member import Member
+from robolayout.planners._site import Poses, Site, along_wall
+from robolayout.scene import Wall
+
+WALL_STEP = 0.1
+"""Metres between places tried along a wall."""
+
+WALL_GAP = 0.01
+"""Metres left between a back and its wall."""
+
+DOOR_MARGIN = 0.05
+"""Metres left beside a door."""
+
+
+@dataclass(frozen=True)
+class Batch:
+    """Places of one kind for one cluster.
+
+    Attributes:
+        mode: How the anchor stands there.
+        cluster: The cluster, perhaps mirrored.
+        poses: (n, 3) metres and radians, of the anchor.
+        walls: Index of the wall of each place, or -1.
+        anchors: Name of what each place is for ("" if nothing).
+    """
+
+    mode: str
+    cluster: Cluster
+    poses: Poses
+    walls: NDArray[np.int64]
+    anchors: tuple[str, ...] = ()
+
+
+def batches(site: Site, cluster: Cluster, modes: Sequence[str]) -> list[Batch]:
+    """Return all places for a floor cluster, for it and its mirror image."""
+    found: list[Batch] = []
+    lopsided = len(cluster.members) > 1 and any(abs(m.y) > 0.02 for m in cluster.members)
+    for variant in (cluster, cluster.mirrored()) if lopsided else (cluster,):
+        for mode in modes:
+            poses, walls, anchors = _PLACES[mode](site, variant)
+            if len(poses):
+                found.append(Batch(mode, variant, np.array(poses), np.array(walls), tuple(anchors)))
+    return found
+
+
+Found = tuple[list[tuple[float, float, float]], list[int], list[str]]
+
+
+def wall_yaw(wall: Wall) -> float:
+    """Return the heading of a thing whose back is at the wall, radians."""
+    return math.atan2(wall.normal[1], wall.normal[0])
+
+
+def _offsets(site: Site, wall: Wall, width: float) -> list[float]:
+    """Return places along a wall for a thing of that width: both ends, the middle, beside what stands there, and steps."""
+    low, high = width / 2 + WALL_GAP, wall.length - width / 2 - WALL_GAP
+    if high < low:
+        return []
+    marks = [low, high, wall.length / 2]
+    for name, spot in site.spots.items():
+        span = along_wall(spot.member, site.size(name), wall)
+        if span is not None and spot.member.bottom < 0.01:
+            marks += [span[0] - width / 2 - 0.02, span[1] + width / 2 + 0.02]
+    for opening in (*site.room.doors, *site.room.windows):
+        if opening.wall == wall.index:
+            ends = (opening.offset - DOOR_MARGIN, opening.offset + opening.width + DOOR_MARGIN)
+            marks += [ends[0] - width / 2, ends[1] + width / 2, opening.center]
+    marks += list(np.arange(low, high, WALL_STEP))
+    return sorted({round(float(t), 3) for t in marks if low - 1e-6 <= t <= high + 1e-6})
+
+
+def _at_walls(site: Site, cluster: Cluster) -> Found:
+    depth, width, _ = site.size(cluster.anchor)
+    back = max(depth / 2, *(_behind(member, site) for member in cluster.members))
+    found: Found = ([], [], [])
+    for wall in site.room.walls:
+        for t in _offsets(site, wall, width):
+            found[0].append((*wall.point(t, back + WALL_GAP), wall_yaw(wall)))
+            found[1].append(wall.index)
+            found[2].append("")
+    return found
+
+
+def _behind(member: Member, site: Site) -> float:
+    """Return how far a floor member reaches behind the anchor's centre, metres."""
+    if not site.on_floor(member):
+        return 0.0
+    depth, width, _ = site.size(member.name)
+    c, s = abs(math.cos(member.yaw)), abs(math.sin(member.yaw))
+    return (c * depth + s * width) / 2 - member.x
+
+
+def _in_corners(site: Site, cluster: Cluster) -> Found:
+    depth, width, _ = site.size(cluster.anchor)
+    found: Found = ([], [], [])
+    for wall in site.room.walls:
+        for t in (width / 2 + 0.04, wall.length - width / 2 - 0.04):
+            if width < wall.length:
+                found[0].append((*wall.point(t, depth / 2 + 0.04), wall_yaw(wall)))
+                found[1].append(wall.index)
+                found[2].append("")
+    return found
+
+
+def room_yaws(site: Site) -> list[float]:
+    """Return the four headings along and across the longest wall."""
+    longest = max(site.room.walls, key=lambda wall: (wall.length, -wall.index))
+    base = wall_yaw(longest)
+    return [base + k * math.pi / 2 for k in range(4)]
+
+
+def _in_the_middle(site: Site, cluster: Cluster) -> Found:
+    left, bottom, right, top = site.room.bounds
+    step = max(0.15, math.sqrt((right - left) * (top - bottom)) / 30)
+    xs, ys = np.arange(left + 0.3, right - 0.29, step), np.arange(bottom + 0.3, top - 0.29, step)
+    grid = np.stack(np.meshgrid(xs, ys, indexing="ij"), -1).reshape(-1, 2)
+    grid = np.concatenate([grid, [centroid(site)]])
+    blocked = site.floor.blocked(grid[:, None, :], landings=True) > 0
+    found: Found = ([], [], [])
+    for yaw in room_yaws(site):
+        for x, y in grid[~blocked]:
+            found[0].append((float(x), float(y), yaw))
+            found[1].append(-1)
+            found[2].append("")
+    return found
+
+
+def _before_what_it_faces(site: Site, cluster: Cluster) -> Found:
+    face = site.cast[cluster.anchor].role.face
+    found: Found = ([], [], [])
+    for name in targets(site, cluster.anchor):
+        target = site.spots[name].member
+        if face is None:
+            break
+        turn = math.pi if face.how == "toward" else 0.0
+        low, high = face.distance
+        for distance in np.arange(low, min(high, 8.0) + 0.01, 0.1):
+            x = target.x + float(distance) * math.cos(target.yaw)
+            y = target.y + float(distance) * math.sin(target.yaw)
+            found[0].append((x, y, target.yaw + turn))
+            found[1].append(-1)
+            found[2].append(name)
+    return found
+
+
+def targets(site: Site, name: str) -> list[str]:
+    """Return the placed assets that an asset should face, of the first kind that is there."""
+    face = site.cast[name].role.face
+    for role in face.roles if face else ():
+        there = [other for other in site.spots if site.cast[other].role.name == role]
+        if there:
+            return there
+    return []
+
+
+def centroid(site: Site) -> tuple[float, float]:
+    """Return the middle of the room's floor (inside it, for concave rooms: the inner cell nearest to it)."""
+    i, j = np.nonzero(site.floor.inside)
+    k = int(np.argmin((i - i.mean()) ** 2 + (j - j.mean()) ** 2))
+    cell, (left, bottom) = site.floor.cell, site.floor.origin
+    return (left + cell * (float(i[k]) + 0.5), bottom + cell * (float(j[k]) + 0.5))
+
+
+_PLACES = {
+    "wall": _at_walls,
+    "corner": _in_corners,
+    "middle": _in_the_middle,
+    "facing": _before_what_it_faces,
+}

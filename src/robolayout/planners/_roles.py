@@ -1,0 +1,190 @@
+"""Which role each asset plays, and what it joins: the hierarchy behind groups and programs."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+
+from robolayout.assets import Category, category_of
+from robolayout.planners._knowledge import Join, Knowledge, Role
+from robolayout.scene import Asset, Scene
+
+TOP_HEIGHT = 1.45
+"""Metres above which nothing is put on a top: out of sight and of most hands."""
+
+TOP_SHARE = 0.75
+"""Share of a top that may be covered."""
+
+FALLBACKS = ("thing on a wall", "thing on the ceiling", "thing on a top", "covering", "tall thing", "small thing", "big thing")
+"""Roles of what nobody knows, chosen by flags, size and shape; written in knowledge/unknown.toml."""
+
+
+@dataclass(frozen=True)
+class Cast:
+    """An asset in its role.
+
+    Attributes:
+        asset: The asset.
+        role: What it is for.
+        category: What the catalogue knows about it.
+        anchor: Name of the asset it joins; None if it stands by itself.
+        join: How it joins that asset.
+    """
+
+    asset: Asset
+    role: Role
+    category: Category
+    anchor: str | None = None
+    join: Join | None = None
+
+    @property
+    def name(self) -> str:
+        """The asset's name."""
+        return self.asset.name
+
+    @property
+    def joined(self) -> Join:
+        """How it joins its anchor; only for those that have one."""
+        if self.join is None:
+            raise ValueError(f"{self.name} stands by itself")
+        return self.join
+
+
+def cast_scene(scene: Scene, knowledge: Knowledge) -> dict[str, Cast]:
+    """Give every asset a role and, where its role asks for it, an asset to join; in the order of the scene."""
+    finder = _role_finder(knowledge)
+    cast: dict[str, Cast] = {}
+    for asset in scene.assets:
+        category = category_of(asset)
+        cast[asset.name] = Cast(asset, finder(asset, category), category)
+    taken: dict[tuple[str, str], int] = {}
+    covered: dict[str, float] = {}
+    for name in sorted(cast, key=lambda n: (cast[n].role.rank, -_footprint(cast[n].asset))):
+        found = _anchor(cast[name], cast, taken, covered)
+        if found is None:
+            continue
+        anchor, join = found
+        cast[name] = replace(cast[name], anchor=anchor, join=join)
+        taken[anchor, cast[name].role.name] = taken.get((anchor, cast[name].role.name), 0) + 1
+        if join.slot in ("on", "setting"):
+            covered[anchor] = covered.get(anchor, 0.0) + _footprint(cast[name].asset)
+    return cast
+
+
+def _footprint(asset: Asset) -> float:
+    return asset.size[0] * asset.size[1]
+
+
+def _role_finder(knowledge: Knowledge) -> Callable[[Asset, Category], Role]:
+    """Return a function that finds an asset's role: by its words, by the catalogue's name for it, by its shape."""
+    by_name = {name: role for role in knowledge.roles.values() for name in role.names}
+    by_word = {word: role for role in knowledge.roles.values() for word in role.words}
+
+    def find(asset: Asset, category: Category) -> Role:
+        words = _normal(asset.category)
+        for name in (words, category.name):
+            role = by_name.get(name)
+            if role is not None and _fits(role, asset):
+                return role
+        for size in range(len(words.split()), 0, -1):
+            role = by_word.get(" ".join(words.split()[-size:]))
+            if role is not None and _fits(role, asset):
+                return role
+        return knowledge.roles[fallback(asset)]
+
+    return find
+
+
+def _normal(text: str) -> str:
+    return " ".join(re.findall(r"[^\W_]+", text.lower()))
+
+
+def _fits(role: Role, asset: Asset) -> bool:
+    """Whether the asset's flags allow any way of standing that the role knows."""
+    allowed = {
+        "hang": asset.on_wall,
+        "ceiling": asset.on_ceiling,
+        "rug": asset.on_floor and asset.size[2] <= 0.1,
+    }
+    if any(allowed.get(mode, asset.on_floor) for mode in role.stands):
+        return True
+    return any(join_allowed(join, asset) for join in role.joins)
+
+
+def join_allowed(join: Join, asset: Asset) -> bool:
+    """Whether the asset's flags allow it to join in that way."""
+    return asset.on_object if join.slot in ("on", "setting") else asset.on_floor
+
+
+def fallback(asset: Asset) -> str:
+    """Return the role of an unknown asset: flags first, then size and shape."""
+    depth, width, height = asset.size
+    if asset.is_flat:
+        return "covering"
+    if asset.on_floor:
+        if depth * width > 0.9 and height < 1.2 and min(depth, width) > 0.6:
+            return "big thing"
+        return "tall thing" if height >= 0.6 and depth * width > 0.2 else "small thing"
+    if asset.on_object:
+        return "thing on a top"
+    return "thing on the ceiling" if asset.on_ceiling else "thing on a wall"
+
+
+def _anchor(
+    item: Cast, cast: Mapping[str, Cast], taken: Mapping[tuple[str, str], int], covered: Mapping[str, float]
+) -> tuple[str, Join] | None:
+    """Return what the item joins: of the first fitting kind, the one with fewest like it."""
+    for join in item.role.joins:
+        if not join_allowed(join, item.asset):
+            continue
+        for wanted in join.of:
+            free = [
+                (taken.get((name, item.role.name), 0), -_score(other), order, name)
+                for order, (name, other) in enumerate(cast.items())
+                if name != item.name
+                and (other.role.name == wanted or (wanted == "*" and other.role.top))
+                and taken.get((name, item.role.name), 0) < join.most
+                and not _depends(name, item.name, cast)
+                and _room_for(item.asset, other.asset, join, covered.get(name, 0.0))
+            ]
+            if free:
+                return (min(free)[3], join)
+    if item.asset.on_object and not (item.asset.on_floor or item.asset.on_wall or item.asset.on_ceiling):
+        return _any_top(item, cast, covered)
+    return None
+
+
+def _score(other: Cast) -> float:
+    """Return how welcome further things are: bigger tops first."""
+    return _footprint(other.asset) if other.role.top else 0.0
+
+
+def _any_top(item: Cast, cast: Mapping[str, Cast], covered: Mapping[str, float]) -> tuple[str, Join] | None:
+    """Return the best top for what can stand nowhere else, however unlikely that top is."""
+    best = [
+        (other.asset.size[2] > TOP_HEIGHT, covered.get(name, 0.0) - _footprint(other.asset), name)
+        for name, other in cast.items()
+        if name != item.name and other.asset.on_floor and not other.asset.is_flat and not _depends(name, item.name, cast)
+    ]
+    return (min(best)[2], Join("on", ("*",), say=("on_top_of({a}, {b})",))) if best else None
+
+
+def _room_for(asset: Asset, other: Asset, join: Join, covered: float) -> bool:
+    if join.slot not in ("on", "setting"):
+        return not other.is_flat
+    depth, width, height = other.size
+    fits = max(asset.size[:2]) <= max(depth, width) + 0.02 and min(asset.size[:2]) <= min(depth, width) + 0.02
+    return fits and height <= TOP_HEIGHT and covered + _footprint(asset) <= TOP_SHARE * depth * width
+
+
+def _depends(name: str, on: str, cast: Mapping[str, Cast]) -> bool:
+    """Whether `name` stands, directly or not, at `on`."""
+    seen: set[str] = set()
+    current: str | None = name
+    while current is not None and current not in seen:
+        if current == on:
+            return True
+        seen.add(current)
+        current = cast[current].anchor
+    return False

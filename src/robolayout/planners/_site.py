@@ -1,0 +1,265 @@
+"""The room while it is being furnished: what stands where, and what a new cluster at a given place would cost.
+
+All costs are plain sums. One square metre of conflict between bodies costs 100; everything else is a matter of taste between 0
+and about 6, so that a clash is only ever accepted where nothing else is left.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.planners._cluster import Cluster
+from robolayout.planners._floor import Floor, Points, moved, rect_points
+from robolayout.planners._member import Member, Rect, box_of, overlaps
+from robolayout.planners._roles import Cast
+from robolayout.scene import Room, Scene, Wall
+
+Poses = NDArray[np.float64]
+
+CLASH = 100.0
+"""Cost of a square metre of clash."""
+
+
+@dataclass(frozen=True)
+class Spot:
+    """Where one asset was put, and why.
+
+    Attributes:
+        member: The asset in the world frame; `bottom` is its height above the floor.
+        mode: How it stands ("wall", "corner", "middle", "facing", "grid", "hang", "ceiling", "rug", "join", "given").
+        wall: Index of its wall, or None.
+        anchor: The asset it joins, faces, hangs over or lies under.
+        cell: Its number in the grid it is part of, and the grid.
+    """
+
+    member: Member
+    mode: str
+    wall: int | None = None
+    anchor: str | None = None
+    grid: GridPlan | None = None
+
+
+@dataclass(frozen=True)
+class GridPlan:
+    """A block of equal clusters in rows.
+
+    Attributes:
+        names: Anchors, row by row.
+        rows: Number of rows.
+        columns: Number of columns.
+        aisle: Metres between the boxes of one row and the next.
+        gap: Metres between neighbours in a row.
+        paired: Whether every second row is turned to stand back to back with the one before.
+    """
+
+    names: tuple[str, ...]
+    rows: int
+    columns: int
+    aisle: float
+    gap: float
+    paired: bool
+
+
+@dataclass(frozen=True)
+class Strip:
+    """A strip before one side of a floor thing, as points in its cluster's frame; one per `owner` is enough if `any_of`."""
+
+    owner: str
+    points: Points
+    any_of: bool
+
+
+@dataclass
+class Site:
+    """The state of the search.
+
+    Attributes:
+        scene: The scene.
+        cast: Assets in their roles.
+        floor: The grid.
+        corridor: Metres that the agent needs to pass.
+        spots: What is placed, by name, in the order of placing.
+    """
+
+    scene: Scene
+    cast: Mapping[str, Cast]
+    floor: Floor
+    corridor: float
+    spots: dict[str, Spot] = field(default_factory=dict[str, Spot])
+
+    @staticmethod
+    def of(scene: Scene, cast: Mapping[str, Cast]) -> Site:
+        """Return the empty site of a scene."""
+        corridor = max(0.6, 2 * max(agent.radius for agent in scene.agents) + 0.06)
+        return Site(scene, cast, Floor.of(scene.room, corridor), corridor)
+
+    def copy(self) -> Site:
+        """Return an independent copy."""
+        return replace(self, floor=self.floor.copy(), spots=dict(self.spots))
+
+    @property
+    def room(self) -> Room:
+        """The room."""
+        return self.scene.room
+
+    def size(self, name: str) -> tuple[float, float, float]:
+        """Return an asset's size."""
+        return self.scene.by_name[name].size
+
+    def on_floor(self, member: Member) -> bool:
+        """Whether a member takes floor space."""
+        return member.bottom < 0.01 and not self.scene.by_name[member.name].is_flat
+
+    def bodies(self, cluster: Cluster) -> list[tuple[Points, float]]:
+        """Return the footprint points and area of every floor member, in the cluster's frame."""
+        found: list[tuple[Points, float]] = []
+        for member in cluster.members:
+            if self.on_floor(member):
+                depth, width, _ = self.size(member.name)
+                step = 0.1 if depth * width < 1.0 else 0.16
+                rect = (-depth / 2, -width / 2, depth / 2, width / 2)
+                found.append((_placed(rect_points(rect, 0.035, step), member), depth * width))
+        return found
+
+    def strips(self, cluster: Cluster) -> list[Strip]:
+        """Return the strips that the floor members want clear, less what the cluster itself fills."""
+        boxes = [box_of(member, self.size(member.name)) for member in cluster.members if self.on_floor(member)]
+        found: list[Strip] = []
+        for member in cluster.members:
+            if not self.on_floor(member):
+                continue
+            wishes, any_of = self._wishes(self.cast[member.name])
+            for side, depth in wishes.items():
+                rect = _strip_rect(self.size(member.name), side, depth)
+                points = _placed(rect_points(rect, 0.04, 0.15), member)
+                own = np.zeros(len(points), np.bool_)
+                for box in boxes:
+                    own |= _within(points, box)
+                if own.mean() < 0.6:
+                    found.append(Strip(member.name, points[~own], any_of))
+        return found
+
+    def _wishes(self, item: Cast) -> tuple[dict[str, float], bool]:
+        """Return the depth in metres that each side of an asset wants clear, and whether one side is enough."""
+        if item.role.clear:
+            depth = {side: self.corridor if value <= 0 else value for side, value in item.role.clear.items()}
+            return depth, item.role.prefer.get("any_side", 0) > 0
+        sides = item.asset.use_sides or item.category.use_sides
+        front = max(item.category.open_depth, self.corridor)
+        return {side: front if side == "front" else self.corridor for side in sides}, len(sides) > 1
+
+    def base_cost(self, cluster: Cluster, poses: Poses) -> NDArray[np.float64]:
+        """Return the cost (n,) of clashes, of standing where others want room, and of having no room before it."""
+        cost = np.zeros(len(poses))
+        for points, area in self.bodies(cluster):
+            world = moved(points, poses)
+            cost += CLASH * area * self.floor.blocked(world, landings=True)
+            cost += 4.0 * math.sqrt(area) * np.minimum(self.floor.wish(world), 2.0)
+        strips: dict[str, list[NDArray[np.float64]]] = {}
+        choices: dict[str, bool] = {}
+        for strip in self.strips(cluster):
+            choices[strip.owner] = strip.any_of
+            blocked = self.floor.blocked(moved(strip.points, poses), landings=False)
+            strips.setdefault(strip.owner, []).append(blocked)
+        for owner, values in strips.items():
+            stack = np.stack(values)
+            cost += 6.0 * (stack.min(0) if choices[owner] else stack.max(0)) + 1.0 * stack.mean(0)
+        return cost
+
+    def put(self, cluster: Cluster, pose: NDArray[np.float64], mode: str, wall: int | None, anchor: str | None) -> None:
+        """Place a cluster: record its members and mark the floor."""
+        x, y, yaw = (float(value) for value in pose)
+        world = [member.moved(x, y, yaw) for member in cluster.members]
+        for member, here in zip(cluster.members, world, strict=True):
+            item = self.cast[member.name]
+            first = member.name == cluster.anchor
+            spot = Spot(here, mode if first else "join", wall if first else None, anchor if first else item.anchor)
+            self.spots[member.name] = spot
+        self.mark(world)
+        for strip in self.strips(cluster):
+            points = moved(strip.points, np.array([[x, y, yaw]]))[0]
+            i, j, on_grid = self.floor.look(points)
+            keep = on_grid & self.floor.inside[i, j]
+            self.floor.wanted[self._patch(i[keep], j[keep])] += 0.5 if strip.any_of else 1.0
+
+    def mark(self, members: Sequence[Member]) -> None:
+        """Mark the floor that members in the world frame take."""
+        for member in members:
+            if self.on_floor(member):
+                cells = self.floor.cells([corners_of(member, self.size(member.name))])
+                self.floor.body[cells] += 1
+
+    def _patch(self, i: NDArray[np.intp], j: NDArray[np.intp]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """Return all cells around sample points 0.15 m apart, each once."""
+        reach = max(1, round(0.075 / self.floor.cell))
+        mask = np.zeros(self.floor.inside.shape, np.bool_)
+        nx, ny = mask.shape
+        for di in range(-reach, reach + 1):
+            for dj in range(-reach, reach + 1):
+                mask[(i + di).clip(0, nx - 1), (j + dj).clip(0, ny - 1)] = True
+        return np.nonzero(mask)
+
+    def wall_takers(self, wall: Wall) -> list[tuple[Rect, str]]:
+        """Return what covers a wall: (start, low, end, high) along it and up it, in metres, with a name each."""
+        takers: list[tuple[Rect, str]] = []
+        for kind, openings in (("door", self.room.doors), ("window", self.room.windows)):
+            takers += [
+                ((o.offset, o.sill, o.offset + o.width, o.sill + o.height), kind)
+                for o in openings
+                if o.wall == wall.index
+            ]
+        for name, spot in self.spots.items():
+            span = along_wall(spot.member, self.size(name), wall)
+            if span is not None and spot.mode not in ("ceiling", "rug"):
+                takers.append(((span[0], spot.member.bottom, span[1], spot.member.bottom + self.size(name)[2]), name))
+        return takers
+
+    def wall_conflict(self, rect: Rect, takers: Sequence[tuple[Rect, str]], margin: float = 0.05) -> float:
+        """Return the share of a rectangle on a wall that something else covers, at most 1."""
+        area = max((rect[2] - rect[0]) * (rect[3] - rect[1]), 1e-6)
+        total = 0.0
+        for other, _ in takers:
+            if overlaps(rect, other, margin):
+                wide = min(rect[2], other[2]) - max(rect[0], other[0]) + margin
+                high = min(rect[3], other[3]) - max(rect[1], other[1]) + margin
+                total += wide * high / area
+        return min(total, 1.0)
+
+
+def corners_of(member: Member, size: tuple[float, float, float]) -> Points:
+    """Return the four corners (4, 2) of a member's footprint, counter-clockwise."""
+    hx, hy = size[0] / 2, size[1] / 2
+    return _placed(np.array([(hx, -hy), (hx, hy), (-hx, hy), (-hx, -hy)]), member)
+
+
+def along_wall(member: Member, size: tuple[float, float, float], wall: Wall, near: float = 0.35) -> tuple[float, float] | None:
+    """Return the interval along a wall that a thing closer than `near` metres covers, or None."""
+    corners = corners_of(member, size) - np.asarray(wall.start)
+    along, depth = corners @ np.asarray(wall.direction), corners @ np.asarray(wall.normal)
+    if depth.min() > near or depth.min() < -0.3 or along.max() < 0 or along.min() > wall.length:
+        return None
+    return (float(along.min()), float(along.max()))
+
+
+def _placed(points: Points, member: Member) -> Points:
+    return moved(points, np.array([[member.x, member.y, member.yaw]]))[0]
+
+
+def _within(points: Points, rect: Rect) -> NDArray[np.bool_]:
+    x, y = points[:, 0], points[:, 1]
+    return (x > rect[0]) & (x < rect[2]) & (y > rect[1]) & (y < rect[3])
+
+
+def _strip_rect(size: tuple[float, float, float], side: str, depth: float) -> Rect:
+    hx, hy = size[0] / 2, size[1] / 2
+    return {
+        "front": (hx, -hy, hx + depth, hy),
+        "back": (-hx - depth, -hy, -hx, hy),
+        "left": (-hx, hy, hx, hy + depth),
+        "right": (-hx, -hy - depth, hx, -hy),
+    }[side]

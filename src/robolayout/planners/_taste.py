@@ -1,0 +1,108 @@
+"""What makes one free place better than another: costs between 0 and about 6 per wish, smaller is better."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.planners._places import Batch, centroid, targets
+from robolayout.planners._site import Site
+
+Cost = NDArray[np.float64]
+
+BLOCKED_WINDOW = 5.0
+"""Cost of a tall thing that hides a whole window or a board."""
+
+
+def taste(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
+    """Return the cost (n,) of a batch of places for the wishes of its anchor's role."""
+    cost = np.zeros(len(batch.poses))
+    if batch.mode in ("wall", "corner"):
+        cost += _along_walls(site, batch, weights)
+    spread = math.sqrt(site.room.area)
+    xy = batch.poses[:, :2]
+    if weights.get("door") and site.room.doors:
+        doors = [site.room.walls[d.wall].point(d.center) for d in site.room.doors]
+        away = np.min([np.hypot(xy[:, 0] - x, xy[:, 1] - y) for x, y in doors], axis=0) / spread
+        weight = weights["door"]
+        cost += weight * np.maximum(0.0, 1.0 - away) if weight > 0 else -weight * np.minimum(away, 1.5)
+    if weights.get("middle"):
+        x, y = centroid(site)
+        cost += weights["middle"] * np.hypot(xy[:, 0] - x, xy[:, 1] - y) / spread
+    for key, weight in weights.items():
+        if key.startswith(("near ", "far ")):
+            cost += weight * _nearness(site, xy, key)
+    return cost + _facing(site, batch, weights.get("face", 1.0))
+
+
+def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
+    """Return the cost of where on its wall a thing stands and what it hides there."""
+    depth, width, height = site.size(batch.cluster.anchor)
+    longest = max(wall.length for wall in site.room.walls)
+    cost = np.zeros(len(batch.poses))
+    for wall in site.room.walls:
+        rows = batch.walls == wall.index
+        if not rows.any():
+            continue
+        along = (batch.poses[rows, :2] - np.asarray(wall.start)) @ np.asarray(wall.direction)
+        half, span = width / 2, max(wall.length - width, 0.05)
+        part = weights.get("centre", 0.0) * np.abs(along - wall.length / 2) / (span / 2)
+        part += weights.get("corner", 0.0) * np.minimum(along - half, wall.length - half - along) / (span / 2)
+        part += weights.get("long", 0.0) * (1 - wall.length / longest)
+        lit = np.zeros(len(along))
+        hidden = np.zeros(len(along))
+        for (start, low, end, high), kind in site.wall_takers(wall):
+            cover = np.clip(np.minimum(along + half, end) - np.maximum(along - half, start), 0.0, None)
+            if kind == "window":
+                lit = np.maximum(lit, cover / width)
+            if kind != "door" and low > 0.1:
+                tall = min(1.0, max(0.0, height - low) / (0.6 * max(high - low, 0.1)))
+                hidden += cover / (end - start) * tall
+        window = weights.get("window", 0.0)
+        part += window * (1 - np.minimum(lit * 1.5, 1.0)) if window > 0 else -window * np.minimum(lit * 1.5, 1.0)
+        cost[rows] = part + BLOCKED_WINDOW * np.minimum(hidden, 1.0)
+    return cost + weights.get("tuck", 0.0) * _loose_ends(site, batch, depth, width)
+
+
+def _loose_ends(site: Site, batch: Batch, depth: float, width: float) -> Cost:
+    """Return how many of the two sides of a thing at a wall have an open gap beside them (0 to 1)."""
+    sides = np.array([(0.0, width / 2 + 0.12), (0.0, -width / 2 - 0.12)])
+    c, s = np.cos(batch.poses[:, 2]), np.sin(batch.poses[:, 2])
+    total = np.zeros(len(batch.poses))
+    for x, y in sides:
+        world = np.stack([batch.poses[:, 0] + c * x - s * y, batch.poses[:, 1] + s * x + c * y], -1)
+        total += 1.0 - site.floor.blocked(world[:, None, :], landings=False)
+    return total / 2
+
+
+def _nearness(site: Site, xy: NDArray[np.float64], key: str) -> Cost:
+    """Return the distance to the nearest thing of a role as a share of the room ("near"), or its complement ("far")."""
+    word, role = key.split(" ", 1)
+    there = [spot.member for name, spot in site.spots.items() if site.cast[name].role.name == role]
+    if not there:
+        return np.zeros(len(xy))
+    away = np.min([np.hypot(xy[:, 0] - m.x, xy[:, 1] - m.y) for m in there], axis=0) / math.sqrt(site.room.area)
+    return away if word == "near" else np.maximum(0.0, 1.0 - away)
+
+
+def _facing(site: Site, batch: Batch, factor: float) -> Cost:
+    """Return how badly places look at (or away from) what their role faces."""
+    face = site.cast[batch.cluster.anchor].role.face
+    names = targets(site, batch.cluster.anchor)
+    if face is None or not names:
+        return np.zeros(len(batch.poses))
+    costs: list[Cost] = []
+    low, high = face.distance
+    for name in names:
+        target = site.spots[name].member
+        dx, dy = target.x - batch.poses[:, 0], target.y - batch.poses[:, 1]
+        away = np.hypot(dx, dy)
+        turn = batch.poses[:, 2] + (0.0 if face.how == "toward" else math.pi)
+        ahead = (dx * np.cos(turn) + dy * np.sin(turn)) / np.maximum(away, 1e-6)
+        seen = -(dx * math.cos(target.yaw) + dy * math.sin(target.yaw)) / np.maximum(away, 1e-6)
+        outside = np.maximum(low - away, 0.0) + np.maximum(away - high, 0.0)
+        costs.append(1.5 * (1 - ahead) + 1.5 * (1 - seen) + np.minimum(outside, 2.0))
+    return factor * face.weight * np.min(costs, axis=0)

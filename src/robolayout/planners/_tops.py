@@ -1,0 +1,97 @@
+"""Small things on a top: place settings before seats, the rest where their kind belongs and a hand can get them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from robolayout.planners._member import MARGIN, Member, Rect, Size, box_of, overlaps
+
+STEP = 0.04
+"""Metres between the places tried on a top."""
+
+
+class Top:
+    """The top of one asset and what stands on it.
+
+    Args:
+        size: Size of the asset below.
+        sizes: Sizes of all assets by name.
+        placed: What stands at or on the asset already, in its frame.
+        reach: How far from the edge a thing may stand to be reached by the agent, metres.
+    """
+
+    def __init__(self, size: Size, sizes: Mapping[str, Size], placed: Sequence[Member], reach: float) -> None:
+        self.half = (size[0] / 2, size[1] / 2)
+        self.sizes = sizes
+        self.reach = reach
+        self.on_top = [member for member in placed if abs(member.bottom - size[2]) < 1e-6]
+        self.taken: list[Rect] = [box_of(member, sizes[member.name]) for member in self.on_top]
+
+    def put(self, items: Sequence[tuple[str, str, str]], seats: Sequence[Member]) -> list[Member]:
+        """Place things given as (name, where, slot) and return them; settings go to the seats in order."""
+        found: list[Member] = []
+        for i, (name, at, slot) in enumerate(items):
+            if slot == "setting" and i < len(seats):
+                member = self._at_seat(name, at, seats[i])
+                if not any(overlaps(box_of(member, self.sizes[name]), other) for other in self.taken):
+                    found.append(self._keep(member))
+                    continue
+            found.append(self._keep(self._free(name, at, i, len(items))))
+        return found
+
+    def _keep(self, member: Member) -> Member:
+        self.on_top.append(member)
+        self.taken.append(box_of(member, self.sizes[member.name]))
+        return member
+
+    def _at_seat(self, name: str, at: str, seat: Member) -> Member:
+        """Return where a plate, a glass or a fork belongs before a seat, heading as the guest looks."""
+        plate = next((self.sizes[m.name] for m in self.on_top if m.side == seat.name), (0.26, 0.26, 0.02))
+        ax, ay = self.sizes[name][0] / 2, self.sizes[name][1] / 2
+        beside = plate[1] / 2 + MARGIN + ay
+        inward, left = {
+            "plate": (ax, 0.0),
+            "left": (max(ax, plate[0] / 2), beside),
+            "right": (max(ax, plate[0] / 2), -beside),
+            "far left": (max(ax, plate[0] / 2), beside + 0.07),
+            "far right": (max(ax, plate[0] / 2), -beside - 0.07),
+            "glass": (plate[0] + MARGIN + ax, -plate[1] / 2),
+            "beyond": (plate[0] + MARGIN + ax, 0.0),
+        }[at]
+        c, s = round(math.cos(seat.yaw)), round(math.sin(seat.yaw))
+        inward += MARGIN
+        if c:
+            x, y = -c * (self.half[0] - inward), seat.y + c * left
+        else:
+            x, y = seat.x - s * left, -s * (self.half[1] - inward)
+        return Member(name, x, y, seat.yaw, side=seat.name)
+
+    def _free(self, name: str, at: str, i: int, count: int) -> Member:
+        """Return the free place nearest to where the i-th of `count` such things belongs."""
+        depth, width, _ = self.sizes[name]
+        turned = (depth > 2 * self.half[0] or width > 2 * self.half[1]) and depth <= 2 * self.half[1]
+        hx, hy = (width / 2, depth / 2) if turned else (depth / 2, width / 2)
+        rx, ry = max(self.half[0] - hx, 0.0), max(self.half[1] - hy, 0.0)
+        wx, wy = self._wanted(at, i, count, (rx, ry))
+        xs = [-rx + k * STEP for k in range(int(2 * rx / STEP) + 1)] + [wx]
+        ys = [-ry + k * STEP for k in range(int(2 * ry / STEP) + 1)] + [wy]
+        places = sorted((math.hypot(x - wx, y - wy), x, y) for x in xs for y in ys)
+        for _, x, y in places:
+            if not any(overlaps((x - hx, y - hy, x + hx, y + hy), other, MARGIN) for other in self.taken):
+                return Member(name, x, y, math.pi / 2 if turned else 0.0)
+        return Member(name, wx, wy, math.pi / 2 if turned else 0.0)
+
+    def _wanted(self, at: str, i: int, count: int, room: tuple[float, float]) -> tuple[float, float]:
+        """Return where the i-th of `count` things belongs on a top, within (+-room) of its middle."""
+        rx, ry = room
+        y = 0.0 if count == 1 else ry * (2 * (i + 0.5) / count - 1)
+        if at == "back":
+            return (-rx, y)
+        if at == "front":
+            return (max(0.0, rx - 0.03), y)
+        if at == "side":
+            return (0.0, ry * 0.85 if count == 1 else y)
+        if rx <= self.reach or at == "centre":
+            return (0.0, y)
+        return (0.0, max(0.0, ry - self.reach)) if count == 1 and at == "middle" else (max(0.0, rx - self.reach), y)

@@ -1,0 +1,65 @@
+"""The planner without a model: knowledge about rooms as data, geometry as code, program text as the answer."""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Iterable
+from pathlib import Path
+
+from robolayout.planners._furnish import furnish
+from robolayout.planners._knowledge import Knowledge, load_knowledge
+from robolayout.planners._roles import cast_scene
+from robolayout.planners._site import Site
+from robolayout.planners._types import Group, PlanRequest
+from robolayout.planners._write import StatementWriter, guess_lines, mentioned, wall_words
+from robolayout.planners.grouping import group_cast
+from robolayout.scene import Scene
+
+
+class OfflinePlanner:
+    """Plans rooms from the knowledge files, without a model, a key or a network.
+
+    Args:
+        knowledge: Files of your own, read after the built-in ones; their roles replace those of the same name.
+    """
+
+    def __init__(self, knowledge: Iterable[str | Path] = ()) -> None:
+        self.knowledge: Knowledge = load_knowledge(Path(path) for path in knowledge)
+
+    def __repr__(self) -> str:
+        return f"<offline planner with {len(self.knowledge.roles)} roles in {len(self.knowledge.orders)} groups>"
+
+    def group(self, scene: Scene) -> tuple[Group, ...]:
+        """Return all assets in groups, structural first, decorative last."""
+        return group_cast(cast_scene(scene, self.knowledge), self.knowledge)
+
+    def plan(self, request: PlanRequest) -> str:
+        """Return program text for the request; other feedback leads to another room."""
+        scene = request.scene
+        seed = request.seed if not request.feedback else zlib.crc32(f"{request.seed} {request.feedback}".encode())
+        cast = cast_scene(scene, self.knowledge)
+        placed = request.placed
+        site = furnish(scene, cast, placed, seed)
+        groups = (request.group,) if request.group else group_cast(cast, self.knowledge)
+        return _text(site, groups, set(placed or ()))
+
+
+def _text(site: Site, groups: Iterable[Group], known: set[str]) -> str:
+    """Write the program: per group a heading, the guesses, then the statements."""
+    scene = site.scene
+    lines = StatementWriter(site).lines()
+    text = ["# Walls: " + "; ".join(wall_words(wall, scene) for wall in scene.room.walls)]
+    for group in groups:
+        names = [name for name in site.spots if name in set(group.items) and name not in known]
+        text += ["", f"# {_one_line(group.label)}: {_one_line(group.rationale)}"]
+        for name in names:
+            text += guess_lines(site, name)
+        text += [line.text for line in mentioned(lines, names, known)]
+        known |= set(names)
+    return "\n".join(text) + "\n"
+
+
+def _one_line(text: str) -> str:
+    """Return text that cannot leave its comment line."""
+    return " ".join(text.split())
+
