@@ -8,7 +8,7 @@ from pathlib import Path
 
 from robolayout._errors import SceneError
 from robolayout.scene import reference
-from robolayout.scene._schema import Checker, inside, misspelt, show
+from robolayout.scene._schema import Checker, inside, is_file, misspelt, show
 from robolayout.scene.asset import Asset, variable_name
 
 MAX_ASSETS = 2000
@@ -105,7 +105,8 @@ def _asset(name: str, entry: Mapping[str, object], folders: list[Path], warnings
     where = f"asset {name!r}"
     warnings.extend(misspelt(entry, _KNOWN, where))
     category = entry.get("category", name.rpartition("-")[0].replace("_", " "))
-    words = " ".join(_CHECK.text(category, f"{where}: category", most=200).split())
+    text = _CHECK.text(category, f"{where}: category", most=200)
+    words = " ".join("".join(c if c.isprintable() else " " for c in text).split())
     if not words:
         raise SceneError(f"{where}: category is empty; say in a word or two what it is.")
     floor, wall, ceiling, thing = (_CHECK.flag(entry.get(key, False), f"{where}: {key}") for key in _FLAGS)
@@ -165,7 +166,7 @@ def _mesh(value: object, where: str, folders: list[Path]) -> Path | None:
             "move the mesh there or name its folder with --asset-dir."
         )
     for place in allowed:
-        if place.is_file():
+        if is_file(place):
             return place.resolve()
     raise SceneError(f"{where}: path {show(text)} does not exist; correct it or leave it out for a built-in shape.")
 

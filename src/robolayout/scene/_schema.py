@@ -26,7 +26,9 @@ MAX_LENGTH = 1000.0
 
 def show(value: object) -> str:
     """Return a short form of a value for a message."""
-    return str(value) if isinstance(value, (int, float)) and abs(value) < 1e15 else reprlib.repr(value)
+    if isinstance(value, int) and value.bit_length() > 100:
+        return f"a whole number of {value.bit_length()} bits"
+    return reprlib.repr(value)
 
 
 @dataclass(frozen=True)
@@ -93,6 +95,11 @@ class Checker:
             raise self.error(f"{where} must be a text, but is {show(value)}.")
         if len(value) > most:
             raise self.error(f"{where} has {len(value)} characters; at most {most} are allowed.")
+        try:
+            value.encode()
+        except UnicodeEncodeError as error:
+            message = f"{where} contains characters that are no text (a lone surrogate at {error.start})."
+            raise self.error(message) from None
         return value
 
     def flag(self, value: object, where: str) -> bool:
@@ -116,7 +123,7 @@ class Checker:
 
     def read_text(self, path: Path, what: str) -> str:
         """Return the text of a file of at most `MAX_FILE_BYTES`, in UTF-8."""
-        if not path.is_file():
+        if not is_file(path):
             raise self.error(f"{what} {path} does not exist; check the path.")
         try:
             with path.open("rb") as file:
@@ -148,4 +155,15 @@ def misspelt(keys: Iterable[str], known: Iterable[str], where: str) -> list[str]
 
 def inside(path: Path, folders: Iterable[Path]) -> bool:
     """Return whether `path`, links followed, lies in one of the folders."""
-    return any(path.resolve().is_relative_to(folder.resolve()) for folder in folders)
+    try:
+        return any(path.resolve().is_relative_to(folder.resolve()) for folder in folders)
+    except (OSError, ValueError, RuntimeError):  # too long, a null byte, a loop of links
+        return False
+
+
+def is_file(path: Path) -> bool:
+    """Return whether `path` is a file; a path that cannot exist is none."""
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False

@@ -70,5 +70,5 @@ class Agent:
 TOUCH = 0.10
 """Metres beyond its own disc at which every agent counts as having got to a thing."""
 
-DEFAULT_AGENT = Agent(name="disc", radius=0.30, height=1.5, title="disc of radius 0.30 m")
+DEFAULT_AGENT = Agent(name="disc", radius=0.30, height=1.5, reach_distance=0.75, title="disc of radius 0.30 m")
 """The agent of a scene that names none."""

@@ -197,6 +197,8 @@ def _load_profile(path: Path) -> Agent:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise AgentError(f"agent file {path} is not TOML: {error}.") from None
+    except RecursionError:
+        raise AgentError(f"agent file {path} is nested too deeply.") from None
     return agent_from_dict(data, name=path.stem)
 
 

@@ -61,8 +61,8 @@ FLAT_HEIGHT = 0.03
 
 
 _LANGUAGE = (
-    "solver, walls, room, assets, math, radians, degrees, pi, range, len, enumerate, zip, min, max, abs, sum, round, "
-    "print, int, float, str, bool, list, dict, tuple, set, sorted, reversed, any, all, map, filter"
+    "solver, walls, room, assets, assetinstance, math, radians, degrees, pi, range, len, enumerate, zip, min, "
+    "max, abs, sum, round, print, int, float, str, bool, list, dict, tuple, set, sorted, reversed, any, all, map, filter"
 )
 
 RESERVED_NAMES = frozenset(_LANGUAGE.split(", "))

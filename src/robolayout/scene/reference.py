@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from robolayout._errors import AssetError
-from robolayout.scene._schema import Checker, inside
+from robolayout.scene._schema import Checker, inside, is_file, show
 from robolayout.scene.asset import variable_name
 
 Entry = dict[str, object]
@@ -41,10 +41,10 @@ def look_up(keys: Iterable[str], asset_dir: Path) -> dict[str, tuple[str, Entry]
 def _entry(uid: str, asset_dir: Path) -> Entry:
     folder = asset_dir / uid
     if Path(uid).name != uid or not inside(folder, [asset_dir]):
-        raise AssetError(f"asset uid {uid!r:.80} is not the name of a folder inside {asset_dir}.")
+        raise AssetError(f"asset uid {show(uid)} is not the name of a folder inside {asset_dir}.")
     path = folder / "data.json"
-    if not path.is_file():
-        raise AssetError(f"asset {uid!r} is missing: there is no {path}; check --asset-dir.")
+    if not is_file(path):
+        raise AssetError(f"asset {show(uid)} is missing: there is no {path}; check --asset-dir.")
     where = f"{uid}/data.json"
     data = _CHECK.mapping(_CHECK.read_json(path, "asset file"), where)
     annotations = _CHECK.mapping(_CHECK.required(data, "annotations", where), f"{where}: annotations")
@@ -53,7 +53,7 @@ def _entry(uid: str, asset_dir: Path) -> Entry:
     entry |= {key: annotations[key] for key in _COPIED if key in annotations}
     entry["assetMetadata"] = {"boundingBox": _swapped(data, where)}
     mesh = folder / f"{uid}.glb"
-    if mesh.is_file():
+    if is_file(mesh):
         entry["path"] = str(mesh.resolve())
     return entry
 

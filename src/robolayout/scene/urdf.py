@@ -1,0 +1,295 @@
+"""An agent from a robot's URDF model: footprint and height of its collision geometry with all joints at zero.
+
+Boxes, cylinders, spheres and meshes are sampled as points, carried into the frame of the root link (x ahead, z up) and
+measured there. A body whose farthest point is hardly farther than its sides is a disc, every other a rectangle. The file
+is hostile: entities and document types are refused, and meshes are read only from the model's own package.
+"""
+
+from __future__ import annotations
+
+import io
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout._errors import AgentError
+from robolayout.scene._schema import Checker, inside, is_file, show
+from robolayout.scene.agent import Agent, Source
+
+MAX_PARTS = 2000
+"""Most links, most joints and most collision shapes of a model."""
+MAX_MESH_BYTES = 50_000_000
+"""Bytes of meshes read in all."""
+MAX_POINTS = 5_000_000
+"""Points on all collision shapes together."""
+ROUND = 1.1
+"""A body is a disc if its farthest point is at most this many times as far as its farthest side."""
+CLEARANCE = 0.03
+"""Metres kept free on each side of a rectangular body (rule of thumb)."""
+STEP = 0.03
+"""Metres that the body is taken to drive over; a URDF does not say."""
+MESH_SUFFIXES = (".stl", ".obj", ".ply")
+"""Kinds of mesh that are read."""
+
+Matrix = NDArray[np.float64]
+Element = ElementTree.Element
+
+_CHECK = Checker(AgentError)
+_CIRCLE = 64
+_BROKEN = (
+    ValueError,
+    LookupError,
+    TypeError,
+    AttributeError,
+    ArithmeticError,
+    AssertionError,
+    RuntimeError,
+    MemoryError,
+)
+"""What a mesh reader raises on a broken file."""
+
+
+@dataclass
+class _Model:
+    """The URDF that is being read, and what it may still use.
+
+    Attributes:
+        path: The file.
+        bytes_left: Bytes of meshes that may still be read.
+        points_left: Points that its shapes may still have.
+        meshes: Vertices of the meshes read so far, metres before scaling.
+    """
+
+    path: Path
+    bytes_left: int = MAX_MESH_BYTES
+    points_left: int = MAX_POINTS
+    meshes: dict[Path, Matrix] = field(default_factory=dict[Path, Matrix])
+
+    def fail(self, message: str) -> AgentError:
+        """Return an error about this file."""
+        return AgentError(f"agent file {self.path}: {message}")
+
+
+def load_urdf(path: Path) -> Agent:
+    """Return the agent whose body is the collision geometry of a URDF file."""
+    model = _Model(path)
+    robot = _robot(model)
+    elements = _children(robot, "link", model)
+    links = {link.get("name") or "": link for link in elements}
+    if len(links) < len(elements):
+        raise model.fail("has two links of one name; give each its own.")
+    shapes = _children(robot, "link/collision", model)
+    poses = _poses(robot, links, model)
+    clouds = [
+        _points(collision, model) @ pose[:3, :3].T + pose[:3, 3]
+        for name, pose in poses.items()
+        for collision in links[name].findall("collision")
+    ]
+    if not shapes:
+        raise model.fail("no link has collision geometry, so the body has no size; add <collision> elements.")
+    points = np.concatenate(clouds)
+    if not np.isfinite(points).all():
+        raise model.fail("its collision geometry has coordinates that are not finite.")
+    return _agent(points, robot.get("name") or path.stem)
+
+
+def _robot(model: _Model) -> Element:
+    """Return the root element, refusing whatever could expand or point elsewhere."""
+    text = _CHECK.read_text(model.path, "agent file")
+    if "<!DOCTYPE" in text.upper() or "<!ENTITY" in text.upper():
+        raise model.fail("document types and entities are not allowed; remove them.")
+    try:
+        robot = ElementTree.fromstring(text)
+    except ElementTree.ParseError as error:
+        raise model.fail(f"is not XML: {error}.") from None
+    if robot.tag != "robot":
+        raise model.fail(f"starts with <{show(robot.tag)}>, but a URDF starts with <robot>.")
+    if "<xacro:" in text or "${" in text:
+        raise model.fail("has xacro commands; run xacro first and give the plain URDF.")
+    return robot
+
+
+def _children(element: Element, tag: str, model: _Model) -> list[Element]:
+    found = element.findall(tag)
+    if len(found) > MAX_PARTS:
+        raise model.fail(f"has {len(found)} <{tag}> elements; at most {MAX_PARTS} are allowed.")
+    return found
+
+
+def _numbers(text: str | None, where: str, count: int) -> list[float]:
+    """Return the numbers of an attribute; zeros if it is not there."""
+    parts = (text or " ".join(["0"] * count)).split()
+    try:
+        values = [float(part) for part in parts]
+    except ValueError:
+        raise AgentError(f"{where} must be {count} numbers, but is {show(text)}.") from None
+    return list(_CHECK.numbers(values, where, (count,)))
+
+
+def _origin(element: Element, model: _Model) -> Matrix:
+    """Return the 4 x 4 transform of an element's <origin>: fixed-axis roll, pitch, yaw and translation."""
+    origin = element.find("origin")
+    pose = np.eye(4)
+    if origin is None:
+        return pose
+    where = f"agent file {model.path}: origin of <{element.tag}>"
+    roll, pitch, yaw = _numbers(origin.get("rpy"), f"{where}, rpy", 3)
+    cr, sr, cp, sp, cy, sy = (f(a) for a in (roll, pitch, yaw) for f in (math.cos, math.sin))
+    pose[:3, :3] = (
+        np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]])
+        @ np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
+        @ np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
+    )
+    pose[:3, 3] = _numbers(origin.get("xyz"), f"{where}, xyz", 3)
+    return pose
+
+
+def _poses(robot: Element, links: Mapping[str, Element], model: _Model) -> dict[str, Matrix]:
+    """Return each link's pose in the frame of the root link, all joints at zero."""
+    joints: dict[str, list[tuple[str, Matrix]]] = {}
+    parents: dict[str, str] = {}
+    for joint in _children(robot, "joint", model):
+        ends = [(end.get("link") or "") if (end := joint.find(tag)) is not None else "" for tag in ("parent", "child")]
+        for end in ends:
+            if end not in links:
+                raise model.fail(f"joint {show(joint.get('name'))} names the link {show(end)}, which does not exist.")
+        parent, child = ends
+        if child in parents:
+            raise model.fail(f"link {show(child)} has two parents; a URDF is a tree.")
+        parents[child] = parent
+        joints.setdefault(parent, []).append((child, _origin(joint, model)))
+    roots = [name for name in links if name not in parents]
+    if len(roots) != 1:
+        raise model.fail(f"has {len(roots)} root links; a URDF has exactly one link that is no joint's child.")
+    poses = {roots[0]: np.eye(4)}
+    waiting = [roots[0]]
+    while waiting:
+        name = waiting.pop()
+        for child, offset in joints.get(name, []):
+            poses[child] = poses[name] @ offset
+            waiting.append(child)
+    if len(poses) < len(links):
+        raise model.fail(f"link {show(next(n for n in links if n not in poses))} is part of a loop of joints.")
+    return poses
+
+
+def _points(collision: Element, model: _Model) -> Matrix:
+    """Return points (n, 3) on a collision shape, in the frame of its link."""
+    geometry = collision.find("geometry")
+    shape = next(iter(geometry), None) if geometry is not None else None
+    if shape is None:
+        raise model.fail("a <collision> has no <geometry>.")
+    where = f"agent file {model.path}: <{show(shape.tag)}>"
+    if shape.tag == "box":
+        half = np.array(_sizes(shape, "size", where, 3)) / 2
+        local = half * np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+    elif shape.tag == "cylinder":
+        (radius,), (length,) = _sizes(shape, "radius", where, 1), _sizes(shape, "length", where, 1)
+        ring = _circle(radius)
+        rise = np.array([0.0, 0.0, length / 2])
+        local = np.concatenate([ring + rise, ring - rise])
+    elif shape.tag == "sphere":
+        (radius,) = _sizes(shape, "radius", where, 1)
+        center = _origin(collision, model)[:3, 3]
+        return np.concatenate([_circle(radius), [(0, 0, radius), (0, 0, -radius)]]) + center
+    elif shape.tag == "mesh":
+        scale = _numbers(shape.get("scale") or "1 1 1", f"{where}: scale", 3)
+        local = _mesh(shape.get("filename") or "", model) * np.array(scale)
+    else:
+        raise model.fail(f"<{show(shape.tag)}> is no shape; allowed are box, cylinder, sphere and mesh.")
+    model.points_left -= len(local)
+    if model.points_left < 0:
+        raise model.fail(f"its collision shapes have more than {MAX_POINTS} points; simplify its meshes.")
+    pose = _origin(collision, model)
+    return local @ pose[:3, :3].T + pose[:3, 3]
+
+
+def _sizes(shape: Element, key: str, where: str, count: int) -> list[float]:
+    sizes = _numbers(_CHECK.text(shape.get(key, ""), f"{where}: {key}") or "nothing", f"{where}: {key}", count)
+    return [_CHECK.number(size, f"{where}: {key} (metres)", above=0.0) for size in sizes]
+
+
+def _circle(radius: float) -> Matrix:
+    turns = np.arange(_CIRCLE) * (2 * math.pi / _CIRCLE)
+    return np.stack([radius * np.cos(turns), radius * np.sin(turns), np.zeros(_CIRCLE)], axis=1)
+
+
+def _mesh(filename: str, model: _Model) -> Matrix:
+    """Return the vertices (n, 3) of a mesh file of the model's package."""
+    path = _find_mesh(filename, model)
+    if path not in model.meshes:
+        model.meshes[path] = _vertices(path, model)
+    return model.meshes[path]
+
+
+def _vertices(path: Path, model: _Model) -> Matrix:
+    import trimesh
+
+    with path.open("rb") as file:
+        content = file.read(model.bytes_left + 1)
+    model.bytes_left -= len(content)
+    if model.bytes_left < 0:
+        raise model.fail(f"its meshes are larger than {MAX_MESH_BYTES // 1_000_000} MB together; simplify them.")
+    try:
+        mesh = trimesh.load_scene(io.BytesIO(content), file_type=path.suffix[1:].lower(), process=False).to_mesh()
+    except _BROKEN as error:
+        raise model.fail(f"mesh {path.name} cannot be read: {show(str(error))}") from None
+    vertices = np.asarray(mesh.vertices, dtype=float).reshape(-1, 3)
+    if not len(vertices):
+        raise model.fail(f"mesh {path.name} has no vertices; it is empty or broken.")
+    return vertices
+
+
+def _find_mesh(filename: str, model: _Model) -> Path:
+    """Return the file of a mesh: relative to the URDF, or `package://<package>/...` in a folder of that name above."""
+    if Path(filename).suffix.lower() not in MESH_SUFFIXES or "\0" in filename:
+        allowed = ", ".join(MESH_SUFFIXES)
+        raise model.fail(f"mesh {show(filename)} is of no kind that is read ({allowed}); convert it.")
+    home = model.path.resolve().parent
+    folders = [home, home.parent]
+    rest = filename.removeprefix("file://")
+    if filename.startswith("package://"):
+        package, _, rest = filename.removeprefix("package://").partition("/")
+        folders = [folder for folder in (home, *home.parents[:4]) if folder.name == package] or folders
+    for folder in folders:
+        if inside(folder / rest, folders) and is_file(folder / rest):
+            return (folder / rest).resolve()
+    raise model.fail(f"mesh {show(filename)} is not in the model's folder or package; put it there.")
+
+
+def _agent(points: Matrix, name: str) -> Agent:
+    """Return the agent that just holds the points, given in the frame of the root link."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    size = high - low
+    farthest = float(np.hypot(points[:, 0], points[:, 1]).max())
+    height = _round(size[2])
+    about = f"collision geometry of the URDF model {name}, joints at zero"
+    known = Source(about, verified=True)
+    sources = {"height": known, "radius": known, "step": Source("not in a URDF; the general default", verified=False)}
+    if farthest <= ROUND * max(abs(low[0]), abs(low[1]), high[0], high[1]) and max(size[:2]) < 1.25 * min(size[:2]):
+        return Agent(name, _round(farthest), height, step=STEP, title=name, sources=sources)
+    length, width = _round(size[0]), _round(size[1])
+    circle = _round(2 * farthest)
+    sources |= {"length": known, "width": known, "turning_diameter": known}
+    sources["radius"] = Source(f"half the width and {CLEARANCE} m, {about}", verified=False)
+    return Agent(
+        name,
+        radius=_round(width / 2 + CLEARANCE),
+        height=height,
+        length=length,
+        width=width,
+        turning_diameter=circle if circle > 1.05 * math.hypot(length, width) else None,
+        step=STEP,
+        title=name,
+        sources=sources,
+    )
+
+
+def _round(value: float) -> float:
+    """Return a length rounded up to a tenth of a millimetre."""
+    return math.ceil(float(value) * 1e4 - 1e-6) / 1e4
