@@ -113,7 +113,7 @@ def test_descriptions_and_categories_never_become_code(scene):
 def test_reading_is_the_same_for_every_hash_seed():
     code = (
         "from robolayout.program import read_program\n"
-        "from conftest import furnished\n"
+        "from furnished_room import furnished\n"
         'p = read_program(\'for x in {"a", "b", "c"}: print(x)\\nfor c in set(chair): solver.corner(c)\', furnished())\n'
         "assert p.to_text().count('corner') == 4; import sys; sys.stdout.write(p.to_text() + repr(p.notes))"
     )

@@ -4,6 +4,7 @@ import math
 import re
 
 import pytest
+from furnished_room import furnished
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -108,8 +109,6 @@ def test_example_of_every_relation_reads(scene):
 @settings(max_examples=25, deadline=None)
 @given(st.floats(-1e4, 1e4), st.floats(-100, 100), st.floats(0, 1e6), st.integers(0, 3), st.integers(0, 3))
 def test_numbers_survive_exactly(x, yaw, weight, chair, wall):
-    from conftest import furnished
-
     room = furnished()
     text = (
         f"chair[{chair}].position = [{x!r}, 0, 0]\nchair[{chair}].rotation = [0, 0, {yaw!r}]\n"

@@ -2,5 +2,6 @@
 
 from robolayout.program._program import Guess, Limits, Program, Statement
 from robolayout.program._reader import read_program
+from robolayout.program._reconcile import Decision, Reconciled, reconcile
 
-__all__ = ["Guess", "Limits", "Program", "Statement", "read_program"]
+__all__ = ["Decision", "Guess", "Limits", "Program", "Reconciled", "Statement", "read_program", "reconcile"]

@@ -30,7 +30,7 @@ NOUNS = {
 LARGEST = 1e6
 """Largest number in an argument, in its own unit."""
 
-OTHER_NAMES = {"asset": "a", "asset1": "a", "asset2": "b", "target": "b", "wall": "wall", "assets": "items"}
+OTHER_NAMES = {"asset": "a", "asset1": "a", "asset2": "b", "target": "b", "assets": "items"}
 """Argument names that programs of LayoutVLM use, by ours."""
 
 

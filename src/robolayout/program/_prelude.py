@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from robolayout.program._program import Limits
-from robolayout.scene import Scene
+from robolayout.scene import RESERVED_NAMES, Scene
 
-RESERVED = frozenset({"solver", "walls", "AssetInstance", "math", "radians", "degrees", "pi", "print", "range", "len"})
+RESERVED = RESERVED_NAMES | {"AssetInstance"}
 """Words of the program language that no asset variable may take."""
 
 RECORDER = """
@@ -158,7 +158,8 @@ def _rl_result():
     for asset in _rl_assets:
         sites = asset._rl_sites
         place = _rl_encode(asset.position) if asset.position is not None else None
-        turn = _rl_encode(asset.rotation) if "rotation" in sites else None
+        turned = "rotation" in sites or asset.rotation != [0.0, 0.0, 0.0]
+        turn = _rl_encode(asset.rotation) if turned else None
         poses.append([place, turn, sites.get("position"), sites.get("rotation")])
     return _rl_json.dumps({"log": _rl_log, "poses": poses, "notes": _rl_notes})
 """
@@ -177,6 +178,7 @@ def prelude(scene: Scene, relations: Iterable[str]) -> str:
     lines.append("walls = [_rl_Wall(*wall) for wall in _rl_scene['walls']]")
     lines.append("room = _rl_Room(*_rl_scene['room'])")
     lines.append("_rl_assets = [_rl_Asset(*asset) for asset in _rl_scene['assets']]")
+    lines.append("assets = _rl_assets[:]")
     start = 0
     for variable, group in scene.variables.items():
         lines.append(f"{variable} = _rl_assets[{start}:{start + len(group)}]")

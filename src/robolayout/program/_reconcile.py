@@ -1,0 +1,122 @@
+"""The self-consistency filter: keeps what can be true together, mends what is impossible, and says why.
+
+It works on statements alone. First come statements about what stands on what (they decide heights, and who can be in
+whose way), then all others, then distances; within each of these, the first one in the program wins.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from robolayout.constraints import Relation
+from robolayout.constraints.distance_constraint import DistanceConstraint
+from robolayout.constraints.on_top_of import OnTopOf
+from robolayout.program._program import Program, Statement
+from robolayout.program._rules import RULES, Accepted, Change
+from robolayout.scene import Scene
+
+Verdict = Literal["accepted", "updated", "rejected"]
+
+
+@dataclass(frozen=True)
+class Decision:
+    """What the filter made of one statement.
+
+    Attributes:
+        statement: The statement as asked.
+        verdict: "accepted", "updated" or "rejected".
+        reason: Why, in words.
+        replacement: The statement that is solved instead, for an update.
+    """
+
+    statement: Statement
+    verdict: Verdict
+    reason: str
+    replacement: Statement | None = None
+
+    @property
+    def kept(self) -> Statement | None:
+        """The statement to solve, None if it was rejected."""
+        return None if self.verdict == "rejected" else self.replacement or self.statement
+
+    def to_dict(self) -> dict[str, object]:
+        """Return one row of `constraints.json`."""
+        return {
+            "number": self.statement.number,
+            "line": self.statement.line,
+            "source": self.statement.source,
+            "asked": self.statement.relation.sentence(),
+            "verdict": self.verdict,
+            "reason": self.reason,
+            "replacement": self.replacement.relation.sentence() if self.replacement else None,
+        }
+
+
+@dataclass(frozen=True)
+class Reconciled:
+    """A program after the filter.
+
+    Attributes:
+        program: The program with the statements to solve.
+        decisions: One decision for every statement asked, in the program's order.
+    """
+
+    program: Program
+    decisions: tuple[Decision, ...]
+
+    @property
+    def rejections(self) -> tuple[str, ...]:
+        """One sentence for every statement that was rejected, for the planner."""
+        return tuple(
+            f"line {d.statement.line}: {d.statement.source or d.statement.relation.sentence()}: {d.reason}."
+            for d in self.decisions
+            if d.verdict == "rejected"
+        )
+
+    def to_dict(self) -> dict[str, object]:
+        """Return the content of `constraints.json`."""
+        counts = Counter(decision.verdict for decision in self.decisions)
+        return {
+            "counts": {verdict: counts[verdict] for verdict in ("accepted", "updated", "rejected")},
+            "statements": [decision.to_dict() for decision in self.decisions],
+        }
+
+
+def reconcile(program: Program, scene: Scene, *, paper: bool = False) -> Reconciled:
+    """Return the program without statements that contradict the room or earlier statements.
+
+    Args:
+        program: A program as it was read.
+        scene: Its scene.
+        paper: Put a thing always at the wall nearest to its first guess, as the paper does.
+    """
+    so_far = Accepted(scene, program, paper)
+    decisions: dict[int, Decision] = {}
+    for i in sorted(range(len(program.statements)), key=lambda i: _phase(program.statements[i].relation)):
+        decisions[i] = _decide(so_far, program.statements[i])
+    ordered = tuple(decisions[i] for i in range(len(program.statements)))
+    kept = tuple(statement for decision in ordered if (statement := decision.kept) is not None)
+    return Reconciled(replace(program, statements=kept), ordered)
+
+
+def _phase(relation: Relation) -> int:
+    """Return when a relation is decided: what stands on what, all others, distances."""
+    return 0 if isinstance(relation, OnTopOf) else 2 if isinstance(relation, DistanceConstraint) else 1
+
+
+def _decide(so_far: Accepted, statement: Statement) -> Decision:
+    """Ask all rules about one statement."""
+    now, reasons = statement, list[str]()
+    for rule in RULES:
+        answer = rule(so_far, now.relation)
+        if isinstance(answer, str):
+            return Decision(statement, "rejected", "; ".join([*reasons, answer]))
+        if isinstance(answer, Change):
+            now = replace(now, relation=answer.relation)
+            reasons.append(answer.reason)
+    so_far.add(now)
+    if now is statement:
+        return Decision(statement, "accepted", "as asked")
+    return Decision(statement, "updated", "; ".join(reasons), now)

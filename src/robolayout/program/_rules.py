@@ -1,0 +1,375 @@
+"""The rules of the self-consistency filter, one function each.
+
+A rule looks at one relation and at what was accepted before it. It answers None (nothing against it), a sentence (why it
+is rejected) or a `Change` (another relation in its place, and why).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
+from robolayout.constraints.against_wall import AgainstWall
+from robolayout.constraints.ceiling_above import CeilingAbove
+from robolayout.constraints.centered_on import CenteredOn
+from robolayout.constraints.corner import Corner
+from robolayout.constraints.distance_constraint import DistanceConstraint
+from robolayout.constraints.facing_pair import FacingPair
+from robolayout.constraints.mounted_on import MountedOn
+from robolayout.constraints.on_top_of import OnTopOf
+from robolayout.constraints.point_towards import PointTowards
+from robolayout.constraints.row import Row
+from robolayout.constraints.symmetric_pair import SymmetricPair
+from robolayout.constraints.under import Under
+from robolayout.program._possible import (
+    distance_range,
+    free_intervals,
+    hangs,
+    height_span,
+    is_fixed_to_wall,
+    longest,
+    share_height,
+    wall_distance,
+)
+from robolayout.program._program import Program, Statement
+from robolayout.scene import Scene
+
+OVERHANG = 1.5
+"""How many times as large as a top a thing on it may be (a lampshade is wider than what it stands on, a bed is not)."""
+SLACK = 1e-6
+"""Metres below which two lengths are equal."""
+
+AtWall = AgainstWall | MountedOn | Row
+"""Relations that put something at a wall."""
+
+
+@dataclass(frozen=True)
+class Change:
+    """Another relation instead of the one asked.
+
+    Attributes:
+        relation: The relation.
+        reason: Why, in words.
+    """
+
+    relation: Relation
+    reason: str
+
+
+@dataclass
+class Accepted:
+    """What was accepted so far.
+
+    Attributes:
+        scene: The scene.
+        program: The program as asked; its guesses decide the wall in paper mode.
+        paper: Whether a wall is always the one nearest to the guess.
+        seen: What was said about what, with the statement.
+        parents: What each thing stands on.
+        walls: Wall of each thing that stands or hangs at one.
+        headings: The statement that turned each thing.
+        corners: Things that have a corner.
+        mounted: Heights in metres of the middles of wall things.
+    """
+
+    scene: Scene
+    program: Program
+    paper: bool
+    seen: dict[object, Statement] = field(default_factory=dict[object, Statement])
+    parents: dict[str, str] = field(default_factory=dict[str, str])
+    walls: dict[str, int] = field(default_factory=dict[str, int])
+    headings: dict[str, Statement] = field(default_factory=dict[str, Statement])
+    corners: set[str] = field(default_factory=set[str])
+    mounted: dict[str, float] = field(default_factory=dict[str, float])
+
+    def __post_init__(self) -> None:
+        for asset in self.scene.assets:
+            guess = self.program.guesses.get(asset.name)
+            if guess is not None and guess.position is not None and guess.position[2] > asset.size[2] / 2:
+                self.mounted[asset.name] = guess.position[2]
+
+    def add(self, statement: Statement) -> None:
+        """Remember an accepted statement."""
+        relation = statement.relation
+        self.seen[topic(relation)] = statement
+        if isinstance(relation, OnTopOf):
+            self.parents[relation.a.name] = relation.b.name
+        if isinstance(relation, MountedOn) and relation.height is not None:
+            self.mounted[relation.a.name] = relation.height
+        if isinstance(relation, Corner):
+            self.corners.add(relation.a.name)
+        if isinstance(relation, AtWall) and relation.wall is not None:
+            for name in subjects(relation):
+                self.walls.setdefault(name, relation.wall.index)
+        if relation.orients:
+            for name in subjects(relation):
+                self.headings.setdefault(name, statement)
+
+    def span(self, name: str) -> tuple[float, float]:
+        """Return the heights in metres of a thing's bottom and top."""
+        return height_span(self.scene, name, self.parents, self.mounted)
+
+    def collide(self, first: str, second: str) -> bool:
+        """Return whether two things could be in each other's way."""
+        flat = self.scene.by_name[first].is_flat or self.scene.by_name[second].is_flat
+        related = self.parents.get(first) == second or self.parents.get(second) == first
+        return not flat and not related and share_height(self.span(first), self.span(second))
+
+
+def subjects(relation: Relation) -> tuple[str, ...]:
+    """Return the names of the assets that a relation may move."""
+    names: list[str] = []
+    for argument in relation.moves:
+        value = getattr(relation, argument)
+        names += [item.name for item in (value if isinstance(value, tuple) else (value,)) if isinstance(item, AssetRef)]
+    return tuple(names)
+
+
+def topic(relation: Relation) -> object:
+    """Return what a second statement may not be about again: the relation and its pair, in any order where it has none."""
+    refs = relation.refs()
+    if isinstance(relation, DistanceConstraint | FacingPair):
+        return (relation.name, frozenset(refs))
+    if isinstance(relation, SymmetricPair):
+        return (relation.name, frozenset(refs[:2]), refs[2])
+    return (relation.name, refs) if len(refs) > 1 else relation
+
+
+def where(statement: Statement) -> str:
+    """Return words for an earlier statement."""
+    line = f" (line {statement.line})" if statement.line else ""
+    return f"{statement.relation.sentence()}{line}"
+
+
+Answer = None | str | Change
+
+
+def known(so_far: Accepted, relation: Relation) -> Answer:
+    """Reject what is not in the scene."""
+    for ref in relation.refs():
+        if isinstance(ref, AssetRef) and ref.name not in so_far.scene.by_name:
+            return f"{ref.name} is not in this scene"
+        if isinstance(ref, WallRef) and not 0 <= ref.index < len(so_far.scene.room.walls):
+            return f"{ref} does not exist: the room has {len(so_far.scene.room.walls)} walls"
+    return None
+
+
+def not_itself(so_far: Accepted, relation: Relation) -> Answer:
+    """Reject a relation of a thing to itself."""
+    names = relation.asset_names()
+    twice = next((name for i, name in enumerate(names) if name in names[:i]), None)
+    return f"{twice} is named twice; nothing stands in a relation to itself" if twice else None
+
+
+def rug_below(so_far: Accepted, relation: Relation) -> Answer:
+    """Put a rug under what is said to stand on it: furniture on a rug stands on the floor."""
+    if isinstance(relation, OnTopOf) and so_far.scene.by_name[relation.b.name].is_flat:
+        change = Under(relation.b, (relation.a,))
+        return Change(change, f"{relation.b} is flat: {relation.a} stands on the floor and the rug lies under it")
+    return None
+
+
+def suits(so_far: Accepted, relation: Relation) -> Answer:
+    """Reject what a ceiling, wall or floor thing cannot do."""
+    assets = so_far.scene.by_name
+    moved = [assets[name] for name in subjects(relation)]
+    for asset in moved:
+        if hangs(asset) and _needs_standing(relation):
+            return f"{asset.name} hangs from the ceiling, so {relation.name} does not apply to it"
+    first = moved[0] if moved else None
+    if isinstance(relation, MountedOn) and first and not first.on_wall:
+        return f"{first.name} does not hang at walls; against_wall puts it there"
+    if isinstance(relation, CeilingAbove) and first and not first.on_ceiling:
+        return f"{first.name} does not hang from the ceiling"
+    if isinstance(relation, Under):
+        return _suits_rug(so_far, relation)
+    if isinstance(relation, CenteredOn) and first and isinstance(relation.b, AssetRef):
+        same_place = not first.on_wall and so_far.collide(first.name, relation.b.name)
+        return f"{first.name} and {relation.b} would be in the same place" if same_place else None
+    if isinstance(relation, MountedOn | CeilingAbove) and relation.a.name in so_far.parents:
+        return f"{relation.a} already stands on {so_far.parents[relation.a.name]}"
+    return None
+
+
+def _needs_standing(relation: Relation) -> bool:
+    at_wall = isinstance(relation, Row) and relation.wall is not None
+    return at_wall or isinstance(relation, AgainstWall | MountedOn | OnTopOf | Corner | Under)
+
+
+def _suits_rug(so_far: Accepted, relation: Under) -> Answer:
+    rug = so_far.scene.by_name[relation.a.name]
+    if not rug.is_flat:
+        return f"{rug.name} is {rug.size[2]:.2f} m high; only something flat on the floor can lie under others"
+    above = next((i for i in relation.items if hangs(so_far.scene.by_name[i.name])), None)
+    return f"{above} hangs from the ceiling; nothing lies under it" if above else None
+
+
+def once(so_far: Accepted, relation: Relation) -> Answer:
+    """Reject a second statement about the same pair, and a second corner."""
+    earlier = so_far.seen.get(topic(relation))
+    if earlier is not None:
+        return f"it repeats {where(earlier)}; the first one counts"
+    if isinstance(relation, Corner) and relation.a.name in so_far.corners:
+        return f"{relation.a} already has a corner"
+    return None
+
+
+def one_wall(so_far: Accepted, relation: Relation) -> Answer:
+    """Reject a second wall for the same thing."""
+    if not isinstance(relation, AgainstWall | MountedOn) or relation.a.name not in so_far.walls:
+        return None
+    return f"{relation.a} is already at walls[{so_far.walls[relation.a.name]}]; a thing has one wall"
+
+
+def one_heading(so_far: Accepted, relation: Relation) -> Answer:
+    """Reject a second heading for the same thing; of two that should face each other, let the free one turn."""
+    if not relation.orients:
+        return None
+    turned = [name for name in subjects(relation) if _is_turned(so_far, name, relation)]
+    if not turned:
+        return None
+    earlier = so_far.headings[turned[0]]
+    if isinstance(relation, FacingPair) and len(turned) == 1:
+        free = relation.b if relation.a.name == turned[0] else relation.a
+        change = PointTowards(free, AssetRef(turned[0]))
+        return Change(change, f"{turned[0]} is already turned by {where(earlier)}, so only {free} turns")
+    return f"{turned[0]} is already turned by {where(earlier)}; the first one counts"
+
+
+def _is_turned(so_far: Accepted, name: str, relation: Relation) -> bool:
+    """Return whether something else turned it: a chair that looks at the table may still stand around that table."""
+    earlier = so_far.headings.get(name)
+    if earlier is None:
+        return False
+    several = isinstance(getattr(relation, relation.moves[0]), tuple)
+    others = {ref for ref in earlier.relation.refs() if ref != AssetRef(name)}
+    agrees = several and others <= set(relation.refs()) and not getattr(earlier.relation, "angle", 0.0)
+    return not agrees
+
+
+def wall_holds(so_far: Accepted, relation: Relation) -> Answer:
+    """Replace a wall that cannot hold the thing by the nearest one that can."""
+    if not isinstance(relation, AtWall) or relation.wall is None or not subjects(relation):
+        return None
+    asked = so_far.scene.room.walls[relation.wall.index]
+    trouble = _trouble(so_far, relation, asked.index)
+    place = _guessed_place(so_far, relation) if so_far.paper else None
+    if trouble is None and place is None:
+        return None
+    able = [wall for wall in so_far.scene.room.walls if _trouble(so_far, relation, wall.index) is None]
+    if not able and isinstance(relation, Row):
+        return Change(replace(relation, wall=None), f"{trouble}, nor has any other wall; the row stands free of walls")
+    if not able:
+        return f"{trouble}, and no other wall can hold it"
+    if place is None:
+        best = min(able, key=lambda wall: (round(math.dist(wall.midpoint, asked.midpoint), 9), wall.index))
+        why = f"{trouble}; walls[{best.index}] is the nearest that can hold it"
+    else:
+        best = min(able, key=lambda wall: (round(wall_distance(wall, *place), 9), wall.index))
+        why = f"walls[{best.index}] is the nearest to the first guess"
+    return Change(replace(relation, wall=WallRef(best.index)), why) if best.index != asked.index else None
+
+
+def _guessed_place(so_far: Accepted, relation: AtWall) -> tuple[float, float] | None:
+    """Return where the program first put the thing, in metres in plan."""
+    guess = None if isinstance(relation, Row) else so_far.program.guesses.get(relation.a.name)
+    return guess.position[:2] if guess is not None and guess.position is not None else None
+
+
+def _trouble(so_far: Accepted, relation: AtWall, index: int) -> str | None:
+    """Return why a wall cannot hold the things of a relation, None if it can."""
+    wall, names = so_far.scene.room.walls[index], subjects(relation)
+    elsewhere = next((name for name in names if so_far.walls.get(name, index) != index), None)
+    if elsewhere:
+        return f"{elsewhere} is already at walls[{so_far.walls[elsewhere]}]"
+    spans = {name: so_far.span(name) for name in (*names, *so_far.walls)}
+    widths = {name: so_far.scene.by_name[name].size[1] for name in spans}
+    low, high = min(spans[name][0] for name in names), max(spans[name][1] for name in names)
+    free = free_intervals(so_far.scene.room, wall, (low, high))
+    needed = sum(widths[name] for name in names) + getattr(relation, "gap", 0.0) * (len(names) - 1)
+    room = longest(free)
+    if needed > room + SLACK:
+        beside = " beside its door" if room < wall.length - SLACK else ""
+        return f"walls[{index}] has {room:.2f} m{beside}, {' and '.join(names[:3])} need{'s' * (len(names) == 1)} {needed:.2f} m"
+    there = [
+        name
+        for name, where_at in so_far.walls.items()
+        if where_at == index and name not in names and any(share_height(spans[name], spans[new]) for new in names)
+    ]
+    taken = sum(widths[name] for name in there)
+    total = sum(far - near for near, far in free)
+    if needed + taken > total + SLACK and not so_far.paper:
+        take = "takes" if len(there) == 1 else "take"
+        return f"walls[{index}] has {total:.2f} m, of which {', '.join(there)} {take} {taken:.2f} m"
+    return None
+
+
+def stands(so_far: Accepted, relation: Relation) -> Answer:
+    """Reject what cannot stand on something: a second carrier, a circle, a top too small, a ceiling too low."""
+    if not isinstance(relation, OnTopOf):
+        return None
+    a, b = so_far.scene.by_name[relation.a.name], so_far.scene.by_name[relation.b.name]
+    if a.name in so_far.parents:
+        return f"{a.name} already stands on {so_far.parents[a.name]}"
+    if is_fixed_to_wall(a):
+        return f"{a.name} hangs at a wall; it does not stand on things"
+    if hangs(b):
+        return f"{b.name} hangs from the ceiling and carries nothing"
+    chain = [b.name]
+    while chain[-1] in so_far.parents:
+        chain.append(so_far.parents[chain[-1]])
+    if a.name in chain:
+        return f"{' stands on '.join(chain[: chain.index(a.name) + 1])}, so {a.name} cannot stand on {b.name}"
+    (small, large), (short, long) = sorted(a.size[:2]), sorted(b.size[:2])
+    if small > OVERHANG * short and small * large > OVERHANG * short * long:
+        return (
+            f"{a.name} ({large:.2f} x {small:.2f} m) is too large for the top of {b.name} ({long:.2f} x {short:.2f} m)"
+        )
+    top = so_far.span(b.name)[1] + a.size[2]
+    if top > so_far.scene.room.wall_height + SLACK:
+        return (
+            f"on {b.name}, {a.name} would reach {top:.2f} m, above the ceiling at {so_far.scene.room.wall_height:.2f} m"
+        )
+    return None
+
+
+def distance(so_far: Accepted, relation: Relation) -> Answer:
+    """Widen a distance that excludes everything possible, and only to the nearest possible one."""
+    if not isinstance(relation, DistanceConstraint):
+        return None
+    asset = so_far.scene.by_name[relation.a.name]
+    other = relation.b
+    collide = isinstance(other, AssetRef) and so_far.collide(asset.name, other.name)
+    least, most = distance_range(so_far.scene, asset, other, collide=collide)
+    least, most = math.ceil(least * 100 - SLACK) / 100, math.floor(most * 100 + SLACK) / 100
+    low, high, reasons = relation.min_distance, relation.max_distance, list[str]()
+    if high is not None and high < least - SLACK:
+        reasons.append(f"{_apart(asset.name, other)} are at least {least:.2f} m apart, so max_distance becomes that")
+        high = least
+    if low is not None and low > most + SLACK:
+        reasons.append(f"{_apart(asset.name, other)} are at most {most:.2f} m apart here, so min_distance becomes that")
+        low = most
+    if low is not None and high is not None and low > high:
+        return f"no distance between {asset.name} and {other} is possible in this room"
+    return Change(replace(relation, min_distance=low, max_distance=high), "; ".join(reasons)) if reasons else None
+
+
+def _apart(name: str, other: AssetRef | WallRef | PointRef) -> str:
+    return f"the centres of {name} and {other}" if isinstance(other, AssetRef) else f"the centre of {name} and {other}"
+
+
+RULES: tuple[Callable[[Accepted, Relation], Answer], ...] = (
+    known,
+    not_itself,
+    rug_below,
+    suits,
+    once,
+    one_wall,
+    one_heading,
+    wall_holds,
+    stands,
+    distance,
+)
+"""All rules, in the order in which they are asked."""
