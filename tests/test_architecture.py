@@ -40,6 +40,8 @@ FORBIDDEN = {("verify", "_geometry"): "the judge shares no mathematics with the 
 MAX_FUNCTION, MAX_FILE = 60, 450
 BANNED_CALLS = ("print", "exec", "eval", "compile", "__import__", "breakpoint", "input")
 BROAD = ("Exception", "BaseException")
+EDGES = {"render/_gl.py": 1}
+"""Files that may catch everything, and how often: the GL loader raises plain Exception where there is no EGL."""
 
 
 @dataclass(frozen=True)
@@ -188,7 +190,11 @@ def test_imports_follow_the_layers(path: Path) -> None:
 @by_file
 def test_form(path: Path) -> None:
     text = path.read_text(encoding="utf-8")
-    fail_on(path, list(form(ast.parse(text), len(text.splitlines()))))
+    problems = list(form(ast.parse(text), len(text.splitlines())))
+    broad = [problem for problem in problems if "catches everything" in problem[1]]
+    if len(broad) <= EDGES.get(str(path.relative_to(PACKAGE)), 0):
+        problems = [problem for problem in problems if problem not in broad]
+    fail_on(path, problems)
 
 
 @by_file
@@ -202,11 +208,24 @@ def test_no_import_cycles() -> None:
     assert not found, f"import cycle: {' -> '.join(found)}"
 
 
-@pytest.mark.parametrize("folder", ["constraints", "export", "planners"])
-def test_every_variant_has_its_line_in_the_folder(folder: str) -> None:
+def has_variant(tree: ast.Module, folder: str) -> bool:
+    """Return whether a module defines a relation, an exporter or a planner."""
+    classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
+    if folder == "constraints":
+        return any(ast.unparse(base).endswith("Relation") for node in classes for base in node.bases)
+    if folder == "planners":
+        return any(getattr(item, "name", "") == "plan" for node in classes for item in node.body)
+    values = [node.value for node in tree.body if isinstance(node, (ast.Assign, ast.AnnAssign))]
+    return any(isinstance(value, ast.Call) and ast.unparse(value.func) == "Exporter" for value in values)
+
+
+@pytest.mark.parametrize(("folder", "least"), [("constraints", 20), ("export", 4), ("planners", 2)])
+def test_every_variant_has_its_line_in_the_folder(folder: str, least: int) -> None:
     page = PACKAGE / folder / "__init__.py"
     text = page.read_text(encoding="utf-8")
-    variants = [path.stem for path in sorted((PACKAGE / folder).glob("*.py")) if not path.stem.startswith("_")]
+    files = [path for path in sorted((PACKAGE / folder).glob("*.py")) if not path.stem.startswith("_")]
+    variants = [path.stem for path in files if has_variant(parse(path), folder)]
+    assert len(variants) >= least
     missing = [name for name in variants if not re.search(rf"\b{name}\b", text)]
     assert not missing, f"{page.relative_to(ROOT)}: has no line for {', '.join(missing)}"
 
