@@ -3,6 +3,7 @@
 from robolayout.assets.category import CATALOGUE, Category, read_categories
 from robolayout.assets.lexicon import category_of, find_category
 from robolayout.assets.obstacles import blocks
+from robolayout.assets.meshes import parts
 from robolayout.assets.part import Material, Part
 
 __all__ = [
@@ -13,5 +14,6 @@ __all__ = [
     "blocks",
     "category_of",
     "find_category",
+    "parts",
     "read_categories",
 ]

@@ -1,0 +1,16 @@
+"""The parametric furniture: one file per functional group, one function per kind of thing."""
+
+from __future__ import annotations
+
+from robolayout.assets.category import Category
+from robolayout.assets.furniture import plain, seating, sleeping, storage, tables, tableware
+from robolayout.assets.furniture._common import Builder
+
+GROUPS = (sleeping, seating, tables, tableware, storage)
+BUILDERS: dict[str, Builder] = {name: build for group in GROUPS for name, build in group.BUILDERS.items()}
+"""Builders by category name."""
+
+
+def builder_for(category: Category) -> Builder:
+    """Return the builder of a category; a plain one by its placement where it has none of its own."""
+    return BUILDERS.get(category.name) or plain.plain_for(category)

@@ -1,0 +1,43 @@
+"""Parametric furniture: an asset's parts, built for its category and fitted exactly into its box."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+import numpy as np
+
+from robolayout.assets.furniture import builder_for
+from robolayout.assets.lexicon import category_of
+from robolayout.assets.palette import make_piece
+from robolayout.assets.part import Part
+from robolayout.scene import Asset
+
+
+def parts(asset: Asset, seed: int = 0) -> tuple[Part, ...]:
+    """Return the parts of an asset in its own frame: origin in the middle of its box, front along +x.
+
+    The parts together fill the box exactly; each parametric part is convex. The same asset and seed give the same bytes.
+    A `path` is loaded instead where the asset has one.
+
+    Raises:
+        AssetError: The mesh file is missing, too large or broken.
+    """
+    if asset.path is not None:
+        from robolayout.assets.own import load_mesh_parts
+
+        return load_mesh_parts(asset.path, asset.size)
+    category = category_of(asset)
+    piece = make_piece(category.name, asset.variable or asset.name, asset.name, asset.size, seed)
+    return fit(builder_for(category)(piece), asset.size)
+
+
+def fit(pieces: Iterable[Part], size: tuple[float, float, float]) -> tuple[Part, ...]:
+    """Scale and move parts, axis by axis, so that together they fill a box of `size` about the origin."""
+    built = tuple(pieces)
+    points = np.concatenate([part.vertices for part in built])
+    low, high = points.min(axis=0), points.max(axis=0)
+    half = np.array(size) / 2
+    scale = np.array(size) / np.maximum(high - low, 1e-12)
+    fitted = (np.clip((part.vertices - (low + high) / 2) * scale, -half, half) for part in built)
+    return tuple(replace(part, vertices=vertices) for part, vertices in zip(built, fitted, strict=True))

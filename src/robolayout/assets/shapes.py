@@ -1,0 +1,218 @@
+"""Convex pieces to build furniture from: boxes, cushions, prisms, cylinders, balls.
+
+All take ranges in metres in the furniture's building frame: x forward, y left, z up from the floor, origin on the floor
+under the middle of the box. Faces are counter-clockwise seen from outside.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from functools import cache
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.assets.part import Material, Part
+
+Range = tuple[float, float]
+Array = NDArray[np.float64]
+Faces = NDArray[np.int32]
+
+_BOX_FACES = (
+    (0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4),
+    (1, 5, 7), (1, 7, 3),
+)  # fmt: skip
+
+
+def box(name: str, material: Material, x: Range, y: Range, z: Range) -> Part:
+    """Return a box over three ranges."""
+    return _block(name, material, x, y, z)
+
+
+def slab(name: str, material: Material, x: Range, y: Range, z: Range, *, top: Range = (1.0, 1.0)) -> Part:
+    """Return a box whose top is scaled about its middle by `top` = (factor along x, factor along y)."""
+    part = _block(name, material, x, y, z)
+    middle = np.array([sum(x) / 2, sum(y) / 2])
+    upper = part.vertices[:, 2] > sum(z) / 2
+    part.vertices[upper, :2] = middle + (part.vertices[upper, :2] - middle) * np.array(top)
+    return part
+
+
+def sheared(name: str, material: Material, x: Range, y: Range, z: Range, *, lean: Range) -> Part:
+    """Return a box whose top is moved by `lean` = (metres along x, metres along y): a slanted back or leg."""
+    part = _block(name, material, x, y, z)
+    part.vertices[part.vertices[:, 2] > sum(z) / 2, :2] += np.array(lean)
+    return part
+
+
+def soft(name: str, material: Material, x: Range, y: Range, z: Range, *, bevel: float = 0.03) -> Part:
+    """Return a box with bevelled edges: a cushion, a mattress, a casing."""
+    low, high = _corners(x, y, z)
+    cut = np.minimum(bevel, 0.45 * (high - low))
+    points: list[list[float]] = []
+    for signs in product((0, 1), repeat=3):
+        corner = [high[i] if s else low[i] for i, s in enumerate(signs)]
+        inner = [corner[i] - cut[i] if s else corner[i] + cut[i] for i, s in enumerate(signs)]
+        points += [[corner[i] if i == axis else inner[i] for i in range(3)] for axis in range(3)]
+    return Part(name, np.array(points), _soft_faces(), material)
+
+
+def prism(name: str, material: Material, outline: Sequence[Range], span: Range, *, axis: str = "z") -> Part:
+    """Return a convex outline, counter-clockwise, drawn out along an axis over `span`.
+
+    The outline's two coordinates are (x, y) for axis z, (y, z) for axis x and (z, x) for axis y.
+    """
+    low = [(u, v, span[0]) for u, v in outline]
+    high = [(u, v, span[1]) for u, v in outline]
+    return Part(name, _turned(np.array(low + high), axis), _drum_faces(len(outline)), material)
+
+
+def cylinder(
+    name: str, material: Material, center: Range, radius: float | Range, span: Range, *, axis: str = "z", sides: int = 16
+) -> Part:
+    """Return a cylinder, or a cone frustum where `radius` is (at the start, at the end) of its span.
+
+    `center` is in the plane across the axis: (x, y) for axis z, (y, z) for axis x, (z, x) for axis y.
+    """
+    start, end = radius if isinstance(radius, tuple) else (radius, radius)
+    return oval(name, material, center, ((start, start), (end, end)), span, axis=axis, sides=sides)
+
+
+def oval(
+    name: str,
+    material: Material,
+    center: Range,
+    radii: tuple[Range, Range],
+    span: Range,
+    *,
+    axis: str = "z",
+    sides: int = 16,
+) -> Part:
+    """Return an elliptic frustum; `radii` are the two half-axes at the start and at the end of its span."""
+    turn = [2 * math.pi * (i + 0.5) / sides for i in range(sides)]
+    stretch = 1 / math.cos(math.pi / sides)
+    rows = [
+        (center[0] + a * stretch * math.cos(t), center[1] + b * stretch * math.sin(t), level)
+        for (a, b), level in zip(radii, span, strict=True)
+        for t in turn
+    ]
+    points = np.array(rows)
+    reach = np.array([max(radii[0][i], radii[1][i]) for i in range(2)])
+    points[:, :2] = np.clip(points[:, :2], np.array(center) - reach, np.array(center) + reach)
+    return Part(name, _turned(points, axis), _drum_faces(sides), material)
+
+
+def ball(
+    name: str, material: Material, x: Range, y: Range, z: Range, *, rings: int = 5, sides: int = 12
+) -> Part:
+    """Return a low-poly ellipsoid that fills the three ranges."""
+    low, high = _corners(x, y, z)
+    middle, half = (low + high) / 2, (high - low) / 2
+    unit = _unit_ball(rings, sides)
+    return Part(name, middle + unit * half, _ball_faces(rings, sides), material)
+
+
+def merge(parts: Iterable[Part]) -> tuple[float, float, float, float, float, float]:
+    """Return (x0, y0, z0, x1, y1, z1), the bounds of all parts together."""
+    points = np.concatenate([part.vertices for part in parts])
+    low, high = points.min(axis=0), points.max(axis=0)
+    return (low[0], low[1], low[2], high[0], high[1], high[2])
+
+
+def moved(part: Part, *, turn: float = 0.0, offset: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Part:
+    """Return a part turned by `turn` radians about the z axis through the origin, then moved by `offset`."""
+    c, s = math.cos(turn), math.sin(turn)
+    matrix = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+    return Part(part.name, part.vertices @ matrix + np.array(offset), part.faces, part.material, part.convex)
+
+
+def _block(name: str, material: Material, x: Range, y: Range, z: Range) -> Part:
+    """Return an axis-aligned box; vertex i has bits x, y, z from the most significant."""
+    points = np.array(list(product(sorted(x), sorted(y), sorted(z))), dtype=np.float64)
+    return Part(name, points, np.array(_BOX_FACES, dtype=np.int32), material)
+
+
+def _corners(x: Range, y: Range, z: Range) -> tuple[Array, Array]:
+    """Return the low and the high corner of three ranges."""
+    return np.array([min(r) for r in (x, y, z)]), np.array([max(r) for r in (x, y, z)])
+
+
+def _turned(points: Array, axis: str) -> Array:
+    """Turn points made along z so that they run along `axis`."""
+    order = {"z": (0, 1, 2), "x": (2, 0, 1), "y": (1, 2, 0)}[axis]
+    return points[:, order]
+
+
+@cache
+def _drum_faces(sides: int) -> Faces:
+    """Return the faces of two rings of `sides` points, the lower first."""
+    ring = [(i, (i + 1) % sides) for i in range(sides)]
+    walls = [(i, j, j + sides) for i, j in ring] + [(i, j + sides, i + sides) for i, j in ring]
+    caps = [(0, i + 1, i) for i in range(1, sides - 1)] + [(sides, sides + i, sides + i + 1) for i in range(1, sides - 1)]
+    return np.array(walls + caps, dtype=np.int32)
+
+
+@cache
+def _unit_ball(rings: int, sides: int) -> Array:
+    """Return the vertices of a unit ball: two poles and `rings` rings, scaled to touch all six sides."""
+    rows = [(0.0, 0.0, -1.0)]
+    for ring in range(1, rings + 1):
+        level = math.pi * ring / (rings + 1)
+        around = [2 * math.pi * i / sides for i in range(sides)]
+        rows += [(math.sin(level) * math.cos(a), math.sin(level) * math.sin(a), -math.cos(level)) for a in around]
+    points = np.array([*rows, (0.0, 0.0, 1.0)])
+    return points / np.abs(points).max(axis=0)
+
+
+@cache
+def _ball_faces(rings: int, sides: int) -> Faces:
+    """Return the faces of `_unit_ball`."""
+    faces: list[tuple[int, int, int]] = []
+    last = 1 + rings * sides
+    for i in range(sides):
+        j = (i + 1) % sides
+        faces += [(0, 1 + j, 1 + i), (last, last - sides + i, last - sides + j)]
+        for ring in range(rings - 1):
+            a, b = 1 + ring * sides, 1 + (ring + 1) * sides
+            faces += [(a + i, a + j, b + j), (a + i, b + j, b + i)]
+    return np.array(faces, dtype=np.int32)
+
+
+@cache
+def _soft_faces() -> Faces:
+    """Return the 44 faces of a bevelled box, found once as the hull of a unit one."""
+    points: list[tuple[float, ...]] = []
+    for signs in product((-1.0, 1.0), repeat=3):
+        points += [tuple(s * (1.0 if i == axis else 0.7) for i, s in enumerate(signs)) for axis in range(3)]
+    return np.array(_hull(np.array(points)), dtype=np.int32)
+
+
+def _hull(points: Array) -> list[tuple[int, int, int]]:
+    """Return the outward triangles of a small convex point set, face by face, in plain array code."""
+    faces: list[tuple[int, int, int]] = []
+    seen: set[tuple[int, ...]] = set()
+    count = len(points)
+    for i, j, k in product(range(count), repeat=3):
+        if not i < j < k:
+            continue
+        normal = np.cross(points[j] - points[i], points[k] - points[i])
+        side = (points - points[i]) @ normal
+        if np.linalg.norm(normal) < 1e-9 or not (np.all(side < 1e-9) or np.all(side > -1e-9)):
+            continue
+        flat = tuple(int(n) for n in np.flatnonzero(np.abs(side) < 1e-9))
+        if flat not in seen:
+            seen.add(flat)
+            faces += _fan(points, flat, normal if np.all(side < 1e-9) else -normal)
+    return faces
+
+
+def _fan(points: Array, flat: Sequence[int], normal: Array) -> list[tuple[int, int, int]]:
+    """Return the triangles of one flat face, counter-clockwise about its outward normal."""
+    center = points[list(flat)].mean(axis=0)
+    u = points[flat[0]] - center
+    v = np.cross(normal, u)
+    v = v / np.linalg.norm(v) * np.linalg.norm(u)
+    ring = sorted(flat, key=lambda n: math.atan2(float((points[n] - center) @ v), float((points[n] - center) @ u)))
+    return [(ring[0], ring[i], ring[i + 1]) for i in range(1, len(ring) - 1)]
