@@ -15,6 +15,7 @@ from robolayout.planners._roles import Cast
 from robolayout.planners._tops import Top
 from robolayout.scene import Scene
 
+
 @dataclass(frozen=True)
 class Cluster:
     """Assets placed as one.

@@ -36,6 +36,23 @@ def moved(points: Points, poses: NDArray[np.float64]) -> Points:
     return np.stack([poses[:, 0, None] + c * x - s * y, poses[:, 1, None] + s * x + c * y], axis=-1)
 
 
+@dataclass(frozen=True)
+class Maps:
+    """Flat maps of the floor for `Floor.under`, each 0 or 1 but the last.
+
+    Attributes:
+        taken: Outside or under a body.
+        barred: The same or in a door's landing.
+        outside: Outside the room.
+        wanted: How much others want the cell to stay free, at most 2.
+    """
+
+    taken: NDArray[np.float32]
+    barred: NDArray[np.float32]
+    outside: NDArray[np.float32]
+    wanted: NDArray[np.float32]
+
+
 @dataclass
 class Floor:
     """The state of the floor while things are being placed.
@@ -111,38 +128,36 @@ class Floor:
         i, j = raw[..., 0].clip(0, nx - 1), raw[..., 1].clip(0, ny - 1)
         return i, j, (raw[..., 0] == i) & (raw[..., 1] == j)
 
-    def blocked(self, points: Points, *, landings: bool) -> NDArray[np.float64]:
-        """Return the share of points (n, k, 2) that are outside, on a body or, if asked, in a landing."""
-        i, j, on_grid = self.look(points)
-        bad = ~on_grid | ~self.inside[i, j] | (self.body[i, j] > 0)
-        if landings:
-            bad |= self.landing[i, j]
-        return bad.mean(axis=-1)
+    def under(self, points: Points, poses: NDArray[np.float64]) -> NDArray[np.intp]:
+        """Return, for points (k, 2) in each of the frames (n, 3), flat indices (n, k) into the maps of `Maps`."""
+        c, s = np.cos(poses[:, 2, None]) / self.cell, np.sin(poses[:, 2, None]) / self.cell
+        x0 = (poses[:, 0, None] - self.origin[0]) / self.cell + 1.0
+        y0 = (poses[:, 1, None] - self.origin[1]) / self.cell + 1.0
+        nx, ny = self.inside.shape
+        i = (x0 + c * points[:, 0] - s * points[:, 1]).clip(0, nx + 1.5).astype(np.intp)
+        j = (y0 + s * points[:, 0] + c * points[:, 1]).clip(0, ny + 1.5).astype(np.intp)
+        return i * (ny + 2) + j
 
-    def wish(self, points: Points) -> NDArray[np.float64]:
-        """Return how much others want the floor under points (n, k, 2) to stay free, in the mean."""
-        i, j, _ = self.look(points)
-        return self.wanted[i, j].mean(axis=-1, dtype=np.float64)
+    def maps(self) -> Maps:
+        """Return the state of the floor as flat maps with a rim of one cell that is outside."""
+        taken = np.pad(~self.inside | (self.body > 0), 1, constant_values=True)
+        barred = taken | np.pad(self.landing, 1)
+        outside = np.pad(~self.inside, 1, constant_values=True)
+        wanted = np.minimum(np.pad(self.wanted, 1), 2.0)
+        return Maps(*(grid.ravel().astype(np.float32) for grid in (taken, barred, outside, wanted)))
 
-    def unreached(self, agent: Agent, footprints: list[Points]) -> list[bool]:
-        """Return, for each footprint (k, 2), whether the agent cannot get within its reach of it from the door."""
+    def away(self, agent: Agent) -> NDArray[np.float64]:
+        """Return how far each cell is from where the agent can get to from the door, in metres."""
         from scipy import ndimage
 
         free = np.pad(self.inside & (self.body == 0), 1)
-        clearance = ndimage.distance_transform_edt(free)[1:-1, 1:-1] * self.cell
-        passable = clearance >= agent.radius
+        passable = ndimage.distance_transform_edt(free)[1:-1, 1:-1] * self.cell >= agent.radius
         labels, count = ndimage.label(passable, np.ones((3, 3)))
         if not count:
-            return [True] * len(footprints)
+            return np.full(self.inside.shape, 1e3)
         at_door = np.bincount(labels[self.landing], minlength=count + 1)[1:]
         sizes = at_door if at_door.any() else np.bincount(labels.ravel(), minlength=count + 1)[1:]
-        main = labels == 1 + int(np.argmax(sizes))
-        away = ndimage.distance_transform_edt(~main) * self.cell
-        found: list[bool] = []
-        for points in footprints:
-            i, j, _ = self.look(points)
-            found.append(bool(away[i, j].min() > agent.reach - 0.03))
-        return found
+        return ndimage.distance_transform_edt(labels != 1 + int(np.argmax(sizes))) * self.cell
 
 
 def room_depth(room: Room) -> float:

@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 
 from robolayout.planners._cluster import Cluster, ClusterBuilder
-from robolayout.planners._floor import rect_points
 from robolayout.planners._grid import cell_poses, grid_batches
 from robolayout.planners._member import Member
 from robolayout.planners._overhead import hang, lay_rugs, overhead
@@ -21,56 +20,45 @@ from robolayout.scene import Layout, Scene
 UNREACHED = 8.0
 """Cost of an asset that the agent cannot get to."""
 
+PATIENCE = 5
+"""Attempts without a better room after which the search ends."""
+
 BAD = 2.5
 """Cost above which a place counts as bad enough to try something else."""
+
+OVERHEAD_RANK = 71
+"""Rank from which on all floor things are placed."""
 
 MOOD = 0.3
 """Standard deviation of the logarithm by which wishes vary from one attempt to the next."""
 
 
 def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed: int) -> Site:
-    """Return the best of several attempts; the first one follows the knowledge to the letter."""
+    """Return the best of several attempts; the very first one follows the knowledge to the letter.
+
+    The floor is furnished in every attempt, walls and ceiling only in the best one. It is good enough after `PATIENCE`
+    attempts without a better one.
+    """
     empty = Site.of(scene, cast)
     builder = ClusterBuilder(scene, cast)
-    best: tuple[float, Site] | None = None
-    for attempt in range(attempts(len(scene.assets))):
+    best: tuple[float, int, _Attempt] | None = None
+    for number in range(attempts(len(scene.assets))):
         site = empty.copy()
         _keep(site, builder, placed)
-        rng = np.random.default_rng((seed, attempt))
-        cost = _Attempt(site, builder, rng, calm=attempt == 0 and seed == 0).run()
-        cost += UNREACHED * sum(unreached(site).values())
+        attempt = _Attempt(site, builder, np.random.default_rng((seed, number)), calm=number == 0 and seed == 0)
+        cost = attempt.furnish_floor() + UNREACHED * len(site.unreached())
         if best is None or cost < best[0]:
-            best = (cost, site)
-        if best[0] < 1.0:
+            best = (cost, number, attempt)
+        if number - best[1] >= PATIENCE:
             break
     assert best is not None
-    return best[1]
+    best[2].furnish_walls()
+    return best[2].site
 
 
 def attempts(count: int) -> int:
     """Return how many rooms to try for so many assets: 16 for small rooms, fewer for crowded ones."""
     return max(6, min(16, 400 // max(count, 1)))
-
-
-def unreached(site: Site) -> dict[str, bool]:
-    """Return, for each asset that counts, whether some agent of the scene cannot get to it."""
-    names = [n for n, s in site.spots.items() if s.mode not in ("ceiling", "rug")]
-    points = []
-    for name in names:
-        member, (depth, width, _) = site.spots[name].member, site.size(name)
-        local = rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.0)
-        points.append(_world(local, member))
-    found = dict.fromkeys(names, False)
-    for agent in site.scene.agents:
-        for name, bad in zip(names, site.floor.unreached(agent, points), strict=True):
-            found[name] |= bad
-    return found
-
-
-def _world(points: np.ndarray, member: Member) -> np.ndarray:  # type: ignore[type-arg]
-    from robolayout.planners._floor import moved
-
-    return moved(points, np.array([[member.x, member.y, member.yaw]]))[0]
 
 
 def _keep(site: Site, builder: ClusterBuilder, placed: Layout | None) -> None:
@@ -81,16 +69,14 @@ def _keep(site: Site, builder: ClusterBuilder, placed: Layout | None) -> None:
     for name in given:
         pose = placed[name]
         member = Member(name, pose.x, pose.y, pose.yaw, pose.z - site.size(name)[2] / 2)
-        site.spots[name] = Spot(member, "given")
-        site.mark([member])
+        site.settle(name, Spot(member, "given"))
     for name in given:
         pose = placed[name]
         for member in builder.build(name).members:
             if member.name not in site.spots and site.cast[member.name].anchor is not None:
                 world = member.moved(pose.x, pose.y, pose.yaw)
                 world = replace(world, bottom=world.bottom + site.spots[name].member.bottom)
-                site.spots[member.name] = Spot(world, "join", None, site.cast[member.name].anchor)
-                site.mark([world])
+                site.settle(member.name, Spot(world, "join", None, site.cast[member.name].anchor))
 
 
 class _Attempt:
@@ -103,17 +89,27 @@ class _Attempt:
         self.calm = calm
         self.cost = 0.0
 
-    def run(self) -> float:
-        """Place everything and return the total cost."""
-        left = [item for item in self.site.cast.values() if item.anchor is None and item.name not in self.site.spots]
-        by_role: dict[str, list[Cast]] = {}
-        for item in left:
-            by_role.setdefault(item.role.name, []).append(item)
-        order = sorted(by_role.values(), key=lambda items: items[0].role.rank + (0.0 if self.calm else self._nudge()))
-        for items in order:
-            items.sort(key=lambda item: -item.asset.size[0] * item.asset.size[1])
+    def furnish_floor(self) -> float:
+        """Place what stands on the floor, and boards that the rest looks at; return the total cost."""
+        for items in self._turns(last=False):
             self._place_role(items)
         return self.cost
+
+    def furnish_walls(self) -> None:
+        """Hang and lay the rest, where the agents reach it over the finished floor."""
+        self.site.survey()
+        for items in self._turns(last=True):
+            self._place_role(items)
+
+    def _turns(self, *, last: bool) -> list[list[Cast]]:
+        """Return what stands by itself and has no place yet, role by role, big things first."""
+        by_role: dict[str, list[Cast]] = {}
+        for item in self.site.cast.values():
+            if item.anchor is None and item.name not in self.site.spots and (item.role.rank >= OVERHEAD_RANK) == last:
+                by_role.setdefault(item.role.name, []).append(item)
+        for items in by_role.values():
+            items.sort(key=lambda item: -item.asset.size[0] * item.asset.size[1])
+        return sorted(by_role.values(), key=lambda items: items[0].role.rank + (0.0 if self.calm else self._nudge()))
 
     def _nudge(self) -> float:
         """Return a small change of order between roles of similar rank."""

@@ -6,11 +6,13 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from robolayout.planners._cluster import Cluster
+from robolayout.planners._floor import rect_points
 from robolayout.planners._member import Member
 from robolayout.planners._places import WALL_GAP, targets, wall_yaw
-from robolayout.planners._site import Site, Spot, along_wall
+from robolayout.planners._site import Poses, Site, Spot, corners_of
 from robolayout.scene import Wall
 
 EYE = 1.5
@@ -30,18 +32,14 @@ def hang(site: Site, name: str, rng: np.random.Generator) -> None:
             if best is None or key[0] < best[0]:
                 best = key
     if best is not None:
-        site.spots[name] = best[2]
-        site.mark([best[2].member])
+        site.settle(name, best[2])
 
 
 def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
     width = site.size(name)[1]
     low, high = width / 2 + 0.05, wall.length - width / 2 - 0.05
     marks = [wall.length / 2, *np.arange(low, high, 0.15)]
-    for other, spot in site.spots.items():
-        span = along_wall(spot.member, site.size(other), wall, near=0.6)
-        if span is not None:
-            marks.append(sum(span) / 2)
+    marks += [(span.rect[0] + span.rect[2]) / 2 for span in site.spans if span.wall == wall.index]
     return sorted({round(float(t), 3) for t in marks if low <= t <= high})
 
 
@@ -58,7 +56,7 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     cost += 1.2 * site.wall_conflict((rect[0] - 0.4, rect[1], rect[2] + 0.4, rect[3]), takers)
     cost += 0.8 * abs(t - wall.length / 2) / wall.length * (1 + role.prefer.get("centre", 0)) - bonus
     cost += role.prefer.get("long", 0.0) * (1 - wall.length / max(w.length for w in site.room.walls))
-    cost += _crowding(site, name, member) + _sight(site, name, member)
+    cost += _crowding(site, name, member) + _sight(site, name, member) + _far(site, name, member)
     if role.prefer.get("door"):
         cost += role.prefer["door"] * _door_cost(site, member)
     return cost, Spot(member, "hang", wall.index, owner)
@@ -67,22 +65,15 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
 def _below(site: Site, name: str, wall: Wall, t: float) -> tuple[str | None, float, float]:
     """Return what stands below that place and the thing belongs over, what that is worth, and the height it reaches."""
     role, width = site.cast[name].role, site.size(name)[1]
-    top = 0.0
-    for other, spot in site.spots.items():
-        span = along_wall(spot.member, site.size(other), wall, near=0.15)
-        if span is None or spot.mode in ("hang", "ceiling", "rug"):
-            continue
-        reach = spot.member.bottom + site.size(other)[2]
-        if span[0] < t + width / 2 and span[1] > t - width / 2 and reach < 1.6:
-            top = max(top, reach)
-    for rank, wanted in enumerate(role.above):
-        for other, spot in site.spots.items():
-            if site.cast[other].role.name != wanted or spot.wall != wall.index:
-                continue
-            span = along_wall(spot.member, site.size(other), wall)
-            used = any(s.anchor == other and s.mode == "hang" for s in site.spots.values())
-            if span is not None and abs(sum(span) / 2 - t) < 0.03 and not used:
-                return other, 6.0 - rank, top
+    here = [s for s in site.spans if s.wall == wall.index and site.spots[s.name].mode != "hang"]
+    close = [s for s in here if s.depth <= 0.15 and s.rect[0] < t + width / 2 and s.rect[2] > t - width / 2]
+    top = max((s.rect[3] for s in close if s.rect[3] < 1.6), default=0.0)
+    hung_over = {s.anchor for s in site.spots.values() if s.mode == "hang"}
+    for span in here:
+        wanted = site.cast[span.name].role.name
+        centred = abs((span.rect[0] + span.rect[2]) / 2 - t) < 0.03
+        if wanted in role.above and centred and site.spots[span.name].wall == wall.index and span.name not in hung_over:
+            return span.name, 6.0 - role.above.index(wanted), top
     return None, 0.0, top
 
 
@@ -90,6 +81,14 @@ def _crowding(site: Site, name: str, member: Member) -> float:
     """Return a cost for hanging close to others of its kind, so that pictures spread over the room."""
     same = [s.member for n, s in site.spots.items() if site.cast[n].role is site.cast[name].role and s.mode == "hang"]
     return sum(max(0.0, 2.0 - math.hypot(m.x - member.x, m.y - member.y)) for m in same)
+
+
+def _far(site: Site, name: str, member: Member) -> float:
+    """Return a cost for hanging where some agent cannot reach it in plan; nothing while the floor is still empty."""
+    if site.away is None:
+        return 0.0
+    i, j, _ = site.floor.look(corners_of(member, site.size(name)))
+    return 7.0 * bool(site.away[i, j].min() > 0)
 
 
 def _door_cost(site: Site, member: Member) -> float:
@@ -137,7 +136,7 @@ def _hang_from_ceiling(
     site: Site, name: str, point: tuple[float, float], yaw: float, owner: str | None
 ) -> None:
     bottom = site.room.wall_height - site.size(name)[2]
-    site.spots[name] = Spot(Member(name, *point, yaw, bottom), "ceiling", None, owner)
+    site.settle(name, Spot(Member(name, *point, yaw, bottom), "ceiling", None, owner))
 
 
 def _spread(site: Site, count: int) -> list[tuple[float, float]]:
@@ -168,7 +167,7 @@ def lay_rugs(site: Site, names: Sequence[str]) -> None:
             there = site.spots[owner].member
             ahead = site.size(owner)[0] * 0.3 if _is(site, owner, "bed") else 0.0
             pose = there.x + ahead * math.cos(there.yaw), there.y + ahead * math.sin(there.yaw), there.yaw
-        site.spots[name] = Spot(_fitted(site, name, pose), "rug", None, owner)
+        site.settle(name, Spot(_fitted(site, name, pose), "rug", None, owner))
 
 
 def _fitted(site: Site, name: str, pose: tuple[float, float, float]) -> Member:
@@ -184,11 +183,8 @@ def _fitted(site: Site, name: str, pose: tuple[float, float, float]) -> Member:
     return Member(name, *(float(v) for v in poses[best]))
 
 
-def _outside(site: Site, cluster: Cluster, poses: np.ndarray) -> np.ndarray:  # type: ignore[type-arg]
+def _outside(site: Site, cluster: Cluster, poses: Poses) -> NDArray[np.float32]:
     """Return the share of a flat thing that lies outside the room, per pose."""
-    from robolayout.planners._floor import moved, rect_points
-
     depth, width, _ = site.size(cluster.anchor)
-    points = moved(rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.03, 0.15), poses)
-    i, j, on_grid = site.floor.look(points)
-    return (~on_grid | ~site.floor.inside[i, j]).mean(axis=-1)
+    points = rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.03, 0.15)
+    return site.floor.maps().outside[site.floor.under(points, poses)].mean(axis=1)

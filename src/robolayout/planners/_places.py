@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from robolayout.planners._cluster import Cluster
 from robolayout.planners._member import Member
-from robolayout.planners._site import Poses, Site, along_wall
+from robolayout.planners._site import AT_WALL, Poses, Site
 from robolayout.scene import Wall
 
 WALL_STEP = 0.1
@@ -69,10 +69,9 @@ def _offsets(site: Site, wall: Wall, width: float) -> list[float]:
     if high < low:
         return []
     marks = [low, high, wall.length / 2]
-    for name, spot in site.spots.items():
-        span = along_wall(spot.member, site.size(name), wall)
-        if span is not None and spot.member.bottom < 0.01:
-            marks += [span[0] - width / 2 - 0.02, span[1] + width / 2 + 0.02]
+    for span in site.spans:
+        if span.wall == wall.index and span.depth <= AT_WALL and span.rect[1] < 0.01:
+            marks += [span.rect[0] - width / 2 - 0.02, span.rect[2] + width / 2 + 0.02]
     for opening in (*site.room.doors, *site.room.windows):
         if opening.wall == wall.index:
             ends = (opening.offset - DOOR_MARGIN, opening.offset + opening.width + DOOR_MARGIN)
@@ -127,7 +126,8 @@ def _in_the_middle(site: Site, cluster: Cluster) -> Found:
     xs, ys = np.arange(left + 0.3, right - 0.29, step), np.arange(bottom + 0.3, top - 0.29, step)
     grid = np.stack(np.meshgrid(xs, ys, indexing="ij"), -1).reshape(-1, 2)
     grid = np.concatenate([grid, [centroid(site)]])
-    blocked = site.floor.blocked(grid[:, None, :], landings=True) > 0
+    frames = np.column_stack([grid, np.zeros(len(grid))])
+    blocked = site.floor.maps().barred[site.floor.under(np.zeros((1, 2)), frames)][:, 0] > 0
     found: Found = ([], [], [])
     for yaw in room_yaws(site):
         for x, y in grid[~blocked]:

@@ -24,6 +24,12 @@ Poses = NDArray[np.float64]
 CLASH = 100.0
 """Cost of a square metre of clash."""
 
+NEAR_WALL = 0.6
+"""Metres from a wall within which a thing stands before it."""
+
+AT_WALL = 0.35
+"""Metres from a wall within which a thing covers it."""
+
 
 @dataclass(frozen=True)
 class Spot:
@@ -74,6 +80,23 @@ class Strip:
     any_of: bool
 
 
+@dataclass(frozen=True)
+class Span:
+    """What a placed thing covers of a wall close to it.
+
+    Attributes:
+        name: The thing.
+        wall: Index of the wall.
+        depth: Metres between its nearest corner and the wall.
+        rect: Start and bottom, end and top, in metres along and up the wall.
+    """
+
+    name: str
+    wall: int
+    depth: float
+    rect: Rect
+
+
 @dataclass
 class Site:
     """The state of the search.
@@ -84,6 +107,8 @@ class Site:
         floor: The grid.
         corridor: Metres that the agent needs to pass.
         spots: What is placed, by name, in the order of placing.
+        spans: What the placed things cover of the walls.
+        away: How many metres each cell is out of the reach of the worst agent, once the floor is furnished.
     """
 
     scene: Scene
@@ -91,6 +116,8 @@ class Site:
     floor: Floor
     corridor: float
     spots: dict[str, Spot] = field(default_factory=dict[str, Spot])
+    spans: list[Span] = field(default_factory=list["Span"])
+    away: NDArray[np.float64] | None = None
 
     @staticmethod
     def of(scene: Scene, cast: Mapping[str, Cast]) -> Site:
@@ -100,7 +127,7 @@ class Site:
 
     def copy(self) -> Site:
         """Return an independent copy."""
-        return replace(self, floor=self.floor.copy(), spots=dict(self.spots))
+        return replace(self, floor=self.floor.copy(), spots=dict(self.spots), spans=list(self.spans))
 
     @property
     def room(self) -> Room:
@@ -114,6 +141,22 @@ class Site:
     def on_floor(self, member: Member) -> bool:
         """Whether a member takes floor space."""
         return member.bottom < 0.01 and not self.scene.by_name[member.name].is_flat
+
+    def survey(self) -> None:
+        """Find out what the agents reach over the floor as it is furnished now."""
+        self.away = np.max([self.floor.away(agent) - agent.reach + 0.03 for agent in self.scene.agents], axis=0)
+
+    def unreached(self) -> list[str]:
+        """Return the assets that count and that some agent of the scene cannot get to."""
+        self.survey()
+        found: list[str] = []
+        for name, spot in self.spots.items():
+            depth, width, _ = self.size(name)
+            points = _placed(rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.0), spot.member)
+            i, j, _ = self.floor.look(points)
+            if self.away is not None and spot.mode not in ("ceiling", "rug") and self.away[i, j].min() > 0:
+                found.append(name)
+        return found
 
     def bodies(self, cluster: Cluster) -> list[tuple[Points, float]]:
         """Return the footprint points and area of every floor member, in the cluster's frame."""
@@ -154,22 +197,32 @@ class Site:
         return {side: front if side == "front" else self.corridor for side in sides}, len(sides) > 1
 
     def base_cost(self, cluster: Cluster, poses: Poses) -> NDArray[np.float64]:
-        """Return the cost (n,) of clashes, of standing where others want room, and of having no room before it."""
-        cost = np.zeros(len(poses))
-        for points, area in self.bodies(cluster):
-            world = moved(points, poses)
-            cost += CLASH * area * self.floor.blocked(world, landings=True)
-            cost += 4.0 * math.sqrt(area) * np.minimum(self.floor.wish(world), 2.0)
-        strips: dict[str, list[NDArray[np.float64]]] = {}
+        """Return the cost (n,) of clashes, of standing where others want room, and of having no room before it.
+
+        Places that clash much more than the best one are given up early, at the price of their clash.
+        """
+        maps, total = self.floor.maps(), np.zeros(len(poses))
+        bodies = self.bodies(cluster)
+        for points, area in bodies:
+            total += CLASH * area * maps.barred[self.floor.under(points, poses)].mean(axis=1)
+        rows = np.flatnonzero(total <= total.min() + 4.0)
+        cost, here = total[rows], poses[rows]
+        for points, area in bodies:
+            cost += 4.0 * math.sqrt(area) * maps.wanted[self.floor.under(points, here)].mean(axis=1)
+        strips: dict[str, list[NDArray[np.float32]]] = {}
         choices: dict[str, bool] = {}
         for strip in self.strips(cluster):
             choices[strip.owner] = strip.any_of
-            blocked = self.floor.blocked(moved(strip.points, poses), landings=False)
+            blocked = maps.taken[self.floor.under(strip.points, here)].mean(axis=1)
             strips.setdefault(strip.owner, []).append(blocked)
         for owner, values in strips.items():
             stack = np.stack(values)
             cost += 6.0 * (stack.min(0) if choices[owner] else stack.max(0)) + 1.0 * stack.mean(0)
-        return cost
+        total[rows] = cost
+        given_up = np.ones(len(poses), np.bool_)
+        given_up[rows] = False
+        total[given_up] += 12.0
+        return total
 
     def put(self, cluster: Cluster, pose: NDArray[np.float64], mode: str, wall: int | None, anchor: str | None) -> None:
         """Place a cluster: record its members and mark the floor."""
@@ -179,20 +232,25 @@ class Site:
             item = self.cast[member.name]
             first = member.name == cluster.anchor
             spot = Spot(here, mode if first else "join", wall if first else None, anchor if first else item.anchor)
-            self.spots[member.name] = spot
-        self.mark(world)
+            self.settle(member.name, spot)
         for strip in self.strips(cluster):
             points = moved(strip.points, np.array([[x, y, yaw]]))[0]
             i, j, on_grid = self.floor.look(points)
             keep = on_grid & self.floor.inside[i, j]
             self.floor.wanted[self._patch(i[keep], j[keep])] += 0.5 if strip.any_of else 1.0
 
-    def mark(self, members: Sequence[Member]) -> None:
-        """Mark the floor that members in the world frame take."""
-        for member in members:
-            if self.on_floor(member):
-                cells = self.floor.cells([corners_of(member, self.size(member.name))])
-                self.floor.body[cells] += 1
+    def settle(self, name: str, spot: Spot) -> None:
+        """Record where one asset is, the floor that it takes and the walls that it covers."""
+        self.spots[name] = spot
+        if self.on_floor(spot.member) and spot.mode not in ("ceiling", "rug"):
+            self.floor.body[self.floor.cells([corners_of(spot.member, self.size(name))])] += 1
+        if spot.mode in ("ceiling", "rug"):
+            return
+        for wall in self.room.walls:
+            span = along_wall(spot.member, self.size(name), wall)
+            if span is not None:
+                top = spot.member.bottom + self.size(name)[2]
+                self.spans.append(Span(name, wall.index, span[2], (span[0], spot.member.bottom, span[1], top)))
 
     def _patch(self, i: NDArray[np.intp], j: NDArray[np.intp]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
         """Return all cells around sample points 0.15 m apart, each once."""
@@ -213,10 +271,7 @@ class Site:
                 for o in openings
                 if o.wall == wall.index
             ]
-        for name, spot in self.spots.items():
-            span = along_wall(spot.member, self.size(name), wall)
-            if span is not None and spot.mode not in ("ceiling", "rug"):
-                takers.append(((span[0], spot.member.bottom, span[1], spot.member.bottom + self.size(name)[2]), name))
+        takers += [(s.rect, s.name) for s in self.spans if s.wall == wall.index and s.depth <= AT_WALL]
         return takers
 
     def wall_conflict(self, rect: Rect, takers: Sequence[tuple[Rect, str]], margin: float = 0.05) -> float:
@@ -237,13 +292,18 @@ def corners_of(member: Member, size: tuple[float, float, float]) -> Points:
     return _placed(np.array([(hx, -hy), (hx, hy), (-hx, hy), (-hx, -hy)]), member)
 
 
-def along_wall(member: Member, size: tuple[float, float, float], wall: Wall, near: float = 0.35) -> tuple[float, float] | None:
-    """Return the interval along a wall that a thing closer than `near` metres covers, or None."""
-    corners = corners_of(member, size) - np.asarray(wall.start)
-    along, depth = corners @ np.asarray(wall.direction), corners @ np.asarray(wall.normal)
-    if depth.min() > near or depth.min() < -0.3 or along.max() < 0 or along.min() > wall.length:
+def along_wall(member: Member, size: tuple[float, float, float], wall: Wall) -> tuple[float, float, float] | None:
+    """Return start, end and depth in metres of what a thing within `NEAR_WALL` of a wall covers of it, or None."""
+    (dx, dy), (nx, ny), (wx, wy) = wall.direction, wall.normal, wall.start
+    along = (member.x - wx) * dx + (member.y - wy) * dy
+    depth = (member.x - wx) * nx + (member.y - wy) * ny
+    c, s = math.cos(member.yaw), math.sin(member.yaw)
+    half_along = (abs(c * dx + s * dy) * size[0] + abs(c * dy - s * dx) * size[1]) / 2
+    half_depth = (abs(c * nx + s * ny) * size[0] + abs(c * ny - s * nx) * size[1]) / 2
+    low, high = along - half_along, along + half_along
+    if not -0.3 <= depth - half_depth <= NEAR_WALL or high < 0 or low > wall.length:
         return None
-    return (float(along.min()), float(along.max()))
+    return (low, high, depth - half_depth)
 
 
 def _placed(points: Points, member: Member) -> Points:

@@ -40,7 +40,7 @@ def taste(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
 
 def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
     """Return the cost of where on its wall a thing stands and what it hides there."""
-    depth, width, height = site.size(batch.cluster.anchor)
+    _, width, height = site.size(batch.cluster.anchor)
     longest = max(wall.length for wall in site.room.walls)
     cost = np.zeros(len(batch.poses))
     for wall in site.room.walls:
@@ -64,18 +64,14 @@ def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost
         window = weights.get("window", 0.0)
         part += window * (1 - np.minimum(lit * 1.5, 1.0)) if window > 0 else -window * np.minimum(lit * 1.5, 1.0)
         cost[rows] = part + BLOCKED_WINDOW * np.minimum(hidden, 1.0)
-    return cost + weights.get("tuck", 0.0) * _loose_ends(site, batch, depth, width)
+    return cost + weights.get("tuck", 0.0) * _loose_ends(site, batch, width)
 
 
-def _loose_ends(site: Site, batch: Batch, depth: float, width: float) -> Cost:
+def _loose_ends(site: Site, batch: Batch, width: float) -> Cost:
     """Return how many of the two sides of a thing at a wall have an open gap beside them (0 to 1)."""
-    sides = np.array([(0.0, width / 2 + 0.12), (0.0, -width / 2 - 0.12)])
-    c, s = np.cos(batch.poses[:, 2]), np.sin(batch.poses[:, 2])
-    total = np.zeros(len(batch.poses))
-    for x, y in sides:
-        world = np.stack([batch.poses[:, 0] + c * x - s * y, batch.poses[:, 1] + s * x + c * y], -1)
-        total += 1.0 - site.floor.blocked(world[:, None, :], landings=False)
-    return total / 2
+    taken = site.floor.maps().taken
+    sides = [np.array([(0.0, y)]) for y in (width / 2 + 0.12, -width / 2 - 0.12)]
+    return 1.0 - np.mean([taken[site.floor.under(side, batch.poses)][:, 0] for side in sides], axis=0)
 
 
 def _nearness(site: Site, xy: NDArray[np.float64], key: str) -> Cost:
