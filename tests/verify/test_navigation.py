@@ -182,7 +182,7 @@ def test_the_widest_of_two_ways_counts():
 
 def test_where_there_is_no_way_the_width_is_zero():
     passage = navigation(*divided(0.0, behind())).passages["box-0"]
-    assert (passage.width, passage.between, passage.shown) == (0.0, (), "none")
+    assert (passage.width, passage.between, passage.shown, passage.cut_off) == (0.0, (), "none", True)
 
 
 def test_open_floor_has_no_narrow_passage():

@@ -18,7 +18,7 @@ from shapely import LineString, Polygon
 
 from robolayout.scene import Agent, Layout, Point, Scene
 from robolayout.verify._boxes import Boxes, boxes
-from robolayout.verify._space import Space, disc_space, plan_distances, reached_rows
+from robolayout.verify._space import REACH_SLACK, Space, disc_space, plan_distances, reached_rows
 from robolayout.verify.routes import find_routes
 
 STEP = 0.005
@@ -36,12 +36,14 @@ class Passage:
         width: Clear width in metres, to 1 cm; 0 if not even a disc of 1 cm gets there, `WIDE` stands for that or more.
         point: Where it is, metres; None where no passage limits the way (open floor, or only the arm is too short).
         between: What stands left and right of it: asset names or "wall 2"; empty where there is no such place.
+        cut_off: Whether one could stand near enough to it, but no disc however small gets there.
     """
 
     asset: str
     width: float
     point: Point | None
     between: tuple[str, ...]
+    cut_off: bool = False
 
     @property
     def shown(self) -> str:
@@ -57,6 +59,8 @@ def find_passages(scene: Scene, layout: Layout, agent: Agent, names: Sequence[st
     top = max(math.ceil(WIDE / 2 / STEP), math.floor(agent.radius / STEP) + 1)
     widest = {name: _largest(partial(search.reached, search.row(name)), top) for name in names}
     result = {name: Passage(name, min(2 * STEP * step, 2 * STEP * top), None, ()) for name, step in widest.items()}
+    for name in (name for name, step in widest.items() if step == 0):
+        result[name] = replace(result[name], cut_off=search.stands_near(name))
     for step in sorted({step for step in widest.values() if 0 < step < top}):
         group = [name for name, found in widest.items() if found == step]
         for name, place in search.necks(step, group).items():
@@ -96,6 +100,12 @@ class _Search:
 
     def reached(self, row: int, step: int) -> bool:
         return self.space(step)[1][row]
+
+    def stands_near(self, name: str) -> bool:
+        """Tell whether the smallest disc could stand within reach of an asset, wherever it came from."""
+        free = self.space(1)[0].free
+        reach = replace(self._agent, radius=STEP).reach
+        return not free.is_empty and free.distance(self._found.footprints[self.row(name)]) <= reach + REACH_SLACK
 
     def necks(self, step: int, names: Sequence[str]) -> dict[str, Point]:
         """Return where the ways of the widest disc are cut when it grows by one step."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -55,6 +56,10 @@ class StatementResult:
     limit: float
     unit: str
     text: str
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain data; figures that do not exist are None."""
+        return vars(self) | {"value": _finite(self.value), "limit": _finite(self.limit)}
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,7 +129,7 @@ class AgentReport:
                 name: {"width": p.width, "point": p.point and list(p.point), "between": list(p.between)}
                 for name, p in nav.passages.items()
             },
-            "unreached": {name: nav.distances[name] for name in nav.unreached},
+            "unreached": {name: _finite(nav.distances[name]) for name in nav.unreached},
             "unusable": {name: use.reason for name, use in self.usage.uses.items() if not use.usable},
             "turning_places": None if self.headings is None else _places(self.headings),
             "exempt": dict(self.exempt),
@@ -205,7 +210,7 @@ class Report:
         """Return the content of `report.json`: the keys of DESIGN section 8, then details."""
         return {
             **self.figures,
-            "statements": [vars(item) for item in self.statements],
+            "statements": [item.to_dict() for item in self.statements],
             "violations": list(self.violations),
             "timing": {name: dict(seconds) for name, seconds in self.timing.items()},
             "ok": self.ok,
@@ -237,6 +242,10 @@ class Report:
     def __repr__(self) -> str:
         shown = ", ".join(f"{name} {value}" for name, value, _ in self.rows())
         return f"Report({'ok' if self.ok else f'{len(self.violations)} violations'}: {shown})"
+
+
+def _finite(value: float) -> float | None:
+    return float(value) if math.isfinite(value) else None
 
 
 def _places(space: HeadingSpace) -> list[dict[str, Any]]:

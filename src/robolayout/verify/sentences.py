@@ -40,7 +40,7 @@ def unreached_sentence(nav: Navigation, name: str) -> str:
     """Return why an asset is not reached: a passage that is too narrow, or an arm that is too short."""
     agent, passage = nav.agent, nav.passages[name]
     needed = 2 * agent.radius
-    if passage.width == 0:
+    if passage.cut_off:
         return f"{name} cannot be reached by {agent.name}: there is no way to it, not even for a disc of 1 cm."
     if passage.between and passage.width < needed:
         return (

@@ -1,0 +1,182 @@
+"""The report: its keys, what counts as met, worst over agents, sentences."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, replace
+
+import pytest
+from verify_rooms import DISC, furnished, on_floor, square, thing
+
+from robolayout.constraints import RELATIONS, AssetRef, WallRef
+from robolayout.scene import Layout, Scene
+from robolayout.verify import Report, verify
+
+KEYS = [
+    "placed_share",
+    "collision_free_share",
+    "collision_free_scene",
+    "in_boundary_share",
+    "supported_share",
+    "door_clear",
+    "walkable_ratio",
+    "reachable_share",
+    "usable_share",
+    "statements_met_share",
+    "statements",
+    "violations",
+    "timing",
+]
+SHELF = thing("bookshelf-0", (0.3, 1.0, 1.8), "bookshelf")
+ARM = replace(DISC, name="arm", reach_distance=0.6)
+
+
+@dataclass(frozen=True)
+class Said:
+    relation: object
+    number: int
+    line: int
+    source: str
+
+
+@dataclass(frozen=True)
+class Asked:
+    statements: tuple[Said, ...]
+
+
+def good() -> tuple[Scene, Layout]:
+    return furnished(square(), (SHELF, on_floor(SHELF, 0.15, 2.5)), agents=(ARM,))
+
+
+def asked(wall: int) -> Asked:
+    relation = RELATIONS["against_wall"](AssetRef("bookshelf-0"), WallRef(wall))
+    return Asked((Said(relation, 1, 3, f"solver.against_wall(bookshelf[0], walls[{wall}])"),))
+
+
+def test_a_good_layout_meets_every_demand():
+    report = verify(*good(), asked(3))
+    assert report.ok
+    assert report.violations == ()
+    assert report.statements[0].sentence == "against_wall(bookshelf-0, walls[3])"
+    data = report.to_dict()
+    assert list(data)[: len(KEYS)] == KEYS
+    assert [data[key] for key in KEYS[:10]] == [1.0, 1.0, True, 1.0, 1.0, True, 1.0, 1.0, 1.0, 1.0]
+    assert set(data["timing"]["verify"]) == {"wall", "cpu"}
+    assert set(data["statements"][0]) == {
+        "number",
+        "line",
+        "source",
+        "sentence",
+        "met",
+        "value",
+        "limit",
+        "unit",
+        "text",
+    }
+
+
+def test_the_report_is_plain_data():
+    report = verify(*good(), asked(3))
+    assert json.loads(json.dumps(report.to_dict(), allow_nan=False))["agents"]["arm"]["name"] == "arm"
+
+
+def test_a_statement_is_judged_as_asked():
+    report = verify(*good(), asked(1))
+    assert report.figures["statements_met_share"] == 0.0
+    assert not report.ok
+    assert report.unmet == ("statements_met_share",)
+    assert report.violations[0].startswith("against_wall(bookshelf-0, walls[1]) is not met: ")
+
+
+def test_a_statement_about_something_unplaced_is_not_met():
+    scene, _ = good()
+    report = verify(scene, Layout({}), asked(3))
+    assert not report.statements[0].met
+    assert report.statements[0].text == "bookshelf-0 not placed"
+    assert json.dumps(report.to_dict(), allow_nan=False)
+
+
+def test_top_level_figures_are_the_worst_over_agents():
+    shelf, box = thing("shelf-0", (3.2, 0.4, 1.8), "bookshelf"), thing("box-0", (0.5, 1.0, 0.8))
+    scene, layout = furnished(square(), (shelf, on_floor(shelf, 1.6, 2.0, 0)), (box, on_floor(box, 2, 3.4)))
+    slim, wide = replace(ARM, name="slim"), replace(ARM, name="wide", radius=0.43)
+    report = verify(scene, layout, agent=[slim, wide])
+    by_name = {item.agent.name: item.figures for item in report.agents}
+    assert by_name["slim"]["reachable_share"] == 1.0
+    assert by_name["wide"]["reachable_share"] == 0.5
+    assert report.figures["reachable_share"] == 0.5
+    assert set(report.to_dict()["agents"]) == {"slim", "wide"}
+    (sentence,) = [s for s in report.violations if "cannot be reached" in s]
+    assert sentence == (
+        "box-0 cannot be reached by wide: narrowest passage 0.80 m, needs 0.86 m, between shelf-0 and wall 1."
+    ) or sentence == (
+        "box-0 cannot be reached by wide: narrowest passage 0.79 m, needs 0.86 m, between shelf-0 and wall 1."
+    )
+    assert "wide would reach box-0 without shelf-0." in report.to_markdown()
+
+
+def test_agents_are_named_loaded_or_given():
+    scene, layout = good()
+    assert [a.agent.name for a in verify(scene, layout, agent="wheelchair,child_6").agents] == ["wheelchair", "child_6"]
+    assert verify(scene, layout, agent=DISC).agents[0].agent is DISC
+    assert verify(scene, layout).agents[0].agent == ARM
+
+
+def test_a_rectangular_body_reports_its_turning_places():
+    scene, layout = good()
+    report = verify(scene, layout, agent="wheelchair")
+    (place,) = report.to_dict()["agents"]["wheelchair"]["turning_places"]
+    assert place["area"] > 3.0
+    assert report.agents[0].usage.usable["bookshelf-0"]
+
+
+def test_what_is_not_asked_of_a_body_does_not_fail_the_report():
+    table = thing("table-0", (1.4, 1.4, 0.7), "dining table")
+    cup = thing("cup-0", (0.1, 0.1, 0.1), "cup", on_floor=False, on_object=True)
+    scene, layout = furnished(square(), (table, on_floor(table, 2.4, 2.4)), (cup, on_floor(cup, 2.4, 2.4, bottom=0.7)))
+    report = verify(scene, layout, agent=DISC)
+    assert report.figures["reachable_share"] == 0.5
+    assert report.ok
+    assert report.violations == ()
+    assert "not asked: disc has no arm and cup-0 does not stand on the floor." in report.to_markdown()
+    armed = verify(scene, layout, agent=ARM)
+    assert not armed.ok
+    assert armed.violations == (
+        "cup-0 is out of reach of arm: 0.95 m from the nearest place to stand, reach is 0.60 m.",
+    )
+
+
+def test_a_body_that_cannot_come_in_fails_the_report():
+    scene, layout = good()
+    report = verify(scene, layout, agent=replace(ARM, radius=0.5))
+    assert not report.ok
+    assert report.violations == ("Door 0 is 0.90 m wide, arm needs 1.00 m: it cannot come in.",)
+
+
+def test_the_table_and_the_page():
+    report = verify(*good(), asked(1))
+    rows = report.rows()
+    assert ("statements met", "0.00", False) in rows
+    assert ("door clear", "yes", True) in rows
+    page = report.to_markdown()
+    assert page.startswith("# scene: not all demands are met\n")
+    assert "| statements met | 0.00 | **short** |" in page
+    assert "| bookshelf-0 | yes |" in page
+
+
+def test_the_repr_is_of_use():
+    assert repr(verify(*good())).startswith("Report(ok: placed 1.00, collision free 1.00")
+    assert "unreached []" in repr(verify(*good()).agents[0].navigation)
+
+
+def test_other_stations_add_their_times():
+    report = verify(*good()).with_timing({"solve": {"wall": 1.0, "cpu": 2.0}})
+    assert isinstance(report, Report)
+    assert list(report.to_dict()["timing"]) == ["solve", "verify"]
+
+
+def test_an_empty_layout_fails_everything():
+    scene, _ = good()
+    figures = verify(scene, Layout({})).figures
+    assert figures["collision_free_scene"] is False
+    assert [figures[k] for k in KEYS[:10] if k.endswith("share")] == pytest.approx([0, 0, 0, 0, 0, 0, 1])
