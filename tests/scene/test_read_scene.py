@@ -435,6 +435,7 @@ L_ROOM = ((0, 0), (4, 0), (4, 1.5), (1.5, 1.5), (1.5, 4), (0, 4))
         (((0, 0), (4, 0), (4, 5), (0, 5)), (5.03, 4.0), False),
         (((0, 0), (4, 0), (4, 5), (0, 5)), (6.2, 0.1), True),  # only along the diagonal
         (((0, 0), (4, 0), (4, 5), (0, 5)), (6.5, 0.1), False),
+        (((0, 0), (4, 0), (4, 5), (0, 5)), (6.0, 0.5), False),
         (L_ROOM, (4.0, 1.5), True),
         (L_ROOM, (1.5, 4.0), True),
         (L_ROOM, (2.0, 2.0), False),
@@ -456,6 +457,14 @@ def test_an_asset_must_fit_at_some_heading(
     else:
         with pytest.raises(SceneError, match=r"asset 'bed-0' .* is larger than the room"):
             scene_from_dict(data)
+
+
+@given(st.floats(0.05, 1.5), st.floats(0.1, 1.0))
+def test_what_fits_at_any_odd_heading_is_not_refused(heading: float, width: float) -> None:
+    c, s = math.cos(heading), math.sin(heading)
+    length = min((4 - width * s) / c, (5 - width * c) / s)
+    data = changed("assets", "bed-0", "assetMetadata", to=box(length, width, 0.5))
+    assert scene_from_dict(data).by_name["bed-0"].size[0] == length
 
 
 # Files.
