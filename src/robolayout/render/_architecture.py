@@ -1,0 +1,86 @@
+"""Walls, doors and windows of a plan, drawn the way architects do."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import shapely
+
+from robolayout.render._drawing import Drawing, Point
+from robolayout.render.palette import FLOOR, PAPER, QUIET, WALL
+from robolayout.scene import Opening, Room
+
+THICKNESS = 0.12
+"""Drawn thickness of walls, metres."""
+
+Place = Callable[[float, float], Point]
+
+
+def draw_floor(sheet: Drawing, room: Room, place: Place) -> None:
+    """Draw the floor."""
+    sheet.polygon([[place(x, y) for x, y in room.vertices]], FLOOR)
+
+
+def draw_walls(sheet: Drawing, room: Room, place: Place) -> None:
+    """Draw walls in solid section, doors with leaf and swing, windows with their panes."""
+    inner = shapely.Polygon(room.vertices)
+    solid = inner.buffer(THICKNESS, join_style="mitre").difference(inner)
+    gaps = [_gap(room, opening) for opening in (*room.doors, *room.windows)]
+    solid = solid.difference(shapely.union_all(gaps)) if gaps else solid
+    for piece in shapely.get_parts(solid):
+        if piece.geom_type == "Polygon" and piece.area > 1e-6:
+            rings = [piece.exterior, *piece.interiors]
+            sheet.polygon([[place(x, y) for x, y in ring.coords[:-1]] for ring in rings], WALL)
+    for window in room.windows:
+        _draw_window(sheet, room, window, place)
+    for door in room.doors:
+        _draw_door(sheet, room, door, place)
+
+
+def _gap(room: Room, opening: Opening) -> shapely.Polygon:
+    """Return the hole that an opening leaves in its wall."""
+    wall = room.walls[opening.wall]
+    start, end = opening.offset, opening.offset + opening.width
+    return shapely.Polygon(
+        [
+            wall.point(start, 0.01),
+            wall.point(end, 0.01),
+            wall.point(end, -2 * THICKNESS),
+            wall.point(start, -2 * THICKNESS),
+        ]
+    )
+
+
+def _draw_window(sheet: Drawing, room: Room, window: Opening, place: Place) -> None:
+    """Draw the sill's two edges and the pane between them."""
+    wall = room.walls[window.wall]
+    start, end = window.offset, window.offset + window.width
+    frame = [wall.point(s, d) for s, d in ((start, 0), (end, 0), (end, -THICKNESS), (start, -THICKNESS))]
+    sheet.polygon([[place(*p) for p in frame]], PAPER, stroke=WALL, width=0.18)
+    for depth in (0.42, 0.58):
+        pane = (wall.point(start, -depth * THICKNESS), wall.point(end, -depth * THICKNESS))
+        sheet.line([place(*p) for p in pane], WALL, width=0.13)
+
+
+def _draw_door(sheet: Drawing, room: Room, door: Opening, place: Place) -> None:
+    """Draw the threshold, the open leaf and its swing into the room; the hinge is nearer to the wall's end.
+
+    A door wider than 1.2 m has two leaves.
+    """
+    wall = room.walls[door.wall]
+    start, end = door.offset, door.offset + door.width
+    for depth in (0.0, -THICKNESS):
+        sheet.line(
+            [place(*wall.point(start, depth)), place(*wall.point(end, depth))], QUIET, width=0.1, dash=(0.6, 0.5)
+        )
+    leaves = [(start, 1, door.width / 2), (end, -1, door.width / 2)]
+    if door.width <= 1.2:
+        at_start = door.offset < wall.length - end
+        leaves = [(start, 1, door.width)] if at_start else [(end, -1, door.width)]
+    for hinge, sign, radius in leaves:
+        angles = [math.pi / 2 * k / 16 for k in range(17)]
+        arc = [wall.point(hinge + sign * radius * math.cos(a), radius * math.sin(a)) for a in angles]
+        sheet.line([place(*p) for p in arc], QUIET, width=0.13)
+        leaf = [(hinge, 0), (hinge + sign * 0.04, 0), (hinge + sign * 0.04, radius), (hinge, radius)]
+        sheet.polygon([[place(*wall.point(s, d)) for s, d in leaf]], PAPER, stroke=WALL, width=0.16)

@@ -1,0 +1,307 @@
+"""A drawing on paper as a list of commands, and its three forms: SVG, Pillow picture, PDF.
+
+Lengths are paper millimetres, x to the right and y down. The commands are few (shapes and text), so that all three
+forms show the same drawing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import TYPE_CHECKING, Literal
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+    from PIL.ImageFont import FreeTypeFont
+
+Point = tuple[float, float]
+Anchor = Literal["start", "middle", "end"]
+
+SAMPLES = 3
+"""Supersampling of the Pillow form along each side."""
+
+
+@dataclass(frozen=True)
+class Shape:
+    """Rings or lines with one style.
+
+    Attributes:
+        rings: Point lists in millimetres; of a filled shape, later rings may be holes (even-odd rule).
+        fill: sRGB hex colour, or None.
+        stroke: sRGB hex colour, or None.
+        width: Line width, millimetres.
+        dash: Lengths of dash and gap in millimetres, or None.
+        opacity: Opacity of the fill.
+        closed: Whether the rings are closed.
+        title: Shown when the pointer rests on it (SVG).
+    """
+
+    rings: tuple[tuple[Point, ...], ...]
+    fill: str | None = None
+    stroke: str | None = None
+    width: float = 0.18
+    dash: tuple[float, float] | None = None
+    opacity: float = 1.0
+    closed: bool = True
+    title: str = ""
+
+
+@dataclass(frozen=True)
+class Text:
+    """One line of text.
+
+    Attributes:
+        at: Millimetres; the anchor horizontally, the middle of the capitals vertically.
+        text: The words.
+        size: Font size, millimetres.
+        color: sRGB hex colour.
+        anchor: Which end is at the point.
+        angle: Degrees counter-clockwise.
+        halo: Colour of the outline that keeps it readable, or None.
+    """
+
+    at: Point
+    text: str
+    size: float
+    color: str = "#222222"
+    anchor: Anchor = "middle"
+    angle: float = 0.0
+    halo: str | None = None
+
+
+@dataclass
+class Drawing:
+    """A sheet and what is drawn on it, from back to front.
+
+    Attributes:
+        width: Millimetres.
+        height: Millimetres.
+        items: Shapes and texts.
+        background: sRGB hex colour.
+    """
+
+    width: float
+    height: float
+    items: list[Shape | Text] = field(default_factory=list[Shape | Text])
+    background: str = "#ffffff"
+
+    def polygon(self, rings: Iterable[Iterable[Point]], fill: str | None, **style: object) -> None:
+        """Add a closed shape."""
+        self.items.append(Shape(_rings(rings), fill=fill, **style))  # type: ignore[arg-type]
+
+    def line(self, points: Iterable[Point], stroke: str, **style: object) -> None:
+        """Add an open line."""
+        self.items.append(Shape(_rings([points]), stroke=stroke, closed=False, **style))  # type: ignore[arg-type]
+
+    def words(self, at: Point, text: str, size: float, **style: object) -> None:
+        """Add a line of text."""
+        self.items.append(Text(at, text, size, **style))  # type: ignore[arg-type]
+
+    def moved(self, dx: float, dy: float) -> list[Shape | Text]:
+        """Return the items moved by millimetres, to be put on another sheet."""
+        from dataclasses import replace
+
+        def shift(p: Point) -> Point:
+            return (p[0] + dx, p[1] + dy)
+
+        return [
+            replace(item, at=shift(item.at))
+            if isinstance(item, Text)
+            else replace(item, rings=tuple(tuple(map(shift, ring)) for ring in item.rings))
+            for item in self.items
+        ]
+
+
+def _rings(rings: Iterable[Iterable[Point]]) -> tuple[tuple[Point, ...], ...]:
+    return tuple(tuple((float(x), float(y)) for x, y in ring) for ring in rings)
+
+
+@lru_cache(maxsize=64)
+def font(pixels: int, latin: bool = True) -> FreeTypeFont:
+    """Return the text font: Pillow's own for Latin text, DejaVu Sans (from Matplotlib) for everything else."""
+    from PIL import ImageFont
+
+    if not latin:
+        from importlib.util import find_spec
+        from pathlib import Path
+
+        spec = find_spec("matplotlib")
+        if spec is not None and spec.origin is not None:
+            return ImageFont.truetype(Path(spec.origin).parent / "mpl-data/fonts/ttf/DejaVuSans.ttf", pixels)
+    found = ImageFont.load_default(pixels)
+    assert isinstance(found, ImageFont.FreeTypeFont)
+    return found
+
+
+def is_latin(text: str) -> bool:
+    """Return whether the built-in font has every character."""
+    return all(c < "\u0180" or c in "\u2013\u2014\u2019\u2026" for c in text)
+
+
+@lru_cache(maxsize=4096)
+def text_width(text: str, size: float) -> float:
+    """Return the width of a line of text for a font size, in the unit of the size."""
+    return font(100, is_latin(text)).getlength(text) / 100 * size
+
+
+def draw_svg(drawing: Drawing) -> str:
+    """Return the drawing as SVG text, to scale in millimetres."""
+    from xml.sax.saxutils import escape, quoteattr
+
+    w, h = _number(drawing.width), _number(drawing.height)
+    rows = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{w}mm" height="{h}mm" viewBox="0 0 {w} {h}"'
+        " font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\">",
+        f'<rect width="{w}" height="{h}" fill="{drawing.background}"/>',
+    ]
+    for item in drawing.items:
+        if isinstance(item, Text):
+            x, y = _number(item.at[0]), _number(item.at[1])
+            turn = f' transform="rotate({_number(-item.angle)} {x} {y})"' if item.angle else ""
+            halo = (
+                f' stroke="{item.halo}" stroke-width="{_number(0.28 * item.size)}" stroke-linejoin="round" paint-order="stroke"'
+                if item.halo
+                else ""
+            )
+            anchor = "" if item.anchor == "start" else f' text-anchor="{item.anchor}"'
+            width = text_width(item.text, item.size)
+            fit = f' textLength="{_number(width)}" lengthAdjust="spacingAndGlyphs"' if len(item.text) > 2 else ""
+            rows.append(
+                f'<text x="{x}" y="{y}" dy="0.35em" font-size="{_number(item.size)}" fill={quoteattr(item.color)}{anchor}{fit}{turn}{halo}>'
+                f"{escape(_printable(item.text))}</text>"
+            )
+            continue
+        path = "".join(
+            "M" + "L".join(f"{_number(x)} {_number(y)}" for x, y in ring) + ("Z" if item.closed else "")
+            for ring in item.rings
+        )
+        style = f'fill="{item.fill or "none"}"' + (' fill-rule="evenodd"' if len(item.rings) > 1 else "")
+        style += f' fill-opacity="{_number(item.opacity)}"' if item.opacity < 1 and item.fill else ""
+        if item.stroke:
+            style += f' stroke="{item.stroke}" stroke-width="{_number(item.width)}" stroke-linejoin="round" stroke-linecap="round"'
+            style += f' stroke-dasharray="{_number(item.dash[0])} {_number(item.dash[1])}"' if item.dash else ""
+        end = f"><title>{escape(_printable(item.title))}</title></path>" if item.title else "/>"
+        rows.append(f'<path d="{path}" {style}{end}')
+    return "\n".join([*rows, "</svg>", ""])
+
+
+def draw_image(drawing: Drawing, width: int) -> Image:
+    """Return the drawing as an RGB picture `width` pixels wide."""
+    from PIL import Image
+
+    scale = width / drawing.width
+    size = (width, max(1, round(drawing.height * scale)))
+    big = Image.new("RGB", (size[0] * SAMPLES, size[1] * SAMPLES), drawing.background)
+    paint(big, drawing.items, scale * SAMPLES)
+    return big.reduce(SAMPLES)
+
+
+def paint(image: Image, items: Iterable[Shape | Text], scale: float) -> None:
+    """Paint items onto an RGB picture, `scale` pixels per millimetre."""
+    from PIL import ImageDraw
+
+    pen = ImageDraw.Draw(image, "RGBA")
+    for item in items:
+        if isinstance(item, Text):
+            _paint_text(image, item, scale)
+            continue
+        rings = [[(x * scale, y * scale) for x, y in ring] for ring in item.rings]
+        if item.fill:
+            color = (*_rgb(item.fill), round(255 * item.opacity))
+            if len(rings) == 1:
+                pen.polygon(rings[0], fill=color)
+            else:
+                _paint_holes(image, rings, color)
+        if item.stroke:
+            width = max(1, round(item.width * scale))
+            for ring in rings:
+                points = [*ring, ring[0], ring[1]] if item.closed and len(ring) > 1 else ring
+                for piece in _dashed(points, item.dash, scale):
+                    pen.line(piece, fill=_rgb(item.stroke), width=width, joint="curve")
+
+
+def _paint_holes(image: Image, rings: list[list[Point]], color: tuple[int, int, int, int]) -> None:
+    """Fill rings by the even-odd rule."""
+    from PIL import Image, ImageChops, ImageDraw
+
+    mask = Image.new("1", image.size)
+    for ring in rings:
+        one = Image.new("1", image.size)
+        ImageDraw.Draw(one).polygon(ring, fill=1)
+        mask = ImageChops.logical_xor(mask, one)
+    image.paste(color[:3], (0, 0), mask.convert("L").point(lambda v: v * color[3] // 255))
+
+
+def _paint_text(image: Image, item: Text, scale: float) -> None:
+    """Paint one line of text, turned if need be."""
+    from PIL import Image, ImageDraw
+
+    text = _printable(item.text)
+    pixels = max(4, round(item.size * scale))
+    face = font(pixels, is_latin(text))
+    edge = round(0.14 * pixels) if item.halo else 0
+    anchor = {"start": "l", "middle": "m", "end": "r"}[item.anchor]
+    x, y = item.at[0] * scale, item.at[1] * scale
+    lift = 0.36 * pixels
+    if not item.angle:
+        pen = ImageDraw.Draw(image)
+        pen.text(
+            (x, y + lift),
+            text,
+            fill=item.color,
+            font=face,
+            anchor=anchor + "s",
+            stroke_width=edge,
+            stroke_fill=item.halo,
+        )
+        return
+    side = 2 * (int(face.getlength(text)) + pixels)
+    layer = Image.new("RGBA", (side, side), (*_rgb(item.halo or item.color), 0))
+    pen = ImageDraw.Draw(layer)
+    pen.text(
+        (side / 2, side / 2 + lift),
+        text,
+        fill=item.color,
+        font=face,
+        anchor=anchor + "s",
+        stroke_width=edge,
+        stroke_fill=item.halo,
+    )
+    layer = layer.rotate(item.angle, Image.Resampling.BICUBIC)
+    image.paste(layer, (round(x - side / 2), round(y - side / 2)), layer)
+
+
+def _dashed(points: list[Point], dash: tuple[float, float] | None, scale: float) -> list[list[Point]]:
+    """Return the pieces of a line that are drawn."""
+    if dash is None:
+        return [points]
+    on, off = dash[0] * scale, dash[1] * scale
+    pieces: list[list[Point]] = []
+    left, drawing, piece = on, True, [points[0]]
+    for a, b in zip(points, points[1:], strict=False):
+        length = max(((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2) ** 0.5, 1e-9)
+        done = 0.0
+        while done + left < length:
+            done += left
+            at = (a[0] + (b[0] - a[0]) * done / length, a[1] + (b[1] - a[1]) * done / length)
+            if drawing:
+                pieces.append([*piece, at])
+            drawing, left, piece = not drawing, off if drawing else on, [at]
+        left -= length - done
+        piece.append(b)
+    return [*pieces, piece] if drawing else pieces
+
+
+def _rgb(color: str) -> tuple[int, int, int]:
+    return (int(color[1:3], 16), int(color[3:5], 16), int(color[5:7], 16))
+
+
+def _number(value: float) -> str:
+    """Return a number with at most three decimals and no trailing zeros."""
+    return f"{round(value, 3) + 0.0:.3f}".rstrip("0").rstrip(".")
+
+
+def _printable(text: str) -> str:
+    """Return the text without control characters, which XML and fonts do not take."""
+    return "".join(c if c.isprintable() else " " for c in text)

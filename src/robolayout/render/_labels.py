@@ -1,0 +1,174 @@
+"""Where the names on a plan go: inside the footprint if they fit, else beside it, never on top of each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from robolayout.render._drawing import text_width
+
+LINE = 1.12
+"""Distance of two lines of text, in font sizes."""
+
+Point = tuple[float, float]
+Box = tuple[float, float, float, float]
+
+
+@dataclass(frozen=True)
+class Tag:
+    """A name to be placed.
+
+    Attributes:
+        text: The name.
+        outline: Corners of the footprint, millimetres.
+        beside: Whether the name may stand beside the footprint.
+        covers: Corners of what lies on top of the footprint and should stay free of text.
+        outward: Direction in which a name beside the footprint stands best, or None.
+        halo: Whether the name needs a light edge, because lines run under it.
+    """
+
+    text: str
+    outline: tuple[Point, ...]
+    beside: bool
+    covers: tuple[tuple[Point, ...], ...] = ()
+    outward: Point | None = None
+    halo: bool = False
+
+
+@dataclass(frozen=True)
+class Label:
+    """A placed name.
+
+    Attributes:
+        lines: One or two lines, top first.
+        at: Middle of the text block, millimetres.
+        size: Font size, millimetres.
+        upright: Whether the text runs upwards.
+        leader: Point of the footprint that a thin line leads to, for names that stand beside it.
+        halo: Whether it needs a light edge.
+    """
+
+    lines: tuple[str, ...]
+    at: Point
+    size: float
+    upright: bool = False
+    leader: Point | None = None
+    halo: bool = False
+
+    @property
+    def box(self) -> Box:
+        """Left, upper, right and lower edge in millimetres."""
+        w = max(text_width(line, self.size) for line in self.lines)
+        h = self.size * (0.82 + LINE * (len(self.lines) - 1))
+        w, h = (h, w) if self.upright else (w, h)
+        return (self.at[0] - w / 2, self.at[1] - h / 2, self.at[0] + w / 2, self.at[1] + h / 2)
+
+
+def place_labels(
+    tags: Sequence[Tag],
+    obstacles: Sequence[Sequence[Point]],
+    sheet: Box,
+    sizes: Sequence[float] = (2.3, 2.0, 1.7, 1.4, 1.15),
+) -> list[Label]:
+    """Return the labels that find a place, biggest footprints first; a name without a place is left out.
+
+    `obstacles` are outlines that a name beside its footprint should not cover (other footprints, walls), `sheet` is the
+    paper, `sizes` are the font sizes to try, all in millimetres.
+    """
+    order = sorted(range(len(tags)), key=lambda k: -shapely.Polygon(tags[k].outline).area)
+    solids = np.array([shapely.Polygon(o) for o in obstacles], dtype=object)
+    placed: list[Label] = []
+    taken: list[Box] = []
+    for k in order:
+        tag = tags[k]
+        label = _first_inside(tag, taken, sizes)
+        if label is None and tag.beside:
+            label = _first_beside(tag, taken, solids, sheet, sizes[-2])
+        if label is not None:
+            placed.append(label)
+            taken.append(label.box)
+    return placed
+
+
+def _first_inside(tag: Tag, taken: Sequence[Box], sizes: Sequence[float]) -> Label | None:
+    """Return the largest label inside the footprint that meets no other and covers nothing on top."""
+    sides = _sides(tag.outline)
+    covers = np.array([shapely.Polygon(c) for c in tag.covers], dtype=object)
+    for label in _inside(tag, sizes):
+        box = label.box
+        if _contains(sides, box) and not any(_meet(box, other) for other in taken):
+            if not len(covers) or not shapely.intersects(covers, shapely.box(*box)).any():
+                return label
+    return None
+
+
+def _inside(tag: Tag, sizes: Sequence[float]) -> Iterator[Label]:
+    """Yield labels inside the footprint, best first: large, in one line, level, in the middle."""
+    corners = np.array(tag.outline)
+    middle, extent = corners.mean(axis=0), np.ptp(corners, axis=0)
+    shifts = [(0.0, 0.0), (0, 0.28), (0, -0.28), (0.28, 0), (-0.28, 0), (0, 0.38), (0, -0.38), (0.36, 0), (-0.36, 0)]
+    for size in sizes:
+        for lines in _splits(tag.text):
+            turns = (False, True) if extent[1] > extent[0] else (False,)
+            for (dx, dy), upright in sorted(product(shifts, turns), key=lambda pair: pair[0] != (0.0, 0.0)):
+                at = (float(middle[0] + dx * extent[0]), float(middle[1] + dy * extent[1]))
+                yield Label(lines, at, size, upright, halo=tag.halo)
+
+
+def _first_beside(tag: Tag, taken: Sequence[Box], solids: NDArray[np.object_], sheet: Box, size: float) -> Label | None:
+    """Return the nearest label outside the footprint that meets nothing."""
+    corners = np.array(tag.outline)
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    middle = (low + high) / 2
+    own = shapely.Polygon(tag.outline)
+    compass = ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1))
+    gaps = [(gap, way) for gap in (0.8, 2.5, 4.5, 7.0, 10.0) for way in compass]
+    if tag.outward is not None:
+        gaps = [(gap, tag.outward) for gap in (0.5, 1.5, 2.5, 3.0, 3.5, 4.0)] + gaps
+    for gap, (dx, dy) in gaps:
+        for lines in _splits(tag.text):
+            upright = bool(dx) and not dy and tag.outward is not None and high[1] - low[1] > high[0] - low[0]
+            left, up, right, down = Label(lines, (0, 0), size, upright).box
+            x = middle[0] + dx * ((high[0] - low[0] + right - left) / 2 + gap)
+            y = middle[1] + dy * ((high[1] - low[1] + down - up) / 2 + gap)
+            near = shapely.shortest_line(own, shapely.Point(x, y)).coords[0]
+            leader = (near[0], near[1]) if gap > 1 and (dx, dy) != tag.outward else None
+            label = Label(lines, (float(x), float(y)), size, upright, leader, leader is not None)
+            box = label.box
+            free = box[0] > sheet[0] and box[1] > sheet[1] and box[2] < sheet[2] and box[3] < sheet[3]
+            if free and not any(_meet(box, other) for other in taken):
+                if not shapely.intersects(solids, shapely.box(*box)).any():
+                    return label
+    return None
+
+
+def _splits(text: str) -> list[tuple[str, ...]]:
+    """Return the text in one line and, if it has a space, in two lines of similar length."""
+    words = text.split(" ")
+    halves = [(" ".join(words[:k]), " ".join(words[k:])) for k in range(1, len(words))]
+    return [(text,), *sorted(halves, key=lambda pair: abs(len(pair[0]) - len(pair[1])))[:1]]
+
+
+def _sides(outline: Sequence[Point]) -> NDArray[np.float64]:
+    """Return the sides of a convex outline as (inward normal x, y, offset) rows."""
+    corners = np.array(outline)
+    edges = np.roll(corners, -1, axis=0) - corners
+    normals = np.column_stack([-edges[:, 1], edges[:, 0]])
+    normals *= np.sign((normals * (corners.mean(axis=0) - corners)).sum(axis=1))[:, None]
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
+    return np.column_stack([normals, (normals * corners).sum(axis=1)])
+
+
+def _contains(sides: NDArray[np.float64], box: Box, margin: float = 0.25) -> bool:
+    """Return whether a box lies inside a convex outline, `margin` millimetres from its sides."""
+    x, y = np.array([box[0], box[2], box[2], box[0]]), np.array([box[1], box[1], box[3], box[3]])
+    return bool((sides[:, :1] * x + sides[:, 1:2] * y - sides[:, 2:] > margin).all())
+
+
+def _meet(a: Box, b: Box) -> bool:
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]

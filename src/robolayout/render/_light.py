@@ -1,0 +1,86 @@
+"""The light of every picture: a soft sun, a sky, and what floor and walls throw back. Both renderers share it.
+
+Radiance of a surface with linear colour a and normal n:
+    a (SUN mean_i[visible_i max(0, n . sun_i)] + SKY s + BOUNCE (BOUNCE_LEVEL - BOUNCE_TILT n_z)),
+    s = (2 / K) sum_k[visible_k max(0, n . sky_k)], computed at the corners of a refined mesh and interpolated,
+plus a small highlight of the sun for glossy surfaces; then exposure, a soft shoulder above 0.75, and sRGB.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.render._mesh import Mesh
+from robolayout.render.camera import Camera
+
+SKY_COUNT = 48
+"""Sky directions whose visibility is looked up for every corner of the refined mesh."""
+
+SUN_COUNT = 5
+"""Directions inside the sun's disc; they make the shadow's edge soft."""
+
+SUN = np.array([0.98, 0.90, 0.78])
+SKY = np.array([0.60, 0.66, 0.74])
+BOUNCE = np.array([0.36, 0.345, 0.32])
+"""Linear irradiance over pi of sun, open sky and reflected light."""
+
+BOUNCE_LEVEL, BOUNCE_TILT = 0.85, 0.70
+"""How much reflected light a vertical surface gets, and how much more one that looks down."""
+
+BIAS = 0.012
+"""Metres by which a point is lifted along its normal before its visibility is looked up."""
+
+BACKGROUND = (0.965, 0.960, 0.950)
+"""sRGB colour behind everything."""
+
+SHOULDER = 0.75
+"""Linear value above which the tone curve bends, so that bright walls keep their drawing."""
+
+
+@lru_cache(maxsize=1)
+def sky_directions() -> NDArray[np.float32]:
+    """Return (SKY_COUNT, 3) unit vectors spread evenly over the upper hemisphere (golden spiral)."""
+    k = np.arange(SKY_COUNT)
+    z = 0.06 + 0.94 * (k + 0.5) / SKY_COUNT
+    angle = k * math.pi * (3 - math.sqrt(5)) + 0.4
+    r = np.sqrt(1 - z * z)
+    return np.column_stack([r * np.cos(angle), r * np.sin(angle), z]).astype(np.float32)
+
+
+def sun_directions(camera: Camera) -> NDArray[np.float32]:
+    """Return (SUN_COUNT, 3) unit vectors to the sun: over the viewer's left shoulder; upper left when seen from above."""
+    right, down, forward = camera.axes
+    from_above = abs(forward[2]) > 0.9
+    behind = _unit(-down[:2] if from_above else -forward[:2])
+    level = (0.7 if from_above else 0.95) * behind - (0.7 if from_above else 0.31) * _unit(right[:2])
+    center = np.array([*(level / np.linalg.norm(level) * 0.62), 0.78])
+    center /= np.linalg.norm(center)
+    side = _unit(np.cross(center, (0.0, 0.0, 1.0)))
+    other = np.cross(center, side)
+    angles = 2 * math.pi * np.arange(SUN_COUNT) / SUN_COUNT
+    spread = 0.035 * (np.cos(angles)[:, None] * side + np.sin(angles)[:, None] * other)
+    rays = center + spread
+    return (rays / np.linalg.norm(rays, axis=1, keepdims=True)).astype(np.float32)
+
+
+def sample_distance(mesh: Mesh) -> float:
+    """Return the edge length in metres to which a mesh is refined: 0.3 m, more in large rooms."""
+    extent = np.ptp(mesh.corners.reshape(-1, 3), axis=0) if len(mesh) else np.zeros(3)
+    return max(0.3, float(extent.max()) / 40)
+
+
+def _unit(vector: NDArray[np.float64]) -> NDArray[np.float64]:
+    return vector / max(float(np.linalg.norm(vector)), 1e-9)
+
+
+def encode(radiance: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return display values in [0, 1]: shoulder, then sRGB. The same curve is in the shader of `_gl`."""
+    over = np.maximum(radiance - SHOULDER, 0)
+    bent = np.minimum(radiance, SHOULDER) + (1 - SHOULDER) * (1 - np.exp(-over / (1 - SHOULDER)))
+    return np.where(bent <= 0.0031308, 12.92 * bent, 1.055 * np.maximum(bent, 1e-9) ** (1 / 2.4) - 0.055).astype(
+        np.float32
+    )

@@ -1,0 +1,198 @@
+"""Scene and layout as one soup of coloured triangles, the common input of both renderers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.assets import Part, parts, room_parts
+from robolayout.scene import Layout, Pose, Room, Scene
+
+CREASE = 0.80
+"""Cosine of the angle (37 degrees) below which neighbouring faces are shaded as one smooth surface."""
+
+ROOM = 0
+"""Id of floor and walls; asset k of the scene has id k + 1. The background has id -1."""
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """Triangles in the world frame.
+
+    Attributes:
+        corners: (n, 3, 3) corner positions in metres.
+        normals: (n, 3, 3) unit shading normals at the corners.
+        colors: (n, 4) linear colour and opacity.
+        gloss: (n,) 0 chalk, 1 mirror.
+        ids: (n,) ROOM or the asset's place in the scene plus 1.
+        groups: (n,) index of the part a triangle belongs to.
+        names: Name of each part: "floor", "wall-0", "door-0", "window-0" for the room, the asset's name for assets.
+    """
+
+    corners: NDArray[np.float32]
+    normals: NDArray[np.float32]
+    colors: NDArray[np.float32]
+    gloss: NDArray[np.float32]
+    ids: NDArray[np.int32]
+    groups: NDArray[np.int32]
+    names: tuple[str, ...]
+
+    def __len__(self) -> int:
+        return len(self.corners)
+
+    @property
+    def opaque(self) -> NDArray[np.bool_]:
+        """Mask of triangles that hide what is behind them."""
+        return self.colors[:, 3] > 0.99
+
+    def take(self, which: NDArray[np.bool_] | NDArray[np.intp]) -> Mesh:
+        """Return the triangles where a mask holds, or those with the given indices."""
+        names = ("corners", "normals", "colors", "gloss", "ids", "groups")
+        return replace(self, **{name: getattr(self, name)[which] for name in names})
+
+    def named(self, names: Iterable[str]) -> NDArray[np.bool_]:
+        """Return the mask of triangles that belong to parts with these names."""
+        wanted = set(names)
+        return np.array([name in wanted for name in self.names], dtype=np.bool_)[self.groups]
+
+
+def scene_mesh(scene: Scene, layout: Layout, seed: int = 0) -> Mesh:
+    """Return the mesh of the room and of all assets that have a pose."""
+    pieces = [(part, part.name, None, ROOM) for part in room_parts(scene.room)]
+    for number, asset in enumerate(scene.assets, start=1):
+        if asset.name in layout:
+            pieces += [(part, asset.name, layout[asset.name], number) for part in parts(asset, seed)]
+    return _soup(pieces)
+
+
+def parts_mesh(pieces: Iterable[Part], name: str, number: int = 1) -> Mesh:
+    """Return the mesh of one asset's parts in its own frame."""
+    return _soup([(part, name, None, number) for part in pieces])
+
+
+def ceiling_mesh(room: Room) -> Mesh:
+    """Return a plain ceiling at wall height named "ceiling", for views from inside the room."""
+    import shapely
+
+    polygon = shapely.Polygon(room.vertices).buffer(0.1, join_style="mitre")
+    triangles = shapely.get_parts(shapely.constrained_delaunay_triangles(polygon))
+    rings = shapely.get_coordinates(shapely.orient_polygons(triangles, exterior_cw=True)).reshape(-1, 4, 2)[:, :3]
+    corners = np.dstack([rings, np.full((*rings.shape[:2], 1), room.wall_height)])
+    return flat_mesh(corners, (0.94, 0.94, 0.93), "ceiling")
+
+
+def flat_mesh(corners: NDArray[np.floating], color: Sequence[float], name: str) -> Mesh:
+    """Return flat triangles (n, 3, 3) of one sRGB colour that belong to the room."""
+    n = len(corners)
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normal = normal / np.maximum(np.linalg.norm(normal, axis=-1, keepdims=True), 1e-12)
+    return Mesh(
+        corners.astype(np.float32),
+        np.repeat(normal[:, None], 3, axis=1).astype(np.float32),
+        np.tile(np.float32([*linear(np.array(color)), 1.0]), (n, 1)),
+        np.zeros(n, np.float32),
+        np.full(n, ROOM, np.int32),
+        np.zeros(n, np.int32),
+        (name,),
+    )
+
+
+def merge(first: Mesh, second: Mesh) -> Mesh:
+    """Return two meshes as one."""
+    second = replace(second, groups=second.groups + np.int32(len(first.names)))
+    fields = ("corners", "normals", "colors", "gloss", "ids", "groups")
+    joined = {name: np.concatenate([getattr(first, name), getattr(second, name)]) for name in fields}
+    return Mesh(**joined, names=first.names + second.names)
+
+
+def linear(srgb: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return linear light for sRGB values in [0, 1] (IEC 61966-2-1)."""
+    return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
+
+
+def refined(mesh: Mesh, longest: float, most: int = 120_000) -> Mesh:
+    """Return the mesh with edges halved until none is longer than `longest` metres, or there are `most` triangles.
+
+    Always the longest edge is halved, so neighbours are cut at the same points.
+    """
+    corners, normals, parent = mesh.corners, mesh.normals, np.arange(len(mesh))
+    for _ in range(40):
+        edges = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
+        split = edges.max(axis=1, initial=0) > longest
+        if not split.any() or len(corners) + split.sum() > most:
+            break
+        turn = (np.argmax(edges[split], axis=1)[:, None] + np.arange(3)) % 3
+        rows = np.arange(len(turn))[:, None]
+        corners = np.concatenate([corners[~split], *_halves(corners[split][rows, turn])])
+        normals = np.concatenate([normals[~split], *_halves(normals[split][rows, turn])])
+        parent = np.concatenate([parent[~split], parent[split], parent[split]])
+    normals = normals / np.maximum(np.linalg.norm(normals, axis=2, keepdims=True), 1e-12)
+    return replace(mesh.take(parent), corners=corners, normals=normals.astype(np.float32))
+
+
+def welded(mesh: Mesh) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Return one corner's index per distinct (position, normal, part), and (n, 3) places in that list per triangle."""
+    columns = [np.round(mesh.corners.reshape(-1, 3) * 1e4), np.round(mesh.normals.reshape(-1, 3) * 30)]
+    keys = np.column_stack([*columns, np.repeat(mesh.groups, 3)]).astype(np.int64)
+    _, first, place = np.unique(_hash(keys), return_index=True, return_inverse=True)
+    return first, place.reshape(-1, 3)
+
+
+def _hash(keys: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Return one number per row of up to 7 integers."""
+    factors = (1_000_003, 73_856_093, 153_230_071_873, 8_743_746_210_143, 15_485_863, 982_451_653, 32_416_190_071)
+    return keys @ np.array(factors[: keys.shape[1]], dtype=np.int64)
+
+
+def _halves(values: NDArray[np.float32]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Return both halves of triangles (n, 3, 3) cut at the middle of their first edge."""
+    middle = (values[:, 0] + values[:, 1]) / 2
+    first = np.stack([values[:, 0], middle, values[:, 2]], axis=1)
+    return first, np.stack([middle, values[:, 1], values[:, 2]], axis=1)
+
+
+def _soup(pieces: Sequence[tuple[Part, str, Pose | None, int]]) -> Mesh:
+    """Return one mesh of parts placed at poses (None: already in the world frame)."""
+    pieces = [piece for piece in pieces if len(piece[0].faces)]
+    if not pieces:
+        return flat_mesh(np.zeros((0, 3, 3)), (1, 1, 1), "nothing")
+    of = np.repeat(np.arange(len(pieces), dtype=np.int32), [len(piece[0].faces) for piece in pieces])
+    corners = np.concatenate([np.asarray(part.vertices, np.float64)[part.faces] for part, *_ in pieces])
+    poses = np.array([(0, 0, 0, 0) if p is None else (p.x, p.y, p.z, p.yaw) for _, _, p, _ in pieces], dtype=np.float64)
+    c, s = np.cos(poses[of, 3])[:, None], np.sin(poses[of, 3])[:, None]
+    x, y = corners[..., 0], corners[..., 1]
+    world = np.stack([c * x - s * y, s * x + c * y, corners[..., 2]], axis=-1) + poses[of, None, :3]
+    materials = [part.material for part, *_ in pieces]
+    colors = np.array([(*linear(np.clip(np.array(m.color[:3]), 0, 1)), m.opacity) for m in materials], dtype=np.float32)
+    gloss = np.array([max(1 - m.roughness, 0.6 * m.metallic) for m in materials], dtype=np.float32)
+    ids = np.array([number for *_, number in pieces], dtype=np.int32)
+    normals = _normals(world, of).astype(np.float32)
+    names = tuple(name for _, name, _, _ in pieces)
+    return Mesh(world.astype(np.float32), normals, colors[of], gloss[of], ids[of], of, names)
+
+
+def _normals(corners: NDArray[np.float64], of: NDArray[np.int32]) -> NDArray[np.float64]:
+    """Return shading normals (n, 3, 3): the mean over faces of the same part that share the corner within CREASE.
+
+    Corners are matched by position (0.1 mm); at most 16 faces around a corner are looked at.
+    """
+    face = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    unit = face / np.maximum(np.linalg.norm(face, axis=-1, keepdims=True), 1e-12)
+    keys = _hash(np.column_stack([np.repeat(of, 3), np.round(corners.reshape(-1, 3) * 1e4)]).astype(np.int64))
+    order = np.argsort(keys, kind="stable")
+    group = keys[order]
+    own, weighted = np.repeat(unit, 3, axis=0)[order], np.repeat(face, 3, axis=0)[order]
+    total = weighted.copy()
+    for shift in range(1, 16):
+        same = group[shift:] == group[:-shift]
+        if not same.any():
+            break
+        near = same & ((own[shift:] * own[:-shift]).sum(axis=-1) > CREASE)
+        total[shift:][near] += weighted[:-shift][near]
+        total[:-shift][near] += weighted[shift:][near]
+    smooth = np.empty_like(total)
+    smooth[order] = total / np.maximum(np.linalg.norm(total, axis=-1, keepdims=True), 1e-12)
+    return smooth.reshape(-1, 3, 3)

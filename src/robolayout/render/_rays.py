@@ -1,0 +1,161 @@
+"""The fallback renderer: ray casting with Embree on one core, same mesh, same camera, same light as `_gl`.
+
+It needs no driver at all. A 512 x 512 picture takes about a second.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.render import _light
+from robolayout.render._mesh import ROOM, Mesh, refined, welded
+from robolayout.render.camera import NEAR, Camera
+
+Floats = NDArray[np.float32]
+
+SUBSAMPLES = np.array([(-0.125, -0.375), (0.375, -0.125), (-0.375, 0.125), (0.125, 0.375)])
+"""Offsets in pixels of the four samples that smooth edges (the usual pattern of 4x multisampling)."""
+
+
+class RayRenderer:
+    """Draws one mesh from any camera by ray casting."""
+
+    def __init__(self, mesh: Mesh, lightless: NDArray[np.bool_]) -> None:
+        """Prepare `mesh`; triangles where `lightless` holds never take light away (a ceiling)."""
+        self._shadows = _scene(mesh.corners[mesh.opaque & (mesh.ids != ROOM)])
+        self._fine = refined(mesh, _light.sample_distance(mesh))
+        first, places = welded(self._fine)
+        points, normals = self._fine.corners.reshape(-1, 3)[first], self._fine.normals.reshape(-1, 3)[first]
+        self._sky = _sky(points, normals, _scene(mesh.corners[mesh.opaque & ~lightless]))[places]
+
+    def color(self, camera: Camera, keep: NDArray[np.bool_]) -> NDArray[np.uint8]:
+        """Return the picture (height, width, 3) of the parts where `keep` (parts) holds."""
+        shown = keep[self._fine.groups]
+        layers = [np.flatnonzero(shown & self._fine.opaque), np.flatnonzero(shown & ~self._fine.opaque)]
+        scenes = [(_scene(self._fine.corners[which]), which) for which in layers]
+        columns, rows = np.meshgrid(np.arange(camera.width), np.arange(camera.height))
+        centers = np.stack([columns, rows], axis=-1).reshape(-1, 2) + 0.5
+        flat, surface = self._shade(camera, centers, scenes)
+        image = flat.reshape(camera.height, camera.width, 3)
+        edges = _edges(surface.reshape(camera.height, camera.width, -1))
+        fine = (centers[edges.reshape(-1)][:, None] + SUBSAMPLES).reshape(-1, 2)
+        smooth, _ = self._shade(camera, fine, scenes)
+        image[edges] = smooth.reshape(-1, len(SUBSAMPLES), 3).mean(axis=1)
+        return np.round(np.clip(image, 0, 1) * 255).astype(np.uint8)
+
+    def marks(self, camera: Camera, keep: NDArray[np.bool_]) -> tuple[NDArray[np.int32], NDArray[np.float32]]:
+        """Return ids and depths in metres (height, width); the background has id -1 and depth inf."""
+        which = np.flatnonzero(keep[self._fine.groups])
+        columns, rows = np.meshgrid(np.arange(camera.width), np.arange(camera.height))
+        rays = camera.rays(np.stack([columns, rows], axis=-1).reshape(-1, 2) + 0.5)
+        triangle, _, _, far = _hits(_scene(self._fine.corners[which]), camera, rays)
+        shape = (camera.height, camera.width)
+        missed = triangle < 0
+        ids = np.where(missed, -1, self._fine.ids[which[triangle]] if len(which) else -1).astype(np.int32)
+        return ids.reshape(shape), np.where(missed, np.inf, far).astype(np.float32).reshape(shape)
+
+    def _shade(
+        self, camera: Camera, pixels: NDArray[np.float64], scenes: list[tuple[Any, NDArray[np.intp]]]
+    ) -> tuple[Floats, Floats]:
+        """Return display colours (n, 3) at pixels (n, 2), and what was hit there: part, normal (n, 4)."""
+        rays = camera.rays(pixels)
+        colors = np.tile(np.float32(_light.BACKGROUND), (len(pixels), 1))
+        surface = np.full((len(pixels), 4), -1, np.float32)
+        nearest = np.full(len(pixels), np.inf, np.float32)
+        for (scene, which), glass in zip(scenes, (False, True), strict=True):
+            triangle, u, v, far = _hits(scene, camera, rays)
+            hit = (triangle >= 0) & (far < nearest)
+            if not hit.any():
+                continue
+            face = which[triangle[hit]]
+            weights = np.column_stack([1 - u[hit] - v[hit], u[hit], v[hit]]).astype(np.float32)
+            points = (camera.position + rays[hit] * far[hit, None]).astype(np.float32)
+            lit, normals = self._radiance(camera, face, weights, points)
+            opacity = self._fine.colors[face, 3:]
+            colors[hit] = _light.encode(lit) * opacity + colors[hit] * (1 - opacity)
+            surface[hit] = np.column_stack([self._fine.groups[face] + 1e4 * glass, normals])
+            nearest[hit] = far[hit]
+        return colors, surface
+
+    def _radiance(
+        self, camera: Camera, face: NDArray[np.intp], weights: Floats, points: Floats
+    ) -> tuple[Floats, Floats]:
+        """Return linear radiance (n, 3) and normals (n, 3) of points (n, 3) on faces (n,)."""
+        normals = np.einsum("nk,nkd->nd", weights, self._fine.normals[face])
+        normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
+        sky = (weights * self._sky[face]).sum(axis=1)
+        look = np.float32(camera.position) - points
+        look /= np.linalg.norm(look, axis=1, keepdims=True)
+        gloss = self._fine.gloss[face]
+        toward = _light.sun_directions(camera)
+        lifted = points + normals * np.float32(_light.BIAS)
+        sun, shine = np.zeros(len(points), np.float32), np.zeros(len(points), np.float32)
+        for direction in toward:
+            slope = np.maximum(normals @ direction, 0)
+            seen = _visible(self._shadows, lifted, direction, slope > 0)
+            half = direction + look
+            half /= np.linalg.norm(half, axis=1, keepdims=True)
+            sun += seen * slope
+            shine += seen * np.maximum((normals * half).sum(axis=1), 0) ** (8 + 56 * gloss)
+        bounce = (_light.BOUNCE_LEVEL - _light.BOUNCE_TILT * normals[:, 2])[:, None] * _light.BOUNCE
+        light = _light.SUN * (sun / len(toward))[:, None] + _light.SKY * sky[:, None] + bounce
+        lit = self._fine.colors[face, :3] * light + (0.25 * gloss**2 * shine / len(toward))[:, None]
+        return lit.astype(np.float32), normals
+
+
+def _scene(corners: Floats) -> Any:
+    """Return the Embree scene of triangles (n, 3, 3), or None without triangles."""
+    from embreex import rtcore_scene
+    from embreex.mesh_construction import TriangleMesh
+
+    if not len(corners):
+        return None
+    scene = rtcore_scene.EmbreeScene()
+    TriangleMesh(scene, np.ascontiguousarray(corners, dtype=np.float32))
+    return scene
+
+
+def _hits(scene: Any, camera: Camera, rays: NDArray[np.float64]) -> tuple[NDArray[np.intp], Floats, Floats, Floats]:
+    """Return triangle (-1: none), u, v and depth in metres of the first hit of each ray from the camera."""
+    n = len(rays)
+    if scene is None or not n:
+        return np.full(n, -1), *(np.zeros(n, np.float32) for _ in range(3))
+    start = (np.asarray(camera.position) + rays * NEAR).astype(np.float32)
+    answer = scene.run(start, rays.astype(np.float32), query="INTERSECT", output=True)
+    return answer["primID"].astype(np.intp), answer["u"], answer["v"], answer["tfar"] + np.float32(NEAR)
+
+
+def _visible(scene: Any, points: Floats, direction: Floats, which: NDArray[np.bool_]) -> Floats:
+    """Return 1 where nothing stands between points (n, 3) and the light, 0 elsewhere; looked up where `which`."""
+    seen = np.ones(len(points), np.float32)
+    if scene is not None and which.any():
+        rays = np.tile(direction, (int(which.sum()), 1))
+        blocked = scene.run(np.ascontiguousarray(points[which]), rays, query="OCCLUDED")
+        seen[which] = blocked < 0
+    return seen
+
+
+def _sky(points: Floats, normals: Floats, scene: Any) -> Floats:
+    """Return the irradiance (n,) of the sky at points (n, 3) with unit normals (n, 3); 1 under an open sky."""
+    total = np.zeros(len(points), np.float32)
+    directions = _light.sky_directions()
+    lifted = points + normals * np.float32(_light.BIAS)
+    for direction in directions:
+        slope = np.maximum(normals @ direction, 0)
+        total += slope * _visible(scene, lifted, direction, slope > 0)
+    return total * 2 / len(directions)
+
+
+def _edges(surface: Floats) -> NDArray[np.bool_]:
+    """Return where the part or the normal differs from a neighbour's, (height, width)."""
+    edges = np.zeros(surface.shape[:2], np.bool_)
+    for axis in (0, 1):
+        here, there = (surface[:-1], surface[1:]) if axis == 0 else (surface[:, :-1], surface[:, 1:])
+        differs = (np.abs(here - there) > 0.2).any(axis=-1)
+        first, second = (edges[:-1], edges[1:]) if axis == 0 else (edges[:, :-1], edges[:, 1:])
+        first |= differs
+        second |= differs
+    return edges

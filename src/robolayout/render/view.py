@@ -1,0 +1,260 @@
+"""Pictures of a furnished room: from above, from the side, of one asset, and from an agent's eyes.
+
+`Studio` loads a scene and layout once and draws any number of views; `render_view` and `render_asset` are its one-line
+forms. Walls that hide the floor are cut away, so that every view looks into the room.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Literal, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout._errors import InputError, LayoutError, UnknownNameError
+from robolayout.assets import parts
+from robolayout.render._cutaway import FLOOR_STRIP, dress, hidden_parts, near_walls
+from robolayout.render._mesh import Mesh, ceiling_mesh, merge, parts_mesh, scene_mesh
+from robolayout.render.camera import SIDE_POLAR, Camera, eye_camera, fitted_camera, room_points
+from robolayout.scene import Agent, Asset, Layout, Room, Scene
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+Renderer = Literal["auto", "gl", "rays"]
+
+TOP_AZIMUTH = -math.pi / 2
+"""Azimuth of the view from above, radians: +x is right, +y is up."""
+
+SIDE_AZIMUTHS = tuple(math.radians(a) for a in (-60, -120, -30, -150, 30, 150, 60, 120))
+"""Azimuths the side view chooses from, radians; the first wins a tie."""
+
+LARGEST = 8192
+"""Most pixels along a side of a picture."""
+
+
+class _Draws(Protocol):
+    def color(self, camera: Camera, keep: NDArray[np.bool_]) -> NDArray[np.uint8]: ...
+    def marks(self, camera: Camera, keep: NDArray[np.bool_]) -> tuple[NDArray[np.int32], NDArray[np.float32]]: ...
+
+
+@dataclass(frozen=True, eq=False)
+class Buffers:
+    """A picture with what a machine may ask about it.
+
+    Attributes:
+        color: (height, width, 3) sRGB bytes.
+        ids: (height, width) -1 background, 0 room, k + 1 the k-th asset of the scene.
+        depth: (height, width) metres along the line of sight; inf for the background.
+        names: Name of each id from 0 on.
+        camera: The camera that took it.
+    """
+
+    color: NDArray[np.uint8]
+    ids: NDArray[np.int32]
+    depth: NDArray[np.float32]
+    names: tuple[str, ...]
+    camera: Camera
+
+
+class Studio:
+    """One scene and layout, ready to be drawn from anywhere.
+
+    Args:
+        scene: The scene.
+        layout: Poses; assets without one are not drawn.
+        renderer: "gl" for OpenGL on EGL, "rays" for ray casting, "auto" for the first that works here.
+        seed: Seed of the parametric meshes.
+
+    Raises:
+        LayoutError: The layout has a pose for an asset that is not in the scene, or a pose that is not finite.
+    """
+
+    def __init__(self, scene: Scene, layout: Layout, *, renderer: Renderer = "auto", seed: int = 0) -> None:
+        check_layout(scene, layout)
+        self.scene, self.layout = scene, layout
+        self._mesh = dress(scene_mesh(scene, layout, seed), scene.room)
+        self._mesh = merge(self._mesh, ceiling_mesh(scene.room))
+        self._renderer: _Draws = make_renderer(self._mesh, self._lightless(), renderer)
+
+    @cached_property
+    def side_azimuth(self) -> float:
+        """The side from which most furniture shows its front and most walls that carry things stay, radians."""
+        return max(SIDE_AZIMUTHS, key=self._side_score)
+
+    def camera(
+        self, view: str, size: tuple[int, int], *, agent: Agent | None = None, stand: tuple[float, float] | None = None
+    ) -> Camera:
+        """Return the camera of a view (see `render_view`)."""
+        room = self.scene.room
+        if view == "top":
+            return fitted_camera(room_points(room), 0.0, TOP_AZIMUTH, size)
+        if view == "side":
+            return fitted_camera(room_points(room), SIDE_POLAR, self.side_azimuth, size)
+        name = view.removeprefix("eye:")
+        if name not in self.layout:
+            known = ["top", "side", *self.layout, *(f"eye:{n}" for n in self.layout)]
+            raise UnknownNameError("view", view, known)
+        pose, asset = self.layout[name], self.scene.by_name[name]
+        if name != view:
+            return eye_camera(agent or self.scene.agent, stand or _entrance(room), pose, size)
+        reach = max(0.75, 1.2 * max(asset.size))
+        around = np.array([(pose.x, pose.y, pose.z)]) + reach * np.array(
+            [(a, b, c) for a in (-1, 1) for b in (-1, 1) for c in (-0.5, 0.5)]
+        )
+        azimuth = pose.yaw + math.radians(-30)
+        return fitted_camera(around, math.radians(58), azimuth, size, fov=math.radians(32), margin=0.02)
+
+    def buffers(self, camera: Camera, *, inside: bool = False) -> Buffers:
+        """Return colour, ids and depths seen by a camera; `inside` keeps every wall and draws the ceiling."""
+        keep = self._keep(camera, inside)
+        ids, depth = self._renderer.marks(camera, keep)
+        names = ("room", *(asset.name for asset in self.scene.assets))
+        return Buffers(self._renderer.color(camera, keep), ids, depth, names, camera)
+
+    def picture(self, camera: Camera, *, inside: bool = False) -> Image:
+        """Return the picture taken by a camera; `inside` keeps every wall and draws the ceiling."""
+        from PIL import Image
+
+        return Image.fromarray(self._renderer.color(camera, self._keep(camera, inside)))
+
+    def view(
+        self,
+        view: str = "top",
+        *,
+        size: int | tuple[int, int] = 512,
+        agent: Agent | None = None,
+        stand: tuple[float, float] | None = None,
+    ) -> Image:
+        """Return a view by name (see `render_view`)."""
+        camera = self.camera(view, picture_size(size), agent=agent, stand=stand)
+        return self.picture(camera, inside=view.startswith("eye:"))
+
+    def _keep(self, camera: Camera, inside: bool) -> NDArray[np.bool_]:
+        """Return which parts are drawn."""
+        hidden = set() if inside else hidden_parts(self.scene, self.layout, camera)
+        unseen = FLOOR_STRIP if inside else "ceiling"
+        return np.array([n not in hidden and not n.startswith(unseen) for n in self._mesh.names], dtype=np.bool_)
+
+    def _lightless(self) -> NDArray[np.bool_]:
+        """Return what takes no light of the sky away: the ceiling, the strips, and flat things on walls."""
+        hung = {asset.name for asset in self.scene.assets if asset.on_wall}
+        return self._mesh.named(n for n in self._mesh.names if n in hung or n == "ceiling" or n.startswith(FLOOR_STRIP))
+
+    def _side_score(self, azimuth: float) -> float:
+        """Return how much of the room a side view from there would show, in square metres of fronts."""
+        room, assets = self.scene.room, self.scene.by_name
+        camera = fitted_camera(room_points(room), SIDE_POLAR, azimuth, (64, 64))
+        cut = near_walls(room, camera)
+        windows = sum(o.width * o.height for o in (*room.windows, *room.doors) if o.wall not in cut)
+        toward = np.array([math.cos(azimuth), math.sin(azimuth)])
+        fronts = sum(float(toward @ p.forward) * assets[n].size[1] * assets[n].size[2] for n, p in self.layout.items())
+        return round(fronts + windows, 6)
+
+
+def render_view(
+    scene: Scene,
+    layout: Layout,
+    *,
+    view: str = "top",
+    size: int | tuple[int, int] = 512,
+    renderer: Renderer = "auto",
+    agent: Agent | None = None,
+    stand: tuple[float, float] | None = None,
+) -> Image:
+    """Return a picture of the room.
+
+    Args:
+        scene: The scene.
+        layout: Poses; assets without one are not drawn.
+        view: "top", "side" (45 degrees, from where most is seen), an asset's name (close up, from its front), or
+            "eye:ASSET": what the agent sees when it looks at that asset.
+        size: Pixels: a side of a square, or (width, height).
+        renderer: "auto", "gl" or "rays".
+        agent: Whose eyes an "eye:" view uses; None takes the scene's first agent.
+        stand: Where it stands, metres in plan; None is the landing of the first door, or the middle of the room.
+
+    Raises:
+        LayoutError: The layout names an unknown asset or holds a pose that is not finite.
+        UnknownNameError: There is no such view.
+    """
+    return Studio(scene, layout, renderer=renderer).view(view, size=size, agent=agent, stand=stand)
+
+
+def render_asset(
+    asset: Asset, *, size: int | tuple[int, int] = 512, renderer: Renderer = "auto", seed: int = 0
+) -> Image:
+    """Return a picture of one asset alone, from its front, a little from its right and from above."""
+    from PIL import Image
+
+    mesh = parts_mesh(parts(asset, seed), asset.name)
+    box = np.array([(a, b, c) for a in (-0.5, 0.5) for b in (-0.5, 0.5) for c in (-0.5, 0.5)]) * asset.size
+    camera = fitted_camera(box, math.radians(65), math.radians(-32), picture_size(size), margin=0.08)
+    ground = _ground(asset)
+    scenery = merge(mesh, ground)
+    drawn = make_renderer(scenery, scenery.named(["ground"]), renderer)
+    return Image.fromarray(drawn.color(camera, np.ones(len(scenery.names), np.bool_)))
+
+
+def make_renderer(mesh: Mesh, lightless: NDArray[np.bool_], renderer: Renderer = "auto") -> _Draws:
+    """Return the renderer asked for, or with "auto" the fast one if this machine has EGL and else ray casting."""
+    if renderer not in ("auto", "gl", "rays"):
+        raise UnknownNameError("renderer", renderer, ["auto", "gl", "rays"])
+    from robolayout.render._rays import RayRenderer
+
+    if renderer == "rays":
+        return RayRenderer(mesh, lightless)
+    from robolayout.render._gl import GLRenderer, why_unavailable
+
+    reason = why_unavailable()
+    if reason is None:
+        return GLRenderer(mesh, lightless)
+    if renderer == "auto":
+        return RayRenderer(mesh, lightless)
+    raise InputError(f"renderer 'gl' does not work on this machine: {reason}. Use renderer='auto' or 'rays'.")
+
+
+def picture_size(size: int | tuple[int, int]) -> tuple[int, int]:
+    """Return (width, height) in pixels; an int is a square.
+
+    Raises:
+        InputError: A side is not between 16 and 8192 pixels.
+    """
+    width, height = (size, size) if isinstance(size, int) else size
+    if not (16 <= width <= LARGEST and 16 <= height <= LARGEST):
+        raise InputError(f"picture size {width} x {height} is not possible: each side must be 16 to {LARGEST} pixels.")
+    return width, height
+
+
+def check_layout(scene: Scene, layout: Layout) -> None:
+    """Raise LayoutError if the layout names an unknown asset or holds a pose that is not finite."""
+    for name, pose in layout.items():
+        if name not in scene.by_name:
+            near = ", ".join(scene.by_name) or "none"
+            raise LayoutError(f"the layout places {name!r}, which is not in the scene. Assets of the scene: {near}.")
+        if not all(math.isfinite(v) for v in (pose.x, pose.y, pose.z, pose.yaw)):
+            raise LayoutError(f"the pose of {name!r} is not finite: {pose}. Give numbers in metres and degrees.")
+
+
+def _entrance(room: Room) -> tuple[float, float]:
+    """Return where an agent enters, metres in plan: 0.3 m inside the first door, else a point inside the room."""
+    if room.doors:
+        door = room.doors[0]
+        return room.walls[door.wall].point(door.center, 0.3)
+    import shapely
+
+    point = shapely.Polygon(room.vertices).representative_point()
+    return (point.x, point.y)
+
+
+def _ground(asset: Asset) -> Mesh:
+    """Return the ground under an asset that stands alone, in the colour of the background."""
+    from robolayout.render._mesh import flat_mesh
+
+    reach, low = 15 * max(asset.size), -asset.size[2] / 2
+    a, b, c, d = ((x * reach, y * reach, low) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)))
+    mesh = flat_mesh(np.array([(a, b, c), (a, c, d)]), (0.9, 0.9, 0.9), "ground")
+    return replace(mesh, ids=np.full(2, -1, np.int32))
