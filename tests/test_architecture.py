@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import ast
 import re
+import subprocess
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -314,3 +316,23 @@ def test_missing_docstrings_are_found() -> None:
         '"""A module."""\nclass A:\n    """A."""\n    def f(self): ...\n    def _g(self): ...\ndef h(): ...'
     )
     assert [rule for _, rule in undocumented(tree)] == ["function f has no docstring", "function h has no docstring"]
+
+
+@pytest.mark.parametrize("module", ["robolayout", "robolayout.scene"])
+def test_importing_the_nouns_loads_no_heavy_library(module: str) -> None:
+    heavy = [
+        "jax",
+        "numpy",
+        "scipy",
+        "shapely",
+        "matplotlib",
+        "trimesh",
+        "moderngl",
+        "mujoco",
+        "pxr",
+        "pydantic",
+        "pydantic_ai",
+    ]
+    code = f"import {module}, sys; assert not set({heavy}) & set(sys.modules), set({heavy}) & set(sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
