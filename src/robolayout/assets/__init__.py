@@ -1,19 +1,45 @@
 """What furniture is: categories with typical sizes, free words to category, parametric meshes, own meshes."""
 
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING
+
 from robolayout.assets.category import CATALOGUE, Category, read_categories
 from robolayout.assets.lexicon import category_of, find_category
-from robolayout.assets.obstacles import blocks
-from robolayout.assets.meshes import parts
-from robolayout.assets.part import Material, Part
+
+if TYPE_CHECKING:
+    from robolayout.assets.meshes import parts
+    from robolayout.assets.part import Material, Part
+    from robolayout.assets.rooms import RoomStyle, room_parts, room_style
 
 __all__ = [
     "CATALOGUE",
     "Category",
     "Material",
     "Part",
-    "blocks",
+    "RoomStyle",
     "category_of",
     "find_category",
     "parts",
     "read_categories",
+    "room_parts",
+    "room_style",
 ]
+
+_LAZY = {
+    "Material": "part",
+    "Part": "part",
+    "RoomStyle": "rooms",
+    "parts": "meshes",
+    "room_parts": "rooms",
+    "room_style": "rooms",
+}
+"""Names that need numpy or shapely, and the module that holds each."""
+
+
+def __getattr__(name: str) -> object:
+    """Load the names that need array libraries when they are first used."""
+    if name not in _LAZY:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f"{__name__}.{_LAZY[name]}"), name)

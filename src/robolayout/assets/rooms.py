@@ -1,0 +1,308 @@
+"""The room's own parts: floor, walls with holes, doors, windows, skirting; in the world frame, ready to draw.
+
+Walls stand outside the floor polygon, `THICKNESS` thick, and are cut into convex blocks around their openings. Names
+say what a part belongs to: "floor", "wall-2", "door-0", "window-1", "skirting-3"; several parts may share a name.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from shapely import LineString, Polygon, box, constrained_delaunay_triangles
+from shapely.geometry.base import BaseGeometry
+
+from robolayout.assets.palette import BLACK, DARK, GLASS, STEEL, WHITE, material
+from robolayout.assets.part import Material, Part
+from robolayout.assets.shapes import prism
+from robolayout.scene import Opening, Point, Room, Wall
+
+THICKNESS = 0.1
+"""Thickness of walls in metres, outside the room."""
+SLAB = 0.06
+"""Thickness of the floor below z = 0 in metres."""
+FRAME = 0.05
+"""Width of door and window frames in metres."""
+SKIRTING = (0.008, 0.07)
+"""Depth into the room and height of the skirting board in metres."""
+MAX_STRIPS = 60
+MAX_TILES = 110
+SHORTEST = 1e-6
+
+
+@dataclass(frozen=True)
+class RoomStyle:
+    """How the room itself looks.
+
+    Attributes:
+        name: What it is called.
+        floor: "planks", "tiles" or "carpet".
+        tones: Floor materials; planks take turns, tiles take the first on joints of the second.
+        wall: Wall paint.
+        trim: Skirting, door and window frames.
+        door: Door leaves.
+    """
+
+    name: str
+    floor: str
+    tones: tuple[Material, ...]
+    wall: Material
+    trim: Material
+    door: Material
+
+
+def _wood(name: str, *colors: tuple[float, float, float]) -> tuple[Material, ...]:
+    """Return plank tones."""
+    return tuple(material(f"{name} floor {i}", color, 0.6) for i, color in enumerate(colors))
+
+
+STYLES = (
+    RoomStyle(
+        "oak planks", "planks", _wood("oak", (0.76, 0.62, 0.45), (0.72, 0.58, 0.41), (0.79, 0.66, 0.49)),
+        material("warm white paint", (0.93, 0.91, 0.87), 0.95), WHITE, material("white door", (0.91, 0.90, 0.87), 0.6),
+    ),
+    RoomStyle(
+        "walnut planks", "planks", _wood("walnut", (0.50, 0.36, 0.25), (0.46, 0.32, 0.22), (0.54, 0.39, 0.28)),
+        material("linen paint", (0.90, 0.86, 0.79), 0.95), WHITE, material("walnut door", (0.48, 0.34, 0.23), 0.6),
+    ),
+    RoomStyle(
+        "pale ash planks", "planks", _wood("ash", (0.84, 0.77, 0.66), (0.81, 0.73, 0.62), (0.87, 0.80, 0.70)),
+        material("mist paint", (0.84, 0.87, 0.87), 0.95), WHITE, material("grey door", (0.70, 0.72, 0.72), 0.6),
+    ),
+    RoomStyle(
+        "grey tiles", "tiles", (material("stone tile", (0.76, 0.75, 0.73), 0.4), material("joint", (0.60, 0.59, 0.58))),
+        material("clean white paint", (0.94, 0.94, 0.93), 0.95), DARK, material("light door", (0.86, 0.84, 0.80), 0.6),
+    ),
+    RoomStyle(
+        "sand carpet", "carpet", (material("sand carpet", (0.78, 0.73, 0.65), 1.0),),
+        material("sage paint", (0.81, 0.84, 0.78), 0.95), WHITE, material("oak door", (0.72, 0.57, 0.40), 0.6),
+    ),
+)  # fmt: skip
+
+
+def room_style(seed: int) -> RoomStyle:
+    """Return the style of a seed."""
+    return STYLES[seed % len(STYLES)]
+
+
+def room_parts(room: Room, *, style: RoomStyle | None = None, seed: int = 0) -> tuple[Part, ...]:
+    """Return everything of the room that can be seen, in the world frame.
+
+    Args:
+        room: The room; it may be concave.
+        style: How it looks; None takes the style of `seed`.
+        seed: Picks a style where none is given.
+    """
+    look = style or room_style(seed)
+    built = [*_floor(room, look), *_walls(room, look)]
+    for i, door in enumerate(room.doors):
+        built += _door(room.walls[door.wall], door, f"door-{i}", look)
+    for i, window in enumerate(room.windows):
+        built += _window(room.walls[window.wall], window, f"window-{i}", look)
+    return tuple(built + list(_skirting(room, look)))
+
+
+def _floor(room: Room, look: RoomStyle) -> Iterator[Part]:
+    """Yield the slab below the floor and the sheets that lie on it."""
+    outline = Polygon(room.vertices)
+    base = look.tones[-1] if look.floor == "tiles" else look.tones[0]
+    yield _extruded("floor", base, outline, (-SLAB, -0.001))
+    if look.floor == "tiles":
+        sheets = [_tiles(outline)]
+    else:
+        sheets = _strips(outline, len(look.tones)) if look.floor == "planks" else [[outline]]
+    for tone, pieces in zip(look.tones, sheets, strict=False):
+        part = _sheet("floor", tone, pieces)
+        if part is not None:
+            yield part
+
+
+def _strips(outline: Polygon, tones: int) -> list[list[BaseGeometry]]:
+    """Cut the floor into planks along its longer side; return them by tone."""
+    x0, y0, x1, y1 = outline.bounds
+    along_x = x1 - x0 >= y1 - y0
+    low, high = (y0, y1) if along_x else (x0, x1)
+    count = max(1, min(MAX_STRIPS, round((high - low) / 0.16)))
+    step = (high - low) / count
+    rows: list[list[BaseGeometry]] = [[] for _ in range(tones)]
+    for i in range(count):
+        a, b = low + i * step + 0.0015, low + (i + 1) * step - 0.0015
+        strip = box(x0, a, x1, b) if along_x else box(a, y0, b, y1)
+        rows[(i * 7 + i // 3) % tones].append(outline.intersection(strip))
+    return rows
+
+
+def _tiles(outline: Polygon) -> list[BaseGeometry]:
+    """Cut the floor into square tiles with joints between them."""
+    x0, y0, x1, y1 = outline.bounds
+    side = max(0.6, math.sqrt((x1 - x0) * (y1 - y0) / MAX_TILES))
+    columns, rows = max(1, math.ceil((x1 - x0) / side)), max(1, math.ceil((y1 - y0) / side))
+    cells = ((x0 + i * side, y0 + j * side) for i in range(columns) for j in range(rows))
+    return [outline.intersection(box(x + 0.004, y + 0.004, x + side - 0.004, y + side - 0.004)) for x, y in cells]
+
+
+def _polygons(shape: BaseGeometry) -> list[Polygon]:
+    """Return the polygons of a shape, without slivers."""
+    pieces = shape.geoms if hasattr(shape, "geoms") else [shape]  # pyright: ignore[reportAttributeAccessIssue]
+    return [piece for piece in pieces if isinstance(piece, Polygon) and piece.area > SHORTEST]
+
+
+def _triangles(polygon: Polygon) -> list[list[Point]]:
+    """Return counter-clockwise triangles of a polygon, which may be concave."""
+    found: list[list[Point]] = []
+    for triangle in constrained_delaunay_triangles(polygon).geoms:
+        corners = [(x, y) for x, y, *_ in triangle.exterior.coords[:-1]]
+        found.append(corners if triangle.exterior.is_ccw else corners[::-1])
+    return found
+
+
+def _sheet(name: str, tone: Material, pieces: Sequence[BaseGeometry]) -> Part | None:
+    """Return flat pieces at floor level, seen from above; None where nothing is left."""
+    corners: list[list[Point]] = [t for piece in pieces for polygon in _polygons(piece) for t in _triangles(polygon)]
+    if not corners:
+        return None
+    points = np.array([(x, y, 0.0) for triangle in corners for x, y in triangle])
+    faces = np.arange(len(points), dtype=np.int32).reshape(-1, 3)
+    return Part(name, points, faces, tone, convex=False)
+
+
+def _extruded(name: str, tone: Material, outline: Polygon, span: tuple[float, float]) -> Part:
+    """Return a closed prism over a polygon, which may be concave."""
+    ring = [(x, y) for x, y, *_ in outline.exterior.coords[:-1]]
+    ring = ring if outline.exterior.is_ccw else ring[::-1]
+    index = {point: i for i, point in enumerate(ring)}
+    n = len(ring)
+    caps = [[index[p] for p in triangle] for triangle in _triangles(Polygon(ring))]
+    faces = [[c, b, a] for a, b, c in caps] + [[a + n, b + n, c + n] for a, b, c in caps]
+    for i in range(n):
+        j = (i + 1) % n
+        faces += [[i, j, j + n], [i, j + n, i + n]]
+    points = np.array([(x, y, z) for z in span for x, y in ring])
+    return Part(name, points, np.array(faces, dtype=np.int32), tone, convex=len(caps) == 2 and n == 4)
+
+
+def _walls(room: Room, look: RoomStyle) -> Iterator[Part]:
+    """Yield the convex blocks of every wall."""
+    corners = _outer_corners(room)
+    for wall in room.walls:
+        openings = [o for o in (*room.doors, *room.windows) if o.wall == wall.index]
+        ends = (corners[wall.index], corners[(wall.index + 1) % len(corners)])
+        for near, far, low, high in _blocks(wall.length, room.wall_height, openings):
+            outer_near = ends[0] if near <= SHORTEST else wall.point(near, -THICKNESS)
+            outer_far = ends[1] if far >= wall.length - SHORTEST else wall.point(far, -THICKNESS)
+            outline = (wall.point(near), outer_near, outer_far, wall.point(far))
+            yield prism(f"wall-{wall.index}", look.wall, outline, (low, high))
+
+
+def _outer_corners(room: Room) -> list[Point]:
+    """Return where the outer faces of neighbouring walls meet, at each vertex; sharp corners are cut short."""
+    corners: list[Point] = []
+    walls = room.walls
+    for i, wall in enumerate(walls):
+        (ax, ay), (bx, by) = walls[i - 1].normal, wall.normal
+        sx, sy = ax + bx, ay + by
+        length = math.hypot(sx, sy)
+        if length < SHORTEST:
+            corners.append(wall.point(0.0, -THICKNESS))
+            continue
+        reach = min(THICKNESS / (length / 2), 3 * THICKNESS) / length
+        corners.append((wall.start[0] - sx * reach, wall.start[1] - sy * reach))
+    return corners
+
+
+def _blocks(length: float, height: float, openings: Sequence[Opening]) -> Iterator[tuple[float, float, float, float]]:
+    """Yield (near, far, low, high) of the solid blocks of a wall around its openings."""
+    cuts = {0.0, length}
+    for opening in openings:
+        cuts |= {min(max(x, 0.0), length) for x in (opening.offset, opening.offset + opening.width)}
+    marks = sorted(cuts)
+    for near, far in zip(marks, marks[1:], strict=False):
+        if far - near < SHORTEST:
+            continue
+        middle, level = (near + far) / 2, 0.0
+        holes = sorted((o.sill, o.sill + o.height) for o in openings if o.offset < middle < o.offset + o.width)
+        for low, high in [*holes, (height, height)]:
+            if min(low, height) - level > SHORTEST:
+                yield near, far, level, min(low, height)
+            level = max(level, high)
+
+
+def _bar(name: str, tone: Material, wall: Wall, along: Point, depth: Point, z: Point) -> Part:
+    """Return a box in a wall's frame: metres along it, into the room, and up."""
+    outline = (
+        wall.point(along[0], depth[1]), wall.point(along[0], depth[0]),
+        wall.point(along[1], depth[0]), wall.point(along[1], depth[1]),
+    )  # fmt: skip
+    return prism(name, tone, outline, z)
+
+
+def _frame(wall: Wall, hole: Opening, name: str, tone: Material, *, depth: Point) -> Iterator[Part]:
+    """Yield the jambs and the head that line an opening."""
+    near, far, top = hole.offset, hole.offset + hole.width, hole.sill + hole.height
+    t = min(FRAME, 0.15 * hole.width, 0.15 * hole.height)
+    yield _bar(name, tone, wall, (near, near + t), depth, (hole.sill, top))
+    yield _bar(name, tone, wall, (far - t, far), depth, (hole.sill, top))
+    yield _bar(name, tone, wall, (near + t, far - t), depth, (top - t, top))
+
+
+def _door(wall: Wall, door: Opening, name: str, look: RoomStyle) -> Iterator[Part]:
+    """Yield a closed door: frame, leaf, a raised panel and a handle."""
+    yield from _frame(wall, door, name, look.trim, depth=(-THICKNESS + 0.004, -0.002))
+    t = min(FRAME, 0.15 * door.width, 0.15 * door.height)
+    near, far, top = door.offset + t + 0.003, door.offset + door.width - t - 0.003, door.height - t - 0.003
+    yield _bar(name, look.door, wall, (near, far), (-0.075, -0.035), (0.004, top))
+    if door.width > 1.4:
+        yield _bar(name, DARK, wall, (door.center - 0.004, door.center + 0.004), (-0.077, -0.033), (0.006, top - 0.002))
+    inset = 0.14 * (far - near)
+    yield _bar(name, look.trim, wall, (near + inset, far - inset), (-0.034, -0.029), (0.55 * top, top - inset))
+    grip = near + 0.06
+    yield _bar(name, STEEL, wall, (grip, grip + 0.12), (-0.033, -0.012), (1.0, 1.02))
+
+
+def _window(wall: Wall, window: Opening, name: str, look: RoomStyle) -> Iterator[Part]:
+    """Yield a window: frame, sill board, a bar in the middle, glass."""
+    depth = (-0.08, -0.02)
+    yield from _frame(wall, window, name, look.trim, depth=depth)
+    t = min(FRAME, 0.15 * window.width, 0.15 * window.height)
+    near, far = window.offset + t, window.offset + window.width - t
+    low, top = window.sill + t, window.sill + window.height - t
+    yield _bar(name, look.trim, wall, (near, far), depth, (window.sill, low))
+    yield _bar(name, look.trim, wall, (window.offset + 0.002, window.offset + window.width - 0.002), (-0.019, -0.001),
+               (window.sill + 0.001, window.sill + 0.02))  # fmt: skip
+    panes = max(1, round(window.width / 0.8))
+    for i in range(1, panes):
+        at = near + i * (far - near) / panes
+        yield _bar(name, look.trim, wall, (at - 0.02, at + 0.02), (-0.07, -0.03), (low, top))
+    yield _bar(name, GLASS, wall, (near, far), (-0.053, -0.047), (low, top))
+    if panes > 1:
+        yield _bar(name, BLACK, wall, (near + (far - near) / panes - 0.01, near + (far - near) / panes + 0.01),
+                   (-0.03, -0.01), (low + 0.3 * (top - low), low + 0.3 * (top - low) + 0.1))  # fmt: skip
+
+
+def _skirting(room: Room, look: RoomStyle) -> Iterator[Part]:
+    """Yield boards along the foot of the walls, left out at doors."""
+    depth, height = SKIRTING
+    outline = Polygon(room.vertices)
+    inner = outline.buffer(-depth, join_style="mitre")
+    band = outline.difference(inner)
+    for wall in room.walls:
+        for near, far in _gaps(wall.length, [d for d in room.doors if d.wall == wall.index]):
+            strip = LineString([wall.point(near), wall.point(far)]).buffer(depth, cap_style="flat", join_style="mitre")
+            clipped = band.intersection(strip)
+            for piece in _polygons(clipped):
+                ring = list(piece.convex_hull.exterior.coords[:-1])
+                ring = ring if piece.convex_hull.exterior.is_ccw else ring[::-1]
+                yield prism(f"skirting-{wall.index}", look.trim, [(x, y) for x, y, *_ in ring], (0.0, height))
+
+
+def _gaps(length: float, doors: Sequence[Opening]) -> Iterator[tuple[float, float]]:
+    """Yield the stretches of a wall that have no door."""
+    at = 0.0
+    for door in sorted(doors, key=lambda d: d.offset):
+        if door.offset - at > 0.01:
+            yield at, door.offset
+        at = max(at, door.offset + door.width)
+    if length - at > 0.01:
+        yield at, length
