@@ -47,7 +47,9 @@ def test_left_is_plus_y_at_zero_rotation():
 def test_nobody_reaches_a_side_through_the_asset():
     """The front is 0.2 m from the wall: nobody stands there, though an arm could reach the edge from behind."""
     scene, layout = furnished(square(), (SHELF, on_floor(SHELF, 0.35, 2.0, 180)))
-    assert not usage(scene, layout, replace(ARM, reach_distance=1.0)).usable["bookshelf-0"]
+    judged = usage(scene, layout, replace(ARM, reach_distance=1.0))
+    assert not judged.usable["bookshelf-0"]
+    assert judged.uses["bookshelf-0"].reason == "there is no place to stand at its front"
 
 
 def test_the_standing_place_is_within_reach_and_in_the_main_component():
@@ -93,6 +95,10 @@ def test_what_stands_on_something_is_reached_over_its_edge(x: float, usable: boo
     )
     judged = usage(scene, layout, replace(ARM, reach_distance=0.55))
     assert judged.usable["lamp-0"] is usable
+    if not usable:
+        assert judged.uses["lamp-0"].reason == (
+            "the nearest place to stand is 0.65 m from its edge, reach is 0.55 m at that height"
+        )
 
 
 def test_doors_need_room_to_open():

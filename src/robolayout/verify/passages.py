@@ -26,6 +26,9 @@ STEP = 0.005
 WIDE = 1.5
 """Metres of clear width beyond which a passage is not called narrow any more."""
 
+LOCATED = 0.5
+"""Metres of clear width beyond what the agent needs from which the place of a passage is not looked for."""
+
 
 @dataclass(frozen=True)
 class Passage:
@@ -34,7 +37,7 @@ class Passage:
     Attributes:
         asset: Where the way leads.
         width: Clear width in metres, to 1 cm; 0 if not even a disc of 1 cm gets there, `WIDE` stands for that or more.
-        point: Where it is, metres; None where no passage limits the way (open floor, or only the arm is too short).
+        point: Where it is, metres; None where no passage limits the way (open floor, ample width, or an arm too short).
         between: What stands left and right of it: asset names or "wall 2"; empty where there is no such place.
         cut_off: Whether one could stand near enough to it, but no disc however small gets there.
     """
@@ -61,7 +64,8 @@ def find_passages(scene: Scene, layout: Layout, agent: Agent, names: Sequence[st
     result = {name: Passage(name, min(2 * STEP * step, 2 * STEP * top), None, ()) for name, step in widest.items()}
     for name in (name for name, step in widest.items() if step == 0):
         result[name] = replace(result[name], cut_off=search.stands_near(name))
-    for step in sorted({step for step in widest.values() if 0 < step < top}):
+    located = min(top, math.ceil((agent.radius + LOCATED / 2) / STEP))
+    for step in sorted({step for step in widest.values() if 0 < step < located}):
         group = [name for name, found in widest.items() if found == step]
         for name, place in search.necks(step, group).items():
             result[name] = replace(result[name], point=place, between=search.neighbours(place, step * STEP))

@@ -11,6 +11,7 @@ from typing import Any
 from robolayout.scene import Agent, Layout, Scene
 from robolayout.verify._boxes import share
 from robolayout.verify.heading import HeadingSpace
+from robolayout.verify.metrics import published_metrics
 from robolayout.verify.navigation import Navigation
 from robolayout.verify.physics import Physics
 from robolayout.verify.proofs import Remedies, exempt_from_reach, exempt_from_use, impossible, remedies
@@ -181,6 +182,11 @@ class Report:
         }
 
     @cached_property
+    def metrics(self) -> Mapping[str, Mapping[str, object]]:
+        """Published metrics under their own names and rules; they see only the placed assets."""
+        return published_metrics(self.scene, self.layout)
+
+    @cached_property
     def unmet(self) -> tuple[str, ...]:
         """Names of the figures that fall short of what is demanded; exempt assets are not demanded of an agent."""
         least = dict.fromkeys(self.figures, 1.0) | vars(self.demands)
@@ -214,6 +220,7 @@ class Report:
             "violations": list(self.violations),
             "timing": {name: dict(seconds) for name, seconds in self.timing.items()},
             "ok": self.ok,
+            "metrics": {name: dict(figures) for name, figures in self.metrics.items()},
             "agents": {report.agent.name: report.to_dict() for report in self.agents},
         }
 

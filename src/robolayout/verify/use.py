@@ -27,6 +27,9 @@ from robolayout.verify.navigation import navigation
 SIDES = ("front", "left", "back", "right")
 """Sides in counter-clockwise order, starting with the one that faces +x at zero rotation."""
 
+FAR = 3.0
+"""Metres from a side beyond which no place to stand is looked for."""
+
 
 @dataclass(frozen=True)
 class Use:
@@ -126,17 +129,11 @@ class _Judge:
         asset = self.scene.assets[row]
         return tuple(category_of(asset).use_sides if asset.use_sides is None else asset.use_sides)
 
-    def _edge(self, row: int, side: str) -> LineString:
-        """Return a side's edge, counter-clockwise, so that outside is on its right."""
-        ring = shapely.get_coordinates(self.found.footprints[row])
-        at = SIDES.index(side)
-        return LineString((ring[at], ring[at + 1]))
-
     def _approaches(self, row: int) -> dict[str, BaseGeometry]:
         """Return, by side, what must come within reach: edges, or the footprint of what is carried or movable."""
         if self.found.carrier(row) is not None or category_of(self.scene.assets[row]).movable:
             return {"": self.found.footprints[row]}
-        return {side: self._edge(row, side) for side in self._sides(row)}
+        return {side: side_edge(self.found.footprints[row], side) for side in self._sides(row)}
 
     def _ways(self, row: int) -> dict[str, tuple[BaseGeometry, float]]:
         """Return by side a region that the agent can use the asset from, and the asset's horizontal reach."""
@@ -155,7 +152,7 @@ class _Judge:
         depth = category_of(self.scene.assets[row]).open_depth if side == "front" else 0.0
         if depth <= 0:
             return ()
-        zone = _strip(self._edge(row, side), depth)
+        zone = strip(side_edge(self.found.footprints[row], side), depth)
         names = ["the wall"] if zone.difference(self.room).area > AREA_TOLERANCE else []
         found = self.found
         shared = np.minimum(found.top, found.top[row]) - np.maximum(found.bottom, found.bottom[row]) > 0.01
@@ -190,8 +187,18 @@ class _Judge:
         blockers = [name for side in self._sides(row) for name in self.opening_blockers(row, side)]
         if blockers:
             return f"its front has no room to open: {' and '.join(blockers)} in the way"
-        sides = " or ".join(side for side in self._approaches(row) if side) or "nearest edge"
-        return f"no place to stand at its {sides} is within {reach:.2f} m of the agent's centre"
+        approaches = self._approaches(row)
+        sides = " or ".join(side for side in approaches if side) or "edge"
+        away = min((self._nearest(target) for target in approaches.values()), default=math.inf)
+        if away > FAR:
+            return f"there is no place to stand at its {sides}"
+        return f"the nearest place to stand is {away:.2f} m from its {sides}, reach is {reach:.2f} m at that height"
+
+    def _nearest(self, target: BaseGeometry) -> float:
+        """Return metres from an edge or a footprint to the nearest place to stand beyond it."""
+        zone = _within(target, FAR)
+        places = [place for region in self.standing if not (place := region.intersection(zone)).is_empty]
+        return min((place.distance(target) for place in places), default=math.inf)
 
 
 def _height_reason(agent: Agent, bottom: float, top: float) -> str:
@@ -202,13 +209,20 @@ def _height_reason(agent: Agent, bottom: float, top: float) -> str:
     return f"it is too far from the shoulder at {agent.shoulder_height:.2f} m for a reach of {agent.reach:.2f} m"
 
 
+def side_edge(footprint: Polygon, side: str) -> LineString:
+    """Return a side's edge, counter-clockwise, so that outside is on its right."""
+    ring = shapely.get_coordinates(footprint)
+    at = SIDES.index(side)
+    return LineString((ring[at], ring[at + 1]))
+
+
 def _within(target: BaseGeometry, reach: float) -> BaseGeometry:
     """Return everything within `reach` of a footprint, or of an edge on its right-hand (outer) side."""
     near = target.buffer(reach, quad_segs=QUAD_SEGS)
-    return near.intersection(_strip(target, reach, margin=reach)) if isinstance(target, LineString) else near
+    return near.intersection(strip(target, reach, margin=reach)) if isinstance(target, LineString) else near
 
 
-def _strip(edge: LineString, depth: float, margin: float = 0.0) -> Polygon:
+def strip(edge: LineString, depth: float, margin: float = 0.0) -> Polygon:
     """Return the rectangle `depth` metres deep on the right of an edge, `margin` metres longer at both ends."""
     (ax, ay), (bx, by) = edge.coords
     length = math.hypot(bx - ax, by - ay)

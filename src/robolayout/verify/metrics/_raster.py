@@ -1,0 +1,75 @@
+"""A square picture of the floor, 256 x 256, as published metrics draw it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely.geometry.base import BaseGeometry
+
+from robolayout.scene import Room
+from robolayout.verify._boxes import room_polygon
+
+PIXELS = 256
+EIGHT = np.ones((3, 3), dtype=int)
+"""Neighbourhood of 8-connected components."""
+
+
+@dataclass(frozen=True, eq=False)
+class Raster:
+    """Pixel centres of a square around the middle of the room's bounds.
+
+    Attributes:
+        x: (256, 256) metres.
+        y: (256, 256) metres.
+        pixel: Side of a pixel in metres.
+        floor: (256, 256) whether the centre is on the floor.
+    """
+
+    x: NDArray[np.float64]
+    y: NDArray[np.float64]
+    pixel: float
+    floor: NDArray[np.bool_]
+
+    def mask(self, shape: BaseGeometry) -> NDArray[np.bool_]:
+        """Return which pixel centres a shape covers."""
+        result = np.zeros((PIXELS, PIXELS), dtype=np.bool_)
+        if shape.is_empty:
+            return result
+        low_x, low_y, high_x, high_y = shape.bounds
+        columns = slice(*np.searchsorted(self.x[0], (low_x, high_x + self.pixel)))
+        rows = slice(*np.searchsorted(self.y[:, 0], (low_y, high_y + self.pixel)))
+        shapely.prepare(shape)
+        result[rows, columns] = shapely.intersects_xy(shape, self.x[rows, columns], self.y[rows, columns])
+        return result
+
+    def eroded_floor(self, width: float) -> NDArray[np.bool_]:
+        """Return the floor eroded with a square kernel as wide as the robot."""
+        from scipy.ndimage import binary_erosion
+
+        side = max(1, round(width / self.pixel))
+        return np.asarray(binary_erosion(self.floor, np.ones((side, side), dtype=bool)), dtype=np.bool_)
+
+
+def raster(room: Room, margin: float) -> Raster:
+    """Return the picture whose half side is the largest coordinate from the middle of the room, plus a margin in metres."""
+    low_x, low_y, high_x, high_y = room.bounds
+    center = ((low_x + high_x) / 2, (low_y + high_y) / 2)
+    half = max(high_x - low_x, high_y - low_y) / 2 + margin
+    pixel = 2 * half / PIXELS
+    ticks = (np.arange(PIXELS, dtype=np.float64) + 0.5) * pixel - half
+    x: NDArray[np.float64] = np.tile(center[0] + ticks, (PIXELS, 1))
+    y: NDArray[np.float64] = np.tile((center[1] + ticks)[:, None], (1, PIXELS))
+    blank = Raster(x, y, pixel, np.zeros((PIXELS, PIXELS), dtype=np.bool_))
+    return replace(blank, floor=blank.mask(room_polygon(room)))
+
+
+def labels(free: NDArray[np.bool_]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Return 8-connected components, numbered from 1 in row order, and their pixel counts."""
+    from scipy.ndimage import label
+
+    numbered = np.zeros(free.shape, dtype=np.intp)
+    label(free, structure=EIGHT, output=numbered)
+    return numbered, np.bincount(numbered.ravel())[1:]

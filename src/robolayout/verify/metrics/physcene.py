@@ -1,0 +1,125 @@
+"""PhyScene's metrics: Col_obj, Col_scene, R_out, R_walkable, R_reach.
+
+Objects are the placed assets, each by its box, rugs included, as published. A box's contour, drawn as thick as the robot is
+wide, blocks every pixel within half that width of the box.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from robolayout.scene import Layout, Room, Scene
+from robolayout.verify._boxes import Boxes, boxes
+from robolayout.verify.metrics._raster import Raster, labels, raster
+
+ROBOT_WIDTH = 0.3
+"""Metres."""
+HIGH = 1.5
+"""Metres of box-centre height from which an object is no obstacle."""
+MARGIN = 0.2
+"""Metres around the room in the picture."""
+ROUNDING = 1e-9
+"""Metres and square metres that boxes may share by rounding: what stands on something only touches it."""
+
+
+@dataclass(frozen=True)
+class PhyScene:
+    """PhyScene's figures of one layout.
+
+    Attributes:
+        col_obj: Share of objects whose box overlaps any other.
+        col_scene: 1 if there is any, else 0; its mean over scenes is the published rate.
+        r_out: Share of objects with any pixel off the floor.
+        r_walkable: Free pixels of the component at the doors (no door: of the largest) over all free pixels.
+        r_reach: Share of objects next to a component, weighted by the component's share of the free floor.
+    """
+
+    col_obj: float
+    col_scene: float
+    r_out: float
+    r_walkable: float
+    r_reach: float
+
+    def to_dict(self) -> dict[str, float]:
+        """Return the figures under PhyScene's names."""
+        return {
+            "Col_obj": self.col_obj,
+            "Col_scene": self.col_scene,
+            "R_out": self.r_out,
+            "R_walkable": self.r_walkable,
+            "R_reach": self.r_reach,
+        }
+
+
+def physcene(scene: Scene, layout: Layout, *, first_label: bool = False) -> PhyScene:
+    """Measure a layout by PhyScene's rules.
+
+    Args:
+        scene: The scene.
+        layout: The layout.
+        first_label: Take the first component found instead of the largest where there is no door, as the published code
+            does by returning inside its loop.
+    """
+    found = boxes(scene, layout)
+    rows = np.flatnonzero(found.placed)
+    hit = _overlapping(found, rows)
+    picture = raster(scene.room, MARGIN)
+    outside = [bool((picture.mask(found.footprints[row]) & ~picture.floor).any()) for row in rows]
+    blocking = [row for row in rows.tolist() if (found.bottom[row] + found.top[row]) / 2 < HIGH]
+    masks = [picture.mask(found.footprints[row].buffer(ROBOT_WIDTH / 2)) for row in blocking]
+    free = picture.eroded_floor(ROBOT_WIDTH) & ~np.logical_or.reduce([np.zeros_like(picture.floor), *masks])
+    numbered, counts = labels(free)
+    return PhyScene(
+        col_obj=float(hit.mean()) if len(hit) else 0.0,
+        col_scene=float(hit.any()),
+        r_out=float(np.mean(outside)) if outside else 0.0,
+        r_walkable=_walkable(scene.room, picture, numbered, counts, first_label=first_label),
+        r_reach=_reach(masks, numbered, counts),
+    )
+
+
+def _overlapping(found: Boxes, rows: NDArray[np.intp]) -> NDArray[np.bool_]:
+    """Return for each placed object whether its box shares volume with any other."""
+    hit = np.zeros(len(rows), dtype=bool)
+    first, second = shapely.STRtree(found.footprints[rows]).query(found.footprints[rows], predicate="intersects")
+    first, second = first[first < second], second[first < second]
+    a, b = rows[first], rows[second]
+    height = np.minimum(found.top[a], found.top[b]) - np.maximum(found.bottom[a], found.bottom[b])
+    area = shapely.area(shapely.intersection(found.footprints[a], found.footprints[b]))
+    both = (height > ROUNDING) & (area > ROUNDING)
+    hit[first[both]] = hit[second[both]] = True
+    return hit
+
+
+def _walkable(
+    room: Room, picture: Raster, numbered: NDArray[np.intp], counts: NDArray[np.intp], *, first_label: bool
+) -> float:
+    if not len(counts):
+        return 0.0
+    if not room.doors:
+        return float((counts[0] if first_label else counts.max()) / counts.sum())
+    ys, xs = np.nonzero(numbered)
+    shares: list[float] = []
+    for door in room.doors:
+        x, y = room.walls[door.wall].point(door.center)
+        away = np.hypot(picture.x[ys, xs] - x, picture.y[ys, xs] - y)
+        nearest = int(np.argmin(away))
+        near = away[nearest] / picture.pixel <= ROBOT_WIDTH / picture.pixel + 1
+        shares.append(float(counts[numbered[ys[nearest], xs[nearest]] - 1] / counts.sum()) if near else 0.0)
+    return float(np.mean(shares))
+
+
+def _reach(masks: list[NDArray[np.bool_]], numbered: NDArray[np.intp], counts: NDArray[np.intp]) -> float:
+    from scipy.ndimage import binary_dilation
+
+    if not masks or not len(counts):
+        return 0.0
+    touched = np.zeros(len(counts) + 1)
+    for mask in masks:
+        around = np.asarray(binary_dilation(mask, np.ones((3, 3), dtype=bool)), dtype=np.bool_)
+        touched[np.unique(numbered[around])] += 1
+    return float((touched[1:] / len(masks) * counts / counts.sum()).sum())

@@ -1,0 +1,190 @@
+"""SceneEval's metrics that need no language model: COL, NAV, ACC, OOB, opening clearance.
+
+Objects are the placed assets. Where SceneEval uses an object's mesh (COL, OOB) its box stands in: numbers compare with
+boxes, not with scans. The functional sides that SceneEval asks a language model for are the asset's use sides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import Polygon
+from shapely.geometry.base import BaseGeometry
+
+from robolayout.assets import category_of
+from robolayout.scene import Layout, Opening, Room, Scene
+from robolayout.verify._boxes import Boxes, boxes, room_polygon, share
+from robolayout.verify.metrics._raster import labels, raster
+from robolayout.verify.use import side_edge, strip
+
+ROBOT_WIDTH = 0.2
+"""Metres."""
+HIGH = 2.0
+"""Metres of box-centre height above which an object is no obstacle."""
+NUDGE = 0.005
+"""Metres that the other object is moved before a collision is tested again."""
+SIDE_GAP, SIDE_DEPTH = 0.05, 0.2
+"""Metres between a functional side and the rectangle that must be free, and its depth."""
+POINTS_PER_VOLUME, LEAST_POINTS, MOST_POINTS = 5000, 1000, 200_000
+"""Surface points per m3 of box, and their bounds; the upper one is ours."""
+WINDOW_DEPTH = 0.5
+"""Metres that a window's clearance is deep; a door's is as deep as the door is wide."""
+
+
+@dataclass(frozen=True)
+class SceneEval:
+    """SceneEval's figures of one layout.
+
+    Attributes:
+        col_objects: Share of objects in collision.
+        col_scene: Whether any object is in collision.
+        nav: Largest free component over all free pixels.
+        acc: Accessibility by object; -1 where it has no functional side.
+        oob_objects: Share of objects out of bounds.
+        opening_occlusion: Occluded share of each opening, doors first.
+    """
+
+    col_objects: float
+    col_scene: bool
+    nav: float
+    acc: Mapping[str, float]
+    oob_objects: float
+    opening_occlusion: tuple[float, ...]
+
+    @cached_property
+    def acc_mean(self) -> float:
+        """Mean accessibility of the objects that have a functional side."""
+        scores = [score for score in self.acc.values() if score >= 0]
+        return float(np.mean(scores)) if scores else 1.0
+
+    def to_dict(self) -> dict[str, float]:
+        """Return the figures under SceneEval's names."""
+        return {
+            "COL": self.col_objects,
+            "COL_scene": float(self.col_scene),
+            "NAV": self.nav,
+            "ACC": self.acc_mean,
+            "OOB": self.oob_objects,
+            "opening_clearance": share([occlusion == 0 for occlusion in self.opening_occlusion]),
+        }
+
+
+def sceneeval(scene: Scene, layout: Layout) -> SceneEval:
+    """Measure a layout by SceneEval's rules."""
+    found = boxes(scene, layout)
+    rows = np.flatnonzero(found.placed)
+    hit = colliding(found)
+    return SceneEval(
+        col_objects=len(hit) / len(rows) if len(rows) else 0.0,
+        col_scene=bool(hit),
+        nav=_nav(scene.room, found),
+        acc={found.names[row]: score for row, score in zip(rows, _accessibility(scene, found), strict=True)},
+        oob_objects=float(np.mean([out_of_bounds(scene, found, int(row)) for row in rows])) if len(rows) else 0.0,
+        opening_occlusion=tuple(_occlusion(scene.room, o, found) for o in (*scene.room.doors, *scene.room.windows)),
+    )
+
+
+def colliding(found: Boxes) -> set[str]:
+    """Return objects whose box surfaces still meet another's after that one is moved 5 mm off."""
+    rows = np.flatnonzero(found.placed)
+    first, second = shapely.STRtree(found.footprints[rows]).query(found.footprints[rows], predicate="intersects")
+    hit: set[str] = set()
+    for a, b in zip(rows[first].tolist(), rows[second].tolist(), strict=True):
+        if a < b and _surfaces_meet(found, a, b, (0.0, 0.0, 0.0)) and _surfaces_meet(found, a, b, _nudge(found, a, b)):
+            hit |= {found.names[a], found.names[b]}
+    return hit
+
+
+def _surfaces_meet(found: Boxes, a: int, b: int, offset: tuple[float, float, float]) -> bool:
+    """Tell whether two box surfaces intersect when b is moved; a box wholly inside another does not count."""
+    moved = shapely.transform(found.footprints[b], lambda points: points + np.array(offset[:2]))
+    bottom, top = found.bottom[b] + offset[2], found.top[b] + offset[2]
+    if not found.footprints[a].intersects(moved) or found.top[a] < bottom or top < found.bottom[a]:
+        return False
+    in_a = found.footprints[a].contains_properly(moved) and found.bottom[a] < bottom and top < found.top[a]
+    in_b = moved.contains_properly(found.footprints[a]) and bottom < found.bottom[a] and found.top[a] < top
+    return not (in_a or in_b)
+
+
+def _nudge(found: Boxes, a: int, b: int) -> tuple[float, float, float]:
+    """Return 5 mm from the middle of the contact towards the middle of b."""
+    contact = found.footprints[a].intersection(found.footprints[b]).centroid
+    height = (max(found.bottom[a], found.bottom[b]) + min(found.top[a], found.top[b])) / 2
+    middle = (*found.centers[b], (found.bottom[b] + found.top[b]) / 2)
+    away = np.array(middle) - (contact.x, contact.y, height)
+    length = float(np.linalg.norm(away))
+    unit = away / length if length > 0 else np.array([0.0, 0.0, 1.0])
+    return (NUDGE * float(unit[0]), NUDGE * float(unit[1]), NUDGE * float(unit[2]))
+
+
+def _nav(room: Room, found: Boxes) -> float:
+    picture = raster(room, 0.2)
+    free = picture.eroded_floor(ROBOT_WIDTH)
+    for row in map(int, _obstacles(found)):
+        free &= ~picture.mask(found.footprints[row].buffer(ROBOT_WIDTH / 2))
+    _, counts = labels(free)
+    return float(counts.max() / counts.sum()) if len(counts) else 0.0
+
+
+def _obstacles(found: Boxes) -> NDArray[np.intp]:
+    return np.flatnonzero(found.placed & ((found.bottom + found.top) / 2 <= HIGH))
+
+
+def _accessibility(scene: Scene, found: Boxes) -> list[float]:
+    """Return for each placed object the best free share of the rectangles in front of its functional sides."""
+    picture = raster(scene.room, 0.0)
+    obstacles = [int(row) for row in _obstacles(found)]
+    covered = {row: picture.mask(found.footprints[row]) for row in obstacles}
+    count = np.sum(list(covered.values()), axis=0) if covered else np.zeros_like(picture.floor, dtype=int)
+    scores: list[float] = []
+    for row in np.flatnonzero(found.placed).tolist():
+        asset = scene.assets[row]
+        others = count - covered[row] if row in covered else count
+        free = picture.floor & (others == 0)
+        sides = category_of(asset).use_sides if asset.use_sides is None else asset.use_sides
+        zones = [picture.mask(_side_zone(found.footprints[row], side)) for side in sides]
+        scores.append(max((float(free[zone].mean()) if zone.any() else 0.0 for zone in zones), default=-1.0))
+    return scores
+
+
+def _side_zone(footprint: Polygon, side: str) -> BaseGeometry:
+    edge = side_edge(footprint, side)
+    return strip(edge, SIDE_GAP + SIDE_DEPTH).difference(strip(edge, SIDE_GAP).buffer(1e-12, cap_style="flat"))
+
+
+def out_of_bounds(scene: Scene, found: Boxes, row: int, seed: int = 0) -> bool:
+    """Tell whether less than 99 % of random points on an object's box lie above the floor."""
+    depth, width, height = scene.assets[row].size
+    count = int(min(max(POINTS_PER_VOLUME * depth * width * height, LEAST_POINTS), MOST_POINTS))
+    rng = np.random.default_rng(seed)
+    areas = np.array([width * height, depth * height, depth * width])
+    axis = rng.choice(3, size=count, p=areas / areas.sum())
+    points = rng.uniform(-0.5, 0.5, (count, 3))
+    points[np.arange(count), axis] = np.where(rng.random(count) < 0.5, -0.5, 0.5)
+    ring = shapely.get_coordinates(found.footprints[row])
+    plan = found.centers[row] + points[:, :1] * (ring[0] - ring[3]) + points[:, 1:2] * (ring[1] - ring[0])
+    above = points[:, 2] * height + (found.bottom[row] + found.top[row]) / 2 >= -1e-9
+    inside = above & np.asarray(shapely.intersects_xy(room_polygon(scene.room), plan[:, 0], plan[:, 1]))
+    return float(inside.mean()) < 0.99
+
+
+def _occlusion(room: Room, opening: Opening, found: Boxes) -> float:
+    """Return the share of an opening that objects in its clearance hide, seen along the wall's normal."""
+    wall = room.walls[opening.wall]
+    depth = WINDOW_DEPTH if opening.sill > 0 else opening.width
+    zone = Polygon(
+        [wall.point(opening.offset + u, v) for u, v in ((0, 0), (opening.width, 0), (opening.width, depth), (0, depth))]
+    )
+    low, high = opening.sill, opening.sill + opening.height
+    shades: list[Polygon] = []
+    for row in np.flatnonzero(found.placed & (found.bottom < high) & (found.top > low)).tolist():
+        inside = found.footprints[row].intersection(zone)
+        if inside.area > 0:
+            along = (shapely.get_coordinates(inside) - np.array(wall.start)) @ np.array(wall.direction)
+            shades.append(shapely.box(along.min(), max(found.bottom[row], low), along.max(), min(found.top[row], high)))
+    return float(shapely.union_all(shades).area / (opening.width * opening.height))

@@ -1,0 +1,60 @@
+"""SceneSmith's reachability: is the floor of one piece for a disc 0.3 m wide, and which furniture cuts it?
+
+The floor is always the rectangle around the room, and neither doors nor targets play a part, as published. Furniture is what
+stands on the floor, rugs aside.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely.geometry.base import BaseGeometry
+
+from robolayout.scene import Layout, Scene
+from robolayout.verify._boxes import boxes
+from robolayout.verify._space import components
+
+WIDTH = 0.3
+"""Metres."""
+
+
+@dataclass(frozen=True)
+class SceneSmith:
+    """SceneSmith's figures of one layout.
+
+    Attributes:
+        regions: Number of separate pieces of free floor.
+        reachability_ratio: Area of the largest piece over all free area; 0 if there is none.
+        blocking: Furniture without which there would be fewer pieces.
+    """
+
+    regions: int
+    reachability_ratio: float
+    blocking: tuple[str, ...]
+
+    def to_dict(self) -> dict[str, object]:
+        """Return the figures by name."""
+        return {"regions": self.regions, "reachability_ratio": self.reachability_ratio, "blocking": list(self.blocking)}
+
+
+def scenesmith(scene: Scene, layout: Layout) -> SceneSmith:
+    """Measure a layout by SceneSmith's rule."""
+    found = boxes(scene, layout)
+    rows = np.flatnonzero(found.placed & ~found.flat & (found.bottom <= 0.02))
+    floor = shapely.box(*scene.room.bounds).buffer(-WIDTH / 2)
+    grown = shapely.buffer(found.footprints[rows], WIDTH / 2)
+    pieces = _pieces(floor, grown)
+    areas = shapely.area(pieces)
+    blocking: list[str] = []
+    if len(pieces) > 1:
+        blocking = [
+            found.names[row] for i, row in enumerate(rows) if len(_pieces(floor, np.delete(grown, i))) < len(pieces)
+        ]
+    return SceneSmith(len(pieces), float(areas.max() / areas.sum()) if len(areas) else 0.0, tuple(blocking))
+
+
+def _pieces(floor: BaseGeometry, grown: NDArray[np.object_]) -> NDArray[np.object_]:
+    return components(floor.difference(shapely.union_all(grown)) if len(grown) else floor)
