@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import cast
 
 from robolayout._errors import LayoutError
-from robolayout.assets import category_of
+from robolayout.assets import Part, category_of
 from robolayout.scene import Agent, Asset, Layout, Point, Pose, Scene, vertical_span
 
 Routes = Mapping[str, Sequence[Point]]
@@ -123,6 +123,11 @@ def facts(asset: Asset, *, movable: bool) -> Json:
         "size": list(asset.size),
         "movable": movable,
     }
+
+
+def is_trim(part: Part) -> bool:
+    """Return whether a part of the room is seen but never touched: skirting boards, which furniture is cut around."""
+    return part.name.startswith("skirting")
 
 
 def supporter(asset: Asset, scene: Scene, layout: Layout, *, tolerance: float = STANDING) -> str | None:

@@ -60,8 +60,8 @@ def welded(part: Part) -> Surface:
     cross = np.cross(positions[faces[:, 1]] - positions[faces[:, 0]], positions[faces[:, 2]] - positions[faces[:, 0]])
     area = np.linalg.norm(cross, axis=1) / 2
     keep = area > SMALLEST_FACE
-    faces, cross = faces[keep], cross[keep]
-    return Surface(positions, _corner_normals(faces, cross, cross / (2 * area[keep, None])), faces)
+    faces, units = faces[keep], cross[keep] / (2 * area[keep, None])
+    return Surface(positions, _corner_normals(positions, faces, units), faces)
 
 
 def surface(part: Part) -> Surface:
@@ -78,18 +78,31 @@ def _unique_rows(rows: FloatArray) -> tuple[FloatArray, IntArray]:
     return unique, np.asarray(inverse, np.int64).reshape(-1)
 
 
-def _corner_normals(faces: IntArray, weighted: FloatArray, units: FloatArray) -> FloatArray:
-    """Return (3 m, 3) unit normals of face corners: the area-weighted mean of the faces around within the crease."""
+def _corner_normals(positions: FloatArray, faces: IntArray, units: FloatArray) -> FloatArray:
+    """Return (3 m, 3) unit normals of face corners.
+
+    Each is the mean of the face normals around its vertex that lie within the crease, weighted by the faces' angles there,
+    so that it does not depend on how a flat side is cut into triangles.
+    """
     owner = np.repeat(np.arange(len(faces)), 3)
+    weighted = units[owner] * _angles(positions, faces)[:, None]
     order = np.argsort(faces.reshape(-1), kind="stable")
     starts = np.flatnonzero(np.diff(faces.reshape(-1)[order], prepend=-1))
     total = np.zeros((len(owner), 3))
     for ring in np.split(order, starts[1:]):
-        around = owner[ring]
-        near = (units[around] @ units[around].T) >= CREASE
-        total[ring] = near @ weighted[around]
+        around = units[owner[ring]]
+        total[ring] = (around @ around.T >= CREASE) @ weighted[ring]
     length = np.linalg.norm(total, axis=1, keepdims=True)
     return np.where(length > SMALLEST_FACE, total / np.maximum(length, SMALLEST_FACE), units[owner])
+
+
+def _angles(positions: FloatArray, faces: IntArray) -> FloatArray:
+    """Return (3 m,) the angle in radians of every face at each of its corners."""
+    here = positions[faces]
+    ahead, behind = np.roll(here, -1, axis=1) - here, np.roll(here, 1, axis=1) - here
+    lengths = np.linalg.norm(ahead, axis=2) * np.linalg.norm(behind, axis=2)
+    cosine = np.einsum("ijk,ijk->ij", ahead, behind) / np.maximum(lengths, SMALLEST_FACE)
+    return np.arccos(np.clip(cosine, -1.0, 1.0)).reshape(-1)
 
 
 def merged(parts: tuple[Part, ...]) -> tuple[tuple[Material, bool, Surface], ...]:

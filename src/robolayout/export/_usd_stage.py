@@ -1,5 +1,7 @@
 """Builds the USD stage; the only file that imports USD's library, loaded when a stage is asked for."""
 
+# USD's modules carry no types:
+# pyright: reportAttributeAccessIssue=false, reportUnknownParameterType=false
 from __future__ import annotations
 
 import math
@@ -10,7 +12,7 @@ import numpy as np
 from pxr import Gf, Kind, Sdf, Tf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdShade, Vt
 
 from robolayout.assets import Material, Part, category_of, parts, room_parts
-from robolayout.export._exporter import Options, is_movable, mass, placed
+from robolayout.export._exporter import Options, is_movable, is_trim, mass, placed
 from robolayout.export._mesh import linear, welded
 from robolayout.scene import Asset, Layout, Pose, Scene
 
@@ -39,7 +41,9 @@ def build(scene: Scene, layout: Layout, options: Options) -> Any:
         Usd.ModelAPI(group).SetKind(Kind.Tokens.component if path == ROOM else Kind.Tokens.group)
     UsdGeom.Scope.Define(stage, LOOKS)
     builder = _Builder(stage)
-    builder.meshes(ROOM, room_parts(scene.room), movable=False)
+    room = room_parts(scene.room, seed=options.seed)
+    builder.meshes(ROOM, tuple(part for part in room if not is_trim(part)), movable=False)
+    builder.meshes(ROOM, tuple(part for part in room if is_trim(part)), movable=False, collides=False)
     for asset, pose in placed(scene, layout):
         builder.asset(asset, pose, movable=is_movable(asset, scene, layout), seed=options.seed)
     _routes(stage, options)

@@ -133,7 +133,7 @@ def by_name(pieces: tuple[Part, ...]) -> dict[str, tuple[Part, ...]]:
 def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     """Return the room and all placed assets as one GLB file."""
     builder = _Builder()
-    room = [builder.object(name, pieces) for name, pieces in by_name(room_parts(scene.room)).items()]
+    room = [builder.object(name, pieces) for name, pieces in by_name(room_parts(scene.room, seed=options.seed)).items()]
     children = [builder.node("room", children=room, extras={"kind": "room"})]
     for asset, pose in placed(scene, layout):
         half = pose.yaw / 2

@@ -11,18 +11,21 @@ from __future__ import annotations
 import math
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from robolayout._errors import LayoutError
 from robolayout.assets import Material, Part, category_of, parts, room_parts
-from robolayout.export._exporter import Contents, Exporter, Options, is_movable, mass, placed
+from robolayout.export._exporter import Contents, Exporter, Options, is_movable, is_trim, mass, placed
 from robolayout.export._mesh import Box, as_box, quaternion, volume
 from robolayout.scene import Agent, Asset, Layout, Pose, Scene, vertical_span
 
 THINNEST = 5e-4
 """Half thickness in metres that a collider has at least; thinner parts become boxes of that thickness."""
+
+FOOT = 0.08
+"""Share of a mesh's height that is pressed flat where it stands, so that pots and cushions with round bottoms stand."""
 
 SMALLEST_VOLUME = 1e-8
 """Volume in cubic metres below which a part collides as its box."""
@@ -66,9 +69,10 @@ def build(scene: Scene, layout: Layout, options: Options, *, free: Free) -> byte
         "friction": "0.6 0.005 0.0001",
     }
     ET.SubElement(room, "geom", plane)
-    for number, part in enumerate(room_parts(scene.room)):
-        solid = not part.name.startswith("floor")
-        _geom(model, room, part, {"name": f"room/{part.name}/{number}", "class": "fixed" if solid else "look"})
+    for number, part in enumerate(room_parts(scene.room, seed=options.seed)):
+        if np.ptp(part.vertices[:, 2]) > THINNEST:
+            kind = "look" if is_trim(part) or part.name == "floor" else "fixed"
+            _geom(model, room, part, {"name": f"room/{part.name}/{number}", "class": kind})
     custom = ET.SubElement(model.root, "custom")
     for asset, pose in placed(scene, layout):
         _asset(model, asset, pose, seed=options.seed, free=free(asset, scene, layout))
@@ -118,7 +122,7 @@ def _asset(model: _Model, asset: Asset, pose: Pose, *, seed: int, free: bool) ->
     body = ET.SubElement(model.world, "body", {"name": asset.name, **place})
     if free:
         ET.SubElement(body, "freejoint", name=asset.name)
-    pieces = parts(asset, seed=seed)
+    pieces = tuple(_footed(part, -asset.size[2] / 2) for part in parts(asset, seed=seed))
     volumes = [max(volume(part), SMALLEST_VOLUME) for part in pieces]
     friction = f"{category_of(asset).friction:.6g} 0.005 0.0001"
     kind = "look" if asset.is_flat else "free" if free else "fixed"
@@ -143,6 +147,17 @@ def _geom(model: _Model, body: ET.Element, part: Part, note: dict[str, str]) -> 
     ET.SubElement(body, "geom", {**note, **place})
 
 
+def _footed(part: Part, bottom: float) -> Part:
+    """Return a part that stands on the bottom of its asset with a flat foot; any other part as it is."""
+    heights = part.vertices[:, 2]
+    if heights.min() > bottom + THINNEST:
+        return part
+    low = heights < heights.min() + FOOT * np.ptp(heights)
+    vertices = part.vertices.copy()
+    vertices[low, 2] = heights.min()
+    return replace(part, vertices=vertices)
+
+
 def _is_thin(part: Part) -> bool:
     """Return whether a part is thinner than a collider may be."""
     return bool(np.ptp(part.vertices, axis=0).min() < 2 * THINNEST)
@@ -165,9 +180,8 @@ def _mesh(model: _Model, part: Part) -> str:
     key = ("mesh", vertices)
     if key not in model.known:
         model.known[key] = f"mesh-{sum(isinstance(k, tuple) and 'mesh' in k for k in model.known)}"
-        content = {"name": model.known[key], "vertex": vertices, "inertia": "convex"}
-        if part.convex:
-            content["face"] = " ".join(map(str, part.faces.reshape(-1).tolist()))
+        faces = " ".join(map(str, part.faces.reshape(-1).tolist()))
+        content = {"name": model.known[key], "vertex": vertices, "face": faces, "inertia": "convex"}
         ET.SubElement(model.assets, "mesh", content)
     return model.known[key]
 

@@ -9,9 +9,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from importlib import import_module
 from importlib.util import find_spec
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,9 +21,6 @@ from robolayout._errors import MissingExtraError
 from robolayout.export._exporter import Options, Routes, check_layout, hangs
 from robolayout.export.mjcf import AGENT, AGENT_MASS, DAMPING, STIFFNESS, build
 from robolayout.scene import Agent, Asset, Layout, Point, Scene
-
-if TYPE_CHECKING:
-    import mujoco
 
 STILL, UPRIGHT = 0.01, math.radians(2.0)
 """A stable asset moves by less than 1 cm and tilts by less than 2 degrees."""
@@ -166,12 +164,20 @@ class Driven:
         return {"agent": self.agent, "routes": rows}
 
 
-def _model(text: bytes) -> tuple[Any, Any]:
-    """Return MuJoCo's model and state for a model text."""
+def _mujoco() -> Any:
+    """Return MuJoCo's module, which has no types.
+
+    Raises:
+        MissingExtraError: It is not installed.
+    """
     if find_spec("mujoco") is None:
         raise MissingExtraError("the physics check", "sim")
-    import mujoco
+    return import_module("mujoco")
 
+
+def _model(text: bytes) -> tuple[Any, Any]:
+    """Return MuJoCo's model and state for a model text."""
+    mujoco = _mujoco()
     model = mujoco.MjModel.from_xml_string(text.decode())
     return model, mujoco.MjData(model)
 
@@ -179,6 +185,11 @@ def _model(text: bytes) -> tuple[Any, Any]:
 def _stands(asset: Asset, scene: Scene, layout: Layout) -> bool:
     """Return whether gravity may move an asset: all but rugs and what is fixed to walls or the ceiling."""
     return not asset.is_flat and not hangs(asset, scene, layout)
+
+
+def _never(asset: Asset, scene: Scene, layout: Layout) -> bool:
+    """Return False: everything holds still."""
+    return False
 
 
 def settle(scene: Scene, layout: Layout, seconds: float = 5.0, *, seed: int = 0) -> Settled:
@@ -197,9 +208,8 @@ def settle(scene: Scene, layout: Layout, seconds: float = 5.0, *, seed: int = 0)
         MissingExtraError: MuJoCo is not installed.
     """
     check_layout(scene, layout, partial=True)
+    mujoco = _mujoco()
     model, data = _model(build(scene, layout, Options(seed=seed), free=_stands))
-    import mujoco
-
     model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_AUTORESET
     mujoco.mj_forward(model, data)
     names = [asset.name for asset in scene.assets if asset.name in layout]
@@ -243,15 +253,14 @@ def drive(scene: Scene, layout: Layout, agent: Agent, routes: Routes, speed: flo
     body = replace(agent, radius=agent.radius - MARGIN)
     if agent.length is not None and agent.width is not None:
         body = replace(body, length=agent.length - 2 * MARGIN, width=agent.width - 2 * MARGIN)
-    model, data = _model(build(scene, layout, Options(agent=body, routes=lines), free=lambda *_: False))
+    model, data = _model(build(scene, layout, Options(agent=body, routes=lines), free=_never))
     turns = agent.length is not None and agent.width is not None
     return Driven(agent.name, {name: _drive(model, data, line, speed, turns=turns) for name, line in lines.items()})
 
 
-def _drive(model: mujoco.MjModel, data: mujoco.MjData, line: Sequence[Point], speed: float, *, turns: bool) -> Drive:
+def _drive(model: Any, data: Any, line: Sequence[Point], speed: float, *, turns: bool) -> Drive:
     """Drive one line from standstill to standstill."""
-    import mujoco
-
+    mujoco = _mujoco()
     step = float(model.opt.timestep)
     times, path = timeline(line, speed, turns=turns)
     clock = np.arange(0.0, times[-1] + SETTLING, step)
@@ -274,7 +283,7 @@ def _drive(model: mujoco.MjModel, data: mujoco.MjData, line: Sequence[Point], sp
     return Drive(tuple(sorted(touched)), error, length, float(times[-1]))
 
 
-def _touched(model: mujoco.MjModel, data: mujoco.MjData) -> set[str]:
+def _touched(model: Any, data: Any) -> set[str]:
     """Return the names of what the base touches now."""
     names: set[str] = set()
     for pair in data.contact.geom[: data.ncon]:
@@ -300,7 +309,7 @@ def timeline(line: Sequence[Point], speed: float, *, turns: bool) -> tuple[Float
     limits = np.concatenate([[0.0], np.zeros_like(kept) if turns else kept * speed, [0.0]])
     times, rows, now = [0.0], [[*corners[0], headings[0]]], 0.0
     for i, heading in enumerate(headings):
-        if turns and i:
+        if turns and i and heading != headings[i - 1]:
             now += abs(heading - headings[i - 1]) / TURN_RATE
             times.append(now)
             rows.append([*corners[i], heading])

@@ -12,12 +12,14 @@ import xml.etree.ElementTree as ET
 import numpy as np
 
 from robolayout.assets import Part, parts, room_parts
-from robolayout.export._exporter import Contents, Exporter, Options, is_movable, mass, placed
+from robolayout.export._exporter import Contents, Exporter, Options, is_movable, is_trim, mass, placed
 from robolayout.export._mesh import as_box
 from robolayout.export.mjcf import THINNEST, parse_xml
-from robolayout.scene import Asset, Layout, Pose, Scene
+from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
 ROOM = "room"
+SLAB = 0.1
+"""Thickness of the floor in metres."""
 
 
 def write(scene: Scene, layout: Layout, options: Options) -> bytes:
@@ -26,8 +28,10 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     hints = ET.SubElement(robot, "mujoco")
     ET.SubElement(hints, "compiler", discardvisual="false", balanceinertia="true")
     room = ET.SubElement(robot, "link", name=ROOM)
-    for part in room_parts(scene.room):
-        _shapes(room, part, f"room/{part.name}")
+    _floor(room, scene.room)
+    for part in room_parts(scene.room, seed=options.seed):
+        if part.name != "floor" and not is_trim(part):
+            _shapes(room, part, f"room/{part.name}")
     for asset, pose in placed(scene, layout):
         link = ET.SubElement(robot, "link", name=asset.name)
         _inertial(link, asset)
@@ -40,6 +44,17 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
         ET.SubElement(joint, "origin", xyz=f"{pose.x!r} {pose.y!r} {pose.z!r}", rpy=f"0 0 {pose.yaw!r}")
     ET.indent(robot)
     return ET.tostring(robot, encoding="utf-8", xml_declaration=True) + b"\n"
+
+
+def _floor(link: ET.Element, room: Room) -> None:
+    """Add the floor as one slab under the whole room's bounds, its top at zero."""
+    low_x, low_y, high_x, high_y = room.bounds
+    for kind in ("visual", "collision"):
+        shape = ET.SubElement(link, kind)
+        middle = f"{(low_x + high_x) / 2:.9g} {(low_y + high_y) / 2:.9g} {-SLAB / 2:.9g}"
+        ET.SubElement(shape, "origin", xyz=middle, rpy="0 0 0")
+        size = f"{high_x - low_x + SLAB:.9g} {high_y - low_y + SLAB:.9g} {SLAB:.9g}"
+        ET.SubElement(ET.SubElement(shape, "geometry"), "box", size=size)
 
 
 def _inertial(link: ET.Element, asset: Asset) -> None:

@@ -1,0 +1,87 @@
+"""Scene state JSON, checked against what SceneEval's own loader does with it.
+
+Its loader (scenes/scene_state.py, architecture.py, trimesh_scene.py, MIT): demands "format": "sceneState" and version scene@1.0.2;
+sorts elements into Floor, Ceiling, Wall; loads `<root>/<id>/<id>.glb` as one mesh in glTF's frame and applies
+`reshape(data, 4, 4).T`; cuts holes from the wall's first point on, min and max as (along, up).
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+
+from robolayout._errors import LayoutError
+from robolayout.export import Options, sceneeval
+from robolayout.scene import Layout, Scene
+
+
+@pytest.fixture(scope="module")
+def state(scene: Scene, layout: Layout) -> dict[str, object]:
+    return json.loads(sceneeval.SCENEEVAL.write(scene, layout, Options()))
+
+
+def test_it_is_the_format_that_the_loader_demands(state: dict, scene: Scene) -> None:
+    assert state["format"] == "sceneState"
+    assert state["scene"]["version"] == "scene@1.0.2"
+    assert state["scene"]["arch"]["version"] == "arch@1.0.2"
+    kinds = [element["type"] for element in state["scene"]["arch"]["elements"]]
+    assert set(kinds) <= {"Floor", "Ceiling", "Wall"}
+    assert (kinds.count("Floor"), kinds.count("Wall")) == (1, len(scene.room.walls))
+    for entry in state["scene"]["object"]:
+        assert {"index", "modelId", "transform"} <= set(entry)
+        assert len(entry["transform"]["data"]) == 16
+    assert [entry["index"] for entry in state["scene"]["object"]] == list(range(9))
+
+
+def test_walls_run_on_and_holes_are_along_them(state: dict, scene: Scene) -> None:
+    walls = [element for element in state["scene"]["arch"]["elements"] if element["type"] == "Wall"]
+    for wall, after in zip(walls, walls[1:] + walls[:1], strict=True):
+        assert wall["points"][1] == after["points"][0]
+        assert wall["height"] == scene.room.wall_height
+    holes = {hole["type"]: hole["box"] for hole in walls[0]["holes"]}
+    assert holes["Door"] == {"min": [3.6, 0.0], "max": [4.5, 2.05]}
+    assert holes["Window"] == {"min": [1.0, 0.9], "max": [2.2, 2.1]}
+    assert len(walls[1]["holes"]) == 1
+
+
+def test_meshes_land_where_the_layout_says_facing_as_it_says(
+    state: dict, scene: Scene, layout: Layout, tmp_path: Path
+) -> None:
+    folder = sceneeval.write_meshes(scene, tmp_path / "assets")
+    for entry in state["scene"]["object"]:
+        name = entry["modelId"].removeprefix("robolayout.")
+        mesh = trimesh.load(folder / name / f"{name}.glb", force="mesh")
+        mesh.apply_transform(np.asarray(entry["transform"]["data"]).reshape(4, 4).T)
+        pose, size = layout[name], scene.by_name[name].size
+        corners = np.array(pose.corners(size))
+        assert np.allclose(mesh.bounds[:, 2], [pose.z - size[2] / 2, pose.z + size[2] / 2], atol=1e-5)
+        assert (mesh.bounds[0, :2] >= corners.min(axis=0) - 1e-5).all()
+        assert (mesh.bounds[1, :2] <= corners.max(axis=0) + 1e-5).all()
+        matrix = np.asarray(entry["transform"]["data"]).reshape(4, 4).T
+        assert np.allclose(matrix[:3, :3] @ [0, 0, 1], [*pose.forward, 0])
+        assert np.allclose(matrix[:3, :3] @ [0, 1, 0], [0, 0, 1])
+        assert np.linalg.det(matrix[:3, :3]) == pytest.approx(1)
+
+
+def test_descriptions_lie_where_its_layoutvlm_data_set_looks(scene: Scene, tmp_path: Path) -> None:
+    folder = sceneeval.write_meshes(scene, tmp_path)
+    notes = json.loads((folder / "double_bed-0" / "data.json").read_text())
+    assert {"category", "description", "materials"} <= set(notes["annotations"])
+    assert notes["annotations"]["description"] == scene.assets[0].description
+    assert notes["assetMetadata"]["boundingBox"] == {"x": 1.6, "y": 2.0, "z": 0.9}
+    assert len(list(folder.iterdir())) == len(scene.assets)
+
+
+def test_tops_name_what_they_stand_on(state: dict) -> None:
+    parents = {entry["id"]: entry["parentId"] for entry in state["scene"]["object"]}
+    assert parents["table_lamp-0"] == "night_stand-0"
+    assert {parents[name] for name in parents if name != "table_lamp-0"} == {""}
+
+
+def test_other_json_is_refused() -> None:
+    with pytest.raises(LayoutError, match="a scene state says"):
+        sceneeval.read(b'{"format": "else"}')
