@@ -6,7 +6,18 @@ from types import MappingProxyType
 
 from robolayout.constraints._refs import AssetRef, PointRef, Ref, WallRef
 from robolayout.constraints._relation import Outcome, Relation, argument
-from robolayout.constraints._terms import FAR, ClearTerm, CustomTerm, FrameTerm, Interval, MirrorTerm, Term
+from robolayout.constraints._terms import (
+    FAR,
+    ClearTerm,
+    CustomTerm,
+    FrameTerm,
+    InsideTerm,
+    Interval,
+    MirrorTerm,
+    OverlapTerm,
+    PairwiseTerm,
+    Term,
+)
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
 from robolayout.constraints.around import Around
@@ -15,15 +26,19 @@ from robolayout.constraints.ceiling_above import CeilingAbove
 from robolayout.constraints.centered_on import CenteredOn
 from robolayout.constraints.corner import Corner
 from robolayout.constraints.distance_constraint import DistanceConstraint
+from robolayout.constraints.door_clear import DoorClear
 from robolayout.constraints.facing_pair import FacingPair
 from robolayout.constraints.grid import Grid
 from robolayout.constraints.in_front_of import InFrontOf
+from robolayout.constraints.inside_room import InsideRoom
 from robolayout.constraints.keep_clear import KeepClear
 from robolayout.constraints.left_of import LeftOf
 from robolayout.constraints.mounted_on import MountedOn
 from robolayout.constraints.next_to import NextTo
+from robolayout.constraints.no_overlap import NoOverlap
 from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.constraints.point_towards import PointTowards
+from robolayout.constraints.reachable_pairwise import ReachablePairwise
 from robolayout.constraints.right_of import RightOf
 from robolayout.constraints.row import Row
 from robolayout.constraints.symmetric_pair import SymmetricPair
@@ -56,6 +71,10 @@ _BUILT_IN: tuple[type[Relation], ...] = (
 )
 
 
+IMPLICIT: tuple[Relation, ...] = (NoOverlap(), InsideRoom(), DoorClear())
+"""What belongs to every program; the `paper` profile adds `ReachablePairwise`."""
+
+
 def _registry() -> Mapping[str, type[Relation]]:
     """Return the built-in relations and those of installed packages (entry points `robolayout.constraints`)."""
     relations = {relation.name: relation for relation in _BUILT_IN}
@@ -69,15 +88,20 @@ RELATIONS: Mapping[str, type[Relation]] = _registry()
 
 __all__ = [
     "FAR",
+    "IMPLICIT",
     "RELATIONS",
     "AssetRef",
     "ClearTerm",
     "CustomTerm",
     "FrameTerm",
+    "InsideTerm",
     "Interval",
     "MirrorTerm",
     "Outcome",
+    "OverlapTerm",
+    "PairwiseTerm",
     "PointRef",
+    "ReachablePairwise",
     "Ref",
     "Relation",
     "Term",

@@ -58,6 +58,7 @@ class Relation(ABC):
         moves: Which arguments the solver may move to satisfy it.
         orients: Whether it settles the heading of its first argument (the filter allows one of those per asset).
         hard: Whether it must hold before anything else counts.
+        implicit: Whether it belongs to every program and cannot be written in one.
         surrogate: Whether the terms only approximate the check (held to one direction by the laws).
         example: One line of program text that uses it.
     """
@@ -66,6 +67,7 @@ class Relation(ABC):
     moves: ClassVar[tuple[str, ...]] = ("a",)
     orients: ClassVar[bool] = False
     hard: ClassVar[bool] = False
+    implicit: ClassVar[bool] = False
     surrogate: ClassVar[bool] = False
     example: ClassVar[str]
 

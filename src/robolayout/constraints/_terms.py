@@ -13,7 +13,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from robolayout.constraints._refs import Ref
+from robolayout.constraints._refs import AssetRef, Ref
 
 FAR = 1.0e3
 """Metres that stand for "no bound" in a term; larger than any room."""
@@ -117,6 +117,31 @@ class ClearTerm:
 
 
 @dataclass(frozen=True)
+class OverlapTerm:
+    """One row of the overlap kernel: the footprints of `a` and `b` keep apart."""
+
+    a: AssetRef
+    b: AssetRef
+
+
+@dataclass(frozen=True)
+class InsideTerm:
+    """One row of the boundary kernel: the footprint of `a` stays in the room."""
+
+    a: AssetRef
+
+
+@dataclass(frozen=True)
+class PairwiseTerm:
+    """One row of the paper's reachability kernel: centres at least `required` metres apart, relu(required^2 - d^2)."""
+
+    a: AssetRef
+    b: AssetRef
+    required: float
+    weight: float
+
+
+@dataclass(frozen=True)
 class CustomTerm:
     """One row of a kernel that a user brings.
 
@@ -133,4 +158,4 @@ class CustomTerm:
     weight: float = 1.0
 
 
-Term = FrameTerm | MirrorTerm | ClearTerm | CustomTerm
+Term = FrameTerm | MirrorTerm | ClearTerm | OverlapTerm | InsideTerm | PairwiseTerm | CustomTerm

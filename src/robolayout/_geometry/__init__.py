@@ -1,0 +1,28 @@
+"""Pure, batched, differentiable array functions; they know boxes, segments and polygons, and no noun of the scene."""
+
+from robolayout._geometry.boxes import (
+    Body,
+    compose,
+    corners,
+    extents,
+    penetration,
+    point_to_box,
+    separation,
+)
+from robolayout._geometry.polygon import signed_distance
+from robolayout._geometry.relations import FrameRow, frame_residual, mirror_residual, soft_abs
+
+__all__ = [
+    "Body",
+    "FrameRow",
+    "compose",
+    "corners",
+    "extents",
+    "frame_residual",
+    "mirror_residual",
+    "penetration",
+    "point_to_box",
+    "separation",
+    "signed_distance",
+    "soft_abs",
+]

@@ -1,0 +1,54 @@
+"""Implicit `door_clear`: nothing stands before a door."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from shapely import Polygon
+
+from robolayout.constraints._exact import footprint
+from robolayout.constraints._refs import AssetRef, WallRef
+from robolayout.constraints._relation import Outcome, Relation
+from robolayout.constraints._terms import ClearTerm, Term
+from robolayout.constraints.no_overlap import OVERLAP_AREA
+from robolayout.scene import LANDING_DEPTH, Layout, Scene, vertical_span
+
+CLEAR_HEIGHT = 2.0
+"""Metres above the floor up to which a door's landing stays free (DESIGN section 4)."""
+
+
+@dataclass(frozen=True)
+class DoorClear(Relation):
+    """Nothing below 2 m stands within a door's width and 0.9 m of it; rugs may lie there."""
+
+    name: ClassVar[str] = "door_clear"
+    hard: ClassVar[bool] = True
+    implicit: ClassVar[bool] = True
+    example: ClassVar[str] = ""
+
+    def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
+        """Return one strip per door, in the frame of its wall."""
+        return tuple(
+            ClearTerm(
+                WallRef(door.wall),
+                (door.center - scene.room.walls[door.wall].length / 2, LANDING_DEPTH / 2),
+                (door.width / 2, LANDING_DEPTH / 2),
+                (0.0, CLEAR_HEIGHT),
+            )
+            for door in scene.room.doors
+        )
+
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """At most 1e-4 m2 of any footprint in any landing."""
+        worst, text = 0.0, "all doors are clear"
+        for number, door in enumerate(scene.room.doors):
+            landing = Polygon(scene.room.landing(door))
+            for name, pose in layout.items():
+                asset = scene.by_name[name]
+                if asset.is_flat or vertical_span(asset, pose)[0] >= CLEAR_HEIGHT:
+                    continue
+                area = landing.intersection(footprint(scene, layout, AssetRef(name))).area
+                if area > max(worst, OVERLAP_AREA):
+                    worst, text = area, f"{name} takes {area:.3f} m2 of the landing of door {number}"
+        return Outcome(worst <= OVERLAP_AREA, worst, OVERLAP_AREA, "m2", text)

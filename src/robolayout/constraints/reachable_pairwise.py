@@ -1,0 +1,49 @@
+"""Implicit `reachable_pairwise`: the paper's clearance between every two things (its section "Reachability Constraint")."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from itertools import combinations
+from typing import ClassVar
+
+from robolayout.constraints._refs import AssetRef
+from robolayout.constraints._relation import Outcome, Relation
+from robolayout.constraints._terms import PairwiseTerm, Term
+from robolayout.scene import Layout, Scene
+
+ALPHA = 0.01
+"""The paper's scale of the pairwise reachability loss."""
+
+
+@dataclass(frozen=True)
+class ReachablePairwise(Relation):
+    """Every two floor things leave room for the agent's disc between them: d >= e_i + e_j + 2 r, e half the smaller side."""
+
+    name: ClassVar[str] = "reachable_pairwise"
+    implicit: ClassVar[bool] = True
+    surrogate: ClassVar[bool] = True
+    example: ClassVar[str] = ""
+
+    def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
+        """Return one row per pair of floor things; none if the radius is not positive."""
+        return tuple(PairwiseTerm(AssetRef(a), AssetRef(b), required, ALPHA) for a, b, required in self._pairs(scene))
+
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """Every pair of centres at least that far apart."""
+        worst, text = 0.0, "every two things leave room for the agent"
+        for a, b, required in self._pairs(scene):
+            if a in layout and b in layout:
+                short = required - math.hypot(layout[a].x - layout[b].x, layout[a].y - layout[b].y)
+                if short > worst:
+                    worst, text = short, f"{a} and {b} are {short:.2f} m too close"
+        return Outcome(worst <= 0.0, worst, 0.0, "m", text)
+
+    def _pairs(self, scene: Scene) -> list[tuple[str, str, float]]:
+        radius = scene.agent.radius
+        if radius <= 0:
+            return []
+        floor = [a for a in scene.assets if a.on_floor and not (a.on_wall or a.on_ceiling or a.on_object)]
+        return [
+            (a.name, b.name, min(a.size[:2]) / 2 + min(b.size[:2]) / 2 + 2 * radius) for a, b in combinations(floor, 2)
+        ]

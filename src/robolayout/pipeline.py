@@ -1,0 +1,193 @@
+"""The whole flow, one function a reader can follow: scene, groups, program, problem, solution, report."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from robolayout.planners import FilePlanner, Group, OfflinePlanner, Planner, PlanRequest
+from robolayout.program import Program, Reconciled, read_program, reconcile
+from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict, vertical_span
+from robolayout.solve import Solution, Solver, SolverConfig, Verdict, compile_problem
+from robolayout.verify import Report, navigation, physics, usage, verify
+from robolayout.verify.proofs import exempt_from_reach, exempt_from_use
+from robolayout.verify.use import horizontal_reach
+
+AgentSpec = Agent | str | Path | Mapping[str, Any]
+Progress = Callable[[str], None]
+
+WALKABLE = 0.98
+"""Share of the free space that the solver wants connected to the door; the report demands 0.95."""
+
+
+@dataclass(frozen=True)
+class Result:
+    """Everything that a run made.
+
+    Attributes:
+        scene: What was given.
+        groups: The planner's groups, in order.
+        program: What the program says, as asked.
+        reconciled: The same after the filter, with a decision for every statement.
+        layout: Poses.
+        report: What the verifier says of them.
+        solution: What the solver says of its run.
+    """
+
+    scene: Scene
+    groups: tuple[Group, ...]
+    program: Program
+    reconciled: Reconciled
+    layout: Layout
+    report: Report
+    solution: Solution = field(repr=False)
+
+    @property
+    def trace(self) -> Trace:
+        """The record of the search; empty unless asked for."""
+        return self.solution.trace
+
+
+class _Clock:
+    """Collects wall and CPU seconds by station."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, dict[str, float]] = {}
+
+    @contextmanager
+    def station(self, name: str) -> Iterator[None]:
+        wall, cpu = time.perf_counter(), time.process_time()
+        try:
+            yield
+        finally:
+            spent = self.seconds.setdefault(name, {"wall": 0.0, "cpu": 0.0})
+            spent["wall"] += time.perf_counter() - wall
+            spent["cpu"] += time.process_time() - cpu
+
+
+def as_scene(scene: Scene | Mapping[str, Any] | str | Path, agent: AgentSpec | None = None) -> Scene:
+    """Return a scene from itself, its dictionary or its file, for another agent if one is given."""
+    if isinstance(scene, str | Path):
+        scene = load_scene(scene)
+    elif not isinstance(scene, Scene):
+        scene = scene_from_dict(scene)
+    return scene if agent is None else scene.with_agents(*load_agents(agent))
+
+
+def generate(
+    scene: Scene | Mapping[str, Any] | str | Path,
+    *,
+    program: str | None = None,
+    planner: Planner | None = None,
+    agent: AgentSpec | None = None,
+    seed: int = 0,
+    config: SolverConfig | None = None,
+    progress: Progress | None = None,
+) -> Result:
+    """Lay out a scene and verify the result.
+
+    Args:
+        scene: A scene, its dictionary or its file.
+        program: Text of a constraint program to use instead of planning.
+        planner: Who writes the program; the offline planner if None.
+        agent: The body or bodies to lay out for; the scene's own if None.
+        seed: Settles every choice: same input and seed, same layout.
+        config: Constants of the solver.
+        progress: Called with the name of each phase.
+
+    Returns:
+        The layout with its program, decisions and report. No file is written.
+    """
+    clock = _Clock()
+    say = progress or (lambda _: None)
+    with clock.station("scene"):
+        scene = as_scene(scene, agent)
+    with clock.station("plan"):
+        say("plan")
+        planner = planner or OfflinePlanner()
+        groups = planner.group(scene)
+        text = planner.plan(PlanRequest(scene, seed=seed)) if program is None else program
+    with clock.station("program"):
+        say("program")
+        asked = read_program(text, scene)
+        reconciled = reconcile(asked, scene)
+    with clock.station("solve"):
+        solution = solve(scene, reconciled.program, seed=seed, config=config, progress=say)
+    say("verify")
+    report = verify(scene, solution.layout, asked)
+    return Result(scene, groups, asked, reconciled, solution.layout, report.with_timing(clock.seconds), solution)
+
+
+def solve(
+    scene: Scene,
+    program: Program | str,
+    *,
+    seed: int = 0,
+    config: SolverConfig | None = None,
+    pinned: Mapping[str, Pose] | None = None,
+    progress: Progress | None = None,
+) -> Solution:
+    """Solve a program, selecting by exact verification.
+
+    Args:
+        scene: The scene.
+        program: A program, or its text (read and filtered first).
+        seed: Settles every choice.
+        config: Constants of the solver.
+        pinned: Poses that must stay.
+        progress: Called with the name of each phase.
+    """
+    if isinstance(program, str):
+        program = reconcile(read_program(program, scene), scene).program
+    problem = compile_problem(scene, program, seed=seed, pinned=pinned)
+    return Solver(problem, make_judge(scene, program), config, seed=seed, progress=progress).solve()
+
+
+def make_judge(scene: Scene, program: Program) -> Callable[[Layout], Verdict]:
+    """Return the exact verifier as an order on (partial) layouts: what is not placed yet is not counted."""
+    statements = [(s.relation, frozenset(s.relation.asset_names())) for s in program.statements]
+
+    def judge(layout: Layout) -> Verdict:
+        placed = set(layout)
+        found = physics(scene, layout)
+        failing = [name for name in found.failing if name in placed]
+        access, blamed = 0.0, list[str]()
+        for agent in scene.agents:
+            missing, to_move = _access(scene, layout, agent)
+            access += missing
+            blamed += to_move
+        soft, unmet = 0.0, list[str]()
+        for relation, names in statements:
+            if names <= placed and not relation.check(scene, layout).met:
+                soft += float(getattr(relation, "weight", 1.0))
+                unmet += relation.asset_names()
+        culprits = tuple(dict.fromkeys([*failing, *blamed, *unmet]))
+        return Verdict(float(len(failing)), access, soft, culprits)
+
+    return judge
+
+
+def _access(scene: Scene, layout: Layout, agent: Agent) -> tuple[float, list[str]]:
+    """Return how much an agent cannot get to (in assets) and which assets to move for it."""
+    nav = navigation(scene, layout, agent)
+    beyond = exempt_from_reach(scene, agent)
+    unreached = [name for name in nav.unreached if name not in beyond]
+    used = usage(scene, layout, agent, standing=(nav.main,)).usable
+    useless = exempt_from_use(scene, agent)
+    unused = [n for n, usable in used.items() if n in layout and not usable and n not in useless and _in_height(scene, layout, agent, n)]
+    cut_off = max(0.0, WALKABLE - nav.walkable_ratio) if nav.free.area > 0 else 0.0
+    return len(unreached) + 0.5 * len(unused) + cut_off, [*unreached, *unused]
+
+
+def _in_height(scene: Scene, layout: Layout, agent: Agent, name: str) -> bool:
+    """Return whether moving an asset about could ever bring it into the agent's reach."""
+    return horizontal_reach(agent, *vertical_span(scene.by_name[name], layout[name])) is not None
+
+
+def compare(scene: Scene, agents: tuple[Agent, ...], **options: Any) -> tuple[Result, ...]:
+    """Lay out one scene for several bodies, one after the other."""
+    return tuple(generate(replace(scene, agents=(agent,)), **options) for agent in agents)

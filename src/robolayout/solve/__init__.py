@@ -1,0 +1,18 @@
+"""Scene and program to poses: compile, search, routes in the loop, repair."""
+
+from robolayout.solve.compile import Problem, compile_problem
+from robolayout.solve.config import SearchConfig, SolverConfig, Weights
+from robolayout.solve.judge import Judge, Verdict
+from robolayout.solve.refine import Solution, Solver
+
+__all__ = [
+    "Judge",
+    "Problem",
+    "SearchConfig",
+    "Solution",
+    "Solver",
+    "SolverConfig",
+    "Verdict",
+    "Weights",
+    "compile_problem",
+]

@@ -1,0 +1,87 @@
+"""The arrays that a compiled search takes: everything about a scene is data, padded to a few sizes."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+Array = Any
+"""A NumPy or JAX array; the fields below say its shape. K starts, A asset slots, F fixed bodies, P pairs, R frame rows,
+M mirror rows, G clear boxes, E room edges, Q inner corners, T route points."""
+
+
+class Arrays(NamedTuple):
+    """One stage of a problem as arrays.
+
+    Attributes:
+        half: (A, 2) half depth and half width in metres; 0 for padding.
+        anchor: (A, 4) pose (x, y, cos, sin) that each slot's variables are relative to.
+        carrier: (A,) slot whose moving pose a slot is rigidly attached to; -1 for none.
+        limit: (A, 2) half sizes in metres of the rectangle around the anchor that a slot's box stays in.
+        free: (A,) 1 where the slot moves in this stage.
+        fixed: (F, 7) walls and points as bodies (x, y, cos, sin, half x, half y, core).
+        pairs: (P, 2) slots that must not overlap.
+        pair_weight: (P,) 0 for padding.
+        edges: (E, 4) room outline.
+        inner: (Q, 2) corners of the room that point inwards.
+        inside: (A,) weight of staying in the room.
+        frame_index: (R, 2) bodies a and b of each frame row (slots first, then fixed bodies).
+        frame_row: (R, 20) numbers of each frame row.
+        mirror_index: (M, 3) bodies a, b and axis.
+        mirror_weight: (M,) 0 for padding.
+        mirror_normal: (M,) 1 where the axis is a wall.
+        clear_owner: (G,) body that each clear box belongs to.
+        clear_box: (G, 4) centre and half size in the owner's frame, metres.
+        clear_weight: (G, A) weight of keeping each slot out of each box.
+    """
+
+    half: Array
+    anchor: Array
+    carrier: Array
+    limit: Array
+    free: Array
+    fixed: Array
+    pairs: Array
+    pair_weight: Array
+    edges: Array
+    inner: Array
+    inside: Array
+    frame_index: Array
+    frame_row: Array
+    mirror_index: Array
+    mirror_weight: Array
+    mirror_normal: Array
+    clear_owner: Array
+    clear_box: Array
+    clear_weight: Array
+
+
+class Routes(NamedTuple):
+    """What must not stand in the way, per start.
+
+    Attributes:
+        point: (K, T, 2) points of routes in metres.
+        slot: (K, T) slot that is near the point.
+        need: (K, T) metres that the slot must keep from the point; 0 for padding.
+    """
+
+    point: Array
+    slot: Array
+    need: Array
+
+
+class Schedule(NamedTuple):
+    """How one run of the search goes (all scalars).
+
+    Attributes:
+        steps: Number of steps.
+        rate: First step size of positions (metres) and headings.
+        final_rate: Last step size.
+        noise: First standard deviation of the noise in metres; annealed to 0 by half time.
+        ramp: First share of the hard weights; 1 by half time.
+    """
+
+    steps: Array
+    rate: Array
+    final_rate: Array
+    noise: Array
+    ramp: Array

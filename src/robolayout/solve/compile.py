@@ -1,0 +1,209 @@
+"""Scene and program to a problem: who stands on what, at which height, and which rows apply.
+
+Things on tops are solved after what carries them, in their carrier's frame: a first stage places everything that stands on
+the floor, hangs at walls or from the ceiling; each further stage places what stands on things of the stage before.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.constraints import IMPLICIT, Relation, Term
+from robolayout.constraints.mounted_on import MountedOn
+from robolayout.constraints.on_top_of import OnTopOf
+from robolayout.program import Guess, Program
+from robolayout.scene import Asset, Layout, Pose, Scene
+
+Floats = NDArray[np.float64]
+
+EYE_HEIGHT = 1.5
+"""Metres above the floor of the middle of a wall thing that nobody gave a height."""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A scene with a program, ready to be solved.
+
+    Attributes:
+        scene: The scene.
+        relations: The statements to satisfy, in program order.
+        guess: A first pose for every asset.
+        parent: Index of what carries each asset; -1 where it is the room.
+        stage: Stage in which each asset is placed.
+        pinned: Names of assets that keep the pose of the guess.
+    """
+
+    scene: Scene
+    relations: tuple[Relation, ...]
+    guess: Layout
+    parent: tuple[int, ...]
+    stage: tuple[int, ...]
+    pinned: frozenset[str] = frozenset()
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Asset names in slot order."""
+        return tuple(asset.name for asset in self.scene.assets)
+
+    @cached_property
+    def slot(self) -> dict[str, int]:
+        """Slot of each asset."""
+        return {name: i for i, name in enumerate(self.names)}
+
+    @cached_property
+    def half(self) -> Floats:
+        """(n, 2) half depth and half width in metres."""
+        return np.array([asset.size[:2] for asset in self.scene.assets]).reshape(-1, 2) / 2
+
+    @cached_property
+    def heights(self) -> Floats:
+        """(n,) height of each box's centre in metres."""
+        return np.array([self.guess[name].z for name in self.names])
+
+    @cached_property
+    def statement_terms(self) -> tuple[tuple[Term, ...], ...]:
+        """Rows of each statement."""
+        return tuple(relation.terms(self.scene, self.guess) for relation in self.relations)
+
+    @cached_property
+    def implicit_terms(self) -> tuple[Term, ...]:
+        """Rows of the implicit relations."""
+        return tuple(term for relation in IMPLICIT for term in relation.terms(self.scene, self.guess))
+
+    @cached_property
+    def start(self) -> Floats:
+        """(n, 4) the guess as (x, y, cos, sin)."""
+        poses = (self.guess[name] for name in self.names)
+        return np.array([(p.x, p.y, math.cos(p.yaw), math.sin(p.yaw)) for p in poses]).reshape(-1, 4)
+
+    def layout(self, world: Floats) -> Layout:
+        """Return world poses (n, 4) as a layout."""
+        return Layout(
+            {
+                name: Pose(float(x), float(y), float(z), math.atan2(s, c))
+                for name, (x, y, c, s), z in zip(self.names, world.tolist(), self.heights, strict=True)
+            }
+        )
+
+
+def compile_problem(
+    scene: Scene, program: Program | None = None, *, seed: int = 0, pinned: Mapping[str, Pose] | None = None
+) -> Problem:
+    """Return the problem of placing a scene's assets by a program.
+
+    Args:
+        scene: The scene.
+        program: Guesses and statements, already filtered; None has neither.
+        seed: Seed of the random guesses for assets that the program does not place.
+        pinned: Poses that must stay.
+    """
+    relations = tuple(statement.relation for statement in program.statements) if program else ()
+    guesses = dict(program.guesses) if program else {}
+    plan = _complete(scene, guesses, np.random.default_rng(seed))
+    parents = _parents(scene, relations, plan)
+    heights = _heights(scene, relations, guesses, parents)
+    index = {asset.name: i for i, asset in enumerate(scene.assets)}
+    poses: dict[str, Pose] = {}
+    for asset in scene.assets:
+        x, y, yaw = plan[asset.name]
+        poses[asset.name] = Pose(x, y, heights[asset.name], yaw)
+    poses.update(pinned or {})
+    return Problem(
+        scene,
+        relations,
+        Layout(poses),
+        tuple(index.get(parents.get(asset.name, ""), -1) for asset in scene.assets),
+        tuple(_depth(asset.name, parents) for asset in scene.assets),
+        frozenset(pinned or ()),
+    )
+
+
+def _depth(name: str, parents: Mapping[str, str]) -> int:
+    depth = 0
+    while name in parents:
+        name, depth = parents[name], depth + 1
+    return depth
+
+
+def _complete(
+    scene: Scene, guesses: Mapping[str, Guess], rng: np.random.Generator
+) -> dict[str, tuple[float, float, float]]:
+    """Return (x, y, yaw) for every asset: the program's guess, or a random place inside the room."""
+    plan: dict[str, tuple[float, float, float]] = {}
+    x0, y0, x1, y1 = scene.room.bounds
+    for asset in scene.assets:
+        guess = guesses.get(asset.name)
+        yaw = float(rng.integers(4)) * math.pi / 2
+        position = (float(rng.uniform(x0, x1)), float(rng.uniform(y0, y1)))
+        if guess is not None and guess.yaw is not None:
+            yaw = guess.yaw
+        if guess is not None and guess.position is not None:
+            position = guess.position[:2]
+        plan[asset.name] = (*position, yaw)
+    return plan
+
+
+def _parents(
+    scene: Scene, relations: Iterable[Relation], plan: Mapping[str, tuple[float, float, float]]
+) -> dict[str, str]:
+    """Return what each asset stands on: as the program says, else the nearest top that holds it."""
+    parents: dict[str, str] = {}
+    for relation in relations:
+        if isinstance(relation, OnTopOf) and _depth(relation.b.name, parents) < 8 and relation.a.name not in parents:
+            parents[relation.a.name] = relation.b.name
+    for asset in scene.assets:
+        only_on_things = asset.on_object and not (asset.on_floor or asset.on_wall or asset.on_ceiling)
+        if only_on_things and asset.name not in parents:
+            carriers = [other for other in scene.assets if _carries(other, asset) and other.name not in parents]
+            if carriers:
+                x, y, _ = plan[asset.name]
+                best = min(carriers, key=lambda o: (math.dist((x, y), plan[o.name][:2]), o.name))
+                parents[asset.name] = best.name
+    return parents
+
+
+def _carries(carrier: Asset, asset: Asset) -> bool:
+    """Return whether an asset's footprint fits on another's top, at a height where things are put."""
+    small, large = sorted(asset.size[:2]), sorted(carrier.size[:2])
+    fits = small[0] <= large[0] and small[1] <= large[1]
+    return fits and carrier.on_floor and 0.25 <= carrier.size[2] <= 1.3 and carrier.name != asset.name
+
+
+def _heights(
+    scene: Scene, relations: Sequence[Relation], guesses: Mapping[str, Guess], parents: Mapping[str, str]
+) -> dict[str, float]:
+    """Return the height of every box centre: on the floor, on its carrier, on the wall or at the ceiling."""
+    mounted = {r.a.name: r.height for r in relations if isinstance(r, MountedOn) and r.height is not None}
+    heights: dict[str, float] = {}
+
+    def height(name: str) -> float:
+        if name not in heights:
+            heights[name] = _height(scene, scene.by_name[name])
+        return heights[name]
+
+    def _height(scene: Scene, asset: Asset) -> float:
+        half, ceiling = asset.size[2] / 2, scene.room.wall_height
+        if asset.name in parents:
+            carrier = scene.by_name[parents[asset.name]]
+            return height(carrier.name) + carrier.size[2] / 2 + half
+        if asset.on_ceiling and not asset.on_floor:
+            return ceiling - half
+        if asset.on_wall and not asset.on_floor:
+            guess = guesses.get(asset.name)
+            wanted = mounted.get(asset.name)
+            if wanted is None and guess is not None and guess.position is not None and guess.position[2] > half:
+                wanted = guess.position[2]
+            if wanted is None:
+                wanted = EYE_HEIGHT
+            return min(max(wanted, half), ceiling - half)
+        return half
+
+    for asset in scene.assets:
+        height(asset.name)
+    return heights

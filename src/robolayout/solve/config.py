@@ -1,0 +1,79 @@
+"""The constants of the default search, one small frozen record per concern."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Weights:
+    """Factors of the hard terms against a statement of weight 1."""
+
+    overlap: float = 60.0
+    """No overlap: factor on p^2 + 0.02 p, p the penetration in metres plus margin."""
+
+    inside: float = 60.0
+    """Inside the room: factor on d^2 + 0.02 d, d metres outside."""
+
+    clear: float = 60.0
+    """Door landings and strips to keep clear: as overlap."""
+
+    routes: float = 60.0
+    """Routes: factor on d^2 + 0.02 d, d metres short of the clearance."""
+
+    hinge: float = 0.02
+    """Linear part of the hard terms in metres, so that small violations still have a slope."""
+
+    margin: float = 0.015
+    """Metres that things are kept apart beyond touching (DESIGN section 6)."""
+
+    saturation: float = 1.0
+    """Residual of a statement, in metres, at which its pull has fallen to half."""
+
+
+@dataclass(frozen=True)
+class SearchConfig:
+    """One phase of gradient search; see `Schedule`."""
+
+    steps: int
+    rate: float
+    final_rate: float
+    noise: float = 0.0
+    ramp: float = 1.0
+
+
+@dataclass(frozen=True)
+class SolverConfig:
+    """The default search."""
+
+    starts: int = 16
+    """Starts of the first phase."""
+
+    kept: int = 4
+    """Starts that go on to polishing, routes and verification."""
+
+    search: SearchConfig = SearchConfig(steps=220, rate=0.10, final_rate=0.01, noise=0.06, ramp=0.05)
+    """First phase: all starts."""
+
+    polish: SearchConfig = SearchConfig(steps=140, rate=0.02, final_rate=0.0005)
+    """Second phase: the kept starts."""
+
+    reroute: SearchConfig = SearchConfig(steps=120, rate=0.03, final_rate=0.001)
+    """After each planning of routes."""
+
+    route_rounds: int = 6
+    """Most rounds of planning routes and moving furniture out of their way."""
+
+    repair_rounds: int = 12
+    """Most rounds of remove-and-reinsert."""
+
+    candidates: int = 64
+    """Layouts that a repair round tries as one batch."""
+
+    cell: float = 0.05
+    """Metres per cell of the grid on which routes are planned."""
+
+    weights: Weights = field(default_factory=Weights)
+
+    trace: bool = False
+    """Whether to record poses and losses for the animation."""

@@ -1,0 +1,173 @@
+"""The whole solve: search, routes in the loop, repair, one stage of support after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from robolayout.scene import Agent, Layout, Snapshot, Trace
+from robolayout.solve.arrays import Routes
+from robolayout.solve.compile import Floats, Problem
+from robolayout.solve.config import SearchConfig, SolverConfig
+from robolayout.solve.judge import Judge, Verdict
+from robolayout.solve.proposals import make_starts
+from robolayout.solve.repair import Repair
+from robolayout.solve.routes import Ground, Plan, make_ground, obstacle_slots, pack, plan_routes
+from robolayout.solve.runner import Run, Runner
+from robolayout.solve.stage import Stage, make_stage, no_routes, stages
+
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Solution:
+    """What a solver found.
+
+    Attributes:
+        layout: Poses of all assets.
+        verdict: What the judge says of it.
+        status: "solved", or "unmet" if demands are left.
+        message: The status as a sentence.
+        trace: Losses and poses on the way; empty unless asked for.
+    """
+
+    layout: Layout
+    verdict: Verdict
+    status: str
+    message: str
+    trace: Trace = field(default_factory=Trace, repr=False)
+
+
+@dataclass
+class _Best:
+    """The best world poses so far, by the judge."""
+
+    world: Floats
+    verdict: Verdict
+
+
+class Solver:
+    """Solves one problem with one configuration and seed.
+
+    Args:
+        problem: The problem.
+        judge: The exact verifier, as an order on layouts.
+        config: Constants.
+        seed: Seed of all randomness.
+        progress: Called with the name of each phase.
+    """
+
+    def __init__(
+        self,
+        problem: Problem,
+        judge: Judge,
+        config: SolverConfig | None = None,
+        *,
+        seed: int = 0,
+        progress: Progress | None = None,
+    ) -> None:
+        self.problem = problem
+        self.judge = judge
+        self.config = config or SolverConfig()
+        self.rng = np.random.default_rng(seed)
+        self.progress = progress or (lambda _: None)
+        self.runner = Runner(self.config)
+        self.grounds: list[tuple[Ground, tuple[int, ...]]] = []
+
+    def solve(self) -> Solution:
+        """Return the best layout found."""
+        if not self.problem.names:
+            return _solution(Layout({}), Verdict(0.0, 0.0, 0.0), Trace())
+        self.grounds = [(make_ground(self.problem, a, self.config.cell), obstacle_slots(self.problem, a)) for a in self._bodies()]
+        world = self.problem.start.copy()
+        best: _Best | None = None
+        for number in stages(self.problem):
+            best = self._stage(number, world)
+            world = best.world
+        assert best is not None
+        best = self._repair(best)
+        trace = self.runner.trace(self.problem) if self.config.trace else Trace()
+        return _solution(self.problem.layout(best.world), best.verdict, trace)
+
+    def _bodies(self) -> tuple[Agent, ...]:
+        """Return the agents to plan for, widest first."""
+        return tuple(sorted(self.problem.scene.agents, key=lambda a: -a.radius))
+
+    def _judged(self, world: Floats, number: int) -> _Best:
+        """Judge a layout of everything placed up to a stage."""
+        layout = self.problem.layout(world)
+        placed = {name: layout[name] for name, stage in zip(self.problem.names, self.problem.stage, strict=True) if stage <= number}
+        return _Best(world, self.judge(Layout(placed)))
+
+    def _stage(self, number: int, world: Floats) -> _Best:
+        """Place what belongs to a stage."""
+        self.progress("search")
+        stage = make_stage(self.problem, number, world)
+        if not stage.moving:
+            return self._judged(world, number)
+        starts = make_starts(self.problem, world, stage.moving, self.config.starts, self.rng)
+        run = self.runner.advance(stage, starts, self.config.search, "search", rng=self.rng)
+        kept = run.world[run.order()[: self.config.kept]]
+        run = self.runner.advance(stage, kept, self.config.polish, "polish")
+        best = min((self._judged(run.world[k], number) for k in run.order()), key=lambda b: b.verdict.merit)
+        if number == 0 and self.config.route_rounds and best.verdict.access:
+            best = self._route(stage, run, best)
+        return best
+
+    def _route(self, stage: Stage, run: Run, best: _Best) -> _Best:
+        """Push furniture out of the agents' routes, replanning as it moves."""
+        world, kept = run.world, [[] for _ in run.world]
+        for _ in range(self.config.route_rounds):
+            self.progress("routes")
+            plans = [self._planned(world[k], kept[k]) for k in range(len(world))]
+            import sys; print([ (p.blocked,len(p.demands),[self.problem.names[b] for b in p.blockers]) for p in plans],file=sys.stderr)
+            if not any(plan.blocked for plan in plans):
+                break
+            routes = pack(plans, 8 * stage.slots)
+            run = self.runner.advance(stage, world, self.config.reroute, "routes", routes=routes)
+            world = run.world
+            for k in run.order():
+                found = self._judged(world[k], 0)
+                if found.verdict.merit < best.verdict.merit:
+                    best = found
+            if not (best.verdict.hard or best.verdict.access):
+                break
+        return best
+
+    def _planned(self, world: Floats, kept: list[Floats]) -> Plan:
+        """Plan for every agent; demands of the two rounds before stay, so that furniture does not swing back."""
+        plans = [plan_routes(self.problem, ground, world, slots) for ground, slots in self.grounds]
+        demands = np.concatenate([plan.demands for plan in plans])
+        kept.append(demands)
+        del kept[:-3]
+        blockers = tuple(dict.fromkeys(slot for plan in plans for slot in plan.blockers))
+        return Plan(np.concatenate(kept), sum(plan.blocked for plan in plans), blockers)
+
+    def _repair(self, best: _Best) -> _Best:
+        """Remove and reinsert what is to blame, while that helps."""
+        last = max(stages(self.problem))
+        repair = Repair(self.problem, self.runner, self.config, self.rng)
+        for round_number in range(self.config.repair_rounds):
+            if best.verdict.ok:
+                break
+            self.progress("repair")
+            plan = self._planned(best.world, [])
+            for world in repair.candidates(best.world, best.verdict.culprits, round_number, plan):
+                found = self._judged(world, last)
+                if found.verdict.merit < best.verdict.merit:
+                    best = found
+        return best
+
+
+def _solution(layout: Layout, verdict: Verdict, trace: Trace) -> Solution:
+    if verdict.ok:
+        return Solution(layout, verdict, "solved", "Every demand and every statement is met.", trace)
+    parts = [
+        f"{verdict.hard:g} hard violations" if verdict.hard else "",
+        f"{verdict.access:.2f} of access missing" if verdict.access else "",
+        f"statements of weight {verdict.soft:g} unmet" if verdict.soft else "",
+    ]
+    text = ", ".join(part for part in parts if part)
+    return Solution(layout, verdict, "unmet", f"Budget spent with {text}; the report names them.", trace)

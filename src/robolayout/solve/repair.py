@@ -1,0 +1,123 @@
+"""Repair: remove what is to blame and put it elsewhere.
+
+Each round makes a batch of candidate layouts by discrete moves (reinsert one thing at a place drawn from its statements, swap
+two, turn one, move a thing with everything that is bound to it), evaluates them as one batch and polishes the best few with
+only the moved things free.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from robolayout.constraints import AssetRef, FrameTerm, MirrorTerm
+from robolayout.solve.compile import Floats, Problem
+from robolayout.solve.config import SolverConfig
+from robolayout.solve.proposals import Proposals, compose
+from robolayout.solve.routes import Plan, pack
+from robolayout.solve.runner import Runner
+from robolayout.solve.stage import make_stage, relative
+
+SEED_PROPOSALS = 4
+"""Places drawn for one move, of which a later polish keeps what works."""
+
+
+class Repair:
+    """Makes better candidates of one problem's layouts.
+
+    Args:
+        problem: The problem.
+        runner: Runs the compiled search.
+        config: Constants.
+        rng: Source of randomness.
+    """
+
+    def __init__(self, problem: Problem, runner: Runner, config: SolverConfig, rng: np.random.Generator) -> None:
+        self.problem = problem
+        self.runner = runner
+        self.config = config
+        self.rng = rng
+        self.proposals = Proposals.of(problem)
+        self.groups = _groups(problem)
+
+    def candidates(self, world: Floats, culprits: tuple[str, ...], round_number: int, plan: Plan) -> list[Floats]:
+        """Return polished candidates, most promising first.
+
+        Args:
+            world: (n, 4) the best layout so far.
+            culprits: Assets to blame, the most pressing first.
+            round_number: Later rounds move more.
+            plan: Routes that are blocked in that layout.
+        """
+        named = [self.problem.slot[name] for name in culprits if name in self.problem.slot]
+        slots = [s for s in dict.fromkeys([*plan.blockers, *named]) if self.problem.names[s] not in self.problem.pinned]
+        if not slots:
+            return []
+        number = min(self.problem.stage[s] for s in slots)
+        slots = [s for s in slots if self.problem.stage[s] == number]
+        stage = make_stage(self.problem, number, world)
+        batch = np.repeat(world[None], self.config.candidates, axis=0)
+        for k in range(1, self.config.candidates):
+            for _ in range(1 + (self.rng.random() < 0.15 * (1 + round_number))):
+                self._move(batch[k], slots, stage.moving)
+        routes = pack([plan] * self.config.candidates, 8 * stage.slots) if number == 0 else None
+        scored = self.runner.evaluate(stage, batch, routes)
+        best = scored.order()[: self.config.kept]
+        routes = pack([plan] * self.config.kept, 8 * stage.slots) if number == 0 else None
+        run = self.runner.advance(stage, batch[best], self.config.polish, "repair", routes=routes)
+        return [run.world[k] for k in run.order()]
+
+    def _move(self, world: Floats, slots: list[int], moving: tuple[int, ...]) -> None:
+        """Apply one random move in place."""
+        slot = slots[min(int(self.rng.exponential(1.5)), len(slots) - 1)]
+        chance = self.rng.random()
+        before = world[slot].copy()
+        if chance < 0.55:
+            self._carry(world, slot, self.proposals.draw(slot, world, 1, self.rng)[0], whole=self.rng.random() < 0.5)
+        elif chance < 0.7:
+            other = moving[int(self.rng.integers(len(moving)))]
+            self._carry(world, slot, world[other].copy(), whole=False)
+            self._carry(world, other, before, whole=False)
+        elif chance < 0.85:
+            yaw = math.pi / 2 * int(self.rng.integers(1, 4))
+            turned = compose(before, np.array([0.0, 0.0, math.cos(yaw), math.sin(yaw)]))
+            self._carry(world, slot, turned, whole=self.rng.random() < 0.5)
+        else:
+            shifted = before.copy()
+            shifted[:2] += self.rng.normal(0.0, 0.4, 2)
+            self._carry(world, slot, shifted, whole=True)
+
+    def _carry(self, world: Floats, slot: int, pose: Floats, *, whole: bool) -> None:
+        """Put a slot at a pose; what stands on it follows, and with `whole` everything bound to it."""
+        before = world[slot].copy()
+        followers = self.groups[slot] if whole else set[int]()
+        for other in range(len(world)):
+            if other != slot and (other in followers or self._stands_on(other, slot)):
+                world[other] = compose(pose, relative(before, world[other]))
+        world[slot] = pose
+
+    def _stands_on(self, slot: int, carrier: int) -> bool:
+        while slot >= 0:
+            slot = self.problem.parent[slot]
+            if slot == carrier:
+                return True
+        return False
+
+
+def _groups(problem: Problem) -> list[set[int]]:
+    """Return for each slot the slots whose statements are about it (a chair for its table), and theirs in turn."""
+    followers: list[set[int]] = [set() for _ in problem.names]
+    for terms in problem.statement_terms:
+        for term in terms:
+            if isinstance(term, FrameTerm) and isinstance(term.a, AssetRef) and isinstance(term.b, AssetRef):
+                followers[problem.slot[term.b.name]].add(problem.slot[term.a.name])
+            elif isinstance(term, MirrorTerm) and isinstance(term.ref, AssetRef):
+                followers[problem.slot[term.ref.name]] |= {
+                    problem.slot[ref.name] for ref in (term.a, term.b) if isinstance(ref, AssetRef)
+                }
+    for slot, direct in enumerate(followers):
+        for other in sorted(direct):
+            direct |= followers[other]
+        direct.discard(slot)
+    return followers

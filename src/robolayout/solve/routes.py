@@ -1,0 +1,228 @@
+"""Routes on a grid: how the agent would walk if furniture could be pushed aside at a price.
+
+The cost of a cell grows with how much clearance the agent lacks there, so a route goes around furniture where that is cheap and
+through it where it is not. Every point of a route that lacks clearance becomes a demand on the things around it; the search
+then pushes them aside while their statements pull them back.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from scipy import ndimage
+from shapely import Polygon
+
+from robolayout.assets.obstacles import blocks
+from robolayout.scene import Agent
+from robolayout.solve.arrays import Routes
+from robolayout.solve.compile import Floats, Problem
+
+PUSH_PRICE = 25.0
+"""Cost of a metre walked per metre of clearance that is missing, against 1 for a free metre."""
+
+MARGIN = 0.03
+"""Metres of clearance asked beyond the agent's radius: half a cell, and what a step of the search may lose."""
+
+SPACING = 0.10
+"""Metres between the points of a route that become demands."""
+
+POCKET = 0.05
+"""Square metres of free space cut off from the door that get a route of their own."""
+
+
+@dataclass(frozen=True)
+class Ground:
+    """The empty room on a grid, for one agent.
+
+    Attributes:
+        xs: (nx,) cell centres in metres.
+        ys: (ny,) cell centres in metres.
+        wall_distance: (nx, ny) metres to the nearest wall; negative outside.
+        start: Cell where the agent comes in; None where no cell holds it.
+        agent: The body.
+        cell: Metres per cell.
+    """
+
+    xs: Floats
+    ys: Floats
+    wall_distance: Floats
+    start: tuple[int, int] | None
+    agent: Agent
+    cell: float
+
+    @property
+    def open(self) -> NDArray[np.bool_]:
+        """(nx, ny) whether the agent's centre could be there in the empty room."""
+        return self.wall_distance >= self.agent.radius
+
+
+def make_ground(problem: Problem, agent: Agent, cell: float) -> Ground:
+    """Return the empty room on a grid; large rooms get larger cells (at most 40,000)."""
+    x0, y0, x1, y1 = problem.scene.room.bounds
+    cell = max(cell, ((x1 - x0) * (y1 - y0) / 40_000) ** 0.5)
+    xs, ys = np.arange(x0 + cell / 2, x1, cell), np.arange(y0 + cell / 2, y1, cell)
+    room = Polygon(problem.scene.room.vertices)
+    points = shapely.points(*np.meshgrid(xs, ys, indexing="ij"))
+    shapely.prepare(room)
+    distance = shapely.distance(points, room.exterior)
+    distance = np.where(shapely.contains(room, points), distance, -distance)
+    return Ground(xs, ys, distance, _entry(problem, agent, points, distance), agent, cell)
+
+
+def _entry(problem: Problem, agent: Agent, points: Floats, distance: Floats) -> tuple[int, int] | None:
+    """Return the cell nearest to the first door that holds the agent's centre; the roomiest one without a door."""
+    open_cells = distance >= agent.radius
+    if not open_cells.any():
+        return None
+    if not problem.scene.room.doors:
+        flat = int(np.argmax(distance))
+    else:
+        door = problem.scene.room.doors[0]
+        wall = problem.scene.room.walls[door.wall]
+        far = shapely.distance(points, shapely.Point(wall.point(door.center, max(0.45, agent.radius + 0.05))))
+        flat = int(np.argmin(np.where(open_cells, far, np.inf)))
+    return tuple(int(i) for i in np.unravel_index(flat, distance.shape))  # type: ignore[return-value]
+
+
+def clearance(problem: Problem, ground: Ground, world: Floats, slots: tuple[int, ...]) -> Floats:
+    """Return metres from every cell to the nearest of the slots' boxes, negative inside, capped at 1 m past the radius."""
+    cap = ground.agent.radius + 1.0
+    field = np.full((len(ground.xs), len(ground.ys)), cap)
+    for slot in slots:
+        x, y, c, s = world[slot]
+        hx, hy = problem.half[slot]
+        rx, ry = abs(c) * hx + abs(s) * hy + cap, abs(s) * hx + abs(c) * hy + cap
+        i0, i1 = np.searchsorted(ground.xs, (x - rx, x + rx))
+        j0, j1 = np.searchsorted(ground.ys, (y - ry, y + ry))
+        dx, dy = ground.xs[i0:i1, None] - x, ground.ys[None, j0:j1] - y
+        u, v = np.abs(c * dx + s * dy) - hx, np.abs(c * dy - s * dx) - hy
+        distance = np.hypot(np.maximum(u, 0.0), np.maximum(v, 0.0)) + np.minimum(np.maximum(u, v), 0.0)
+        np.minimum(field[i0:i1, j0:j1], distance, out=field[i0:i1, j0:j1])
+    return field
+
+
+def obstacle_slots(problem: Problem, agent: Agent) -> tuple[int, ...]:
+    """Return the slots that stand in this agent's way."""
+    return tuple(
+        i for i, asset in enumerate(problem.scene.assets) if blocks(asset, problem.guess[asset.name].z, agent)
+    )
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Routes for one layout.
+
+    Attributes:
+        demands: (m, 4) rows (x, y, slot, metres to keep).
+        blocked: How many goals cannot be reached without pushing.
+        blockers: Slots that take clearance from a route, the worst first.
+    """
+
+    demands: Floats
+    blocked: int
+    blockers: tuple[int, ...] = ()
+
+
+def plan_routes(problem: Problem, ground: Ground, world: Floats, slots: tuple[int, ...]) -> Plan:
+    """Return what must yield so that the agent gets from the door to everything and into every pocket of free space.
+
+    Args:
+        problem: The problem.
+        ground: The empty room on a grid.
+        world: (n, 4) poses.
+        slots: Slots that stand in the agent's way.
+    """
+    if ground.start is None:
+        return Plan(np.empty((0, 4)), 0)
+    from skimage.graph import MCP_Geometric
+
+    need = ground.agent.radius + MARGIN
+    field = clearance(problem, ground, world, slots)
+    lacking = np.maximum(need - field, 0.0)
+    cost = np.where(ground.open, 1.0 + PUSH_PRICE * lacking, -1.0)
+    walk = MCP_Geometric(cost, fully_connected=True)
+    reach, _ = walk.find_costs([ground.start])
+    passable = ground.open & (field >= ground.agent.radius - ground.cell / 4)
+    regions = ndimage.label(passable, structure=np.ones((3, 3)))[0]
+    here = regions[ground.start]
+    home = (regions == here) if here else np.zeros_like(passable)
+    goals = _goals(problem, ground, world, reach, home)
+    goals += _pockets(ground, regions, int(here), field)
+    points: set[tuple[int, int]] = set()
+    for goal in goals:
+        if np.isfinite(reach[goal]):
+            points.update(walk.traceback(goal))
+    demands, blockers = _demands(problem, ground, world, slots, sorted(points))
+    return Plan(demands, len(goals), blockers)
+
+
+def _goals(
+    problem: Problem, ground: Ground, world: Floats, reach: Floats, home: NDArray[np.bool_]
+) -> list[tuple[int, int]]:
+    """Return for each asset that is out of reach from `home` the cheapest cell from which it is within reach."""
+    goals: list[tuple[int, int]] = []
+    for slot, asset in enumerate(problem.scene.assets):
+        if asset.is_flat or (asset.on_ceiling and not asset.on_floor):
+            continue
+        near = clearance(problem, ground, world, (slot,)) <= ground.agent.reach - ground.cell / 2
+        if (near & home).any():
+            continue
+        costs = np.where(near & ground.open, reach, np.inf)
+        best = np.unravel_index(int(np.argmin(costs)), costs.shape)
+        if np.isfinite(costs[best]):
+            goals.append((int(best[0]), int(best[1])))
+    return goals
+
+
+def _pockets(ground: Ground, regions: NDArray[np.int32], here: int, field: Floats) -> list[tuple[int, int]]:
+    """Return the roomiest cell of every region of free space that is cut off."""
+    pockets: list[tuple[int, int]] = []
+    sizes = np.bincount(regions.ravel())
+    for region in range(1, len(sizes)):
+        if region != here and sizes[region] * ground.cell**2 >= POCKET:
+            room = np.where(regions == region, np.minimum(field, ground.wall_distance), -np.inf)
+            best = np.unravel_index(int(np.argmax(room)), room.shape)
+            pockets.append((int(best[0]), int(best[1])))
+    return pockets
+
+
+def _demands(
+    problem: Problem, ground: Ground, world: Floats, slots: tuple[int, ...], cells: list[tuple[int, int]]
+) -> tuple[Floats, tuple[int, ...]]:
+    """Return (x, y, slot, metres) for every point and everything near it, and what lacks clearance, the worst first."""
+    if not cells or not slots:
+        return np.empty((0, 4)), ()
+    picked = np.array(cells)
+    stride = max(1, round(SPACING / ground.cell))
+    picked = picked[(picked.sum(axis=1) % stride) == 0]
+    px, py = ground.xs[picked[:, 0]], ground.ys[picked[:, 1]]
+    index = np.array(slots)
+    x, y, c, s = (world[index, i][None] for i in range(4))
+    hx, hy = problem.half[index, 0], problem.half[index, 1]
+    dx, dy = px[:, None] - x, py[:, None] - y
+    u, v = np.abs(c * dx + s * dy) - hx, np.abs(c * dy - s * dx) - hy
+    distance = np.hypot(np.maximum(u, 0.0), np.maximum(v, 0.0)) + np.minimum(np.maximum(u, v), 0.0)
+    need = ground.agent.radius + MARGIN
+    point, near = np.nonzero(distance < need + 0.3)
+    lacking = np.maximum(need - MARGIN - distance, 0.0).max(axis=0)
+    worst = np.argsort(-lacking, kind="stable")[: int((lacking > 0).sum())]
+    demands = np.stack([px[point], py[point], index[near].astype(float), np.full(len(point), need)], axis=1)
+    return demands, tuple(int(i) for i in index[worst])
+
+
+def pack(plans: list[Plan], size: int) -> Routes:
+    """Return the demands of all starts as padded arrays of `size` rows; the most pressing ones come first."""
+    point = np.full((len(plans), size, 2), 1.0e4, np.float32)
+    slot = np.zeros((len(plans), size), np.int32)
+    need = np.full((len(plans), size), -1.0e4, np.float32)
+    for k, plan in enumerate(plans):
+        rows = plan.demands
+        if len(rows) > size:
+            rows = rows[np.linspace(0, len(rows) - 1, size).astype(int)]
+        point[k, : len(rows)] = rows[:, :2]
+        slot[k, : len(rows)] = rows[:, 2]
+        need[k, : len(rows)] = rows[:, 3]
+    return Routes(point, slot, need)

@@ -1,0 +1,123 @@
+"""Runs the compiled search and keeps the record of it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from robolayout.scene import Snapshot, Trace
+from robolayout.solve.arrays import Routes, Schedule
+from robolayout.solve.compile import Floats, Problem
+from robolayout.solve.config import SearchConfig, SolverConfig
+from robolayout.solve.search import HISTORY, SNAPSHOTS, advance, evaluate
+from robolayout.solve.stage import Stage, no_routes
+
+TERMS = ("overlap", "boundary", "clear", "statements", "reachability")
+NOISE_BLOCK = 32
+"""Steps after which the noise repeats."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """What one run of the search left.
+
+    Attributes:
+        world: (K, n, 4) poses.
+        energy: (K,) objective at full weights.
+        hard: (K,) hard part of it.
+    """
+
+    world: Floats
+    energy: Floats
+    hard: Floats
+
+    def order(self) -> list[int]:
+        """Return the starts, best first: hard part to 1e-3, then the whole."""
+        return [int(k) for k in np.lexsort((self.energy, np.round(self.hard, 3)))]
+
+
+class Runner:
+    """Calls the compiled search with a configuration and records what happened.
+
+    Args:
+        config: Constants.
+    """
+
+    def __init__(self, config: SolverConfig) -> None:
+        self.config = config
+        self._losses: list[dict[str, float]] = []
+        self._shots: list[tuple[int, str, Floats]] = []
+
+    def advance(
+        self,
+        stage: Stage,
+        world: Floats,
+        phase: SearchConfig,
+        label: str,
+        *,
+        routes: Routes | None = None,
+        rng: np.random.Generator | None = None,
+    ) -> Run:
+        """Run one phase from world poses (K, n, 4)."""
+        starts, slots = len(world), stage.slots
+        local = stage.local(world).astype(np.float32)
+        shape = (NOISE_BLOCK, starts, slots, 2)
+        noise = np.zeros(shape, np.float32) if rng is None else rng.standard_normal(shape, np.float32)
+        schedule = Schedule(
+            np.int32(phase.steps), *(np.float32(v) for v in (phase.rate, phase.final_rate, phase.noise, phase.ramp))
+        )
+        routes = routes or no_routes(starts, 8 * slots)
+        found = advance(local, stage.arrays, routes, schedule, noise, weights=self.config.weights)
+        count = len(stage.problem.names)
+        result = self._settled(stage, world, np.asarray(found.world, np.float64)[:, :count])
+        if self.config.trace:
+            self._record(label, phase.steps, np.asarray(found.history), np.asarray(found.shots)[:, :count])
+        return Run(result, *self._energies(np.stack([np.asarray(part) for part in found.losses])))
+
+    def evaluate(self, stage: Stage, world: Floats, routes: Routes | None = None) -> Run:
+        """Return the objective of layouts (K, n, 4) without moving anything."""
+        local = stage.local(world).astype(np.float32)
+        routes = routes or no_routes(len(world), 8 * stage.slots)
+        found = evaluate(local, stage.arrays, routes, weights=self.config.weights)
+        return Run(world, *self._energies(np.stack([np.asarray(part) for part in found])))
+
+    def _energies(self, parts: Floats) -> tuple[Floats, Floats]:
+        weights = self.config.weights
+        overlap, boundary, clear, statements, routes = parts.astype(np.float64)
+        hard = weights.overlap * overlap + weights.inside * boundary + weights.clear * clear + weights.routes * routes
+        return hard + statements, hard
+
+    def _settled(self, stage: Stage, before: Floats, after: Floats) -> Floats:
+        """Return poses with exact unit headings; what the stage does not move or carry stays bit for bit."""
+        world = before.copy()
+        carried = {i for i in range(after.shape[1]) if stage.arrays.carrier[i] >= 0}
+        moved = sorted(carried | set(stage.moving))
+        world[:, moved] = after[:, moved]
+        norm = np.hypot(world[..., 2], world[..., 3])
+        world[..., 2:] /= norm[..., None]
+        return world
+
+    def _record(self, label: str, steps: int, history: Floats, shots: Floats) -> None:
+        begin = len(self._losses)
+        weights = self.config.weights
+        factors = (weights.overlap, weights.inside, weights.clear, 1.0, weights.routes)
+        for row in history[: min(steps, HISTORY)]:
+            terms = {name: float(value) * f for name, value, f in zip(TERMS, row, factors, strict=True)}
+            self._losses.append(terms | {"total": sum(terms.values())})
+        stride = max(1, SNAPSHOTS // 20)
+        for i in range(0, SNAPSHOTS, stride):
+            self._shots.append((begin + i * steps // SNAPSHOTS, label, shots[i]))
+
+    def trace(self, problem: Problem) -> Trace:
+        """Return the record of all runs."""
+        shots = tuple(
+            Snapshot(
+                step,
+                label,
+                {n: (float(x), float(y), math.atan2(s, c)) for n, (x, y, c, s) in zip(problem.names, poses.tolist(), strict=True)},
+            )
+            for step, label, poses in self._shots
+        )
+        return Trace(tuple(self._losses), shots)

@@ -1,0 +1,161 @@
+"""Gradient search over a batch of starts, compiled once per size.
+
+One compiled program serves every room of a size: steps, rates, noise and all of the scene are arguments. Each step is Adam on
+the objective along x, y and yaw, then unit-circle and rectangle projection.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import NamedTuple
+
+import jax
+import jax.numpy as jnp
+from jaxtyping import Array, Float, Int
+
+from robolayout._geometry import Body, extents, separation
+from robolayout.solve.arrays import Arrays, Routes, Schedule
+from robolayout.solve.config import Weights
+from robolayout.solve.objective import Losses, bodies, losses, take, total, world_poses
+
+DENSE_SLOTS = 32
+"""Up to this many slots all pairs are looked at in every step; above, the nearest ones."""
+
+REFRESH = 16
+"""Steps between two searches for the nearest pairs."""
+
+SNAPSHOTS = 40
+"""Poses that one run records."""
+
+HISTORY = 512
+"""Steps whose losses one run records."""
+
+
+class Found(NamedTuple):
+    """What a run returns.
+
+    Attributes:
+        local: (K, A, 4) variables.
+        world: (K, A, 4) poses in the room.
+        losses: Terms per start, at full weights.
+        history: (HISTORY, 5) terms of the start with the lowest final objective, unused rows 0.
+        shots: (SNAPSHOTS, A, 4) poses of that start, evenly spaced over the steps.
+    """
+
+    local: Array
+    world: Array
+    losses: Losses
+    history: Array
+    shots: Array
+
+
+class _State(NamedTuple):
+    local: Float[Array, "starts slots 4"]
+    first: Float[Array, "starts slots 3"]
+    second: Float[Array, "starts slots 3"]
+    pairs: Int[Array, "..."]
+    history: Array
+    shots: Array
+
+
+def near_pairs(local: Array, arrays: Arrays) -> Array:
+    """Return the pairs that may touch within the next steps: (P, 2), or the nearest (starts, 4 A, 2) of large problems."""
+    slots = arrays.half.shape[0]
+    if slots <= DENSE_SLOTS:
+        return arrays.pairs
+    body = bodies(world_poses(local, arrays), arrays)
+    gap = separation(take(body, arrays.pairs[:, 0]), take(body, arrays.pairs[:, 1]))
+    gap = jnp.where(arrays.pair_weight > 0, gap, jnp.inf)
+    nearest, index = jax.lax.top_k(-gap, 4 * slots)
+    pairs = arrays.pairs[index]
+    return jnp.where((nearest > -1.0)[..., None], pairs, 0)
+
+
+def _tangent(local: Array, gradient: Array) -> Array:
+    """Return the gradient along x, y and the yaw: of (cos, sin) only what turns the heading counts."""
+    turn = local[..., 2] * gradient[..., 3] - local[..., 3] * gradient[..., 2]
+    return jnp.stack([gradient[..., 0], gradient[..., 1], turn], axis=-1)
+
+
+def _moved(local: Array, move: Array) -> Array:
+    """Return the variables after a step against `move` (x, y, yaw); for small steps tan(yaw) stands for yaw."""
+    x, y, c, s = (local[..., i] for i in range(4))
+    turn = -move[..., 2]
+    return jnp.stack([x - move[..., 0], y - move[..., 1], c - s * turn, s + c * turn], axis=-1)
+
+
+def _project(local: Array, arrays: Arrays) -> Array:
+    """Return the variables with headings on the unit circle and boxes within their rectangle."""
+    x, y, c, s = (local[..., i] for i in range(4))
+    norm = jnp.sqrt(c * c + s * s + 1e-12)
+    c, s = c / norm, s / norm
+    hx, hy = (jnp.broadcast_to(arrays.half[:, i], x.shape) for i in range(2))
+    ex, ey = extents(Body(x, y, c, s, hx, hy, jnp.zeros_like(x)))
+    lx, ly = jnp.maximum(arrays.limit[:, 0] - ex, 0.0), jnp.maximum(arrays.limit[:, 1] - ey, 0.0)
+    moved = jnp.stack([jnp.clip(x, -lx, lx), jnp.clip(y, -ly, ly), c, s], axis=-1)
+    return jnp.where(arrays.free[None, :, None] > 0, moved, local)
+
+
+@partial(jax.jit, static_argnames=("weights",))
+def advance(
+    local: Array, arrays: Arrays, routes: Routes, schedule: Schedule, noise: Array, *, weights: Weights
+) -> Found:
+    """Run the search.
+
+    Args:
+        local: (K, A, 4) variables to start from.
+        arrays: The problem.
+        routes: What must not stand in the way.
+        schedule: Steps, rates, noise and ramp.
+        noise: (N, K, A, 2) standard normal numbers, used cyclically.
+        weights: Factors of the terms.
+
+    Returns:
+        The variables after the last step and the record of the run.
+    """
+    steps = schedule.steps
+
+    def objective(value: Array, pairs: Array, ramp: Array) -> tuple[Array, Losses]:
+        parts = losses(value, arrays, routes, pairs, weights)
+        return jnp.sum(total(parts, ramp, weights)), parts
+
+    def step(i: Array, state: _State) -> _State:
+        done = i / steps
+        ramp = jnp.minimum(1.0, schedule.ramp + (1.0 - schedule.ramp) * 2.0 * done)
+        rate = schedule.final_rate + (schedule.rate - schedule.final_rate) * 0.5 * (1.0 + jnp.cos(jnp.pi * done))
+        pairs = state.pairs
+        if arrays.half.shape[0] > DENSE_SLOTS:
+            pairs = jax.lax.cond(i % REFRESH == 0, lambda: near_pairs(state.local, arrays), lambda: pairs)
+        gradient, parts = jax.grad(objective, has_aux=True)(state.local, pairs, ramp)
+        gradient = _tangent(state.local, gradient) * arrays.free[None, :, None]
+        first = 0.9 * state.first + 0.1 * gradient
+        second = 0.98 * state.second + 0.02 * gradient * gradient
+        t = i + 1.0
+        move = rate * (first / (1.0 - 0.9**t)) / (jnp.sqrt(second / (1.0 - 0.98**t)) + 1e-4)
+        shake = schedule.noise * jnp.maximum(0.0, 1.0 - 2.0 * done) * noise[i % noise.shape[0]]
+        move = (move.at[..., :2].add(-shake)) * arrays.free[None, :, None]
+        local = _project(_moved(state.local, move), arrays)
+        history = state.history.at[jnp.minimum(i, HISTORY - 1)].set(jnp.stack(parts, axis=-1))
+        shots = state.shots.at[(i * SNAPSHOTS) // steps].set(state.local)
+        return _State(local, first, second, pairs, history, shots)
+
+    zero = jnp.zeros((*local.shape[:2], 3))
+    begin = _State(
+        _project(local, arrays),
+        zero,
+        zero,
+        near_pairs(local, arrays),
+        jnp.zeros((HISTORY, local.shape[0], 5)),
+        jnp.zeros((SNAPSHOTS, *local.shape)),
+    )
+    end = jax.lax.fori_loop(0, steps, step, begin)
+    parts = losses(end.local, arrays, routes, near_pairs(end.local, arrays), weights)
+    best = jnp.argmin(total(parts, jnp.float32(1.0), weights))
+    shots = world_poses(end.shots[:, best], arrays)
+    return Found(end.local, world_poses(end.local, arrays), parts, end.history[:, best], shots)
+
+
+@partial(jax.jit, static_argnames=("weights",))
+def evaluate(local: Array, arrays: Arrays, routes: Routes, *, weights: Weights) -> Losses:
+    """Return the terms of many layouts at once."""
+    return losses(local, arrays, routes, near_pairs(local, arrays), weights)

@@ -1,0 +1,296 @@
+"""One stage of a problem as padded arrays.
+
+Sizes are rounded up to a few buckets, so that one compiled search serves every room of its bucket.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.constraints import (
+    AssetRef,
+    ClearTerm,
+    FrameTerm,
+    InsideTerm,
+    MirrorTerm,
+    OverlapTerm,
+    Ref,
+    Term,
+    WallRef,
+)
+from robolayout.constraints.corner import convex_corners
+from robolayout.scene import vertical_span
+from robolayout.solve.arrays import Arrays, Routes
+from robolayout.solve.compile import Floats, Problem
+
+SLOT_BUCKETS = (8, 16, 32, 64, 128, 256, 512)
+EDGE_BUCKETS = (8, 32, 128)
+FAR_AWAY = 1.0e4
+"""Metres at which padded things lie."""
+
+
+@dataclass(frozen=True)
+class Stage:
+    """One stage: its arrays and which slots it moves.
+
+    Attributes:
+        problem: The problem.
+        arrays: Padded arrays.
+        world: (n, 4) poses in the room that everything outside the stage has.
+        moving: Slots that move.
+    """
+
+    problem: Problem
+    arrays: Arrays
+    world: Floats
+    moving: tuple[int, ...]
+
+    @property
+    def slots(self) -> int:
+        """Number of slots, padding included."""
+        return self.arrays.half.shape[0]
+
+    def local(self, world: Floats) -> Floats:
+        """Return world poses (..., n, 4) as padded variables (..., A, 4)."""
+        count = len(self.problem.names)
+        batch = world.shape[:-2]
+        padded = np.zeros((*batch, self.slots, 4))
+        padded[..., 2] = 1.0
+        padded[..., :count, :] = world
+        carriers = np.maximum(self.arrays.carrier, 0)
+        outer = np.where((self.arrays.carrier >= 0)[:, None], padded[..., carriers, :], self.arrays.anchor)
+        return relative(outer, padded)
+
+
+def relative(outer: Floats, pose: Floats) -> Floats:
+    """Return poses (..., 4) as seen from `outer`."""
+    dx, dy = pose[..., 0] - outer[..., 0], pose[..., 1] - outer[..., 1]
+    c, s = outer[..., 2], outer[..., 3]
+    return np.stack(
+        [
+            c * dx + s * dy,
+            c * dy - s * dx,
+            c * pose[..., 2] + s * pose[..., 3],
+            c * pose[..., 3] - s * pose[..., 2],
+        ],
+        axis=-1,
+    )
+
+
+def bucket(count: int, sizes: Sequence[int]) -> int:
+    """Return the smallest size that holds `count`, doubling past the last one."""
+    for size in sizes:
+        if count <= size:
+            return size
+    return 2 ** math.ceil(math.log2(count))
+
+
+def stages(problem: Problem) -> range:
+    """Return the numbers of all stages."""
+    return range(max(problem.stage, default=0) + 1)
+
+
+def make_stage(problem: Problem, number: int, world: Floats) -> Stage:
+    """Return one stage of a problem.
+
+    Args:
+        problem: The problem.
+        number: 0 for what stands in the room, 1 for what stands on that, and so on.
+        world: (n, 4) current poses; those outside the stage stay.
+    """
+    count = len(problem.names)
+    size = bucket(count, SLOT_BUCKETS)
+    moving = tuple(i for i in range(count) if problem.stage[i] == number and problem.names[i] not in problem.pinned)
+    rows = _Rows(problem, set(moving))
+    rows.collect(problem)
+    anchor, carrier, limit = _frames(problem, number, world, size)
+    free = np.zeros(size)
+    free[list(moving)] = 1.0
+    half = np.zeros((size, 2))
+    half[:count] = problem.half
+    inside = np.zeros(size)
+    inside[list(rows.inside)] = 1.0
+    tables = {**rows.frames(size), **rows.mirrors(size), **rows.clears(problem, size)}
+    arrays = Arrays(
+        half=half,
+        anchor=anchor,
+        carrier=carrier,
+        limit=limit,
+        free=free,
+        fixed=_padded(rows.fixed, bucket(len(rows.fixed), (16, 64, 256)), [FAR_AWAY, FAR_AWAY, 1, 0, 0, 0, 0]),
+        pairs=_padded(rows.pairs, size * (size - 1) // 2, [0, 0], np.int32),
+        pair_weight=_padded([[1.0]] * len(rows.pairs), size * (size - 1) // 2, [0.0])[:, 0],
+        edges=_edges(problem),
+        inner=_inner_corners(problem),
+        inside=inside,
+        **tables,
+    )
+    return Stage(problem, Arrays(*(_typed(field) for field in arrays)), world, moving)
+
+
+def _typed(value: NDArray[np.generic]) -> NDArray[np.generic]:
+    return value.astype(np.int32 if value.dtype.kind in "iu" else np.float32)
+
+
+def no_routes(starts: int, size: int) -> Routes:
+    """Return routes that ask for nothing."""
+    return Routes(
+        np.full((starts, size, 2), FAR_AWAY, np.float32),
+        np.zeros((starts, size), np.int32),
+        np.full((starts, size), -FAR_AWAY, np.float32),
+    )
+
+
+def _padded(rows: Sequence[Sequence[float]], size: int, filler: Sequence[float], kind: type = np.float64) -> Floats:
+    """Return rows as an array of `size` rows."""
+    table = np.tile(np.array(filler, dtype=kind), (size, 1))
+    if rows:
+        table[: len(rows)] = np.array(rows, dtype=kind)
+    return table
+
+
+def _frames(problem: Problem, number: int, world: Floats, size: int) -> tuple[Floats, NDArray[np.int32], Floats]:
+    """Return anchors, carriers and limits of all slots."""
+    x0, y0, x1, y1 = problem.scene.room.bounds
+    anchor = np.tile(np.array([(x0 + x1) / 2, (y0 + y1) / 2, 1.0, 0.0]), (size, 1))
+    limit = np.tile(np.array([(x1 - x0) / 2, (y1 - y0) / 2]), (size, 1))
+    carrier = np.full(size, -1, dtype=np.int32)
+    for i, parent in enumerate(problem.parent):
+        if parent < 0:
+            continue
+        if problem.stage[i] > number:
+            while problem.stage[parent] > number:
+                parent = problem.parent[parent]
+            carrier[i] = parent
+        else:
+            anchor[i] = world[parent]
+            limit[i] = np.maximum(problem.half[parent], problem.half[i].min())
+    return anchor, carrier, limit
+
+
+def _edges(problem: Problem) -> Floats:
+    ring = [(*wall.start, *wall.end) for wall in problem.scene.room.walls]
+    return _padded(ring, bucket(len(ring), EDGE_BUCKETS), [*ring[0][:2], *ring[0][:2]])
+
+
+def _inner_corners(problem: Problem) -> Floats:
+    room = problem.scene.room
+    inner = sorted(set(range(len(room.vertices))) - set(convex_corners(room)))
+    return _padded([room.vertices[i] for i in inner], bucket(len(inner), EDGE_BUCKETS), [FAR_AWAY, FAR_AWAY])
+
+
+class _Rows:
+    """Collects the rows of a stage's kernels."""
+
+    def __init__(self, problem: Problem, moving: set[int]) -> None:
+        self.problem = problem
+        self.moving = moving
+        self.size = bucket(len(problem.names), SLOT_BUCKETS)
+        walls = problem.scene.room.walls
+        self.fixed: list[list[float]] = [
+            [*wall.midpoint, *wall.direction, wall.length / 2, 0.0, wall.length / 2] for wall in walls
+        ]
+        self.pairs: list[list[int]] = []
+        self.inside: set[int] = set()
+        self.frame: list[FrameTerm] = []
+        self.mirror: list[MirrorTerm] = []
+        self.clear: list[ClearTerm] = []
+
+    def collect(self, problem: Problem) -> None:
+        """Sort all rows that concern a moving slot into their kernels."""
+        for term in self._terms(problem):
+            if isinstance(term, OverlapTerm):
+                pair = [problem.slot[term.a.name], problem.slot[term.b.name]]
+                if self._at_hand(pair) and self.moving & set(pair):
+                    self.pairs.append(pair)
+            elif isinstance(term, InsideTerm):
+                if problem.slot[term.a.name] in self.moving:
+                    self.inside.add(problem.slot[term.a.name])
+            elif isinstance(term, ClearTerm):
+                self.clear.append(term)
+            elif isinstance(term, FrameTerm):
+                movers = {"a": [term.a], "b": [term.b], "both": [term.a, term.b]}[term.moves]
+                if self._moves(movers):
+                    self.frame.append(term)
+            elif isinstance(term, MirrorTerm) and self._moves([term.a, term.b]):
+                self.mirror.append(term)
+
+    def _terms(self, problem: Problem) -> Iterable[Term]:
+        yield from problem.implicit_terms
+        for terms in problem.statement_terms:
+            yield from terms
+        yield from self._wall_terms(problem)
+
+    def _wall_terms(self, problem: Problem) -> Iterable[Term]:
+        """Yield rows that hold wall things, which no statement puts on a wall, at the wall nearest to their guess."""
+        from robolayout.constraints.against_wall import wall_term
+
+        held = {t.a for terms in problem.statement_terms for t in terms if isinstance(t, FrameTerm) and isinstance(t.b, WallRef)}
+        for asset in problem.scene.assets:
+            ref = AssetRef(asset.name)
+            if asset.on_wall and not asset.on_floor and problem.parent[problem.slot[asset.name]] < 0 and ref not in held:
+                pose = problem.guess[asset.name]
+                walls = problem.scene.room.walls
+                wide = [w for w in walls if w.length >= asset.size[1]] or list(walls)
+                nearest = min(wide, key=lambda w: abs((pose.x - w.start[0]) * w.normal[0] + (pose.y - w.start[1]) * w.normal[1]))
+                yield wall_term(ref, WallRef(nearest.index), problem.scene, 2.0)
+
+    def _at_hand(self, slots: list[int]) -> bool:
+        """Return whether all slots have their own place already: they move now or were placed before."""
+        stage = max((self.problem.stage[i] for i in self.moving), default=0)
+        return all(self.problem.stage[i] <= stage for i in slots)
+
+    def _moves(self, refs: Iterable[Ref]) -> bool:
+        return any(isinstance(ref, AssetRef) and self.problem.slot[ref.name] in self.moving for ref in refs)
+
+    def _body(self, ref: Ref) -> int:
+        if isinstance(ref, AssetRef):
+            return self.problem.slot[ref.name]
+        if isinstance(ref, WallRef):
+            return self.size + ref.index
+        self.fixed.append([ref.x, ref.y, 1.0, 0.0, 0.0, 0.0, 0.0])
+        return self.size + len(self.fixed) - 1
+
+    def frames(self, size: int) -> dict[str, Floats]:
+        """Return the frame rows; fixed points are added to `fixed` on the way."""
+        count = bucket(len(self.frame), (4 * size, 16 * size))
+        index = [[self._body(term.a), self._body(term.b)] for term in self.frame]
+        rows = [term.row() for term in self.frame]
+        idle = FrameTerm(WallRef(0), WallRef(0), weight=0.0).row()
+        return {
+            "frame_index": _padded(index, count, [size, size], np.int32),
+            "frame_row": _padded(rows, count, idle),
+        }
+
+    def mirrors(self, size: int) -> dict[str, Floats]:
+        """Return the mirror rows."""
+        count = bucket(len(self.mirror), (size, 4 * size))
+        index = [[self._body(t.a), self._body(t.b), self._body(t.ref)] for t in self.mirror]
+        return {
+            "mirror_index": _padded(index, count, [size, size, size], np.int32),
+            "mirror_weight": _padded([[t.weight] for t in self.mirror], count, [0.0])[:, 0],
+            "mirror_normal": _padded([[float(isinstance(t.ref, WallRef))] for t in self.mirror], count, [0.0])[:, 0],
+        }
+
+    def clears(self, problem: Problem, size: int) -> dict[str, Floats]:
+        """Return the clear boxes with the slots that each concerns."""
+        count = bucket(len(self.clear), (8, size, 4 * size))
+        weight = np.zeros((count, size))
+        for g, term in enumerate(self.clear):
+            for i, asset in enumerate(problem.scene.assets):
+                low, high = vertical_span(asset, problem.guess[asset.name])
+                concerned = not asset.is_flat and low < term.span[1] and high > term.span[0]
+                own = isinstance(term.owner, AssetRef) and term.owner.name == asset.name
+                if concerned and not own and asset.name not in term.exempt and self._at_hand([i]):
+                    weight[g, i] = term.weight * (1.0 if term.hard else 0.1)
+        boxes = [[*term.center, *term.half] for term in self.clear]
+        return {
+            "clear_owner": _padded([[self._body(t.owner)] for t in self.clear], count, [size], np.int32)[:, 0],
+            "clear_box": _padded(boxes, count, [FAR_AWAY, FAR_AWAY, 0.0, 0.0]),
+            "clear_weight": weight,
+        }
