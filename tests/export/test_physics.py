@@ -148,11 +148,12 @@ def test_a_low_body_passes_below_and_over_a_rug(scene: Scene, layout: Layout) ->
 def test_a_long_body_turns_on_the_spot(scene: Scene, layout: Layout) -> None:
     wheelchair = Agent("wheelchair", 0.45, 1.3, length=1.22, width=0.76)
     line = {"x-0": [(1.0, 1.0), (3.0, 1.0), (3.0, 3.0)]}
-    driven = drive(Scene(ROOM, ()), Layout({}), wheelchair, line)
+    driven = drive(Scene(ROOM, ()), Layout({}), wheelchair, line, footprint=True)
     assert driven.contacts == {}
     assert driven.drives["x-0"].seconds > 4.0 / 0.5 + math.pi / 2
-    tight = drive(Scene(ROOM, ()), Layout({}), wheelchair, {"x-0": [(1.0, 0.5), (3.0, 0.5), (3.0, 3.0)]})
-    assert tight.contacts == {"x-0": ("wall-0",)}
+    close = {"x-0": [(1.0, 0.5), (3.0, 0.5), (3.0, 3.0)]}
+    assert drive(Scene(ROOM, ()), Layout({}), wheelchair, close, footprint=True).contacts == {"x-0": ("wall-0",)}
+    assert drive(Scene(ROOM, ()), Layout({}), wheelchair, close).contacts == {}
 
 
 def test_lines_with_nothing_to_drive_are_skipped(scene: Scene, layout: Layout) -> None:

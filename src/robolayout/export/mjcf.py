@@ -100,6 +100,8 @@ def _start(scene: Scene) -> _Model:
     solver = {"timestep": "0.004", "integrator": "implicitfast", "cone": "elliptic", "impratio": "10"}
     ET.SubElement(root, "option", solver | {"iterations": "50", "tolerance": "1e-8"})
     ET.SubElement(root, "statistic", extent="6")
+    lamp = {"ambient": "0.5 0.5 0.5", "diffuse": "0.25 0.25 0.25", "specular": "0.05 0.05 0.05"}
+    ET.SubElement(ET.SubElement(root, "visual"), "headlight", lamp)
     classes = ET.SubElement(root, "default")
     for name, look in (
         ("free", {"condim": "4", "solref": "0.02 1", "solimp": "0.95 0.99 0.001"}),
@@ -109,9 +111,8 @@ def _start(scene: Scene) -> _Model:
         ET.SubElement(ET.SubElement(classes, "default", {"class": name}), "geom", look)
     assets = ET.SubElement(root, "asset")
     world = ET.SubElement(root, "worldbody")
-    low_x, low_y, high_x, high_y = scene.room.bounds
-    middle = f"{(low_x + high_x) / 2:.6g} {(low_y + high_y) / 2:.6g} {scene.room.wall_height + 1:.6g}"
-    ET.SubElement(world, "light", pos=middle, dir="0 0 -1", diffuse="0.7 0.7 0.7")
+    sun = {"directional": "true", "pos": "0 0 6", "dir": "0.35 -0.25 -1", "diffuse": "0.45 0.45 0.45"}
+    ET.SubElement(world, "light", sun | {"specular": "0.05 0.05 0.05"})
     return _Model(root, assets, world, ET.SubElement(root, "contact"))
 
 

@@ -230,11 +230,13 @@ def _motion(before: FloatArray, after: FloatArray, axes: FloatArray) -> Motion:
     return Motion(float(np.linalg.norm(after - before)), tilt)
 
 
-def drive(scene: Scene, layout: Layout, agent: Agent, routes: Routes, speed: float = 0.5) -> Driven:
+def drive(
+    scene: Scene, layout: Layout, agent: Agent, routes: Routes, speed: float = 0.5, *, footprint: bool = False
+) -> Driven:
     """Drive an agent's base along its routes and report what it touches.
 
     The base follows each line with position and velocity fed forward, slowing down for corners; the furniture holds
-    still. A disc keeps its heading; a longer body faces along the line and turns on the spot at its corners.
+    still. The base is the disc that routes are planned for (DESIGN section 8), which need not turn.
 
     Args:
         scene: The scene.
@@ -243,6 +245,8 @@ def drive(scene: Scene, layout: Layout, agent: Agent, routes: Routes, speed: flo
         routes: Line in metres of the base's centre to each asset, by asset name; lines of fewer than two points are
             skipped, since there is nothing to drive.
         speed: Metres per second.
+        footprint: Drive the rectangular footprint of a body that has one instead: it faces along the line and turns on
+            the spot at corners, which takes more room than a route for its disc grants.
 
     Raises:
         LayoutError: The layout does not fit the scene.
@@ -250,12 +254,14 @@ def drive(scene: Scene, layout: Layout, agent: Agent, routes: Routes, speed: flo
     """
     check_layout(scene, layout, partial=True)
     lines = {name: line for name, line in routes.items() if len(line) > 1}
-    body = replace(agent, radius=agent.radius - MARGIN)
-    if agent.length is not None and agent.width is not None:
-        body = replace(body, length=agent.length - 2 * MARGIN, width=agent.width - 2 * MARGIN)
+    body = replace(agent, radius=agent.radius - MARGIN, length=None, width=None)
+    if agent.length and agent.width and footprint:
+        body = replace(agent, length=agent.length - 2 * MARGIN, width=agent.width - 2 * MARGIN)
     model, data = _model(build(scene, layout, Options(agent=body, routes=lines), free=_never))
-    turns = agent.length is not None and agent.width is not None
-    return Driven(agent.name, {name: _drive(model, data, line, speed, turns=turns) for name, line in lines.items()})
+    return Driven(
+        agent.name,
+        {name: _drive(model, data, line, speed, turns=body.length is not None) for name, line in lines.items()},
+    )
 
 
 def _drive(model: Any, data: Any, line: Sequence[Point], speed: float, *, turns: bool) -> Drive:
@@ -273,7 +279,7 @@ def _drive(model: Any, data: Any, line: Sequence[Point], speed: float, *, turns:
     data.qpos[places] = wanted[0]
     touched: set[str] = set()
     error = 0.0
-    for goal, control in zip(wanted, controls, strict=True):
+    for goal, control in zip(wanted[1:], controls[:-1], strict=True):
         data.ctrl[:] = control
         mujoco.mj_step(model, data)
         error = max(error, math.dist(data.qpos[places[:2]], goal[:2]))

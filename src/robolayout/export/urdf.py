@@ -11,7 +11,7 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 
-from robolayout.assets import Part, parts, room_parts
+from robolayout.assets import Material, Part, parts, room_parts
 from robolayout.export._exporter import Contents, Exporter, Options, is_movable, is_trim, mass, placed
 from robolayout.export._mesh import as_box
 from robolayout.export.mjcf import THINNEST, parse_xml
@@ -28,8 +28,9 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     hints = ET.SubElement(robot, "mujoco")
     ET.SubElement(hints, "compiler", discardvisual="false", balanceinertia="true")
     room = ET.SubElement(robot, "link", name=ROOM)
-    _floor(room, scene.room)
-    for part in room_parts(scene.room, seed=options.seed):
+    pieces = room_parts(scene.room, seed=options.seed)
+    _floor(room, scene.room, next(part.material for part in pieces if part.name == "floor"))
+    for part in pieces:
         if part.name != "floor" and not is_trim(part):
             _shapes(room, part, f"room/{part.name}")
     for asset, pose in placed(scene, layout):
@@ -46,7 +47,7 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     return ET.tostring(robot, encoding="utf-8", xml_declaration=True) + b"\n"
 
 
-def _floor(link: ET.Element, room: Room) -> None:
+def _floor(link: ET.Element, room: Room, material: Material) -> None:
     """Add the floor as one slab under the whole room's bounds, its top at zero."""
     low_x, low_y, high_x, high_y = room.bounds
     for kind in ("visual", "collision"):
@@ -55,6 +56,7 @@ def _floor(link: ET.Element, room: Room) -> None:
         ET.SubElement(shape, "origin", xyz=middle, rpy="0 0 0")
         size = f"{high_x - low_x + SLAB:.9g} {high_y - low_y + SLAB:.9g} {SLAB:.9g}"
         ET.SubElement(ET.SubElement(shape, "geometry"), "box", size=size)
+        _color(shape, "room/floor", material)
 
 
 def _inertial(link: ET.Element, asset: Asset) -> None:
@@ -77,14 +79,19 @@ def _shapes(link: ET.Element, part: Part, name: str) -> None:
     size = " ".join(f"{value:.9g}" for value in (2 * np.maximum(half, THINNEST)).tolist())
     place = {"xyz": " ".join(f"{value + 0.0:.9g}" for value in center.tolist())}
     place["rpy"] = " ".join(f"{value + 0.0:.9g}" for value in turn)
-    color = (*part.material.color, part.material.opacity)
     for kind in ("visual", "collision"):
         shape = ET.SubElement(link, kind)
         ET.SubElement(shape, "origin", place)
         ET.SubElement(ET.SubElement(shape, "geometry"), "box", size=size)
-        if kind == "visual":
-            look = ET.SubElement(shape, "material", name=f"{name}/{part.material.name}")
-            ET.SubElement(look, "color", rgba=" ".join(f"{value:.4g}" for value in color))
+        _color(shape, name, part.material)
+
+
+def _color(shape: ET.Element, name: str, material: Material) -> None:
+    """Give a visual its colour."""
+    if shape.tag == "visual":
+        look = ET.SubElement(shape, "material", name=f"{name}/{material.name}")
+        rgba = " ".join(f"{value:.4g}" for value in (*material.color, material.opacity))
+        ET.SubElement(look, "color", rgba=rgba)
 
 
 def _angles(rotation: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> tuple[float, float, float]:
