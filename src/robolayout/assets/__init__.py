@@ -9,7 +9,9 @@ from robolayout.assets.category import CATALOGUE, Category, read_categories
 from robolayout.assets.lexicon import category_of, find_category
 
 if TYPE_CHECKING:
+    from robolayout.assets.folder import import_folder
     from robolayout.assets.meshes import parts
+    from robolayout.assets.own import load_mesh_parts
     from robolayout.assets.part import Material, Part
     from robolayout.assets.rooms import RoomStyle, room_parts, room_style
 
@@ -21,6 +23,8 @@ __all__ = [
     "RoomStyle",
     "category_of",
     "find_category",
+    "import_folder",
+    "load_mesh_parts",
     "parts",
     "read_categories",
     "room_parts",
@@ -31,6 +35,8 @@ _LAZY = {
     "Material": "part",
     "Part": "part",
     "RoomStyle": "rooms",
+    "import_folder": "folder",
+    "load_mesh_parts": "own",
     "parts": "meshes",
     "room_parts": "rooms",
     "room_style": "rooms",

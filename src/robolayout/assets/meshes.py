@@ -26,7 +26,10 @@ def parts(asset: Asset, seed: int = 0) -> tuple[Part, ...]:
     if asset.path is not None:
         from robolayout.assets.own import load_mesh_parts
 
-        return load_mesh_parts(asset.path, asset.size)
+        up, front = (asset.metadata.get(key) for key in ("up", "front"))
+        return load_mesh_parts(
+            asset.path, asset.size, up=up if isinstance(up, str) else None, front=front if isinstance(front, str) else None
+        )
     category = category_of(asset)
     piece = make_piece(category.name, asset.variable or asset.name, asset.name, asset.size, seed)
     return fit(builder_for(category)(piece), asset.size)

@@ -1,0 +1,316 @@
+"""A user's own meshes: read within bounds, turned upright and forwards, scaled into an asset's box.
+
+glTF files are y-up and face +z by their standard; other files are taken z-up facing +x unless their shape or the caller
+says otherwise. Nothing outside the given file is opened: materials and textures in separate files are ignored.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import struct
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout._errors import AssetError
+from robolayout.assets.part import Material, Part
+
+Array = NDArray[np.float64]
+Size = tuple[float, float, float]
+
+SUFFIXES = (".glb", ".obj", ".ply", ".stl")
+MAX_BYTES = 100_000_000
+"""Largest mesh file that is read."""
+MAX_RAW_TRIANGLES = 20_000_000
+"""More than this is refused before it is unpacked."""
+MAX_TRIANGLES = 20_000
+"""An asset with more triangles is thinned out to at most this."""
+MAX_PARTS = 64
+"""An asset with more pieces is merged into one."""
+MAX_NODES = 20_000
+PLAIN = Material("own mesh", (0.72, 0.70, 0.67), 0.8)
+AXES: dict[str, tuple[float, float, float]] = {
+    sign + axis: tuple((1.0 if sign == "+" else -1.0) * (axis == other) for other in "xyz")  # type: ignore[misc]
+    for sign in "+-"
+    for axis in "xyz"
+}
+"""Unit vectors by name: "+x", "-y", ..."""
+PARSER_ERRORS = (
+    ArithmeticError, AssertionError, AttributeError, EOFError, ImportError, LookupError, MemoryError, OSError,
+    RuntimeError, TypeError, ValueError, struct.error,
+)  # fmt: skip
+"""What mesh parsers raise on broken files."""
+
+
+@dataclass(frozen=True, eq=False)
+class RawMesh:
+    """One piece of a mesh file in the file's own axes and units.
+
+    Attributes:
+        name: Name in the file.
+        vertices: (n, 3) in file units.
+        faces: (m, 3) vertex indices.
+        material: Its plain colour.
+    """
+
+    name: str
+    vertices: Array
+    faces: NDArray[np.int64]
+    material: Material
+
+
+def load_mesh_parts(
+    path: Path, size: Size, *, up: str | None = None, front: str | None = None
+) -> tuple[Part, ...]:
+    """Load a mesh file and fit it into a box of `size` (depth, width, height) about the origin, facing +x.
+
+    Args:
+        path: A GLB, OBJ, STL or PLY file of at most 100 MB.
+        size: Depth, width and height of the box in metres.
+        up: The file's axis that points up ("+y"); None follows the format, or the shape where the format has no rule.
+        front: The file's axis that points forward ("+z"); None follows the format.
+
+    Raises:
+        AssetError: The file is missing, too large, of an unknown format, broken or empty.
+    """
+    pieces = read_pieces(path)
+    matrix = orientation(path, extent(pieces), size, up=up, front=front)
+    points = np.concatenate([piece.vertices for piece in pieces]) @ matrix.T
+    low, high = points.min(axis=0), points.max(axis=0)
+    scale = np.array(size) / np.maximum(high - low, 1e-9)
+    half = np.array(size) / 2
+    built: list[Part] = []
+    for piece in _thinned(pieces):
+        vertices = np.clip((piece.vertices @ matrix.T - (low + high) / 2) * scale, -half, half)
+        built.append(Part(piece.name, vertices, piece.faces.astype(np.int32), piece.material, convex=False))
+    return _stretched(built, size)
+
+
+def orientation(path: Path, edges: Size, size: Size, *, up: str | None, front: str | None) -> Array:
+    """Return the rotation from the file's axes to depth, width, height.
+
+    A GLB is y-up; for other formats the axis whose edge fits the box's height better is taken, z where both fit.
+    """
+    for axis in (up, front):
+        if axis is not None and axis not in AXES:
+            raise AssetError(f"mesh {path.name}: {axis!r} is no axis; use one of {', '.join(sorted(AXES))}.")
+    upward = up or ("+y" if path.suffix.lower() == ".glb" or fits_y_up(edges, size) else "+z")
+    forward = front or ("+x" if upward[1] == "z" else "+z" if upward[1] == "y" else "+y")
+    if upward[1] == forward[1]:
+        raise AssetError(f"mesh {path.name}: up {upward!r} and front {forward!r} must be different axes.")
+    u, f = np.array(AXES[upward]), np.array(AXES[forward])
+    return np.array([f, np.cross(u, f), u])
+
+
+def fits_y_up(edges: Size, size: Size) -> bool:
+    """Return whether a mesh with these edges fills the box clearly better when its y axis is taken as up."""
+    logs = np.log(np.maximum(np.array(edges), 1e-9))
+    target = np.log(np.array(size))
+    z_up = min(_spread(logs[[0, 1, 2]] - target), _spread(logs[[1, 0, 2]] - target))
+    y_up = min(_spread(logs[[2, 0, 1]] - target), _spread(logs[[0, 2, 1]] - target))
+    return bool(y_up < z_up - 0.1)
+
+
+def _spread(logs: Array) -> float:
+    """Return how uneven a scaling is: zero where all edges scale alike."""
+    return float(logs.max() - logs.min())
+
+
+def extent(pieces: Iterable[RawMesh]) -> Size:
+    """Return the edges of the box around all pieces, in file units and axes."""
+    points = [piece.vertices for piece in pieces]
+    low = np.min([p.min(axis=0) for p in points], axis=0)
+    high = np.max([p.max(axis=0) for p in points], axis=0)
+    return (float(high[0] - low[0]), float(high[1] - low[1]), float(high[2] - low[2]))
+
+
+def read_pieces(path: Path) -> tuple[RawMesh, ...]:
+    """Read a mesh file into its pieces, in the file's axes and units.
+
+    Raises:
+        AssetError: The file is missing, too large, of an unknown format, broken or empty.
+    """
+    suffix = path.suffix.lower()
+    if suffix not in SUFFIXES:
+        raise AssetError(f"mesh {path.name}: format {suffix!r} is not read; use one of {', '.join(SUFFIXES)}.")
+    try:
+        length = path.stat().st_size
+        if length > MAX_BYTES:
+            raise AssetError(f"mesh {path.name} has {length / 1e6:.0f} MB; at most {MAX_BYTES // 1_000_000} MB are read.")
+        data = path.read_bytes()
+    except OSError as error:
+        raise AssetError(f"mesh {path.name} cannot be read: {error.strerror or error}.") from error
+    _check_counts(path.name, suffix, data)
+    try:
+        pieces = tuple(_pieces(data, suffix[1:]))
+    except PARSER_ERRORS as error:
+        raise AssetError(f"mesh {path.name} is broken and cannot be used: {_short(error)}.") from error
+    if not pieces:
+        raise AssetError(f"mesh {path.name} holds no triangles; export it again as a triangle mesh.")
+    return pieces
+
+
+def _short(error: BaseException) -> str:
+    """Return one line about a parser's error."""
+    text = " ".join(str(error).split())[:120].rstrip(".")
+    return text or type(error).__name__
+
+
+def _check_counts(name: str, suffix: str, data: bytes) -> None:
+    """Refuse a file whose header promises more than is reasonable, before anything is unpacked."""
+    count = 0
+    if suffix == ".glb":
+        count = _glb_count(name, data)
+    elif suffix == ".ply":
+        head = data[:65_536].split(b"end_header")[0].splitlines()
+        counts = [line.split()[2] for line in head if line.startswith(b"element") and len(line.split()) == 3]
+        count = sum(int(word) for word in counts if word.isdigit())
+        if count > len(data):
+            raise AssetError(f"mesh {name} is broken and cannot be used: its header promises {count} elements.")
+    if count > 3 * MAX_RAW_TRIANGLES:
+        raise AssetError(f"mesh {name} promises {count} numbers; at most {3 * MAX_RAW_TRIANGLES} are read.")
+
+
+def _glb_count(name: str, data: bytes) -> int:
+    """Return how many elements a GLB's accessors promise; its node count is bounded too."""
+    try:
+        magic, version, _, size, kind = struct.unpack_from("<4sIIII", data)
+        if magic != b"glTF" or version != 2 or kind != 0x4E4F534A:
+            raise AssetError(f"mesh {name} is broken and cannot be used: it is no binary glTF 2.0 file.")
+        header: dict[str, Any] = json.loads(data[20 : 20 + size])
+        nodes = len(header.get("nodes", ()))
+        count = sum(int(entry["count"]) for entry in header.get("accessors", ()))
+    except PARSER_ERRORS as error:
+        raise AssetError(f"mesh {name} is broken and cannot be used: {_short(error)}.") from error
+    if nodes > MAX_NODES:
+        raise AssetError(f"mesh {name} has {nodes} nodes; at most {MAX_NODES} are read. Merge its parts and export again.")
+    return count
+
+
+def _pieces(data: bytes, kind: str) -> Iterator[RawMesh]:
+    """Yield the triangle pieces of a file, placed by its scene graph."""
+    import trimesh
+
+    scene = trimesh.load_scene(io.BytesIO(data), file_type=kind, process=False)
+    total = 0
+    for node in sorted(scene.graph.nodes_geometry):
+        matrix, key = scene.graph[node]
+        mesh = scene.geometry[key]
+        if not isinstance(mesh, trimesh.Trimesh) or len(mesh.faces) == 0:
+            continue
+        total += len(mesh.faces)
+        if total > MAX_RAW_TRIANGLES:
+            raise ValueError(f"it unfolds to more than {MAX_RAW_TRIANGLES} triangles")
+        piece = _cleaned(str(key), np.asarray(mesh.vertices), np.asarray(mesh.faces), np.asarray(matrix), _material(mesh))
+        if piece is not None:
+            yield piece
+
+
+def _cleaned(
+    name: str, points: Array, faces: NDArray[np.int64], matrix: Array, look: Material
+) -> RawMesh | None:
+    """Place a piece and drop triangles with unusable numbers; None where nothing is left."""
+    placed = points @ matrix[:3, :3].T + matrix[:3, 3]
+    usable = np.isfinite(placed).all(axis=1) & (np.abs(placed) < 1e7).all(axis=1)
+    inside = ((faces >= 0) & (faces < len(points))).all(axis=1)
+    faces = faces[inside]
+    faces = faces[usable[faces].all(axis=1)]
+    if len(faces) == 0:
+        return None
+    if np.linalg.det(matrix[:3, :3]) < 0:
+        faces = faces[:, ::-1]
+    used, index = np.unique(faces, return_inverse=True)
+    return RawMesh(name, placed[used], index.reshape(-1, 3), look)
+
+
+def _material(mesh: Any) -> Material:
+    """Return the plain colour of a mesh: its material's, times its texture's mean, or its mean vertex colour."""
+    visual = mesh.visual
+    if visual is None or not getattr(visual, "defined", False):
+        return PLAIN
+    color = np.asarray(visual.main_color, dtype=np.float64)[:4] / 255.0 if visual.kind != "texture" else None
+    if color is None:
+        surface = visual.material
+        surface = surface.to_pbr() if hasattr(surface, "to_pbr") else surface
+        factor = getattr(surface, "baseColorFactor", None)
+        color = np.ones(4) if factor is None else np.asarray(factor, dtype=np.float64)
+        color = color / 255.0 if color.max() > 1.0 else color
+        image = getattr(surface, "baseColorTexture", None)
+        if image is not None:
+            mean = np.asarray(image.convert("RGB").resize((16, 16)), dtype=np.float64).mean(axis=(0, 1)) / 255.0
+            color = np.append(color[:3] * mean, color[3] if len(color) > 3 else 1.0)
+    red, green, blue = (float(np.clip(channel, 0.0, 1.0)) for channel in color[:3])
+    opacity = float(np.clip(color[3], 0.05, 1.0)) if len(color) > 3 else 1.0
+    return Material("own mesh", (round(red, 4), round(green, 4), round(blue, 4)), 0.8, 0.0, round(opacity, 4))
+
+
+def _thinned(pieces: Sequence[RawMesh]) -> list[RawMesh]:
+    """Merge and thin pieces so that neither their number nor their triangles exceed the bounds."""
+    if len(pieces) > MAX_PARTS:
+        pieces = _by_material(pieces)
+    total = sum(len(piece.faces) for piece in pieces)
+    if total <= MAX_TRIANGLES:
+        return list(pieces)
+    return [_clustered(piece, max(200, int(MAX_TRIANGLES * len(piece.faces) / total))) for piece in pieces]
+
+
+def _by_material(pieces: Sequence[RawMesh]) -> list[RawMesh]:
+    """Merge pieces of one colour; all into one where there are still too many."""
+    groups: dict[Material, list[RawMesh]] = {}
+    for piece in pieces:
+        groups.setdefault(piece.material, []).append(piece)
+    rows = list(groups.values())
+    if len(rows) > MAX_PARTS:
+        rows = [list(pieces)]
+    return [_joined(row) for row in rows]
+
+
+def _joined(row: Sequence[RawMesh]) -> RawMesh:
+    """Join pieces into one with the first one's name and material."""
+    starts = np.cumsum([0] + [len(piece.vertices) for piece in row])
+    faces = np.concatenate([piece.faces + start for piece, start in zip(row, starts, strict=False)])
+    return RawMesh(row[0].name, np.concatenate([piece.vertices for piece in row]), faces, row[0].material)
+
+
+def _clustered(piece: RawMesh, most: int) -> RawMesh:
+    """Thin a piece to at most `most` triangles: vertices in one grid cell become one, at their mean."""
+    if len(piece.faces) <= most:
+        return piece
+    low = piece.vertices.min(axis=0)
+    edge = float((piece.vertices.max(axis=0) - low).max()) or 1.0
+    cells = 2.0 * np.sqrt(most)
+    for _ in range(24):
+        grid = np.floor((piece.vertices - low) / edge * cells).astype(np.int64)
+        keys = (grid[:, 0] << 42) + (grid[:, 1] << 21) + grid[:, 2]
+        _, index = np.unique(keys, return_inverse=True)
+        faces = _distinct(index[piece.faces])
+        if len(faces) <= most:
+            break
+        cells *= 0.75
+    counts = np.bincount(index).astype(np.float64)
+    points = np.stack([np.bincount(index, weights=piece.vertices[:, i]) / counts for i in range(3)], axis=1)
+    return RawMesh(piece.name, points, faces, piece.material)
+
+
+def _distinct(faces: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Drop collapsed triangles and repeated ones."""
+    alive = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
+    faces = faces[alive]
+    _, first = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)
+    return faces[np.sort(first)]
+
+
+def _stretched(built: Sequence[Part], size: Size) -> tuple[Part, ...]:
+    """Scale parts once more so that they fill the box exactly after thinning; flat axes stay flat."""
+    points = np.concatenate([part.vertices for part in built])
+    low, high = points.min(axis=0), points.max(axis=0)
+    scale = np.where(high - low > 1e-9, np.array(size) / np.maximum(high - low, 1e-12), 1.0)
+    half = np.array(size) / 2
+    for part in built:
+        part.vertices[:] = np.clip((part.vertices - (low + high) / 2) * scale, -half, half)
+    return tuple(built)

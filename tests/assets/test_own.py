@@ -1,0 +1,188 @@
+"""Own meshes: units, axes, colours, bounds; broken and hostile files are refused in clear words."""
+
+import json
+import struct
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+
+from robolayout._errors import AssetError
+from robolayout.assets import import_folder, load_mesh_parts, own, parts
+from robolayout.scene import Asset
+
+SIZE = (0.6, 0.9, 0.8)
+
+
+def _mesh(size=(0.6, 0.9, 0.8), color=(200, 40, 40, 255)) -> trimesh.Trimesh:
+    mesh = trimesh.creation.box(size)
+    mesh.visual.face_colors = color
+    return mesh
+
+
+def _bounds(built) -> np.ndarray:
+    points = np.concatenate([part.vertices for part in built])
+    return np.array([points.min(axis=0), points.max(axis=0)])
+
+
+@pytest.mark.parametrize("suffix", [".glb", ".obj", ".stl", ".ply"])
+def test_every_format_fills_the_box_exactly(tmp_path: Path, suffix: str) -> None:
+    path = tmp_path / f"sofa{suffix}"
+    _mesh().export(path)
+    built = load_mesh_parts(path, SIZE)
+    assert np.abs(_bounds(built) - np.array([[-0.3, -0.45, -0.4], [0.3, 0.45, 0.4]])).max() < 1e-9
+
+
+def test_the_colour_is_kept(tmp_path: Path) -> None:
+    path = tmp_path / "sofa.glb"
+    _mesh().export(path)
+    red, green, blue = load_mesh_parts(path, SIZE)[0].material.color
+    assert red > 0.6 and green < 0.3 and blue < 0.3
+
+
+def test_a_glb_faces_plus_z_and_its_y_is_up(tmp_path: Path) -> None:
+    nose = trimesh.creation.box((0.1, 0.1, 0.1))
+    nose.apply_translation((0.0, 0.3, 0.6))
+    path = tmp_path / "thing.glb"
+    trimesh.util.concatenate([trimesh.creation.box((1.0, 1.0, 1.0)), nose]).export(path)
+    points = np.concatenate([part.vertices for part in load_mesh_parts(path, (1.0, 1.0, 1.0))])
+    front = points[points[:, 0] > 0.499]
+    assert front[:, 2].mean() > 0.2
+    assert abs(front[:, 1].mean()) < 1e-6
+
+
+def test_front_and_up_can_be_given_and_are_checked(tmp_path: Path) -> None:
+    path = tmp_path / "thing.stl"
+    _mesh((1.0, 2.0, 3.0)).export(path)
+    load_mesh_parts(path, (2.0, 1.0, 3.0), up="+z", front="-y")
+    with pytest.raises(AssetError, match="no axis"):
+        load_mesh_parts(path, SIZE, up="sideways")
+    with pytest.raises(AssetError, match="different axes"):
+        load_mesh_parts(path, SIZE, up="+z", front="-z")
+
+
+def test_parts_uses_the_path_of_an_asset(tmp_path: Path) -> None:
+    path = tmp_path / "x.glb"
+    _mesh().export(path)
+    built = parts(Asset("sofa-0", "sofa", SIZE, path=path))
+    assert len(built) == 1 and not built[0].convex
+
+
+def test_a_million_triangles_are_thinned_in_bounded_time(tmp_path: Path) -> None:
+    path = tmp_path / "statue.stl"
+    grid = np.linspace(-1, 1, 711)
+    x, y = np.meshgrid(grid, grid)
+    points = np.stack([x.ravel(), y.ravel(), 0.3 * np.cos(5 * x * y).ravel()], axis=1)
+    i = np.arange(710 * 711).reshape(710, 711)[:, :-1].ravel()
+    faces = np.concatenate([np.stack([i, i + 1, i + 711], 1), np.stack([i + 1, i + 712, i + 711], 1)])
+    assert len(faces) > 1_000_000
+    trimesh.Trimesh(points, faces, process=False).export(path)
+    start = time.process_time()
+    built = load_mesh_parts(path, SIZE)
+    assert time.process_time() - start < 30
+    assert 1000 < sum(len(part.faces) for part in built) <= own.MAX_TRIANGLES
+    assert np.abs(_bounds(built)[1] - np.array(SIZE) / 2).max() < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("name", "data", "words"),
+    [
+        ("a.glb", b"", "broken"),
+        ("a.glb", b"glTF\x02\x00\x00\x00" + b"\xff" * 60, "broken"),
+        ("a.glb", b"not a mesh at all, but long enough to be looked at", "no binary glTF"),
+        ("a.obj", b"v 1 2\nf 1 2 3\n", "broken|no triangles"),
+        ("a.obj", b"# nothing\n", "broken|no triangles"),
+        ("a.stl", b"solid x\nendsolid x\n", "broken|no triangles"),
+        ("a.ply", b"ply\nformat ascii 1.0\nelement vertex 999999999999\nend_header\n", "promises"),
+        ("a.fbx", b"Kaydara", "is not read; use one of"),
+    ],
+)
+def test_broken_files_are_explained(tmp_path: Path, name: str, data: bytes, words: str) -> None:
+    path = tmp_path / name
+    path.write_bytes(data)
+    with pytest.raises(AssetError, match=words):
+        load_mesh_parts(path, SIZE)
+
+
+def test_a_missing_file_is_named(tmp_path: Path) -> None:
+    with pytest.raises(AssetError, match=r"gone\.glb cannot be read"):
+        load_mesh_parts(tmp_path / "gone.glb", SIZE)
+
+
+def test_a_file_that_is_too_large_is_refused_unread(tmp_path: Path) -> None:
+    path = tmp_path / "huge.stl"
+    with path.open("wb") as file:
+        file.truncate(own.MAX_BYTES + 1)
+    with pytest.raises(AssetError, match="100 MB"):
+        load_mesh_parts(path, SIZE)
+
+
+def test_a_glb_that_promises_too_much_is_refused_before_it_is_unpacked(tmp_path: Path) -> None:
+    header = json.dumps({"asset": {"version": "2.0"}, "accessors": [{"count": 10**12}]}).encode()
+    header += b" " * (-len(header) % 4)
+    path = tmp_path / "bomb.glb"
+    path.write_bytes(struct.pack("<4sIIII", b"glTF", 2, 20 + len(header), len(header), 0x4E4F534A) + header)
+    with pytest.raises(AssetError, match="promises"):
+        load_mesh_parts(path, SIZE)
+
+
+def test_numbers_that_are_not_finite_are_dropped(tmp_path: Path) -> None:
+    path = tmp_path / "a.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 2 5\n")
+    built = load_mesh_parts(path, SIZE)
+    assert sum(len(part.faces) for part in built) == 2
+
+
+def test_a_folder_becomes_a_catalogue(tmp_path: Path) -> None:
+    _mesh((930.0, 2100.0, 850.0)).export(tmp_path / "grey_sofa_millimetres.stl")
+    _mesh((47.0, 52.0, 88.0)).export(tmp_path / "DiningChair.ply")
+    _mesh((1.6, 0.75, 0.9)).export(tmp_path / "dining_table_02.glb")
+    (tmp_path / "broken_lamp.glb").write_bytes(b"glTF")
+    found = import_folder(tmp_path)
+    assets = found["assets"]
+    assert [row["path"] for row in found["skipped"]] == ["broken_lamp.glb"]
+    assert "broken" in found["skipped"][0]["reason"]
+    sofa = assets["grey_sofa_millimetres-0"]
+    assert (sofa["category"], sofa["unit"]) == ("sofa", "mm")
+    assert sofa["assetMetadata"]["boundingBox"] == {"x": 0.93, "y": 2.1, "z": 0.85}
+    assert assets["Dining_Chair-0".lower()]["unit"] == "cm"
+    table = assets["dining_table-0"]
+    assert table["up"] == "+y"
+    assert table["assetMetadata"]["boundingBox"] == {"x": 0.9, "y": 1.6, "z": 0.75}
+    assert table["onFloor"] and not table["onWall"]
+
+
+def test_layoutvlm_folders_are_read_as_they_are(tmp_path: Path) -> None:
+    uid = "0a1b2c3d4e5f60718293"
+    (tmp_path / uid).mkdir()
+    _mesh((1.5, 0.8, 0.45)).export(tmp_path / uid / f"{uid}.glb")
+    data = {
+        "annotations": {"category": "desk", "description": "An oak desk.", "onFloor": True, "onWall": False},
+        "assetMetadata": {"boundingBox": {"x": 1.5, "y": 0.6, "z": 0.75}},
+    }
+    (tmp_path / uid / "data.json").write_text(json.dumps(data))
+    entry = import_folder(tmp_path)["assets"]["desk-0"]
+    assert entry["assetMetadata"]["boundingBox"] == {"x": 0.6, "y": 1.5, "z": 0.75}
+    assert entry["description"] == "An oak desk."
+
+
+def test_bad_metadata_and_bad_folders_are_explained(tmp_path: Path) -> None:
+    with pytest.raises(AssetError, match="does not exist"):
+        import_folder(tmp_path / "nowhere")
+    with pytest.raises(AssetError, match="holds no mesh"):
+        import_folder(tmp_path)
+    (tmp_path / "u").mkdir()
+    _mesh().export(tmp_path / "u" / "u.glb")
+    (tmp_path / "u" / "data.json").write_text('{"annotations": {}}')
+    assert "annotations.category" in import_folder(tmp_path)["skipped"][0]["reason"]
+
+
+def test_links_out_of_the_folder_are_not_followed(tmp_path: Path) -> None:
+    inside = tmp_path / "in"
+    inside.mkdir()
+    _mesh().export(tmp_path / "outside.glb")
+    (inside / "link.glb").symlink_to(tmp_path / "outside.glb")
+    with pytest.raises(AssetError, match="holds no mesh"):
+        import_folder(inside)
