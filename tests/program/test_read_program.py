@@ -86,6 +86,34 @@ def test_everything_the_language_offers(scene):
     assert program.text == RICH
 
 
+def test_a_program_in_the_manner_of_layoutvlm(scene):
+    text = """\
+```python
+# Bed against the wall, chairs at the table
+from math import cos, sin, radians
+bed[0].position = [1.0, 4.0, bed[0].size[2] / 2]
+bed[0].rotation = [0, 0, radians(0)]
+chair.placements[0].position = (3 + 0.5 * cos(radians(90)), 2, 0.45)
+chair[1].rotation[2] = radians(180)
+solver.against_wall(bed[0], walls[3])
+solver.distance_constraint(chair.placements[0], table[0], min_distance=0.5, max_distance=1.0)
+solver.distance_constraint(rug[0], AssetInstance(position=[2, 2, 0]), 0, 0.1, weight=10)
+solver.point_towards(asset1=chair[1], asset2=table[0])
+solver.align_with(assets[0], walls[0], angle=90)
+```
+"""
+    program = read_program(text, scene)
+    assert [s.relation.sentence() for s in program.statements] == [
+        "against_wall(bed-0, walls[3])",
+        "distance_constraint(chair-0, table-0, min_distance=0.5, max_distance=1)",
+        "distance_constraint(rug-0, (2, 2, 0), min_distance=0, max_distance=0.1, weight=10)",
+        "point_towards(chair-1, table-0)",
+        "align_with(bed-0, walls[0], angle=90)",
+    ]
+    assert program.guesses["bed-0"] == Guess((1.0, 4.0, 0.25), 0.0)
+    assert program.guesses["chair-1"] == Guess(None, math.pi)
+
+
 def test_normalised_text_reads_back_to_the_same(scene):
     program = read_program(RICH, scene)
     again = read_program(program.to_text(), scene)
@@ -206,6 +234,9 @@ MISTAKES = {
     "bed[0].position = [1e9, 0, 0]": ("every number must be finite and within 10000", 0),
     "bed[0].rotation = [0, 90]": ("bed[0].rotation is [degrees] or [0, 0, radians(degrees)]", 0),
     "bed[0].name = 'gold'\nsolver.corner(bed[0])": ("takes an asset of the scene, not one that was changed", 14),
+    "x = chair.size": ("a list of assets has no 'size'; pick one of it, such as bed[0]", 4),
+    "x = {}['a']": ("there is no key 'a'", 4),
+    "x = walls[bed[0]]": ("list indices must be integers or slices, not asset", 4),
     "x = 1 / 0": ("division by zero", 4),
     "class A(list): pass": ("programs cannot use class inheritance", 0),
     "def f():\n  yield 1": ("generators and async code do not exist in programs; use a list", 2),

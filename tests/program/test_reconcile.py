@@ -4,7 +4,7 @@ import math
 
 import pytest
 from furnished_room import furnished
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
@@ -75,6 +75,7 @@ REJECTED = {
     ("point_towards(chair[0], table[0], 180)", "around(chair, table[0])"): "chair-0 is already turned by point_towards",
     ("around(chair, table[0])", "point_towards(chair[2], table[0])"): "chair-2 is already turned by around",
     ("against_wall(bench[0], walls[1])",): "walls[1] has 5.00 m, bench-0 needs 6.00 m, and no other wall can hold it",
+    ("against_wall(shelf[0], walls[0])", "row(shelf, walls[0])"): "need 3.60 m, and no other wall can hold them",
     ("facing_pair(bed[0], bed[0])",): "bed-0 is named twice; nothing stands in a relation to itself",
     ("around([chair[0], chair[1], chair[0]], table[0])",): "chair-0 is named twice",
     ("on_top_of(lamp[0], table[0])", "on_top_of(lamp[0], night_stand[0])"): "lamp-0 already stands on table-0",
@@ -125,9 +126,9 @@ UPDATED = {
         "walls[0] has 2.90 m beside its door, shelf-0 and shelf-1 and shelf-2 need 3.80 m; walls[1] is the nearest",
         "row([shelf-0, shelf-1, shelf-2], walls[1], gap=0.1)",
     ),
-    ("against_wall(shelf[0], walls[0])", "row(shelf, walls[0])"): (
-        "need 3.60 m, nor has any other wall; the row stands free of walls",
-        "row([shelf-0, shelf-1, shelf-2])",
+    ("row([shelf[0], counter[0], sofa[0]], walls[0])",): (
+        "need 6.80 m, and no other wall can hold them, so the row has none",
+        "row([shelf-0, counter-0, sofa-0])",
     ),
     ("facing_pair(chair[0], chair[1])", "facing_pair(chair[1], chair[2])"): (
         "chair-1 is already turned by facing_pair(chair-0, chair-1) (line 1), so only chair-2 turns",
@@ -279,7 +280,12 @@ def as_program(said: list[Relation], places: dict[str, tuple[float, float, float
     return Program("", statements, {name: Guess(place, None) for name, place in places.items()})
 
 
+PAIR = (AssetRef("bed-0"), AssetRef("bench-0"))
+
+
 @settings(max_examples=300, deadline=None)
+@example([Row(PAIR, None), Row(PAIR, WallRef(0))], {}, False)
+@example([AgainstWall(PAIR[0], WallRef(0)), Row(PAIR, WallRef(0))], {}, False)
 @given(st.lists(relations, max_size=25), guesses, st.booleans())
 def test_laws_of_the_filter(said, places, paper):
     program = as_program(said, places)

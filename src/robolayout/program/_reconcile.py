@@ -14,7 +14,7 @@ from robolayout.constraints import Relation
 from robolayout.constraints.distance_constraint import DistanceConstraint
 from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.program._program import Program, Statement
-from robolayout.program._rules import RULES, Accepted, Change
+from robolayout.program._rules import RULES, Accepted
 from robolayout.scene import Scene
 
 Verdict = Literal["accepted", "updated", "rejected"]
@@ -107,15 +107,13 @@ def _phase(relation: Relation) -> int:
 
 
 def _decide(so_far: Accepted, statement: Statement) -> Decision:
-    """Ask all rules about one statement."""
+    """Ask all rules about one statement, and about what a rule puts in its place, until no rule has anything against it."""
     now, reasons = statement, list[str]()
-    for rule in RULES:
-        answer = rule(so_far, now.relation)
+    while answer := next((answer for rule in RULES if (answer := rule(so_far, now.relation))), None):
         if isinstance(answer, str):
             return Decision(statement, "rejected", "; ".join([*reasons, answer]))
-        if isinstance(answer, Change):
-            now = replace(now, relation=answer.relation)
-            reasons.append(answer.reason)
+        now = replace(now, relation=answer.relation)
+        reasons.append(answer.reason)
     so_far.add(now)
     if now is statement:
         return Decision(statement, "accepted", "as asked")

@@ -259,10 +259,9 @@ def wall_holds(so_far: Accepted, relation: Relation) -> Answer:
     if trouble is None and place is None:
         return None
     able = [wall for wall in so_far.scene.room.walls if _trouble(so_far, relation, wall.index) is None]
-    if not able and isinstance(relation, Row):
-        return Change(replace(relation, wall=None), f"{trouble}, nor has any other wall; the row stands free of walls")
     if not able:
-        return f"{trouble}, and no other wall can hold it"
+        why = f"{trouble}, and no other wall can hold {'it' if len(subjects(relation)) == 1 else 'them'}"
+        return Change(replace(relation, wall=None), f"{why}, so the row has none") if isinstance(relation, Row) else why
     if place is None:
         best = min(able, key=lambda wall: (round(math.dist(wall.midpoint, asked.midpoint), 9), wall.index))
         why = f"{trouble}; walls[{best.index}] is the nearest that can hold it"

@@ -75,9 +75,11 @@ def _translate(
         text = text.replace("The monty syntax parser does not yet support", "programs cannot use")
     elif isinstance(inner, OSError):
         text = f"programs cannot reach files ({text})"
-    elif isinstance(inner, AttributeError) and "'list' object has no attribute" in text:
-        text = f"a list of assets has no {text.split()[-1]}; pick one of it, such as bed[0]"
-    return source.error(text, line, column)
+    elif isinstance(inner, AttributeError) and (match := re.match(r"'list' object has no attribute '(\w+)'", text)):
+        text = f"a list of assets has no {match[1]!r}; pick one of it, such as bed[0]"
+    elif isinstance(inner, KeyError):
+        text = f"there is no key {text}"
+    return source.error(re.sub(r"_rl_(\w+)", lambda name: name[1].lower(), text), line, column)
 
 
 def _place(error: MontyError, source: Source) -> tuple[int | None, int | None]:
