@@ -6,7 +6,7 @@ from robolayout.verify.physics import Collision, Obstruction, Physics, PhysicsLi
 from robolayout.verify.report import AgentReport, Demands, Report, StatementResult
 from robolayout.verify.routes import Route
 from robolayout.verify.use import Usage, Use, usage
-from robolayout.verify.verify import verify
+from robolayout.verify.verify import judge_agent, verify
 
 __all__ = [
     "AgentReport",
@@ -22,6 +22,7 @@ __all__ = [
     "StatementResult",
     "Usage",
     "Use",
+    "judge_agent",
     "navigation",
     "physics",
     "usage",

@@ -41,14 +41,15 @@ def verify(
     """
     wall, cpu = time.perf_counter(), time.process_time()
     placed = {name for name, pose in layout.items() if all(map(math.isfinite, (pose.x, pose.y, pose.z, pose.yaw)))}
-    reports = tuple(_judge_agent(scene, layout, body) for body in _agents(scene, agent))
+    reports = tuple(judge_agent(scene, layout, body) for body in _agents(scene, agent))
     statements = () if program is None else tuple(_measure(scene, layout, s, placed) for s in program.statements)
     judged = physics(scene, layout)
     timing = {"verify": {"wall": time.perf_counter() - wall, "cpu": time.process_time() - cpu}}
     return Report(scene, layout, judged, reports, statements, demands or Demands(), timing)
 
 
-def _judge_agent(scene: Scene, layout: Layout, agent: Agent) -> AgentReport:
+def judge_agent(scene: Scene, layout: Layout, agent: Agent) -> AgentReport:
+    """Judge what one agent can get to and use."""
     nav = navigation(scene, layout, agent)
     rectangular = agent.length is not None and agent.width is not None
     space = heading_space(scene, layout, agent) if rectangular else None
