@@ -89,15 +89,22 @@ def test_the_door_is_where_it_is_in_our_room(house: dict, scene: Scene) -> None:
 def test_fronts_and_places_are_kept(house: dict, scene: Scene, layout: Layout) -> None:
     objects = {entry["id"]: entry for entry in flat(house["objects"])}
     for name, note in house["metadata"]["robolayout"]["assets"].items():
-        entry, pose = objects[note["id"]], layout[name]
+        entry, pose = objects.get(note["id"], note), layout[name]
         turn = math.radians(entry["rotation"]["y"])
         assert (math.sin(turn), math.cos(turn)) == pytest.approx(pose.forward, abs=1e-9)
         assert (entry["position"]["x"], entry["position"]["z"]) == (pose.x, pose.y)
-        bottom = entry["position"]["y"] - note["thorSize"][2] / 2
-        if scene.by_name[name].on_floor or scene.by_name[name].on_object:
+        if note["id"] and (scene.by_name[name].on_floor or scene.by_name[name].on_object):
+            bottom = entry["position"]["y"] - note["thorSize"][2] / 2
             assert bottom == pytest.approx(pose.z - note["size"][2] / 2)
-        if scene.by_name[name].on_ceiling:
-            assert entry["position"]["y"] + note["thorSize"][2] / 2 == pytest.approx(2.6)
+
+
+def test_rugs_and_ceiling_lamps_are_left_out_and_named_and_lamps_shine(house: dict, layout: Layout) -> None:
+    notes = house["metadata"]["robolayout"]["assets"]
+    assert [name for name, note in notes.items() if note["id"] is None] == ["ceiling_lamp-0", "rug-0"]
+    assert len(flat(house["objects"])) == len(layout) - 2
+    (lamp,) = [light for light in house["proceduralParameters"]["lights"] if light["type"] == "point"]
+    pose = layout["ceiling_lamp-0"]
+    assert lamp["position"] == {"x": pose.x, "y": pose.z, "z": pose.y}
 
 
 def test_what_stands_on_something_is_its_child(house: dict) -> None:
@@ -110,12 +117,18 @@ def test_what_stands_on_something_is_its_child(house: dict) -> None:
 
 def test_distances_are_reported(house: dict) -> None:
     notes = house["metadata"]["robolayout"]["assets"]
-    for note in notes.values():
+    for note in (note for note in notes.values() if note["id"]):
         largest = max(abs(a - b) for a, b in zip(note["size"], note["thorSize"], strict=True))
         assert note["sizeDistance"] == pytest.approx(largest, abs=1e-4)
     assert notes["double_bed-0"]["sameType"] is True
     assert notes["double_bed-0"]["sizeDistance"] < 0.3
-    assert notes["rug-0"]["sameType"] is False
+
+
+def test_an_unknown_thing_gets_a_stand_in_of_its_proportions() -> None:
+    size = (0.7, 1.7, 0.6)
+    found = nearest(Asset("bathtub-0", "bathtub", size))
+    assert found is not None
+    assert found.stretch(size) < math.log(1.3)
 
 
 def test_the_nearest_of_the_type_is_taken() -> None:

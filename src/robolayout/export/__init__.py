@@ -23,13 +23,31 @@ from robolayout.export.dxf import DXF
 from robolayout.export.glb import GLB
 from robolayout.export.layout_json import LAYOUT_JSON
 from robolayout.export.mjcf import MJCF
+from robolayout.export.physics import Drive, Driven, Motion, Settled, drive, settle
 from robolayout.export.procthor import PROCTHOR
-from robolayout.export.sceneeval import SCENEEVAL
+from robolayout.export.sceneeval import SCENEEVAL, write_meshes
 from robolayout.export.urdf import URDF
 from robolayout.export.usd import USDA, USDZ
 from robolayout.scene import Layout, Scene
 
-__all__ = ["EXPORTERS", "Contents", "Exporter", "Options", "Routes", "export", "exporters", "find_exporter", "to_bytes"]
+__all__ = [
+    "EXPORTERS",
+    "Contents",
+    "Drive",
+    "Driven",
+    "Exporter",
+    "Motion",
+    "Options",
+    "Routes",
+    "Settled",
+    "drive",
+    "export",
+    "exporters",
+    "find_exporter",
+    "settle",
+    "to_bytes",
+    "write_meshes",
+]
 
 EXPORTERS: Mapping[str, Exporter] = MappingProxyType(
     {

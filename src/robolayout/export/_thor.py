@@ -7,6 +7,7 @@ The table of 1,653 assets (names, types, boxes) is `data/thor_assets.csv`, deriv
 from __future__ import annotations
 
 import csv
+import math
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
@@ -36,6 +37,10 @@ class ThorAsset:
     def distance(self, size: Size) -> float:
         """Return the largest difference in metres between its sides and those of a box."""
         return max(abs(a - b) for a, b in zip(self.size, size, strict=True))
+
+    def stretch(self, size: Size) -> float:
+        """Return the largest factor, as a logarithm, by which one of its sides differs from a box's."""
+        return max(abs(math.log(a / b)) for a, b in zip(self.size, size, strict=True))
 
 
 def _rows(name: str) -> list[dict[str, str]]:
@@ -75,11 +80,19 @@ def thor_type(category: str) -> str | None:
     return None
 
 
-def nearest(asset: Asset) -> ThorAsset:
-    """Return the THOR asset of the same type whose box is nearest in size; of all types where the type is unknown."""
+def nearest(asset: Asset) -> ThorAsset | None:
+    """Return the THOR asset that stands for one of ours, or None where nothing can.
+
+    It is the nearest in size of the same type. Where no type fits, it is the asset of nearly the same proportions among
+    all types, a stand-in that at least takes up the room. THOR has no rugs and nothing that hangs from a ceiling.
+    """
+    if asset.is_flat or (asset.on_ceiling and not (asset.on_floor or asset.on_object)):
+        return None
     kind = thor_type(asset.category)
-    types = [kind] if kind is not None else [name for name in catalogue() if name not in HOLES]
-    return nearest_of(types, asset.size)
+    if kind is not None:
+        return nearest_of([kind], asset.size)
+    others = [each for name, assets in catalogue().items() if name not in HOLES for each in assets]
+    return min(others, key=lambda each: (each.stretch(asset.size), each.name))
 
 
 def nearest_of(types: list[str], size: Size) -> ThorAsset:

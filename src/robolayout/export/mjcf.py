@@ -100,7 +100,7 @@ def _start(scene: Scene) -> _Model:
     solver = {"timestep": "0.004", "integrator": "implicitfast", "cone": "elliptic", "impratio": "10"}
     ET.SubElement(root, "option", solver | {"iterations": "50", "tolerance": "1e-8"})
     ET.SubElement(root, "statistic", extent="6")
-    lamp = {"ambient": "0.5 0.5 0.5", "diffuse": "0.25 0.25 0.25", "specular": "0.05 0.05 0.05"}
+    lamp = {"ambient": "0.4 0.4 0.4", "diffuse": "0.2 0.2 0.2", "specular": "0.05 0.05 0.05"}
     ET.SubElement(ET.SubElement(root, "visual"), "headlight", lamp)
     classes = ET.SubElement(root, "default")
     for name, look in (
@@ -111,7 +111,7 @@ def _start(scene: Scene) -> _Model:
         ET.SubElement(ET.SubElement(classes, "default", {"class": name}), "geom", look)
     assets = ET.SubElement(root, "asset")
     world = ET.SubElement(root, "worldbody")
-    sun = {"directional": "true", "pos": "0 0 6", "dir": "0.35 -0.25 -1", "diffuse": "0.45 0.45 0.45"}
+    sun = {"directional": "true", "pos": "0 0 6", "dir": "0.35 -0.25 -1", "diffuse": "0.4 0.4 0.4"}
     ET.SubElement(world, "light", sun | {"specular": "0.05 0.05 0.05"})
     return _Model(root, assets, world, ET.SubElement(root, "contact"))
 

@@ -1,9 +1,10 @@
 """House JSON, which AI2-THOR's `CreateHouse` loads (schema 1.0.0, that of ProcTHOR-10k).
 
-Unity is y up and left-handed: our (x, y, z) is its (x, z, y), and a yaw counter-clockwise from +x is a rotation clockwise from +z,
-that is 90 degrees minus the yaw. Every asset becomes the nearest THOR asset of the same type and size, on the same floor, wall or
-ceiling; `metadata.robolayout.assets` says which one, and how far its box is from the asked one. A wall of THOR holds one door
-or window, so walls with more are cut into pieces.
+Unity is y up and left-handed: our (x, y, z) is its (x, z, y), and a yaw counter-clockwise from +x is a rotation
+clockwise from +z, that is 90 degrees minus the yaw. Every asset becomes the nearest THOR asset of the same type and size, on the same
+floor, thing or wall; `metadata.robolayout.assets` says which one, and how far its box is from the asked one. THOR has no
+rugs and no ceiling lamps: they are left out and named there, and lights shine where the lamps hang. A wall of THOR holds
+one door or window, so walls with more are cut into pieces.
 """
 
 from __future__ import annotations
@@ -51,7 +52,7 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
         "doors": [_cover(index, piece) for index, piece in holes if piece[3] and piece[3][0] == "door"],
         "metadata": _metadata(scene, assets),
         "objects": objects,
-        "proceduralParameters": _parameters(scene.room),
+        "proceduralParameters": _parameters(scene, layout),
         "rooms": [_room(scene)],
         "walls": inside + outside,
         "windows": [_cover(index, piece) for index, piece in holes if piece[3] and piece[3][0] == "window"],
@@ -135,21 +136,21 @@ def _objects(scene: Scene, layout: Layout) -> tuple[list[Json], dict[str, Json]]
     assets: dict[str, Json] = {}
     for number, (asset, pose) in enumerate(placed(scene, layout)):
         thor = nearest(asset)
+        assets[asset.name] = {"category": asset.category, "size": list(asset.size), **_pose(pose)}
+        if thor is None:
+            assets[asset.name]["id"] = None
+            continue
         anchor, shift = _shift(asset, thor)
-        identity = f"{thor.type}|2|{number}"
         objects[asset.name] = {
             "assetId": thor.name,
-            "id": identity,
+            "id": f"{thor.type}|2|{number}",
             "kinematic": not is_movable(asset, scene, layout),
-            "position": _vector(pose.x, pose.y, pose.z + shift),
-            "rotation": {"x": 0.0, "y": _degrees(pose.yaw), "z": 0.0},
+            **_pose(Pose(pose.x, pose.y, pose.z + shift, pose.yaw)),
             "room": ROOM,
             "children": [],
         }
-        assets[asset.name] = {
-            "id": identity,
-            "category": asset.category,
-            "size": list(asset.size),
+        assets[asset.name] |= {
+            "id": objects[asset.name]["id"],
             "thorSize": list(thor.size),
             "sizeDistance": round(thor.distance(asset.size), 4),
             "sameType": thor_type(asset.category) is not None,
@@ -158,17 +159,21 @@ def _objects(scene: Scene, layout: Layout) -> tuple[list[Json], dict[str, Json]]
     roots: list[Json] = []
     for name, entry in objects.items():
         parent = supporter(scene.by_name[name], scene, layout)
-        children = roots if parent is None else cast(list[Json], objects[parent]["children"])
+        children = cast(list[Json], objects[parent]["children"]) if parent in objects else roots
         children.append(entry)
     return roots, assets
 
 
+def _pose(pose: Pose) -> Json:
+    """Return a Unity position and rotation."""
+    return {"position": _vector(pose.x, pose.y, pose.z), "rotation": {"x": 0.0, "y": _degrees(pose.yaw), "z": 0.0}}
+
+
 def _shift(asset: Asset, thor: ThorAsset) -> tuple[str, float]:
-    """Return what is kept of an asset's height (bottom, middle or top), and how far up its middle moves for that."""
-    grow = (thor.size[2] - asset.size[2]) / 2
+    """Return what is kept of an asset's height (bottom or middle), and how far up its middle moves for that."""
     if asset.on_floor or asset.on_object:
-        return "bottom", grow
-    return ("top", -grow) if asset.on_ceiling else ("middle", 0.0)
+        return "bottom", (thor.size[2] - asset.size[2]) / 2
+    return "middle", 0.0
 
 
 def _room(scene: Scene) -> Json:
@@ -210,20 +215,24 @@ def _metadata(scene: Scene, assets: dict[str, Json]) -> Json:
     }
 
 
-def _parameters(room: Room) -> Json:
-    """Return ceiling, sky and lights: a soft sun and one lamp under the ceiling's middle, as ProcTHOR has them."""
-    (x, y), _ = _entrance(Room(room.vertices, room.wall_height))
+def _parameters(scene: Scene, layout: Layout) -> Json:
+    """Return ceiling, sky and lights: a soft sun, and a lamp where ours hang (without any, under the ceiling's middle)."""
+    low_x, low_y, high_x, high_y = scene.room.bounds
+    spots = [layout[a.name] for a in scene.assets if a.name in layout and a.on_ceiling and thor_type(a.category)]
+    spots = spots or [Pose((low_x + high_x) / 2, (low_y + high_y) / 2, scene.room.wall_height - 0.2, 0.0)]
     shadow: Json = {"type": "Soft", "strength": 1, "normalBias": 0, "bias": 0.05, "nearPlane": 0.2}
     shadow["resolution"] = "FromQualitySettings"
+    white: Json = {"r": 1.0, "g": 1.0, "b": 1.0}
     sun: Json = {"id": "DirectionalLight", "type": "directional", "intensity": 0.35, "indirectMultiplier": 1.0}
     sun |= {"position": {"x": 0.84, "y": 0.1855, "z": -1.09}, "rotation": {"x": 43.4, "y": -3.9, "z": -63.6}}
-    lamp: Json = {"id": "light_2", "type": "point", "intensity": 0.75, "range": 15}
-    lamp["position"] = _vector(x, y, room.wall_height - 0.2)
-    white: Json = {"r": 1.0, "g": 1.0, "b": 1.0}
+    lights = [sun]
+    for number, spot in enumerate(spots):
+        lamp: Json = {"id": f"light_{number + 2}", "type": "point", "intensity": 0.75 / len(spots), "range": 15}
+        lights.append({**lamp, "position": _vector(spot.x, spot.y, spot.z)})
     return {
         "ceilingMaterial": {"name": WALL_MATERIAL},
         "floorColliderThickness": 1.0,
-        "lights": [{**sun, "rgb": white, "shadow": shadow}, {**lamp, "rgb": white, "shadow": shadow}],
+        "lights": [{**light, "rgb": white, "shadow": shadow} for light in lights],
         "receptacleHeight": 0.7,
         "reflections": [],
         "skyboxId": "Sky1",
@@ -244,10 +253,10 @@ def read(data: bytes) -> Contents:
     poses: dict[str, Pose] = {}
     sizes: dict[str, tuple[float, float, float]] = {}
     for name, note in cast(dict[str, Json], notes["assets"]).items():
-        entry = objects[str(note["id"])]
+        entry = note if note["id"] is None else objects[str(note["id"])]
         depth, width, height = cast(list[float], note["size"])
-        grow = (cast(list[float], note["thorSize"])[2] - height) / 2
-        shift = {"bottom": grow, "top": -grow, "middle": 0.0}[str(note["anchor"])]
+        grown = cast(list[float], note.get("thorSize", note["size"]))[2] - height
+        shift = grown / 2 if note.get("anchor") == "bottom" else 0.0
         position, rotation = cast(dict[str, float], entry["position"]), cast(dict[str, float], entry["rotation"])
         yaw = math.radians(90.0 - rotation["y"])
         poses[name] = Pose(position["x"], position["z"], position["y"] - shift, yaw)
