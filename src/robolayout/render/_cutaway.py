@@ -7,15 +7,12 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from robolayout.render._mesh import ROOM, Mesh, flat_mesh, linear, merge
+from robolayout.render._mesh import FLOOR_STRIP, ROOM, Mesh, flat_mesh, linear, merge
 from robolayout.render.camera import Camera
 from robolayout.scene import Layout, Room, Scene, Wall
 
 CUT_COLOR = (0.42, 0.41, 0.40)
 """sRGB colour of a cut wall."""
-
-FLOOR_STRIP = "floor-strip"
-"""Name of the parts that show where a wall stood that was cut away."""
 
 HIDES = 0.02
 """Share of the floor that a wall may hide before it is cut away."""
@@ -37,6 +34,7 @@ def hidden_parts(scene: Scene, layout: Layout, camera: Camera) -> set[str]:
     cut = near_walls(room, camera)
     names = {f"wall-{index}" for index in cut}
     names |= {f"door-{k}" for k, door in enumerate(room.doors) if door.wall in cut}
+    names |= {f"skirting-{index}" for index in cut}
     names |= {f"window-{k}" for k, window in enumerate(room.windows) if window.wall in cut}
     names |= {f"{FLOOR_STRIP}-{wall.index}" for wall in room.walls if wall.index not in cut}
     for asset in scene.assets:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import lru_cache
+from itertools import pairwise
 from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
@@ -230,7 +231,7 @@ def _paint_holes(image: Image, rings: list[list[Point]], color: tuple[int, int, 
         one = Image.new("1", image.size)
         ImageDraw.Draw(one).polygon(ring, fill=1)
         mask = ImageChops.logical_xor(mask, one)
-    image.paste(color[:3], (0, 0), mask.convert("L").point(lambda v: v * color[3] // 255))
+    image.paste(color[:3], (0, 0), mask.convert("L").point([v * color[3] // 255 for v in range(256)]))
 
 
 def _paint_text(image: Image, item: Text, scale: float) -> None:
@@ -279,7 +280,7 @@ def _dashed(points: list[Point], dash: tuple[float, float] | None, scale: float)
     on, off = dash[0] * scale, dash[1] * scale
     pieces: list[list[Point]] = []
     left, drawing, piece = on, True, [points[0]]
-    for a, b in zip(points, points[1:], strict=False):
+    for a, b in pairwise(points):
         length = max(((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2) ** 0.5, 1e-9)
         done = 0.0
         while done + left < length:

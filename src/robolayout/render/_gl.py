@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.render import _light
-from robolayout.render._mesh import ROOM, Mesh, refined, welded
+from robolayout.render._mesh import Mesh, refined, welded
 from robolayout.render.camera import Camera
 
 SUN_TILE, SUN_COLUMNS = 1024, 3
@@ -151,7 +151,7 @@ def _context(process: int, thread: int) -> Any:
     import moderngl
 
     del process, thread
-    return moderngl.create_context(standalone=True, backend="egl", require=330)
+    return moderngl.create_context(require=330, standalone=True, backend="egl")  # pyright: ignore[reportArgumentType]
 
 
 def why_unavailable() -> str | None:
@@ -191,16 +191,15 @@ class GLRenderer:
     Raises what moderngl raises when there is no EGL (see `available`).
     """
 
-    def __init__(self, mesh: Mesh, lightless: NDArray[np.bool_]) -> None:
-        """Upload `mesh`; triangles where `lightless` holds never take light away (a ceiling)."""
+    def __init__(self, mesh: Mesh, sky_blockers: NDArray[np.bool_], sun_blockers: NDArray[np.bool_]) -> None:
+        """Upload `mesh`; the masks say which of its triangles take the sky's and the sun's light away."""
         import moderngl
 
         self._gl = moderngl
         self._context: Any = _context(os.getpid(), threading.get_ident())
         self._program = _programs(self._context)
         self._coarse = mesh
-        self._blockers = mesh.corners[mesh.opaque & ~lightless]
-        self._shadows = mesh.corners[mesh.opaque & (mesh.ids != ROOM)]
+        self._blockers, self._sun_blockers = mesh.corners[sky_blockers], sun_blockers
         self._fine = refined(mesh, _light.sample_distance(mesh))
         first, self._places = welded(self._fine)
         self._upload(first)
@@ -209,7 +208,8 @@ class GLRenderer:
         """Return the picture (height, width, 3) of the parts where `keep` (parts) holds."""
         context, gl = self._context, self._gl
         toward = _light.sun_directions(camera)
-        matrices, atlas = self._atlas(self._shadows, toward, SUN_COLUMNS, SUN_TILE)
+        shadows = self._coarse.corners[self._sun_blockers & keep[self._coarse.groups]]
+        matrices, atlas = self._atlas(shadows, toward, SUN_COLUMNS, SUN_TILE)
         size, samples = (camera.width, camera.height), min(4, context.max_samples)
         colors, depths = (
             context.renderbuffer(size, 4, samples=samples),

@@ -101,9 +101,9 @@ def _first_inside(tag: Tag, taken: Sequence[Box], sizes: Sequence[float]) -> Lab
     covers = np.array([shapely.Polygon(c) for c in tag.covers], dtype=object)
     for label in _inside(tag, sizes):
         box = label.box
-        if _contains(sides, box) and not any(_meet(box, other) for other in taken):
-            if not len(covers) or not shapely.intersects(covers, shapely.box(*box)).any():
-                return label
+        clear = _contains(sides, box) and not any(_meet(box, other) for other in taken)
+        if clear and not shapely.intersects(covers, shapely.box(*box)).any():
+            return label
     return None
 
 
@@ -141,9 +141,9 @@ def _first_beside(tag: Tag, taken: Sequence[Box], solids: NDArray[np.object_], s
             label = Label(lines, (float(x), float(y)), size, upright, leader, leader is not None)
             box = label.box
             free = box[0] > sheet[0] and box[1] > sheet[1] and box[2] < sheet[2] and box[3] < sheet[3]
-            if free and not any(_meet(box, other) for other in taken):
-                if not shapely.intersects(solids, shapely.box(*box)).any():
-                    return label
+            free = free and not any(_meet(box, other) for other in taken)
+            if free and not shapely.intersects(solids, shapely.box(*box)).any():
+                return label
     return None
 
 

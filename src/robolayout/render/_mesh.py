@@ -17,6 +17,10 @@ CREASE = 0.80
 ROOM = 0
 """Id of floor and walls; asset k of the scene has id k + 1. The background has id -1."""
 
+CEILING = "/ceiling"
+FLOOR_STRIP = "/strip"
+"""Names of parts that the views add to the room; no asset's name has a slash."""
+
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
@@ -74,14 +78,14 @@ def parts_mesh(pieces: Iterable[Part], name: str, number: int = 1) -> Mesh:
 
 
 def ceiling_mesh(room: Room) -> Mesh:
-    """Return a plain ceiling at wall height named "ceiling", for views from inside the room."""
+    """Return a plain ceiling at wall height named CEILING, for views from inside the room."""
     import shapely
 
     polygon = shapely.Polygon(room.vertices).buffer(0.1, join_style="mitre")
     triangles = shapely.get_parts(shapely.constrained_delaunay_triangles(polygon))
     rings = shapely.get_coordinates(shapely.orient_polygons(triangles, exterior_cw=True)).reshape(-1, 4, 2)[:, :3]
     corners = np.dstack([rings, np.full((*rings.shape[:2], 1), room.wall_height)])
-    return flat_mesh(corners, (0.94, 0.94, 0.93), "ceiling")
+    return flat_mesh(corners, (0.94, 0.94, 0.93), CEILING)
 
 
 def flat_mesh(corners: NDArray[np.floating], color: Sequence[float], name: str) -> Mesh:
@@ -92,7 +96,7 @@ def flat_mesh(corners: NDArray[np.floating], color: Sequence[float], name: str) 
     return Mesh(
         corners.astype(np.float32),
         np.repeat(normal[:, None], 3, axis=1).astype(np.float32),
-        np.tile(np.float32([*linear(np.array(color)), 1.0]), (n, 1)),
+        np.tile(np.array([*linear(np.array(color)), 1.0], np.float32), (n, 1)),
         np.zeros(n, np.float32),
         np.full(n, ROOM, np.int32),
         np.zeros(n, np.int32),
@@ -149,7 +153,7 @@ def _hash(keys: NDArray[np.int64]) -> NDArray[np.int64]:
 
 def _halves(values: NDArray[np.float32]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Return both halves of triangles (n, 3, 3) cut at the middle of their first edge."""
-    middle = (values[:, 0] + values[:, 1]) / 2
+    middle = (values[:, 0] + values[:, 1]) * np.float32(0.5)
     first = np.stack([values[:, 0], middle, values[:, 2]], axis=1)
     return first, np.stack([middle, values[:, 1], values[:, 2]], axis=1)
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.render import _light
-from robolayout.render._mesh import ROOM, Mesh, refined, welded
+from robolayout.render._mesh import Mesh, refined, welded
 from robolayout.render.camera import NEAR, Camera
 
 Floats = NDArray[np.float32]
@@ -23,26 +23,27 @@ SUBSAMPLES = np.array([(-0.125, -0.375), (0.375, -0.125), (-0.375, 0.125), (0.12
 class RayRenderer:
     """Draws one mesh from any camera by ray casting."""
 
-    def __init__(self, mesh: Mesh, lightless: NDArray[np.bool_]) -> None:
-        """Prepare `mesh`; triangles where `lightless` holds never take light away (a ceiling)."""
-        self._shadows = _scene(mesh.corners[mesh.opaque & (mesh.ids != ROOM)])
+    def __init__(self, mesh: Mesh, sky_blockers: NDArray[np.bool_], sun_blockers: NDArray[np.bool_]) -> None:
+        """Prepare `mesh`; the masks say which of its triangles take the sky's and the sun's light away."""
+        self._coarse, self._sun_blockers = mesh, sun_blockers
         self._fine = refined(mesh, _light.sample_distance(mesh))
         first, places = welded(self._fine)
         points, normals = self._fine.corners.reshape(-1, 3)[first], self._fine.normals.reshape(-1, 3)[first]
-        self._sky = _sky(points, normals, _scene(mesh.corners[mesh.opaque & ~lightless]))[places]
+        self._sky = _sky(points, normals, _scene(mesh.corners[sky_blockers]))[places]
 
     def color(self, camera: Camera, keep: NDArray[np.bool_]) -> NDArray[np.uint8]:
         """Return the picture (height, width, 3) of the parts where `keep` (parts) holds."""
         shown = keep[self._fine.groups]
+        shadows = _scene(self._coarse.corners[self._sun_blockers & keep[self._coarse.groups]])
         layers = [np.flatnonzero(shown & self._fine.opaque), np.flatnonzero(shown & ~self._fine.opaque)]
         scenes = [(_scene(self._fine.corners[which]), which) for which in layers]
         columns, rows = np.meshgrid(np.arange(camera.width), np.arange(camera.height))
         centers = np.stack([columns, rows], axis=-1).reshape(-1, 2) + 0.5
-        flat, surface = self._shade(camera, centers, scenes)
+        flat, surface = self._shade(camera, centers, scenes, shadows)
         image = flat.reshape(camera.height, camera.width, 3)
         edges = _edges(surface.reshape(camera.height, camera.width, -1))
         fine = (centers[edges.reshape(-1)][:, None] + SUBSAMPLES).reshape(-1, 2)
-        smooth, _ = self._shade(camera, fine, scenes)
+        smooth, _ = self._shade(camera, fine, scenes, shadows)
         image[edges] = smooth.reshape(-1, len(SUBSAMPLES), 3).mean(axis=1)
         return np.round(np.clip(image, 0, 1) * 255).astype(np.uint8)
 
@@ -58,11 +59,11 @@ class RayRenderer:
         return ids.reshape(shape), np.where(missed, np.inf, far).astype(np.float32).reshape(shape)
 
     def _shade(
-        self, camera: Camera, pixels: NDArray[np.float64], scenes: list[tuple[Any, NDArray[np.intp]]]
+        self, camera: Camera, pixels: NDArray[Any], scenes: list[tuple[Any, NDArray[np.intp]]], shadows: Any
     ) -> tuple[Floats, Floats]:
         """Return display colours (n, 3) at pixels (n, 2), and what was hit there: part, normal (n, 4)."""
         rays = camera.rays(pixels)
-        colors = np.tile(np.float32(_light.BACKGROUND), (len(pixels), 1))
+        colors = np.tile(np.array(_light.BACKGROUND, np.float32), (len(pixels), 1))
         surface = np.full((len(pixels), 4), -1, np.float32)
         nearest = np.full(len(pixels), np.inf, np.float32)
         for (scene, which), glass in zip(scenes, (False, True), strict=True):
@@ -73,7 +74,7 @@ class RayRenderer:
             face = which[triangle[hit]]
             weights = np.column_stack([1 - u[hit] - v[hit], u[hit], v[hit]]).astype(np.float32)
             points = (camera.position + rays[hit] * far[hit, None]).astype(np.float32)
-            lit, normals = self._radiance(camera, face, weights, points)
+            lit, normals = self._radiance(camera, (face, weights, points), shadows)
             opacity = self._fine.colors[face, 3:]
             colors[hit] = _light.encode(lit) * opacity + colors[hit] * (1 - opacity)
             surface[hit] = np.column_stack([self._fine.groups[face] + 1e4 * glass, normals])
@@ -81,13 +82,14 @@ class RayRenderer:
         return colors, surface
 
     def _radiance(
-        self, camera: Camera, face: NDArray[np.intp], weights: Floats, points: Floats
+        self, camera: Camera, surface: tuple[NDArray[np.intp], Floats, Floats], shadows: Any
     ) -> tuple[Floats, Floats]:
-        """Return linear radiance (n, 3) and normals (n, 3) of points (n, 3) on faces (n,)."""
+        """Return linear radiance (n, 3) and normals (n, 3) of points: their faces, barycentric weights, positions."""
+        face, weights, points = surface
         normals = np.einsum("nk,nkd->nd", weights, self._fine.normals[face])
         normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
         sky = (weights * self._sky[face]).sum(axis=1)
-        look = np.float32(camera.position) - points
+        look = np.array(camera.position, np.float32) - points
         look /= np.linalg.norm(look, axis=1, keepdims=True)
         gloss = self._fine.gloss[face]
         toward = _light.sun_directions(camera)
@@ -95,7 +97,7 @@ class RayRenderer:
         sun, shine = np.zeros(len(points), np.float32), np.zeros(len(points), np.float32)
         for direction in toward:
             slope = np.maximum(normals @ direction, 0)
-            seen = _visible(self._shadows, lifted, direction, slope > 0)
+            seen = _visible(shadows, lifted, direction, slope > 0)
             half = direction + look
             half /= np.linalg.norm(half, axis=1, keepdims=True)
             sun += seen * slope
@@ -108,12 +110,12 @@ class RayRenderer:
 
 def _scene(corners: Floats) -> Any:
     """Return the Embree scene of triangles (n, 3, 3), or None without triangles."""
-    from embreex import rtcore_scene
     from embreex.mesh_construction import TriangleMesh
+    from embreex.rtcore_scene import EmbreeScene
 
     if not len(corners):
         return None
-    scene = rtcore_scene.EmbreeScene()
+    scene: Any = EmbreeScene()
     TriangleMesh(scene, np.ascontiguousarray(corners, dtype=np.float32))
     return scene
 
@@ -122,7 +124,8 @@ def _hits(scene: Any, camera: Camera, rays: NDArray[np.float64]) -> tuple[NDArra
     """Return triangle (-1: none), u, v and depth in metres of the first hit of each ray from the camera."""
     n = len(rays)
     if scene is None or not n:
-        return np.full(n, -1), *(np.zeros(n, np.float32) for _ in range(3))
+        nothing = np.zeros(n, np.float32)
+        return np.full(n, -1), nothing, nothing, nothing
     start = (np.asarray(camera.position) + rays * NEAR).astype(np.float32)
     answer = scene.run(start, rays.astype(np.float32), query="INTERSECT", output=True)
     return answer["primID"].astype(np.intp), answer["u"], answer["v"], answer["tfar"] + np.float32(NEAR)
@@ -142,11 +145,11 @@ def _sky(points: Floats, normals: Floats, scene: Any) -> Floats:
     """Return the irradiance (n,) of the sky at points (n, 3) with unit normals (n, 3); 1 under an open sky."""
     total = np.zeros(len(points), np.float32)
     directions = _light.sky_directions()
-    lifted = points + normals * np.float32(_light.BIAS)
+    lifted = (points + normals * _light.BIAS).astype(np.float32)
     for direction in directions:
-        slope = np.maximum(normals @ direction, 0)
+        slope = np.maximum(normals @ direction, 0).astype(np.float32)
         total += slope * _visible(scene, lifted, direction, slope > 0)
-    return total * 2 / len(directions)
+    return (total * 2 / len(directions)).astype(np.float32)
 
 
 def _edges(surface: Floats) -> NDArray[np.bool_]:

@@ -7,7 +7,7 @@ forms. Walls that hide the floor are cut away, so that every view looks into the
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal, Protocol
 
@@ -16,8 +16,18 @@ from numpy.typing import NDArray
 
 from robolayout._errors import InputError, LayoutError, UnknownNameError
 from robolayout.assets import parts
-from robolayout.render._cutaway import FLOOR_STRIP, dress, hidden_parts, near_walls
-from robolayout.render._mesh import Mesh, ceiling_mesh, merge, parts_mesh, scene_mesh
+from robolayout.render._cutaway import dress, hidden_parts, near_walls
+from robolayout.render._mesh import (
+    CEILING,
+    FLOOR_STRIP,
+    ROOM,
+    Mesh,
+    ceiling_mesh,
+    flat_mesh,
+    merge,
+    parts_mesh,
+    scene_mesh,
+)
 from robolayout.render.camera import SIDE_POLAR, Camera, eye_camera, fitted_camera, room_points
 from robolayout.scene import Agent, Asset, Layout, Room, Scene
 
@@ -78,7 +88,7 @@ class Studio:
         self.scene, self.layout = scene, layout
         self._mesh = dress(scene_mesh(scene, layout, seed), scene.room)
         self._mesh = merge(self._mesh, ceiling_mesh(scene.room))
-        self._renderer: _Draws = make_renderer(self._mesh, self._lightless(), renderer)
+        self._renderer: _Draws = make_renderer(self._mesh, *self._blockers(), renderer)
 
     @cached_property
     def side_azimuth(self) -> float:
@@ -136,13 +146,20 @@ class Studio:
     def _keep(self, camera: Camera, inside: bool) -> NDArray[np.bool_]:
         """Return which parts are drawn."""
         hidden = set() if inside else hidden_parts(self.scene, self.layout, camera)
-        unseen = FLOOR_STRIP if inside else "ceiling"
+        unseen = FLOOR_STRIP if inside else CEILING
         return np.array([n not in hidden and not n.startswith(unseen) for n in self._mesh.names], dtype=np.bool_)
 
-    def _lightless(self) -> NDArray[np.bool_]:
-        """Return what takes no light of the sky away: the ceiling, the strips, and flat things on walls."""
+    def _blockers(self) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Return which triangles take the sky's light away (not: ceiling, strips, things on walls), and the sun's.
+
+        Walls and what hangs from the ceiling throw no shadow of the sun, so that rooms stay bright and calm.
+        """
         hung = {asset.name for asset in self.scene.assets if asset.on_wall}
-        return self._mesh.named(n for n in self._mesh.names if n in hung or n == "ceiling" or n.startswith(FLOOR_STRIP))
+        above = {asset.name for asset in self.scene.assets if asset.on_ceiling}
+        added = {name for name in self._mesh.names if name.startswith((CEILING, FLOOR_STRIP))}
+        solid = self._mesh.opaque
+        sun = solid & (self._mesh.ids != ROOM) & ~self._mesh.named(above)
+        return solid & ~self._mesh.named(hung | above | added), sun
 
     def _side_score(self, azimuth: float) -> float:
         """Return how much of the room a side view from there would show, in square metres of fronts."""
@@ -195,25 +212,29 @@ def render_asset(
     camera = fitted_camera(box, math.radians(65), math.radians(-32), picture_size(size), margin=0.08)
     ground = _ground(asset)
     scenery = merge(mesh, ground)
-    drawn = make_renderer(scenery, scenery.named(["ground"]), renderer)
+    solid = scenery.opaque & (scenery.ids != ROOM)
+    drawn = make_renderer(scenery, solid, solid, renderer)
     return Image.fromarray(drawn.color(camera, np.ones(len(scenery.names), np.bool_)))
 
 
-def make_renderer(mesh: Mesh, lightless: NDArray[np.bool_], renderer: Renderer = "auto") -> _Draws:
-    """Return the renderer asked for, or with "auto" the fast one if this machine has EGL and else ray casting."""
+def make_renderer(mesh: Mesh, sky: NDArray[np.bool_], sun: NDArray[np.bool_], renderer: Renderer = "auto") -> _Draws:
+    """Return the renderer asked for, or with "auto" the fast one if this machine has EGL and else ray casting.
+
+    `sky` and `sun` say which triangles take the light of each away.
+    """
     if renderer not in ("auto", "gl", "rays"):
         raise UnknownNameError("renderer", renderer, ["auto", "gl", "rays"])
     from robolayout.render._rays import RayRenderer
 
     if renderer == "rays":
-        return RayRenderer(mesh, lightless)
+        return RayRenderer(mesh, sky, sun)
     from robolayout.render._gl import GLRenderer, why_unavailable
 
     reason = why_unavailable()
     if reason is None:
-        return GLRenderer(mesh, lightless)
+        return GLRenderer(mesh, sky, sun)
     if renderer == "auto":
-        return RayRenderer(mesh, lightless)
+        return RayRenderer(mesh, sky, sun)
     raise InputError(f"renderer 'gl' does not work on this machine: {reason}. Use renderer='auto' or 'rays'.")
 
 
@@ -252,9 +273,6 @@ def _entrance(room: Room) -> tuple[float, float]:
 
 def _ground(asset: Asset) -> Mesh:
     """Return the ground under an asset that stands alone, in the colour of the background."""
-    from robolayout.render._mesh import flat_mesh
-
     reach, low = 15 * max(asset.size), -asset.size[2] / 2
     a, b, c, d = ((x * reach, y * reach, low) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)))
-    mesh = flat_mesh(np.array([(a, b, c), (a, c, d)]), (0.9, 0.9, 0.9), "ground")
-    return replace(mesh, ids=np.full(2, -1, np.int32))
+    return flat_mesh(np.array([(a, b, c), (a, c, d)]), (0.9, 0.9, 0.9), "ground")
