@@ -19,7 +19,7 @@ def desk(p: Piece) -> Iterator[Part]:
     low = p.h - thick
     if p.w > 1.05 and p.variant % 3:
         y = (p.y[1] - 0.42, p.y[1] - 0.02) if p.variant % 2 else (p.y[0] + 0.02, p.y[0] + 0.42)
-        yield box("pedestal", p.front, (p.x[0] + 0.06, p.x[1] - 0.06), y, (0.02, low - 0.002))
+        yield box("pedestal", p.front, (p.x[0] + 0.06, p.x[1] - 0.06), y, (0.0, low - 0.002))
         for i in range(3):
             z = (0.04 + i * (low - 0.06) / 3, 0.03 + (i + 1) * (low - 0.06) / 3)
             yield box("drawer", p.front, (p.x[1] - 0.06, p.x[1] - 0.042), (y[0] + 0.004, y[1] - 0.004), z)
