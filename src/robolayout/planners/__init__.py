@@ -8,25 +8,38 @@ from typing import TYPE_CHECKING, Any
 from robolayout.planners._types import Group, Planner, PlanRequest
 
 if TYPE_CHECKING:
+    from robolayout.planners._vlm_feedback import feedback_text
+    from robolayout.planners._vlm_ranking import Score, rank_samples, score_samples
     from robolayout.planners.file import FilePlanner
     from robolayout.planners.offline import OfflinePlanner
     from robolayout.planners.sentence import Understanding, scene_from_sentence
+    from robolayout.planners.vlm import ModelPlanner
 
 _LAZY = {
     "FilePlanner": "file",
+    "ModelPlanner": "vlm",
     "OfflinePlanner": "offline",
+    "Score": "_vlm_ranking",
     "Understanding": "sentence",
+    "feedback_text": "_vlm_feedback",
+    "rank_samples": "_vlm_ranking",
     "scene_from_sentence": "sentence",
+    "score_samples": "_vlm_ranking",
 }
 
 __all__ = [
     "FilePlanner",
     "Group",
+    "ModelPlanner",
     "OfflinePlanner",
     "PlanRequest",
     "Planner",
+    "Score",
     "Understanding",
+    "feedback_text",
+    "rank_samples",
     "scene_from_sentence",
+    "score_samples",
 ]
 
 

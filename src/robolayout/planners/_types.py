@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Protocol, runtime_checkable
 
 from robolayout.scene import Layout, Scene
@@ -44,6 +45,8 @@ class PlanRequest:
         placed: Poses that are settled already; they stay where they are.
         feedback: What was wrong with earlier answers (rejections, violations), in words; empty at first.
         seed: Number that settles every choice; same request, same text.
+        previous: The program text that the feedback is about.
+        images: Pictures as PNG bytes: "top" and "side" of the room as it is, and one under each name of an asset to place.
     """
 
     scene: Scene
@@ -51,6 +54,8 @@ class PlanRequest:
     placed: Layout | None = None
     feedback: str = ""
     seed: int = 0
+    previous: str = ""
+    images: Mapping[str, bytes] = field(default_factory=dict[str, bytes])
 
 
 @runtime_checkable

@@ -1,0 +1,276 @@
+"""The one place that talks to a model: provider, pictures, budget, retries, recording; every failure is one sentence.
+
+Questions are asked concurrently, each through an agent of pydantic-ai. The network lives behind `_Taped`, a model that
+answers from a recording or asks the real one and records what it said. Retries after 429 and 5xx, with the wait that the
+server asks for, are the provider client's own; `timeout` bounds each try and three times that the whole question.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import warnings
+from collections.abc import Callable, Coroutine, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from decimal import Decimal
+from typing import Any, TypeVar
+
+from pydantic import BaseModel
+from pydantic_ai import (
+    Agent,
+    BinaryContent,
+    ModelMessage,
+    ModelResponse,
+    ModelRetry,
+    PromptedOutput,
+    RunContext,
+    RunUsage,
+    TextPart,
+    ToolCallPart,
+    ToolOutput,
+    UsageLimits,
+    UserContent,
+)
+from pydantic_ai.exceptions import AgentRunError, ModelHTTPError, UnexpectedModelBehavior, UnsupportedSettingWarning
+from pydantic_ai.messages import ModelRequest, RetryFeedbackPart
+from pydantic_ai.models import Model, ModelRequestParameters
+from pydantic_ai.models.function import FunctionModel
+from pydantic_ai.models.wrapper import WrapperModel
+from pydantic_ai.settings import ModelSettings
+from pydantic_ai.usage import RequestUsage
+
+from robolayout._errors import InputError, ModelError
+from robolayout.planners._model_errors import refuses_images, sentence
+from robolayout.planners._model_exchange import Question, Tape
+from robolayout.planners._model_provider import Spec, open_model
+
+T = TypeVar("T")
+Check = Callable[[Any], str | None]
+
+MOST_CHARACTERS = 400_000
+"""Characters of an answer beyond which it is refused."""
+
+PATIENCE = 3.0
+"""Times `timeout` that one question may take with all its tries."""
+
+
+@dataclass(frozen=True)
+class Usage:
+    """What a planner has used so far.
+
+    Attributes:
+        requests: Answers received.
+        input_tokens: Tokens sent, pictures included.
+        output_tokens: Tokens received.
+        cost: US dollars; None where no price is known.
+    """
+
+    requests: int = 0
+    input_tokens: int = 0
+    output_tokens: int = 0
+    cost: float | None = None
+
+    def to_dict(self) -> dict[str, int | float | None]:
+        """Return the usage as it is written to the report."""
+        return dict(vars(self))
+
+
+class _Taped(WrapperModel):
+    """Answers one question from the recording, or asks the wrapped model and records its answer."""
+
+    def __init__(self, wrapped: Model, tape: Tape, question: Question) -> None:
+        super().__init__(wrapped)
+        self._tape, self._question, self._turn = tape, question, 0
+
+    async def request(
+        self,
+        messages: list[ModelMessage],
+        model_settings: ModelSettings | None,
+        model_request_parameters: ModelRequestParameters,
+    ) -> ModelResponse:
+        """Return the answer to the next turn of the question."""
+        self._turn += 1
+        if self._tape.replay:
+            return from_answer(self._tape.recall(self._question, self._turn))
+        response = await self.wrapped.request(messages, model_settings, model_request_parameters)
+        length = sum(len(part.content) for part in response.parts if isinstance(part, TextPart))
+        if length > MOST_CHARACTERS:
+            raise UnexpectedModelBehavior(f"an answer of {length} characters, at most {MOST_CHARACTERS} are read")
+        answer = to_answer(response, self._tape.scrub)
+        self._tape.write(self._question, self._turn, answer, _feedback(messages))
+        return from_answer(answer)
+
+
+class Client:
+    """Asks questions, concurrently, and keeps count.
+
+    Args:
+        spec: Which model, and where it is.
+        tape: Where answers are recorded or come from.
+        timeout: Seconds for one try.
+        max_cost: US dollars after which nothing more is asked; None is without limit.
+    """
+
+    def __init__(self, spec: Spec, tape: Tape, *, timeout: float = 60.0, max_cost: float | None = None) -> None:
+        self.spec, self.tape, self.timeout, self.max_cost = spec, tape, timeout, max_cost
+        self.sees = True
+        self.notes: list[str] = []
+        self._spent = RunUsage()
+
+    @property
+    def usage(self) -> Usage:
+        """What was used so far."""
+        spent = self._spent
+        cost = None if spent.cost is None else float(spent.cost)
+        return Usage(spent.requests, spent.input_tokens, spent.output_tokens, cost)
+
+    def ask(
+        self, questions: Sequence[Question], answer: type[T], check: Check | None = None
+    ) -> list[T | InputError | ModelError]:
+        """Return one answer or error per question, in order.
+
+        Args:
+            questions: What to ask, at the same time.
+            answer: `str`, or a type that the answer must have.
+            check: What is wrong with an answer, in words; the model is asked again, at most twice.
+        """
+        return _run(self._ask_all(questions, answer, check))
+
+    async def _ask_all(
+        self, questions: Sequence[Question], answer: type[T], check: Check | None
+    ) -> list[T | InputError | ModelError]:
+        model = FunctionModel(_never) if self.tape.replay else open_model(self.spec, priced=self.max_cost is not None)
+        async with model:
+            asked = [self._settled(model, question, answer, check) for question in questions]
+            return list(await asyncio.gather(*asked))
+
+    async def _settled(
+        self, model: Model, question: Question, answer: type[T], check: Check | None
+    ) -> T | InputError | ModelError:
+        """Ask one question; without pictures if the model turns out not to see."""
+        images = self.sees and model.profile.get("supports_image_input", True)
+        try:
+            return await self._run_agent(model, question, answer, check, images=images)
+        except (InputError, ModelError) as error:
+            return error
+        except AgentRunError as error:
+            if not (images and question.images and isinstance(error, ModelHTTPError) and refuses_images(error)):
+                return sentence(error, self.spec, self.timeout, self.tape.scrub, self.usage.cost, self.max_cost)
+        if self.sees:
+            self.notes.append(f"{self.spec.name} does not take pictures; it plans from the text alone (mode no_image).")
+        self.sees = False
+        return await self._settled(model, question, answer, check)
+
+    async def _run_agent(
+        self, model: Model, question: Question, answer: type[T], check: Check | None, *, images: bool
+    ) -> T:
+        agent = Agent(
+            _Taped(model, self.tape, question),
+            output_type=self._output(question, answer),
+            instructions=question.instructions,
+            retries={"output": 2},
+        )
+
+        @agent.output_validator
+        def validate(context: RunContext[Any], output: Any) -> Any:
+            wrong = check(output) if check and context.retry < context.max_retries else None
+            if wrong:
+                raise ModelRetry(wrong)
+            return output
+
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UnsupportedSettingWarning)
+            result = await agent.run(
+                _content(question, images=images),
+                model_settings=self._settings(question),
+                usage=self._spent,
+                usage_limits=self._limits(),
+            )
+        return result.output
+
+    def _output(self, question: Question, answer: type[Any]) -> Any:
+        """Return how the answer is typed: text, a tool's arguments, or JSON for servers without tools."""
+        if not issubclass(answer, BaseModel):
+            return answer
+        tools = not self.spec.prompted
+        if self.tape.replay:
+            tools = any(part["kind"] == "tool-call" for part in self.tape.recorded_parts(question))
+        return ToolOutput(answer) if tools else PromptedOutput(answer)
+
+    def _settings(self, question: Question) -> ModelSettings:
+        settings = ModelSettings(
+            timeout=self.timeout,
+            request_timeout=PATIENCE * self.timeout,
+            temperature=question.temperature,
+        )
+        if self.spec.seeded:
+            settings["seed"] = question.seed
+        return settings
+
+    def _limits(self) -> UsageLimits:
+        return UsageLimits(
+            request_limit=None, cost_limit=None if self.max_cost is None else Decimal(str(self.max_cost))
+        )
+
+
+def to_answer(response: ModelResponse, scrub: Callable[[str], str]) -> dict[str, Any]:
+    """Return what a model said as plain data, without secrets: text and tool calls, name, tokens, cost."""
+    parts: list[dict[str, Any]] = []
+    for part in response.parts:
+        if isinstance(part, TextPart):
+            parts.append({"kind": "text", "content": scrub(part.content)})
+        elif isinstance(part, ToolCallPart):
+            parts.append({"kind": "tool-call", "content": scrub(part.args_as_json_str()), "tool": part.tool_name})
+    try:
+        cost: str | None = str(response.cost().total_price)
+    except (LookupError, ValueError, AssertionError):
+        cost = None
+    used = response.usage
+    return {
+        "parts": parts,
+        "model": response.model_name,
+        "finish_reason": response.finish_reason,
+        "usage": {"input_tokens": used.input_tokens, "output_tokens": used.output_tokens, "cost": cost},
+    }
+
+
+def from_answer(answer: Mapping[str, Any]) -> ModelResponse:
+    """Return plain data as a model's response."""
+    parts = [
+        TextPart(part["content"])
+        if part["kind"] == "text"
+        else ToolCallPart(part["tool"], part["content"], tool_call_id=f"call_{number}")
+        for number, part in enumerate(answer["parts"])
+    ]
+    used = answer["usage"]
+    cost = None if used["cost"] is None else Decimal(used["cost"])
+    usage = RequestUsage(input_tokens=used["input_tokens"], output_tokens=used["output_tokens"], cost=cost)
+    return ModelResponse(parts, usage=usage, model_name=answer["model"], finish_reason=answer["finish_reason"])
+
+
+def _content(question: Question, *, images: bool) -> list[UserContent]:
+    content: list[UserContent] = [*question.texts]
+    for label, data in question.images if images else ():
+        content += [label, BinaryContent(data, media_type="image/png")]
+    return content
+
+
+def _feedback(messages: Sequence[ModelMessage]) -> str:
+    """Return what was wrong with the answer before, if this is not the first turn."""
+    last = messages[-1]
+    parts = last.parts if isinstance(last, ModelRequest) else ()
+    return "\n".join(str(part.content) for part in parts if isinstance(part, RetryFeedbackPart))
+
+
+def _never(messages: list[ModelMessage], info: Any) -> ModelResponse:
+    raise ModelError("a replay never asks a model")
+
+
+def _run(coroutine: Coroutine[Any, Any, T]) -> T:
+    """Run a coroutine to its end, also where an event loop is running already (a notebook)."""
+    try:
+        asyncio.get_running_loop()
+    except RuntimeError:
+        return asyncio.run(coroutine)
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(asyncio.run, coroutine).result()

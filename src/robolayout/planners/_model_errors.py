@@ -1,0 +1,113 @@
+"""What goes wrong with a provider, in one sentence each: what happened, with which model, and what to do next."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Iterator
+
+from pydantic_ai.exceptions import (
+    AgentRunError,
+    ModelAuthenticationError,
+    ModelConnectionError,
+    ModelContextWindowExceededError,
+    ModelHTTPError,
+    ModelNotFoundError,
+    ModelQuotaExceededError,
+    ModelRateLimitError,
+    ModelRequestTimeout,
+    ModelTimeoutError,
+    UsageLimitExceeded,
+)
+
+from robolayout._errors import ModelError
+from robolayout.planners._model_provider import MOST_BYTES, AnswerTooLarge, Spec
+
+SEES = re.compile(r"image|vision|multi-?modal|picture|mmproj", re.IGNORECASE)
+"""Words of a provider that says it does not take pictures."""
+
+LONGEST_REASON = 300
+"""Characters of a provider's own message that are shown."""
+
+
+def refuses_images(error: ModelHTTPError) -> bool:
+    """Return whether a server turned a request down because of its pictures."""
+    return 400 <= error.status_code <= 501 and error.status_code != 429 and bool(SEES.search(_reason(error)))
+
+
+def sentence(
+    error: AgentRunError,
+    spec: Spec,
+    timeout: float,
+    scrub: Callable[[str], str],
+    cost: float | None,
+    max_cost: float | None,
+) -> ModelError:
+    """Return an error of the model client as one of ours."""
+    name = spec.name
+    if isinstance(error, UsageLimitExceeded):
+        return ModelError(
+            f"stopped at the budget: {name} has cost ${cost or 0:.4f}, --max-cost allows ${max_cost or 0:.4f}. Raise it to go on."
+        )
+    if any(isinstance(cause, AnswerTooLarge) for cause in _causes(error)):
+        return ModelError(
+            f"{name} answered with more than {MOST_BYTES // 1_000_000} MB, which is no program; it was not read."
+        )
+    if isinstance(error, ModelTimeoutError | ModelRequestTimeout):
+        return ModelError(f"{name} did not answer within {timeout:g} s. Raise --timeout, or choose a faster model.")
+    if isinstance(error, ModelConnectionError):
+        return ModelError(
+            f"cannot connect to {spec.address} for {name}: {_first_line(str(_root(error)))}. Is the server running, and the address right?"
+        )
+    reason = scrub(_reason(error))[:LONGEST_REASON]
+    return ModelError(_http_sentence(error, name, reason) or f"{name} gave no usable answer: {reason}.")
+
+
+def _http_sentence(error: AgentRunError, name: str, reason: str) -> str | None:
+    if not isinstance(error, ModelHTTPError):
+        return None
+    status = error.status_code
+    if isinstance(error, ModelAuthenticationError):
+        return f"{name} refused the key ({status}): {reason}. Check the key in the environment and what it allows."
+    if isinstance(error, ModelNotFoundError):
+        near = f" Did you mean {error.suggested_model_id!r}?" if error.suggested_model_id else ""
+        return f"there is no model {name!r} ({status}): {reason}.{near} Check the name."
+    if isinstance(error, ModelQuotaExceededError):
+        return f"the account for {name} has no credit left ({status}): {reason}."
+    if isinstance(error, ModelRateLimitError):
+        return (
+            f"{name} is still busy after several tries ({status}): {reason}. Try again later, or with fewer --samples."
+        )
+    if isinstance(error, ModelContextWindowExceededError):
+        return (
+            f"the room is too large for {name} ({status}): {reason}. Use --mode grouped or no_image, or a larger model."
+        )
+    return (
+        f"{name} failed after several tries ({status}): {reason}." if status >= 500 else f"{name} ({status}): {reason}."
+    )
+
+
+def _reason(error: AgentRunError) -> str:
+    """Return the provider's own message, on one line."""
+    body = getattr(error, "body", None)
+    if isinstance(body, dict):
+        found = body.get("message") or body.get("error") or body  # pyright: ignore[reportUnknownMemberType]
+        body = found if isinstance(found, str) else json.dumps(found, default=str)
+    return _first_line(str(body or error.message))
+
+
+def _first_line(text: str) -> str:
+    return " ".join(text.split()).rstrip(".") or "no reason given"
+
+
+def _causes(error: BaseException) -> Iterator[BaseException]:
+    cause: BaseException | None = error
+    for _ in range(20):
+        if cause is None:
+            return
+        yield cause
+        cause = cause.__cause__ or cause.__context__
+
+
+def _root(error: BaseException) -> BaseException:
+    return list(_causes(error))[-1]

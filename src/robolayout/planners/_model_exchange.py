@@ -1,0 +1,219 @@
+"""What was asked of a model and what it answered, as files: to look at, and to run a job again without the model.
+
+An answer is found again by its *slot* (which question it was: kind, group, attempt, sample, turn) and belongs to a *key*
+(a hash of what the question rests on: room, assets, instruction, agents, group, mode). A key that differs is an error. The
+rest of the prompt (our wording, poses of placed things, feedback) only has a hash of its own, `state`: a difference there is
+noted and the answer still used, so that a recording outlives a better wording or another machine's last digit. Pictures
+count by name, not by pixel. No key, header or address is written, and texts are scrubbed of every secret of the environment.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from robolayout._errors import InputError, ModelError
+from robolayout._files import write_atomic
+from robolayout.planners._vlm_prompt import PROMPT_VERSION, digest
+
+FORMAT = 1
+"""Version of the exchange files."""
+
+MOST_FILES, MOST_BYTES = 10_000, 4_000_000
+"""Exchange files that a recording may have, and bytes of one."""
+
+
+@dataclass(frozen=True)
+class Question:
+    """One question to a model.
+
+    Attributes:
+        kind: "group", "plan", "rate" or "amend".
+        label: The group it is about.
+        attempt: How often this was asked before, plus one.
+        sample: Which of several answers to the same question, from 1.
+        instructions: The system prompt.
+        texts: The user's message, in parts.
+        images: Label and PNG bytes of each picture.
+        key: Hash of what the question rests on.
+        temperature: How freely the model answers.
+        seed: Settles the answer, where the provider can.
+    """
+
+    kind: str
+    label: str
+    attempt: int
+    sample: int
+    instructions: str
+    texts: tuple[str, ...]
+    images: tuple[tuple[str, bytes], ...]
+    key: str
+    temperature: float = 0.3
+    seed: int = 0
+
+    @property
+    def state(self) -> str:
+        """Hash of everything that is sent, pictures by name."""
+        return digest([PROMPT_VERSION, self.instructions, list(self.texts), [label for label, _ in self.images]])
+
+    def slot(self, turn: int) -> tuple[str, str, int, int, int]:
+        """Return which exchange of a run this is."""
+        return (self.kind, self.label, self.attempt, self.sample, turn)
+
+
+@dataclass
+class Tape:
+    """Writes exchanges to one folder and reads them from another.
+
+    Attributes:
+        record: Folder to write to; None writes nothing.
+        replay: Folder to read from; None asks the model.
+        model: The model's name, written into every exchange.
+        notes: What was odd in a replay, one sentence each.
+    """
+
+    record: Path | None = None
+    replay: Path | None = None
+    model: str = ""
+    notes: list[str] = field(default_factory=list[str])
+
+    def __post_init__(self) -> None:
+        self._secrets = secrets(os.environ)
+        self._recorded = read_exchanges(self.replay) if self.replay else {}
+        self.model = self.model or next((str(entry["model"]) for entry in self._recorded.values()), "")
+
+    def scrub(self, text: str) -> str:
+        """Return text without any secret of the environment."""
+        for secret in self._secrets:
+            text = text.replace(secret, "[secret]")
+        return text
+
+    def recall(self, question: Question, turn: int) -> dict[str, Any]:
+        """Return the recorded answer to a question; raises `ModelError` if there is none, or one to another question."""
+        entry = self._recorded.get(question.slot(turn))
+        if entry is None:
+            raise ModelError(
+                f"{self.replay} holds no answer to {describe(question, turn)}; recorded are "
+                f"{len(self._recorded)} exchanges for {entry_kinds(self._recorded)}. Record again, or replay the same job."
+            )
+        if entry["key"] != question.key:
+            raise ModelError(
+                f"the answer to {describe(question, turn)} in {self.replay} was given for another room, instruction, "
+                "body, group or mode. Record again, or replay the same job."
+            )
+        if entry["state"] != question.state and turn == 1:
+            self.notes.append(
+                f"the replayed answer to {describe(question, turn)} was given to another wording or another state of the room."
+            )
+        return entry["answer"]
+
+    def recorded_parts(self, question: Question) -> list[dict[str, Any]]:
+        """Return the parts of a recorded first answer, for how it was given; empty if there is none."""
+        entry = self._recorded.get(question.slot(1))
+        return entry["answer"]["parts"] if entry else []
+
+    def write(self, question: Question, turn: int, answer: Mapping[str, Any], feedback: str = "") -> None:
+        """Write one exchange, if exchanges are recorded."""
+        if self.record is None:
+            return
+        entry: dict[str, Any] = {
+            "format": FORMAT,
+            "prompt_version": PROMPT_VERSION,
+            "model": self.model,
+            "kind": question.kind,
+            "label": question.label,
+            "attempt": question.attempt,
+            "sample": question.sample,
+            "turn": turn,
+            "key": question.key,
+            "state": question.state,
+            "request": {
+                "instructions": question.instructions,
+                "texts": list(question.texts),
+                "images": [
+                    {"label": label, "bytes": len(data), "sha256": hashlib.sha256(data).hexdigest()}
+                    for label, data in question.images
+                ],
+                "feedback": feedback,
+            },
+            "answer": answer,
+        }
+        text = json.dumps(_scrubbed(entry, self.scrub), ensure_ascii=False, indent=1)
+        write_atomic(self.record / file_name(question, turn), text.encode("utf-8", "backslashreplace") + b"\n")
+
+
+def file_name(question: Question, turn: int) -> str:
+    """Return the name of an exchange file: kind, group, attempt, sample, and the turn if it is not the first."""
+    slug = re.sub(r"[^a-z0-9]+", "-", question.label.lower()).strip("-")[:40]
+    short = hashlib.sha256(question.label.encode("utf-8", "surrogatepass")).hexdigest()[:6]
+    parts = [question.kind, f"{slug}-{short}" if slug != question.label else slug]
+    parts += [f"attempt{question.attempt}", f"sample{question.sample}"] + ([f"turn{turn}"] if turn > 1 else [])
+    return "-".join(part for part in parts if part) + ".json"
+
+
+def describe(question: Question, turn: int) -> str:
+    """Return which question it is, in words."""
+    times = f", attempt {question.attempt}" if question.attempt > 1 else ""
+    which = f", sample {question.sample}" if question.sample > 1 else ""
+    return f"{question.kind!r} for group {question.label!r}{times}{which}" + (f", turn {turn}" if turn > 1 else "")
+
+
+def entry_kinds(recorded: Mapping[tuple[str, str, int, int, int], object]) -> str:
+    """Return which groups a recording knows, shortened."""
+    labels = list(dict.fromkeys(slot[1] for slot in recorded))
+    return ", ".join(repr(label) for label in labels[:6]) + (", ..." if len(labels) > 6 else "") or "nothing"
+
+
+def secrets(environment: Mapping[str, str]) -> tuple[str, ...]:
+    """Return the values of environment variables that hold keys, longest first."""
+    found = {
+        value
+        for name, value in environment.items()
+        if len(value) >= 6 and re.search(r"(KEY|TOKEN|SECRET|PASSWORD|CREDENTIALS)$", name.upper())
+    }
+    return tuple(sorted(found, key=lambda value: (-len(value), value)))
+
+
+def read_exchanges(folder: Path) -> dict[tuple[str, str, int, int, int], dict[str, Any]]:
+    """Return the exchanges of a folder by slot; raises `InputError` for a folder or file that is none."""
+    paths = sorted(folder.glob("*.json")) if folder.is_dir() else []
+    if not paths:
+        raise InputError(
+            f"{folder} holds no recorded exchanges (*.json). Give the folder that a run with a model wrote."
+        )
+    found: dict[tuple[str, str, int, int, int], dict[str, Any]] = {}
+    for path in paths[:MOST_FILES]:
+        if path.stat().st_size > MOST_BYTES:
+            raise InputError(f"{path} is larger than {MOST_BYTES // 1_000_000} MB, the most for a recorded exchange.")
+        try:
+            entry = json.loads(path.read_text(encoding="utf-8"))
+            slot = (entry["kind"], entry["label"], entry["attempt"], entry["sample"], entry["turn"])
+            _check(entry)
+        except (ValueError, KeyError, TypeError, RecursionError):
+            raise InputError(f"{path} is no recorded exchange of format {FORMAT}. Record the job again.") from None
+        found[slot] = entry
+    return found
+
+
+def _check(entry: Mapping[str, Any]) -> None:
+    """Raise if an exchange lacks what a replay needs."""
+    parts = entry["answer"]["parts"]
+    sound = all(isinstance(part["content"], str) and part["kind"] in ("text", "tool-call") for part in parts)
+    if entry["format"] != FORMAT or not sound or not isinstance(entry["key"] + entry["state"] + entry["model"], str):
+        raise ValueError(entry["format"])
+
+
+def _scrubbed(value: Any, scrub: Any) -> Any:
+    if isinstance(value, str):
+        return scrub(value)
+    if isinstance(value, Mapping):
+        return {key: _scrubbed(item, scrub) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_scrubbed(item, scrub) for item in value]
+    return value

@@ -1,0 +1,201 @@
+"""Which model, and where it is: `openai:gpt-4o`, `ollama:llava`, or a name and the address of a compatible server."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import AsyncIterator
+from dataclasses import dataclass
+from urllib.parse import urlsplit
+
+import httpx2
+from genai_prices import Usage, calc_price
+from pydantic_ai.exceptions import UserError
+from pydantic_ai.models import Model, create_async_httpx2_client, infer_model
+from pydantic_ai.models.openai import OpenAIChatModel
+from pydantic_ai.providers import infer_provider_class
+from pydantic_ai.providers.ollama import OllamaProvider
+from pydantic_ai.providers.openai import OpenAIProvider
+
+from robolayout._errors import InputError, UnknownNameError
+
+OLLAMA_URL = "http://localhost:11434/v1"
+"""Where Ollama listens unless told otherwise."""
+
+PROVIDERS = (
+    *("openai", "anthropic", "google", "ollama", "openrouter", "mistral", "groq", "deepseek", "xai", "azure"),
+    *("bedrock", "cohere", "together", "fireworks", "huggingface", "moonshotai", "cerebras", "google-cloud"),
+)
+"""Providers that a message names; every further one of pydantic-ai works too."""
+
+MOST_BYTES = 4_000_000
+"""Bytes of one answer of a server that are read; a program needs a thousandth of that."""
+
+
+class AnswerTooLarge(Exception):
+    """A server's answer runs over `MOST_BYTES`."""
+
+
+@dataclass(frozen=True)
+class Spec:
+    """Which model, and where it is.
+
+    Attributes:
+        name: The model as the user wrote it ("openai:gpt-4o").
+        base_url: Address of an OpenAI-compatible server; None asks the provider itself.
+        model: A ready model of pydantic-ai, used instead.
+    """
+
+    name: str
+    base_url: str | None = None
+    model: Model | None = None
+
+    @property
+    def provider(self) -> str:
+        """What stands before the colon."""
+        return self.name.partition(":")[0] if ":" in self.name else ""
+
+    @property
+    def prompted(self) -> bool:
+        """Whether typed answers are asked for in words: servers of one's own often have no tools."""
+        return self.model is None and (self.base_url is not None or self.provider == "ollama")
+
+    @property
+    def seeded(self) -> bool:
+        """Whether the provider takes a seed."""
+        return self.model is None and (
+            self.base_url is not None or self.provider in ("openai-chat", "ollama", "google")
+        )
+
+    @property
+    def address(self) -> str:
+        """Host and port for messages, without any password."""
+        parts = urlsplit(self.base_url or "")
+        return f"{parts.hostname}:{parts.port}" if parts.port else parts.hostname or self.provider
+
+
+def spec_of(model: str | Model, base_url: str | None) -> Spec:
+    """Return a checked spec; raises `InputError` for a name or an address that cannot be meant."""
+    if isinstance(model, Model):
+        return Spec(model.model_name, None, model)
+    name = model.strip()
+    provider, _, rest = name.partition(":")
+    if base_url is None:
+        if not rest:
+            raise InputError(
+                f"the model {name!r} names no provider. Write 'openai:{name or 'gpt-4o'}', or give --base-url."
+            )
+        if provider in ("openai", "openai-chat"):
+            base_url = os.environ.get("OPENAI_BASE_URL") or None
+        elif provider == "ollama":
+            base_url = os.environ.get("OLLAMA_BASE_URL") or OLLAMA_URL
+        else:
+            _check_provider(provider)
+    if base_url is not None:
+        _check_url(base_url)
+    return Spec(name, base_url)
+
+
+def _check_provider(provider: str) -> None:
+    try:
+        infer_provider_class(provider)
+    except ValueError:
+        raise UnknownNameError("model provider", provider, PROVIDERS) from None
+    except ImportError as error:
+        raise InputError(_package_sentence(provider, error)) from None
+
+
+def _check_url(base_url: str) -> None:
+    try:
+        parts = urlsplit(base_url)
+        sound = parts.scheme in ("http", "https") and bool(parts.hostname) and parts.port != 0
+    except ValueError:
+        sound = False
+    if not sound:
+        raise InputError(f"{base_url!r} is no address of a server. Give one like http://localhost:8000/v1.")
+
+
+def open_model(spec: Spec, *, priced: bool) -> Model:
+    """Return a model ready to be asked; raises `InputError` for a missing key, package or price."""
+    if spec.model is not None:
+        model = spec.model
+    elif spec.base_url is not None:
+        model = _at_address(spec, spec.base_url)
+    else:
+        model = _at_provider(spec)
+    if priced:
+        _check_price(spec, model)
+    return model
+
+
+def _at_address(spec: Spec, base_url: str) -> Model:
+    """Return a model at an OpenAI-compatible server."""
+    client = _capped_client(base_url)
+    name = spec.name.partition(":")[2] if spec.provider in ("openai", "openai-chat", "ollama") else spec.name
+    if spec.provider == "ollama":
+        return OpenAIChatModel(name, provider=OllamaProvider(base_url=base_url, http_client=client))
+    return OpenAIChatModel(name, provider=OpenAIProvider(base_url=base_url, http_client=client))
+
+
+def _at_provider(spec: Spec) -> Model:
+    try:
+        return infer_model(spec.name)
+    except ImportError as error:
+        raise InputError(_package_sentence(spec.provider, error)) from None
+    except UserError as error:
+        variable = re.search(r"\b[A-Z][A-Z0-9]*_(?:API_KEY|KEY|TOKEN)\b", str(error))
+        if variable:
+            raise InputError(
+                f"{spec.provider} needs a key: set the environment variable {variable[0]} to ask {spec.name}."
+            ) from None
+        raise InputError(f"the model {spec.name!r} cannot be used: {str(error).split('. ')[0]}.") from None
+
+
+def _package_sentence(provider: str, error: ImportError) -> str:
+    extra = re.search(r"pydantic-ai-slim\[([a-z-]+)\]", str(error))
+    package = f"pydantic-ai-slim[{extra[1] if extra else provider}]"
+    return f"{provider} models need a further package: pip install '{package}'."
+
+
+def _check_price(spec: Spec, model: Model) -> None:
+    try:
+        calc_price(Usage(input_tokens=1, output_tokens=1), model.model_name, provider_id=model.system)
+    except (LookupError, ValueError):
+        raise InputError(
+            f"no price is known for {spec.name}, so --max-cost cannot be kept. Leave it out, or name a model with a price."
+        ) from None
+
+
+def _capped_client(base_url: str) -> httpx2.AsyncClient:
+    """Return an HTTP client that never reads more of an answer than `MOST_BYTES`."""
+    client = create_async_httpx2_client()
+    client.headers["Accept-Encoding"] = "identity"
+    client.event_hooks = {**client.event_hooks, "response": [_cap]}
+    return client
+
+
+async def _cap(response: httpx2.Response) -> None:
+    if response.headers.get("Content-Encoding", "identity") != "identity":
+        raise AnswerTooLarge("the answer is packed")
+    stream = response.stream
+    assert isinstance(stream, httpx2.AsyncByteStream)
+    response.stream = _CappedStream(stream)
+
+
+class _CappedStream(httpx2.AsyncByteStream):
+    """A stream that ends in an error beyond `MOST_BYTES`."""
+
+    def __init__(self, stream: httpx2.AsyncByteStream) -> None:
+        self._stream = stream
+
+    async def __aiter__(self) -> AsyncIterator[bytes]:
+        total = 0
+        async for chunk in self._stream:
+            total += len(chunk)
+            if total > MOST_BYTES:
+                raise AnswerTooLarge(f"more than {MOST_BYTES} bytes")
+            yield chunk
+
+    async def aclose(self) -> None:
+        """Close the stream."""
+        await self._stream.aclose()

@@ -1,0 +1,46 @@
+"""What goes back to a model: what could not be read, what was rejected, what is not met, and what is wrong in the room."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from robolayout._errors import ProgramError
+
+MOST_LINES = 40
+"""Sentences of one kind that are told; more only hide the first ones."""
+
+
+def feedback_text(
+    *, error: ProgramError | None = None, rejections: Sequence[str] = (), violations: Sequence[str] = ()
+) -> str:
+    """Return the feedback for the next attempt; empty if nothing is wrong.
+
+    Args:
+        error: Why the program could not be read, with line and caret.
+        rejections: Statements that the filter rejected, with reasons (`Reconciled.rejections`).
+        violations: What the judge found, unmet statements with measured values included (`Report.violations`).
+    """
+    parts: list[str] = []
+    if error is not None:
+        parts.append(f"The program could not be read:\n\n{_indented(str(error))}")
+    if rejections:
+        parts.append(
+            "These statements contradict the room or earlier ones and were left out:\n\n" + _bullets(rejections)
+        )
+    if violations:
+        parts.append("The solver did its best with the rest; the judge then measured:\n\n" + _bullets(violations))
+    return "\n\n".join(parts)
+
+
+def _bullets(lines: Sequence[str]) -> str:
+    shown = [f"- {_one_line(line)}" for line in lines[:MOST_LINES]]
+    more = len(lines) - MOST_LINES
+    return "\n".join([*shown, f"- and {more} more."] if more > 0 else shown)
+
+
+def _indented(text: str) -> str:
+    return "\n".join(f"    {line}" for line in text.replace("```", "'''").splitlines())
+
+
+def _one_line(text: str | Iterable[str]) -> str:
+    return " ".join(str(text).split()).replace("```", "'''")

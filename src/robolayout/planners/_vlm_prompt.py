@@ -1,0 +1,228 @@
+"""What a model is told: the scene as variables and data, the state of the room, and what was wrong before.
+
+The texts are the Markdown files in `prompts/`; this module fills them. Everything that a scene file brings (names, words,
+descriptions) goes in as quoted JSON without back-ticks, so that it cannot end a block or pass for a part of the prompt.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from collections.abc import Iterable, Mapping
+from functools import cache
+from importlib.resources import files
+from string import Template
+
+from robolayout.planners._types import Group, PlanRequest
+from robolayout.planners._vlm_vocabulary import vocabulary
+from robolayout.scene import Agent, Asset, Opening, Pose, Room, Scene
+
+PROMPT_VERSION = "1"
+"""Version of the prompt files; written into every exchange and every report."""
+
+LONGEST_DESCRIPTION = 400
+"""Characters of a description that a model is shown."""
+
+
+@cache
+def prompt(name: str) -> str:
+    """Return the text of one prompt file."""
+    text = files("robolayout.planners").joinpath("prompts", f"{name}.md").read_text(encoding="utf-8")
+    return Template(text).safe_substitute(vocabulary=vocabulary()) if "$vocabulary" in text else text
+
+
+def quoted(value: object) -> str:
+    """Return data as JSON on one line that holds no back-tick."""
+    return json.dumps(value, ensure_ascii=False).replace("`", "\\u0060")
+
+
+def expressions(scene: Scene) -> dict[str, str]:
+    """Return how each asset is written in a program, by name: `night_stand[0]`."""
+    return {asset.name: f"{name}[{i}]" for name, group in scene.variables.items() for i, asset in enumerate(group)}
+
+
+def given_data(scene: Scene, group: Group | None, kind: str) -> dict[str, object]:
+    """Return what a question rests on, as plain data: a recorded answer belongs to exactly this."""
+    items = [scene.by_name[name] for name in group.items] if group else list(scene.assets)
+    return {
+        "kind": kind,
+        "task": scene.task_description,
+        "criteria": scene.layout_criteria,
+        "room": room_data(scene.room),
+        "agents": [agent_text(agent) for agent in scene.agents],
+        "things": [asset_data(asset) for asset in items],
+        "group": group.to_dict() if group else None,
+    }
+
+
+def digest(data: object) -> str:
+    """Return the SHA-256 of data as canonical JSON."""
+    text = json.dumps(data, ensure_ascii=False, sort_keys=True, separators=(",", ":"))
+    return hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
+
+
+def request_text(scene: Scene, group: Group | None, *, names: bool = False) -> str:
+    """Return what is asked: the task, the room, the agents, and the things to place.
+
+    Args:
+        scene: The scene.
+        group: The things to place; None places all.
+        names: Show the things under their names ("bed-0") instead of their variables ("bed[0]").
+    """
+    assets = [scene.by_name[name] for name in group.items] if group else scene.assets
+    written = expressions(scene)
+    things = [asset_data(asset) for asset in assets]
+    if not names:
+        things = [{"variable": written[str(thing.pop("name"))], **thing} for thing in things]
+    lines = [quoted(thing) for thing in things]
+    if group is not None:
+        lines = [
+            f"The group {quoted(group.label)}: {quoted(group.rationale)}",
+            *(f"- wanted: {quoted(phrase)}" for phrase in group.relations),
+            "",
+            *lines,
+        ]
+    return Template(prompt("request")).substitute(
+        task=f"{quoted(scene.task_description)}\n{quoted(scene.layout_criteria)}",
+        room=room_text(scene.room),
+        agents="\n".join(f"- {agent_text(agent)}" for agent in scene.agents),
+        things="\n".join(lines),
+    )
+
+
+def state_text(request: PlanRequest) -> str:
+    """Return where things are, what comes later, and what was wrong before."""
+    scene, placed = request.scene, request.placed or {}
+    now = set(request.group.items) if request.group else {asset.name for asset in scene.assets}
+    written = expressions(scene)
+    rows = [
+        quoted({"variable": written[name], **placed_data(scene.by_name[name], placed[name])})
+        for name in placed
+        if name not in now
+    ]
+    later = [written[asset.name] for asset in scene.assets if asset.name not in placed and asset.name not in now]
+    text = Template(prompt("state")).substitute(
+        placed="\n".join(rows) or "Nothing is placed yet.",
+        later=f"Leave space for {', '.join(later)}." if later else "Nothing: this is the last group.",
+    )
+    if not request.feedback:
+        return text
+    previous = "\n".join(line for line in request.previous.splitlines() if "```" not in line)
+    return text + "\n" + Template(prompt("retry")).substitute(previous=previous, feedback=request.feedback)
+
+
+def room_data(room: Room) -> dict[str, object]:
+    """Return the room as plain data, metres and degrees."""
+    walls = [
+        {
+            "variable": f"walls[{wall.index}]",
+            "from": _point(wall.start),
+            "to": _point(wall.end),
+            "length": round(wall.length, 3),
+            "rotation_of_a_thing_with_its_back_to_it": round(math.degrees(math.atan2(*reversed(wall.normal))) % 360, 1),
+        }
+        for wall in room.walls
+    ]
+    return {
+        "wall_height": round(room.wall_height, 3),
+        "walls": walls,
+        "doors": [_opening(room, door) | {"keep_free": _landing(room, door)} for door in room.doors],
+        "windows": [_opening(room, window) | {"sill": round(window.sill, 3)} for window in room.windows],
+    }
+
+
+def room_text(room: Room) -> str:
+    """Return the room as lines of data."""
+    data = room_data(room)
+    low_x, low_y, high_x, high_y = room.bounds
+    lines = [
+        f"x from {low_x:g} to {high_x:g}, y from {low_y:g} to {high_y:g}, walls {room.wall_height:g} m high, {room.area:.1f} m2."
+    ]
+    lines += [quoted(wall) for wall in _dicts(data["walls"])]
+    for i, door in enumerate(_dicts(data["doors"])):
+        lines.append(f"door {i}{' (the way in)' if i == 0 else ''}: {quoted(door)}")
+    lines += [f"window {i}: {quoted(window)}" for i, window in enumerate(_dicts(data["windows"]))]
+    return "\n".join(lines) + ("" if room.doors else "\nThere is no door.")
+
+
+def agent_text(agent: Agent) -> str:
+    """Return what a body needs, in one sentence."""
+    parts = [f"needs a clear way {2 * agent.radius:.2f} m wide and {agent.height:.2f} m high to everything"]
+    if agent.turning_diameter:
+        parts.append(f"turns in a circle of {agent.turning_diameter:.2f} m")
+    if agent.reach_distance:
+        parts.append(
+            f"reaches {agent.reach_distance:.2f} m far, from {agent.reach_low:.2f} to {agent.reach_high:.2f} m high"
+        )
+    if agent.step > 0:
+        parts.append(f"gets over {agent.step:.2f} m")
+    return f"{quoted(agent.title or agent.name)} {', '.join(parts)}."
+
+
+def asset_data(asset: Asset) -> dict[str, object]:
+    """Return an asset as plain data."""
+    flags = {
+        "floor": asset.on_floor,
+        "wall": asset.on_wall,
+        "ceiling": asset.on_ceiling,
+        "another thing": asset.on_object,
+    }
+    data: dict[str, object] = {
+        "name": asset.name,
+        "category": asset.category,
+        "depth": round(asset.size[0], 3),
+        "width": round(asset.size[1], 3),
+        "height": round(asset.size[2], 3),
+        "on": [place for place, allowed in flags.items() if allowed],
+    }
+    if asset.description:
+        short = asset.description[:LONGEST_DESCRIPTION]
+        data["description"] = short if short == asset.description else short + "..."
+    return data
+
+
+def placed_data(asset: Asset, pose: Pose) -> dict[str, object]:
+    """Return a placed asset as plain data: pose to 1 cm and 1 degree."""
+    return {
+        "position": [round(value, 2) + 0.0 for value in (pose.x, pose.y, pose.z)],
+        "rotation": round(math.degrees(pose.yaw) % 360.0) % 360,
+        "size": [round(value, 2) for value in asset.size],
+    }
+
+
+def image_label(name: str) -> str:
+    """Return the line above an image."""
+    return {
+        "top": "The room from above: a grid with coordinates in metres, names, arrows along the fronts, wall numbers.",
+        "side": "The room from the side, with the same marks.",
+    }.get(name, f"What {quoted(name)} looks like, with its front to the viewer's right along +x.")
+
+
+def images_in_order(images: Mapping[str, bytes]) -> tuple[tuple[str, bytes], ...]:
+    """Return images with the room first, assets by name."""
+    rank = {"top": 0, "side": 1}
+    return tuple(sorted(images.items(), key=lambda entry: (rank.get(entry[0], 2), entry[0])))
+
+
+def _dicts(rows: object) -> list[dict[str, object]]:
+    assert isinstance(rows, Iterable)
+    return [dict(row) for row in rows]
+
+
+def _point(point: tuple[float, float]) -> list[float]:
+    return [round(point[0], 3) + 0.0, round(point[1], 3) + 0.0]
+
+
+def _opening(room: Room, opening: Opening) -> dict[str, object]:
+    wall = room.walls[opening.wall]
+    return {
+        "wall": f"walls[{opening.wall}]",
+        "from": _point(wall.point(opening.offset)),
+        "to": _point(wall.point(opening.offset + opening.width)),
+        "height": round(opening.height, 3),
+    }
+
+
+def _landing(room: Room, door: Opening) -> list[list[float]]:
+    return [_point(corner) for corner in room.landing(door)]

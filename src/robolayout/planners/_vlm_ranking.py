@@ -1,0 +1,91 @@
+"""Which of several sampled programs is the best: what the judge measured first, agreement among the samples last.
+
+Self-consistent decoding: n programs are drawn for the same question, all are solved and verified, and one is kept. Three samples
+that collide less than a fourth come first whatever they say; among equals, the one whose statements the others make too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from robolayout.constraints import Relation
+from robolayout.program import Program
+
+HARD = ("placed_share", "collision_free_share", "in_boundary_share", "supported_share", "door_clear")
+ACCESS = ("reachable_share", "usable_share", "walkable_ratio")
+STEP = 1e-4
+"""Differences between shares below this do not count."""
+
+
+@dataclass(frozen=True)
+class Score:
+    """What one sample achieves, to be compared from the first figure to the last.
+
+    Attributes:
+        hard: Mean of the hard demands, 0 to 1.
+        access: Mean of what the agent reaches, uses and can walk, 0 to 1.
+        statements: Share of statements met.
+        agreement: Mean overlap of its statements with those of the other samples.
+    """
+
+    hard: float
+    access: float
+    statements: float
+    agreement: float
+
+    @property
+    def key(self) -> tuple[int, int, int, int]:
+        """The figures in whole steps, so that rounding decides nothing."""
+        hard, access, statements, agreed = (round(value / STEP) for value in vars(self).values())
+        return (hard, access, statements, agreed)
+
+    def to_dict(self) -> dict[str, float]:
+        """Return the score as it is written beside the samples."""
+        return {name: round(value, 4) for name, value in vars(self).items()}
+
+
+def score_samples(figures: Sequence[Mapping[str, float | bool]], programs: Sequence[Program]) -> tuple[Score, ...]:
+    """Return one score per sample.
+
+    Args:
+        figures: `Report.figures` of each sample.
+        programs: Its program, as asked.
+    """
+    agreed = agreement(programs)
+    return tuple(
+        Score(_mean(row, HARD), _mean(row, ACCESS), float(row["statements_met_share"]), shared)
+        for row, shared in zip(figures, agreed, strict=True)
+    )
+
+
+def rank_samples(figures: Sequence[Mapping[str, float | bool]], programs: Sequence[Program]) -> tuple[int, ...]:
+    """Return the samples' numbers, best first; the earlier one wins a tie."""
+    scores = score_samples(figures, programs)
+    return tuple(sorted(range(len(scores)), key=lambda i: (*(-part for part in scores[i].key), i)))
+
+
+def agreement(programs: Sequence[Program]) -> tuple[float, ...]:
+    """Return for each program the mean share of statements that it has in common with the others; 1 for a single one.
+
+    Two statements are the same when relation and things are, whatever their numbers: 1.0 m and 1.2 m are one opinion.
+    """
+    said = [frozenset(_opinion(statement.relation) for statement in program.statements) for program in programs]
+    if len(said) < 2:
+        return (1.0,) * len(said)
+    return tuple(
+        sum(_overlap(mine, other) for j, other in enumerate(said) if j != i) / (len(said) - 1)
+        for i, mine in enumerate(said)
+    )
+
+
+def _opinion(relation: Relation) -> tuple[str, tuple[str, ...]]:
+    return (relation.name, tuple(str(ref) for ref in relation.refs()))
+
+
+def _overlap(a: frozenset[object], b: frozenset[object]) -> float:
+    return len(a & b) / len(a | b) if a | b else 1.0
+
+
+def _mean(row: Mapping[str, float | bool], names: Sequence[str]) -> float:
+    return sum(float(row[name]) for name in names) / len(names)
