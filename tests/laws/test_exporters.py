@@ -7,6 +7,7 @@ import math
 import os
 import subprocess
 import sys
+from importlib import import_module
 from importlib.metadata import EntryPoint
 from pathlib import Path
 
@@ -14,10 +15,12 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-import robolayout.export as package
 from robolayout._errors import LayoutError, MissingExtraError, OutputError, UnknownNameError
 from robolayout.export import EXPORTERS, Exporter, Options, export, exporters, find_exporter, to_bytes
 from robolayout.scene import DEFAULT_AGENT, Asset, Layout, Opening, Pose, Room, Scene
+
+package = import_module("robolayout.export")
+"""The folder; `import robolayout.export as ...` gives the function of that name."""
 
 ROOM = Room(
     ((0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)), 2.5, (Opening(0, 2.8, 0.9, 2.0),), (Opening(2, 1, 1.2, 1.2, 0.9),)
@@ -161,7 +164,7 @@ def test_every_format_file_is_listed() -> None:
     found = {
         name
         for path in folder.glob("[a-z]*.py")
-        for name, value in vars(__import__(f"robolayout.export.{path.stem}", fromlist=["x"])).items()
+        for name, value in vars(import_module(f"robolayout.export.{path.stem}")).items()
         if isinstance(value, Exporter) and value not in EXPORTERS.values()
     }
     assert found == set(), f"add {found} to EXPORTERS in robolayout/export/__init__.py"
@@ -187,6 +190,16 @@ def test_export_writes_what_write_returns(exporter: Exporter, tmp_path: Path) ->
     assert [file.name for file in path.parent.iterdir()] == [path.name]
 
 
+def test_a_name_cannot_lead_out_of_the_folder(tmp_path: Path) -> None:
+    sly = Scene(ROOM, (Asset("../../desk-0", "desk", (0.65, 1.2, 0.74)),), name="../../../study")
+    inside = tmp_path / "a" / "b"
+    path = export(sly, Layout({"../../desk-0": LAYOUT["desk-0"]}), "glb", folder=inside)
+    assert path == inside / "study.glb"
+    package.write_meshes(sly, inside)
+    assert {file.parent.name for file in tmp_path.rglob("*") if file.is_file()} == {"b", "desk-0"}
+    assert (inside / "desk-0" / "data.json").is_file()
+
+
 @every
 def test_a_full_disk_leaves_the_old_file_and_no_other(
     exporter: Exporter, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -206,7 +219,7 @@ def test_a_full_disk_leaves_the_old_file_and_no_other(
 
 @pytest.mark.parametrize("exporter", [e for e in EXPORTERS.values() if e.extra], ids=lambda e: e.name)
 def test_a_missing_extra_is_named(exporter: Exporter, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("robolayout.export.usd.find_spec", lambda name: None)
+    monkeypatch.setattr(import_module("robolayout.export.usd"), "find_spec", lambda name: None)
     with pytest.raises(
         MissingExtraError, match=rf"needs the extra '{exporter.extra}': pip install 'robolayout\[usd\]'"
     ):

@@ -133,5 +133,6 @@ def export(
     """
     exporter = find_exporter(target)
     data = to_bytes(scene, layout, exporter.name, options=options, partial=partial)
-    name = f"{scene.name}{exporter.suffix}" if str(target) in exporters() else Path(target)
-    return write_atomic(Path(folder) / name, data)
+    if str(target) in exporters():
+        target = Path(f"{scene.name}{exporter.suffix}").name
+    return write_atomic(Path(folder) / target, data)

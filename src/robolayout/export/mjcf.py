@@ -27,6 +27,9 @@ THINNEST = 5e-4
 FOOT = 0.08
 """Share of a mesh's height that is pressed flat where it stands, so that pots and cushions with round bottoms stand."""
 
+BALLAST = 4.0
+"""How much denser the parts are that an asset stands on (the feet of lamps and chairs), which keeps it upright."""
+
 SMALLEST_VOLUME = 1e-8
 """Volume in cubic metres below which a part collides as its box."""
 
@@ -124,7 +127,7 @@ def _asset(model: _Model, asset: Asset, pose: Pose, *, seed: int, free: bool) ->
     if free:
         ET.SubElement(body, "freejoint", name=asset.name)
     pieces = tuple(_footed(part, -asset.size[2] / 2) for part in parts(asset, seed=seed))
-    volumes = [max(volume(part), SMALLEST_VOLUME) for part in pieces]
+    volumes = [_weight(part, -asset.size[2] / 2) for part in pieces]
     friction = f"{category_of(asset).friction:.6g} 0.005 0.0001"
     kind = "look" if asset.is_flat else "free" if free else "fixed"
     for number, (part, share) in enumerate(zip(pieces, volumes, strict=True)):
@@ -146,6 +149,12 @@ def _geom(model: _Model, body: ET.Element, part: Part, note: dict[str, str]) -> 
     if not np.allclose(box.rotation, np.eye(3), atol=1e-12):
         place["quat"] = _numbers(np.array(quaternion(box.rotation)))
     ET.SubElement(body, "geom", {**note, **place})
+
+
+def _weight(part: Part, bottom: float) -> float:
+    """Return a part's share of its asset's mass, not yet divided by the sum: its volume, more if it stands on the bottom."""
+    stands = part.vertices[:, 2].min() <= bottom + THINNEST
+    return max(volume(part), SMALLEST_VOLUME) * (BALLAST if stands else 1.0)
 
 
 def _footed(part: Part, bottom: float) -> Part:

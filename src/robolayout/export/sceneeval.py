@@ -133,8 +133,9 @@ def write_meshes(scene: Scene, folder: Path, *, seed: int = 0) -> Path:
         notes |= {"onFloor": asset.on_floor, "onWall": asset.on_wall, "onCeiling": asset.on_ceiling}
         box: Json = {"boundingBox": {"x": width, "y": depth, "z": height}}
         content: Json = {"annotations": {**notes, "onObject": asset.on_object}, "assetMetadata": box}
-        write_atomic(folder / asset.name / f"{asset.name}.glb", asset_glb(asset, seed=seed))
-        write_atomic(folder / asset.name / "data.json", dump_json(content))
+        name = Path(asset.name).name
+        write_atomic(folder / name / f"{name}.glb", asset_glb(asset, seed=seed))
+        write_atomic(folder / name / "data.json", dump_json(content))
     return folder
 
 
