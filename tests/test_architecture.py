@@ -34,9 +34,10 @@ LAYERS: dict[str, float] = {
     "program": 4,
     **dict.fromkeys(STATIONS, 5),
     "pipeline": 6,
-    "": 7,  # the package's own page, which shows them all
-    "cli": 8,
-    "__main__": 9,
+    "outputs": 7,
+    "": 8,  # the package's own page, which shows them all
+    "cli": 9,
+    "__main__": 10,
 }
 FORBIDDEN = {("verify", "_geometry"): "the judge shares no mathematics with the solver"}
 MAX_FUNCTION, MAX_FILE = 60, 450

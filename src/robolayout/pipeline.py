@@ -13,8 +13,7 @@ from robolayout.planners import FilePlanner, Group, OfflinePlanner, Planner, Pla
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict, vertical_span
 from robolayout.solve import Solution, Solver, SolverConfig, Verdict, compile_problem
-from robolayout.verify import Report, navigation, physics, usage, verify
-from robolayout.verify.proofs import exempt_from_reach, exempt_from_use
+from robolayout.verify import Report, judge_agent, physics, verify
 from robolayout.verify.use import horizontal_reach
 
 AgentSpec = Agent | str | Path | Mapping[str, Any]
@@ -173,14 +172,16 @@ def make_judge(scene: Scene, program: Program) -> Callable[[Layout], Verdict]:
 
 def _access(scene: Scene, layout: Layout, agent: Agent) -> tuple[float, list[str]]:
     """Return how much an agent cannot get to (in assets) and which assets to move for it."""
-    nav = navigation(scene, layout, agent)
-    beyond = exempt_from_reach(scene, agent)
-    unreached = [name for name in nav.unreached if name not in beyond]
-    used = usage(scene, layout, agent, standing=(nav.main,)).usable
-    useless = exempt_from_use(scene, agent)
-    unused = [n for n, usable in used.items() if n in layout and not usable and n not in useless and _in_height(scene, layout, agent, n)]
+    found = judge_agent(scene, layout, agent)
+    nav = found.navigation
+    fixable = [
+        name
+        for name in found.short
+        if name in layout and (not nav.reached[name] or _in_height(scene, layout, agent, name))
+    ]
+    unreached = sum(not nav.reached[name] for name in fixable)
     cut_off = max(0.0, WALKABLE - nav.walkable_ratio) if nav.free.area > 0 else 0.0
-    return len(unreached) + 0.5 * len(unused) + cut_off, [*unreached, *unused]
+    return unreached + 0.5 * (len(fixable) - unreached) + cut_off, fixable
 
 
 def _in_height(scene: Scene, layout: Layout, agent: Agent, name: str) -> bool:

@@ -96,9 +96,7 @@ def frame_residual(a: Body, b: Body, row: FrameRow) -> Float[Array, "*batch"]:
     return place + row.heading * heading + row.look * look
 
 
-def mirror_residual(
-    a: Body, b: Body, axis: Body, along_normal: Float[Array, "*batch"]
-) -> Float[Array, "*batch"]:
+def mirror_residual(a: Body, b: Body, axis: Body, along_normal: Float[Array, "*batch"]) -> Float[Array, "*batch"]:
     """Return how far `b` is from the mirror image of `a`: metres plus half of 1 - cos between the headings.
 
     The mirror runs through `axis` along its front; where `along_normal` is 1, along its normal (walls).

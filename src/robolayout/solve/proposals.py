@@ -88,10 +88,18 @@ class Proposals:
         hx, hy = self.problem.half[slot]
         c, s = abs(math.cos(yaw)), abs(math.sin(yaw))
         spread = self._spread()
-        u = _draw(term.along.low + term.along.low_extent * (c * hx + s * hy),
-                  term.along.high - term.along.high_extent * (c * hx + s * hy), spread, rng)
-        v = _draw(term.across.low + term.across.low_extent * (s * hx + c * hy),
-                  term.across.high - term.across.high_extent * (s * hx + c * hy), spread, rng)
+        u = _draw(
+            term.along.low + term.along.low_extent * (c * hx + s * hy),
+            term.along.high - term.along.high_extent * (c * hx + s * hy),
+            spread,
+            rng,
+        )
+        v = _draw(
+            term.across.low + term.across.low_extent * (s * hx + c * hy),
+            term.across.high - term.across.high_extent * (s * hx + c * hy),
+            spread,
+            rng,
+        )
         if term.fold and rng.random() < 0.5:
             v = -v
         low, high = term.distance
@@ -145,9 +153,7 @@ class Proposals:
                 break
         return turned
 
-    def _turned(
-        self, terms: list[FrameTerm], pose: Floats, world: Floats, rng: np.random.Generator
-    ) -> Floats:
+    def _turned(self, terms: list[FrameTerm], pose: Floats, world: Floats, rng: np.random.Generator) -> Floats:
         """Return the pose with the heading that one of its rows asks for, most of the time."""
         if not terms or rng.random() < 0.1:
             return pose
@@ -174,7 +180,9 @@ def _draw(low: float, high: float, spread: float, rng: np.random.Generator) -> f
     return float(rng.uniform(low, high)) if high > low else (low + high) / 2
 
 
-def make_starts(problem: Problem, world: Floats, moving: tuple[int, ...], count: int, rng: np.random.Generator) -> Floats:
+def make_starts(
+    problem: Problem, world: Floats, moving: tuple[int, ...], count: int, rng: np.random.Generator
+) -> Floats:
     """Return `count` starts (count, n, 4): the guess, wider and wider jitter of it, then draws from the rows."""
     proposals = Proposals.of(problem)
     starts = np.repeat(world[None], count, axis=0)

@@ -80,7 +80,9 @@ class Solver:
         """Return the best layout found."""
         if not self.problem.names:
             return _solution(Layout({}), Verdict(0.0, 0.0, 0.0), Trace())
-        self.grounds = [(make_ground(self.problem, a, self.config.cell), obstacle_slots(self.problem, a)) for a in self._bodies()]
+        self.grounds = [
+            (make_ground(self.problem, a, self.config.cell), obstacle_slots(self.problem, a)) for a in self._bodies()
+        ]
         world = self.problem.start.copy()
         best: _Best | None = None
         for number in stages(self.problem):
@@ -98,7 +100,11 @@ class Solver:
     def _judged(self, world: Floats, number: int) -> _Best:
         """Judge a layout of everything placed up to a stage."""
         layout = self.problem.layout(world)
-        placed = {name: layout[name] for name, stage in zip(self.problem.names, self.problem.stage, strict=True) if stage <= number}
+        placed = {
+            name: layout[name]
+            for name, stage in zip(self.problem.names, self.problem.stage, strict=True)
+            if stage <= number
+        }
         return _Best(world, self.judge(Layout(placed)))
 
     def _stage(self, number: int, world: Floats) -> _Best:
@@ -122,7 +128,6 @@ class Solver:
         for _ in range(self.config.route_rounds):
             self.progress("routes")
             plans = [self._planned(world[k], kept[k]) for k in range(len(world))]
-            import sys; print([ (p.blocked,len(p.demands),[self.problem.names[b] for b in p.blockers]) for p in plans],file=sys.stderr)
             if not any(plan.blocked for plan in plans):
                 break
             routes = pack(plans, 8 * stage.slots)

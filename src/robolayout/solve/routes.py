@@ -97,18 +97,14 @@ def clearance(problem: Problem, ground: Ground, world: Floats, slots: tuple[int,
         rx, ry = abs(c) * hx + abs(s) * hy + cap, abs(s) * hx + abs(c) * hy + cap
         i0, i1 = np.searchsorted(ground.xs, (x - rx, x + rx))
         j0, j1 = np.searchsorted(ground.ys, (y - ry, y + ry))
-        dx, dy = ground.xs[i0:i1, None] - x, ground.ys[None, j0:j1] - y
-        u, v = np.abs(c * dx + s * dy) - hx, np.abs(c * dy - s * dx) - hy
-        distance = np.hypot(np.maximum(u, 0.0), np.maximum(v, 0.0)) + np.minimum(np.maximum(u, v), 0.0)
+        distance = _box_distance(ground.xs[i0:i1, None], ground.ys[None, j0:j1], world[slot], problem.half[slot])
         np.minimum(field[i0:i1, j0:j1], distance, out=field[i0:i1, j0:j1])
     return field
 
 
 def obstacle_slots(problem: Problem, agent: Agent) -> tuple[int, ...]:
     """Return the slots that stand in this agent's way."""
-    return tuple(
-        i for i, asset in enumerate(problem.scene.assets) if blocks(asset, problem.guess[asset.name].z, agent)
-    )
+    return tuple(i for i, asset in enumerate(problem.scene.assets) if blocks(asset, problem.guess[asset.name].z, agent))
 
 
 @dataclass(frozen=True)
@@ -156,7 +152,9 @@ def plan_routes(problem: Problem, ground: Ground, world: Floats, slots: tuple[in
         if np.isfinite(reach[goal]):
             points.update(walk.traceback(goal))
     demands, blockers = _demands(problem, ground, world, slots, sorted(points))
-    return Plan(demands, len(goals), blockers)
+    turning, turn_blockers = _turning(problem, ground, world, slots, np.where(home, field, -np.inf))
+    blocked = len(goals) + bool(len(turning))
+    return Plan(np.concatenate([turning, demands]), blocked, (*blockers, *turn_blockers))
 
 
 def _goals(
@@ -189,6 +187,28 @@ def _pockets(ground: Ground, regions: NDArray[np.int32], here: int, field: Float
     return pockets
 
 
+def _turning(
+    problem: Problem, ground: Ground, world: Floats, slots: tuple[int, ...], field: Floats
+) -> tuple[Floats, tuple[int, ...]]:
+    """Return what must yield so that a body with a turning circle can turn at the roomiest place it gets to."""
+    need = max(ground.agent.circumradius, (ground.agent.turning_diameter or 0.0) / 2)
+    room = np.minimum(field, np.where(ground.wall_distance >= need + MARGIN, np.inf, -np.inf))
+    if ground.agent.length is None or room.max() >= need + MARGIN or not np.isfinite(room.max()):
+        return np.empty((0, 4)), ()
+    best = np.unravel_index(int(np.argmax(room)), room.shape)
+    px, py = ground.xs[best[0]], ground.ys[best[1]]
+    near = [slot for slot in slots if _box_distance(px, py, world[slot], problem.half[slot]) < need + 0.3]
+    blocking = tuple(s for s in near if _box_distance(px, py, world[s], problem.half[s]) < need)
+    return np.array([[px, py, float(slot), need + MARGIN] for slot in near]).reshape(-1, 4), blocking
+
+
+def _box_distance(px: Floats, py: Floats, pose: Floats, half: Floats) -> Floats:
+    """Return the signed distance in metres of points to a box; negative inside."""
+    x, y, c, s = pose
+    u, v = np.abs(c * (px - x) + s * (py - y)) - half[0], np.abs(c * (py - y) - s * (px - x)) - half[1]
+    return np.hypot(np.maximum(u, 0.0), np.maximum(v, 0.0)) + np.minimum(np.maximum(u, v), 0.0)
+
+
 def _demands(
     problem: Problem, ground: Ground, world: Floats, slots: tuple[int, ...], cells: list[tuple[int, int]]
 ) -> tuple[Floats, tuple[int, ...]]:
@@ -200,11 +220,7 @@ def _demands(
     picked = picked[(picked.sum(axis=1) % stride) == 0]
     px, py = ground.xs[picked[:, 0]], ground.ys[picked[:, 1]]
     index = np.array(slots)
-    x, y, c, s = (world[index, i][None] for i in range(4))
-    hx, hy = problem.half[index, 0], problem.half[index, 1]
-    dx, dy = px[:, None] - x, py[:, None] - y
-    u, v = np.abs(c * dx + s * dy) - hx, np.abs(c * dy - s * dx) - hy
-    distance = np.hypot(np.maximum(u, 0.0), np.maximum(v, 0.0)) + np.minimum(np.maximum(u, v), 0.0)
+    distance = _box_distance(px[:, None], py[:, None], world[index].T[:, None], problem.half[index].T[:, None])
     need = ground.agent.radius + MARGIN
     point, near = np.nonzero(distance < need + 0.3)
     lacking = np.maximum(need - MARGIN - distance, 0.0).max(axis=0)

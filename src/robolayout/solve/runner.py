@@ -116,7 +116,10 @@ class Runner:
             Snapshot(
                 step,
                 label,
-                {n: (float(x), float(y), math.atan2(s, c)) for n, (x, y, c, s) in zip(problem.names, poses.tolist(), strict=True)},
+                {
+                    n: (float(x), float(y), math.atan2(s, c))
+                    for n, (x, y, c, s) in zip(problem.names, poses.tolist(), strict=True)
+                },
             )
             for step, label, poses in self._shots
         )

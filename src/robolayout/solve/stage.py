@@ -230,14 +230,26 @@ class _Rows:
         """Yield rows that hold wall things, which no statement puts on a wall, at the wall nearest to their guess."""
         from robolayout.constraints.against_wall import wall_term
 
-        held = {t.a for terms in problem.statement_terms for t in terms if isinstance(t, FrameTerm) and isinstance(t.b, WallRef)}
+        held = {
+            t.a
+            for terms in problem.statement_terms
+            for t in terms
+            if isinstance(t, FrameTerm) and isinstance(t.b, WallRef)
+        }
         for asset in problem.scene.assets:
             ref = AssetRef(asset.name)
-            if asset.on_wall and not asset.on_floor and problem.parent[problem.slot[asset.name]] < 0 and ref not in held:
+            if (
+                asset.on_wall
+                and not asset.on_floor
+                and problem.parent[problem.slot[asset.name]] < 0
+                and ref not in held
+            ):
                 pose = problem.guess[asset.name]
                 walls = problem.scene.room.walls
                 wide = [w for w in walls if w.length >= asset.size[1]] or list(walls)
-                nearest = min(wide, key=lambda w: abs((pose.x - w.start[0]) * w.normal[0] + (pose.y - w.start[1]) * w.normal[1]))
+                nearest = min(
+                    wide, key=lambda w: abs((pose.x - w.start[0]) * w.normal[0] + (pose.y - w.start[1]) * w.normal[1])
+                )
                 yield wall_term(ref, WallRef(nearest.index), problem.scene, 2.0)
 
     def _at_hand(self, slots: list[int]) -> bool:
