@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from robolayout.planners._cluster import Cluster, ClusterBuilder
-from robolayout.planners._grid import cell_poses, grid_batches
+from robolayout.planners._grid import cell_poses, grid_batches, last_cell
 from robolayout.planners._member import Member
 from robolayout.planners._overhead import hang, lay_rugs, overhead
 from robolayout.planners._places import Batch, batches
@@ -28,6 +28,9 @@ BAD = 2.5
 
 OVERHEAD_RANK = 71
 """Rank from which on all floor things are placed."""
+
+SHARES = (1.0, 0.85, 0.7, 0.5)
+"""Shares of a set of equal things for which a grid is tried; the rest stands where it can."""
 
 MOOD = 0.3
 """Standard deviation of the logarithm by which wishes vary from one attempt to the next."""
@@ -49,7 +52,7 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
         cost = attempt.furnish_floor() + UNREACHED * len(site.unreached())
         if best is None or cost < best[0]:
             best = (cost, number, attempt)
-        if number - best[1] >= PATIENCE:
+        if best[0] < UNREACHED and number - best[1] >= PATIENCE:
             break
     assert best is not None
     best[2].furnish_walls()
@@ -57,8 +60,8 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
 
 
 def attempts(count: int) -> int:
-    """Return how many rooms to try for so many assets: 16 for small rooms, fewer for crowded ones."""
-    return max(6, min(16, 400 // max(count, 1)))
+    """Return how many rooms to try for so many assets: 24 for small rooms, fewer for crowded ones."""
+    return max(8, min(24, 500 // max(count, 1)))
 
 
 def _keep(site: Site, builder: ClusterBuilder, placed: Layout | None) -> None:
@@ -142,11 +145,13 @@ class _Attempt:
     ) -> list[Cluster]:
         """Place what fits well along the walls, put the rest into a grid, and return what fits nowhere."""
         left = list(clusters)
-        if "wall" in modes:
+        if modes[:1] == ["wall"]:
             left = [cluster for cluster in clusters if not self._place(cluster, ["wall"], weights, limit=BAD)]
         for alike in _alike(self.site, left):
-            if len(alike) >= 2 and self._place_grid(alike, weights):
-                left = [cluster for cluster in left if cluster not in alike]
+            for count in sorted({max(2, round(len(alike) * share)) for share in SHARES}, reverse=True):
+                if count <= len(alike) and self._place_grid(alike[:count], weights):
+                    left = [cluster for cluster in left if cluster not in alike[:count]]
+                    break
         return left
 
     def _place(
@@ -209,8 +214,12 @@ class _Attempt:
         """Put equal clusters into their best grid; False if none is good."""
         best: tuple[float, GridPlan, Batch, int] | None = None
         for plan, batch in grid_batches(self.site, clusters):
+            clash = self.site.clash(batch.cluster, batch.poses)
+            if clash.min() > 1.0:
+                continue
+            batch = replace(batch, poses=batch.poses[clash <= 1.0], walls=batch.walls[clash <= 1.0])
             cost = self.site.base_cost(batch.cluster, batch.poses) / len(clusters)
-            cost += taste(self.site, batch, weights)
+            cost += 0.5 * (taste(self.site, batch, weights) + taste(self.site, last_cell(self.site, plan, batch), weights))
             cost += 0.5 * (plan.rows * plan.columns - len(plan.names)) + 0.3 * abs(plan.rows - plan.columns) ** 0.5
             row = int(np.argmin(cost))
             if best is None or cost[row] < best[0]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -30,9 +31,11 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
         rows = math.ceil(len(names) / columns)
         if columns * (rows - 1) >= len(names):
             continue
-        for wider in (1.0, 1.35, 1.8):
+        for wider, closer in ((1.0, 1.0), (1.0, 0.1), (1.35, 1.0), (1.35, 0.1), (1.8, 1.8)):
+            if gap0 <= 0.3 and closer < 1.0:
+                continue
             aisle = round(between[0] + aisle0 * wider, 2)
-            gap = round(between[1] + gap0 * (wider if gap0 > 0.3 else 1.0), 2)
+            gap = round(between[1] + gap0 * (closer if gap0 > 0.3 else 1.0), 2)
             plan = GridPlan(names, rows, columns, aisle, gap, paired)
             cluster = _cluster(clusters, plan, size)
             poses = _poses(site, cluster)
@@ -72,6 +75,15 @@ def cell_poses(plan: GridPlan, size: tuple[float, float, float]) -> list[tuple[f
             if len(found) < len(plan.names):
                 found.append((x, -column * (size[1] + plan.gap), math.pi if turned else 0.0))
     return found
+
+
+def last_cell(site: Site, plan: GridPlan, batch: Batch) -> Batch:
+    """Return the places of the last anchor of a grid in place of those of its first."""
+    cell = np.array(cell_poses(plan, site.size(plan.names[0]))[-1])
+    c, s = np.cos(batch.poses[:, 2]), np.sin(batch.poses[:, 2])
+    x = batch.poses[:, 0] + c * cell[0] - s * cell[1]
+    y = batch.poses[:, 1] + s * cell[0] + c * cell[1]
+    return replace(batch, poses=np.stack([x, y, batch.poses[:, 2]], axis=1))
 
 
 def _poses(site: Site, cluster: Cluster) -> np.ndarray:  # type: ignore[type-arg]

@@ -91,7 +91,9 @@ class _Taped(WrapperModel):
         """Return the answer to the next turn of the question."""
         self._turn += 1
         if self._tape.replay:
-            return from_answer(self._tape.recall(self._question, self._turn))
+            answer = self._tape.recall(self._question, self._turn)
+            self._tape.write(self._question, self._turn, answer, _feedback(messages))
+            return from_answer(answer)
         response = await self.wrapped.request(messages, model_settings, model_request_parameters)
         length = sum(len(part.content) for part in response.parts if isinstance(part, TextPart))
         if length > MOST_CHARACTERS:

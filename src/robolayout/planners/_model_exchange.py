@@ -25,6 +25,9 @@ from robolayout.planners._vlm_prompt import PROMPT_VERSION, digest
 FORMAT = 1
 """Version of the exchange files."""
 
+NAME = re.compile(r"(group|plan|rate|amend)-[a-z0-9-]*attempt\d+-sample\d+(-turn\d+)?\.json")
+"""Names of exchange files."""
+
 MOST_FILES, MOST_BYTES = 10_000, 4_000_000
 """Exchange files that a recording may have, and bytes of one."""
 
@@ -84,6 +87,9 @@ class Tape:
     notes: list[str] = field(default_factory=list[str])
 
     def __post_init__(self) -> None:
+        if self.record and self.replay and self.record.resolve() == self.replay.resolve():
+            raise InputError(f"cannot replay {self.replay} and record to it in one run. Give another folder to record to.")
+        self._started = False
         self._secrets = secrets(os.environ)
         self._recorded = read_exchanges(self.replay) if self.replay else {}
         self.model = self.model or next((str(entry["model"]) for entry in self._recorded.values()), "")
@@ -119,9 +125,14 @@ class Tape:
         return entry["answer"]["parts"] if entry else []
 
     def write(self, question: Question, turn: int, answer: Mapping[str, Any], feedback: str = "") -> None:
-        """Write one exchange, if exchanges are recorded."""
+        """Write one exchange, if exchanges are recorded; the first one takes away those of an earlier run."""
         if self.record is None:
             return
+        if not self._started:
+            self._started = True
+            for path in self.record.glob("*.json"):
+                if NAME.fullmatch(path.name):
+                    path.unlink(missing_ok=True)
         entry: dict[str, Any] = {
             "format": FORMAT,
             "prompt_version": PROMPT_VERSION,

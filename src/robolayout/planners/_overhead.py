@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from robolayout.planners._cluster import Cluster
 from robolayout.planners._floor import rect_points
 from robolayout.planners._member import Member
-from robolayout.planners._places import WALL_GAP, targets, wall_yaw
+from robolayout.planners._places import WALL_GAP, centroid, targets, wall_yaw
 from robolayout.planners._site import Poses, Site, Spot, corners_of
 from robolayout.scene import Wall
 
@@ -161,13 +161,30 @@ def lay_rugs(site: Site, names: Sequence[str]) -> None:
     for name in names:
         owner = next((n for r in site.cast[name].role.above for n in site.spots if _is(site, n, r) and n not in used), None)
         if owner is None:
-            pose = (*_spread(site, 1)[0], 0.0)
+            pose = _free_floor(site, name)
         else:
             used.add(owner)
             there = site.spots[owner].member
             ahead = site.size(owner)[0] * 0.3 if _is(site, owner, "bed") else 0.0
             pose = there.x + ahead * math.cos(there.yaw), there.y + ahead * math.sin(there.yaw), there.yaw
         site.settle(name, Spot(_fitted(site, name, pose), "rug", None, owner))
+
+
+def _free_floor(site: Site, name: str) -> tuple[float, float, float]:
+    """Return a place for a mat of its own: on free floor, off the other mats, near the middle."""
+    left, bottom, right, top = site.room.bounds
+    middle = centroid(site)
+    depth, width, _ = site.size(name)
+    grid = [(x, y, yaw) for x in np.arange(left, right, 0.2) for y in np.arange(bottom, top, 0.2) for yaw in (0.0, math.pi / 2)]
+    poses = np.array(grid)
+    points = rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.0, 0.15)
+    cost = 6.0 * site.floor.maps().barred[site.floor.under(points, poses)].mean(axis=1)
+    cost = cost + 0.3 * np.hypot(poses[:, 0] - middle[0], poses[:, 1] - middle[1])
+    apart = (max(depth, width) + min(depth, width)) / 2
+    for other in (spot.member for spot in site.spots.values() if spot.mode == "rug"):
+        cost += 4.0 * np.maximum(0.0, 1.0 - np.hypot(poses[:, 0] - other.x, poses[:, 1] - other.y) / apart)
+    x, y, yaw = poses[int(np.argmin(cost))]
+    return (float(x), float(y), float(yaw))
 
 
 def _fitted(site: Site, name: str, pose: tuple[float, float, float]) -> Member:

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.planners._cluster import Cluster
-from robolayout.planners._member import Member
 from robolayout.planners._site import AT_WALL, Poses, Site
 from robolayout.scene import Wall
 
@@ -82,7 +81,7 @@ def _offsets(site: Site, wall: Wall, width: float) -> list[float]:
 
 def _at_walls(site: Site, cluster: Cluster) -> Found:
     depth, width, _ = site.size(cluster.anchor)
-    back = max(depth / 2, *(_behind(member, site) for member in cluster.members))
+    back = max(depth / 2, *(-site.behind(member) for member in cluster.members))
     found: Found = ([], [], [])
     for wall in site.room.walls:
         for t in _offsets(site, wall, width):
@@ -90,15 +89,6 @@ def _at_walls(site: Site, cluster: Cluster) -> Found:
             found[1].append(wall.index)
             found[2].append("")
     return found
-
-
-def _behind(member: Member, site: Site) -> float:
-    """Return how far a floor member reaches behind the anchor's centre, metres."""
-    if not site.on_floor(member):
-        return 0.0
-    depth, width, _ = site.size(member.name)
-    c, s = abs(math.cos(member.yaw)), abs(math.sin(member.yaw))
-    return (c * depth + s * width) / 2 - member.x
 
 
 def _in_corners(site: Site, cluster: Cluster) -> Found:

@@ -73,11 +73,10 @@ class GridPlan:
 
 @dataclass(frozen=True)
 class Strip:
-    """A strip before one side of a floor thing, as points in its cluster's frame; one per `owner` is enough if `any_of`."""
+    """A strip before one side of a floor thing, as points in its cluster's frame; one strip of a `group` is enough."""
 
-    owner: str
+    group: tuple[str, str]
     points: Points
-    any_of: bool
 
 
 @dataclass(frozen=True)
@@ -158,6 +157,10 @@ class Site:
                 found.append(name)
         return found
 
+    def behind(self, member: Member) -> float:
+        """Return the smallest x of a floor member in its cluster's frame, metres; 0 for what is on a top."""
+        return box_of(member, self.size(member.name))[0] if self.on_floor(member) else 0.0
+
     def bodies(self, cluster: Cluster) -> list[tuple[Points, float]]:
         """Return the footprint points and area of every floor member, in the cluster's frame."""
         found: list[tuple[Points, float]] = []
@@ -176,68 +179,73 @@ class Site:
         for member in cluster.members:
             if not self.on_floor(member):
                 continue
-            wishes, any_of = self._wishes(self.cast[member.name])
-            for side, depth in wishes.items():
+            for side, depth, group in self._wishes(self.cast[member.name]):
                 rect = _strip_rect(self.size(member.name), side, depth)
                 points = _placed(rect_points(rect, 0.04, 0.15), member)
                 own = np.zeros(len(points), np.bool_)
                 for box in boxes:
                     own |= _within(points, box)
                 if own.mean() < 0.6:
-                    found.append(Strip(member.name, points[~own], any_of))
+                    found.append(Strip((member.name, group), points[~own]))
         return found
 
-    def _wishes(self, item: Cast) -> tuple[dict[str, float], bool]:
-        """Return the depth in metres that each side of an asset wants clear, and whether one side is enough."""
-        if item.role.clear:
-            depth = {side: self.corridor if value <= 0 else value for side, value in item.role.clear.items()}
-            return depth, item.role.prefer.get("any_side", 0) > 0
-        sides = item.asset.use_sides or item.category.use_sides
-        front = max(item.category.open_depth, self.corridor)
-        return {side: front if side == "front" else self.corridor for side in sides}, len(sides) > 1
+    def _wishes(self, item: Cast) -> list[tuple[str, float, str]]:
+        """Return the sides that an asset wants clear, each with its depth in metres and a group of which one is enough."""
+        role = item.role
+        if not role.clear:
+            sides = item.asset.use_sides or item.category.use_sides
+            front = max(item.category.open_depth, self.corridor)
+            return [(side, front if side == "front" else self.corridor, "any") for side in sides]
+        found: list[tuple[str, float, str]] = []
+        for side, value in role.clear.items():
+            depth = self.corridor if value <= 0 else value
+            group = "any" if role.prefer.get("any_side", 0) > 0 else side
+            found += [(one, depth, group) for one in (("left", "right") if side == "side" else (side,))]
+        return found
+
+    def clash(self, cluster: Cluster, poses: Poses) -> NDArray[np.float64]:
+        """Return the cost (n,) of standing on other things, outside the room or in a landing."""
+        barred, total = self.floor.maps().barred, np.zeros(len(poses))
+        for points, area in self.bodies(cluster):
+            total += CLASH * area * barred[self.floor.under(points, poses)].mean(axis=1)
+        return total
 
     def base_cost(self, cluster: Cluster, poses: Poses) -> NDArray[np.float64]:
         """Return the cost (n,) of clashes, of standing where others want room, and of having no room before it.
 
         Places that clash much more than the best one are given up early, at the price of their clash.
         """
-        maps, total = self.floor.maps(), np.zeros(len(poses))
-        bodies = self.bodies(cluster)
-        for points, area in bodies:
-            total += CLASH * area * maps.barred[self.floor.under(points, poses)].mean(axis=1)
-        rows = np.flatnonzero(total <= total.min() + 4.0)
-        cost, here = total[rows], poses[rows]
-        for points, area in bodies:
+        total, maps = self.clash(cluster, poses), self.floor.maps()
+        good = total <= total.min() + 4.0
+        cost, here = total[good], poses[good]
+        for points, area in self.bodies(cluster):
             cost += 4.0 * math.sqrt(area) * maps.wanted[self.floor.under(points, here)].mean(axis=1)
-        strips: dict[str, list[NDArray[np.float32]]] = {}
-        choices: dict[str, bool] = {}
+        strips: dict[tuple[str, str], list[NDArray[np.float32]]] = {}
         for strip in self.strips(cluster):
-            choices[strip.owner] = strip.any_of
             blocked = maps.taken[self.floor.under(strip.points, here)].mean(axis=1)
-            strips.setdefault(strip.owner, []).append(blocked)
-        for owner, values in strips.items():
+            strips.setdefault(strip.group, []).append(blocked)
+        for values in strips.values():
             stack = np.stack(values)
-            cost += 6.0 * (stack.min(0) if choices[owner] else stack.max(0)) + 1.0 * stack.mean(0)
-        total[rows] = cost
-        given_up = np.ones(len(poses), np.bool_)
-        given_up[rows] = False
-        total[given_up] += 12.0
+            cost += 6.0 * stack.min(0) + 1.0 * stack.mean(0)
+        total[good] = cost
+        total[~good] += 12.0
         return total
 
     def put(self, cluster: Cluster, pose: NDArray[np.float64], mode: str, wall: int | None, anchor: str | None) -> None:
         """Place a cluster: record its members and mark the floor."""
         x, y, yaw = (float(value) for value in pose)
-        world = [member.moved(x, y, yaw) for member in cluster.members]
-        for member, here in zip(cluster.members, world, strict=True):
-            item = self.cast[member.name]
-            first = member.name == cluster.anchor
-            spot = Spot(here, mode if first else "join", wall if first else None, anchor if first else item.anchor)
+        rear = min(self.behind(member) for member in cluster.members)
+        for member in cluster.members:
+            first, at_wall = member.name == cluster.anchor, self.behind(member) < rear + 0.02 and abs(member.yaw) < 0.01
+            own = mode if not first or at_wall or mode != "wall" else "middle"
+            here, item = member.moved(x, y, yaw), self.cast[member.name]
+            spot = Spot(here, own if first else "join", wall if at_wall else None, anchor if first else item.anchor)
             self.settle(member.name, spot)
         for strip in self.strips(cluster):
             points = moved(strip.points, np.array([[x, y, yaw]]))[0]
             i, j, on_grid = self.floor.look(points)
             keep = on_grid & self.floor.inside[i, j]
-            self.floor.wanted[self._patch(i[keep], j[keep])] += 0.5 if strip.any_of else 1.0
+            self.floor.wanted[self._patch(i[keep], j[keep])] += 1.0 if strip.group[1] != "any" else 0.5
 
     def settle(self, name: str, spot: Spot) -> None:
         """Record where one asset is, the floor that it takes and the walls that it covers."""

@@ -187,6 +187,7 @@ class StatementWriter:
         distance = math.hypot(here.member.x - there.member.x, here.member.y - there.member.y)
         angle = math.degrees(here.member.yaw - there.member.yaw) % 360.0
         gap = join.gap if join else 0.05
+        ahead = distance - (self.site.size(name)[0] + self.site.size(other)[0]) / 2
         return {
             "b": expression(self.site.scene, other),
             "b name": other,
@@ -197,6 +198,8 @@ class StatementWriter:
             "least": f"{max(0.0, gap - 0.1):.2f}".rstrip("0").rstrip("."),
             "most": f"{gap + 0.2:.2f}".rstrip("0").rstrip("."),
             "angle": f"{round(angle, 1) % 360.0:g}",
+            "ahead low": f"{max(0.0, ahead - 0.3):.1f}",
+            "ahead high": f"{ahead + 0.3:.1f}",
         }
 
     def _vertex(self, spot: Spot) -> int:
