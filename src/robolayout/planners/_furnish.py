@@ -32,6 +32,9 @@ OVERHEAD_RANK = 71
 SHARES = (1.0, 0.85, 0.7, 0.5)
 """Shares of a set of equal things for which a grid is tried; the rest stands where it can."""
 
+TIGHT = 1.2
+"""Cost of a grid whose neighbours touch."""
+
 MOOD = 0.3
 """Standard deviation of the logarithm by which wishes vary from one attempt to the next."""
 
@@ -145,7 +148,7 @@ class _Attempt:
     ) -> list[Cluster]:
         """Place what fits well along the walls, put the rest into a grid, and return what fits nowhere."""
         left = list(clusters)
-        if modes[:1] == ["wall"]:
+        if self.site.cast[clusters[0].anchor].role.stands[0] == "wall":
             left = [cluster for cluster in clusters if not self._place(cluster, ["wall"], weights, limit=BAD)]
         for alike in _alike(self.site, left):
             for count in sorted({max(2, round(len(alike) * share)) for share in SHARES}, reverse=True):
@@ -220,7 +223,7 @@ class _Attempt:
             batch = replace(batch, poses=batch.poses[clash <= 1.0], walls=batch.walls[clash <= 1.0])
             cost = self.site.base_cost(batch.cluster, batch.poses) / len(clusters)
             cost += 0.5 * (taste(self.site, batch, weights) + taste(self.site, last_cell(self.site, plan, batch), weights))
-            cost += 0.5 * (plan.rows * plan.columns - len(plan.names)) + 0.3 * abs(plan.rows - plan.columns) ** 0.5
+            cost += TIGHT * plan.tight + 0.5 * (plan.rows * plan.columns - len(plan.names)) + 0.3 * abs(plan.rows - plan.columns) ** 0.5
             row = int(np.argmin(cost))
             if best is None or cost[row] < best[0]:
                 best = (float(cost[row]), plan, batch, row)

@@ -32,11 +32,11 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
         if columns * (rows - 1) >= len(names):
             continue
         for wider, closer in ((1.0, 1.0), (1.0, 0.1), (1.35, 1.0), (1.35, 0.1), (1.8, 1.8)):
-            if gap0 <= 0.3 and closer < 1.0:
+            if closer < 1.0 and not role.prefer.get("tight"):
                 continue
             aisle = round(between[0] + aisle0 * wider, 2)
             gap = round(between[1] + gap0 * (closer if gap0 > 0.3 else 1.0), 2)
-            plan = GridPlan(names, rows, columns, aisle, gap, paired)
+            plan = GridPlan(names, rows, columns, aisle, gap, paired, closer < 1.0)
             cluster = _cluster(clusters, plan, size)
             poses = _poses(site, cluster)
             if len(poses):

@@ -13,6 +13,7 @@ from robolayout.planners._floor import rect_points
 from robolayout.planners._member import Member
 from robolayout.planners._places import WALL_GAP, centroid, targets, wall_yaw
 from robolayout.planners._site import Poses, Site, Spot, corners_of
+from robolayout.planners._taste import nearness
 from robolayout.scene import Wall
 
 EYE = 1.5
@@ -57,6 +58,9 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     cost += 0.8 * abs(t - wall.length / 2) / wall.length * (1 + role.prefer.get("centre", 0)) - bonus
     cost += role.prefer.get("long", 0.0) * (1 - wall.length / max(w.length for w in site.room.walls))
     cost += _crowding(site, name, member) + _sight(site, name, member) + _far(site, name, member)
+    for key, weight in role.prefer.items():
+        if key.startswith("near "):
+            cost += weight * float(nearness(site, np.array([[member.x, member.y]]), key)[0])
     if role.prefer.get("door"):
         cost += role.prefer["door"] * _door_cost(site, member)
     return cost, Spot(member, "hang", wall.index, owner)

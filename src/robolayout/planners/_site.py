@@ -61,6 +61,7 @@ class GridPlan:
         aisle: Metres between the boxes of one row and the next.
         gap: Metres between neighbours in a row.
         paired: Whether every second row is turned to stand back to back with the one before.
+        tight: Whether neighbours stand closer than they should.
     """
 
     names: tuple[str, ...]
@@ -69,6 +70,7 @@ class GridPlan:
     aisle: float
     gap: float
     paired: bool
+    tight: bool = False
 
 
 @dataclass(frozen=True)

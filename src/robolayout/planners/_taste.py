@@ -34,7 +34,7 @@ def taste(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
         cost += weights["middle"] * np.hypot(xy[:, 0] - x, xy[:, 1] - y) / spread
     for key, weight in weights.items():
         if key.startswith(("near ", "far ")):
-            cost += weight * _nearness(site, xy, key)
+            cost += weight * nearness(site, xy, key)
     return cost + _facing(site, batch, weights.get("face", 1.0))
 
 
@@ -74,7 +74,7 @@ def _loose_ends(site: Site, batch: Batch, width: float) -> Cost:
     return 1.0 - np.mean([taken[site.floor.under(side, batch.poses)][:, 0] for side in sides], axis=0)
 
 
-def _nearness(site: Site, xy: NDArray[np.float64], key: str) -> Cost:
+def nearness(site: Site, xy: NDArray[np.float64], key: str) -> Cost:
     """Return the distance to the nearest thing of a role as a share of the room ("near"), or its complement ("far")."""
     word, role = key.split(" ", 1)
     there = [spot.member for name, spot in site.spots.items() if site.cast[name].role.name == role]
