@@ -1,30 +1,40 @@
 """The independent judge: physics, navigation, use and semantics of a finished layout, measured exactly with Shapely."""
 
+from robolayout.verify.heading import HeadingSpace, heading_space
 from robolayout.verify.navigation import Navigation, navigation
 from robolayout.verify.passages import Passage
 from robolayout.verify.physics import Collision, Obstruction, Physics, PhysicsLimits, physics
+from robolayout.verify.proofs import Remedies, exempt_from_reach, exempt_from_use, impossible, remedies
 from robolayout.verify.report import AgentReport, Demands, Report, StatementResult
 from robolayout.verify.routes import Route
-from robolayout.verify.use import Usage, Use, usage
+from robolayout.verify.use import Usage, Use, horizontal_reach, usage
 from robolayout.verify.verify import judge_agent, verify
 
 __all__ = [
     "AgentReport",
     "Collision",
     "Demands",
+    "HeadingSpace",
     "Navigation",
     "Obstruction",
     "Passage",
     "Physics",
     "PhysicsLimits",
+    "Remedies",
     "Report",
     "Route",
     "StatementResult",
     "Usage",
     "Use",
+    "exempt_from_reach",
+    "exempt_from_use",
+    "heading_space",
+    "horizontal_reach",
+    "impossible",
     "judge_agent",
     "navigation",
     "physics",
+    "remedies",
     "usage",
     "verify",
 ]

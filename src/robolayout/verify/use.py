@@ -9,17 +9,17 @@ moves in daily use (a chair) is taken hold of from any side.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 import shapely
 from shapely import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from robolayout.assets import category_of
-from robolayout.scene import Agent, Layout, Point, Scene
+from robolayout.assets import Category, category_of
+from robolayout.scene import Agent, Asset, Layout, Point, Scene
 from robolayout.verify._boxes import AREA_TOLERANCE, Boxes, boxes, room_polygon, share
 from robolayout.verify._space import QUAD_SEGS, REACH_SLACK
 from robolayout.verify.navigation import navigation
@@ -108,6 +108,12 @@ def horizontal_reach(agent: Agent, bottom: float, top: float) -> float | None:
     return math.sqrt(agent.reach**2 - height**2) if height <= agent.reach else None
 
 
+@lru_cache(maxsize=4096)
+def _category(asset: Asset) -> Category:
+    """Return an asset's category; looked up from its words once, since the solver asks for it in every selection."""
+    return category_of(asset)
+
+
 class _Judge:
     """Looks at one asset after the other."""
 
@@ -120,36 +126,35 @@ class _Judge:
     def usable(self, row: int) -> bool:
         if not self.found.placed[row]:
             return False
-        return self._needs_no_use(row) or bool(self._ways(row))
+        return self._needs_no_use(row) or next(self._ways(row), None) is not None
 
     def _needs_no_use(self, row: int) -> bool:
         return bool(self.found.flat[row] or self.found.ceiling[row]) or self._sides(row) == ()
 
     def _sides(self, row: int) -> tuple[str, ...]:
         asset = self.scene.assets[row]
-        return tuple(category_of(asset).use_sides if asset.use_sides is None else asset.use_sides)
+        return tuple(_category(asset).use_sides if asset.use_sides is None else asset.use_sides)
 
     def _approaches(self, row: int) -> dict[str, BaseGeometry]:
         """Return, by side, what must come within reach: edges, or the footprint of what is carried or movable."""
-        if self.found.carrier(row) is not None or category_of(self.scene.assets[row]).movable:
+        if self.found.carrier(row) is not None or _category(self.scene.assets[row]).movable:
             return {"": self.found.footprints[row]}
         return {side: side_edge(self.found.footprints[row], side) for side in self._sides(row)}
 
-    def _ways(self, row: int) -> dict[str, tuple[BaseGeometry, float]]:
-        """Return by side a region that the agent can use the asset from, and the asset's horizontal reach."""
+    def _ways(self, row: int) -> Iterator[tuple[str, BaseGeometry, BaseGeometry]]:
+        """Yield sides that the agent can use an asset from, with the zone within reach and where it stands there."""
         reach = horizontal_reach(self.agent, self.found.bottom[row], self.found.top[row])
         if reach is None:
-            return {}
-        ways: dict[str, tuple[BaseGeometry, float]] = {}
+            return
         for side, target in self._approaches(row).items():
             zone = _within(target, reach + REACH_SLACK)
-            if not self.opening_blockers(row, side) and any(region.intersects(zone) for region in self.standing):
-                ways[side] = (zone, reach)
-        return ways
+            region = next((region for region in self.standing if region.intersects(zone)), None)
+            if region is not None and not self.opening_blockers(row, side):
+                yield side, zone, region
 
     def opening_blockers(self, row: int, side: str) -> tuple[str, ...]:
         """Return what stands in the depth that an asset needs in front to be opened: names, or "the wall"."""
-        depth = category_of(self.scene.assets[row]).open_depth if side == "front" else 0.0
+        depth = _category(self.scene.assets[row]).open_depth if side == "front" else 0.0
         if depth <= 0:
             return ()
         zone = strip(side_edge(self.found.footprints[row], side), depth)
@@ -161,7 +166,7 @@ class _Judge:
         names += [
             found.names[other]
             for other, taken in zip(rows, area, strict=True)
-            if taken > AREA_TOLERANCE and not category_of(self.scene.assets[other]).movable
+            if taken > AREA_TOLERANCE and not _category(self.scene.assets[other]).movable
         ]
         return tuple(names)
 
@@ -169,11 +174,10 @@ class _Judge:
         name = self.found.names[row]
         if self._needs_no_use(row):
             return Use(name, True, "", None, "")
-        ways = self._ways(row)
-        if not ways:
+        way = next(self._ways(row), None)
+        if way is None:
             return Use(name, False, "", None, self._reason(row))
-        side, (zone, _) = next(iter(ways.items()))
-        region = next(region for region in self.standing if region.intersects(zone))
+        side, zone, region = way
         target = self._approaches(row)[side].centroid
         spot = shapely.get_coordinates(shapely.shortest_line(region.intersection(zone), target))[0]
         return Use(name, True, side, (float(spot[0]), float(spot[1])), "")
@@ -184,10 +188,10 @@ class _Judge:
         reach = horizontal_reach(agent, bottom, top)
         if reach is None:
             return _height_reason(agent, bottom, top)
-        blockers = [name for side in self._sides(row) for name in self.opening_blockers(row, side)]
+        approaches = self._approaches(row)
+        blockers = [name for side in approaches for name in self.opening_blockers(row, side)]
         if blockers:
             return f"its front has no room to open: {' and '.join(blockers)} in the way"
-        approaches = self._approaches(row)
         sides = " or ".join(side for side in approaches if side) or "edge"
         away = min((self._nearest(target) for target in approaches.values()), default=math.inf)
         if away > FAR:
