@@ -30,6 +30,10 @@ def test_one_shelf_of_two_in_a_row_stands_in_the_way():
     found = remedies(navigation(*barrier(2.0, 1.9)))
     assert found.removals == {"box-0": (("shelf-0",), ("shelf-1",))}
     assert found.sentences(DISC)[0] == "disc would reach box-0 without shelf-0, or without shelf-1."
+    (pair, missing), *others = found.gaps.items()
+    assert (pair, others) == (("shelf-1", "wall 1"), [])
+    assert missing == pytest.approx(0.5, abs=0.011)
+    assert f"shelf-1 and wall 1 stand {missing:.2f} m too close together for disc." in found.sentences(DISC)
     assert found.largest_disc == pytest.approx(0.1, abs=0.011)
     assert found.margin == pytest.approx(0.5, abs=0.011)
 

@@ -60,7 +60,7 @@ def test_the_standing_place_is_within_reach_and_in_the_main_component():
 
 @pytest.mark.parametrize(("bottom", "usable"), [(0.45, True), (1.15, True), (1.25, False)])
 def test_height_counts_for_a_body_with_an_arm(bottom: float, usable: bool):
-    picture = thing("picture-0", (0.04, 0.6, 0.5), "picture", on_floor=False, on_wall=True)
+    picture = thing("picture-0", (0.04, 0.6, 0.5), "mirror", on_floor=False, on_wall=True, use_sides=("front",))
     scene, layout = furnished(square(), (picture, Pose(0.02, 2.5, bottom + 0.25, 0.0)))
     judged = usage(scene, layout, ARM)
     assert judged.usable["picture-0"] is usable

@@ -33,11 +33,13 @@ class Remedies:
     Attributes:
         removals: For each unreached asset the smallest sets of assets whose removal, with all that stands on them, lets the
             agent reach it; none where not even a pair would do.
+        gaps: Pairs of things (assets, or "wall 2") that stand too close together, and how many metres are missing.
         largest_disc: Diameter in metres of the largest disc that reaches every asset it is asked to reach.
         margin: Metres by which the agent's own diameter exceeds that; 0 or less where it is not the width that fails.
     """
 
     removals: Mapping[str, tuple[tuple[str, ...], ...]]
+    gaps: Mapping[tuple[str, ...], float]
     largest_disc: float
     margin: float
 
@@ -51,6 +53,8 @@ class Remedies:
             ways = ", or without ".join(" and ".join(group) for group in sets)
             change = f"without {ways}" if sets else "only by more than two removals or a longer reach"
             found.append(f"{agent.name} would reach {' and '.join(names)} {change}.")
+        for (left, right), missing in self.gaps.items():
+            found.append(f"{left} and {right} stand {missing:.2f} m too close together for {agent.name}.")
         if self.removals and self.margin > 0:
             found.append(
                 f"As it stands a disc of {self.largest_disc:.2f} m reaches everything; {agent.name} is "
@@ -129,8 +133,11 @@ def remedies(nav: Navigation) -> Remedies:
     aside = exempt_from_reach(nav.scene, nav.agent)
     trials = _Trials(nav)
     largest = min((p.width for name, p in nav.passages.items() if name not in aside), default=0.0)
+    wanted = [name for name in nav.unreached if name not in aside]
+    narrow = [nav.passages[name] for name in wanted if len(nav.passages[name].between) == 2]
     return Remedies(
-        removals={name: trials.removals(name) for name in nav.unreached if name not in aside},
+        removals={name: trials.removals(name) for name in wanted},
+        gaps={(a, b): 2 * nav.agent.radius - p.width for p in narrow for a, b in [sorted(p.between)]},
         largest_disc=largest,
         margin=2 * nav.agent.radius - largest,
     )
