@@ -1,8 +1,20 @@
-"""What stands in the way of a body."""
+"""What stands in the way of a body, and from where it is used."""
 
 from __future__ import annotations
 
+from functools import cache
+
+from robolayout.assets.lexicon import category_of
 from robolayout.scene import Agent, Asset
+
+
+@cache
+def use_sides(asset: Asset) -> tuple[str, ...]:
+    """Return the sides an asset is used from; empty where any side will do (a chair) or none is needed (a picture)."""
+    if asset.use_sides is not None:
+        return tuple(asset.use_sides)
+    category = category_of(asset)
+    return () if category.movable else tuple(category.use_sides)
 
 
 def blocks(asset: Asset, z: float, agent: Agent) -> bool:
