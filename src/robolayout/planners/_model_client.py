@@ -32,7 +32,6 @@ from pydantic_ai import (
     UserContent,
 )
 from pydantic_ai.exceptions import AgentRunError, ModelHTTPError, UnexpectedModelBehavior, UnsupportedSettingWarning
-from pydantic_ai.messages import ModelRequest, RetryFeedbackPart
 from pydantic_ai.models import Model, ModelRequestParameters
 from pydantic_ai.models.function import FunctionModel
 from pydantic_ai.models.wrapper import WrapperModel
@@ -91,9 +90,7 @@ class _Taped(WrapperModel):
         """Return the answer to the next turn of the question."""
         self._turn += 1
         if self._tape.replay:
-            answer = self._tape.recall(self._question, self._turn)
-            self._tape.write(self._question, self._turn, answer, _feedback(messages))
-            return from_answer(answer)
+            return from_answer(self._tape.recall(self._question, self._turn))
         response = await self.wrapped.request(messages, model_settings, model_request_parameters)
         length = sum(len(part.content) for part in response.parts if isinstance(part, TextPart))
         if length > MOST_CHARACTERS:
@@ -258,10 +255,9 @@ def _content(question: Question, *, images: bool) -> list[UserContent]:
 
 
 def _feedback(messages: Sequence[ModelMessage]) -> str:
-    """Return what was wrong with the answer before, if this is not the first turn."""
-    last = messages[-1]
-    parts = last.parts if isinstance(last, ModelRequest) else ()
-    return "\n".join(str(part.content) for part in parts if isinstance(part, RetryFeedbackPart))
+    """Return what was wrong with the answer before; empty at the first turn."""
+    parts = messages[-1].parts if len(messages) > 1 else ()
+    return "\n".join(content for part in parts if isinstance(content := getattr(part, "content", None), str))
 
 
 def _never(messages: list[ModelMessage], info: Any) -> ModelResponse:

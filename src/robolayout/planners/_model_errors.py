@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 from pydantic_ai.exceptions import (
     AgentRunError,
@@ -21,7 +21,7 @@ from pydantic_ai.exceptions import (
 )
 
 from robolayout._errors import ModelError
-from robolayout.planners._model_provider import MOST_BYTES, AnswerTooLarge, Spec
+from robolayout.planners._model_provider import Spec, nearest_model
 
 SEES = re.compile(r"image|vision|multi-?modal|picture|mmproj", re.IGNORECASE)
 """Words of a provider that says it does not take pictures."""
@@ -49,10 +49,6 @@ def sentence(
         return ModelError(
             f"stopped at the budget: {name} has cost ${cost or 0:.4f}, --max-cost allows ${max_cost or 0:.4f}. Raise it to go on."
         )
-    if any(isinstance(cause, AnswerTooLarge) for cause in _causes(error)):
-        return ModelError(
-            f"{name} answered with more than {MOST_BYTES // 1_000_000} MB, which is no program; it was not read."
-        )
     if isinstance(error, ModelTimeoutError | ModelRequestTimeout):
         return ModelError(f"{name} did not answer within {timeout:g} s. Raise --timeout, or choose a faster model.")
     if isinstance(error, ModelConnectionError):
@@ -70,7 +66,8 @@ def _http_sentence(error: AgentRunError, name: str, reason: str) -> str | None:
     if isinstance(error, ModelAuthenticationError):
         return f"{name} refused the key ({status}): {reason}. Check the key in the environment and what it allows."
     if isinstance(error, ModelNotFoundError):
-        near = f" Did you mean {error.suggested_model_id!r}?" if error.suggested_model_id else ""
+        suggestion = error.suggested_model_id or nearest_model(name)
+        near = f" Did you mean {suggestion!r}?" if suggestion else ""
         return f"there is no model {name!r} ({status}): {reason}.{near} Check the name."
     if isinstance(error, ModelQuotaExceededError):
         return f"the account for {name} has no credit left ({status}): {reason}."
@@ -100,14 +97,11 @@ def _first_line(text: str) -> str:
     return " ".join(text.split()).rstrip(".") or "no reason given"
 
 
-def _causes(error: BaseException) -> Iterator[BaseException]:
-    cause: BaseException | None = error
-    for _ in range(20):
-        if cause is None:
-            return
-        yield cause
-        cause = cause.__cause__ or cause.__context__
-
-
 def _root(error: BaseException) -> BaseException:
-    return list(_causes(error))[-1]
+    """Return the first cause of an error ("connection refused" under three wrappings)."""
+    for _ in range(20):
+        cause = error.__cause__ or error.__context__
+        if cause is None:
+            break
+        error = cause
+    return error

@@ -88,7 +88,9 @@ class Tape:
 
     def __post_init__(self) -> None:
         if self.record and self.replay and self.record.resolve() == self.replay.resolve():
-            raise InputError(f"cannot replay {self.replay} and record to it in one run. Give another folder to record to.")
+            raise InputError(
+                f"cannot replay {self.replay} and record to it in one run. Give another folder to record to."
+            )
         self._started = False
         self._secrets = secrets(os.environ)
         self._recorded = read_exchanges(self.replay) if self.replay else {}
@@ -101,7 +103,7 @@ class Tape:
         return text
 
     def recall(self, question: Question, turn: int) -> dict[str, Any]:
-        """Return the recorded answer to a question; raises `ModelError` if there is none, or one to another question."""
+        """Return the recorded answer to a question, and record it again; raises `ModelError` if none fits."""
         entry = self._recorded.get(question.slot(turn))
         if entry is None:
             raise ModelError(
@@ -117,6 +119,7 @@ class Tape:
             self.notes.append(
                 f"the replayed answer to {describe(question, turn)} was given to another wording or another state of the room."
             )
+        self._put(question, turn, entry)
         return entry["answer"]
 
     def recorded_parts(self, question: Question) -> list[dict[str, Any]]:
@@ -125,14 +128,7 @@ class Tape:
         return entry["answer"]["parts"] if entry else []
 
     def write(self, question: Question, turn: int, answer: Mapping[str, Any], feedback: str = "") -> None:
-        """Write one exchange, if exchanges are recorded; the first one takes away those of an earlier run."""
-        if self.record is None:
-            return
-        if not self._started:
-            self._started = True
-            for path in self.record.glob("*.json"):
-                if NAME.fullmatch(path.name):
-                    path.unlink(missing_ok=True)
+        """Write one exchange, if exchanges are recorded."""
         entry: dict[str, Any] = {
             "format": FORMAT,
             "prompt_version": PROMPT_VERSION,
@@ -155,7 +151,18 @@ class Tape:
             },
             "answer": answer,
         }
-        text = json.dumps(_scrubbed(entry, self.scrub), ensure_ascii=False, indent=1)
+        self._put(question, turn, _scrubbed(entry, self.scrub))
+
+    def _put(self, question: Question, turn: int, entry: Mapping[str, Any]) -> None:
+        """Write one file; the first one takes away the exchanges of an earlier run."""
+        if self.record is None:
+            return
+        if not self._started:
+            self._started = True
+            for path in self.record.glob("*.json"):
+                if NAME.fullmatch(path.name):
+                    path.unlink(missing_ok=True)
+        text = json.dumps(entry, ensure_ascii=False, indent=1)
         write_atomic(self.record / file_name(question, turn), text.encode("utf-8", "backslashreplace") + b"\n")
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import os
 import re
 from collections.abc import AsyncIterator
@@ -10,14 +11,15 @@ from urllib.parse import urlsplit
 
 import httpx2
 from genai_prices import Usage, calc_price
+from genai_prices.data_snapshot import get_snapshot
 from pydantic_ai.exceptions import UserError
-from pydantic_ai.models import Model, create_async_httpx2_client, infer_model
+from pydantic_ai.models import Model, create_async_httpx2_client, infer_model, known_model_names
 from pydantic_ai.models.openai import OpenAIChatModel
 from pydantic_ai.providers import infer_provider_class
 from pydantic_ai.providers.ollama import OllamaProvider
 from pydantic_ai.providers.openai import OpenAIProvider
 
-from robolayout._errors import InputError, UnknownNameError
+from robolayout._errors import InputError, ModelError, UnknownNameError
 
 OLLAMA_URL = "http://localhost:11434/v1"
 """Where Ollama listens unless told otherwise."""
@@ -30,10 +32,6 @@ PROVIDERS = (
 
 MOST_BYTES = 4_000_000
 """Bytes of one answer of a server that are read; a program needs a thousandth of that."""
-
-
-class AnswerTooLarge(Exception):
-    """A server's answer runs over `MOST_BYTES`."""
 
 
 @dataclass(frozen=True)
@@ -96,6 +94,14 @@ def spec_of(model: str | Model, base_url: str | None) -> Spec:
     return Spec(name, base_url)
 
 
+def nearest_model(name: str) -> str | None:
+    """Return the known model whose name is most like a wrong one, of the same provider."""
+    provider = name.partition(":")[0].removesuffix("-chat")
+    priced = (f"{entry.id}:{model.id}" for entry in get_snapshot().providers for model in entry.models)
+    known = {model for model in (*known_model_names(), *priced) if model.startswith(f"{provider}:") and model != name}
+    return next(iter(difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.85)), None)
+
+
 def _check_provider(provider: str) -> None:
     try:
         infer_provider_class(provider)
@@ -130,7 +136,7 @@ def open_model(spec: Spec, *, priced: bool) -> Model:
 
 def _at_address(spec: Spec, base_url: str) -> Model:
     """Return a model at an OpenAI-compatible server."""
-    client = _capped_client(base_url)
+    client = _capped_client()
     name = spec.name.partition(":")[2] if spec.provider in ("openai", "openai-chat", "ollama") else spec.name
     if spec.provider == "ollama":
         return OpenAIChatModel(name, provider=OllamaProvider(base_url=base_url, http_client=client))
@@ -166,7 +172,7 @@ def _check_price(spec: Spec, model: Model) -> None:
         ) from None
 
 
-def _capped_client(base_url: str) -> httpx2.AsyncClient:
+def _capped_client() -> httpx2.AsyncClient:
     """Return an HTTP client that never reads more of an answer than `MOST_BYTES`."""
     client = create_async_httpx2_client()
     client.headers["Accept-Encoding"] = "identity"
@@ -176,7 +182,9 @@ def _capped_client(base_url: str) -> httpx2.AsyncClient:
 
 async def _cap(response: httpx2.Response) -> None:
     if response.headers.get("Content-Encoding", "identity") != "identity":
-        raise AnswerTooLarge("the answer is packed")
+        raise ModelError(
+            "the server answered with packed bytes, though it was asked for plain ones; they were not read."
+        )
     stream = response.stream
     assert isinstance(stream, httpx2.AsyncByteStream)
     response.stream = _CappedStream(stream)
@@ -193,7 +201,9 @@ class _CappedStream(httpx2.AsyncByteStream):
         async for chunk in self._stream:
             total += len(chunk)
             if total > MOST_BYTES:
-                raise AnswerTooLarge(f"more than {MOST_BYTES} bytes")
+                raise ModelError(
+                    f"the server answered with more than {MOST_BYTES // 1_000_000} MB, which is no program; it was not read."
+                )
             yield chunk
 
     async def aclose(self) -> None:

@@ -33,8 +33,9 @@ def prompt(name: str) -> str:
 
 
 def quoted(value: object) -> str:
-    """Return data as JSON on one line that holds no back-tick."""
-    return json.dumps(value, ensure_ascii=False).replace("`", "\\u0060")
+    """Return data as JSON on one line: no back-tick, no invisible character, nothing that cannot be sent."""
+    text = json.dumps(value, ensure_ascii=False).replace("`", "\\u0060")
+    return text if text.isprintable() else "".join(c if c.isprintable() else json.dumps(c)[1:-1] for c in text)
 
 
 def expressions(scene: Scene) -> dict[str, str]:

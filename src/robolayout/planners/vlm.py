@@ -131,6 +131,8 @@ class ModelPlanner:
         Raises:
             ModelError: None of them came.
         """
+        if request.group and request.group.label == EVERYTHING:
+            request = replace(request, group=None)
         guess = "guess" if self.mode == "no_constraint" else "plan"
         first = self._question(
             request.scene,

@@ -1,0 +1,167 @@
+"""A loopback server that speaks OpenAI's chat completions and plays models good and bad, for tests: real HTTP, no network."""
+
+from __future__ import annotations
+
+import base64
+import io
+import json
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import Any
+
+from PIL import Image
+
+
+@dataclass
+class Reply:
+    """What the server answers: text, or a status with headers."""
+
+    text: str = ""
+    status: int = 200
+    headers: dict[str, str] = field(default_factory=dict)
+    wait: float = 0.0
+    drip: float = 0.0
+    tool: str = ""
+
+
+@dataclass
+class Seen:
+    """One request as the server saw it."""
+
+    texts: list[str]
+    images: list[Image.Image]
+    labels: list[str]
+    headers: dict[str, str]
+    body: dict[str, Any]
+    at: float = 0.0
+
+    @property
+    def system(self) -> str:
+        return "\n".join(m["content"] for m in self.body["messages"] if m["role"] in ("system", "developer"))
+
+    @property
+    def user(self) -> str:
+        return "\n".join(self.texts)
+
+
+class Loopback:
+    """A server on 127.0.0.1 whose replies a test gives as a function of the request and its number."""
+
+    def __init__(self, play: Callable[[Seen, int], Reply | str]) -> None:
+        self.play, self.seen, self.most_at_once = play, list[Seen](), 0
+        self._busy, self._lock, self.closing = 0, threading.Lock(), threading.Event()
+        self._server = ThreadingHTTPServer(("127.0.0.1", 0), self._handler())
+        self._server.daemon_threads = True
+        self.url = f"http://127.0.0.1:{self._server.server_port}/v1"
+        self._thread = threading.Thread(target=self._server.serve_forever, args=(0.02,), daemon=True)
+        self._thread.start()
+
+    def close(self) -> None:
+        self.closing.set()
+        self._server.shutdown()
+        self._server.server_close()
+        self._thread.join(5)
+
+    def _handler(loop) -> type[BaseHTTPRequestHandler]:
+        class Handler(BaseHTTPRequestHandler):
+            protocol_version = "HTTP/1.1"
+
+            def log_message(self, *args: object) -> None:
+                pass
+
+            def do_POST(self) -> None:
+                body = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
+                with loop._lock:
+                    seen = _read(body, {name.lower(): value for name, value in self.headers.items()})
+                    loop.seen.append(seen)
+                    number = len(loop.seen)
+                    loop._busy += 1
+                    loop.most_at_once = max(loop.most_at_once, loop._busy)
+                try:
+                    reply = loop.play(seen, number)
+                    reply = Reply(reply) if isinstance(reply, str) else reply
+                    loop.closing.wait(reply.wait)
+                    self._send(reply, body)
+                except (BrokenPipeError, ConnectionResetError):
+                    self.close_connection = True
+                finally:
+                    with loop._lock:
+                        loop._busy -= 1
+
+            def _send(self, reply: Reply, body: dict[str, Any]) -> None:
+                data = json.dumps(_completion(reply, body)).encode()
+                self.send_response(reply.status)
+                for name, value in {"Content-Type": "application/json", **reply.headers}.items():
+                    self.send_header(name, value)
+                self.send_header("Content-Length", str(len(data)))
+                self.end_headers()
+                if not reply.drip:
+                    self.wfile.write(data)
+                    return
+                for byte in data:
+                    self.wfile.write(bytes([byte]))
+                    self.wfile.flush()
+                    if loop.closing.wait(reply.drip):
+                        return
+
+        return Handler
+
+
+def _completion(reply: Reply, body: dict[str, Any]) -> dict[str, Any]:
+    if reply.status != 200:
+        return {"error": {"message": reply.text, "type": "server_error", "code": reply.headers.get("X-Code")}}
+    message: dict[str, Any] = {"role": "assistant", "content": reply.text}
+    if reply.tool:
+        call = {"id": "call_1", "type": "function", "function": {"name": reply.tool, "arguments": reply.text}}
+        message = {"role": "assistant", "content": None, "tool_calls": [call]}
+    return {
+        "id": "chatcmpl-1",
+        "object": "chat.completion",
+        "created": int(time.time()),
+        "model": body["model"],
+        "choices": [{"index": 0, "message": message, "finish_reason": "tool_calls" if reply.tool else "stop"}],
+        "usage": {"prompt_tokens": 1000, "completion_tokens": 200, "total_tokens": 1200},
+    }
+
+
+def _read(body: dict[str, Any], headers: dict[str, str]) -> Seen:
+    """Take a request apart; every picture is decoded, so that a broken one fails the test."""
+    texts: list[str] = []
+    images: list[Image.Image] = []
+    labels: list[str] = []
+    for message in body["messages"]:
+        if message["role"] != "user":
+            continue
+        content = message["content"]
+        for part in [{"type": "text", "text": content}] if isinstance(content, str) else content:
+            if part["type"] == "text":
+                texts.append(part["text"])
+            else:
+                head, _, data = part["image_url"]["url"].partition(",")
+                assert head == "data:image/png;base64", head
+                picture = Image.open(io.BytesIO(base64.b64decode(data, validate=True)))
+                picture.load()
+                images.append(picture)
+                labels.append(texts[-1])
+    return Seen(texts, images, labels, headers, body, time.monotonic())
+
+
+@contextmanager
+def serving(play: Callable[[Seen, int], Reply | str]) -> Iterator[Loopback]:
+    """Run a server for the time of a test."""
+    server = Loopback(play)
+    try:
+        yield server
+    finally:
+        server.close()
+
+
+def png(color: str, size: tuple[int, int] = (40, 30)) -> bytes:
+    """Return a small picture of one colour."""
+    stream = io.BytesIO()
+    Image.new("RGB", size, color).save(stream, "PNG")
+    return stream.getvalue()
