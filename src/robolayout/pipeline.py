@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from robolayout.planners import FilePlanner, Group, OfflinePlanner, Planner, PlanRequest
+from robolayout.planners import Group, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict, vertical_span
 from robolayout.solve import Solution, Solver, SolverConfig, Verdict, compile_problem
@@ -21,6 +21,10 @@ Progress = Callable[[str], None]
 
 WALKABLE = 0.98
 """Share of the free space that the solver wants connected to the door; the report demands 0.95."""
+
+
+ATTEMPT_STRIDE = 1000
+"""Added to the planner's seed for each further attempt."""
 
 
 @dataclass(frozen=True)
@@ -84,6 +88,7 @@ def generate(
     planner: Planner | None = None,
     agent: AgentSpec | None = None,
     seed: int = 0,
+    attempts: int = 4,
     config: SolverConfig | None = None,
     progress: Progress | None = None,
 ) -> Result:
@@ -95,6 +100,7 @@ def generate(
         planner: Who writes the program; the offline planner if None.
         agent: The body or bodies to lay out for; the scene's own if None.
         seed: Settles every choice: same input and seed, same layout.
+        attempts: Most programs that are asked for, while demands stay unmet; the best verified one is kept.
         config: Constants of the solver.
         progress: Called with the name of each phase.
 
@@ -109,16 +115,51 @@ def generate(
         say("plan")
         planner = planner or OfflinePlanner()
         groups = planner.group(scene)
-        text = planner.plan(PlanRequest(scene, seed=seed)) if program is None else program
+    best: _Attempt | None = None
+    for number in range(1 if program is not None else attempts):
+        found = _attempt(scene, planner, program, (seed, number, best), config, clock, say)
+        if best is None or found.solution.verdict.merit < best.solution.verdict.merit:
+            best = found
+        if best.solution.verdict.ok or found.asked.text == best.asked.text and found is not best:
+            break
+    assert best is not None
+    say("verify")
+    layout = best.solution.layout
+    report = verify(scene, layout, best.asked).with_timing(clock.seconds)
+    return Result(scene, groups, best.asked, best.reconciled, layout, report, best.solution)
+
+
+@dataclass(frozen=True)
+class _Attempt:
+    """One program and what came of it."""
+
+    asked: Program
+    reconciled: Reconciled
+    solution: Solution
+
+
+def _attempt(
+    scene: Scene,
+    planner: Planner,
+    program: str | None,
+    state: tuple[int, int, _Attempt | None],
+    config: SolverConfig | None,
+    clock: _Clock,
+    say: Progress,
+) -> _Attempt:
+    """Plan, read, filter and solve once; later attempts hear what was wrong with the best one so far."""
+    seed, number, best = state
+    with clock.station("plan"):
+        if program is None:
+            feedback = best.solution.message if best else ""
+            program = planner.plan(PlanRequest(scene, seed=seed + ATTEMPT_STRIDE * number, feedback=feedback))
     with clock.station("program"):
         say("program")
-        asked = read_program(text, scene)
+        asked = read_program(program, scene)
         reconciled = reconcile(asked, scene)
     with clock.station("solve"):
         solution = solve(scene, reconciled.program, seed=seed, config=config, progress=say)
-    say("verify")
-    report = verify(scene, solution.layout, asked)
-    return Result(scene, groups, asked, reconciled, solution.layout, report.with_timing(clock.seconds), solution)
+    return _Attempt(asked, reconciled, solution)
 
 
 def solve(

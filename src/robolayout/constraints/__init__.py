@@ -1,15 +1,13 @@
 """The vocabulary: one relation a file, with arguments, solver rows, exact check and one-line meaning."""
 
-from collections.abc import Mapping
 from importlib.metadata import entry_points
-from types import MappingProxyType
 
 from robolayout.constraints._refs import AssetRef, PointRef, Ref, WallRef
+from robolayout.constraints._registry import RELATIONS, register, register_file
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import (
     FAR,
     ClearTerm,
-    CustomTerm,
     FrameTerm,
     InsideTerm,
     Interval,
@@ -40,6 +38,7 @@ from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.constraints.point_towards import PointTowards
 from robolayout.constraints.reachable_pairwise import ReachablePairwise
 from robolayout.constraints.right_of import RightOf
+from robolayout.constraints.room_to_open import RoomToOpen
 from robolayout.constraints.row import Row
 from robolayout.constraints.symmetric_pair import SymmetricPair
 from robolayout.constraints.under import Under
@@ -71,20 +70,12 @@ _BUILT_IN: tuple[type[Relation], ...] = (
 )
 
 
-IMPLICIT: tuple[Relation, ...] = (NoOverlap(), InsideRoom(), DoorClear())
+IMPLICIT: tuple[Relation, ...] = (NoOverlap(), InsideRoom(), DoorClear(), RoomToOpen())
 """What belongs to every program; the `paper` profile adds `ReachablePairwise`."""
 
 
-def _registry() -> Mapping[str, type[Relation]]:
-    """Return the built-in relations and those of installed packages (entry points `robolayout.constraints`)."""
-    relations = {relation.name: relation for relation in _BUILT_IN}
-    for point in sorted(entry_points(group="robolayout.constraints"), key=lambda p: p.name):
-        relations[point.name] = point.load()
-    return MappingProxyType(relations)
-
-
-RELATIONS: Mapping[str, type[Relation]] = _registry()
-"""All relations by the word that names them in a program."""
+for _relation in (*_BUILT_IN, *(point.load() for point in entry_points(group="robolayout.constraints"))):
+    register(_relation)
 
 __all__ = [
     "FAR",
@@ -92,7 +83,6 @@ __all__ = [
     "RELATIONS",
     "AssetRef",
     "ClearTerm",
-    "CustomTerm",
     "FrameTerm",
     "InsideTerm",
     "Interval",
@@ -107,4 +97,6 @@ __all__ = [
     "Term",
     "WallRef",
     "argument",
+    "register",
+    "register_file",
 ]

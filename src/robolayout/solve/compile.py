@@ -37,6 +37,7 @@ class Problem:
         parent: Index of what carries each asset; -1 where it is the room.
         stage: Stage in which each asset is placed.
         pinned: Names of assets that keep the pose of the guess.
+        guessed: Names of assets to which the program itself gave a place.
     """
 
     scene: Scene
@@ -45,6 +46,7 @@ class Problem:
     parent: tuple[int, ...]
     stage: tuple[int, ...]
     pinned: frozenset[str] = frozenset()
+    guessed: tuple[str, ...] = ()
 
     @cached_property
     def names(self) -> tuple[str, ...]:
@@ -121,6 +123,7 @@ def compile_problem(
         tuple(index.get(parents.get(asset.name, ""), -1) for asset in scene.assets),
         tuple(_depth(asset.name, parents) for asset in scene.assets),
         frozenset(pinned or ()),
+        tuple(a.name for a in scene.assets if a.name in guesses and guesses[a.name].position is not None),
     )
 
 

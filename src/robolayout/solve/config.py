@@ -64,8 +64,11 @@ class SolverConfig:
     route_rounds: int = 6
     """Most rounds of planning routes and moving furniture out of their way."""
 
-    repair_rounds: int = 12
+    repair_rounds: int = 16
     """Most rounds of remove-and-reinsert."""
+
+    patience: int = 4
+    """Rounds of repair without success after which it gives up."""
 
     candidates: int = 64
     """Layouts that a repair round tries as one batch."""

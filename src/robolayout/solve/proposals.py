@@ -47,7 +47,7 @@ class Proposals:
         mirrors: dict[int, list[MirrorTerm]] = {}
         for terms in problem.statement_terms:
             for term in terms:
-                if isinstance(term, FrameTerm) and isinstance(term.a, AssetRef) and "b" != term.moves:
+                if isinstance(term, FrameTerm) and isinstance(term.a, AssetRef) and term.moves != "b":
                     frames.setdefault(problem.slot[term.a.name], []).append(term)
                 elif isinstance(term, MirrorTerm):
                     for ref in (term.a, term.b):
@@ -79,7 +79,7 @@ class Proposals:
         if isinstance(ref, WallRef):
             wall = self.problem.scene.room.walls[ref.index]
             return np.array([*wall.midpoint, *wall.direction])
-        return np.array([ref.x, ref.y, 1.0, 0.0])
+        return np.array([ref.x, ref.y, math.cos(ref.yaw), math.sin(ref.yaw)])
 
     def _placed(self, slot: int, term: FrameTerm, world: Floats, rng: np.random.Generator) -> Floats:
         """Draw from the set that a row allows."""

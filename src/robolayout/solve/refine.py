@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from robolayout.scene import Agent, Layout, Snapshot, Trace
-from robolayout.solve.arrays import Routes
+from robolayout.scene import Agent, Layout, Trace
 from robolayout.solve.compile import Floats, Problem
-from robolayout.solve.config import SearchConfig, SolverConfig
+from robolayout.solve.config import SolverConfig
 from robolayout.solve.judge import Judge, Verdict
 from robolayout.solve.proposals import make_starts
 from robolayout.solve.repair import Repair
 from robolayout.solve.routes import Ground, Plan, make_ground, obstacle_slots, pack, plan_routes
 from robolayout.solve.runner import Run, Runner
-from robolayout.solve.stage import Stage, make_stage, no_routes, stages
+from robolayout.solve.snap import snapped
+from robolayout.solve.stage import Stage, make_stage, stages
 
 Progress = Callable[[str], None]
 
@@ -89,7 +89,7 @@ class Solver:
             best = self._stage(number, world)
             world = best.world
         assert best is not None
-        best = self._repair(best)
+        best = self._snap(self._repair(self._snap(best)))
         trace = self.runner.trace(self.problem) if self.config.trace else Trace()
         return _solution(self.problem.layout(best.world), best.verdict, trace)
 
@@ -141,6 +141,9 @@ class Solver:
                 break
         return best
 
+    def _plan(self, world: Floats) -> Plan:
+        return self._planned(world, [])
+
     def _planned(self, world: Floats, kept: list[Floats]) -> Plan:
         """Plan for every agent; demands of the two rounds before stay, so that furniture does not swing back."""
         plans = [plan_routes(self.problem, ground, world, slots) for ground, slots in self.grounds]
@@ -150,19 +153,33 @@ class Solver:
         blockers = tuple(dict.fromkeys(slot for plan in plans for slot in plan.blockers))
         return Plan(np.concatenate(kept), sum(plan.blocked for plan in plans), blockers)
 
+    def _snap(self, best: _Best) -> _Best:
+        """Put what is all but right exactly right: everything at once, else one culprit after the other."""
+        last = max(stages(self.problem))
+        found = self._judged(snapped(self.problem, best.world), last)
+        if found.verdict.merit <= best.verdict.merit:
+            return found
+        for name in best.verdict.culprits:
+            found = self._judged(snapped(self.problem, best.world, frozenset({name})), last)
+            if found.verdict.merit < best.verdict.merit:
+                best = found
+        return best
+
     def _repair(self, best: _Best) -> _Best:
         """Remove and reinsert what is to blame, while that helps."""
         last = max(stages(self.problem))
         repair = Repair(self.problem, self.runner, self.config, self.rng)
+        fruitless = 0
         for round_number in range(self.config.repair_rounds):
-            if best.verdict.ok:
+            if best.verdict.ok or fruitless == self.config.patience:
                 break
+            before = best.verdict.merit
             self.progress("repair")
-            plan = self._planned(best.world, [])
-            for world in repair.candidates(best.world, best.verdict.culprits, round_number, plan):
+            for world in repair.candidates(best.world, best.verdict.culprits, round_number, self._plan):
                 found = self._judged(world, last)
                 if found.verdict.merit < best.verdict.merit:
                     best = found
+            fruitless = 0 if best.verdict.merit < before else fruitless + 1
         return best
 
 

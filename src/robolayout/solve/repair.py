@@ -8,6 +8,7 @@ only the moved things free.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 
@@ -18,9 +19,6 @@ from robolayout.solve.proposals import Proposals, compose
 from robolayout.solve.routes import Plan, pack
 from robolayout.solve.runner import Runner
 from robolayout.solve.stage import make_stage, relative
-
-SEED_PROPOSALS = 4
-"""Places drawn for one move, of which a later polish keeps what works."""
 
 
 class Repair:
@@ -41,15 +39,18 @@ class Repair:
         self.proposals = Proposals.of(problem)
         self.groups = _groups(problem)
 
-    def candidates(self, world: Floats, culprits: tuple[str, ...], round_number: int, plan: Plan) -> list[Floats]:
+    def candidates(
+        self, world: Floats, culprits: tuple[str, ...], round_number: int, plan_for: Callable[[Floats], Plan]
+    ) -> list[Floats]:
         """Return polished candidates, most promising first.
 
         Args:
             world: (n, 4) the best layout so far.
             culprits: Assets to blame, the most pressing first.
             round_number: Later rounds move more.
-            plan: Routes that are blocked in that layout.
+            plan_for: Plans routes in a layout.
         """
+        plan = plan_for(world)
         named = [self.problem.slot[name] for name in culprits if name in self.problem.slot]
         slots = [s for s in dict.fromkeys([*plan.blockers, *named]) if self.problem.names[s] not in self.problem.pinned]
         if not slots:
@@ -58,15 +59,30 @@ class Repair:
         slots = [s for s in slots if self.problem.stage[s] == number]
         stage = make_stage(self.problem, number, world)
         batch = np.repeat(world[None], self.config.candidates, axis=0)
-        for k in range(1, self.config.candidates):
+        turned = self._turns(batch, slots)
+        for k in range(1 + turned, self.config.candidates):
             for _ in range(1 + (self.rng.random() < 0.15 * (1 + round_number))):
                 self._move(batch[k], slots, stage.moving)
         routes = pack([plan] * self.config.candidates, 8 * stage.slots) if number == 0 else None
-        scored = self.runner.evaluate(stage, batch, routes)
-        best = scored.order()[: self.config.kept]
-        routes = pack([plan] * self.config.kept, 8 * stage.slots) if number == 0 else None
-        run = self.runner.advance(stage, batch[best], self.config.polish, "repair", routes=routes)
+        order = self.runner.evaluate(stage, batch, routes).order()
+        kept = self.config.kept
+        also = self.rng.choice(order[kept // 2 : 4 * kept], kept - kept // 2, replace=False)
+        picked = batch[[*order[: kept // 2], *(int(k) for k in also)]]
+        routes = pack([plan_for(w) for w in picked], 8 * stage.slots) if number == 0 else None
+        run = self.runner.advance(stage, picked, self.config.polish, "repair", routes=routes)
         return [run.world[k] for k in run.order()]
+
+    def _turns(self, batch: Floats, slots: list[int]) -> int:
+        """Turn each of the most pressing things by 90, 180 and 270 degrees, alone and with what is bound to it."""
+        k = 0
+        for slot in slots[: self.config.candidates // 16]:
+            for quarter in (1, 2, 3):
+                yaw = quarter * math.pi / 2
+                for whole in (False, True):
+                    k += 1
+                    turn = np.array([0.0, 0.0, math.cos(yaw), math.sin(yaw)])
+                    self._carry(batch[k], slot, compose(batch[k, slot], turn), whole=whole)
+        return k
 
     def _move(self, world: Floats, slots: list[int], moving: tuple[int, ...]) -> None:
         """Apply one random move in place."""

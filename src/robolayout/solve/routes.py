@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy import ndimage
 from shapely import Polygon
 
-from robolayout.assets.obstacles import blocks
+from robolayout.assets.obstacles import blocks, use_sides
 from robolayout.scene import Agent
 from robolayout.solve.arrays import Routes
 from robolayout.solve.compile import Floats, Problem
@@ -166,6 +166,7 @@ def _goals(
         if asset.is_flat or (asset.on_ceiling and not asset.on_floor):
             continue
         near = clearance(problem, ground, world, (slot,)) <= ground.agent.reach - ground.cell / 2
+        near &= _beyond_use_sides(problem, ground, world, slot)
         if (near & home).any():
             continue
         costs = np.where(near & ground.open, reach, np.inf)
@@ -173,6 +174,20 @@ def _goals(
         if np.isfinite(costs[best]):
             goals.append((int(best[0]), int(best[1])))
     return goals
+
+
+def _beyond_use_sides(problem: Problem, ground: Ground, world: Floats, slot: int) -> NDArray[np.bool_]:
+    """Return which cells lie beyond a side that a thing is used from; all of them where any side will do."""
+    asset = problem.scene.assets[slot]
+    sides = use_sides(asset)
+    if problem.parent[slot] >= 0 or not sides or len(sides) == 4:
+        return np.ones((len(ground.xs), len(ground.ys)), dtype=bool)
+    x, y, c, s = world[slot]
+    dx, dy = ground.xs[:, None] - x, ground.ys[None] - y
+    u, v = c * dx + s * dy, c * dy - s * dx
+    hx, hy = problem.half[slot]
+    beyond = {"front": u > hx, "back": u < -hx, "left": v > hy, "right": v < -hy}
+    return np.logical_or.reduce([beyond[side] for side in sides])
 
 
 def _pockets(ground: Ground, regions: NDArray[np.int32], here: int, field: Floats) -> list[tuple[int, int]]:

@@ -53,7 +53,7 @@ class _State(NamedTuple):
     local: Float[Array, "starts slots 4"]
     first: Float[Array, "starts slots 3"]
     second: Float[Array, "starts slots 3"]
-    pairs: Int[Array, "..."]
+    pairs: Int[Array, ...]
     history: Array
     shots: Array
 

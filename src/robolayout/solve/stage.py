@@ -19,6 +19,7 @@ from robolayout.constraints import (
     InsideTerm,
     MirrorTerm,
     OverlapTerm,
+    PointRef,
     Ref,
     Term,
     WallRef,
@@ -30,6 +31,12 @@ from robolayout.solve.compile import Floats, Problem
 
 SLOT_BUCKETS = (8, 16, 32, 64, 128, 256, 512)
 EDGE_BUCKETS = (8, 32, 128)
+STAY = 0.02
+"""Weight of staying where the program first put a thing, so that what no statement holds does not drift."""
+
+SOFT_CLEAR = 0.2
+"""Weight of a strip that should stay free against one that must."""
+
 FAR_AWAY = 1.0e4
 """Metres at which padded things lie."""
 
@@ -225,6 +232,10 @@ class _Rows:
         for terms in problem.statement_terms:
             yield from terms
         yield from self._wall_terms(problem)
+        for name in problem.guessed:
+            pose = problem.guess[name]
+            if problem.parent[problem.slot[name]] < 0:
+                yield FrameTerm(AssetRef(name), PointRef(pose.x, pose.y), distance=(0.0, 0.0), weight=STAY)
 
     def _wall_terms(self, problem: Problem) -> Iterable[Term]:
         """Yield rows that hold wall things, which no statement puts on a wall, at the wall nearest to their guess."""
@@ -265,7 +276,7 @@ class _Rows:
             return self.problem.slot[ref.name]
         if isinstance(ref, WallRef):
             return self.size + ref.index
-        self.fixed.append([ref.x, ref.y, 1.0, 0.0, 0.0, 0.0, 0.0])
+        self.fixed.append([ref.x, ref.y, math.cos(ref.yaw), math.sin(ref.yaw), 0.0, 0.0, 0.0])
         return self.size + len(self.fixed) - 1
 
     def frames(self, size: int) -> dict[str, Floats]:
@@ -299,7 +310,7 @@ class _Rows:
                 concerned = not asset.is_flat and low < term.span[1] and high > term.span[0]
                 own = isinstance(term.owner, AssetRef) and term.owner.name == asset.name
                 if concerned and not own and asset.name not in term.exempt and self._at_hand([i]):
-                    weight[g, i] = term.weight * (1.0 if term.hard else 0.1)
+                    weight[g, i] = term.weight * (1.0 if term.hard else SOFT_CLEAR)
         boxes = [[*term.center, *term.half] for term in self.clear]
         return {
             "clear_owner": _padded([[self._body(t.owner)] for t in self.clear], count, [size], np.int32)[:, 0],

@@ -1,0 +1,78 @@
+"""Snap: what is all but at its wall, or all but aligned, is put there exactly."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from robolayout.constraints import AssetRef, FrameTerm, WallRef
+from robolayout.solve.compile import Floats, Problem
+from robolayout.solve.proposals import compose
+from robolayout.solve.stage import relative
+
+NEAR = 0.4
+"""Metres from its wall within which a thing is snapped to it."""
+
+ALMOST = math.radians(35.0)
+"""Radians off its heading within which a thing is snapped to it."""
+
+
+def snapped(problem: Problem, world: Floats, only: frozenset[str] | None = None) -> Floats:
+    """Return poses (n, 4) with things exactly at their walls and at their headings; what stands on them follows.
+
+    Args:
+        problem: The problem.
+        world: (n, 4) poses.
+        only: Names of the assets to snap; None snaps all.
+    """
+    result = world.copy()
+    for terms in problem.statement_terms:
+        for term in terms:
+            if not isinstance(term, FrameTerm) or term.heading is None or not isinstance(term.a, AssetRef):
+                continue
+            slot = problem.slot[term.a.name]
+            if (only is not None and term.a.name not in only) or term.a.name in problem.pinned:
+                continue
+            pose = _target(problem, result, term, slot)
+            if pose is not None:
+                _carry(problem, result, slot, pose)
+    return result
+
+
+def _target(problem: Problem, world: Floats, term: FrameTerm, slot: int) -> Floats | None:
+    """Return the exact pose that a row asks for, if the thing is close to it."""
+    assert term.heading is not None
+    frame = _frame(problem, world, term)
+    local = relative(frame, world[slot])
+    if abs(math.remainder(math.atan2(local[3], local[2]) - term.heading, math.tau)) > ALMOST:
+        return None
+    local[2:] = math.cos(term.heading), math.sin(term.heading)
+    if isinstance(term.b, WallRef) and term.across.low == term.across.high:
+        hx, hy = problem.half[slot]
+        end = max(problem.scene.room.walls[term.b.index].length / 2 - hy, 0.0)
+        if abs(local[1] - hx) > NEAR:
+            return None
+        local[:2] = min(max(local[0], -end), end), hx
+    return compose(frame, local)
+
+
+def _frame(problem: Problem, world: Floats, term: FrameTerm) -> Floats:
+    if isinstance(term.b, AssetRef):
+        return world[problem.slot[term.b.name]]
+    if isinstance(term.b, WallRef):
+        wall = problem.scene.room.walls[term.b.index]
+        return np.array([*wall.midpoint, *wall.direction])
+    return np.array([term.b.x, term.b.y, 1.0, 0.0])
+
+
+def _carry(problem: Problem, world: Floats, slot: int, pose: Floats) -> None:
+    """Put a thing at a pose, with everything that stands on it."""
+    before = world[slot].copy()
+    for other in range(len(world)):
+        carrier = problem.parent[other]
+        while carrier >= 0 and carrier != slot:
+            carrier = problem.parent[carrier]
+        if carrier == slot:
+            world[other] = compose(pose, relative(before, world[other]))
+    world[slot] = pose
