@@ -90,7 +90,7 @@ class ClusterBuilder:
         bx, by = _half(anchor)
         reach = {"left": by, "right": by}
         for member in placed[1:]:
-            if member.side in reach and member.bottom == 0.0:
+            if member.side in reach and member.bottom == 0.0 and self.cast[member.name].anchor == anchor.name:
                 box = box_of(member, self.cast[member.name].asset.size)
                 reach[member.side] = max(reach[member.side], box[3], -box[1])
         found: list[Member] = []
@@ -110,7 +110,11 @@ class ClusterBuilder:
             ax, ay = _half(item)
             side, row = ("left", "right")[i % 2], i // 2
             sign = 1.0 if side == "left" else -1.0
-            found.append(Member(item.name, row * (2 * ay + 0.1), sign * (by + item.joined.gap + ax), -sign * math.pi / 2, side=side))
+            found.append(
+                Member(
+                    item.name, row * (2 * ay + 0.1), sign * (by + item.joined.gap + ax), -sign * math.pi / 2, side=side
+                )
+            )
         return found
 
     def _front(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
@@ -118,7 +122,11 @@ class ClusterBuilder:
         bx, _ = _half(anchor)
         sign = 1.0 if _slot(items) == "front" else -1.0
         side = "front" if sign > 0 else "back"
-        taken = [box_of(m, self.cast[m.name].asset.size) for m in placed[1:] if m.side == side and m.bottom == 0.0]
+        taken = [
+            box_of(m, self.cast[m.name].asset.size)
+            for m in placed[1:]
+            if m.side == side and m.bottom == 0.0 and self.cast[m.name].anchor == anchor.name
+        ]
         edge = max([bx] + [box[2] if sign > 0 else -box[0] for box in taken])
         toward = math.pi if sign > 0 else 0.0
         width = sum(item.asset.size[1] + 0.12 for item in items) - 0.12
@@ -137,7 +145,9 @@ class ClusterBuilder:
             items=tuple(AssetRef(item.name) for item in items), b=AssetRef(anchor.name), gap=items[0].joined.gap
         )
         slots: Iterable[tuple[float, float, float]] = relation.slots(self.scene)  # type: ignore[attr-defined]
-        return [Member(item.name, x, y, yaw, side=_side_of(yaw)) for item, (x, y, yaw) in zip(items, slots, strict=True)]
+        return [
+            Member(item.name, x, y, yaw, side=_side_of(yaw)) for item, (x, y, yaw) in zip(items, slots, strict=True)
+        ]
 
     def _on(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
         """On the anchor's top: place settings before its seats, the rest where its kind belongs."""

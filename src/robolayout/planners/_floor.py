@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from robolayout.planners._member import Rect
 from robolayout.scene import Agent, Room
 
-CELLS = 90_000
+CELLS = 130_000
 """Most cells of the grid; larger rooms get coarser ones."""
 
 Points = NDArray[np.float64]
@@ -79,7 +79,7 @@ class Floor:
     def of(room: Room, corridor: float) -> Floor:
         """Return the empty floor of a room; doors want `corridor` metres of depth."""
         left, bottom, right, top = room.bounds
-        cell = max(0.05, math.sqrt((right - left) * (top - bottom) / CELLS))
+        cell = max(0.03, math.sqrt((right - left) * (top - bottom) / CELLS))
         nx, ny = math.ceil((right - left) / cell) + 1, math.ceil((top - bottom) / cell) + 1
         xs, ys = left + cell * (np.arange(nx) + 0.5), bottom + cell * (np.arange(ny) + 0.5)
         polygon = shapely.Polygon(room.vertices)
@@ -102,9 +102,7 @@ class Floor:
 
     def copy(self) -> Floor:
         """Return an independent copy."""
-        return Floor(
-            self.room, self.cell, self.origin, self.inside, self.body.copy(), self.wanted.copy(), self.landing
-        )
+        return Floor(self.room, self.cell, self.origin, self.inside, self.body.copy(), self.wanted.copy(), self.landing)
 
     def cells(self, corners: Iterable[Points]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
         """Return the indices of the cells whose centres lie in any of the convex polygons (k, 2)."""
@@ -146,18 +144,19 @@ class Floor:
         wanted = np.minimum(np.pad(self.wanted, 1), 2.0)
         return Maps(*(grid.ravel().astype(np.float32) for grid in (taken, barred, outside, wanted)))
 
-    def away(self, agent: Agent) -> NDArray[np.float64]:
-        """Return how far each cell is from where the agent can get to from the door, in metres."""
+    def away(self, agent: Agent) -> tuple[NDArray[np.float64], float]:
+        """Return how far each cell is from where the agent can get to from the door (m), and the share cut off from it."""
         from scipy import ndimage
 
         free = np.pad(self.inside & (self.body == 0), 1)
-        passable = ndimage.distance_transform_edt(free)[1:-1, 1:-1] * self.cell >= agent.radius
+        passable = ndimage.distance_transform_edt(free)[1:-1, 1:-1] * self.cell >= agent.radius + 0.7 * self.cell
         labels, count = ndimage.label(passable, np.ones((3, 3)))
         if not count:
-            return np.full(self.inside.shape, 1e3)
+            return np.full(self.inside.shape, 1e3), 1.0
         at_door = np.bincount(labels[self.landing], minlength=count + 1)[1:]
         sizes = at_door if at_door.any() else np.bincount(labels.ravel(), minlength=count + 1)[1:]
-        return ndimage.distance_transform_edt(labels != 1 + int(np.argmax(sizes))) * self.cell
+        main = labels == 1 + int(np.argmax(sizes))
+        return ndimage.distance_transform_edt(~main) * self.cell, 1.0 - float(main.sum()) / float((labels > 0).sum())
 
 
 def room_depth(room: Room) -> float:

@@ -23,6 +23,15 @@ UNREACHED = 8.0
 PATIENCE = 5
 """Attempts without a better room after which the search ends."""
 
+CUT_OFF = 40.0
+"""Cost of all of the free floor being out of the agent's way."""
+
+INEXACT = 3.0
+"""Cost of a place that fails the exact check by a hair."""
+
+CHECKED = 40
+"""Best places of a batch that are checked exactly before one is taken."""
+
 BAD = 2.5
 """Cost above which a place counts as bad enough to try something else."""
 
@@ -52,7 +61,7 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
         site = empty.copy()
         _keep(site, builder, placed)
         attempt = _Attempt(site, builder, np.random.default_rng((seed, number)), calm=number == 0 and seed == 0)
-        cost = attempt.furnish_floor() + UNREACHED * len(site.unreached())
+        cost = attempt.furnish_floor() + UNREACHED * len(site.unreached()) + CUT_OFF * site.cut_off
         if best is None or cost < best[0]:
             best = (cost, number, attempt)
         if best[0] < UNREACHED and number - best[1] >= PATIENCE:
@@ -64,7 +73,7 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
 
 def attempts(count: int) -> int:
     """Return how many rooms to try for so many assets: 24 for small rooms, fewer for crowded ones."""
-    return max(8, min(24, 500 // max(count, 1)))
+    return max(5, min(24, 400 // max(count, 1)))
 
 
 def _keep(site: Site, builder: ClusterBuilder, placed: Layout | None) -> None:
@@ -183,9 +192,13 @@ class _Attempt:
             cost = self.site.base_cost(batch.cluster, batch.poses) + taste(self.site, batch, weights)
             cost += 0.6 * list(modes).index(batch.mode) if batch.mode in modes else 0.0
             cost += 0.0 if self.calm else self.rng.random(len(cost)) * 0.1
-            row = int(np.argmin(cost))
-            if best is None or cost[row] < best[0]:
-                best = (float(cost[row]), batch, row)
+            for row in np.argsort(cost, kind="stable")[:CHECKED]:
+                exact = self.site.exact(batch.cluster, batch.poses[row])
+                here = float(cost[row]) + (0.0 if exact else INEXACT)
+                if best is None or here < best[0]:
+                    best = (here, batch, int(row))
+                if exact or (best is not None and cost[row] > best[0]):
+                    break
         return best
 
     def _split(self, cluster: Cluster, modes: Sequence[str], weights: Mapping[str, float]) -> bool:
@@ -197,7 +210,9 @@ class _Attempt:
         self._place(replace(cluster, members=tuple(m for m in cluster.members if m.name not in gone)), modes, weights)
         for name in loose:
             role = self.site.cast[name].role
-            self._place(self.builder.build(name), [m for m in role.stands if m in ("wall", "corner", "middle")], weights)
+            self._place(
+                self.builder.build(name), [m for m in role.stands if m in ("wall", "corner", "middle")], weights
+            )
         return True
 
     def _stands_alone(self, name: str) -> bool:
@@ -222,10 +237,16 @@ class _Attempt:
                 continue
             batch = replace(batch, poses=batch.poses[clash <= 1.0], walls=batch.walls[clash <= 1.0])
             cost = self.site.base_cost(batch.cluster, batch.poses) / len(clusters)
-            cost += 0.5 * (taste(self.site, batch, weights) + taste(self.site, last_cell(self.site, plan, batch), weights))
-            cost += TIGHT * plan.tight + 0.5 * (plan.rows * plan.columns - len(plan.names)) + 0.3 * abs(plan.rows - plan.columns) ** 0.5
+            cost += 0.5 * (
+                taste(self.site, batch, weights) + taste(self.site, last_cell(self.site, plan, batch), weights)
+            )
+            cost += (
+                TIGHT * plan.tight
+                + 0.5 * (plan.rows * plan.columns - len(plan.names))
+                + 0.3 * abs(plan.rows - plan.columns) ** 0.5
+            )
             row = int(np.argmin(cost))
-            if best is None or cost[row] < best[0]:
+            if (best is None or cost[row] < best[0]) and self.site.exact(batch.cluster, batch.poses[row]):
                 best = (float(cost[row]), plan, batch, row)
         if best is None or best[0] > BAD + 1.0:
             return False
@@ -267,6 +288,3 @@ def _alike(site: Site, clusters: Sequence[Cluster]) -> list[list[Cluster]]:
         )
         sets.setdefault(key, []).append(cluster)
     return list(sets.values())
-
-
-

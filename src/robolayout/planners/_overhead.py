@@ -6,13 +6,12 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
+import shapely
 
-from robolayout.planners._cluster import Cluster
 from robolayout.planners._floor import rect_points
 from robolayout.planners._member import Member
 from robolayout.planners._places import WALL_GAP, centroid, targets, wall_yaw
-from robolayout.planners._site import Poses, Site, Spot, corners_of
+from robolayout.planners._site import Site, Spot, corners_of
 from robolayout.planners._taste import nearness
 from robolayout.scene import Wall
 
@@ -57,6 +56,8 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     cost += 1.2 * site.wall_conflict((rect[0] - 0.4, rect[1], rect[2] + 0.4, rect[3]), takers)
     cost += 0.8 * abs(t - wall.length / 2) / wall.length * (1 + role.prefer.get("centre", 0)) - bonus
     cost += role.prefer.get("long", 0.0) * (1 - wall.length / max(w.length for w in site.room.walls))
+    if member.bottom < 2.0 and _in_landing(site, member):
+        cost += 30.0
     cost += _crowding(site, name, member) + _sight(site, name, member) + _far(site, name, member)
     for key, weight in role.prefer.items():
         if key.startswith("near "):
@@ -85,6 +86,11 @@ def _crowding(site: Site, name: str, member: Member) -> float:
     """Return a cost for hanging close to others of its kind, so that pictures spread over the room."""
     same = [s.member for n, s in site.spots.items() if site.cast[n].role is site.cast[name].role and s.mode == "hang"]
     return sum(max(0.0, 2.0 - math.hypot(m.x - member.x, m.y - member.y)) for m in same)
+
+
+def _in_landing(site: Site, member: Member) -> bool:
+    outline = shapely.Polygon(corners_of(member, site.size(member.name)))
+    return any(shapely.Polygon(site.room.landing(door)).intersects(outline) for door in site.room.doors)
 
 
 def _far(site: Site, name: str, member: Member) -> float:
@@ -118,27 +124,35 @@ def _sight(site: Site, name: str, member: Member) -> float:
 def overhead(site: Site, names: Sequence[str]) -> None:
     """Hang ceiling things: one over each thing they belong to, the rest evenly over the room."""
     free: list[str] = []
-    used: set[str] = set()
+    owned: dict[str, list[str]] = {}
     for name in names:
-        owner = next((n for r in site.cast[name].role.above for n in site.spots if _is(site, n, r) and n not in used), None)
-        if owner is None:
+        owners = [n for r in site.cast[name].role.above for n in site.spots if _is(site, n, r)]
+        if owners:
+            owned.setdefault(min(owners, key=lambda n: (len(owned.get(n, ())), owners.index(n))), []).append(name)
+        else:
             free.append(name)
-            continue
-        used.add(owner)
-        there = site.spots[owner].member
-        turned = site.size(name)[1] > site.size(name)[0] and site.size(owner)[0] > site.size(owner)[1]
-        _hang_from_ceiling(site, name, (there.x, there.y), there.yaw + (math.pi / 2 if turned else 0.0), owner)
+    for owner, lamps in owned.items():
+        _over(site, owner, lamps)
     for name, point in zip(free, _spread(site, len(free)), strict=True):
         _hang_from_ceiling(site, name, point, 0.0, None)
+
+
+def _over(site: Site, owner: str, lamps: Sequence[str]) -> None:
+    """Hang lamps over a thing: one over its middle, several along it."""
+    there, (depth, width, _) = site.spots[owner].member, site.size(owner)
+    for i, name in enumerate(lamps):
+        turned = site.size(name)[1] > site.size(name)[0] and depth > width
+        along = (2 * (i + 0.5) / len(lamps) - 1) * max(depth, width) / 2
+        spot = Member(name, *((along, 0.0) if depth > width else (0.0, along)), math.pi / 2 if turned else 0.0)
+        world = spot.moved(there.x, there.y, there.yaw)
+        _hang_from_ceiling(site, name, (world.x, world.y), world.yaw, owner if len(lamps) == 1 else None)
 
 
 def _is(site: Site, name: str, role: str) -> bool:
     return site.cast[name].role.name == role
 
 
-def _hang_from_ceiling(
-    site: Site, name: str, point: tuple[float, float], yaw: float, owner: str | None
-) -> None:
+def _hang_from_ceiling(site: Site, name: str, point: tuple[float, float], yaw: float, owner: str | None) -> None:
     bottom = site.room.wall_height - site.size(name)[2]
     site.settle(name, Spot(Member(name, *point, yaw, bottom), "ceiling", None, owner))
 
@@ -150,7 +164,11 @@ def _spread(site: Site, count: int) -> list[tuple[float, float]]:
     i, j = np.nonzero(site.floor.inside)
     stride = max(1, len(i) // 4000)
     points = np.stack([i[::stride], j[::stride]], -1) + 0.5
-    order = np.lexsort((points[:, 1], points[:, 0])) if np.ptp(points[:, 0]) > np.ptp(points[:, 1]) else np.lexsort(points.T)
+    order = (
+        np.lexsort((points[:, 1], points[:, 0]))
+        if np.ptp(points[:, 0]) > np.ptp(points[:, 1])
+        else np.lexsort(points.T)
+    )
     seeds = np.array([part.mean(0) for part in np.array_split(points[order], count)])
     for _ in range(30):
         nearest = np.argmin(((points[:, None] - seeds[None]) ** 2).sum(-1), axis=1)
@@ -163,7 +181,9 @@ def lay_rugs(site: Site, names: Sequence[str]) -> None:
     """Lay each rug under what it belongs to, moved and turned so that it fits the room."""
     used: set[str] = set()
     for name in names:
-        owner = next((n for r in site.cast[name].role.above for n in site.spots if _is(site, n, r) and n not in used), None)
+        owner = next(
+            (n for r in site.cast[name].role.above for n in site.spots if _is(site, n, r) and n not in used), None
+        )
         if owner is None:
             pose = _free_floor(site, name)
         else:
@@ -179,7 +199,12 @@ def _free_floor(site: Site, name: str) -> tuple[float, float, float]:
     left, bottom, right, top = site.room.bounds
     middle = centroid(site)
     depth, width, _ = site.size(name)
-    grid = [(x, y, yaw) for x in np.arange(left, right, 0.2) for y in np.arange(bottom, top, 0.2) for yaw in (0.0, math.pi / 2)]
+    grid = [
+        (x, y, yaw)
+        for x in np.arange(left, right, 0.2)
+        for y in np.arange(bottom, top, 0.2)
+        for yaw in (0.0, math.pi / 2)
+    ]
     poses = np.array(grid)
     points = rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.0, 0.15)
     cost = 6.0 * site.floor.maps().barred[site.floor.under(points, poses)].mean(axis=1)
@@ -195,17 +220,13 @@ def _fitted(site: Site, name: str, pose: tuple[float, float, float]) -> Member:
     """Return the place nearest to `pose`, turned by a right angle if need be, at which a flat thing is inside the room."""
     shifts = [0.1 * k for k in range(-8, 9)]
     options = sorted(
-        (abs(dx) + abs(dy) + (0.3 if turn else 0.0), turn, dx, dy) for turn in (0.0, math.pi / 2) for dx in shifts for dy in shifts
+        (abs(dx) + abs(dy) + (0.3 if turn else 0.0), turn, dx, dy)
+        for turn in (0.0, math.pi / 2)
+        for dx in shifts
+        for dy in shifts
     )
-    cluster = Cluster(name, (Member(name, 0.0, 0.0, 0.0),))
     poses = np.array([(pose[0] + dx, pose[1] + dy, pose[2] + turn) for _, turn, dx, dy in options])
-    outside = _outside(site, cluster, poses)
-    best = int(np.argmin(outside > 0.0)) if (outside <= 0.0).any() else int(np.argmin(outside))
+    room = shapely.Polygon(site.room.vertices).buffer(0.005, join_style="mitre")
+    outlines = shapely.polygons([corners_of(Member(name, *pose), site.size(name)) for pose in poses.tolist()])
+    best = int(np.argmin(np.round(shapely.area(shapely.difference(outlines, room)), 4)))
     return Member(name, *(float(v) for v in poses[best]))
-
-
-def _outside(site: Site, cluster: Cluster, poses: Poses) -> NDArray[np.float32]:
-    """Return the share of a flat thing that lies outside the room, per pose."""
-    depth, width, _ = site.size(cluster.anchor)
-    points = rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.03, 0.15)
-    return site.floor.maps().outside[site.floor.under(points, poses)].mean(axis=1)

@@ -13,10 +13,18 @@ from robolayout.scene import Asset, Scene
 TOP_HEIGHT = 1.45
 """Metres above which nothing is put on a top: out of sight and of most hands."""
 
-TOP_SHARE = 0.75
+TOP_SHARE = 0.55
 """Share of a top that may be covered."""
 
-FALLBACKS = ("thing on a wall", "thing on the ceiling", "thing on a top", "covering", "tall thing", "small thing", "big thing")
+FALLBACKS = (
+    "thing on a wall",
+    "thing on the ceiling",
+    "thing on a top",
+    "covering",
+    "tall thing",
+    "small thing",
+    "big thing",
+)
 """Roles of what nobody knows, chosen by flags, size and shape; written in knowledge/unknown.toml."""
 
 
@@ -165,7 +173,10 @@ def _any_top(item: Cast, cast: Mapping[str, Cast], covered: Mapping[str, float])
     best = [
         (other.asset.size[2] > TOP_HEIGHT, covered.get(name, 0.0) - _footprint(other.asset), name)
         for name, other in cast.items()
-        if name != item.name and other.asset.on_floor and not other.asset.is_flat and not _depends(name, item.name, cast)
+        if name != item.name
+        and other.asset.on_floor
+        and not other.asset.is_flat
+        and not _depends(name, item.name, cast)
     ]
     return (min(best)[2], Join("on", ("*",), say=("on_top_of({a}, {b})",))) if best else None
 

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 
 from robolayout.planners._cluster import Cluster
@@ -110,6 +111,8 @@ class Site:
         spots: What is placed, by name, in the order of placing.
         spans: What the placed things cover of the walls.
         away: How many metres each cell is out of the reach of the worst agent, once the floor is furnished.
+        cut_off: Share of the free floor that the worst agent cannot get to.
+        solids: Exact footprints of what stands on the floor, and the door landings.
     """
 
     scene: Scene
@@ -119,16 +122,22 @@ class Site:
     spots: dict[str, Spot] = field(default_factory=dict[str, Spot])
     spans: list[Span] = field(default_factory=list["Span"])
     away: NDArray[np.float64] | None = None
+    cut_off: float = 0.0
+    solids: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
 
     @staticmethod
     def of(scene: Scene, cast: Mapping[str, Cast]) -> Site:
         """Return the empty site of a scene."""
-        corridor = max(0.6, 2 * max(agent.radius for agent in scene.agents) + 0.06)
-        return Site(scene, cast, Floor.of(scene.room, corridor), corridor)
+        corridor = max(0.6, 2 * max(agent.radius for agent in scene.agents) + 0.1)
+        site = Site(scene, cast, Floor.of(scene.room, corridor), corridor)
+        site.solids += [shapely.Polygon(scene.room.landing(door)) for door in scene.room.doors]
+        return site
 
     def copy(self) -> Site:
         """Return an independent copy."""
-        return replace(self, floor=self.floor.copy(), spots=dict(self.spots), spans=list(self.spans))
+        return replace(
+            self, floor=self.floor.copy(), spots=dict(self.spots), spans=list(self.spans), solids=list(self.solids)
+        )
 
     @property
     def room(self) -> Room:
@@ -145,7 +154,11 @@ class Site:
 
     def survey(self) -> None:
         """Find out what the agents reach over the floor as it is furnished now."""
-        self.away = np.max([self.floor.away(agent) - agent.reach + 0.03 for agent in self.scene.agents], axis=0)
+        found = [self.floor.away(agent) for agent in self.scene.agents]
+        self.away = np.max(
+            [a - agent.reach + 0.03 for (a, _), agent in zip(found, self.scene.agents, strict=True)], axis=0
+        )
+        self.cut_off = max(share for _, share in found)
 
     def unreached(self) -> list[str]:
         """Return the assets that count and that some agent of the scene cannot get to."""
@@ -169,9 +182,9 @@ class Site:
         for member in cluster.members:
             if self.on_floor(member):
                 depth, width, _ = self.size(member.name)
-                step = 0.1 if depth * width < 1.0 else 0.16
+                step = 0.12 if depth * width < 1.0 else 0.2
                 rect = (-depth / 2, -width / 2, depth / 2, width / 2)
-                found.append((_placed(rect_points(rect, 0.035, step), member), depth * width))
+                found.append((_placed(rect_points(rect, 0.022, step), member), depth * width))
         return found
 
     def strips(self, cluster: Cluster) -> list[Strip]:
@@ -233,6 +246,17 @@ class Site:
         total[~good] += 12.0
         return total
 
+    def exact(self, cluster: Cluster, pose: NDArray[np.float64]) -> bool:
+        """Whether a cluster at a pose touches nothing, stands in no landing and is inside the room, to the millimetre."""
+        x, y, yaw = (float(value) for value in pose)
+        members = [m for m in cluster.members if self.on_floor(m)]
+        corners = np.array([corners_of(m.moved(x, y, yaw), self.size(m.name)) for m in members])
+        bodies = shapely.polygons(corners)
+        room = shapely.Polygon(self.room.vertices).buffer(0.008, join_style="mitre")
+        if not shapely.covers(room, bodies).all():
+            return False
+        return not self.solids or bool((shapely.area(shapely.intersection(bodies[:, None], self.solids)) < 5e-5).all())
+
     def put(self, cluster: Cluster, pose: NDArray[np.float64], mode: str, wall: int | None, anchor: str | None) -> None:
         """Place a cluster: record its members and mark the floor."""
         x, y, yaw = (float(value) for value in pose)
@@ -253,7 +277,9 @@ class Site:
         """Record where one asset is, the floor that it takes and the walls that it covers."""
         self.spots[name] = spot
         if self.on_floor(spot.member) and spot.mode not in ("ceiling", "rug"):
-            self.floor.body[self.floor.cells([corners_of(spot.member, self.size(name))])] += 1
+            corners = corners_of(spot.member, self.size(name))
+            self.floor.body[self.floor.cells([corners])] += 1
+            self.solids.append(shapely.Polygon(corners))
         if spot.mode in ("ceiling", "rug"):
             return
         for wall in self.room.walls:

@@ -41,6 +41,7 @@ def taste(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
 def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
     """Return the cost of where on its wall a thing stands and what it hides there."""
     _, width, height = site.size(batch.cluster.anchor)
+    crown = max(member.bottom + site.size(member.name)[2] for member in batch.cluster.members)
     longest = max(wall.length for wall in site.room.walls)
     cost = np.zeros(len(batch.poses))
     for wall in site.room.walls:
@@ -59,8 +60,8 @@ def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost
             if kind == "window":
                 lit = np.maximum(lit, cover / width)
             if kind != "door" and low > 0.1:
-                tall = min(1.0, max(0.0, height - low) / (0.6 * max(high - low, 0.1)))
-                hidden += cover / (end - start) * tall
+                tall = min(1.0, max(0.0, (height if kind == "window" else crown) - low) / (0.6 * max(high - low, 0.1)))
+                hidden += cover / (end - start) * (tall if kind == "window" else float(tall > 0))
         window = weights.get("window", 0.0)
         part += window * (1 - np.minimum(lit * 1.5, 1.0)) if window > 0 else -window * np.minimum(lit * 1.5, 1.0)
         cost[rows] = part + BLOCKED_WINDOW * np.minimum(hidden, 1.0)

@@ -74,6 +74,7 @@ class Top:
         hx, hy = (width / 2, depth / 2) if turned else (depth / 2, width / 2)
         rx, ry = max(self.half[0] - hx, 0.0), max(self.half[1] - hy, 0.0)
         wx, wy = self._wanted(at, i, count, (rx, ry))
+        wx += max(0.0, hx - self.half[0])
         xs = [-rx + k * STEP for k in range(int(2 * rx / STEP) + 1)] + [wx]
         ys = [-ry + k * STEP for k in range(int(2 * ry / STEP) + 1)] + [wy]
         places = sorted((math.hypot(x - wx, y - wy), x, y) for x in xs for y in ys)

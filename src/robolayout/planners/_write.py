@@ -9,6 +9,7 @@ import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from robolayout.planners._member import Member, Size, box_of
 from robolayout.planners._roles import Cast
 from robolayout.planners._site import GridPlan, Site, Spot
 from robolayout.scene import Scene, Wall
@@ -113,9 +114,6 @@ class StatementWriter:
 
     def _grid(self, plan: GridPlan) -> Iterator[Line]:
         """Yield the statements of a block: one grid, or rows that stand back to back."""
-        first = expression(self.site.scene, plan.names[0])
-        straight = self._straight(plan.names[0])
-        yield Line(f"solver.align_with({first}, {straight})", (plan.names[0],))
         if not plan.paired:
             items = self._list(plan.names)
             text = f"solver.grid({items}, {plan.rows}, {plan.columns}, aisle={plan.aisle:g}, gap={plan.gap:g})"
@@ -135,7 +133,7 @@ class StatementWriter:
                 yield Line(f"solver.behind({here}, {before}, 0, 0.1)", names)
             else:
                 yield Line(f"solver.in_front_of({here}, {before}, {plan.aisle - 0.1:g}, {plan.aisle + 1:g})", names)
-            if len(names) and (row % 2 or plan.columns == 1):
+            if plan.columns == 1:
                 yield Line(f"solver.align_with({here}, {before}, 180)", names)
 
     def _straight(self, name: str) -> str:
@@ -186,7 +184,7 @@ class StatementWriter:
         here, there, join = self.site.spots[name], self.site.spots[other], self.cast[name].join
         distance = math.hypot(here.member.x - there.member.x, here.member.y - there.member.y)
         angle = math.degrees(here.member.yaw - there.member.yaw) % 360.0
-        gap = join.gap if join else 0.05
+        gap = max(0.0, _edge_gap(here.member, self.site.size(name), there.member, self.site.size(other)))
         ahead = distance - (self.site.size(name)[0] + self.site.size(other)[0]) / 2
         return {
             "b": expression(self.site.scene, other),
@@ -194,9 +192,9 @@ class StatementWriter:
             "bwall": "" if there.wall is None else f"walls[{there.wall}]",
             "near": f"{max(0.0, distance - 0.15):.2f}",
             "far": f"{distance + 0.15:.2f}",
-            "gap": f"{gap:g}",
-            "least": f"{max(0.0, gap - 0.1):.2f}".rstrip("0").rstrip("."),
-            "most": f"{gap + 0.2:.2f}".rstrip("0").rstrip("."),
+            "gap": f"{join.gap if join else 0.05:g}",
+            "least": f"{max(0.0, gap - 0.1):.2f}",
+            "most": f"{gap + 0.15:.2f}",
             "angle": f"{round(angle, 1) % 360.0:g}",
             "ahead low": f"{max(0.0, ahead - 0.3):.1f}",
             "ahead high": f"{ahead + 0.3:.1f}",
@@ -206,6 +204,14 @@ class StatementWriter:
         """Return the room corner nearest to a spot."""
         here = (spot.member.x, spot.member.y)
         return min(range(len(self.site.room.vertices)), key=lambda i: math.dist(self.site.room.vertices[i], here))
+
+
+def _edge_gap(a: Member, a_size: Size, b: Member, b_size: Size) -> float:
+    """Return the gap in metres between two boxes along the axis of b on which they are further apart."""
+    c, s = math.cos(b.yaw), math.sin(b.yaw)
+    dx, dy = a.x - b.x, a.y - b.y
+    left, bottom, right, top = box_of(Member("", c * dx + s * dy, c * dy - s * dx, a.yaw - b.yaw), a_size)
+    return max(left - b_size[0] / 2, -b_size[0] / 2 - right, bottom - b_size[1] / 2, -b_size[1] / 2 - top)
 
 
 def _keys(text: str) -> list[str]:

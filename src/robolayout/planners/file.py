@@ -32,7 +32,9 @@ class FilePlanner:
             with self.path.open("rb") as stream:
                 data = stream.read(MAX_BYTES + 1)
         except OSError as error:
-            raise ProgramError(f"cannot read the program {self.path}: {error.strerror}. Give a readable file.") from None
+            raise ProgramError(
+                f"cannot read the program {self.path}: {error.strerror}. Give a readable file."
+            ) from None
         if len(data) > MAX_BYTES:
             raise ProgramError(f"the program {self.path} is larger than {MAX_BYTES // 1_000_000} MB, the most allowed.")
         try:

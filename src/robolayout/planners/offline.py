@@ -62,4 +62,3 @@ def _text(site: Site, groups: Iterable[Group], known: set[str]) -> str:
 def _one_line(text: str) -> str:
     """Return text that cannot leave its comment line."""
     return " ".join(text.split())
-
