@@ -5,7 +5,13 @@
 | `render_view(scene, layout, view=...)` | a picture from above, from the side, of one asset, or from an agent's eyes |
 | `Studio(scene, layout)` | the same for many views of one room, with ids and depths |
 | `render_asset(asset)` | one asset alone |
+| `annotate(scene, layout, view=...)` | a view with grid, fronts, names and walls written into it, for a model |
 | `plan_svg`, `plan_image`, `plan_pdf` | the plan to scale, with what the agent can do (`PlanMarks`) |
+| `compare_image`, `compare_svg` | several plans side by side |
+| `progress_gif`, `walk_gif` | the optimisation, and the agent on its routes |
+| `loss_png`, `loss_image` | the terms of the loss, linear and logarithmic |
+| `run_pictures(scene, layout, trace)` | all files of a run at once |
+| `render_beauty(scene, layout, view=...)` | a path-traced picture (extra `beauty`) |
 
 Nothing heavy is loaded before the first picture.
 """
@@ -16,43 +22,82 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from robolayout.render.animation import progress_gif, walk_gif
+    from robolayout.render.annotation import Mark, annotate, annotation_camera, annotation_marks
+    from robolayout.render.beauty import render_beauty
     from robolayout.render.camera import Camera, eye_camera, fitted_camera, spherical_camera
-    from robolayout.render.marks import PlanMarks
-    from robolayout.render.plan import plan_image, plan_pdf, plan_svg
+    from robolayout.render.compare import compare_image, compare_svg
+    from robolayout.render.curves import loss_image, loss_png
+    from robolayout.render.marks import PlanMarks, gap_ends
+    from robolayout.render.pictures import png_bytes, run_pictures
+    from robolayout.render.plan import draw_plan, plan_image, plan_pdf, plan_svg
     from robolayout.render.view import Buffers, Studio, render_asset, render_view
 
 _HOMES = {
     "Buffers": "view",
     "Camera": "camera",
+    "Mark": "annotation",
     "PlanMarks": "marks",
     "Studio": "view",
+    "annotate": "annotation",
+    "annotation_camera": "annotation",
+    "annotation_marks": "annotation",
+    "compare_image": "compare",
+    "compare_svg": "compare",
+    "draw_plan": "plan",
     "eye_camera": "camera",
     "fitted_camera": "camera",
+    "gap_ends": "marks",
+    "loss_image": "curves",
+    "loss_png": "curves",
     "plan_image": "plan",
     "plan_pdf": "plan",
     "plan_svg": "plan",
+    "png_bytes": "pictures",
+    "progress_gif": "animation",
     "render_asset": "view",
+    "render_beauty": "beauty",
     "render_view": "view",
+    "run_pictures": "pictures",
     "spherical_camera": "camera",
+    "walk_gif": "animation",
 }
+"""Every public name and the module that holds it."""
 
 __all__ = [
     "Buffers",
     "Camera",
+    "Mark",
     "PlanMarks",
     "Studio",
+    "annotate",
+    "annotation_camera",
+    "annotation_marks",
+    "compare_image",
+    "compare_svg",
+    "draw_plan",
     "eye_camera",
     "fitted_camera",
+    "gap_ends",
+    "loss_image",
+    "loss_png",
     "plan_image",
     "plan_pdf",
     "plan_svg",
+    "png_bytes",
+    "progress_gif",
     "render_asset",
+    "render_beauty",
     "render_view",
+    "run_pictures",
     "spherical_camera",
+    "walk_gif",
 ]
 
 
 def __getattr__(name: str) -> Any:
     if name not in _HOMES:
         raise AttributeError(f"module 'robolayout.render' has no attribute {name!r}")
-    return getattr(import_module(f"robolayout.render.{_HOMES[name]}"), name)
+    found = getattr(import_module(f"robolayout.render.{_HOMES[name]}"), name)
+    globals()[name] = found
+    return found

@@ -71,6 +71,9 @@ class Text:
     halo: str | None = None
 
 
+Item = Shape | Text
+
+
 @dataclass
 class Drawing:
     """A sheet and what is drawn on it, from back to front.
@@ -219,7 +222,12 @@ def paint(image: Image, items: Iterable[Shape | Text], scale: float) -> None:
             for ring in rings:
                 points = [*ring, ring[0], ring[1]] if item.closed and len(ring) > 1 else ring
                 for piece in _dashed(points, item.dash, scale):
-                    pen.line(piece, fill=_rgb(item.stroke), width=width, joint="curve")
+                    pen.line(
+                        piece,
+                        fill=_rgb(item.stroke),
+                        width=width,
+                        joint="curve" if width > 2 and len(piece) < 80 else None,
+                    )
 
 
 def _paint_holes(image: Image, rings: list[list[Point]], color: tuple[int, int, int, int]) -> None:

@@ -18,7 +18,7 @@ from robolayout.render import _light
 from robolayout.render._mesh import Mesh, refined, welded
 from robolayout.render.camera import Camera
 
-SUN_TILE, SUN_COLUMNS = 1024, 3
+SUN_TILE, SUN_COLUMNS = 768, 3
 SKY_TILE, SKY_COLUMNS = 256, 7
 """Pixels along a side of a light's depth map, and maps along a side of the atlas."""
 
@@ -220,8 +220,14 @@ class GLRenderer:
         canvas.clear(*_light.BACKGROUND, 1.0)
         context.enable(gl.DEPTH_TEST)
         self._light_up(self._program["shade"], atlas, matrices, toward)
-        self._draw("shade", camera, keep[self._fine.groups] & self._fine.opaque)
-        self._draw_glass(camera, keep[self._fine.groups] & ~self._fine.opaque, canvas)
+        shown = keep[self._fine.groups] & self._fine.facing(camera.position)
+        context.enable(gl.BLEND)
+        context.blend_func = gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA
+        self._draw("shade", camera, np.flatnonzero(shown & self._fine.opaque))
+        glass = np.flatnonzero(shown & ~self._fine.opaque)
+        away = np.linalg.norm(self._fine.corners[glass].mean(axis=1) - camera.position, axis=1)
+        self._draw("shade", camera, glass[np.argsort(away, kind="stable")])
+        context.disable(gl.BLEND)
         plain_color = context.renderbuffer(size, 4)
         plain = context.framebuffer([plain_color])
         context.copy_framebuffer(plain, canvas)
@@ -241,7 +247,7 @@ class GLRenderer:
         canvas.clear()
         context.enable(self._gl.DEPTH_TEST)
         self._program["marks"]["forward"].value = tuple(float(v) for v in camera.axes[2])
-        self._draw("marks", camera, keep[self._fine.groups])
+        self._draw("marks", camera, np.flatnonzero(keep[self._fine.groups]))
         far = np.frombuffer(depth.read(), np.float32).reshape(shape)[::-1]
         names = np.frombuffer(ids.read(), np.int32).reshape(shape)[::-1]
         for thing in (canvas, ids, depth, depths):
@@ -287,9 +293,9 @@ class GLRenderer:
     def _buffer(self, data: NDArray[Any]) -> Any:
         return self._context.buffer(np.ascontiguousarray(data).tobytes())
 
-    def _draw(self, name: str, camera: Camera, which: NDArray[np.bool_]) -> None:
-        """Draw the fine triangles where the mask holds."""
-        if not which.any():
+    def _draw(self, name: str, camera: Camera, which: NDArray[np.intp]) -> None:
+        """Draw the fine triangles with these indices, in this order; of glass only the nearest layer stays."""
+        if not len(which):
             return
         program = self._program[name]
         _, depth = camera.project(self._coarse.corners.reshape(-1, 3))
@@ -301,21 +307,6 @@ class GLRenderer:
         array.render(self._gl.TRIANGLES)
         array.release()
         order.release()
-
-    def _draw_glass(self, camera: Camera, glass: NDArray[np.bool_], canvas: Any) -> None:
-        """Blend the nearest layer of transparent triangles over the picture."""
-        context, gl = self._context, self._gl
-        canvas.color_mask = (False, False, False, False)
-        canvas.use()
-        self._draw("shade", camera, glass)
-        canvas.color_mask = (True, True, True, True)
-        canvas.use()
-        context.depth_func = "=="
-        context.enable(gl.BLEND)
-        context.blend_func = gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA
-        self._draw("shade", camera, glass)
-        context.disable(gl.BLEND)
-        context.depth_func = "<"
 
     def _light_up(self, program: Any, atlas: Any, matrices: NDArray[np.float32], toward: NDArray[np.float32]) -> None:
         atlas.use(0)

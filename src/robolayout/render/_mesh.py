@@ -14,6 +14,9 @@ from robolayout.scene import Layout, Pose, Room, Scene
 CREASE = 0.80
 """Cosine of the angle (37 degrees) below which neighbouring faces are shaded as one smooth surface."""
 
+SLIVER = 0.1
+"""Area, in squares of the longest edge allowed, below which a triangle is not refined."""
+
 ROOM = 0
 """Id of floor and walls; asset k of the scene has id k + 1. The background has id -1."""
 
@@ -34,6 +37,7 @@ class Mesh:
         ids: (n,) ROOM or the asset's place in the scene plus 1.
         groups: (n,) index of the part a triangle belongs to.
         names: Name of each part: "floor", "wall-0", "door-0", "window-0" for the room, the asset's name for assets.
+        convex: Whether each part is closed and convex, so that triangles that face away are never seen.
     """
 
     corners: NDArray[np.float32]
@@ -43,6 +47,7 @@ class Mesh:
     ids: NDArray[np.int32]
     groups: NDArray[np.int32]
     names: tuple[str, ...]
+    convex: tuple[bool, ...]
 
     def __len__(self) -> int:
         return len(self.corners)
@@ -56,6 +61,13 @@ class Mesh:
         """Return the triangles where a mask holds, or those with the given indices."""
         names = ("corners", "normals", "colors", "gloss", "ids", "groups")
         return replace(self, **{name: getattr(self, name)[which] for name in names})
+
+    def facing(self, eye: Sequence[float]) -> NDArray[np.bool_]:
+        """Return the mask of triangles that may be seen from a point: not those of convex parts that face away."""
+        first = self.corners[:, 0]
+        outward = np.cross(self.corners[:, 1] - first, self.corners[:, 2] - first)
+        toward = ((np.asarray(eye, np.float32) - first) * outward).sum(axis=1) > 0
+        return toward | ~np.array(self.convex, dtype=np.bool_)[self.groups]
 
     def named(self, names: Iterable[str]) -> NDArray[np.bool_]:
         """Return the mask of triangles that belong to parts with these names."""
@@ -101,6 +113,7 @@ def flat_mesh(corners: NDArray[np.floating], color: Sequence[float], name: str) 
         np.full(n, ROOM, np.int32),
         np.zeros(n, np.int32),
         (name,),
+        (False,),
     )
 
 
@@ -109,7 +122,7 @@ def merge(first: Mesh, second: Mesh) -> Mesh:
     second = replace(second, groups=second.groups + np.int32(len(first.names)))
     fields = ("corners", "normals", "colors", "gloss", "ids", "groups")
     joined = {name: np.concatenate([getattr(first, name), getattr(second, name)]) for name in fields}
-    return Mesh(**joined, names=first.names + second.names)
+    return Mesh(**joined, names=first.names + second.names, convex=first.convex + second.convex)
 
 
 def linear(srgb: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -120,12 +133,13 @@ def linear(srgb: NDArray[np.float64]) -> NDArray[np.float64]:
 def refined(mesh: Mesh, longest: float, most: int = 120_000) -> Mesh:
     """Return the mesh with edges halved until none is longer than `longest` metres, or there are `most` triangles.
 
-    Always the longest edge is halved, so neighbours are cut at the same points.
+    Always the longest edge is halved, so neighbours are cut at the same points. Slivers stay as they are.
     """
     corners, normals, parent = mesh.corners, mesh.normals, np.arange(len(mesh))
     for _ in range(40):
         edges = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
-        split = edges.max(axis=1, initial=0) > longest
+        area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+        split = (edges.max(axis=1, initial=0) > longest) & (area > SLIVER * longest**2)
         if not split.any() or len(corners) + split.sum() > most:
             break
         turn = (np.argmax(edges[split], axis=1)[:, None] + np.arange(3)) % 3
@@ -175,7 +189,8 @@ def _soup(pieces: Sequence[tuple[Part, str, Pose | None, int]]) -> Mesh:
     ids = np.array([number for *_, number in pieces], dtype=np.int32)
     normals = _normals(world, of).astype(np.float32)
     names = tuple(name for _, name, _, _ in pieces)
-    return Mesh(world.astype(np.float32), normals, colors[of], gloss[of], ids[of], of, names)
+    convex = tuple(piece[0].convex for piece in pieces)
+    return Mesh(world.astype(np.float32), normals, colors[of], gloss[of], ids[of], of, names, convex)
 
 
 def _normals(corners: NDArray[np.float64], of: NDArray[np.int32]) -> NDArray[np.float64]:

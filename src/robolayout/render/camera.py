@@ -93,7 +93,7 @@ class Camera:
         return (clip @ view).astype(np.float32)
 
 
-def spherical_camera(room: Room, polar: float, azimuth: float, size: tuple[int, int], margin: float = 0.12) -> Camera:
+def spherical_camera(room: Room, polar: float, azimuth: float, size: tuple[int, int], margin: float = 0.05) -> Camera:
     """Return the paper's camera: c_floor + H (sin polar cos azimuth, sin polar sin azimuth, cos polar), H = 1.5 W.
 
     It looks at the middle of the floor; its field of view is as wide as the whole room needs. `size` is the picture's

@@ -143,6 +143,11 @@ class Studio:
         camera = self.camera(view, picture_size(size), agent=agent, stand=stand)
         return self.picture(camera, inside=view.startswith("eye:"))
 
+    def shown(self, camera: Camera, *, inside: bool = False) -> Mesh:
+        """Return the triangles that a camera is shown, without the strips where walls were cut away."""
+        keep = self._keep(camera, inside) & np.array([not n.startswith(FLOOR_STRIP) for n in self._mesh.names])
+        return self._mesh.take(keep[self._mesh.groups])
+
     def _keep(self, camera: Camera, inside: bool) -> NDArray[np.bool_]:
         """Return which parts are drawn."""
         hidden = set() if inside else hidden_parts(self.scene, self.layout, camera)

@@ -1,0 +1,153 @@
+"""The picture for a cover: path tracing with Mitsuba, noise removed by Open Image Denoise (extra `beauty`).
+
+Same mesh, same camera and same cut walls as the fast views; light truly bounces, so it takes seconds instead of tenths.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout._errors import MissingExtraError
+from robolayout.render import _light
+from robolayout.render._mesh import Mesh
+from robolayout.render.camera import Camera
+from robolayout.render.view import Studio, picture_size
+from robolayout.scene import Agent, Layout, Scene
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+SUN_DISTANCE = 60.0
+SUN_RADIUS = 2.6
+"""Metres; together they make the sun's disc, wider than the real one so that shadows are soft."""
+
+EXPOSURE = 0.74
+"""Factor on the radiance before the tone curve."""
+
+
+def render_beauty(
+    scene: Scene,
+    layout: Layout,
+    *,
+    view: str = "side",
+    size: int | tuple[int, int] = 1024,
+    samples: int = 8,
+    agent: Agent | None = None,
+    seed: int = 0,
+) -> Image:
+    """Return a path-traced picture of the room.
+
+    Args:
+        scene: The scene.
+        layout: Poses; assets without one are not drawn.
+        view: As in `render_view`.
+        size: Pixels: a side of a square, or (width, height).
+        samples: Light paths per pixel.
+        agent: Whose eyes an "eye:" view uses.
+        seed: Seed of the light paths.
+
+    Raises:
+        MissingExtraError: The extra `beauty` is not installed.
+    """
+    mitsuba, denoise = _load()
+    studio = Studio(scene, layout, renderer="rays")
+    camera = studio.camera(view, picture_size(size), agent=agent)
+    mesh = studio.shown(camera, inside=view.startswith("eye:"))
+    return _trace(mitsuba, denoise, mesh, camera, samples, seed)
+
+
+def _load() -> tuple[Any, Any]:
+    """Return mitsuba and the denoiser's function."""
+    try:
+        mitsuba = importlib.import_module("mitsuba")
+        denoiser = importlib.import_module("pyoidn")
+    except ImportError as error:
+        raise MissingExtraError("a path-traced picture", "beauty") from error
+    mitsuba.set_variant("scalar_rgb")
+    return mitsuba, denoiser.denoise
+
+
+def _trace(mi: Any, denoise: Any, mesh: Mesh, camera: Camera, samples: int, seed: int) -> Image:
+    """Return the picture of a mesh."""
+    from PIL import Image
+
+    world = mi.load_dict(_world(mi, mesh, camera, samples))
+    data = np.array(mi.render(world, spp=samples, seed=seed), dtype=np.float32)
+    color, alpha = np.ascontiguousarray(data[..., :3]), data[..., 3:4]
+    albedo, normal = np.ascontiguousarray(data[..., 4:7]), np.ascontiguousarray(data[..., 7:10])
+    clean = denoise(color, albedo=np.clip(albedo, 0, 1), normal=normal, hdr=True)
+    alpha = np.clip(denoise(np.repeat(alpha, 3, axis=2))[..., :1], 0, 1)
+    shown = _light.encode(np.asarray(clean, np.float32) / np.maximum(alpha, 0.05) * EXPOSURE)
+    picture = shown * alpha + np.array(_light.BACKGROUND, np.float32) * (1 - alpha)
+    return Image.fromarray(np.round(np.clip(picture, 0, 1) * 255).astype(np.uint8))
+
+
+def _world(mi: Any, mesh: Mesh, camera: Camera, samples: int) -> dict[str, Any]:
+    """Return the Mitsuba scene: camera, light and one shape per material."""
+    transform = mi.ScalarTransform4f
+    toward = _light.sun_directions(camera).mean(axis=0)
+    middle = mesh.corners.reshape(-1, 3).mean(axis=0) if len(mesh) else np.zeros(3)
+    sun = middle + toward * SUN_DISTANCE
+    power = _light.SUN * np.pi / (np.pi * (SUN_RADIUS / SUN_DISTANCE) ** 2)
+    world: dict[str, Any] = {
+        "type": "scene",
+        "integrator": {
+            "type": "aov",
+            "aovs": "albedo:albedo,normal:sh_normal",
+            "image": {"type": "path", "max_depth": 5, "rr_depth": 3, "hide_emitters": True},
+        },
+        "sensor": {
+            "type": "perspective",
+            "fov": float(np.degrees(camera.fov)),
+            "fov_axis": "y",
+            "near_clip": 0.02,
+            "to_world": transform().look_at(origin=camera.position, target=camera.target, up=camera.up),
+            "film": {
+                "type": "hdrfilm",
+                "width": camera.width,
+                "height": camera.height,
+                "pixel_format": "rgba",
+                "rfilter": {"type": "box"},
+            },
+            "sampler": {"type": "independent", "sample_count": samples},
+        },
+        "sky": {"type": "constant", "radiance": {"type": "rgb", "value": (_light.SKY * 1.15).tolist()}},
+        "sun": {
+            "type": "disk",
+            "to_world": transform().look_at(origin=sun.tolist(), target=middle.tolist(), up=[0, 0.3, 1])
+            @ transform().scale(SUN_RADIUS),
+            "emitter": {"type": "area", "radiance": {"type": "rgb", "value": power.tolist()}},
+        },
+    }
+    looks, of = np.unique(np.column_stack([mesh.colors, mesh.gloss]).round(4), axis=0, return_inverse=True)
+    for number, look in enumerate(looks):
+        world[f"shape{number}"] = _shape(mi, mesh.take(of.reshape(-1) == number), look, number)
+    return world
+
+
+def _shape(mi: Any, mesh: Mesh, look: NDArray[np.float64], number: int) -> Any:
+    """Return the Mitsuba mesh of all triangles of one look: linear colour, opacity, gloss."""
+    color = {"type": "rgb", "value": [float(v) for v in look[:3]]}
+    surface: dict[str, Any] = {"type": "diffuse", "reflectance": color}
+    if look[4] > 0.35:
+        roughness = float(max(1 - look[4], 0.12))
+        surface = {"type": "principled", "base_color": color, "specular": 0.35, "roughness": roughness}
+    if look[3] < 0.99:
+        clear = {"type": "mask", "opacity": float(look[3]), "nested": {"type": "twosided", "bsdf": surface}}
+        bsdf = mi.load_dict(clear)
+    else:
+        bsdf = mi.load_dict({"type": "twosided", "bsdf": surface})
+    properties = mi.Properties()
+    properties["mesh_bsdf"] = bsdf
+    count = len(mesh)
+    shape = mi.Mesh(f"shape{number}", 3 * count, count, has_vertex_normals=True, props=properties)
+    values = mi.traverse(shape)
+    values["vertex_positions"] = mesh.corners.reshape(-1)
+    values["vertex_normals"] = mesh.normals.reshape(-1)
+    values["faces"] = np.arange(3 * count, dtype=np.uint32)
+    values.update()
+    return shape
