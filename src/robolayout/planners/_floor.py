@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 import shapely
@@ -13,12 +14,13 @@ from numpy.typing import NDArray
 from robolayout.planners._member import Rect
 from robolayout.scene import Agent, Room
 
-CELLS = 130_000
+CELLS = 60_000
 """Most cells of the grid; larger rooms get coarser ones."""
 
 Points = NDArray[np.float64]
 
 
+@lru_cache(maxsize=4096)
 def rect_points(rect: Rect, shrink: float, step: float = 0.1) -> Points:
     """Return points (k, 2) that cover a rectangle, `shrink` metres inside its edges."""
     axes: list[Points] = []
@@ -26,7 +28,9 @@ def rect_points(rect: Rect, shrink: float, step: float = 0.1) -> Points:
         inset = min(shrink, (high - low) / 2)
         count = max(2, math.ceil((high - low - 2 * inset) / step) + 1)
         axes.append(np.linspace(low + inset, high - inset, count))
-    return np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 2)
+    points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 2)
+    points.flags.writeable = False
+    return points
 
 
 def moved(points: Points, poses: NDArray[np.float64]) -> Points:

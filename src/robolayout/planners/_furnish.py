@@ -29,8 +29,14 @@ CUT_OFF = 40.0
 INEXACT = 3.0
 """Cost of a place that fails the exact check by a hair."""
 
-CHECKED = 40
-"""Best places of a batch that are checked exactly before one is taken."""
+CHECKED = 60
+"""Best places that are checked exactly before one is taken."""
+
+TRIALS = 6
+"""Places for which it is found out what they cut off."""
+
+HARMLESS = 0.8
+"""Cost of what a place cuts off below which it is taken at once."""
 
 BAD = 2.5
 """Cost above which a place counts as bad enough to try something else."""
@@ -44,7 +50,7 @@ SHARES = (1.0, 0.85, 0.7, 0.5)
 TIGHT = 1.2
 """Cost of a grid whose neighbours touch."""
 
-MOOD = 0.3
+MOOD = 0.5
 """Standard deviation of the logarithm by which wishes vary from one attempt to the next."""
 
 
@@ -72,8 +78,8 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
 
 
 def attempts(count: int) -> int:
-    """Return how many rooms to try for so many assets: 24 for small rooms, fewer for crowded ones."""
-    return max(5, min(24, 400 // max(count, 1)))
+    """Return how many rooms to try for so many assets: 12 for small rooms, fewer for crowded ones."""
+    return max(3, min(12, 150 // max(count, 1)))
 
 
 def _keep(site: Site, builder: ClusterBuilder, placed: Layout | None) -> None:
@@ -92,6 +98,23 @@ def _keep(site: Site, builder: ClusterBuilder, placed: Layout | None) -> None:
                 world = member.moved(pose.x, pose.y, pose.yaw)
                 world = replace(world, bottom=world.bottom + site.spots[name].member.bottom)
                 site.settle(member.name, Spot(world, "join", None, site.cast[member.name].anchor))
+
+
+Choice = tuple[float, Batch, int]
+"""A place: its cost, the batch that it is in, and its row there."""
+
+
+def _put(site: Site, batch: Batch, row: int) -> None:
+    """Put a cluster at one place of a batch."""
+    wall = int(batch.walls[row])
+    anchor = batch.anchors[row] if batch.anchors else ""
+    site.put(batch.cluster, batch.poses[row], batch.mode, wall if wall >= 0 else None, anchor or None)
+
+
+def _close(batch: Batch, row: int, other: Batch, at: int) -> bool:
+    """Whether two places are nearly the same."""
+    step = np.abs(batch.poses[row] - other.poses[at])
+    return batch.cluster == other.cluster and bool(step[:2].max() < 0.3 and step[2] < 0.1)
 
 
 class _Attempt:
@@ -170,36 +193,48 @@ class _Attempt:
         self, cluster: Cluster, modes: Sequence[str], weights: Mapping[str, float], limit: float | None = None
     ) -> bool:
         """Put a cluster at its best place; with a limit only if that place is no worse than it."""
-        best = self._best(batches(self.site, cluster, modes), weights, modes)
-        if best is None:
+        ranked = self._ranked(batches(self.site, cluster, modes), weights, modes)
+        if not ranked:
             return False if limit is not None else self._anywhere(cluster)
-        cost, batch, row = best
+        cost, batch, row = self._choose(ranked)
         if limit is not None and cost > limit:
             return False
         if cost > 10 and len(cluster.members) > 1 and limit is None and self._split(cluster, modes, weights):
             return True
-        wall = int(batch.walls[row])
-        anchor = batch.anchors[row] if batch.anchors else ""
-        self.site.put(batch.cluster, batch.poses[row], batch.mode, wall if wall >= 0 else None, anchor or None)
+        _put(self.site, batch, row)
         self.cost += cost
         return True
 
-    def _best(
-        self, found: Sequence[Batch], weights: Mapping[str, float], modes: Sequence[str]
-    ) -> tuple[float, Batch, int] | None:
-        best: tuple[float, Batch, int] | None = None
+    def _ranked(self, found: Sequence[Batch], weights: Mapping[str, float], modes: Sequence[str]) -> list[Choice]:
+        """Return the `CHECKED` best places of all batches, best first."""
+        choices: list[Choice] = []
         for batch in found:
             cost = self.site.base_cost(batch.cluster, batch.poses) + taste(self.site, batch, weights)
-            cost += 0.6 * list(modes).index(batch.mode) if batch.mode in modes else 0.0
+            cost += 0.6 * list(modes).index(batch.mode)
             cost += 0.0 if self.calm else self.rng.random(len(cost)) * 0.1
-            for row in np.argsort(cost, kind="stable")[:CHECKED]:
-                exact = self.site.exact(batch.cluster, batch.poses[row])
-                here = float(cost[row]) + (0.0 if exact else INEXACT)
-                if best is None or here < best[0]:
-                    best = (here, batch, int(row))
-                if exact or (best is not None and cost[row] > best[0]):
-                    break
-        return best
+            best = np.argsort(cost, kind="stable")[:CHECKED]
+            choices += [(float(cost[row]), batch, int(row)) for row in best]
+        return sorted(choices, key=lambda choice: choice[0])[:CHECKED]
+
+    def _choose(self, ranked: Sequence[Choice]) -> Choice:
+        """Return the first place that is exactly free and cuts nothing off, or else the one that does least harm."""
+        before, best, rejected = len(self.site.unreached()), None, list[Choice]()
+        for cost, batch, row in ranked:
+            if best is not None and cost > best[0]:
+                break
+            if any(_close(batch, row, other, at) for _, other, at in rejected):
+                continue
+            if not self.site.exact(batch.cluster, batch.poses[row]):
+                best = min((c for c in (best, (cost + INEXACT, batch, row)) if c), key=lambda choice: choice[0])
+                continue
+            trial = self.site.copy()
+            _put(trial, batch, row)
+            harm = UNREACHED * max(0, len(trial.unreached()) - before) + CUT_OFF * trial.cut_off
+            best = min((c for c in (best, (cost + harm, batch, row)) if c), key=lambda choice: choice[0])
+            rejected.append((cost, batch, row))
+            if harm < HARMLESS or len(rejected) >= TRIALS:
+                break
+        return best or ranked[0]
 
     def _split(self, cluster: Cluster, modes: Sequence[str], weights: Mapping[str, float]) -> bool:
         """Place a cluster that fits nowhere as a whole: floor things that can stand alone are placed on their own."""

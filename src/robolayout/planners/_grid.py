@@ -105,7 +105,7 @@ def _poses(site: Site, cluster: Cluster) -> np.ndarray:  # type: ignore[type-arg
 def _steps(low: float, high: float) -> list[float]:
     if high < low:
         return []
-    count = max(2, min(9, math.ceil((high - low) / 0.3) + 1))
+    count = max(2, min(7, math.ceil((high - low) / 0.3) + 1))
     return [float(v) for v in np.linspace(low, high, count)]
 
 

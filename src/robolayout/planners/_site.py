@@ -198,8 +198,10 @@ class Site:
                 rect = _strip_rect(self.size(member.name), side, depth)
                 points = _placed(rect_points(rect, 0.04, 0.15), member)
                 own = np.zeros(len(points), np.bool_)
+                (left, bottom), (right, top) = points.min(0).tolist(), points.max(0).tolist()
                 for box in boxes:
-                    own |= _within(points, box)
+                    if overlaps(box, (left, bottom, right, top)):
+                        own |= _within(points, box)
                 if own.mean() < 0.6:
                     found.append(Strip((member.name, group), points[~own]))
         return found

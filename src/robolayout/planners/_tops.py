@@ -25,12 +25,14 @@ class Top:
         self.half = (size[0] / 2, size[1] / 2)
         self.sizes = sizes
         self.reach = reach
+        self.seated = False
         self.on_top = [member for member in placed if abs(member.bottom - size[2]) < 1e-6]
         self.taken: list[Rect] = [box_of(member, sizes[member.name]) for member in self.on_top]
 
     def put(self, items: Sequence[tuple[str, str, str]], seats: Sequence[Member]) -> list[Member]:
         """Place things given as (name, where, slot) and return them; settings go to the seats in order."""
         found: list[Member] = []
+        self.seated = len(seats) > 1
         for i, (name, at, slot) in enumerate(items):
             if slot == "setting" and i < len(seats):
                 member = self._at_seat(name, at, seats[i])
@@ -93,6 +95,8 @@ class Top:
             return (max(0.0, rx - 0.03), y)
         if at == "side":
             return (0.0, ry * 0.85 if count == 1 else y)
+        if self.seated:
+            return (0.0, y if count > 1 else max(0.0, ry - self.reach + 0.05))
         if rx <= self.reach or at == "centre":
             return (0.0, y)
         return (0.0, max(0.0, ry - self.reach)) if count == 1 and at == "middle" else (max(0.0, rx - self.reach), y)
