@@ -49,7 +49,7 @@ class SolverConfig:
     starts: int = 16
     """Starts of the first phase."""
 
-    kept: int = 4
+    kept: int = 8
     """Starts that go on to polishing, routes and verification."""
 
     search: SearchConfig = SearchConfig(steps=220, rate=0.10, final_rate=0.01, noise=0.06, ramp=0.05)

@@ -82,8 +82,9 @@ def statement_residuals(body: Body, arrays: Arrays) -> tuple[Array, Array]:
     row = FrameRow(*(arrays.frame_row[:, i] for i in range(arrays.frame_row.shape[1])))
     a = _yielding(take(body, arrays.frame_index[:, 0]), row.move_a)
     b = _yielding(take(body, arrays.frame_index[:, 1]), row.move_b)
-    mirrored = (take(body, arrays.mirror_index[:, i]) for i in range(3))
-    return frame_residual(a, b, row), mirror_residual(*mirrored, arrays.mirror_normal)
+    twins = (take(body, arrays.mirror_index[:, i]) for i in range(2))
+    axis = _yielding(take(body, arrays.mirror_index[:, 2]), jnp.zeros_like(arrays.mirror_weight))
+    return frame_residual(a, b, row), mirror_residual(*twins, axis, arrays.mirror_normal)
 
 
 def overlap_depths(body: Body, pairs: Array, weights: Weights) -> Array:

@@ -11,10 +11,16 @@ from robolayout.scene import Snapshot, Trace
 from robolayout.solve.arrays import Routes, Schedule
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SearchConfig, SolverConfig
-from robolayout.solve.search import HISTORY, SNAPSHOTS, advance, evaluate
+from robolayout.solve.search import HISTORY, SNAPSHOTS, Found, advance
 from robolayout.solve.stage import Stage, no_routes
 
+STILL = SearchConfig(steps=0, rate=0.0, final_rate=0.0)
+"""A phase without a step: only the objective is evaluated."""
+
 TERMS = ("overlap", "boundary", "clear", "statements", "reachability")
+BATCH = 8
+"""Starts that run at once; more run in several batches, so that one compiled program serves them all."""
+
 NOISE_BLOCK = 32
 """Steps after which the noise repeats."""
 
@@ -32,6 +38,10 @@ class Run:
     world: Floats
     energy: Floats
     hard: Floats
+
+    def fields(self) -> tuple[Floats, Floats, Floats]:
+        """Return its arrays."""
+        return (self.world, self.energy, self.hard)
 
     def order(self) -> list[int]:
         """Return the starts, best first: hard part to 1e-3, then the whole."""
@@ -61,27 +71,37 @@ class Runner:
         rng: np.random.Generator | None = None,
     ) -> Run:
         """Run one phase from world poses (K, n, 4)."""
-        starts, slots = len(world), stage.slots
-        local = stage.local(world).astype(np.float32)
-        shape = (NOISE_BLOCK, starts, slots, 2)
+        runs: list[Run] = []
+        for begin in range(0, len(world), BATCH):
+            part = slice(begin, min(begin + BATCH, len(world)))
+            found = self._call(stage, world[part], phase, routes and Routes(*(field[part] for field in routes)), rng)
+            runs.append(self._run(stage, world[part], found))
+            if self.config.trace and begin == 0 and phase.steps:
+                self._record(stage, label, phase.steps, found)
+        return Run(*(np.concatenate(fields) for fields in zip(*(run.fields() for run in runs), strict=True)))
+
+    def evaluate(self, stage: Stage, world: Floats, routes: Routes | None = None) -> Run:
+        """Return the objective of layouts (K, n, 4) without moving anything."""
+        return self.advance(stage, world, STILL, "", routes=routes)
+
+    def _call(
+        self, stage: Stage, world: Floats, phase: SearchConfig, routes: Routes | None, rng: np.random.Generator | None
+    ) -> Found:
+        """Run one batch, filled up by repeating its last start."""
+        fill = np.minimum(np.arange(BATCH), len(world) - 1)
+        local = stage.local(world[fill]).astype(np.float32)
+        shape = (NOISE_BLOCK, BATCH, stage.slots, 2)
         noise = np.zeros(shape, np.float32) if rng is None else rng.standard_normal(shape, np.float32)
         schedule = Schedule(
             np.int32(phase.steps), *(np.float32(v) for v in (phase.rate, phase.final_rate, phase.noise, phase.ramp))
         )
-        routes = routes or no_routes(starts, 8 * slots)
-        found = advance(local, stage.arrays, routes, schedule, noise, weights=self.config.weights)
-        count = len(stage.problem.names)
-        result = self._settled(stage, world, np.asarray(found.world, np.float64)[:, :count])
-        if self.config.trace:
-            self._record(label, phase.steps, np.asarray(found.history), np.asarray(found.shots)[:, :count])
-        return Run(result, *self._energies(np.stack([np.asarray(part) for part in found.losses])))
+        demands = no_routes(BATCH, 8 * stage.slots) if routes is None else Routes(*(field[fill] for field in routes))
+        return advance(local, stage.arrays, demands, schedule, noise, weights=self.config.weights)
 
-    def evaluate(self, stage: Stage, world: Floats, routes: Routes | None = None) -> Run:
-        """Return the objective of layouts (K, n, 4) without moving anything."""
-        local = stage.local(world).astype(np.float32)
-        routes = routes or no_routes(len(world), 8 * stage.slots)
-        found = evaluate(local, stage.arrays, routes, weights=self.config.weights)
-        return Run(world, *self._energies(np.stack([np.asarray(part) for part in found])))
+    def _run(self, stage: Stage, world: Floats, found: Found) -> Run:
+        count = len(stage.problem.names)
+        result = self._settled(stage, world, np.asarray(found.world, np.float64)[: len(world), :count])
+        return Run(result, *self._energies(np.stack([np.asarray(part)[: len(world)] for part in found.losses])))
 
     def _energies(self, parts: Floats) -> tuple[Floats, Floats]:
         weights = self.config.weights
@@ -99,7 +119,9 @@ class Runner:
         world[..., 2:] /= norm[..., None]
         return world
 
-    def _record(self, label: str, steps: int, history: Floats, shots: Floats) -> None:
+    def _record(self, stage: Stage, label: str, steps: int, found: Found) -> None:
+        """Keep the losses of the best start of a batch, and its poses at 20 moments."""
+        history, shots = np.asarray(found.history), np.asarray(found.shots)[:, : len(stage.problem.names)]
         begin = len(self._losses)
         weights = self.config.weights
         factors = (weights.overlap, weights.inside, weights.clear, 1.0, weights.routes)

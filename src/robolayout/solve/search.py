@@ -153,9 +153,3 @@ def advance(
     best = jnp.argmin(total(parts, jnp.float32(1.0), weights))
     shots = world_poses(end.shots[:, best], arrays)
     return Found(end.local, world_poses(end.local, arrays), parts, end.history[:, best], shots)
-
-
-@partial(jax.jit, static_argnames=("weights",))
-def evaluate(local: Array, arrays: Arrays, routes: Routes, *, weights: Weights) -> Losses:
-    """Return the terms of many layouts at once."""
-    return losses(local, arrays, routes, near_pairs(local, arrays), weights)
