@@ -16,7 +16,6 @@ def test_there_are_at_least_two_hundred_categories_and_all_make_sense() -> None:
         assert category.name == name
         assert category.places
         assert set(category.places) <= set(PLACES)
-        assert category.use_sides
         assert set(category.use_sides) <= set(SIDES)
         assert all(0.002 < edge < 4.0 for edge in category.size), name
         assert 0.0 <= category.open_depth <= 1.2, name

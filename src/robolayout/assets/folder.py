@@ -119,9 +119,7 @@ def _entry(path: Path, shown: str, *, front: str | None, up: str | None) -> tupl
     return variable_name(guess.text)[:60], _as_scene(shown, guess, category, size, (unit, upward, forward))
 
 
-def _as_scene(
-    shown: str, guess: Guess, category: Category, size: Size, axes: tuple[str, str, str]
-) -> dict[str, Any]:
+def _as_scene(shown: str, guess: Guess, category: Category, size: Size, axes: tuple[str, str, str]) -> dict[str, Any]:
     """Return one asset as a scene file writes it, with what was found about the mesh."""
     depth, width, height = (round(max(edge, 0.001), 4) for edge in size)
     return {

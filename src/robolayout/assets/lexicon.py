@@ -26,9 +26,13 @@ LONGEST_PHRASE = 5
 ODD_SIZE = math.log(4.0)
 """A word whose typical size differs by more than this factor in its longest edge yields to another word."""
 BREAKS = frozenset(
-    "with of for in on from to by at under over near and or that which where who inside against above below beside "
-    "between behind next underneath including without plus per like used made is has into onto before".split()
-)
+    (
+        "with", "of", "for", "in", "on", "from", "to", "by", "at", "under", "over", "near", "and", "or", "that", "which",
+        "where", "who", "inside", "against", "above", "below", "beside", "between", "behind", "next", "underneath",
+        "including", "without", "plus", "per", "like", "used", "made", "is", "has", "into", "onto", "before",
+    )
+)  # fmt: skip
+"""Words after which no head noun is expected."""
 IRREGULAR = {"shelves": "shelf", "knives": "knife", "loaves": "loaf", "leaves": "leaf", "mice": "mouse", "feet": "foot"}
 KEEPS_S = ("ss", "us", "is")
 LOSES_ES = ("ches", "shes", "xes", "sses", "zes")
@@ -44,9 +48,7 @@ class Match:
     names: tuple[str, ...]
 
 
-def find_category(
-    text: str, *, description: str = "", size: Size | None = None, place: str | None = None
-) -> Category:
+def find_category(text: str, *, description: str = "", size: Size | None = None, place: str | None = None) -> Category:
     """Return the category that fits the words best; never fails.
 
     Args:

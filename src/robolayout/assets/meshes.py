@@ -28,7 +28,10 @@ def parts(asset: Asset, seed: int = 0) -> tuple[Part, ...]:
 
         up, front = (asset.metadata.get(key) for key in ("up", "front"))
         return load_mesh_parts(
-            asset.path, asset.size, up=up if isinstance(up, str) else None, front=front if isinstance(front, str) else None
+            asset.path,
+            asset.size,
+            up=up if isinstance(up, str) else None,
+            front=front if isinstance(front, str) else None,
         )
     category = category_of(asset)
     piece = make_piece(category.name, asset.variable or asset.name, asset.name, asset.size, seed)

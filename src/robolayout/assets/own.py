@@ -64,9 +64,7 @@ class RawMesh:
     material: Material
 
 
-def load_mesh_parts(
-    path: Path, size: Size, *, up: str | None = None, front: str | None = None
-) -> tuple[Part, ...]:
+def load_mesh_parts(path: Path, size: Size, *, up: str | None = None, front: str | None = None) -> tuple[Part, ...]:
     """Load a mesh file and fit it into a box of `size` (depth, width, height) about the origin, facing +x.
 
     Args:
@@ -141,7 +139,9 @@ def read_pieces(path: Path) -> tuple[RawMesh, ...]:
     try:
         length = path.stat().st_size
         if length > MAX_BYTES:
-            raise AssetError(f"mesh {path.name} has {length / 1e6:.0f} MB; at most {MAX_BYTES // 1_000_000} MB are read.")
+            raise AssetError(
+                f"mesh {path.name} has {length / 1e6:.0f} MB; at most {MAX_BYTES // 1_000_000} MB are read."
+            )
         data = path.read_bytes()
     except OSError as error:
         raise AssetError(f"mesh {path.name} cannot be read: {error.strerror or error}.") from error
@@ -188,7 +188,9 @@ def _glb_count(name: str, data: bytes) -> int:
     except PARSER_ERRORS as error:
         raise AssetError(f"mesh {name} is broken and cannot be used: {_short(error)}.") from error
     if nodes > MAX_NODES:
-        raise AssetError(f"mesh {name} has {nodes} nodes; at most {MAX_NODES} are read. Merge its parts and export again.")
+        raise AssetError(
+            f"mesh {name} has {nodes} nodes; at most {MAX_NODES} are read. Merge its parts and export again."
+        )
     return count
 
 
@@ -206,14 +208,14 @@ def _pieces(data: bytes, kind: str) -> Iterator[RawMesh]:
         total += len(mesh.faces)
         if total > MAX_RAW_TRIANGLES:
             raise ValueError(f"it unfolds to more than {MAX_RAW_TRIANGLES} triangles")
-        piece = _cleaned(str(key), np.asarray(mesh.vertices), np.asarray(mesh.faces), np.asarray(matrix), _material(mesh))
+        piece = _cleaned(
+            str(key), np.asarray(mesh.vertices), np.asarray(mesh.faces), np.asarray(matrix), _material(mesh)
+        )
         if piece is not None:
             yield piece
 
 
-def _cleaned(
-    name: str, points: Array, faces: NDArray[np.int64], matrix: Array, look: Material
-) -> RawMesh | None:
+def _cleaned(name: str, points: Array, faces: NDArray[np.int64], matrix: Array, look: Material) -> RawMesh | None:
     """Place a piece and drop triangles with unusable numbers; None where nothing is left."""
     placed = points @ matrix[:3, :3].T + matrix[:3, 3]
     usable = np.isfinite(placed).all(axis=1) & (np.abs(placed) < 1e7).all(axis=1)
@@ -283,15 +285,15 @@ def _clustered(piece: RawMesh, most: int) -> RawMesh:
         return piece
     low = piece.vertices.min(axis=0)
     edge = float((piece.vertices.max(axis=0) - low).max()) or 1.0
-    cells = 2.0 * np.sqrt(most)
-    for _ in range(24):
+    cells = np.sqrt(most)
+    for _ in range(12):
         grid = np.floor((piece.vertices - low) / edge * cells).astype(np.int64)
         keys = (grid[:, 0] << 42) + (grid[:, 1] << 21) + grid[:, 2]
         _, index = np.unique(keys, return_inverse=True)
         faces = _distinct(index[piece.faces])
         if len(faces) <= most:
             break
-        cells *= 0.75
+        cells *= min(0.9, 0.97 * np.sqrt(most / len(faces)))
     counts = np.bincount(index).astype(np.float64)
     points = np.stack([np.bincount(index, weights=piece.vertices[:, i]) / counts for i in range(3)], axis=1)
     return RawMesh(piece.name, points, faces, piece.material)

@@ -9,9 +9,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
-from shapely import LineString, Polygon, box, constrained_delaunay_triangles
+from shapely import Polygon, box, constrained_delaunay_triangles
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets.palette import BLACK, DARK, GLASS, STEEL, WHITE, material
@@ -109,14 +110,17 @@ def _floor(room: Room, look: RoomStyle) -> Iterator[Part]:
     outline = Polygon(room.vertices)
     base = look.tones[-1] if look.floor == "tiles" else look.tones[0]
     yield _extruded("floor", base, outline, (-SLAB, -0.001))
-    if look.floor == "tiles":
-        sheets = [_tiles(outline)]
-    else:
-        sheets = _strips(outline, len(look.tones)) if look.floor == "planks" else [[outline]]
-    for tone, pieces in zip(look.tones, sheets, strict=False):
+    for tone, pieces in zip(look.tones, _sheets(outline, look), strict=False):
         part = _sheet("floor", tone, pieces)
         if part is not None:
             yield part
+
+
+def _sheets(outline: Polygon, look: RoomStyle) -> list[list[BaseGeometry]]:
+    """Return the visible pieces of the floor, one list for each tone."""
+    if look.floor == "tiles":
+        return [_tiles(outline)]
+    return _strips(outline, len(look.tones)) if look.floor == "planks" else [[outline]]
 
 
 def _strips(outline: Polygon, tones: int) -> list[list[BaseGeometry]]:
@@ -185,7 +189,7 @@ def _extruded(name: str, tone: Material, outline: Polygon, span: tuple[float, fl
 
 def _walls(room: Room, look: RoomStyle) -> Iterator[Part]:
     """Yield the convex blocks of every wall."""
-    corners = _outer_corners(room)
+    corners = _offset_corners(room, THICKNESS)
     for wall in room.walls:
         openings = [o for o in (*room.doors, *room.windows) if o.wall == wall.index]
         ends = (corners[wall.index], corners[(wall.index + 1) % len(corners)])
@@ -196,8 +200,8 @@ def _walls(room: Room, look: RoomStyle) -> Iterator[Part]:
             yield prism(f"wall-{wall.index}", look.wall, outline, (low, high))
 
 
-def _outer_corners(room: Room) -> list[Point]:
-    """Return where the outer faces of neighbouring walls meet, at each vertex; sharp corners are cut short."""
+def _offset_corners(room: Room, outwards: float) -> list[Point]:
+    """Return where the walls' faces meet at each vertex when all move outwards by some metres; sharp ones are cut short."""
     corners: list[Point] = []
     walls = room.walls
     for i, wall in enumerate(walls):
@@ -205,9 +209,9 @@ def _outer_corners(room: Room) -> list[Point]:
         sx, sy = ax + bx, ay + by
         length = math.hypot(sx, sy)
         if length < SHORTEST:
-            corners.append(wall.point(0.0, -THICKNESS))
+            corners.append(wall.point(0.0, -outwards))
             continue
-        reach = min(THICKNESS / (length / 2), 3 * THICKNESS) / length
+        reach = outwards * min(2 / length, 3.0) / length
         corners.append((wall.start[0] - sx * reach, wall.start[1] - sy * reach))
     return corners
 
@@ -218,7 +222,7 @@ def _blocks(length: float, height: float, openings: Sequence[Opening]) -> Iterat
     for opening in openings:
         cuts |= {min(max(x, 0.0), length) for x in (opening.offset, opening.offset + opening.width)}
     marks = sorted(cuts)
-    for near, far in zip(marks, marks[1:], strict=False):
+    for near, far in pairwise(marks):
         if far - near < SHORTEST:
             continue
         middle, level = (near + far) / 2, 0.0
@@ -284,17 +288,14 @@ def _window(wall: Wall, window: Opening, name: str, look: RoomStyle) -> Iterator
 def _skirting(room: Room, look: RoomStyle) -> Iterator[Part]:
     """Yield boards along the foot of the walls, left out at doors."""
     depth, height = SKIRTING
-    outline = Polygon(room.vertices)
-    inner = outline.buffer(-depth, join_style="mitre")
-    band = outline.difference(inner)
+    corners = _offset_corners(room, -depth)
     for wall in room.walls:
+        ends = (corners[wall.index], corners[(wall.index + 1) % len(corners)])
         for near, far in _gaps(wall.length, [d for d in room.doors if d.wall == wall.index]):
-            strip = LineString([wall.point(near), wall.point(far)]).buffer(depth, cap_style="flat", join_style="mitre")
-            clipped = band.intersection(strip)
-            for piece in _polygons(clipped):
-                ring = list(piece.convex_hull.exterior.coords[:-1])
-                ring = ring if piece.convex_hull.exterior.is_ccw else ring[::-1]
-                yield prism(f"skirting-{wall.index}", look.trim, [(x, y) for x, y, *_ in ring], (0.0, height))
+            inner_near = ends[0] if near <= SHORTEST else wall.point(near, depth)
+            inner_far = ends[1] if far >= wall.length - SHORTEST else wall.point(far, depth)
+            outline = (wall.point(near), wall.point(far), inner_far, inner_near)
+            yield prism(f"skirting-{wall.index}", look.trim, outline, (0.0, height))
 
 
 def _gaps(length: float, doors: Sequence[Opening]) -> Iterator[tuple[float, float]]:

@@ -70,7 +70,14 @@ def prism(name: str, material: Material, outline: Sequence[Range], span: Range, 
 
 
 def cylinder(
-    name: str, material: Material, center: Range, radius: float | Range, span: Range, *, axis: str = "z", sides: int = 16
+    name: str,
+    material: Material,
+    center: Range,
+    radius: float | Range,
+    span: Range,
+    *,
+    axis: str = "z",
+    sides: int = 16,
 ) -> Part:
     """Return a cylinder, or a cone frustum where `radius` is (at the start, at the end) of its span.
 
@@ -99,14 +106,12 @@ def oval(
         for t in turn
     ]
     points = np.array(rows)
-    reach = np.array([max(radii[0][i], radii[1][i]) for i in range(2)])
+    reach = np.repeat(np.array(radii), sides, axis=0)
     points[:, :2] = np.clip(points[:, :2], np.array(center) - reach, np.array(center) + reach)
-    return Part(name, _turned(points, axis), _drum_faces(sides), material)
+    return Part(name, _turned(points, axis), _bulging(points, _drum_faces(sides)), material)
 
 
-def ball(
-    name: str, material: Material, x: Range, y: Range, z: Range, *, rings: int = 5, sides: int = 12
-) -> Part:
+def ball(name: str, material: Material, x: Range, y: Range, z: Range, *, rings: int = 5, sides: int = 12) -> Part:
     """Return a low-poly ellipsoid that fills the three ranges."""
     low, high = _corners(x, y, z)
     middle, half = (low + high) / 2, (high - low) / 2
@@ -150,8 +155,23 @@ def _drum_faces(sides: int) -> Faces:
     """Return the faces of two rings of `sides` points, the lower first."""
     ring = [(i, (i + 1) % sides) for i in range(sides)]
     walls = [(i, j, j + sides) for i, j in ring] + [(i, j + sides, i + sides) for i, j in ring]
-    caps = [(0, i + 1, i) for i in range(1, sides - 1)] + [(sides, sides + i, sides + i + 1) for i in range(1, sides - 1)]
+    caps = [(0, i + 1, i) for i in range(1, sides - 1)] + [
+        (sides, sides + i, sides + i + 1) for i in range(1, sides - 1)
+    ]
     return np.array(walls + caps, dtype=np.int32)
+
+
+def _bulging(points: Array, faces: Faces) -> Faces:
+    """Turn the diagonals of a drum's side quads outwards, so that two different ellipses make a convex piece."""
+    sides = len(points) // 2
+    low = np.arange(sides)
+    a, b, c, d = low, (low + 1) % sides, (low + 1) % sides + sides, low + sides
+    normal = np.cross(points[b] - points[a], points[c] - points[a])
+    hollow = np.einsum("ij,ij->i", normal, points[d] - points[a]) > 1e-12
+    turned = faces.copy()
+    turned[:sides][hollow] = np.stack([a, b, d], axis=1)[hollow]
+    turned[sides : 2 * sides][hollow] = np.stack([b, c, d], axis=1)[hollow]
+    return turned
 
 
 @cache

@@ -3,10 +3,67 @@
 from __future__ import annotations
 
 from robolayout.assets.category import Category
-from robolayout.assets.furniture import bathroom, care, decoration, kitchen, media, plain, play, retail, seating, sleeping, storage, tables, tableware, warehouse, work
+from robolayout.assets.furniture import (
+    bathroom,
+    care,
+    chairs,
+    checkout,
+    classroom,
+    decoration,
+    entrance,
+    games,
+    gym,
+    hospitality,
+    kitchen,
+    lighting,
+    media,
+    plain,
+    plants,
+    play,
+    retail,
+    seating,
+    sleeping,
+    storage,
+    structure,
+    tables,
+    tableware,
+    textiles,
+    wall,
+    warehouse,
+    work,
+    workshop,
+)
 from robolayout.assets.furniture._common import Builder
 
-GROUPS = (sleeping, seating, tables, tableware, storage, media, decoration, kitchen, bathroom, work, play, retail, care, warehouse)
+GROUPS = (
+    bathroom,
+    care,
+    chairs,
+    checkout,
+    classroom,
+    decoration,
+    entrance,
+    games,
+    gym,
+    hospitality,
+    kitchen,
+    lighting,
+    media,
+    plants,
+    play,
+    retail,
+    seating,
+    sleeping,
+    storage,
+    structure,
+    tables,
+    tableware,
+    textiles,
+    wall,
+    warehouse,
+    work,
+    workshop,
+)
 BUILDERS: dict[str, Builder] = {name: build for group in GROUPS for name, build in group.BUILDERS.items()}
 """Builders by category name."""
 

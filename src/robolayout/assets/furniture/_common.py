@@ -66,7 +66,9 @@ def drawers(
             if knobs:
                 yield cylinder("knob", p.metal, (middle, level), (0.008, 0.013), (face, p.x[1]), axis="x", sides=8)
             else:
-                yield box("handle", p.metal, (face, p.x[1]), (middle - half, middle + half), (level - 0.006, level + 0.006))
+                yield box(
+                    "handle", p.metal, (face, p.x[1]), (middle - half, middle + half), (level - 0.006, level + 0.006)
+                )
 
 
 def carcass(p: Piece, material: Material, z: Range, *, y: Range | None = None) -> Part:
@@ -79,7 +81,9 @@ def board(p: Piece, material: Material, z: Range, *, over: float = 0.0) -> Part:
     return box("top", material, (p.x[0] + over, p.x[1] - over), (p.y[0] + over, p.y[1] - over), z)
 
 
-def open_case(p: Piece, material: Material, levels: Iterable[float], thick: float, *, z: Range | None = None) -> Iterator[Part]:
+def open_case(
+    p: Piece, material: Material, levels: Iterable[float], thick: float, *, z: Range | None = None
+) -> Iterator[Part]:
     """Yield an open shelf: two sides, a back, and boards whose upper faces lie at `levels`."""
     bottom, top = z or p.z
     for y0, y1 in ((p.y[0], p.y[0] + thick), (p.y[1] - thick, p.y[1])):
@@ -103,7 +107,9 @@ def books(p: Piece, y: Range, floor: float, room: float, *, x: Range | None = No
         if rng.random() < 0.85:
             tall = room * rng.uniform(0.62, 0.92)
             depth = (front - back) * rng.uniform(0.7, 0.95)
-            yield box("books", rng.choice(SPINES), (back, back + depth), (at, at + width - 0.003), (floor, floor + tall))
+            yield box(
+                "books", rng.choice(SPINES), (back, back + depth), (at, at + width - 0.003), (floor, floor + tall)
+            )
         at += width
 
 

@@ -6,10 +6,26 @@ from collections.abc import Iterator
 
 from robolayout.assets.furniture._common import DOOR, KNOB, Builder, board, carcass, doors, drawers
 from robolayout.assets.palette import (
-    BLACK, BRIGHT, CERAMIC, CHROME, COFFEE, DARK, GLASS, GLOW, LEAF, ORANGE, PAPER, SPINES, STEEL, STONE, WHITE, YELLOW, Piece,
+    BLACK,
+    BRIGHT,
+    CERAMIC,
+    CHROME,
+    COFFEE,
+    DARK,
+    GLASS,
+    GLOW,
+    LEAF,
+    ORANGE,
+    PAPER,
+    SPINES,
+    STEEL,
+    STONE,
+    WHITE,
+    YELLOW,
+    Piece,
 )  # fmt: skip
 from robolayout.assets.part import Part
-from robolayout.assets.shapes import box, cylinder, sheared, slab, soft
+from robolayout.assets.shapes import ball, box, cylinder, sheared, slab, soft
 
 
 def base(p: Piece, *, top: float | None = None) -> Iterator[Part]:
@@ -48,15 +64,15 @@ def wall_cabinet(p: Piece) -> Iterator[Part]:
 def island(p: Piece) -> Iterator[Part]:
     """Yield an island: units in front, a breakfast overhang behind, a bowl of fruit."""
     body = Piece(0.72 * p.d, p.w - 0.06, p.h, p.palette, p.fabric, p.accent, p.bedding, p.kind, p.variant, p.key)
-    for part in base(body):
+    for part in base(body, top=0.93 * p.h):
         if part.name != "top":
             part.vertices[:, 0] += 0.13 * p.d
             yield part
-    low = p.h - 0.06
-    yield box("worktop", STONE if p.variant % 2 else p.wood, p.x, p.y, (low - 0.04 + 0.0405, low))
+    low = 0.93 * p.h
+    yield box("worktop", STONE if p.variant % 2 else p.wood, p.x, p.y, (low - 0.04, low))
     r = 0.12
-    yield cylinder("bowl", CERAMIC, (0.0, -0.2 * p.w), (0.6 * r, r), (low, p.h - 0.01), sides=16)
-    yield cylinder("fruit", ORANGE, (0.02, -0.2 * p.w), (0.05, 0.03), (p.h - 0.012, p.h), sides=10)
+    yield cylinder("bowl", CERAMIC, (0.0, -0.2 * p.w), (0.6 * r, r), (low, p.h - 0.02), sides=16)
+    yield ball("fruit", ORANGE, (-0.06, 0.06), (-0.2 * p.w - 0.06, -0.2 * p.w + 0.06), (low + 0.01, p.h), rings=4)
 
 
 def kitchen_sink(p: Piece) -> Iterator[Part]:
@@ -70,8 +86,14 @@ def kitchen_sink(p: Piece) -> Iterator[Part]:
     for i in range(5):
         z = 0.24 * p.w + 0.045 * i
         yield box("groove", STEEL, x, (z, z + 0.012), (top, top + 0.005))
-    yield cylinder("tap", CHROME, (p.x[0] + 0.08, -0.07 * p.w), 0.014, (top, p.h), sides=8)
-    yield box("spout", CHROME, (p.x[0] + 0.08, p.x[0] + 0.24), (-0.07 * p.w - 0.011, -0.07 * p.w + 0.011), (p.h - 0.024, p.h - 0.002))
+    yield cylinder("tap", CHROME, (p.x[0] + 0.08, -0.07 * p.w), 0.014, (top + 0.002, p.h), sides=8)
+    yield box(
+        "spout",
+        CHROME,
+        (p.x[0] + 0.08, p.x[0] + 0.24),
+        (-0.07 * p.w - 0.011, -0.07 * p.w + 0.011),
+        (p.h - 0.024, p.h - 0.002),
+    )
 
 
 def fridge(p: Piece) -> Iterator[Part]:
@@ -131,7 +153,9 @@ def microwave(p: Piece) -> Iterator[Part]:
     yield box("panel", DARK, (p.x[1] - 0.02, p.x[1] - 0.012), (0.24 * p.w, p.y[1] - 0.02), (0.12 * p.h, 0.9 * p.h))
     yield box("time", GLOW, (p.x[1] - 0.012, p.x[1] - 0.009), (0.28 * p.w, 0.44 * p.w), (0.72 * p.h, 0.84 * p.h))
     yield box("handle", CHROME, (p.x[1] - 0.012, p.x[1]), (0.17 * p.w, 0.19 * p.w), (0.2 * p.h, 0.82 * p.h))
-    yield cylinder("dial", CHROME, (0.36 * p.w, 0.34 * p.h), 0.09 * p.h, (p.x[1] - 0.012, p.x[1] - 0.002), axis="x", sides=12)
+    yield cylinder(
+        "dial", CHROME, (0.36 * p.w, 0.34 * p.h), 0.09 * p.h, (p.x[1] - 0.012, p.x[1] - 0.002), axis="x", sides=12
+    )
 
 
 def dishwasher(p: Piece) -> Iterator[Part]:
@@ -157,7 +181,14 @@ def range_hood(p: Piece) -> Iterator[Part]:
 
 def toaster(p: Piece) -> Iterator[Part]:
     """Yield a toaster with two slices."""
-    yield soft("casing", p.accent if p.variant % 2 else STEEL, (p.x[0], p.x[1] - 0.012), p.y, (0.04 * p.h, 0.86 * p.h), bevel=0.03)
+    yield soft(
+        "casing",
+        p.accent if p.variant % 2 else STEEL,
+        (p.x[0], p.x[1] - 0.012),
+        p.y,
+        (0.04 * p.h, 0.86 * p.h),
+        bevel=0.03,
+    )
     yield box("foot", BLACK, (0.8 * p.x[0], 0.7 * p.x[1]), (0.9 * p.y[0], 0.9 * p.y[1]), (0.0, 0.05 * p.h))
     for x in (-0.2 * p.d, 0.16 * p.d):
         yield box("slice", YELLOW, (x - 0.06 * p.d, x + 0.06 * p.d), (-0.26 * p.w, 0.26 * p.w), (0.84 * p.h, p.h))
@@ -177,7 +208,9 @@ def coffee_machine(p: Piece) -> Iterator[Part]:
     yield box("spout", CHROME, (0.14 * p.d, 0.24 * p.d), (-0.09 * p.w, 0.09 * p.w), (0.5 * p.h, 0.62 * p.h))
     yield cylinder("mug", CERAMIC, (0.2 * p.d, 0.0), (0.1 * p.w, 0.13 * p.w), (0.14 * p.h, 0.34 * p.h), sides=12)
     yield cylinder("coffee", COFFEE, (0.2 * p.d, 0.0), 0.11 * p.w, (0.34 * p.h, 0.345 * p.h), sides=12)
-    yield box("display", GLOW, (p.x[1] - 0.06 * p.d, p.x[1] - 0.05 * p.d), (-0.2 * p.w, 0.2 * p.w), (0.74 * p.h, 0.84 * p.h))
+    yield box(
+        "display", GLOW, (p.x[1] - 0.06 * p.d, p.x[1] - 0.05 * p.d), (-0.2 * p.w, 0.2 * p.w), (0.74 * p.h, 0.84 * p.h)
+    )
 
 
 def blender(p: Piece) -> Iterator[Part]:
@@ -221,8 +254,8 @@ def pan(p: Piece) -> Iterator[Part]:
 def cutting_board(p: Piece) -> Iterator[Part]:
     """Yield a wooden board with a groove and a hole."""
     yield soft("board", p.wood, p.x, p.y, (0.0, 0.9 * p.h), bevel=0.008)
-    yield box("mark", p.dark, (0.84 * p.x[0], 0.84 * p.x[1]), (0.9 * p.y[0], 0.7 * p.y[1]), (0.9 * p.h, 0.95 * p.h))
-    yield box("field", p.wood, (0.8 * p.x[0], 0.8 * p.x[1]), (0.87 * p.y[0], 0.67 * p.y[1]), (0.9 * p.h, p.h))
+    yield box("mark", p.dark, (0.84 * p.x[0], 0.84 * p.x[1]), (0.9 * p.y[0], 0.7 * p.y[1]), (0.9 * p.h, 0.94 * p.h))
+    yield box("field", p.wood, (0.8 * p.x[0], 0.8 * p.x[1]), (0.87 * p.y[0], 0.67 * p.y[1]), (0.94 * p.h, p.h))
     yield cylinder("hole", DARK, (0.0, 0.86 * p.y[1]), 0.04 * p.w, (0.9 * p.h, 0.94 * p.h), sides=10)
 
 
@@ -233,7 +266,14 @@ def knife_block(p: Piece) -> Iterator[Part]:
         for x in (-0.36, -0.16):
             y = p.y[0] + (i + 0.5) * p.w / 4
             z = (0.62 * p.h, p.h - 0.06 * p.h * ((i + (x < -0.2)) % 3))
-            yield sheared("handle", BLACK, (x * p.d, (x + 0.1) * p.d), (y - 0.06 * p.w, y + 0.06 * p.w), z, lean=(-0.14 * p.d, 0.0))
+            yield sheared(
+                "handle",
+                BLACK,
+                (x * p.d, (x + 0.1) * p.d),
+                (y - 0.06 * p.w, y + 0.06 * p.w),
+                z,
+                lean=(-0.14 * p.d, 0.0),
+            )
 
 
 def dish_rack(p: Piece) -> Iterator[Part]:
@@ -244,7 +284,9 @@ def dish_rack(p: Piece) -> Iterator[Part]:
     for i in range(6):
         y = p.y[0] + (i + 1) * p.w / 8
         r = 0.44 * min(p.h * 0.95, p.d)
-        yield cylinder("plate", CERAMIC if i % 3 else p.accent, (0.1 * p.h + r, 0.0), r, (y - 0.006, y + 0.006), axis="y", sides=16)
+        yield cylinder(
+            "plate", CERAMIC if i % 3 else p.accent, (0.1 * p.h + r, 0.0), r, (y - 0.006, y + 0.006), axis="y", sides=16
+        )
     yield cylinder("glass", GLASS, (0.0, 0.4 * p.w), 0.06 * p.w, (0.1 * p.h, p.h), sides=10)
 
 
@@ -262,7 +304,9 @@ def spice_rack(p: Piece) -> Iterator[Part]:
             r = min(0.02, 0.4 * p.d)
             tone = (*BRIGHT, COFFEE)[(i * 3 + j * 2) % 7]
             yield cylinder("jar", tone, (0.0, y), r, (z + 0.01, z + 0.01 + 0.55 * p.h / rows), sides=10)
-            yield cylinder("lid", DARK, (0.0, y), r, (z + 0.01 + 0.55 * p.h / rows, z + 0.01 + 0.65 * p.h / rows), sides=10)
+            yield cylinder(
+                "lid", DARK, (0.0, y), r, (z + 0.01 + 0.55 * p.h / rows, z + 0.01 + 0.65 * p.h / rows), sides=10
+            )
 
 
 def paper_towel(p: Piece) -> Iterator[Part]:

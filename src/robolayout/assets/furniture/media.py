@@ -49,7 +49,9 @@ def tv_stand(p: Piece) -> Iterator[Part]:
         yield box("body", p.wood, (p.x[0], p.x[1] - inset), y, z)
         yield from doors(p, p.front, y, z, count=1)
     yield box("back", p.wood, (p.x[0], p.x[0] + 0.012), (-third / 2, third / 2), z)
-    yield soft("player", BLACK, (p.x[0] + 0.06, p.x[1] - 0.08), (-0.18, 0.18), (z[0], z[0] + min(0.06, 0.3 * p.h)), bevel=0.006)
+    yield soft(
+        "player", BLACK, (p.x[0] + 0.06, p.x[1] - 0.08), (-0.18, 0.18), (z[0], z[0] + min(0.06, 0.3 * p.h)), bevel=0.006
+    )
 
 
 def speaker(p: Piece) -> Iterator[Part]:
@@ -59,7 +61,14 @@ def speaker(p: Piece) -> Iterator[Part]:
     yield box("front", DARK, (p.x[1] - 0.02, p.x[1] - 0.008), (p.y[0] + 0.008, p.y[1] - 0.008), (0.03, p.h - 0.01))
     for share, r in ((0.86, 0.16), (0.62, 0.34), (0.3, 0.38)):
         radius = min(r * p.w, 0.12 * p.h)
-        yield cylinder("cone", STEEL if share > 0.8 else BLACK, (0.0, share * p.h), (radius, 0.9 * radius), (p.x[1] - 0.008, p.x[1]), axis="x")
+        yield cylinder(
+            "cone",
+            STEEL if share > 0.8 else BLACK,
+            (0.0, share * p.h),
+            (radius, 0.9 * radius),
+            (p.x[1] - 0.008, p.x[1]),
+            axis="x",
+        )
 
 
 def soundbar(p: Piece) -> Iterator[Part]:
@@ -120,7 +129,9 @@ def _keys(p: Piece, x: tuple[float, float], half: float, z: float) -> Iterator[P
     for i in range(count):
         if i % 7 not in (2, 6):
             y = -half + (i + 1) * 0.024
-            yield box("black key", BLACK, (x[0], x[0] + 0.6 * (x[1] - x[0])), (y - 0.006, y + 0.006), (z + 0.015, z + 0.024))
+            yield box(
+                "black key", BLACK, (x[0], x[0] + 0.6 * (x[1] - x[0])), (y - 0.006, y + 0.006), (z + 0.015, z + 0.024)
+            )
 
 
 def piano(p: Piece) -> Iterator[Part]:
@@ -145,7 +156,14 @@ def grand_piano(p: Piece) -> Iterator[Part]:
     """Yield a grand piano; its keys face +x, its lid is open."""
     low, top = 0.58 * p.h, 0.86 * p.h
     d, w = p.d, p.w
-    outline = [(0.28 * d, -0.5 * w), (0.28 * d, 0.5 * w), (-0.1 * d, 0.48 * w), (-0.4 * d, 0.14 * w), (-0.5 * d, -0.2 * w), (-0.46 * d, -0.5 * w)]
+    outline = [
+        (0.28 * d, -0.5 * w),
+        (0.28 * d, 0.5 * w),
+        (-0.1 * d, 0.48 * w),
+        (-0.4 * d, 0.14 * w),
+        (-0.5 * d, -0.2 * w),
+        (-0.46 * d, -0.5 * w),
+    ]
     inner = [(0.9 * x, 0.94 * y) for x, y in outline]
     yield prism("case", BLACK, outline, (low, top - 0.004))
     yield prism("strings", BRASS, inner, (top - 0.004, top))
@@ -163,7 +181,14 @@ def digital_piano(p: Piece) -> Iterator[Part]:
     top = p.h - 0.1
     for y in (-0.3 * p.w, 0.3 * p.w):
         for way in (1, -1):
-            yield sheared("strut", DARK, (-way * 0.4 * p.d, -way * 0.4 * p.d + 0.03), (y + way * 0.016 - 0.015, y + way * 0.016 + 0.014), (0.0, top), lean=(way * 0.7 * p.d, 0.0))
+            yield sheared(
+                "strut",
+                DARK,
+                (-way * 0.4 * p.d, -way * 0.4 * p.d + 0.03),
+                (y + way * 0.016 - 0.015, y + way * 0.016 + 0.014),
+                (0.0, top),
+                lean=(way * 0.7 * p.d, 0.0),
+            )
     yield soft("casing", DARK, p.x, p.y, (top, top + 0.07), bevel=0.015)
     yield from _keys(p, (0.02 * p.d, 0.46 * p.d), 0.46 * p.w, top + 0.07)
     yield box("panel", GLOW, (-0.3 * p.d, -0.14 * p.d), (-0.1, 0.1), (top + 0.07, top + 0.075))
@@ -173,12 +198,22 @@ def digital_piano(p: Piece) -> Iterator[Part]:
 def guitar(p: Piece) -> Iterator[Part]:
     """Yield a guitar that leans on a small stand."""
     for low, tall, half in ((0.06, 0.3, 0.5), (0.26, 0.5, 0.38)):
-        yield cylinder("body", p.wood, (0.0, (low + tall) / 2 * p.h), (half * p.w, half * p.w * 0.98), (-0.14 * p.d, 0.14 * p.d), axis="x", sides=18)
+        yield cylinder(
+            "body",
+            p.wood,
+            (0.0, (low + tall) / 2 * p.h),
+            (half * p.w, half * p.w * 0.98),
+            (-(0.6 - low) * 0.26 * p.d, (0.6 - low) * 0.26 * p.d),
+            axis="x",
+            sides=18,
+        )
     yield cylinder("hole", BLACK, (0.0, 0.36 * p.h), 0.12 * p.w, (0.14 * p.d, 0.15 * p.d), axis="x", sides=14)
     yield box("neck", p.dark, (0.152 * p.d, 0.2 * p.d), (-0.06 * p.w, 0.06 * p.w), (0.42 * p.h, 0.9 * p.h))
     yield box("head", p.dark, (0.14 * p.d, 0.2 * p.d), (-0.1 * p.w, 0.1 * p.w), (0.9 * p.h, p.h))
     for y in (-0.2 * p.w, 0.2 * p.w):
-        yield sheared("stand", p.metal, (p.x[1] - 0.02, p.x[1]), (y - 0.01, y + 0.01), (0.0, 0.5 * p.h), lean=(-(p.d - 0.04), 0.0))
+        yield sheared(
+            "stand", p.metal, (p.x[1] - 0.02, p.x[1]), (y - 0.01, y + 0.01), (0.0, 0.5 * p.h), lean=(-(p.d - 0.04), 0.0)
+        )
 
 
 def drum_set(p: Piece) -> Iterator[Part]:
@@ -187,7 +222,12 @@ def drum_set(p: Piece) -> Iterator[Part]:
     r = 0.26 * p.w
     yield cylinder("bass drum", shell, (0.0, r), r, (-0.02 * p.d, 0.38 * p.d), axis="x", sides=24)
     yield cylinder("bass head", IVORY, (0.0, r), 0.92 * r, (0.38 * p.d, 0.39 * p.d), axis="x", sides=24)
-    for x, y, size, low, high in ((0.12, -0.16, 0.11, 0.52, 0.66), (0.12, 0.16, 0.11, 0.52, 0.66), (-0.2, 0.3, 0.13, 0.4, 0.52), (-0.2, -0.3, 0.14, 0.22, 0.5)):
+    for x, y, size, low, high in (
+        (0.12, -0.16, 0.11, 0.52, 0.66),
+        (0.12, 0.16, 0.11, 0.52, 0.66),
+        (-0.2, 0.3, 0.13, 0.4, 0.52),
+        (-0.2, -0.3, 0.14, 0.22, 0.5),
+    ):
         at = (x * p.d, y * p.w)
         yield cylinder("drum", shell, at, size * p.w, (low * p.h, high * p.h), sides=20)
         yield cylinder("head", IVORY, at, 0.94 * size * p.w, (high * p.h, high * p.h + 0.01), sides=20)
@@ -202,7 +242,14 @@ def drum_set(p: Piece) -> Iterator[Part]:
 def music_stand(p: Piece) -> Iterator[Part]:
     """Yield a music stand with a sheet."""
     for x, y in ((0.5, 0.0), (-0.5, 0.5), (-0.5, -0.5)):
-        yield sheared("foot", BLACK, (x * (p.d - 0.02) - 0.01, x * (p.d - 0.02) + 0.01), (y * (p.w - 0.02) - 0.01, y * (p.w - 0.02) + 0.01), (0.0, 0.25 * p.h), lean=(-x * (p.d - 0.03), -y * (p.w - 0.03)))
+        yield sheared(
+            "foot",
+            BLACK,
+            (x * (p.d - 0.02) - 0.01, x * (p.d - 0.02) + 0.01),
+            (y * (p.w - 0.02) - 0.01, y * (p.w - 0.02) + 0.01),
+            (0.0, 0.25 * p.h + 0.004 * (y + 2 * x)),
+            lean=(-x * (p.d - 0.03), -y * (p.w - 0.03)),
+        )
     yield cylinder("column", BLACK, (0.0, 0.0), 0.011, (0.22 * p.h, 0.74 * p.h), sides=8)
     yield sheared("desk", DARK, (0.03, 0.04), (-0.46 * p.w, 0.46 * p.w), (0.7 * p.h, p.h), lean=(0.1, 0.0))
     yield sheared("sheet", WHITE, (0.041, 0.044), (-0.3 * p.w, 0.3 * p.w), (0.74 * p.h, 0.97 * p.h), lean=(0.078, 0.0))
@@ -213,26 +260,45 @@ def remote(p: Piece) -> Iterator[Part]:
     yield soft("casing", BLACK, p.x, p.y, (0.0, 0.8 * p.h), bevel=0.006)
     for i in range(4):
         x = p.x[0] + (i + 0.8) * p.d / 5
-        yield box("button", (RED, DARK, DARK, STEEL)[i], (x - 0.008, x + 0.008), (-0.25 * p.w, 0.25 * p.w), (0.8 * p.h, p.h))
+        yield box(
+            "button", (RED, DARK, DARK, STEEL)[i], (x - 0.008, x + 0.008), (-0.25 * p.w, 0.25 * p.w), (0.8 * p.h, p.h)
+        )
 
 
 def phone(p: Piece) -> Iterator[Part]:
     """Yield a flat device with a screen."""
     yield soft("casing", DARK, p.x, p.y, (0.0, 0.85 * p.h), bevel=0.003)
-    yield box("screen", GLOW, (p.x[0] + 0.06 * p.d, p.x[1] - 0.06 * p.d), (p.y[0] + 0.06 * p.w, p.y[1] - 0.06 * p.w), (0.85 * p.h, p.h))
+    yield box(
+        "screen",
+        GLOW,
+        (p.x[0] + 0.06 * p.d, p.x[1] - 0.06 * p.d),
+        (p.y[0] + 0.06 * p.w, p.y[1] - 0.06 * p.w),
+        (0.85 * p.h, p.h),
+    )
 
 
 def globe(p: Piece) -> Iterator[Part]:
     """Yield a globe on a foot."""
     yield cylinder("foot", p.wood, (0.0, 0.0), (0.36 * p.d, 0.3 * p.d), (0.0, 0.06 * p.h), sides=18)
-    yield cylinder("stem", BRASS, (0.0, 0.0), 0.03 * p.d, (0.06 * p.h, 0.22 * p.h), sides=8)
-    yield ball("globe", p.bedding, p.x, p.y, (0.16 * p.h, p.h), rings=7, sides=16)
+    yield cylinder("stem", BRASS, (0.0, 0.0), 0.03 * p.d, (0.06 * p.h, 0.3 * p.h), sides=8)
+    r = min(p.d, p.w, 0.84 * p.h) / 2
+    yield ball("globe", p.bedding, (-r, r), (-r, r), (p.h - 2 * r, p.h), rings=6, sides=14)
+    yield box("meridian", BRASS, (-0.01, 0.01), (p.y[0] - 0.002, p.y[1] + 0.002), (p.h - r - 0.006, p.h - r + 0.006))
+    yield box("axis", BRASS, p.x, (-0.009, 0.009), (p.h - r - 0.005, p.h - r + 0.005))
 
 
 def jukebox(p: Piece) -> Iterator[Part]:
     """Yield a jukebox with a rounded, lit top."""
     yield box("body", p.dark, (p.x[0], p.x[1] - 0.06), p.y, (0.0, 0.62 * p.h))
-    yield cylinder("arch", p.dark, (0.0, 0.62 * p.h), (p.w / 2, p.w / 2), (p.x[0] + 0.001, p.x[1] - 0.061), axis="x", sides=24)
+    yield cylinder(
+        "arch",
+        p.dark,
+        (0.0, 0.62 * p.h),
+        (p.w / 2 - 0.002, p.w / 2 - 0.002),
+        (p.x[0] + 0.002, p.x[1] - 0.062),
+        axis="x",
+        sides=24,
+    )
     yield cylinder("window", GLOW, (0.0, 0.64 * p.h), 0.36 * p.w, (p.x[1] - 0.061, p.x[1] - 0.02), axis="x", sides=24)
     for y, tone in ((-0.4 * p.w, RED), (0.4 * p.w, RED)):
         yield box("light", tone, (p.x[1] - 0.06, p.x[1]), (y - 0.05, y + 0.05), (0.04, 0.6 * p.h))

@@ -43,7 +43,7 @@ def bed(p: Piece) -> Iterator[Part]:
             yield box("headboard", frame, (p.x[0], board_x - 0.02), (p.y[0] + 0.03, p.y[1] - 0.03), (0.2, p.h - 0.03))
             yield box("rail", p.dark, (p.x[0] + 0.001, board_x), p.y, (p.h - 0.05, p.h))
             for y0 in (p.y[0], p.y[1] - 0.05):
-                yield box("post", p.dark, (p.x[0], board_x - 0.002), (y0, y0 + 0.05), (0.0, p.h - 0.05))
+                yield box("post", p.dark, (p.x[0] + 0.003, board_x - 0.002), (y0, y0 + 0.05), (0.0, p.h - 0.05))
     low = 0.42 * top
     yield box("frame", frame, (board_x, p.x[1]), p.y, (0.3 * low, low))
     for x in (board_x + 0.08, p.x[1] - 0.12):
@@ -82,7 +82,9 @@ def loft_bed(p: Piece) -> Iterator[Part]:
     yield box("frame", p.wood, (p.x[0] + 0.003, p.x[1] - 0.003), (p.y[0] + 0.003, p.y[1] - 0.003), (low, low + 0.1))
     yield from _bedding(p, p.x[0] + t, p.x[1] - t, low + 0.1, low + 0.3, inset=0.06)
     desk = 0.39 * p.h
-    yield box("desk top", p.dark, (p.x[0] + 0.08, p.x[1] - 0.3), (p.y[0] + 0.01, p.y[0] + 0.6 * p.w), (desk - 0.03, desk))
+    yield box(
+        "desk top", p.dark, (p.x[0] + 0.08, p.x[1] - 0.3), (p.y[0] + 0.01, p.y[0] + 0.6 * p.w), (desk - 0.03, desk)
+    )
     for z in (0.86 * p.h, 0.94 * p.h):
         for y0 in (p.y[0] + 0.004, p.y[1] - 0.024):
             yield box("guard", p.wood, (p.x[0] + t, p.x[1] - t), (y0, y0 + 0.02), (z, z + 0.04))
@@ -114,9 +116,24 @@ def crib(p: Piece) -> Iterator[Part]:
 def cradle(p: Piece) -> Iterator[Part]:
     """Yield a basket on a stand."""
     mid = 0.42 * p.h
-    yield slab("basket", p.wood, (p.x[0] + 0.06, p.x[1] - 0.06), (p.y[0] + 0.06, p.y[1] - 0.06), (mid, 0.82 * p.h), top=(1.12, 1.2))
-    yield soft("blanket", p.accent, (p.x[0] + 0.3 * p.d, p.x[1] - 0.06), (p.y[0] + 0.05, p.y[1] - 0.05), (0.8 * p.h, 0.87 * p.h))
-    yield soft("pillow", LINEN, (p.x[0] + 0.08, p.x[0] + 0.26 * p.d), (-0.13, 0.13), (0.81 * p.h, 0.88 * p.h), bevel=0.02)
+    yield slab(
+        "basket",
+        p.wood,
+        (p.x[0] + 0.06, p.x[1] - 0.06),
+        (p.y[0] + 0.06, p.y[1] - 0.06),
+        (mid, 0.82 * p.h),
+        top=(1.12, 1.2),
+    )
+    yield soft(
+        "blanket",
+        p.accent,
+        (p.x[0] + 0.3 * p.d, p.x[1] - 0.06),
+        (p.y[0] + 0.05, p.y[1] - 0.05),
+        (0.8 * p.h, 0.87 * p.h),
+    )
+    yield soft(
+        "pillow", LINEN, (p.x[0] + 0.08, p.x[0] + 0.26 * p.d), (-0.13, 0.13), (0.81 * p.h, 0.88 * p.h), bevel=0.02
+    )
     yield slab("hood", p.fabric, (p.x[0], p.x[0] + 0.2 * p.d), p.y, (0.83 * p.h, p.h), top=(0.7, 0.8))
     yield from four(p, p.dark, mid, thick=0.04, round_=True, inset=0.03)
 
@@ -125,8 +142,12 @@ def camp_bed(p: Piece) -> Iterator[Part]:
     """Yield a folding bed with a thin mattress."""
     yield from four(p, p.metal, 0.6 * p.h, thick=0.035, round_=True)
     yield box("frame", p.metal, p.x, p.y, (0.6 * p.h, 0.68 * p.h))
-    yield soft("mattress", p.fabric, (p.x[0] + 0.01, p.x[1] - 0.01), (p.y[0] + 0.01, p.y[1] - 0.01), (0.68 * p.h, 0.9 * p.h))
-    yield soft("pillow", LINEN, (p.x[0] + 0.04, p.x[0] + 0.36), (p.y[0] + 0.1, p.y[1] - 0.1), (0.9 * p.h, p.h), bevel=0.03)
+    yield soft(
+        "mattress", p.fabric, (p.x[0] + 0.01, p.x[1] - 0.01), (p.y[0] + 0.01, p.y[1] - 0.01), (0.68 * p.h, 0.9 * p.h)
+    )
+    yield soft(
+        "pillow", LINEN, (p.x[0] + 0.04, p.x[0] + 0.36), (p.y[0] + 0.1, p.y[1] - 0.1), (0.9 * p.h, p.h), bevel=0.03
+    )
 
 
 def day_bed(p: Piece) -> Iterator[Part]:
@@ -140,7 +161,14 @@ def day_bed(p: Piece) -> Iterator[Part]:
     yield soft("mattress", p.fabric, (p.x[0] + 0.052, p.x[1]), inner, (0.3 * p.h, seat), bevel=0.04)
     for i in range(3):
         y = inner[0] + (i + 0.5) * (inner[1] - inner[0]) / 3
-        yield soft("cushion", (p.accent, p.bedding, p.accent)[i], (p.x[0] + 0.06, p.x[0] + 0.24), (y - 0.24, y + 0.24), (seat, p.h - 0.02), bevel=0.06)
+        yield soft(
+            "cushion",
+            (p.accent, p.bedding, p.accent)[i],
+            (p.x[0] + 0.06, p.x[0] + 0.24),
+            (y - 0.24, y + 0.24),
+            (seat, p.h - 0.02),
+            bevel=0.06,
+        )
 
 
 def mattress(p: Piece) -> Iterator[Part]:
@@ -148,7 +176,14 @@ def mattress(p: Piece) -> Iterator[Part]:
     top = 0.78 * p.h
     yield soft("mattress", WHITE, p.x, p.y, (0.0, top), bevel=0.04)
     yield soft("pillow", LINEN, (p.x[0] + 0.05, p.x[0] + 0.4), (p.y[0] + 0.12, p.y[1] - 0.12), (top, p.h), bevel=0.05)
-    yield soft("blanket", p.bedding, (p.x[1] - 0.5, p.x[1] - 0.1), (p.y[0] + 0.05, p.y[1] - 0.05), (top, top + 0.15 * p.h), bevel=0.02)
+    yield soft(
+        "blanket",
+        p.bedding,
+        (p.x[1] - 0.5, p.x[1] - 0.1),
+        (p.y[0] + 0.05, p.y[1] - 0.05),
+        (top, top + 0.15 * p.h),
+        bevel=0.02,
+    )
 
 
 def night_stand(p: Piece) -> Iterator[Part]:
@@ -187,8 +222,24 @@ def vanity_table(p: Piece) -> Iterator[Part]:
     yield carcass(p, p.wood, (top - 0.14, top - 0.021))
     yield from drawers(p, p.front, p.y, (top - 0.14, top - 0.021), rows=1, columns=2, knobs=True)
     yield board(p, p.wood, (top - 0.02, top))
-    yield cylinder("mirror frame", p.metal, (0.0, (top + p.h) / 2), (p.h - top) / 2, (p.x[0] + 0.03, p.x[0] + 0.05), axis="x", sides=24)
-    yield cylinder("mirror", MIRROR, (0.0, (top + p.h) / 2), (p.h - top) / 2 - 0.02, (p.x[0] + 0.05, p.x[0] + 0.053), axis="x", sides=24)
+    yield cylinder(
+        "mirror frame",
+        p.metal,
+        (0.0, (top + p.h) / 2),
+        (p.h - top) / 2,
+        (p.x[0] + 0.03, p.x[0] + 0.05),
+        axis="x",
+        sides=24,
+    )
+    yield cylinder(
+        "mirror",
+        MIRROR,
+        (0.0, (top + p.h) / 2),
+        (p.h - top) / 2 - 0.02,
+        (p.x[0] + 0.05, p.x[0] + 0.053),
+        axis="x",
+        sides=24,
+    )
 
 
 def wardrobe(p: Piece) -> Iterator[Part]:
@@ -215,7 +266,14 @@ def blanket(p: Piece) -> Iterator[Part]:
     for i in range(3):
         z = (i * p.h / 3, (i + 1) * p.h / 3 - 0.001)
         slip = 0.004 * i
-        yield soft("fold", (p.fabric, p.accent, p.fabric)[i], (p.x[0] + slip, p.x[1] - slip), (p.y[0], p.y[1] - slip), z, bevel=0.2 * p.h)
+        yield soft(
+            "fold",
+            (p.fabric, p.accent, p.fabric)[i],
+            (p.x[0] + slip, p.x[1] - slip),
+            (p.y[0], p.y[1] - slip),
+            z,
+            bevel=0.2 * p.h,
+        )
 
 
 BUILDERS: dict[str, Builder] = {

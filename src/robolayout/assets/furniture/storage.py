@@ -63,12 +63,26 @@ def _filled(p: Piece, rows: list[float], inner: tuple[float, float]) -> Iterator
             if what < 0.35:
                 yield slab("basket", WICKER, depth, (y0 + 0.03, y1 - 0.03), (low, low + 0.6 * room), top=(1.0, 1.06))
             elif what < 0.6:
-                yield box("box", rng.choice((CARDBOARD, p.fabric, p.accent)), depth, (y0 + 0.04, y1 - 0.04), (low, low + rng.uniform(0.4, 0.7) * room))
+                yield box(
+                    "box",
+                    rng.choice((CARDBOARD, p.fabric, p.accent)),
+                    depth,
+                    (y0 + 0.04, y1 - 0.04),
+                    (low, low + rng.uniform(0.4, 0.7) * room),
+                )
             elif what < 0.72:
                 yield cylinder("pot", p.accent, (0.0, (y0 + y1) / 2), (0.05, 0.065), (low, low + 0.35 * room), sides=12)
                 wide = min(0.13, 0.45 * p.d)
                 middle = (y0 + y1) / 2
-                yield ball("leaves", LEAF, (-wide, wide), (middle - wide, middle + wide), (low + 0.3 * room, low + 0.9 * room), rings=3, sides=8)
+                yield ball(
+                    "leaves",
+                    LEAF,
+                    (-wide, wide),
+                    (middle - wide, middle + wide),
+                    (low + 0.3 * room, low + 0.9 * room),
+                    rings=3,
+                    sides=8,
+                )
             else:
                 yield from books(p, (y0 + 0.02, y1 - 0.02), low, room, salt=f"{i}/{j}")
 
@@ -96,7 +110,9 @@ def corner_shelf(p: Piece) -> Iterator[Part]:
         outline = [(x0, y0), (x0 + d, y0), (x0 + 0.9 * d, y0 + 0.42 * w), (x0 + 0.42 * d, y0 + 0.9 * w), (x0, y0 + w)]
         yield prism("shelf", p.wood, outline, (level - 0.02, level - 0.001))
         if level < 0.9 * p.h:
-            yield cylinder("vase", p.accent, (x0 + 0.4 * d, y0 + 0.35 * w), (0.045, 0.03), (level, level + 0.17), sides=10)
+            yield cylinder(
+                "vase", p.accent, (x0 + 0.4 * d, y0 + 0.35 * w), (0.045, 0.03), (level, level + 0.17), sides=10
+            )
 
 
 def cabinet(p: Piece) -> Iterator[Part]:
@@ -123,12 +139,21 @@ def display_cabinet(p: Piece) -> Iterator[Part]:
     """Yield a glazed cabinet with lit shelves and objects."""
     t = 0.025
     rows = levels(p, 0.38)
-    yield from open_case(Piece(p.d - 0.01, p.w, p.h, p.palette, p.fabric, p.accent, p.bedding, p.kind, p.variant, p.key), p.dark, rows, t)
+    yield from open_case(
+        Piece(p.d - 0.01, p.w, p.h, p.palette, p.fabric, p.accent, p.bedding, p.kind, p.variant, p.key), p.dark, rows, t
+    )
     rng = p.rng()
     for low in rows[:-1]:
         for share in (0.25, 0.5, 0.75):
             y, tall = p.y[0] + share * p.w, rng.uniform(0.1, 0.24)
-            yield cylinder("object", rng.choice((p.accent, p.bedding, *SPINES[3:5])), (-0.02, y), (0.05, 0.03), (low, low + tall), sides=10)
+            yield cylinder(
+                "object",
+                rng.choice((p.accent, p.bedding, *SPINES[3:5])),
+                (-0.02, y),
+                (0.05, 0.03),
+                (low, low + tall),
+                sides=10,
+            )
     yield box("glass", GLASS, (p.x[1] - 0.004, p.x[1]), (p.y[0] + 0.004, p.y[1] - 0.004), (rows[0], p.h - 0.02))
 
 
@@ -144,84 +169,13 @@ def locker(p: Piece) -> Iterator[Part]:
         y0, y1 = p.y[0] + i * p.w / count, p.y[0] + (i + 1) * p.w / count
         for j in range(3):
             z = p.h - 0.16 - j * 0.04
-            yield box("vent", BLACK, (face - 0.001, face + 0.002), (y0 + 0.3 * (y1 - y0), y1 - 0.3 * (y1 - y0)), (z, z + 0.012))
-
-
-def shoe_rack(p: Piece) -> Iterator[Part]:
-    """Yield slatted shelves with pairs of shoes."""
-    rows = levels(p, 0.24, foot=0.08)
-    for y0 in (p.y[0], p.y[1] - 0.025):
-        yield box("side", p.wood, p.x, (y0, y0 + 0.025), p.z)
-    inner = (p.y[0] + 0.025, p.y[1] - 0.025)
-    rng = p.rng()
-    for low in rows:
-        for i in range(4):
-            x = p.x[0] + 0.01 + i * (p.d - 0.02) / 4
-            yield box("slat", p.wood, (x, x + 0.18 * p.d), inner, (low - 0.016, low - 0.002))
-        if low > 0.95 * p.h:
-            continue
-        for j in range(max(1, round(p.w / 0.26))):
-            y = inner[0] + (j + 0.5) * (inner[1] - inner[0]) / max(1, round(p.w / 0.26))
-            shoe = rng.choice(SPINES)
-            for side in (-0.055, 0.055):
-                yield slab("shoe", shoe, (p.x[0] + 0.02, p.x[1] - 0.02), (y + side - 0.04, y + side + 0.04), (low, low + 0.09), top=(0.6, 0.8))
-
-
-def coat_rack(p: Piece) -> Iterator[Part]:
-    """Yield a stand with hooks, a coat and a hat."""
-    r = 0.45 * min(p.d, p.w)
-    yield cylinder("foot", p.dark, (0.0, 0.0), (r, 0.9 * r), (0.0, 0.03), sides=20)
-    yield cylinder("pole", p.dark, (0.0, 0.0), 0.022, (0.03, 0.97 * p.h), sides=10)
-    yield ball("knob", p.dark, (-0.035, 0.035), (-0.035, 0.035), (0.95 * p.h, p.h), rings=3, sides=8)
-    for x, y in ((1, 0), (-1, 0), (0, 1), (0, -1)):
-        base = box("hook", p.dark, (-0.012, 0.012), (-0.012, 0.012), (0.8 * p.h, 0.82 * p.h))
-        lift = (p.d / 2 - 0.012 if x else 0.0, p.w / 2 - 0.012 if y else 0.0)
-        upper = base.vertices[:, 2] > 0.81 * p.h
-        base.vertices[upper, 0] += x * lift[0]
-        base.vertices[upper, 1] += y * lift[1]
-        base.vertices[upper, 2] += 0.07 * p.h
-        yield base
-    yield slab("coat", p.fabric, (0.06, 0.2), (-0.17, 0.17), (0.36 * p.h, 0.84 * p.h), top=(0.5, 0.35))
-
-
-def hall_tree(p: Piece) -> Iterator[Part]:
-    """Yield a bench with a hook board above it."""
-    seat = 0.25 * p.h
-    yield box("bench", p.wood, p.x, p.y, (0.0, seat))
-    yield soft("cushion", p.fabric, (p.x[0] + 0.03, p.x[1] - 0.01), (p.y[0] + 0.01, p.y[1] - 0.01), (seat, seat + 0.05), bevel=0.02)
-    yield box("back", p.wood, (p.x[0], p.x[0] + 0.025), (p.y[0] + 0.001, p.y[1] - 0.001), (seat, p.h - 0.02))
-    yield box("shelf", p.wood, (p.x[0], p.x[1] - 0.08), p.y, (p.h - 0.02, p.h))
-    for i in range(n := max(3, round(p.w / 0.22))):
-        y = p.y[0] + (i + 0.5) * p.w / n
-        yield box("hook", p.metal, (p.x[0] + 0.025, p.x[0] + 0.08), (y - 0.01, y + 0.01), (0.78 * p.h, 0.8 * p.h))
-    yield slab("coat", p.accent, (p.x[0] + 0.09, p.x[0] + 0.2), (p.y[0] + 0.08, p.y[0] + 0.38), (0.4 * p.h, 0.8 * p.h), top=(0.5, 0.4))
-
-
-def clothes_rack(p: Piece) -> Iterator[Part]:
-    """Yield a rail with hanging clothes."""
-    rail = p.h - 0.03
-    for y0 in (p.y[0] + 0.02, p.y[1] - 0.045):
-        yield box("post", p.metal, (-0.0125, 0.0125), (y0, y0 + 0.025), (0.03, rail))
-        yield box("foot", p.metal, p.x, (y0 - 0.008, y0 + 0.033), (0.0, 0.03))
-    yield cylinder("rail", p.metal, (rail + 0.015, 0.0), 0.015, p.y, axis="y", sides=8)
-    rng = p.rng()
-    count = max(4, round((p.w - 0.16) / 0.085))
-    colors = (p.fabric, p.accent, p.bedding, *p.palette.fabrics, *p.palette.accents)
-    for i in range(count):
-        y = p.y[0] + 0.08 + (i + 0.5) * (p.w - 0.16) / count
-        low = rail - min(0.9, 0.62 * p.h) * rng.uniform(0.7, 1.0)
-        yield box("hanger", p.metal, (-0.006, 0.006), (y - 0.004, y + 0.004), (rail - 0.07, rail))
-        yield slab("garment", rng.choice(colors), (-0.36 * p.d, 0.36 * p.d), (y - 0.03, y + 0.03), (low, rail - 0.07), top=(0.4, 0.9))
-
-
-def wall_hooks(p: Piece) -> Iterator[Part]:
-    """Yield a board with hooks."""
-    yield box("board", p.wood, (p.x[0], p.x[0] + 0.25 * p.d), p.y, (0.3 * p.h, p.h))
-    for i in range(n := max(2, round(p.w / 0.14))):
-        y = p.y[0] + (i + 0.5) * p.w / n
-        yield box("peg", p.metal, (p.x[0] + 0.25 * p.d, p.x[1]), (y - 0.008, y + 0.008), (0.5 * p.h, 0.6 * p.h))
-        yield box("tip", p.metal, (p.x[1] - 0.012, p.x[1] - 0.001), (y - 0.007, y + 0.007), (0.6 * p.h, 0.72 * p.h))
-        yield box("lower", p.metal, (p.x[0] + 0.25 * p.d, p.x[0] + 0.5 * p.d), (y - 0.007, y + 0.007), (0.0, 0.3 * p.h))
+            yield box(
+                "vent",
+                BLACK,
+                (face - 0.001, face + 0.002),
+                (y0 + 0.3 * (y1 - y0), y1 - 0.3 * (y1 - y0)),
+                (z, z + 0.012),
+            )
 
 
 def chest(p: Piece) -> Iterator[Part]:
@@ -229,7 +183,9 @@ def chest(p: Piece) -> Iterator[Part]:
     lid = 0.7 * p.h
     wood = p.front if p.kind == "toy box" else p.wood
     yield box("body", wood, (p.x[0] + 0.006, p.x[1] - 0.012), (p.y[0] + 0.006, p.y[1] - 0.006), (0.0, lid - 0.006))
-    yield slab("lid", p.accent if p.kind == "toy box" else p.dark, (p.x[0], p.x[1] - 0.006), p.y, (lid, p.h), top=(0.92, 0.98))
+    yield slab(
+        "lid", p.accent if p.kind == "toy box" else p.dark, (p.x[0], p.x[1] - 0.006), p.y, (lid, p.h), top=(0.92, 0.98)
+    )
     for y in (-0.32 * p.w, 0.32 * p.w):
         yield box("band", p.metal, (p.x[0] + 0.003, p.x[1] - 0.009), (y - 0.02, y + 0.02), (0.003, lid - 0.003))
     yield box("lock", p.metal, (p.x[1] - 0.012, p.x[1]), (-0.035, 0.035), (lid - 0.07, lid + 0.02))
@@ -238,7 +194,9 @@ def chest(p: Piece) -> Iterator[Part]:
 def storage_box(p: Piece) -> Iterator[Part]:
     """Yield a box with a lid and a label."""
     lid = 0.82 * p.h
-    yield slab("box", p.fabric, (p.x[0] + 0.008, p.x[1] - 0.008), (p.y[0] + 0.008, p.y[1] - 0.008), (0.0, lid), top=(1.0, 1.0))
+    yield slab(
+        "box", p.fabric, (p.x[0] + 0.008, p.x[1] - 0.008), (p.y[0] + 0.008, p.y[1] - 0.008), (0.0, lid), top=(1.0, 1.0)
+    )
     yield box("lid", p.accent, (p.x[0], p.x[1] - 0.002), p.y, (lid + 0.002, p.h))
     yield box("label", LIGHT_GREY, (p.x[1] - 0.008, p.x[1]), (-0.16 * p.w, 0.16 * p.w), (0.35 * p.h, 0.55 * p.h))
 
@@ -249,7 +207,14 @@ def basket(p: Piece) -> Iterator[Part]:
     for i in range(rings):
         a, b = 0.78 + 0.2 * i / rings, 0.78 + 0.2 * (i + 0.8) / rings
         z = (0.86 * p.h * i / rings, 0.86 * p.h * (i + 1) / rings)
-        yield oval("weave", WICKER if i % 2 == 0 else p.wood, (0.0, 0.0), ((a * p.d / 2, a * p.w / 2), (b * p.d / 2 + 0.004, b * p.w / 2 + 0.004)), z, sides=20)
+        yield oval(
+            "weave",
+            WICKER if i % 2 == 0 else p.wood,
+            (0.0, 0.0),
+            ((a * p.d / 2, a * p.w / 2), (b * p.d / 2 + 0.004, b * p.w / 2 + 0.004)),
+            z,
+            sides=20,
+        )
     yield oval("rim", p.dark, (0.0, 0.0), ((p.d / 2, p.w / 2), (p.d / 2, p.w / 2)), (0.86 * p.h, 0.92 * p.h), sides=20)
     yield ball("content", p.bedding, (-0.42 * p.d, 0.42 * p.d), (-0.42 * p.w, 0.42 * p.w), (0.7 * p.h, p.h), rings=4)
 
@@ -265,15 +230,6 @@ def suitcase(p: Piece) -> Iterator[Part]:
     yield box("grip", BLACK, (-0.37 * p.d, -0.29 * p.d), (-0.2 * p.w, 0.2 * p.w), (0.97 * p.h, p.h))
 
 
-def umbrella_stand(p: Piece) -> Iterator[Part]:
-    """Yield a pot with two umbrellas."""
-    yield cylinder("pot", p.metal, (0.0, 0.0), (0.8 * p.d / 2, p.d / 2), (0.0, 0.62 * p.h), sides=18)
-    for i, (x, y) in enumerate(((0.12, 0.14), (-0.12, -0.1))):
-        at = (x * p.d, y * p.w)
-        yield cylinder("umbrella", (p.accent, p.fabric)[i], at, (0.05, 0.02), (0.58 * p.h, 0.9 * p.h), sides=8)
-        yield cylinder("handle", p.dark, at, 0.012, (0.9 * p.h, p.h - 0.02 * i), sides=6)
-
-
 def magazine_rack(p: Piece) -> Iterator[Part]:
     """Yield a small rack with magazines."""
     for y0 in (p.y[0], p.y[1] - 0.02):
@@ -282,7 +238,13 @@ def magazine_rack(p: Piece) -> Iterator[Part]:
     yield box("bottom", p.wood, (p.x[0] + 0.01, p.x[1] - 0.01), inner, (0.12 * p.h, 0.17 * p.h))
     for i in range(5):
         x = p.x[0] + 0.08 * p.d + i * 0.17 * p.d
-        yield box("magazine", SPINES[i], (x, x + 0.05 * p.d), (inner[0] + 0.02, inner[1] - 0.02), (0.17 * p.h, (0.86 + 0.035 * i) * p.h))
+        yield box(
+            "magazine",
+            SPINES[i],
+            (x, x + 0.05 * p.d),
+            (inner[0] + 0.02, inner[1] - 0.02),
+            (0.17 * p.h, (0.86 + 0.035 * i) * p.h),
+        )
 
 
 def room_divider(p: Piece) -> Iterator[Part]:
@@ -291,7 +253,13 @@ def room_divider(p: Piece) -> Iterator[Part]:
     for i in range(count):
         y0, y1 = p.y[0] + i * p.w / count, p.y[0] + (i + 1) * p.w / count
         for material, inset, thick in ((p.dark, 0.0, 0.012), (p.bedding, 0.04, 0.016)):
-            panel = box("panel", material, (-thick / 2, thick / 2), (y0 + 0.002 + inset, y1 - 0.002 - inset), (inset, p.h - inset))
+            panel = box(
+                "panel",
+                material,
+                (-thick / 2, thick / 2),
+                (y0 + 0.002 + inset, y1 - 0.002 - inset),
+                (inset, p.h - inset),
+            )
             share = (panel.vertices[:, 1] - y0) / (y1 - y0)
             swing = (share - 0.5) * (1 if i % 2 else -1)
             panel.vertices[:, 0] += swing * max(0.0, p.d - 0.016)
@@ -308,13 +276,17 @@ def toy_shelf(p: Piece) -> Iterator[Part]:
         y = p.y[0] + j * p.w / columns
         for i in range(rows):
             z0 = t + i * (p.h - t) / rows
-            yield box("wall", p.wood, (p.x[0] + 0.01, p.x[1] - 0.004), (y - t / 2, y + t / 2), (z0, z0 + (p.h - t) / rows - t))
+            yield box(
+                "wall", p.wood, (p.x[0] + 0.01, p.x[1] - 0.004), (y - t / 2, y + t / 2), (z0, z0 + (p.h - t) / rows - t)
+            )
     for i in range(rows):
         for j in range(columns):
             y0, z0 = p.y[0] + j * p.w / columns + 0.03, t + i * (p.h - t) / rows
             span = (y0, y0 + p.w / columns - 0.06)
             if rng.random() < 0.7:
-                yield box("bin", rng.choice(BRIGHT), (p.x[0] + 0.02, p.x[1] - 0.012), span, (z0, z0 + 0.7 * (p.h - t) / rows))
+                yield box(
+                    "bin", rng.choice(BRIGHT), (p.x[0] + 0.02, p.x[1] - 0.012), span, (z0, z0 + 0.7 * (p.h - t) / rows)
+                )
             else:
                 yield from books(p, span, z0, (p.h - t) / rows - t, salt=f"{i}{j}")
 
@@ -322,7 +294,9 @@ def toy_shelf(p: Piece) -> Iterator[Part]:
 def hamper(p: Piece) -> Iterator[Part]:
     """Yield a laundry basket with a lid and cloth that hangs out."""
     yield from four(p, p.wood, 0.06 * p.h, thick=0.03)
-    yield slab("basket", WICKER, (p.x[0] + 0.01, p.x[1] - 0.01), (p.y[0] + 0.01, p.y[1] - 0.01), (0.06 * p.h, 0.9 * p.h))
+    yield slab(
+        "basket", WICKER, (p.x[0] + 0.01, p.x[1] - 0.01), (p.y[0] + 0.01, p.y[1] - 0.01), (0.06 * p.h, 0.9 * p.h)
+    )
     yield soft("lid", p.bedding, p.x, p.y, (0.9 * p.h, p.h), bevel=0.015)
     yield box("handle", p.wood, (p.x[1] - 0.01, p.x[1]), (-0.08, 0.08), (0.7 * p.h, 0.75 * p.h))
 
@@ -341,12 +315,6 @@ BUILDERS: dict[str, Builder] = {
     "filing cabinet": drawer_chest,
     "display cabinet": display_cabinet,
     "locker": locker,
-    "shoe rack": shoe_rack,
-    "coat rack": coat_rack,
-    "hall tree": hall_tree,
-    "clothes rack": clothes_rack,
-    "clothing stand": clothes_rack,
-    "wall hooks": wall_hooks,
     "chest": chest,
     "toy box": chest,
     "storage box": storage_box,
@@ -354,7 +322,6 @@ BUILDERS: dict[str, Builder] = {
     "bread box": storage_box,
     "basket": basket,
     "suitcase": suitcase,
-    "umbrella stand": umbrella_stand,
     "magazine rack": magazine_rack,
     "room divider": room_divider,
     "toy shelf": toy_shelf,

@@ -34,7 +34,13 @@ def trestle_table(p: Piece) -> Iterator[Part]:
     for y0 in (p.y[0] + 0.14 * p.w, p.y[1] - 0.14 * p.w - 0.05):
         for x0, way in ((p.x[0] + 0.08, 1), (p.x[1] - 0.14, -1)):
             yield sheared("leg", p.dark, (x0, x0 + 0.06), (y0, y0 + 0.05), (0.0, p.h - thick), lean=(way * lean, 0.0))
-        yield box("cross bar", p.dark, (p.x[0] + 0.2 * p.d, p.x[1] - 0.2 * p.d), (y0 + 0.01, y0 + 0.04), (0.2 * p.h, 0.27 * p.h))
+        yield box(
+            "cross bar",
+            p.dark,
+            (p.x[0] + 0.2 * p.d, p.x[1] - 0.2 * p.d),
+            (y0 + 0.01, y0 + 0.04),
+            (0.2 * p.h, 0.27 * p.h),
+        )
     yield box("stretcher", p.dark, (-0.02, 0.02), (p.y[0] + 0.14 * p.w, p.y[1] - 0.14 * p.w), (0.22 * p.h, 0.25 * p.h))
 
 
@@ -81,13 +87,21 @@ def side_table(p: Piece) -> Iterator[Part]:
     """Yield a small table: round on three legs, or square with a shelf."""
     if p.variant % 2 == 0:
         yield oval("top", p.wood, (0.0, 0.0), ((p.d / 2, p.w / 2), (p.d / 2, p.w / 2)), (p.h - 0.022, p.h), sides=24)
-        yield oval("shelf", p.wood, (0.0, 0.0), ((0.3 * p.d, 0.3 * p.w),) * 2, (0.26 * p.h, 0.26 * p.h + 0.016), sides=20)
+        yield oval(
+            "shelf", p.wood, (0.0, 0.0), ((0.3 * p.d, 0.3 * p.w),) * 2, (0.26 * p.h, 0.26 * p.h + 0.016), sides=20
+        )
         small = Piece(0.74 * p.d, 0.74 * p.w, p.h, p.palette, p.fabric, p.accent, p.bedding, p.kind, p.variant, p.key)
         yield from four(small, p.metal, p.h - 0.022, thick=0.025)
         return
     yield board(p, p.wood, (p.h - 0.025, p.h))
     yield from four(p, p.dark, p.h - 0.025, thick=0.04, inset=0.015)
-    yield box("shelf", p.wood, (p.x[0] + 0.02, p.x[1] - 0.02), (p.y[0] + 0.057, p.y[1] - 0.057), (0.25 * p.h, 0.25 * p.h + 0.018))
+    yield box(
+        "shelf",
+        p.wood,
+        (p.x[0] + 0.02, p.x[1] - 0.02),
+        (p.y[0] + 0.057, p.y[1] - 0.057),
+        (0.25 * p.h, 0.25 * p.h + 0.018),
+    )
 
 
 def console_table(p: Piece) -> Iterator[Part]:
@@ -126,7 +140,9 @@ def china_cabinet(p: Piece) -> Iterator[Part]:
     yield board(p, p.wood, (p.h - 0.024, p.h))
     for level in levels[:3]:
         for y in (-0.26 * p.w, 0.0, 0.26 * p.w):
-            yield cylinder("plate", WHITE, (y, level + 0.085), 0.08, (p.x[0] + 0.04, p.x[0] + 0.055), axis="x", sides=14)
+            yield cylinder(
+                "plate", WHITE, (y, level + 0.085), 0.08, (p.x[0] + 0.04, p.x[0] + 0.055), axis="x", sides=14
+            )
     for y0, y1 in ((p.y[0] + 0.03, -0.003), (0.003, p.y[1] - 0.03)):
         yield box("glass door", GLASS, (p.x[1] - 0.028, p.x[1] - 0.022), (y0, y1), (split + 0.004, p.h - 0.03))
 
@@ -158,7 +174,15 @@ def wine_rack(p: Piece) -> Iterator[Part]:
             if (i * 7 + j * 5 + p.variant) % 4:
                 y = p.y[0] + 0.03 + (j + 0.5) * (p.w - 0.06) / columns
                 z = 0.03 + i * (p.h - 0.03) / rows + 0.042
-                yield cylinder("bottle", SPINES[(i + j) % 3], (y, z), (0.04, 0.02), (p.x[0] + 0.02, p.x[1] - 0.01), axis="x", sides=8)
+                yield cylinder(
+                    "bottle",
+                    SPINES[(i + j) % 3],
+                    (y, z),
+                    (0.04, 0.02),
+                    (p.x[0] + 0.02, p.x[1] - 0.01),
+                    axis="x",
+                    sides=8,
+                )
 
 
 def picnic_table(p: Piece) -> Iterator[Part]:
@@ -171,7 +195,9 @@ def picnic_table(p: Piece) -> Iterator[Part]:
     for y in (p.y[0] + 0.16 * p.w, p.y[1] - 0.16 * p.w):
         yield box("beam", p.dark, (p.x[0] + 0.02, p.x[1] - 0.02), (y - 0.02, y + 0.02), (0.5 * p.h, 0.58 * p.h))
         for x0, way in ((-0.3 * p.d, 1), (0.24 * p.d, -1)):
-            yield sheared("leg", p.dark, (x0, x0 + 0.08), (y + 0.021, y + 0.06), (0.0, p.h - 0.04), lean=(way * 0.12 * p.d, 0.0))
+            yield sheared(
+                "leg", p.dark, (x0, x0 + 0.08), (y + 0.021, y + 0.06), (0.0, p.h - 0.04), lean=(way * 0.12 * p.d, 0.0)
+            )
 
 
 def conference_table(p: Piece) -> Iterator[Part]:
@@ -198,7 +224,9 @@ def bar_cabinet(p: Piece) -> Iterator[Part]:
     yield board(p, p.wood, (p.h - 0.025, p.h))
     for i in range(5):
         y = p.y[0] + (i + 1) * p.w / 6
-        yield cylinder("bottle", SPINES[i % len(SPINES)], (0.0, y), (0.036, 0.018), (split, split + 0.3 * p.h), sides=10)
+        yield cylinder(
+            "bottle", SPINES[i % len(SPINES)], (0.0, y), (0.036, 0.018), (split, split + 0.3 * p.h), sides=10
+        )
 
 
 def work_books(p: Piece) -> Iterator[Part]:

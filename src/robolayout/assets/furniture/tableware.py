@@ -6,7 +6,21 @@ from collections.abc import Iterator
 
 from robolayout.assets.furniture._common import Builder
 from robolayout.assets.palette import (
-    BREAD, BRIGHT, CERAMIC, CHROME, COFFEE, EMBER, GLASS, IVORY, LEAF, LINEN, SPINES, STEEL, WATER, WHITE, Piece,
+    BREAD,
+    BRIGHT,
+    CERAMIC,
+    CHROME,
+    COFFEE,
+    EMBER,
+    GLASS,
+    IVORY,
+    LEAF,
+    LINEN,
+    SPINES,
+    STEEL,
+    WATER,
+    WHITE,
+    Piece,
 )  # fmt: skip
 from robolayout.assets.part import Material, Part
 from robolayout.assets.shapes import ball, box, cylinder, oval, soft
@@ -210,7 +224,9 @@ def candle(p: Piece) -> Iterator[Part]:
     """Yield a candle with a flame."""
     yield _round(p, "wax", LINEN, (1.0, 1.0), (0.0, 0.8), sides=14)
     yield _round(p, "wick", COFFEE, (0.1, 0.1), (0.8, 0.86), sides=5)
-    yield ball("flame", EMBER, (-0.16 * p.d, 0.16 * p.d), (-0.16 * p.w, 0.16 * p.w), (0.84 * p.h, p.h), rings=3, sides=8)
+    yield ball(
+        "flame", EMBER, (-0.16 * p.d, 0.16 * p.d), (-0.16 * p.w, 0.16 * p.w), (0.84 * p.h, p.h), rings=3, sides=8
+    )
 
 
 def candlestick(p: Piece) -> Iterator[Part]:

@@ -6,7 +6,21 @@ from collections.abc import Iterator
 
 from robolayout.assets.furniture._common import Builder, board, four
 from robolayout.assets.palette import (
-    BLACK, BLUE, BRIGHT, CORK, DARK, GLASS, GLOW, GREEN, IVORY, LIGHT_GREY, PAPER, RED, SLATE, STEEL, WHITE, YELLOW, Piece,
+    BLACK,
+    BLUE,
+    BRIGHT,
+    DARK,
+    GLASS,
+    GLOW,
+    GREEN,
+    IVORY,
+    LIGHT_GREY,
+    PAPER,
+    RED,
+    STEEL,
+    WHITE,
+    YELLOW,
+    Piece,
 )  # fmt: skip
 from robolayout.assets.part import Part
 from robolayout.assets.shapes import ball, box, cylinder, sheared, slab, soft
@@ -24,13 +38,21 @@ def desk(p: Piece) -> Iterator[Part]:
             z = (0.04 + i * (low - 0.06) / 3, 0.03 + (i + 1) * (low - 0.06) / 3)
             yield box("drawer", p.front, (p.x[1] - 0.06, p.x[1] - 0.042), (y[0] + 0.004, y[1] - 0.004), z)
             middle = (y[0] + y[1]) / 2
-            yield box("handle", p.metal, (p.x[1] - 0.042, p.x[1] - 0.02), (middle - 0.07, middle + 0.07), (z[1] - 0.05, z[1] - 0.038))
+            yield box(
+                "handle",
+                p.metal,
+                (p.x[1] - 0.042, p.x[1] - 0.02),
+                (middle - 0.07, middle + 0.07),
+                (z[1] - 0.05, z[1] - 0.038),
+            )
         far = p.y[0] + 0.02 if p.variant % 2 else p.y[1] - 0.07
         for x in (p.x[0] + 0.02, p.x[1] - 0.07):
             yield box("leg", p.dark, (x, x + 0.05), (far, far + 0.05), (0.0, low))
     else:
         yield from four(p, p.metal if p.variant % 2 else p.dark, low, thick=0.05, inset=0.02)
-    yield box("modesty panel", p.wood, (p.x[0] + 0.03, p.x[0] + 0.045), (p.y[0] + 0.08, p.y[1] - 0.08), (0.5 * p.h, low))
+    yield box(
+        "modesty panel", p.wood, (p.x[0] + 0.03, p.x[0] + 0.045), (p.y[0] + 0.08, p.y[1] - 0.08), (0.5 * p.h, low)
+    )
 
 
 def standing_desk(p: Piece) -> Iterator[Part]:
@@ -40,7 +62,13 @@ def standing_desk(p: Piece) -> Iterator[Part]:
         yield box("foot", DARK, (p.x[0] + 0.04, p.x[1] - 0.04), (y - 0.035, y + 0.035), (0.0, 0.025))
         yield box("column", DARK, (-0.04, 0.04), (y - 0.03, y + 0.03), (0.025, 0.6 * p.h))
         yield box("rod", STEEL, (-0.03, 0.03), (y - 0.022, y + 0.022), (0.6 * p.h, p.h - 0.03))
-    yield box("beam", DARK, (-0.035, 0.035), (p.y[0] + 0.18 * p.w + 0.022, p.y[1] - 0.18 * p.w - 0.022), (p.h - 0.09, p.h - 0.031))
+    yield box(
+        "beam",
+        DARK,
+        (-0.035, 0.035),
+        (p.y[0] + 0.18 * p.w + 0.022, p.y[1] - 0.18 * p.w - 0.022),
+        (p.h - 0.09, p.h - 0.031),
+    )
 
 
 def corner_desk(p: Piece) -> Iterator[Part]:
@@ -64,7 +92,13 @@ def executive_desk(p: Piece) -> Iterator[Part]:
             z = (0.05 + i * (low - 0.07) / 3, 0.04 + (i + 1) * (low - 0.07) / 3)
             yield box("drawer", p.wood, (p.x[1] - 0.08, p.x[1] - 0.06), (y[0] + 0.02, y[1] - 0.02), z)
             middle = (y[0] + y[1]) / 2
-            yield box("handle", p.metal, (p.x[1] - 0.06, p.x[1] - 0.04), (middle - 0.06, middle + 0.06), (z[1] - 0.06, z[1] - 0.048))
+            yield box(
+                "handle",
+                p.metal,
+                (p.x[1] - 0.06, p.x[1] - 0.04),
+                (middle - 0.06, middle + 0.06),
+                (z[1] - 0.06, z[1] - 0.048),
+            )
     yield box("front", p.wood, (p.x[0] + 0.07, p.x[0] + 0.09), (p.y[0] + 0.48, p.y[1] - 0.48), (0.1, low))
 
 
@@ -79,17 +113,36 @@ def reception_desk(p: Piece) -> Iterator[Part]:
     yield box("desk", p.front, (p.x[0], p.x[1] - wall - 0.021), (p.y[0] + 0.03, p.y[1] - 0.03), (desk_z - 0.03, desk_z))
     for y0 in (p.y[0] + 0.03, p.y[1] - 0.06):
         yield box("side", p.wood, (p.x[0] + 0.02, p.x[1] - wall - 0.001), (y0, y0 + 0.03), (0.0, desk_z - 0.03))
-    yield box("screen", DARK, (p.x[1] - wall - 0.1, p.x[1] - wall - 0.08), (-0.24, 0.24), (desk_z + 0.06, p.h + 0.02 - 0.061))
+    yield box(
+        "screen", DARK, (p.x[1] - wall - 0.1, p.x[1] - wall - 0.08), (-0.24, 0.24), (desk_z + 0.06, p.h + 0.02 - 0.061)
+    )
 
 
 def printer(p: Piece) -> Iterator[Part]:
     """Yield a printer with paper trays."""
-    yield soft("casing", WHITE if p.variant % 2 else LIGHT_GREY, (p.x[0], p.x[1] - 0.08 * p.d), p.y, (0.0, 0.86 * p.h), bevel=0.02)
+    yield soft(
+        "casing",
+        WHITE if p.variant % 2 else LIGHT_GREY,
+        (p.x[0], p.x[1] - 0.08 * p.d),
+        p.y,
+        (0.0, 0.86 * p.h),
+        bevel=0.02,
+    )
     yield box("scanner", DARK, (p.x[0] + 0.02, p.x[1] - 0.12 * p.d), (0.94 * p.y[0], 0.94 * p.y[1]), (0.86 * p.h, p.h))
-    yield box("slot", BLACK, (p.x[1] - 0.08 * p.d, p.x[1] - 0.06 * p.d), (-0.36 * p.w, 0.36 * p.w), (0.42 * p.h, 0.6 * p.h))
+    yield box(
+        "slot", BLACK, (p.x[1] - 0.08 * p.d, p.x[1] - 0.06 * p.d), (-0.36 * p.w, 0.36 * p.w), (0.42 * p.h, 0.6 * p.h)
+    )
     yield box("paper", PAPER, (p.x[1] - 0.06 * p.d, p.x[1]), (-0.28 * p.w, 0.28 * p.w), (0.44 * p.h, 0.46 * p.h))
-    yield box("drawer", LIGHT_GREY, (p.x[1] - 0.08 * p.d, p.x[1] - 0.05 * p.d), (-0.4 * p.w, 0.4 * p.w), (0.08 * p.h, 0.34 * p.h))
-    yield box("display", GLOW, (p.x[1] - 0.08 * p.d, p.x[1] - 0.06 * p.d), (0.2 * p.w, 0.42 * p.w), (0.66 * p.h, 0.8 * p.h))
+    yield box(
+        "drawer",
+        LIGHT_GREY,
+        (p.x[1] - 0.08 * p.d, p.x[1] - 0.05 * p.d),
+        (-0.4 * p.w, 0.4 * p.w),
+        (0.08 * p.h, 0.34 * p.h),
+    )
+    yield box(
+        "display", GLOW, (p.x[1] - 0.08 * p.d, p.x[1] - 0.06 * p.d), (0.2 * p.w, 0.42 * p.w), (0.66 * p.h, 0.8 * p.h)
+    )
 
 
 def photocopier(p: Piece) -> Iterator[Part]:
@@ -102,7 +155,9 @@ def photocopier(p: Piece) -> Iterator[Part]:
     yield box("output", DARK, (p.x[0] + 0.02, p.x[1] - 0.1), (0.9 * p.y[0], 0.9 * p.y[1]), (0.72 * p.h, 0.82 * p.h))
     yield soft("scanner", LIGHT_GREY, (p.x[0], p.x[1] - 0.08), p.y, (0.82 * p.h, 0.93 * p.h), bevel=0.015)
     yield box("feeder", WHITE, (p.x[0] + 0.04, p.x[1] - 0.2), (0.9 * p.y[0], 0.6 * p.y[1]), (0.93 * p.h, p.h))
-    yield sheared("panel", DARK, (p.x[1] - 0.08, p.x[1]), (-0.2 * p.w, 0.3 * p.w), (0.86 * p.h, 0.9 * p.h), lean=(-0.02, 0.0))
+    yield sheared(
+        "panel", DARK, (p.x[1] - 0.08, p.x[1]), (-0.2 * p.w, 0.3 * p.w), (0.86 * p.h, 0.9 * p.h), lean=(-0.02, 0.0)
+    )
     yield box("wheels", BLACK, (p.x[0] + 0.05, p.x[1] - 0.12), (0.8 * p.y[0], 0.8 * p.y[1]), (0.0, 0.04))
 
 
@@ -124,8 +179,20 @@ def keyboard(p: Piece) -> Iterator[Part]:
         for j in range(11):
             y = p.y[0] + (j + 0.6) * p.w / 11.4
             if i != 4 or j in (0, 1, 9, 10):
-                yield box("key", tone, (x - 0.065 * p.d, x + 0.065 * p.d), (y - 0.034 * p.w, y + 0.034 * p.w), (0.6 * p.h, p.h))
-    yield box("space bar", tone, (p.x[0] + 4.6 * p.d / 5.4 - 0.065 * p.d, p.x[0] + 4.6 * p.d / 5.4 + 0.065 * p.d), (-0.26 * p.w, 0.2 * p.w), (0.6 * p.h, p.h))
+                yield box(
+                    "key",
+                    tone,
+                    (x - 0.065 * p.d, x + 0.065 * p.d),
+                    (y - 0.034 * p.w, y + 0.034 * p.w),
+                    (0.6 * p.h, p.h),
+                )
+    yield box(
+        "space bar",
+        tone,
+        (p.x[0] + 4.6 * p.d / 5.4 - 0.065 * p.d, p.x[0] + 4.6 * p.d / 5.4 + 0.065 * p.d),
+        (-0.26 * p.w, 0.2 * p.w),
+        (0.6 * p.h, p.h),
+    )
 
 
 def mouse(p: Piece) -> Iterator[Part]:
@@ -143,7 +210,14 @@ def laptop(p: Piece) -> Iterator[Part]:
     yield box("pad", LIGHT_GREY, (hinge + 0.5 * p.d, p.x[1] - 0.06 * p.d), (-0.16 * p.w, 0.16 * p.w), (t, t + 0.0015))
     lean = -(hinge - p.x[0]) + 0.008
     yield sheared("lid", STEEL, (hinge, hinge + 0.008), p.y, (t, p.h), lean=(lean, 0.0))
-    yield sheared("screen", GLOW, (hinge + 0.008, hinge + 0.0095), (0.95 * p.y[0], 0.95 * p.y[1]), (t + 0.012, p.h - 0.008), lean=(0.93 * lean, 0.0))
+    yield sheared(
+        "screen",
+        GLOW,
+        (hinge + 0.008, hinge + 0.0095),
+        (0.95 * p.y[0], 0.95 * p.y[1]),
+        (t + 0.012, p.h - 0.008),
+        lean=(0.93 * lean, 0.0),
+    )
 
 
 def telephone(p: Piece) -> Iterator[Part]:
@@ -164,7 +238,9 @@ def desk_organizer(p: Piece) -> Iterator[Part]:
         x = (0.3, 0.2, -0.4, 0.0)[i] * r
         yield cylinder("pen", BRIGHT[i], (x, y), 0.004, (0.6 * p.h, p.h * (1.0, 0.9, 0.95, 0.85)[i]), sides=6)
     yield box("tray", p.wood, p.x, (p.y[0] + 2 * r + 0.005, p.y[1]), (0.0, 0.3 * p.h))
-    yield box("notes", YELLOW, (-0.3 * p.d, 0.3 * p.d), (p.y[0] + 2 * r + 0.02, p.y[1] - 0.015), (0.3 * p.h, 0.36 * p.h))
+    yield box(
+        "notes", YELLOW, (-0.3 * p.d, 0.3 * p.d), (p.y[0] + 2 * r + 0.02, p.y[1] - 0.015), (0.3 * p.h, 0.36 * p.h)
+    )
 
 
 def paper_tray(p: Piece) -> Iterator[Part]:
@@ -173,7 +249,13 @@ def paper_tray(p: Piece) -> Iterator[Part]:
     for i in range(count):
         z = i * p.h / count
         yield box("tray", DARK, p.x, p.y, (z, z + 0.006))
-        yield box("paper", PAPER, (0.92 * p.x[0], 0.94 * p.x[1]), (0.9 * p.y[0], 0.9 * p.y[1]), (z + 0.006, z + 0.006 + 0.4 * p.h / count))
+        yield box(
+            "paper",
+            PAPER,
+            (0.92 * p.x[0], 0.94 * p.x[1]),
+            (0.9 * p.y[0], 0.9 * p.y[1]),
+            (z + 0.006, z + 0.006 + 0.4 * p.h / count),
+        )
         for y0 in (p.y[0], p.y[1] - 0.008):
             yield box("side", DARK, (p.x[0] + 0.001, 0.6 * p.x[1]), (y0, y0 + 0.008), (z + 0.006, z + p.h / count))
 
@@ -184,10 +266,18 @@ def server_rack(p: Piece) -> Iterator[Part]:
     count = max(4, min(20, round(p.h / 0.11)))
     for i in range(count):
         z = (0.06 + i * (p.h - 0.1) / count, 0.05 + (i + 1) * (p.h - 0.1) / count)
-        yield box("server", DARK if i % 4 else LIGHT_GREY, (p.x[1] - 0.04, p.x[1] - 0.01), (0.84 * p.y[0], 0.84 * p.y[1]), z)
+        yield box(
+            "server", DARK if i % 4 else LIGHT_GREY, (p.x[1] - 0.04, p.x[1] - 0.01), (0.84 * p.y[0], 0.84 * p.y[1]), z
+        )
         for j in range(3):
             y = 0.5 * p.y[1] + 0.03 * j
-            yield box("light", (GREEN, GLOW, YELLOW)[(i + j) % 3], (p.x[1] - 0.01, p.x[1]), (y, y + 0.012), (z[0] + 0.02, z[0] + 0.032))
+            yield box(
+                "light",
+                (GREEN, GLOW, YELLOW)[(i + j) % 3],
+                (p.x[1] - 0.01, p.x[1]),
+                (y, y + 0.012),
+                (z[0] + 0.02, z[0] + 0.032),
+            )
 
 
 def water_dispenser(p: Piece) -> Iterator[Part]:
@@ -204,7 +294,9 @@ def water_dispenser(p: Piece) -> Iterator[Part]:
 
 def shredder(p: Piece) -> Iterator[Part]:
     """Yield a paper shredder on its bin."""
-    yield slab("bin", DARK, (0.94 * p.x[0], 0.94 * p.x[1]), (0.94 * p.y[0], 0.94 * p.y[1]), (0.0, 0.76 * p.h), top=(1.04, 1.04))
+    yield slab(
+        "bin", DARK, (0.94 * p.x[0], 0.94 * p.x[1]), (0.94 * p.y[0], 0.94 * p.y[1]), (0.0, 0.76 * p.h), top=(1.04, 1.04)
+    )
     yield soft("head", LIGHT_GREY, p.x, p.y, (0.765 * p.h, 0.98 * p.h), bevel=0.015)
     yield box("slot", BLACK, (-0.05 * p.d, 0.05 * p.d), (-0.36 * p.w, 0.36 * p.w), (0.98 * p.h, p.h))
     yield box("window", GLASS, (0.47 * p.d, 0.475 * p.d), (-0.2 * p.w, 0.2 * p.w), (0.2 * p.h, 0.6 * p.h))
@@ -225,8 +317,16 @@ def partition(p: Piece) -> Iterator[Part]:
 def safe(p: Piece) -> Iterator[Part]:
     """Yield a safe with a dial and a handle."""
     yield soft("body", DARK, (p.x[0], p.x[1] - 0.05), p.y, p.z, bevel=0.012)
-    yield box("door", IVORY if p.variant % 2 else LIGHT_GREY, (p.x[1] - 0.05, p.x[1] - 0.035), (0.86 * p.y[0], 0.86 * p.y[1]), (0.08 * p.h, 0.92 * p.h))
-    yield cylinder("dial", BLACK, (-0.08 * p.w, 0.55 * p.h), 0.12 * p.h, (p.x[1] - 0.035, p.x[1] - 0.005), axis="x", sides=16)
+    yield box(
+        "door",
+        IVORY if p.variant % 2 else LIGHT_GREY,
+        (p.x[1] - 0.05, p.x[1] - 0.035),
+        (0.86 * p.y[0], 0.86 * p.y[1]),
+        (0.08 * p.h, 0.92 * p.h),
+    )
+    yield cylinder(
+        "dial", BLACK, (-0.08 * p.w, 0.55 * p.h), 0.12 * p.h, (p.x[1] - 0.035, p.x[1] - 0.005), axis="x", sides=16
+    )
     yield box("handle", STEEL, (p.x[1] - 0.035, p.x[1]), (0.14 * p.w, 0.34 * p.w), (0.52 * p.h, 0.58 * p.h))
 
 
@@ -236,7 +336,13 @@ def drafting_table(p: Piece) -> Iterator[Part]:
         yield box("foot", p.metal, (0.9 * p.x[0], 0.9 * p.x[1]), (y0, y0 + 0.04), (0.0, 0.04))
         yield box("post", p.metal, (-0.02, 0.02), (y0 + 0.001, y0 + 0.039), (0.04, 0.76 * p.h))
     for name, tone, inset, lift in (("board", p.wood, 0.0, 0.0), ("sheet", PAPER, 0.1, 0.026)):
-        part = box(name, tone, (p.x[0] + inset, p.x[1] - inset), (p.y[0] + inset, p.y[1] - inset), (0.0, 0.025 if not inset else 0.003))
+        part = box(
+            name,
+            tone,
+            (p.x[0] + inset, p.x[1] - inset),
+            (p.y[0] + inset, p.y[1] - inset),
+            (0.0, 0.025 if not inset else 0.003),
+        )
         part.vertices[:, 2] += 0.66 * p.h + lift + (p.x[1] - part.vertices[:, 0]) / p.d * 0.3 * p.h
         yield part
 
@@ -255,13 +361,21 @@ def calculator(p: Piece) -> Iterator[Part]:
     for i in range(4):
         for j in range(4):
             x, y = (-0.16 + 0.17 * i) * p.d, (-0.3 + 0.2 * j) * p.w
-            yield box("key", IVORY if j < 3 else RED, (x - 0.05 * p.d, x + 0.05 * p.d), (y - 0.07 * p.w, y + 0.07 * p.w), (0.7 * p.h, p.h))
+            yield box(
+                "key",
+                IVORY if j < 3 else RED,
+                (x - 0.05 * p.d, x + 0.05 * p.d),
+                (y - 0.07 * p.w, y + 0.07 * p.w),
+                (0.7 * p.h, p.h),
+            )
 
 
 def stapler(p: Piece) -> Iterator[Part]:
     """Yield a stapler."""
     yield box("foot", DARK, p.x, p.y, (0.0, 0.2 * p.h))
-    part = soft("arm", RED, (p.x[0] + 0.002, p.x[1] - 0.004), (0.9 * p.y[0], 0.9 * p.y[1]), (0.24 * p.h, 0.7 * p.h), bevel=0.006)
+    part = soft(
+        "arm", RED, (p.x[0] + 0.002, p.x[1] - 0.004), (0.9 * p.y[0], 0.9 * p.y[1]), (0.24 * p.h, 0.7 * p.h), bevel=0.006
+    )
     part.vertices[:, 2] += (part.vertices[:, 0] - p.x[0]) / p.d * 0.3 * p.h
     yield part
 
@@ -272,114 +386,6 @@ def webcam(p: Piece) -> Iterator[Part]:
     yield cylinder("neck", STEEL, (0.0, 0.0), 0.1 * p.d, (0.12 * p.h, 0.5 * p.h), sides=8)
     yield soft("camera", DARK, (p.x[0], 0.36 * p.d), p.y, (0.46 * p.h, p.h), bevel=0.01)
     yield cylinder("lens", BLACK, (0.0, 0.73 * p.h), 0.18 * p.h, (0.36 * p.d, p.x[1]), axis="x", sides=12)
-
-
-def student_desk(p: Piece) -> Iterator[Part]:
-    """Yield a pupil's desk: a top over a book shelf on steel legs."""
-    yield board(p, p.wood, (p.h - 0.025, p.h))
-    yield box("shelf", p.front, (p.x[0] + 0.05, p.x[1] - 0.06), (p.y[0] + 0.05, p.y[1] - 0.05), (p.h - 0.16, p.h - 0.145))
-    yield box("back", p.front, (p.x[0] + 0.035, p.x[0] + 0.05), (p.y[0] + 0.05, p.y[1] - 0.05), (p.h - 0.16, p.h - 0.025))
-    yield from four(p, STEEL, p.h - 0.025, thick=0.03, inset=0.015)
-    yield box("books", BRIGHT[p.variant % 5], (p.x[0] + 0.08, p.x[1] - 0.1), (-0.1, 0.1), (p.h - 0.145, p.h - 0.09))
-
-
-def whiteboard(p: Piece) -> Iterator[Part]:
-    """Yield a board with frame, tray and some writing: white, black or cork."""
-    dark, cork = p.kind == "blackboard", p.kind == "bulletin board"
-    field = SLATE if dark else CORK if cork else WHITE
-    frame = p.wood if dark or cork else STEEL
-    back, b = p.x[0] + 0.4 * p.d, 0.03
-    yield box("board", field, (p.x[0], back), (p.y[0] + b, p.y[1] - b), (b, p.h - b))
-    for y in ((p.y[0], p.y[0] + b), (p.y[1] - b, p.y[1])):
-        yield box("frame", frame, (p.x[0], back + 0.004), y, p.z)
-    for z in ((0.0, b), (p.h - b, p.h)):
-        yield box("frame", frame, (p.x[0], back + 0.004), (p.y[0] + b, p.y[1] - b), z)
-    if not cork:
-        yield box("tray", frame, (back + 0.004, p.x[1]), (-0.3 * p.w, 0.3 * p.w), (0.004, 0.02))
-    yield from _notes(p, back, cork, dark)
-
-
-def _notes(p: Piece, face: float, cork: bool, dark: bool) -> Iterator[Part]:
-    """Yield notes pinned on cork, or lines of writing."""
-    rng = p.rng()
-    if cork:
-        columns = max(2, round(p.w / 0.24))
-        for i in range(columns):
-            y, z = p.y[0] + (i + 0.5) * p.w / columns, p.h * rng.uniform(0.35, 0.62)
-            tone = (PAPER, YELLOW, BLUE, PAPER, GREEN)[i % 5]
-            yield box("note", tone, (face, face + 0.1 * p.d), (y - 0.07, y + 0.07), (z - 0.1, z + 0.1))
-            yield box("pin", RED, (face + 0.1 * p.d, p.x[1]), (y - 0.008, y + 0.008), (z + 0.07, z + 0.086))
-        return
-    for i in range(4):
-        z = p.h * (0.78 - 0.13 * i)
-        y0 = -0.36 * p.w
-        yield box("writing", IVORY if dark else (BLUE, RED, BLUE, GREEN)[i], (face, face + 0.001 + 0.01 * p.d), (y0, y0 + p.w * rng.uniform(0.2, 0.42)), (z, z + 0.018))
-
-
-def lectern(p: Piece) -> Iterator[Part]:
-    """Yield a lectern; the speaker stands behind it, the audience at +x."""
-    yield box("foot", p.dark, p.x, (0.9 * p.y[0], 0.9 * p.y[1]), (0.0, 0.04))
-    yield box("column", p.wood, (-0.2 * p.d, 0.3 * p.d), (-0.34 * p.w, 0.34 * p.w), (0.04, 0.8 * p.h))
-    top = box("desk", p.dark, (0.96 * p.x[0], 0.9 * p.x[1]), p.y, (0.8 * p.h, 0.83 * p.h))
-    top.vertices[:, 2] += (top.vertices[:, 0] - p.x[0]) / p.d * 0.12 * p.h
-    yield top
-    yield box("emblem", p.accent, (0.3 * p.d, 0.32 * p.d), (-0.14 * p.w, 0.14 * p.w), (0.5 * p.h, 0.68 * p.h))
-    yield cylinder("microphone", BLACK, (0.3 * p.d, 0.0), 0.012, (0.88 * p.h, p.h), sides=8)
-
-
-def stage(p: Piece) -> Iterator[Part]:
-    """Yield a low platform with a step."""
-    yield box("deck", p.wood, (p.x[0], 0.36 * p.d), p.y, (0.0, p.h))
-    yield box("edge", p.dark, (0.36 * p.d, 0.36 * p.d + 0.02), p.y, (0.0, p.h - 0.003))
-    yield box("step", p.wood, (0.36 * p.d + 0.02, p.x[1]), (-0.3 * p.w, 0.3 * p.w), (0.0, 0.5 * p.h))
-
-
-def flip_chart(p: Piece) -> Iterator[Part]:
-    """Yield an easel with a pad."""
-    for y in (-0.4 * p.w, 0.4 * p.w):
-        yield sheared("leg", p.metal, (p.x[1] - 0.025, p.x[1]), (y - 0.012, y + 0.012), (0.0, 0.98 * p.h), lean=(-0.5 * p.d, -0.2 * y))
-    yield sheared("stay", p.metal, (p.x[0], p.x[0] + 0.025), (-0.012, 0.012), (0.0, 0.9 * p.h), lean=(0.45 * p.d, 0.0))
-    yield sheared("board", WHITE, (0.26 * p.d, 0.26 * p.d + 0.015), p.y, (0.42 * p.h, p.h), lean=(-0.24 * p.d, 0.0))
-    yield sheared("pad", PAPER, (0.26 * p.d + 0.016, 0.26 * p.d + 0.03), (0.9 * p.y[0], 0.9 * p.y[1]), (0.46 * p.h, 0.98 * p.h), lean=(-0.215 * p.d, 0.0))
-
-
-def lab_bench(p: Piece) -> Iterator[Part]:
-    """Yield a laboratory bench with a sink, taps and bottles."""
-    top = p.h - 0.22
-    yield box("plinth", BLACK, (p.x[0] + 0.06, p.x[1] - 0.06), (p.y[0] + 0.06, p.y[1] - 0.06), (0.0, 0.08))
-    yield box("cabinets", p.front, (p.x[0] + 0.03, p.x[1] - 0.03), (p.y[0] + 0.03, p.y[1] - 0.03), (0.08, top - 0.04))
-    yield box("top", DARK, p.x, p.y, (top - 0.04, top))
-    yield box("sink", LIGHT_GREY, (-0.24 * p.d, 0.24 * p.d), (0.26 * p.w, 0.44 * p.w), (top, top + 0.004))
-    yield cylinder("tap", STEEL, (0.0, 0.23 * p.w), 0.014, (top, p.h), sides=8)
-    for i in range(4):
-        yield cylinder("flask", (GLASS, BLUE, GREEN, YELLOW)[i], (0.1 * (-1) ** i, (-0.36 + 0.12 * i) * p.w), (0.05, 0.018), (top, top + 0.15), sides=10)
-
-
-def skeleton(p: Piece) -> Iterator[Part]:
-    """Yield a simple skeleton on a stand."""
-    yield cylinder("foot", DARK, (0.0, 0.0), 0.46 * p.d, (0.0, 0.03), sides=14)
-    yield cylinder("pole", STEEL, (-0.06, 0.0), 0.012, (0.03, 0.9 * p.h), sides=6)
-    yield ball("skull", IVORY, (-0.09, 0.11), (-0.08, 0.08), (0.86 * p.h, p.h), rings=4)
-    yield cylinder("spine", IVORY, (0.0, 0.0), 0.022, (0.52 * p.h, 0.87 * p.h), sides=8)
-    for i in range(5):
-        z = (0.64 + 0.04 * i) * p.h
-        yield box("rib", IVORY, (-0.07, 0.08), (-0.3 * p.w, 0.3 * p.w), (z, z + 0.016 * p.h))
-    yield slab("pelvis", IVORY, (-0.06, 0.07), (-0.16 * p.w, 0.16 * p.w), (0.5 * p.h, 0.57 * p.h), top=(1.2, 1.6))
-    for y in (-0.16 * p.w, 0.16 * p.w):
-        yield cylinder("leg", IVORY, (0.0, y), 0.02, (0.06 * p.h, 0.52 * p.h), sides=8)
-        yield cylinder("arm", IVORY, (0.0, 2.8 * y), 0.018, (0.42 * p.h, 0.8 * p.h), sides=8)
-    yield box("shoulders", IVORY, (-0.02, 0.02), p.y, (0.79 * p.h, 0.815 * p.h))
-
-
-def microscope(p: Piece) -> Iterator[Part]:
-    """Yield a microscope."""
-    yield box("foot", DARK, p.x, p.y, (0.0, 0.1 * p.h))
-    yield box("arm", LIGHT_GREY, (p.x[0], p.x[0] + 0.3 * p.d), (-0.2 * p.w, 0.2 * p.w), (0.1 * p.h, 0.78 * p.h))
-    yield box("stage", BLACK, (p.x[0] + 0.3 * p.d, 0.4 * p.d), (-0.4 * p.w, 0.4 * p.w), (0.32 * p.h, 0.37 * p.h))
-    yield cylinder("tube", LIGHT_GREY, (0.06 * p.d, 0.0), 0.16 * p.w, (0.5 * p.h, 0.86 * p.h), sides=12)
-    yield cylinder("lens", STEEL, (0.06 * p.d, 0.0), (0.05 * p.w, 0.12 * p.w), (0.4 * p.h, 0.5 * p.h), sides=10)
-    yield cylinder("eyepiece", BLACK, (0.06 * p.d, 0.0), 0.1 * p.w, (0.86 * p.h, p.h), sides=10)
-    yield box("bridge", LIGHT_GREY, (p.x[0] + 0.3 * p.d, 0.0), (-0.12 * p.w, 0.12 * p.w), (0.66 * p.h, 0.74 * p.h))
 
 
 BUILDERS: dict[str, Builder] = {
@@ -410,15 +416,4 @@ BUILDERS: dict[str, Builder] = {
     "calculator": calculator,
     "stapler": stapler,
     "webcam": webcam,
-    "student desk": student_desk,
-    "whiteboard": whiteboard,
-    "blackboard": whiteboard,
-    "bulletin board": whiteboard,
-    "lectern": lectern,
-    "host stand": lectern,
-    "stage": stage,
-    "flip chart": flip_chart,
-    "lab bench": lab_bench,
-    "microscope": microscope,
-    "skeleton model": skeleton,
 }
