@@ -218,7 +218,7 @@ def _pieces(data: bytes, kind: str) -> Iterator[RawMesh]:
 def _cleaned(name: str, points: Array, faces: NDArray[np.int64], matrix: Array, look: Material) -> RawMesh | None:
     """Place a piece and drop triangles with unusable numbers; None where nothing is left."""
     placed = points @ matrix[:3, :3].T + matrix[:3, 3]
-    usable = np.isfinite(placed).all(axis=1) & (np.abs(placed) < 1e7).all(axis=1)
+    usable = np.asarray((np.isfinite(placed) & (np.abs(placed) < 1e7)).all(axis=1))
     inside = ((faces >= 0) & (faces < len(points))).all(axis=1)
     faces = faces[inside]
     faces = faces[usable[faces].all(axis=1)]
@@ -283,20 +283,24 @@ def _clustered(piece: RawMesh, most: int) -> RawMesh:
     """Thin a piece to at most `most` triangles: vertices in one grid cell become one, at their mean."""
     if len(piece.faces) <= most:
         return piece
-    low = piece.vertices.min(axis=0)
-    edge = float((piece.vertices.max(axis=0) - low).max()) or 1.0
-    cells = np.sqrt(most)
-    for _ in range(12):
-        grid = np.floor((piece.vertices - low) / edge * cells).astype(np.int64)
-        keys = (grid[:, 0] << 42) + (grid[:, 1] << 21) + grid[:, 2]
-        _, index = np.unique(keys, return_inverse=True)
-        faces = _distinct(index[piece.faces])
-        if len(faces) <= most:
-            break
-        cells *= min(0.9, 0.97 * np.sqrt(most / len(faces)))
+    cells = float(np.sqrt(most))
+    index, faces = _in_cells(piece, cells)
+    while len(faces) > most:
+        cells *= min(0.9, 0.97 * float(np.sqrt(most / len(faces))))
+        index, faces = _in_cells(piece, cells)
     counts = np.bincount(index).astype(np.float64)
     points = np.stack([np.bincount(index, weights=piece.vertices[:, i]) / counts for i in range(3)], axis=1)
     return RawMesh(piece.name, points, faces, piece.material)
+
+
+def _in_cells(piece: RawMesh, cells: float) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Sort vertices into `cells` grid cells along the longest edge; return each one's cell and the faces left over."""
+    low = piece.vertices.min(axis=0)
+    edge = float((piece.vertices.max(axis=0) - low).max()) or 1.0
+    grid = np.floor((piece.vertices - low) / edge * cells).astype(np.int64)
+    keys = (grid[:, 0] << 42) + (grid[:, 1] << 21) + grid[:, 2]
+    _, index = np.unique(keys, return_inverse=True)
+    return index, _distinct(index[piece.faces])
 
 
 def _distinct(faces: NDArray[np.int64]) -> NDArray[np.int64]:

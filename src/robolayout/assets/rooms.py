@@ -156,7 +156,8 @@ def _polygons(shape: BaseGeometry) -> list[Polygon]:
 def _triangles(polygon: Polygon) -> list[list[Point]]:
     """Return counter-clockwise triangles of a polygon, which may be concave."""
     found: list[list[Point]] = []
-    for triangle in constrained_delaunay_triangles(polygon).geoms:
+    pieces = constrained_delaunay_triangles(polygon).geoms
+    for triangle in (piece for piece in pieces if isinstance(piece, Polygon)):
         corners = [(x, y) for x, y, *_ in triangle.exterior.coords[:-1]]
         found.append(corners if triangle.exterior.is_ccw else corners[::-1])
     return found

@@ -91,7 +91,7 @@ def oval(
     name: str,
     material: Material,
     center: Range,
-    radii: tuple[Range, Range],
+    radii: Sequence[Range],
     span: Range,
     *,
     axis: str = "z",
