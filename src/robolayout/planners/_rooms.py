@@ -1,0 +1,67 @@
+"""Room types as data: what belongs in a bedroom, an office, a shop."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from importlib.resources import files
+
+
+@dataclass(frozen=True)
+class RoomType:
+    """One kind of room.
+
+    Attributes:
+        name: Its name ("bedroom").
+        words: Words that name it in a sentence.
+        size: Usual width and depth in metres.
+        base: What always belongs in, with counts.
+        extras: What may be added.
+        person: What each person brings along.
+        people: How many people there are if nobody says.
+        tables: The table that the chairs of this room stand at, if they need one.
+        agent: The body that such a room is usually for.
+        height: Usual wall height in metres.
+    """
+
+    name: str
+    words: tuple[str, ...]
+    size: tuple[float, float]
+    base: Mapping[str, int]
+    extras: Mapping[str, int]
+    person: Mapping[str, int] = field(default_factory=dict[str, int])
+    people: int = 0
+    tables: str = ""
+    agent: str | None = None
+    height: float = 2.6
+
+
+@dataclass(frozen=True)
+class Rooms:
+    """Everything in `knowledge/_rooms.toml`.
+
+    Attributes:
+        rooms: Room types by name.
+        corners: What a "reading corner" and the like consist of.
+        agents: Names of bodies by the words that mean them.
+        companions: What a thing is of no use without.
+    """
+
+    rooms: Mapping[str, RoomType]
+    corners: Mapping[str, Mapping[str, int]]
+    agents: Mapping[str, str]
+    companions: Mapping[str, Mapping[str, int]]
+
+
+@cache
+def read_rooms() -> Rooms:
+    """Read the room types."""
+    text = (files("robolayout.planners") / "knowledge" / "_rooms.toml").read_text("utf-8")
+    data = tomllib.loads(text)
+    rooms = {
+        name: RoomType(name, tuple(entry.pop("words")), (entry["size"][0], entry.pop("size")[1]), **entry)
+        for name, entry in data["rooms"].items()
+    }
+    return Rooms(rooms, data["corners"], data["agents"], data["companions"])

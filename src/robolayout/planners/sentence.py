@@ -1,0 +1,305 @@
+"""From one sentence to a scene: "a bedroom for two children with a bunk bed, 4 x 5 m, for a wheelchair user".
+
+Room type, size, shape, body, wished things and their counts are read from the words; the list is completed from the
+catalogue with seeded variety. What was understood, what was assumed and what was ignored is part of the answer.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from robolayout._errors import SceneError
+from robolayout.assets import CATALOGUE, Category
+from robolayout.planners._rooms import RoomType, read_rooms
+from robolayout.planners._words import Wish, Wishes, read_wishes
+from robolayout.scene import Scene, scene_from_dict, variable_name
+
+FULLEST = 0.55
+"""Share of the floor that wished things may take before the wish is called impossible."""
+
+COMFORT = 0.26
+"""Share of the floor up to which further things are added."""
+
+BASIC = 0.38
+"""Share of the floor up to which what such a room always has is added."""
+
+ROOMY = 0.3
+"""Share of the floor that wished things take where no size is given."""
+
+
+@dataclass(frozen=True)
+class Understanding:
+    """What was read from a sentence.
+
+    Attributes:
+        text: The sentence.
+        room_type: Name of the room type.
+        size: Width and depth of the room in metres.
+        shape: "rectangular" or "L-shaped".
+        height: Wall height in metres.
+        agent: Name of the body, or None for the default disc.
+        wished: Categories asked for and how many.
+        added: Categories added and how many.
+        assumed: What was not said and therefore chosen, one sentence each.
+        ignored: Words that meant nothing to the reader.
+    """
+
+    text: str
+    room_type: str
+    size: tuple[float, float]
+    shape: str
+    height: float
+    agent: str | None
+    wished: Mapping[str, int]
+    added: Mapping[str, int]
+    assumed: tuple[str, ...]
+    ignored: tuple[str, ...]
+
+    def to_dict(self) -> dict[str, object]:
+        """Return everything as plain values for a file."""
+        return {
+            "text": self.text,
+            "room_type": self.room_type,
+            "size": list(self.size),
+            "shape": self.shape,
+            "height": self.height,
+            "agent": self.agent,
+            "wished": dict(self.wished),
+            "added": dict(self.added),
+            "assumed": list(self.assumed),
+            "ignored": list(self.ignored),
+        }
+
+    def sentences(self) -> tuple[str, ...]:
+        """Return what was understood, in words."""
+        width, depth = self.size
+        lines = [f"A {self.shape} {self.room_type}, {width:g} x {depth:g} m, {self.height:g} m high."]
+        lines.append(f"For: {self.agent or 'a disc of 0.30 m radius'}.")
+        for label, things in (("Wished", self.wished), ("Added", self.added)):
+            if things:
+                lines.append(f"{label}: {', '.join(f'{n} {name}' for name, n in things.items())}.")
+        lines += self.assumed
+        if self.ignored:
+            lines.append(f"Ignored: {', '.join(self.ignored)}.")
+        return tuple(lines)
+
+
+def scene_from_sentence(text: str, *, seed: int = 0, variant: int = 0) -> tuple[Scene, Understanding]:
+    """Return a scene for a sentence, and what was understood of it.
+
+    Args:
+        text: One or a few sentences; lengths in metres, centimetres or feet.
+        seed: Settles every choice.
+        variant: Number of the variant; different ones have other doors, windows and additions.
+
+    Raises:
+        SceneError: The sentence is empty, names no room, or wishes more than the room can hold.
+    """
+    rng = np.random.default_rng((seed, variant))
+    wishes = read_wishes(text)
+    room = read_rooms().rooms[wishes.room_type]
+    wished = _wished(wishes, room)
+    size = _room_size(wishes, room, wished)
+    _possible(wishes, wished, size)
+    added = _added(wishes, room, wished, size, rng)
+    agent = wishes.agent or room.agent
+    assumed = _assumed(wishes, room, size)
+    found = Understanding(
+        text.strip(),
+        room.name,
+        size,
+        wishes.shape,
+        _height(wishes, room, {**wished, **added}),
+        agent,
+        wished,
+        added,
+        assumed,
+        wishes.ignored,
+    )
+    return scene_from_dict(_scene(found, rng)), found
+
+
+def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
+    """Return what was asked for, with what the people in the sentence bring along."""
+    wished: dict[str, int] = {}
+    for wish in wishes.things:
+        wished[wish.category] = wished.get(wish.category, 0) + wish.count
+    people = wishes.people or room.people
+    heads = {_head(name) for name in wished}
+    for name, count in room.person.items():
+        if people and _head(name) not in heads and name not in wishes.unwanted:
+            wished[name] = wished.get(name, 0) + count * people
+    chairs = sum(n for name, n in wished.items() if _head(name) == "chair")
+    if room.tables and not any(_head(name) == "table" for name in wished if "buffet" not in name):
+        wished[room.tables] = math.ceil(chairs / (2 if room.tables == "round table" else 4))
+    return wished
+
+
+def _head(name: str) -> str:
+    """Return the word that says what a thing is: "bed" for a bunk bed."""
+    return name.split()[-1]
+
+
+def _floor_area(things: Mapping[str, int]) -> float:
+    """Return the floor in m2 that things take."""
+    kinds = ((CATALOGUE[name], count) for name, count in things.items())
+    return sum(kind.size[0] * kind.size[1] * count for kind, count in kinds if kind.on_floor and kind.size[2] > 0.03)
+
+
+def _room_size(wishes: Wishes, room: RoomType, wished: Mapping[str, int]) -> tuple[float, float]:
+    """Return width and depth in metres: as asked, else usual ones, enlarged for what is wished."""
+    if wishes.size is not None:
+        return wishes.size
+    width, depth = room.size
+    area = wishes.area or max(width * depth, _floor_area({**room.base, **wished}) / ROOMY)
+    if wishes.shape == "L-shaped":
+        area *= 1.2
+    ratio = 1.0 if wishes.square else width / depth
+    width = math.sqrt(area * ratio)
+    return (round(width, 2), round(area / width, 2))
+
+
+def _possible(wishes: Wishes, wished: Mapping[str, int], size: tuple[float, float]) -> None:
+    """Refuse wishes that no arrangement can meet."""
+    floor = size[0] * size[1] * (0.75 if wishes.shape == "L-shaped" else 1.0)
+    asked: dict[str, int] = {}
+    for wish in wishes.things:
+        asked[wish.category] = asked.get(wish.category, 0) + wish.count
+    need = _floor_area(wished)
+    if need > FULLEST * floor:
+        things = ", ".join(f"{count} x {name}" for name, count in (asked or wished).items())
+        raise SceneError(
+            f"{things} need {need:.1f} m2 of floor, and a room of {size[0]:g} x {size[1]:g} m has {floor:.1f} m2, of which "
+            f"{FULLEST:.0%} can be furnished; ask for a room of at least {need / FULLEST:.0f} m2 or for fewer things."
+        )
+    for name in wished:
+        kind = CATALOGUE[name]
+        if kind.on_floor and (max(kind.size[:2]) > max(size) or min(kind.size[:2]) > min(size)):
+            raise SceneError(
+                f"a {name} of {kind.size[0]:g} x {kind.size[1]:g} m does not fit into a room of {size[0]:g} x {size[1]:g} m; "
+                "ask for a larger room or leave it out."
+            )
+
+
+def _added(
+    wishes: Wishes, room: RoomType, wished: Mapping[str, int], size: tuple[float, float], rng: np.random.Generator
+) -> dict[str, int]:
+    """Return what belongs in such a room and was not named, then extras in random order while there is room."""
+    floor = size[0] * size[1] * (0.75 if wishes.shape == "L-shaped" else 1.0)
+    heads = {_head(wish.category) for wish in wishes.things}
+    added: dict[str, int] = {}
+    for name, count in wished.items():
+        for other, each in read_rooms().companions.get(name, {}).items():
+            if _head(other) not in {_head(n) for n in wished} and other not in wishes.unwanted:
+                added[other] = count * each
+    order = [*room.base.items(), *(list(room.extras.items())[i] for i in rng.permutation(len(room.extras)))]
+    for name, count in order:
+        if (
+            name in wishes.unwanted
+            or (_head(name) in heads and CATALOGUE[name].on_floor)
+            or name in wished
+            or name in added
+        ):
+            continue
+        trial = {**wished, **added, name: count}
+        limit = BASIC if name in room.base else COMFORT
+        if _floor_area({name: count}) == 0 or _floor_area(trial) <= limit * floor:
+            added[name] = count
+    return added
+
+
+def _height(wishes: Wishes, room: RoomType, things: Mapping[str, int]) -> float:
+    """Return the wall height in metres: as asked, or as usual, or enough for the tallest thing."""
+    tallest = max((CATALOGUE[name].size[2] for name in things), default=0.0)
+    return wishes.height or max(room.height, math.ceil(10 * (1.07 * tallest + 0.2)) / 10)
+
+
+def _assumed(wishes: Wishes, room: RoomType, size: tuple[float, float]) -> tuple[str, ...]:
+    """Return a sentence for every choice that the reader made."""
+    found: list[str] = []
+    if wishes.size is None:
+        found.append(f"No size was given: {size[0]:g} x {size[1]:g} m was chosen.")
+    if wishes.agent is None:
+        body = f"{room.agent} was taken, as usual there" if room.agent else "a disc of 0.30 m radius was taken"
+        found.append(f"No body was named: {body}.")
+    if not wishes.people and room.people:
+        found.append(f"No number of people was given: {room.people} was chosen.")
+    return tuple(found)
+
+
+def _scene(found: Understanding, rng: np.random.Generator) -> dict[str, object]:
+    """Return the scene file's content for what was understood."""
+    width, depth = found.size
+    outline = [(0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth)]
+    if found.shape == "L-shaped":
+        outline = [
+            (0.0, 0.0),
+            (width, 0.0),
+            (width, depth / 2),
+            (width / 2, depth / 2),
+            (width / 2, depth),
+            (0.0, depth),
+        ]
+    if rng.random() < 0.5:
+        outline = [(width - x, y) for x, y in reversed(outline)]
+    doors, windows = _openings(outline, found, rng)
+    scene: dict[str, object] = {
+        "task_description": found.text,
+        "layout_criteria": "As the sentence asks; everything can be reached and used.",
+        "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in outline], "wall_height": found.height},
+        "doors": doors,
+        "windows": windows,
+        "assets": _assets({**found.added, **{n: c + found.added.get(n, 0) for n, c in found.wished.items()}}, rng),
+    }
+    if found.agent is not None:
+        scene["agent"] = found.agent
+    return scene
+
+
+def _openings(
+    outline: list[tuple[float, float]], found: Understanding, rng: np.random.Generator
+) -> tuple[list[dict[str, float]], list[dict[str, float]]]:
+    """Return one door near the end of a long wall, and one or two windows in other walls."""
+    lengths = [math.dist(a, b) for a, b in zip(outline, outline[1:] + outline[:1], strict=True)]
+    order = sorted(range(len(lengths)), key=lambda i: -lengths[i])
+    wall = int(order[int(rng.integers(0, min(2, len(order))))])
+    wide = 3.0 if found.agent in ("forklift",) else 0.95 if found.size[0] * found.size[1] < 30 else 1.1
+    offset = 0.3 if rng.random() < 0.5 else lengths[wall] - wide - 0.3
+    doors = [{"wall": wall, "offset": round(offset, 2), "width": wide, "height": 2.05}]
+    windows: list[dict[str, float]] = []
+    for other in [i for i in order if i != wall][: 1 + int(rng.integers(0, 2))]:
+        width = round(min(1.8, lengths[other] * 0.45), 2)
+        start = round((lengths[other] - width) * float(rng.choice([0.35, 0.5, 0.65])), 2)
+        windows.append({"wall": other, "offset": start, "width": width, "height": 1.3, "sill": 0.9})
+    return doors, windows
+
+
+def _assets(things: Mapping[str, int], rng: np.random.Generator) -> dict[str, dict[str, object]]:
+    """Return the asset list; equal things have equal sizes, within 6 % of typical ones."""
+    assets: dict[str, dict[str, object]] = {}
+    for name, count in things.items():
+        kind = CATALOGUE[name]
+        scale = 1.0 + 0.06 * float(rng.uniform(-1, 1))
+        size = [round(max(0.01, value * (scale if kind.on_floor else 1.0)), 3) for value in kind.size]
+        for index in range(count):
+            assets[f"{variable_name(name)}-{index}"] = _asset(kind, size)
+    return assets
+
+
+def _asset(kind: Category, size: list[float]) -> dict[str, object]:
+    return {
+        "category": kind.name,
+        "description": "",
+        "onFloor": kind.on_floor,
+        "onWall": kind.on_wall,
+        "onCeiling": kind.on_ceiling,
+        "onObject": kind.on_object,
+        "assetMetadata": {"boundingBox": dict(zip("xyz", size, strict=True))},
+    }
+
+
+__all__ = ["Understanding", "Wish", "scene_from_sentence"]
