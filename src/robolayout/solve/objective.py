@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import jax.numpy as jnp
+from jax.lax import stop_gradient
 from jaxtyping import Array, Float
 
 from robolayout._geometry import (
@@ -60,16 +61,10 @@ def _yielding(body: Body, move: Float[Array, " rows"]) -> Body:
     """Return the same bodies, with the gradient of their pose scaled by `move`."""
 
     def scaled(value: Array) -> Array:
-        still = _stop(value)
+        still = stop_gradient(value)
         return still + move * (value - still)
 
     return body._replace(x=scaled(body.x), y=scaled(body.y), c=scaled(body.c), s=scaled(body.s))
-
-
-def _stop(value: Array) -> Array:
-    from jax.lax import stop_gradient
-
-    return stop_gradient(value)
 
 
 def hard(depth: Array, weights: Weights) -> Array:

@@ -56,6 +56,7 @@ class _State(NamedTuple):
     pairs: Int[Array, ...]
     history: Array
     shots: Array
+    parts: Losses
 
 
 def near_pairs(local: Array, arrays: Arrays) -> Array:
@@ -63,8 +64,8 @@ def near_pairs(local: Array, arrays: Arrays) -> Array:
     slots = arrays.half.shape[0]
     if slots <= DENSE_SLOTS:
         return arrays.pairs
-    body = bodies(world_poses(local, arrays), arrays)
-    gap = separation(take(body, arrays.pairs[:, 0]), take(body, arrays.pairs[:, 1]))
+    table = bodies(world_poses(local, arrays), arrays)
+    gap = separation(take(table, arrays.pairs[:, 0]), take(table, arrays.pairs[:, 1]))
     gap = jnp.where(arrays.pair_weight > 0, gap, jnp.inf)
     nearest, index = jax.lax.top_k(-gap, 4 * slots)
     pairs = arrays.pairs[index]
@@ -120,12 +121,14 @@ def advance(
         return jnp.sum(total(parts, ramp, weights)), parts
 
     def step(i: Array, state: _State) -> _State:
-        done = i / steps
+        done = i / jnp.maximum(steps, 1)
         ramp = jnp.minimum(1.0, schedule.ramp + (1.0 - schedule.ramp) * 2.0 * done)
         rate = schedule.final_rate + (schedule.rate - schedule.final_rate) * 0.5 * (1.0 + jnp.cos(jnp.pi * done))
         pairs = state.pairs
         if arrays.half.shape[0] > DENSE_SLOTS:
-            pairs = jax.lax.cond(i % REFRESH == 0, lambda: near_pairs(state.local, arrays), lambda: pairs)
+            pairs = jax.lax.cond(
+                (i % REFRESH == 0) | (i == steps), lambda: near_pairs(state.local, arrays), lambda: pairs
+            )
         gradient, parts = jax.grad(objective, has_aux=True)(state.local, pairs, ramp)
         gradient = _tangent(state.local, gradient) * arrays.free[None, :, None]
         first = 0.9 * state.first + 0.1 * gradient
@@ -133,11 +136,11 @@ def advance(
         t = i + 1.0
         move = rate * (first / (1.0 - 0.9**t)) / (jnp.sqrt(second / (1.0 - 0.98**t)) + 1e-4)
         shake = schedule.noise * jnp.maximum(0.0, 1.0 - 2.0 * done) * noise[i % noise.shape[0]]
-        move = (move.at[..., :2].add(-shake)) * arrays.free[None, :, None]
+        move = (move.at[..., :2].add(-shake)) * arrays.free[None, :, None] * (i < steps)
         local = _project(_moved(state.local, move), arrays)
         history = state.history.at[jnp.minimum(i, HISTORY - 1)].set(jnp.stack(parts, axis=-1))
-        shots = state.shots.at[(i * SNAPSHOTS) // steps].set(state.local)
-        return _State(local, first, second, pairs, history, shots)
+        shots = state.shots.at[jnp.minimum(i * SNAPSHOTS // jnp.maximum(steps, 1), SNAPSHOTS - 1)].set(state.local)
+        return _State(local, first, second, pairs, history, shots, parts)
 
     zero = jnp.zeros((*local.shape[:2], 3))
     begin = _State(
@@ -147,9 +150,10 @@ def advance(
         near_pairs(local, arrays),
         jnp.zeros((HISTORY, local.shape[0], 5)),
         jnp.zeros((SNAPSHOTS, *local.shape)),
+        Losses(*(jnp.zeros(local.shape[0]) for _ in Losses._fields)),
     )
-    end = jax.lax.fori_loop(0, steps, step, begin)
-    parts = losses(end.local, arrays, routes, near_pairs(end.local, arrays), weights)
-    best = jnp.argmin(total(parts, jnp.float32(1.0), weights))
+    # One more turn than there are steps: it moves nothing and leaves the losses of the result.
+    end = jax.lax.fori_loop(0, steps + 1, step, begin)
+    best = jnp.argmin(total(end.parts, jnp.float32(1.0), weights))
     shots = world_poses(end.shots[:, best], arrays)
-    return Found(end.local, world_poses(end.local, arrays), parts, end.history[:, best], shots)
+    return Found(end.local, world_poses(end.local, arrays), end.parts, end.history[:, best], shots)
