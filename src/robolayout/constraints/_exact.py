@@ -46,7 +46,7 @@ def frame(scene: Scene, layout: Layout, ref: Ref) -> Frame:
     if isinstance(ref, WallRef):
         wall = scene.room.walls[ref.index]
         return Frame(*wall.midpoint, math.atan2(wall.direction[1], wall.direction[0]))
-    return Frame(ref.x, ref.y, 0.0)
+    return Frame(ref.x, ref.y, ref.yaw)
 
 
 def footprint(scene: Scene, layout: Layout, ref: AssetRef) -> Polygon:

@@ -27,11 +27,12 @@ class WallRef:
 
 @dataclass(frozen=True, order=True)
 class PointRef:
-    """A fixed point in metres, world frame."""
+    """A fixed point in metres, world frame; `yaw` (radians) turns the axes of terms in its frame."""
 
     x: float
     y: float
     z: float = 0.0
+    yaw: float = 0.0
 
     def __str__(self) -> str:
         return f"({self.x:g}, {self.y:g}, {self.z:g})"

@@ -59,7 +59,8 @@ class Relation(ABC):
         orients: Whether it settles the heading of its first argument (the filter allows one of those per asset).
         hard: Whether it must hold before anything else counts.
         implicit: Whether it belongs to every program and cannot be written in one.
-        surrogate: Whether the terms only approximate the check (held to one direction by the laws).
+        surrogate: Whether the terms ask for more than the check, such as a whole footprint where the check wants the
+            centre. The laws then hold one direction only: residual 0 means that the check passes.
         example: One line of program text that uses it.
     """
 
@@ -83,6 +84,13 @@ class Relation(ABC):
     @abstractmethod
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """Measure the relation exactly in a finished layout; all its assets must be placed."""
+
+    def fault(self, scene: Scene) -> str:
+        """Return what makes no sense about the arguments in this scene, as a sentence; "" if nothing does.
+
+        The reader refuses a statement with a fault, so `terms` and `check` never see one.
+        """
+        return ""
 
     @classmethod
     def arguments(cls) -> tuple[dataclasses.Field[Any], ...]:

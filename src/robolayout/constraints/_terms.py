@@ -3,15 +3,13 @@
 Most of what people say about furniture is "a stands so and so in the frame of b": a bed at a wall (the frame of the wall),
 a chair at a table, a lamp to the left of a sofa. A `FrameTerm` is one such row: an interval for the place along each axis of
 b's frame, an interval for the distance, a heading and a direction to look. What two things are to each other as mirror
-images is a `MirrorTerm`, what must stay empty a `ClearTerm`. Relations of users may bring a kernel of their own as a `CustomTerm`.
+images is a `MirrorTerm`, what must stay empty a `ClearTerm`. Relations of users are made of the same rows.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 from robolayout.constraints._refs import AssetRef, Ref
 
@@ -41,7 +39,7 @@ class FrameTerm:
     Attributes:
         a: What stands there.
         b: Whose frame it is: an asset (x along its front), a wall (origin in its middle, x along it, y into the room), a
-            point (world axes).
+            point (its axes: the world's, turned by its yaw).
         along: Interval along b's x axis.
         across: Interval along b's y axis.
         fold: Whether `across` bounds the absolute value (either side of b will do).
@@ -141,21 +139,4 @@ class PairwiseTerm:
     weight: float
 
 
-@dataclass(frozen=True)
-class CustomTerm:
-    """One row of a kernel that a user brings.
-
-    Attributes:
-        kernel: A pure function (bodies, parameters) -> residual in `jax.numpy`; see docs/how-to/constraint.md.
-        refs: What it is about, in the order that the kernel expects.
-        parameters: Its numbers.
-        weight: Factor on this row.
-    """
-
-    kernel: Callable[..., Any]
-    refs: tuple[Ref, ...]
-    parameters: tuple[float, ...] = ()
-    weight: float = 1.0
-
-
-Term = FrameTerm | MirrorTerm | ClearTerm | OverlapTerm | InsideTerm | PairwiseTerm | CustomTerm
+Term = FrameTerm | MirrorTerm | ClearTerm | OverlapTerm | InsideTerm | PairwiseTerm

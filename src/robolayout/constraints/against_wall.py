@@ -47,6 +47,9 @@ class AgainstWall(Relation):
 
     name: ClassVar[str] = "against_wall"
     orients: ClassVar[bool] = True
+    surrogate: ClassVar[bool] = (
+        True  # its whole width stays within the ends of the wall, where the check wants some of it
+    )
     example: ClassVar[str] = "solver.against_wall(bed[0], walls[2])"
 
     a: AssetRef = argument("asset")

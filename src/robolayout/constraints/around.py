@@ -55,6 +55,7 @@ class Around(Relation):
     name: ClassVar[str] = "around"
     moves: ClassVar[tuple[str, ...]] = ("items",)
     orients: ClassVar[bool] = True
+    surrogate: ClassVar[bool] = True  # each at a place of its own, where the check takes any at the edge
     example: ClassVar[str] = "solver.around([chair[0], chair[1], chair[2], chair[3]], dining_table[0])"
 
     items: tuple[AssetRef, ...] = argument("asset", many=True)

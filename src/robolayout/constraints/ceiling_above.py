@@ -9,7 +9,7 @@ from typing import ClassVar
 from robolayout.constraints._exact import frame, point_ref
 from robolayout.constraints._refs import AssetRef, Ref
 from robolayout.constraints._relation import Outcome, Relation, argument
-from robolayout.constraints._terms import FrameTerm, Interval, Term
+from robolayout.constraints._terms import FrameTerm, Term
 from robolayout.scene import Layout, Scene
 
 ABOVE_TOLERANCE = 0.15
@@ -28,8 +28,7 @@ class CeilingAbove(Relation):
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row that pins the centre of a to the centre of b."""
-        here = Interval(0.0, 0.0)
-        return (FrameTerm(self.a, point_ref(self.b, scene), along=here, across=here),)
+        return (FrameTerm(self.a, point_ref(self.b, scene), distance=(0.0, 0.0)),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """Within 15 cm in plan."""

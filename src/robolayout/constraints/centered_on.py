@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import ClassVar
 
 from robolayout.constraints._exact import frame, point_ref
-from robolayout.constraints._refs import AssetRef, Ref, WallRef
+from robolayout.constraints._refs import AssetRef, PointRef, Ref, WallRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
 from robolayout.scene import Layout, Scene
@@ -30,21 +31,23 @@ class CenteredOn(Relation):
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row that pins the bound axes of b's frame to 0."""
         target = point_ref(self.b, scene)
+        if isinstance(target, PointRef):
+            return (FrameTerm(self.a, target, distance=(0.0, 0.0)),)
         along, across = self._bound(scene)
         row = FrameTerm(self.a, target, along=MIDDLE if along else Interval(), across=MIDDLE if across else Interval())
         return (row,)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """Within 10 cm along each bound axis."""
-        pose = layout[self.a.name]
-        u, v = frame(scene, layout, point_ref(self.b, scene)).point(pose.x, pose.y)
+        """Within 10 cm along each bound axis; of a point, within 10 cm."""
+        pose, target = layout[self.a.name], point_ref(self.b, scene)
+        u, v = frame(scene, layout, target).point(pose.x, pose.y)
         along, across = self._bound(scene)
-        off = max(abs(u) * along, abs(v) * across)
+        off = math.hypot(u, v) if isinstance(target, PointRef) else max(abs(u) * along, abs(v) * across)
         where = "the middle of the room" if self.b is None else f"the middle of {self.b}"
         return Outcome(off <= CENTER_TOLERANCE, off, CENTER_TOLERANCE, "m", f"{off:.2f} m off {where}")
 
     def _bound(self, scene: Scene) -> tuple[bool, bool]:
-        """Return which axes of b's frame are bound: along, across."""
+        """Return which axes of the frame of an asset or wall are bound: along, across."""
         if isinstance(self.b, WallRef):
             return (True, False)
         sideways = isinstance(self.b, AssetRef) and scene.by_name[self.a.name].on_wall

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from robolayout.constraints._exact import footprint, shape
+from robolayout.constraints._exact import GAP_TOLERANCE, footprint, frame, shape
 from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
@@ -36,6 +36,13 @@ class Corner(Relation):
     a: AssetRef = argument("asset")
     vertex: int | None = argument("integer", "none", default=None)
 
+    def fault(self, scene: Scene) -> str:
+        """Refuse a vertex that is no inner corner of the room."""
+        corners = convex_corners(scene.room)
+        if self.vertex is None or self.vertex in corners:
+            return ""
+        return f"vertex {self.vertex} is no corner to stand in; this room has {', '.join(map(str, corners))}"
+
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row per wall of the corner: the near side close to it."""
         vertex = self.vertex
@@ -51,12 +58,17 @@ class Corner(Relation):
         )
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """Within 15 cm of both walls of one inner corner."""
-        body = footprint(scene, layout, self.a)
-        count = len(scene.room.walls)
+        """Within 15 cm of both walls of one inner corner, and at most 5 cm into them."""
         vertices = convex_corners(scene.room) if self.vertex is None else (self.vertex,)
-        gap = min(
-            max(shape(scene, layout, WallRef(i % count)).distance(body) for i in (vertex - 1, vertex))
-            for vertex in vertices
-        )
-        return Outcome(gap <= CORNER_GAP, gap, CORNER_GAP, "m", f"{gap:.2f} m from the walls of its corner")
+        gap, depth = min(self._measured(vertex, scene, layout) for vertex in vertices)
+        text = f"{gap:.2f} m from the walls of its corner" + (f", {depth:.2f} m into them" if depth > 0.0 else "")
+        if depth > GAP_TOLERANCE:
+            return Outcome(False, depth, GAP_TOLERANCE, "m", text)
+        return Outcome(gap <= CORNER_GAP, gap, CORNER_GAP, "m", text)
+
+    def _measured(self, vertex: int, scene: Scene, layout: Layout) -> tuple[float, float]:
+        """Return how far it is from the farther wall of a corner, and how far it reaches through one of them, in metres."""
+        body, count = footprint(scene, layout, self.a), len(scene.room.walls)
+        walls = [WallRef(i % count) for i in (vertex - 1, vertex)]
+        gap = max(shape(scene, layout, wall).distance(body) for wall in walls)
+        return gap, max(0.0, *(-frame(scene, layout, wall).local(body).bounds[1] for wall in walls))

@@ -27,6 +27,14 @@ class Grid(Relation):
     aisle: float = argument("number", unit="m", default=1.0)
     gap: float | None = argument("number", "none", unit="m", default=None)
 
+    def fault(self, scene: Scene) -> str:
+        """Refuse a grid without rows or columns, and one with fewer places than things."""
+        if self.rows < 1 or self.columns < 1:
+            return f"a grid has at least 1 row and 1 column, not {self.rows} x {self.columns}"
+        if self.rows * self.columns < len(self.items):
+            return f"{len(self.items)} things do not fit into {self.rows} x {self.columns} places"
+        return ""
+
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row per neighbour in front and one per neighbour at the left hand."""
         return link_terms(self._links(scene))

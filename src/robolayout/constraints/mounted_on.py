@@ -19,6 +19,7 @@ class MountedOn(Relation):
 
     name: ClassVar[str] = "mounted_on"
     orients: ClassVar[bool] = True
+    surrogate: ClassVar[bool] = True  # as against_wall
     example: ClassVar[str] = "solver.mounted_on(picture[0], walls[2], height=1.5)"
 
     a: AssetRef = argument("asset")

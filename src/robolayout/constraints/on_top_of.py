@@ -23,6 +23,7 @@ class OnTopOf(Relation):
 
     name: ClassVar[str] = "on_top_of"
     hard: ClassVar[bool] = True
+    surrogate: ClassVar[bool] = True  # its whole footprint stays over b, where the check wants the centre
     example: ClassVar[str] = "solver.on_top_of(lamp[0], night_stand[0])"
 
     a: AssetRef = argument("asset")

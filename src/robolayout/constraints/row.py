@@ -21,6 +21,7 @@ class Row(Relation):
     name: ClassVar[str] = "row"
     moves: ClassVar[tuple[str, ...]] = ("items",)
     orients: ClassVar[bool] = True
+    surrogate: ClassVar[bool] = True  # at a wall, as against_wall
     example: ClassVar[str] = "solver.row([shelf[0], shelf[1], shelf[2]], walls[1], gap=0.02)"
 
     items: tuple[AssetRef, ...] = argument("asset", many=True)

@@ -22,6 +22,7 @@ class SymmetricPair(Relation):
 
     name: ClassVar[str] = "symmetric_pair"
     moves: ClassVar[tuple[str, ...]] = ("a", "b")
+    surrogate: ClassVar[bool] = True  # mirrored headings too, which the check leaves free
     example: ClassVar[str] = "solver.symmetric_pair(night_stand[0], night_stand[1], bed[0])"
 
     a: AssetRef = argument("asset")

@@ -66,7 +66,10 @@ def build_relation(name: str, given: list[Recorded], named: list[tuple[str, Reco
         if key not in values and spec.default is dataclasses.MISSING:
             raise ArgumentError(f"{name} needs {key}: {_wanted(spec)}. Example: {relation.example}")
     _check_order(name, values)
-    return relation(**values)
+    statement = relation(**values)
+    if fault := statement.fault(scene):
+        raise ArgumentError(f"{name}: {fault}")
+    return statement
 
 
 def _bind(

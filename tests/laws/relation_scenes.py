@@ -1,0 +1,234 @@
+"""Scenes, statements and layouts for the laws of relations, made from nothing but a relation's own declaration.
+
+Its `example` names the things it is about ("lamp[0]", "night_stand[0]"): their categories give sizes and flags, and what its
+arguments take ("asset", "wall", "point", "room", choices, degrees) is varied at random. So a new relation, one of a user's
+too, is held to the laws without a line here.
+"""
+
+from __future__ import annotations
+
+import ast
+import dataclasses
+import math
+from dataclasses import dataclass, replace
+from functools import cache, partial
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+
+from robolayout.assets import find_category
+from robolayout.constraints import RELATIONS, AssetRef, ClearTerm, FrameTerm, PointRef, Relation, WallRef
+from robolayout.program import Program, Statement, read_program
+from robolayout.scene import Asset, Layout, Opening, Room, Scene
+from robolayout.solve import Problem, Weights, compile_problem
+from robolayout.solve.arrays import Arrays
+from robolayout.solve.objective import losses
+from robolayout.solve.stage import make_stage, no_routes
+
+STARTS, SLOTS = 16, 8
+PARTS = ("statements", "overlap", "inside", "clear")
+"""Sums of the solver's terms: of the statement itself, of overlaps, of the boundary, of clear boxes."""
+
+RAW = Weights(saturation=1e6)
+"""Statements that do not saturate: their part is the plain sum of residuals."""
+
+STATED = ("statements", "clear")
+"""The parts that a statement may add to."""
+
+ROOMS = {
+    "rectangle": ((0.0, 0.0), (8.0, 0.0), (8.0, 7.0), (0.0, 7.0)),
+    "L": ((0.0, 0.0), (9.0, 0.0), (9.0, 5.0), (5.0, 5.0), (5.0, 8.0), (0.0, 8.0)),
+    "triangle": ((0.0, 0.0), (12.0, 0.0), (4.0, 10.0)),
+}
+
+
+@dataclass(frozen=True)
+class Case:
+    """A statement in a scene, with the solver's arrays for it and poses (starts, slots, 3) as x, y, yaw.
+
+    Attributes:
+        satisfied: Poses that descent on the residual alone ended in, some of them satisfied.
+        random: Poses anywhere in and around the room.
+    """
+
+    scene: Scene
+    relation: Relation
+    near: Layout
+    arrays: Arrays
+    satisfied: np.ndarray
+    random: np.ndarray
+
+    @property
+    def movers(self) -> set[str]:
+        """Names of the assets that the relation says it moves."""
+        values = [getattr(self.relation, name) for name in self.relation.moves]
+        flat = [item for value in values for item in (value if isinstance(value, tuple) else (value,))]
+        return {item.name for item in flat if isinstance(item, AssetRef)}
+
+    @property
+    def rows(self) -> int:
+        return len(self.relation.terms(self.scene, self.near))
+
+    def layout(self, poses: np.ndarray) -> Layout:
+        """Return poses (slots, 3) as a layout."""
+        named = zip(self.scene.assets, poses[: len(self.scene.assets)].tolist(), strict=True)
+        return Layout({a.name: replace(self.near[a.name], x=x, y=y, yaw=yaw) for a, (x, y, yaw) in named})
+
+
+def scene_of(example: str, rng: np.random.Generator, room: str = "rectangle", **options: object) -> Scene:
+    """Return a room with the things that a line of program text names, sizes varied by 15 %."""
+    counts: dict[str, int] = {}
+    for node in ast.walk(ast.parse(example)):
+        if isinstance(node, ast.Subscript) and isinstance(node.value, ast.Name) and node.value.id != "walls":
+            index = node.slice.value + 1 if isinstance(node.slice, ast.Constant) else 6
+            counts[node.value.id] = max(counts.get(node.value.id, 0), index)
+    assets = []
+    for variable, count in counts.items():
+        kind = find_category(variable.replace("_", " "))
+        flags = {key: getattr(kind, key) for key in ("on_floor", "on_wall", "on_ceiling", "on_object")}
+        size = tuple(float(side * rng.uniform(0.85, 1.15)) for side in kind.size)
+        assets += [Asset(f"{variable}-{i}", kind.name, size, **flags) for i in range(count)]
+    door = Opening(0, 1.0, 0.9, 2.05)
+    return Scene(Room(ROOMS[room], 2.8, doors=(door,)), tuple(assets), **options)
+
+
+def vary(relation: Relation, scene: Scene, rng: np.random.Generator) -> Relation:
+    """Return the relation with other arguments of the kinds that it takes."""
+    x0, y0, x1, y1 = scene.room.bounds
+    middle = (rng.uniform(x0 + 2, x1 - 2), rng.uniform(y0 + 2, y1 - 2))
+    changes: dict[str, object] = {}
+    for field in relation.arguments():
+        takes, value = field.metadata["takes"], getattr(relation, field.name)
+        swaps: list[object] = []
+        if isinstance(value, WallRef) or ("wall" in takes and "asset" in takes):
+            swaps.append(WallRef(int(rng.integers(len(scene.room.walls)))))
+        if "point" in takes and field.metadata["many"]:
+            turns = np.sort(rng.uniform(0, math.tau, 5)) if rng.random() < 0.5 else np.arange(4) * math.pi / 2 + 0.3
+            swaps.append(tuple(PointRef(middle[0] + 2 * math.cos(t), middle[1] + 2 * math.sin(t)) for t in turns))
+        elif "point" in takes:
+            swaps.append(PointRef(*middle))
+        if "room" in takes or (isinstance(value, WallRef) and "none" in takes):
+            swaps.append(None)
+        swaps += field.metadata["choices"]
+        if field.metadata["unit"] == "deg":
+            swaps += [0.0, 37.0, 90.0, -135.0]
+        if swaps and rng.random() < 0.7:
+            changes[field.name] = swaps[int(rng.integers(len(swaps)))]
+    return replace(relation, **changes)
+
+
+def stage_arrays(problem: Problem) -> Arrays:
+    """Return the solver's arrays of one statement: what holds wall things and keeps doors clear is left out."""
+    arrays = make_stage(problem, 0, problem.start).arrays
+    terms = [term for row in problem.statement_terms for term in row]
+    framed = sum(isinstance(term, FrameTerm) for term in terms)
+    implicit = sum(isinstance(term, ClearTerm) for term in problem.implicit_terms)
+    row, clear = arrays.frame_row.copy(), arrays.clear_weight.copy()
+    row[framed:, -1] = 0.0
+    clear[:implicit] = 0.0
+    return arrays._replace(frame_row=row, clear_weight=clear)
+
+
+def flat_problem(scene: Scene, *relations: Relation, seed: int = 0) -> Problem:
+    """Return a problem in which everything moves at once, at the height that the statements give it."""
+    statements = tuple(Statement(relation, number=i) for i, relation in enumerate(relations, 1))
+    problem = compile_problem(scene, Program(statements=statements), seed=seed)
+    count = len(scene.assets)
+    return replace(problem, parent=(-1,) * count, stage=(0,) * count)
+
+
+def _terms(poses: jax.Array, arrays: Arrays, factors: jax.Array, weights: Weights) -> tuple[jax.Array, jax.Array]:
+    def parts(poses: jax.Array) -> tuple[jax.Array, jax.Array]:
+        x, y, yaw = (poses[..., i] for i in range(3))
+        local = jnp.stack([x, y, jnp.cos(yaw), jnp.sin(yaw)], axis=-1)
+        world = arrays._replace(anchor=jnp.zeros_like(arrays.anchor).at[:, 2].set(1.0))
+        found = losses(local, world, no_routes(len(poses), 1), arrays.pairs, weights)
+        values = jnp.stack([found.statements, found.overlap, found.boundary, found.clear], axis=-1)
+        return jnp.sum(values @ factors), values
+
+    gradient, values = jax.grad(parts, has_aux=True)(poses)
+    return values, gradient
+
+
+_compiled = partial(jax.jit, _terms, static_argnames="weights")
+_often = _compiled(compiler_options={"xla_cpu_use_fusion_emitters": False})
+_rarely = _compiled(compiler_options={"xla_cpu_use_fusion_emitters": False, "xla_backend_optimization_level": "0"})
+"""The same in a quarter of the time to compile, at twice the time to run."""
+
+
+def measure(
+    poses: np.ndarray, arrays: Arrays, parts: tuple[str, ...] = STATED, kind: type[np.floating] = np.float64
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the chosen parts (starts,) of the solver's terms and their gradient (starts, slots, 3)."""
+    chosen = np.array([part in parts for part in PARTS], kind)
+    with jax.enable_x64(kind is np.float64):
+        exact = jax.tree.map(lambda f: f.astype(kind) if f.dtype.kind == "f" else f, arrays)
+        run = _often if kind is np.float64 else _rarely
+        values, gradient = run(poses.astype(kind), exact, chosen, RAW)
+        return np.asarray(values) @ chosen, np.asarray(gradient)
+
+
+def descend(poses: np.ndarray, arrays: Arrays, *parts: str, steps: int = 150) -> np.ndarray:
+    """Return where Adam on x, y and yaw ends."""
+    first, second = np.zeros_like(poses), np.zeros_like(poses)
+    for i in range(steps):
+        _, gradient = measure(poses, arrays, parts)
+        first, second = 0.9 * first + 0.1 * gradient, 0.98 * second + 0.02 * gradient**2
+        rate = 0.1 * (1 - i / steps) + 1e-4
+        poses = poses - rate * first / (np.sqrt(second) + 1e-4)
+    return poses
+
+
+def anywhere(scene: Scene, rng: np.random.Generator) -> np.ndarray:
+    """Return random poses in and around a room; unused slots lie far away."""
+    x0, y0, x1, y1 = scene.room.bounds
+    poses = rng.uniform((x0 - 0.5, y0 - 0.5, -math.pi), (x1 + 0.5, y1 + 0.5, math.pi), (STARTS, SLOTS, 3))
+    poses[:, len(scene.assets) :] = 0.0
+    return poses
+
+
+@cache
+def case(name: str, variant: int) -> Case:
+    """Return a statement of the relation of that name; variant 0 is its own example in a rectangular room."""
+    kind = RELATIONS[name]
+    rng = np.random.default_rng([variant, *name.encode()])
+    scene = scene_of(kind.example, rng, tuple(ROOMS)[variant % len(ROOMS)])
+    relation = read_program(kind.example, scene).statements[0].relation
+    if variant:
+        scene = moved_scene(scene, rng.uniform(0, math.tau), (3.0, -2.0))
+        relation = vary(relation, scene, rng)
+    problem = flat_problem(scene, relation)
+    arrays, random = stage_arrays(problem), anywhere(scene, rng)
+    satisfied = descend(random, arrays, *STATED)
+    return Case(scene, relation, problem.guess, arrays, satisfied, random)
+
+
+def turn(x: float, y: float, angle: float, shift: tuple[float, float]) -> tuple[float, float]:
+    c, s = math.cos(angle), math.sin(angle)
+    return (c * x - s * y + shift[0], s * x + c * y + shift[1])
+
+
+def moved_scene(scene: Scene, angle: float, shift: tuple[float, float]) -> Scene:
+    vertices = tuple(turn(*vertex, angle, shift) for vertex in scene.room.vertices)
+    return replace(scene, room=replace(scene.room, vertices=vertices))
+
+
+def moved_layout(layout: Layout, angle: float, shift: tuple[float, float]) -> Layout:
+    """Return the layout turned about the origin, then shifted."""
+    poses = {}
+    for name, pose in layout.items():
+        x, y = turn(pose.x, pose.y, angle, shift)
+        poses[name] = replace(pose, x=x, y=y, yaw=pose.yaw + angle)
+    return Layout(poses)
+
+
+def moved_relation(relation: Relation, angle: float, shift: tuple[float, float]) -> Relation:
+    """Return the relation with its fixed points moved along."""
+
+    def moved(value: object) -> object:
+        if isinstance(value, tuple):
+            return tuple(moved(item) for item in value)
+        return PointRef(*turn(value.x, value.y, angle, shift), value.z) if isinstance(value, PointRef) else value
+
+    return replace(relation, **{f.name: moved(getattr(relation, f.name)) for f in dataclasses.fields(relation)})
