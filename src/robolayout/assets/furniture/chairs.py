@@ -157,7 +157,8 @@ def bar_stool(p: Piece) -> Iterator[Part]:
     seat = 0.84 * p.h
     yield cylinder("foot", CHROME, (0.0, 0.0), (0.46 * p.d, 0.42 * p.d), (0.0, 0.03), sides=20)
     yield cylinder("column", CHROME, (0.0, 0.0), 0.028, (0.03, seat - 0.06), sides=10)
-    yield box("foot rest", CHROME, (0.0, 0.36 * p.d), (-0.12, 0.12), (0.32 * p.h, 0.32 * p.h + 0.02))
+    yield box("foot rest", CHROME, (0.3 * p.d, 0.36 * p.d), (-0.3 * p.w, 0.3 * p.w), (0.32 * p.h, 0.32 * p.h + 0.02))
+    yield box("link", CHROME, (0.02, 0.3 * p.d), (-0.015, 0.015), (0.32 * p.h + 0.002, 0.32 * p.h + 0.018))
     yield soft("seat", p.fabric, p.x, p.y, (seat - 0.06, seat), bevel=0.025)
     yield soft(
         "back", p.fabric, (p.x[0], p.x[0] + 0.05), (p.y[0] + 0.02, p.y[1] - 0.02), (seat - 0.02, p.h), bevel=0.02

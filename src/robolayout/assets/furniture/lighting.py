@@ -13,6 +13,7 @@ from robolayout.assets.palette import (
     GLASS,
     IVORY,
     LAMPSHADE,
+    WHITE,
     Piece,
 )  # fmt: skip
 from robolayout.assets.part import Part
@@ -107,7 +108,7 @@ def chandelier(p: Piece) -> Iterator[Part]:
 
 def ceiling_lamp(p: Piece) -> Iterator[Part]:
     """Yield a flat bowl of milky glass under a metal rim."""
-    yield oval("rim", p.metal, (0.0, 0.0), ((p.d / 2, p.w / 2), (p.d / 2, p.w / 2)), (0.7 * p.h, p.h), sides=28)
+    yield oval("rim", WHITE, (0.0, 0.0), ((p.d / 2, p.w / 2), (p.d / 2, p.w / 2)), (0.7 * p.h, p.h), sides=28)
     yield oval(
         "glass", LAMPSHADE, (0.0, 0.0), ((0.3 * p.d, 0.3 * p.w), (0.46 * p.d, 0.46 * p.w)), (0.0, 0.7 * p.h), sides=28
     )

@@ -257,13 +257,13 @@ def plant_stand(p: Piece) -> Iterator[Part]:
     rng = p.rng()
     for i in range(steps):
         x = (p.x[0] + (steps - 1 - i) * p.d / steps, p.x[0] + (steps - i) * p.d / steps)
-        level = (0.16 + 0.2 * i) * p.h
+        level = (0.28 + 0.22 * i) * p.h
         yield box("step", p.wood, x, (p.y[0], p.y[1]), (level - 0.02, level))
         for y0 in (p.y[0] + 0.02, p.y[1] - 0.05):
             yield box("leg", p.dark, (x[0] + 0.01, x[0] + 0.04), (y0, y0 + 0.03), (0.0, level - 0.02))
         for j in range(n := max(2, round(p.w / 0.24))):
             y = p.y[0] + (j + 0.5) * p.w / n
-            r = 0.3 * p.d / steps
+            r = min(0.42 * p.d / steps, 0.3 * p.w / n)
             middle = (x[0] + x[1]) / 2
             yield cylinder(
                 "pot",
@@ -279,7 +279,7 @@ def plant_stand(p: Piece) -> Iterator[Part]:
                 tone,
                 (middle - 1.3 * r, middle + 1.3 * r),
                 (y - 1.5 * r, y + 1.5 * r),
-                (level + 0.11 * p.h, level + 0.42 * p.h),
+                (level + 0.11 * p.h, min(level + 0.28 * p.h, p.h)),
                 rings=3,
                 sides=8,
             )

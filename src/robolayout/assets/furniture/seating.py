@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from robolayout.assets.furniture._common import Builder, four
 from robolayout.assets.palette import DARK, STEEL, Piece
 from robolayout.assets.part import Part
-from robolayout.assets.shapes import ball, box, cylinder, moved, sheared, soft
+from robolayout.assets.shapes import ball, box, cylinder, moved, oval, sheared, soft
 
 
 def sofa(p: Piece) -> Iterator[Part]:
@@ -126,9 +128,14 @@ def ottoman(p: Piece) -> Iterator[Part]:
 
 
 def bean_bag(p: Piece) -> Iterator[Part]:
-    """Yield a slumped sack with a dent to sit in."""
-    yield ball("sack", p.fabric, p.x, p.y, (0.0, 0.62 * p.h))
-    yield ball("back", p.fabric, (p.x[0] + 0.02, p.x[0] + 0.62 * p.d), (p.y[0] + 0.06, p.y[1] - 0.06), (0.1 * p.h, p.h))
+    """Yield a slumped sack whose top leans back."""
+    rows = ((0.4, 0.5, 0.0, 0.3), (0.5, 0.42, 0.3, 0.56), (0.42, 0.26, 0.56, 0.82), (0.26, 0.06, 0.82, 1.0))
+    for a, b, low, high in rows:
+        part = oval(
+            "sack", p.fabric, (0.0, 0.0), ((a * p.d, a * p.w), (b * p.d, b * p.w)), (low * p.h, high * p.h), sides=18
+        )
+        part.vertices[:, 0] -= 0.3 * p.d * np.maximum(part.vertices[:, 2] / p.h - 0.3, 0.0)
+        yield part
 
 
 def bench(p: Piece) -> Iterator[Part]:
@@ -193,15 +200,22 @@ def waiting_bench(p: Piece) -> Iterator[Part]:
 
 
 def hanging_chair(p: Piece) -> Iterator[Part]:
-    """Yield an egg-shaped basket that hangs from a stand."""
+    """Yield an egg-shaped basket, open at the front, that hangs from a stand."""
     yield cylinder("foot", p.metal, (0.0, 0.0), 0.45 * min(p.d, p.w), (0.0, 0.03), sides=20)
     yield box("mast", p.metal, (p.x[0], p.x[0] + 0.05), (-0.025, 0.025), (0.03, p.h))
     yield box("foot bar", p.metal, (p.x[0] + 0.05, 0.0), (-0.024, 0.024), (0.031, 0.06))
-    yield box("jib", p.metal, (p.x[0] + 0.05, 0.1), (-0.02, 0.02), (p.h - 0.04, p.h - 0.002))
-    yield cylinder("chain", p.metal, (0.06, 0.0), 0.008, (0.9 * p.h, p.h - 0.04), sides=6)
-    shell = (p.x[0] + 0.1, p.x[1] - 0.12)
-    yield ball("back shell", p.wood, shell, p.y, (0.2 * p.h, 0.91 * p.h), rings=6)
-    yield ball("cushion", p.fabric, (shell[0] + 0.2, p.x[1]), (-0.36 * p.w, 0.36 * p.w), (0.24 * p.h, 0.74 * p.h))
+    yield box("jib", p.metal, (p.x[0] + 0.05, 0.0), (-0.02, 0.02), (p.h - 0.04, p.h - 0.002))
+    yield cylinder("chain", p.metal, (-0.04, 0.0), 0.008, (0.88 * p.h, p.h - 0.04), sides=6)
+    yield ball("back shell", p.wood, (p.x[0] + 0.1, 0.02 * p.d), p.y, (0.24 * p.h, 0.9 * p.h), rings=6)
+    yield ball(
+        "seat shell", p.wood, (p.x[0] + 0.14, p.x[1]), (0.96 * p.y[0], 0.96 * p.y[1]), (0.2 * p.h, 0.46 * p.h), rings=5
+    )
+    yield ball(
+        "seat cushion", p.fabric, (-0.3 * p.d, 0.46 * p.d), (-0.4 * p.w, 0.4 * p.w), (0.3 * p.h, 0.49 * p.h), rings=4
+    )
+    yield ball(
+        "back cushion", p.fabric, (-0.2 * p.d, 0.1 * p.d), (-0.36 * p.w, 0.36 * p.w), (0.42 * p.h, 0.78 * p.h), rings=4
+    )
 
 
 BUILDERS: dict[str, Builder] = {

@@ -72,7 +72,7 @@ def coffee_table(p: Piece) -> Iterator[Part]:
     top = GLASS if p.variant % 4 == 0 else p.wood
     frame = p.metal if top is GLASS else p.dark
     yield box("top", top, p.x, p.y, (p.h - thick, p.h))
-    yield from four(p, frame, p.h - thick, thick=0.045, inset=0.02)
+    yield from four(p, frame, p.h - thick - (0.002 if top is GLASS else 0.0), thick=0.045, inset=0.02)
     shelf = 0.3 * p.h
     yield box("shelf", p.wood, (p.x[0] + 0.03, p.x[1] - 0.03), (p.y[0] + 0.067, p.y[1] - 0.067), (shelf - 0.02, shelf))
     rng = p.rng()
