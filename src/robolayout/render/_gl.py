@@ -86,9 +86,9 @@ in vec4 color;
 in float gloss;
 in float sky;
 in int id;
-out vec3 p;
-out vec3 n;
-out float s;
+centroid out vec3 p;
+centroid out vec3 n;
+centroid out float s;
 flat out vec4 c;
 flat out float g;
 flat out int i;
@@ -100,9 +100,9 @@ void main() {
 
 _FRAGMENT = """
 uniform vec3 eye;
-in vec3 p;
-in vec3 n;
-in float s;
+centroid in vec3 p;
+centroid in vec3 n;
+centroid in float s;
 flat in vec4 c;
 flat in float g;
 out vec4 result;
@@ -133,7 +133,7 @@ _ID_FRAGMENT = """
 #version 330
 uniform vec3 eye;
 uniform vec3 forward;
-in vec3 p;
+centroid in vec3 p;
 flat in int i;
 layout(location = 0) out int id;
 layout(location = 1) out float depth;

@@ -156,7 +156,7 @@ def _splits(text: str) -> list[tuple[str, ...]]:
 
 def _sides(outline: Sequence[Point]) -> NDArray[np.float64]:
     """Return the sides of a convex outline as (inward normal x, y, offset) rows."""
-    corners = np.array(outline)
+    corners = np.array(outline, dtype=np.float64)
     edges = np.roll(corners, -1, axis=0) - corners
     normals = np.column_stack([-edges[:, 1], edges[:, 0]])
     normals *= np.sign((normals * (corners.mean(axis=0) - corners)).sum(axis=1))[:, None]

@@ -5,12 +5,13 @@ from __future__ import annotations
 import io
 import math
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from robolayout._errors import InputError
-from robolayout.render._architecture import THICKNESS, Place, draw_floor, draw_walls
+from robolayout.render._architecture import THICKNESS, draw_floor, draw_walls
 from robolayout.render._drawing import Drawing, Item, Point, Text, paint, text_width
 from robolayout.render.curves import TOTAL, Frame, draw_panel, loss_terms
 from robolayout.render.marks import PlanMarks
@@ -185,9 +186,7 @@ def _names(
 
 def _walk_steps(routes: Mapping[str, Sequence[Point]], frames: int) -> list[tuple[str, float]]:
     """Return (route, share of its length) per frame, so that the agent moves at one speed."""
-    lengths = {
-        name: sum(math.dist(a, b) for a, b in zip(line, line[1:], strict=False)) for name, line in routes.items()
-    }
+    lengths = {name: sum(math.dist(a, b) for a, b in pairwise(line)) for name, line in routes.items()}
     total = max(sum(lengths.values()), 1e-6)
     steps: list[tuple[str, float]] = []
     for name, length in lengths.items():
@@ -217,9 +216,9 @@ def _walk_items(
 
 def _along(line: Sequence[Point], share: float) -> tuple[float, float, float]:
     """Return position and heading at a share of a line's length."""
-    lengths = [math.dist(a, b) for a, b in zip(line, line[1:], strict=False)]
+    lengths = [math.dist(a, b) for a, b in pairwise(line)]
     left = share * sum(lengths)
-    for (a, b), length in zip(zip(line, line[1:], strict=False), lengths, strict=True):
+    for (a, b), length in zip(pairwise(line), lengths, strict=True):
         if left <= length or (a, b) == (line[-2], line[-1]):
             t = min(left / max(length, 1e-9), 1.0)
             return (a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), math.atan2(b[1] - a[1], b[0] - a[0]))
@@ -237,20 +236,20 @@ def _body_outline(body: Agent, x: float, y: float, yaw: float) -> list[Point]:
 
 def _gif(sheet: Drawing, painted: Sequence[Sequence[Item]], size: int, pauses: Sequence[int]) -> bytes:
     """Return an endless GIF of the sheet with each frame's items painted over it."""
-    from PIL import Image
+    from PIL import Image as images
 
     scale = size / max(sheet.width, sheet.height)
     width, height = round(sheet.width * scale), round(sheet.height * scale)
-    back = Image.new("RGB", (width * SAMPLES, height * SAMPLES), sheet.background)
+    back = images.new("RGB", (width * SAMPLES, height * SAMPLES), sheet.background)
     paint(back, sheet.items, scale * SAMPLES)
 
-    def frame(items: Sequence[Item]) -> Image.Image:
+    def frame(items: Sequence[Item]) -> Image:
         big = back.copy()
         paint(big, items, scale * SAMPLES)
         return big.reduce(SAMPLES)
 
-    palette = frame(painted[-1]).quantize(PALETTE, Image.Quantize.MEDIANCUT)
-    frames = [frame(items).quantize(palette=palette, dither=Image.Dither.NONE) for items in painted]
+    palette = frame(painted[-1]).quantize(PALETTE, images.Quantize.MEDIANCUT)
+    frames = [frame(items).quantize(palette=palette, dither=images.Dither.NONE) for items in painted]
     stream = io.BytesIO()
     frames[0].save(
         stream,

@@ -1,0 +1,61 @@
+"""The set of a run, the public names, and the path-traced picture's extra."""
+
+import importlib
+import io
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from robolayout._errors import MissingExtraError
+from robolayout.render import beauty, pictures, render_beauty, run_pictures
+from robolayout.scene import Trace
+
+
+def test_a_run_gets_all_its_pictures(bedroom, layout, trace, marks, monkeypatch):
+    monkeypatch.setattr(pictures, "TOP_SIZE", (120, 120))
+    monkeypatch.setattr(pictures, "VIEW_SIZE", (160, 120))
+    made = run_pictures(bedroom, layout, trace, marks=marks, agent=bedroom.agent, renderer="rays")
+    assert list(made) == ["plan.svg", "top.png", "view.png", "progress.gif", "loss.png"]
+    assert Image.open(io.BytesIO(made["view.png"])).size == (160, 120)
+    assert "loss.png" not in run_pictures(bedroom, layout, Trace(), renderer="rays")
+
+
+def test_public_names_exist():
+    public = importlib.import_module("robolayout.render")
+    for name in sys.modules["robolayout.render"].__all__:
+        assert getattr(sys.modules["robolayout.render"], name) is not None, (public, name)
+    with pytest.raises(AttributeError, match="no attribute 'nothing'"):
+        sys.modules["robolayout.render"].nothing  # noqa: B018
+
+
+def test_importing_render_loads_no_heavy_library():
+    code = (
+        "import sys; from robolayout.render import plan_svg; "
+        "print([m for m in ('matplotlib', 'moderngl', 'trimesh', 'embreex', 'mitsuba', 'jax') if m in sys.modules])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
+def test_without_the_extra_a_sentence_says_how_to_get_it(bedroom, layout, monkeypatch):
+    def refuse(name):
+        raise ImportError(name)
+
+    monkeypatch.setattr(beauty.importlib, "import_module", refuse)
+    with pytest.raises(MissingExtraError, match=r"a path-traced picture needs the extra 'beauty': pip install"):
+        render_beauty(bedroom, layout)
+
+
+def test_a_path_traced_picture_shows_the_same_room(bedroom, layout):
+    pytest.importorskip("mitsuba")
+    pytest.importorskip("pyoidn")
+    from robolayout.render import render_view
+
+    traced = np.asarray(render_beauty(bedroom, layout, view="side", size=(64, 48), samples=4), dtype=int)
+    quick = np.asarray(render_view(bedroom, layout, view="side", size=(64, 48), renderer="rays"), dtype=int)
+    background = (np.abs(quick - quick[0, 0]).max(axis=2) < 8).mean()
+    assert np.corrcoef(traced.mean(axis=2).ravel(), quick.mean(axis=2).ravel())[0, 1] > 0.8
+    assert (np.abs(traced - quick[0, 0]).max(axis=2) < 12).mean() == pytest.approx(background, abs=0.12)

@@ -1,0 +1,191 @@
+"""The plan: to scale, complete, harmless, the same in all its forms."""
+
+import re
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+import pytest
+import shapely
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from PIL import Image
+
+from robolayout._errors import InputError
+from robolayout.render import PlanMarks, compare_image, compare_svg, draw_plan, gap_ends, plan_image, plan_pdf, plan_svg
+from robolayout.render._drawing import Drawing, Shape, Text, draw_image, draw_svg
+from robolayout.render._labels import Tag, place_labels
+from robolayout.render.palette import BLOCKED, FREE, NARROW, ROUTE, TIGHT
+from robolayout.render.plan import plan_scale
+from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def shapes(drawing, **style):
+    found = [item for item in drawing.items if isinstance(item, Shape)]
+    return [s for s in found if all(getattr(s, name) == value for name, value in style.items())]
+
+
+def words(drawing):
+    return [item.text for item in drawing.items if isinstance(item, Text)]
+
+
+def test_footprints_are_to_scale_and_in_place(bedroom, layout):
+    drawing = draw_plan(bedroom, layout, scale=50)
+    bed, night_stand = (shapes(drawing, title=name)[0].rings[0] for name in ("bed-0", "night_stand-0"))
+    assert np.ptp(np.array(bed), axis=0) == pytest.approx((2.1 * 20, 1.6 * 20))
+    step = np.mean(bed, axis=0) - np.mean(night_stand, axis=0)
+    assert step == pytest.approx(((1.1 - 0.25) * 20, -(3.0 - 1.9) * 20))
+
+
+def test_svg_is_well_formed_and_measured_in_millimetres(bedroom, layout, marks):
+    root = ElementTree.fromstring(plan_svg(bedroom, layout, navigation=marks, agent=bedroom.agent, title="Bedroom"))
+    width, height = float(root.get("width")[:-2]), float(root.get("height")[:-2])
+    assert root.get("width").endswith("mm") and root.get("viewBox") == f"0 0 {width:g} {height:g}"
+    assert width > 4.0 * 20
+    titles = {element.text for element in root.iter(f"{SVG}title")}
+    assert titles == set(layout)
+    assert "Bedroom" in {element.text for element in root.iter(f"{SVG}text")}
+
+
+def test_names_scale_and_agent_are_written(bedroom, layout, marks):
+    texts = words(draw_plan(bedroom, layout, navigation=marks, agent=bedroom.agent))
+    assert {"bed", "wardrobe", "1 : 50", "adult with a walker", "1.23 m", "out of reach", "cut off"} <= set(texts)
+    joined = " ".join(texts)
+    assert "night stand 0" in joined or "stand 0" in joined
+
+
+@pytest.mark.parametrize(("side", "scale"), [(2.0, 25), (5.0, 50), (15.0, 100), (30.0, 200), (80.0, 500)])
+def test_the_scale_fits_the_sheet(side, scale):
+    assert plan_scale(Scene(Room(((0, 0), (side, 0), (side, side), (0, side)), 2.6), ())) == scale
+
+
+def test_marks_have_their_colours(bedroom, layout, marks):
+    drawing = draw_plan(bedroom, layout, navigation=marks, agent=bedroom.agent)
+    free = shapes(drawing, fill=FREE)[0]
+    assert len(free.rings) == 2
+    assert len(shapes(drawing, stroke=ROUTE, closed=False)) >= 2
+    assert shapes(drawing, stroke=NARROW) and shapes(drawing, stroke=BLOCKED)
+    assert shapes(drawing, title="night_stand-1")[0].stroke == BLOCKED
+    tight = draw_plan(bedroom, layout, navigation=marks, agent=Agent("wide", 0.7, 1.5))
+    assert "1.23 m" in [t.text for t in tight.items if isinstance(t, Text) and t.color == TIGHT]
+
+
+def test_walls_leave_gaps_for_doors_and_windows(bedroom):
+    from robolayout.render.palette import WALL
+
+    drawing = draw_plan(bedroom, Layout({}), scale=50)
+    solid = shapely.union_all([shapely.Polygon(s.rings[0], s.rings[1:]) for s in shapes(drawing, fill=WALL)])
+    ring = (4.24 * 5.24 - 4 * 5) - (0.9 + 1.4) * 0.12
+    assert solid.area == pytest.approx(ring * 400, rel=0.01)
+
+
+@pytest.mark.parametrize(
+    "title", ['<script>alert("x")</script>', "a & b ]]> c", "tab\there\x00\x1b[31m", "雪の部屋 ☃", "\ud800"]
+)
+def test_hostile_titles_do_no_harm(bedroom, layout, title):
+    svg = plan_svg(bedroom, layout, title=title)
+    root = ElementTree.fromstring(svg.encode())
+    assert not list(root.iter(f"{SVG}script"))
+    assert plan_image(bedroom, layout, title=title, width=200).width == 200
+    assert plan_pdf(bedroom, layout, title=title).startswith(b"%PDF-1.4")
+
+
+def test_same_bytes_twice(bedroom, layout, marks):
+    for make in (plan_svg, plan_pdf):
+        assert make(bedroom, layout, navigation=marks) == make(bedroom, layout, navigation=marks)
+
+
+def test_order_of_routes_and_poses_does_not_matter(bedroom, layout, marks):
+    turned = Layout(dict(reversed(list(layout.poses.items()))))
+    routes = dict(reversed(list(marks.routes.items())))
+    again = PlanMarks(marks.free, marks.islands, routes, marks.passages, marks.blocked, marks.agent_at)
+    assert plan_svg(bedroom, turned, navigation=again) == plan_svg(bedroom, layout, navigation=marks)
+
+
+def test_plan_looks_as_it_did(bedroom, layout, marks, golden):
+    golden(
+        plan_image(bedroom, layout, navigation=marks, agent=bedroom.agent, title="Bedroom", width=420),
+        "plan-bedroom-420",
+    )
+
+
+def test_comparison_looks_as_it_did(bedroom, layout, marks, golden):
+    image = compare_image([("with a walker", bedroom, layout, marks), ("on foot", bedroom, layout, None)], width=640)
+    golden(image, "compare-bedroom-640")
+
+
+def test_comparison_keeps_one_scale(bedroom, layout):
+    big = Scene(Room(((0, 0), (12, 0), (12, 4), (0, 4)), 2.6), ())
+    svg = compare_svg([("small", bedroom, layout, None), ("big", big, Layout({}), None)])
+    assert svg.count("1 : 100") == 2
+    with pytest.raises(InputError, match="give at least one"):
+        compare_image([])
+
+
+def test_pdf_has_a_sound_table_of_objects(bedroom, layout, marks):
+    data = plan_pdf(bedroom, layout, navigation=marks, agent=bedroom.agent, title="a (b) \\ ü")
+    start = int(re.search(rb"startxref\n(\d+)", data)[1])
+    assert data[start : start + 4] == b"xref"
+    offsets = [int(row) for row in re.findall(rb"(\d{10}) 00000 n", data)]
+    assert all(data[at:].startswith(b"%d 0 obj" % number) for number, at in enumerate(offsets, start=1))
+    length = int(re.search(rb"/Length (\d+)", data)[1])
+    body = data.index(b"stream\n") + 7
+    assert data[body + length :].startswith(b"\nendstream")
+    assert rb"(a \(b\) \\ " + "ü".encode("cp1252") + b") Tj" in data
+
+
+def test_the_three_forms_draw_the_same_lines():
+    drawing = Drawing(20, 10)
+    drawing.polygon([[(2, 2), (8, 2), (8, 8), (2, 8)], [(4, 4), (6, 4), (6, 6), (4, 6)]], "#ff0000")
+    drawing.line([(10, 5), (20, 5)], "#0000ff", width=1.0, dash=(2.0, 2.0))
+    image = np.asarray(draw_image(drawing, 200))
+    assert tuple(image[30, 30]) == (255, 0, 0) and tuple(image[50, 50]) == (255, 255, 255)
+    assert tuple(image[50, 110]) == (0, 0, 255) and tuple(image[50, 132]) == (255, 255, 255)
+    svg = draw_svg(drawing)
+    assert 'fill-rule="evenodd"' in svg and 'stroke-dasharray="2 2"' in svg and "M2 2L8 2L8 8L2 8Z" in svg
+
+
+boxes = st.tuples(st.floats(5, 95), st.floats(5, 95), st.floats(2, 30), st.floats(2, 30))
+
+
+@given(st.lists(boxes, min_size=1, max_size=12))
+@settings(max_examples=40, deadline=None)
+def test_names_never_lie_on_each_other(rows):
+    tags = [
+        Tag(f"thing {k}", ((x, y), (x + w, y), (x + w, y + h), (x, y + h)), True) for k, (x, y, w, h) in enumerate(rows)
+    ]
+    labels = place_labels(tags, [tag.outline for tag in tags], (0, 0, 130, 130))
+    areas = [shapely.box(*label.box) for label in labels]
+    for k, area in enumerate(areas):
+        assert not any(area.intersection(other).area > 1e-9 for other in areas[k + 1 :])
+
+
+def test_a_name_that_fits_nowhere_is_left_out_and_one_that_fits_is_inside():
+    small, large = ((0, 0), (1, 0), (1, 1), (0, 1)), ((10, 10), (40, 10), (40, 20), (10, 20))
+    labels = place_labels([Tag("tiny thing", small, False), Tag("large", large, True)], [], (0, 0, 50, 50))
+    assert [label.lines for label in labels] == [("large",)]
+    assert shapely.Polygon(large).contains(shapely.box(*labels[0].box))
+
+
+def test_gap_ends_lie_on_the_two_things(bedroom, layout):
+    ends = gap_ends(bedroom, layout, (2.8, 2.6), ("bed-0", "wardrobe-0"))
+    assert ends == ((pytest.approx(2.15), pytest.approx(2.6)), (pytest.approx(3.38), pytest.approx(2.6)))
+    assert gap_ends(bedroom, layout, (3.0, 0.7), ("bed-0", "wall 0"))[1] == (3.0, pytest.approx(0.0))
+    assert gap_ends(bedroom, layout, (2.8, 2.6), ("bed-0", "wall 99")) is None
+
+
+def test_wide_doors_have_two_leaves():
+    room = Room(((0, 0), (4, 0), (4, 4), (0, 4)), 2.6, doors=(Opening(0, 1.0, 1.6, 2.05),))
+    one = Room(((0, 0), (4, 0), (4, 4), (0, 4)), 2.6, doors=(Opening(0, 1.0, 0.9, 2.05),))
+    leaves = [len(shapes(draw_plan(Scene(r, ()), Layout({})), fill="#ffffff", width=0.16)) for r in (room, one)]
+    assert leaves == [2, 1]
+
+
+def test_crowded_tables_stay_drawable():
+    room = Room(((0, 0), (4, 0), (4, 4), (0, 4)), 2.6)
+    plates = tuple(Asset(f"plate-{k}", "plate", (0.25, 0.25, 0.03), on_floor=False, on_object=True) for k in range(40))
+    scene = Scene(room, (Asset("table-0", "dining table", (1.0, 3.0, 0.75)), *plates))
+    poses = {f"plate-{k}": Pose(1.7 + 0.3 * (k % 2), 0.6 + 0.07 * k, 0.77, 0) for k in range(40)}
+    image = plan_image(scene, Layout({"table-0": Pose(2, 2, 0.375, 0), **poses}), width=300)
+    assert isinstance(image, Image.Image)

@@ -1,0 +1,167 @@
+"""Views: what is seen where, from both renderers, and what happens without EGL."""
+
+import math
+
+import numpy as np
+import pytest
+
+from robolayout._errors import InputError, LayoutError, UnknownNameError
+from robolayout.assets import Material, Part
+from robolayout.render import Studio, _gl, fitted_camera, render_asset, render_view
+from robolayout.render._cutaway import hidden_parts, near_walls
+from robolayout.render._mesh import parts_mesh
+from robolayout.render.camera import room_points
+from robolayout.render.view import make_renderer
+from robolayout.scene import Layout, Pose, Room
+
+needs_egl = pytest.mark.skipif(_gl.why_unavailable() is not None, reason="no EGL on this machine")
+both = pytest.mark.parametrize("renderer", [pytest.param("gl", marks=needs_egl), "rays"])
+
+
+@pytest.fixture(scope="module")
+def studios(bedroom, layout):
+    made = {}
+
+    def make(renderer):
+        if renderer not in made:
+            made[renderer] = Studio(bedroom, layout, renderer=renderer)
+        return made[renderer]
+
+    return make
+
+
+@both
+def test_assets_are_seen_where_the_camera_projects_them(bedroom, layout, studios, renderer):
+    studio = studios(renderer)
+    buffers = studio.buffers(studio.camera("top", (256, 256)))
+    for name in ("bed-0", "wardrobe-0", "night_stand-1", "ceiling_lamp-0", "table_lamp-0"):
+        pose, asset = layout[name], bedroom.by_name[name]
+        pixel, _ = buffers.camera.project((pose.x, pose.y, pose.z))
+        seen = buffers.ids[int(pixel[1]), int(pixel[0])]
+        assert buffers.names[seen] == asset.name
+    assert buffers.ids[0, 0] == -1 and np.isinf(buffers.depth[0, 0])
+
+
+@both
+def test_depth_is_metres_along_the_line_of_sight(studios, renderer):
+    studio = studios(renderer)
+    buffers = studio.buffers(studio.camera("top", (256, 256)))
+    pixel, depth = buffers.camera.project((2.6, 0.8, 0.0))
+    assert buffers.depth[int(pixel[1]), int(pixel[0])] == pytest.approx(float(depth), abs=0.01)
+
+
+@needs_egl
+@pytest.mark.parametrize("view", ["top", "side", "eye:bed-0"])
+def test_both_renderers_draw_the_same_picture(studios, view):
+    size = (200, 150)
+    fast, slow = (np.asarray(studios(r).view(view, size=size), dtype=int) for r in ("gl", "rays"))
+    difference = np.abs(fast - slow)
+    assert difference.mean() < 2.5
+    assert (difference.max(axis=2) > 40).mean() < 0.03
+
+
+@needs_egl
+def test_both_renderers_agree_on_ids(studios):
+    camera = studios("gl").camera("side", (200, 150))
+    fast, slow = studios("gl").buffers(camera), studios("rays").buffers(camera)
+    assert (fast.ids != slow.ids).mean() < 0.01
+    both_hit = np.isfinite(fast.depth) & np.isfinite(slow.depth)
+    assert np.median(np.abs(fast.depth[both_hit] - slow.depth[both_hit])) < 1e-3
+
+
+@both
+def test_same_bytes_twice(bedroom, layout, renderer):
+    first, second = (render_view(bedroom, layout, view="side", size=96, renderer=renderer) for _ in range(2))
+    assert first.tobytes() == second.tobytes()
+
+
+def test_without_egl_auto_falls_back_to_ray_casting(bedroom, layout, monkeypatch):
+    def refuse(*_):
+        raise Exception("(eglGetDisplay) no display")
+
+    expected = render_view(bedroom, layout, size=64, renderer="rays")
+    monkeypatch.setattr(_gl, "_context", refuse)
+    assert render_view(bedroom, layout, size=64).tobytes() == expected.tobytes()
+    with pytest.raises(InputError, match=r"renderer 'gl' does not work on this machine: \(eglGetDisplay\) no display"):
+        render_view(bedroom, layout, size=64, renderer="gl")
+
+
+def test_unknown_names_and_bad_poses_are_refused(bedroom, layout):
+    with pytest.raises(UnknownNameError, match=r"unknown view 'sid'\. Did you mean 'side'"):
+        render_view(bedroom, layout, view="sid", renderer="rays")
+    with pytest.raises(UnknownNameError, match="unknown renderer 'vtk'"):
+        render_view(bedroom, layout, renderer="vtk")
+    with pytest.raises(LayoutError, match="places 'sofa-0', which is not in the scene"):
+        render_view(bedroom, Layout({"sofa-0": Pose(1, 1, 0.4, 0)}))
+    with pytest.raises(LayoutError, match="pose of 'bed-0' is not finite"):
+        render_view(bedroom, Layout({"bed-0": Pose(1, math.nan, 0.4, 0)}))
+    with pytest.raises(InputError, match="picture size 4 x 4 is not possible"):
+        render_view(bedroom, layout, size=4)
+
+
+def test_an_empty_layout_shows_the_empty_room(bedroom):
+    buffers = Studio(bedroom, Layout({}), renderer="rays").buffers
+    camera = fitted_camera(room_points(bedroom.room), 0.0, -math.pi / 2, (64, 64))
+    assert set(np.unique(buffers(camera).ids)) == {-1, 0}
+
+
+def test_walls_towards_the_camera_are_cut_away(room):
+    camera = fitted_camera(room_points(room), math.radians(45), math.radians(-60), (64, 64))
+    assert near_walls(room, camera) == {0, 1}
+    above = fitted_camera(room_points(room), 0.0, -math.pi / 2, (64, 64))
+    assert near_walls(room, above) == set()
+
+
+def test_an_inner_wall_of_an_l_shaped_room_is_cut_only_if_it_hides_the_floor():
+    room = Room(((0, 0), (6, 0), (6, 3), (3, 3), (3, 6), (0, 6)), 2.6)
+    camera = fitted_camera(room_points(room), math.radians(45), math.radians(-120), (64, 64))
+    assert {0, 5} <= near_walls(room, camera)
+    assert near_walls(room, camera).isdisjoint({1, 2, 4})
+    from_behind = fitted_camera(room_points(room), math.radians(45), math.radians(45), (64, 64))
+    assert {2, 3} <= near_walls(room, from_behind)
+
+
+def test_what_hangs_on_a_cut_wall_goes_with_it(bedroom, layout):
+    behind = fitted_camera(room_points(bedroom.room), math.radians(45), math.radians(180), (64, 64))
+    assert {"picture-0", "wall-3"} <= hidden_parts(bedroom, layout, behind)
+    front = fitted_camera(room_points(bedroom.room), math.radians(45), math.radians(-30), (64, 64))
+    assert "picture-0" not in hidden_parts(bedroom, layout, front)
+    assert {"wall-0", "door-0"} <= hidden_parts(bedroom, layout, front)
+
+
+def test_the_side_view_looks_at_fronts(bedroom, layout):
+    studio = Studio(bedroom, layout, renderer="rays")
+    to_wardrobe = Layout({"wardrobe-0": layout["wardrobe-0"]})
+    azimuth = Studio(bedroom, to_wardrobe, renderer="rays").side_azimuth
+    assert math.cos(azimuth) < 0
+    assert studio.side_azimuth == studio.side_azimuth
+
+
+@both
+def test_an_asset_alone_is_seen_from_its_front(bedroom, renderer):
+    image = np.asarray(render_asset(bedroom.by_name["wardrobe-0"], size=96, renderer=renderer), dtype=int)
+    assert image[:4].mean() > 225
+    assert np.abs(image[48, 48] - image[2, 2]).max() > 20 or image.std() > 10
+
+
+@both
+def test_light_and_shade_of_two_boxes(golden, renderer):
+    mesh = parts_mesh(
+        [_box((-1, -1, -0.02), (1, 1, 0), (0.8, 0.75, 0.7)), _box((-0.4, -0.3, 0), (0.1, 0.3, 0.6), (0.2, 0.4, 0.7))],
+        "boxes",
+    )
+    points = np.array([(a, b, c) for a in (-1, 1) for b in (-1, 1) for c in (0, 0.6)], dtype=float)
+    camera = fitted_camera(points, math.radians(50), math.radians(-60), (160, 120))
+    drawn = make_renderer(mesh, mesh.opaque, mesh.opaque, renderer)
+    from PIL import Image
+
+    image = Image.fromarray(drawn.color(camera, np.ones(len(mesh.names), bool)))
+    golden(image, "view-boxes-160x120", mean=2.5, share=0.03)
+
+
+def _box(low, high, color):
+    (a, b, c), (d, e, f) = low, high
+    vertices = np.array([(x, y, z) for z in (c, f) for x, y in ((a, b), (d, b), (d, e), (a, e))], dtype=float)
+    faces = [(0, 2, 1), (0, 3, 2), (4, 5, 6), (4, 6, 7)]
+    faces += [t for i in range(4) for j in [(i + 1) % 4] for t in ((i, j, j + 4), (i, j + 4, i + 4))]
+    return Part("box", vertices, np.array(faces, dtype=np.int32), Material("paint", color))
