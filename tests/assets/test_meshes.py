@@ -9,6 +9,7 @@ import pytest
 from geometry_laws import bounds, dent, flicker, is_closed
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from shapely import Polygon, unary_union
 
 from robolayout.assets import CATALOGUE, parts
 from robolayout.assets.category import Category
@@ -109,6 +110,26 @@ def test_a_table_top_is_at_the_top_so_that_plates_stand_on_it() -> None:
         table = parts(Asset("dining_table-0", "dining table", (0.9, 1.6, 0.75)), seed)
         top = [p for p in table if abs(p.vertices[:, 2].max() - 0.375) < 1e-9]
         assert [p.name for p in top] == ["top"]
+
+
+SUPPORTS = (
+    "night stand", "dresser", "dining table", "round table", "coffee table", "side table", "console table", "sideboard",
+    "bar cart", "desk", "standing desk", "corner desk", "conference table", "filing cabinet", "tv stand", "cabinet",
+    "kitchen counter", "kitchen island", "student desk", "lab bench", "display table", "display case",
+    "checkout counter", "wrapping table", "prep table", "buffet table", "bar counter", "overbed table", "medical cart",
+    "workbench", "tool chest", "kids table", "chess table", "shelving unit", "bookshelf",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("name", SUPPORTS)
+def test_what_stands_on_it_does_not_float(name: str) -> None:
+    category = CATALOGUE[name]
+    depth, width, height = category.size
+    for seed in range(6):
+        built = _built(category, category.size, seed)
+        corners = [t for part in built for t in part.vertices[part.faces]]
+        top = [Polygon(t[:, :2]) for t in corners if (t[:, 2] > height / 2 - 0.004).all()]
+        assert unary_union([t for t in top if t.area > 1e-9]).area > 0.6 * depth * width
 
 
 def test_an_unknown_thing_is_a_plain_neat_box() -> None:

@@ -150,12 +150,12 @@ def _tap(p: Piece, rim: float) -> Iterator[Part]:
     """Yield a mixer tap at the back of a basin."""
     x = p.x[0] + 0.1 * p.d
     yield cylinder("tap", CHROME, (x, 0.0), 0.017, (rim, p.h), sides=8)
-    yield box("spout", CHROME, (x, x + 0.26 * p.d), (-0.012, 0.012), (p.h - 0.035, p.h - 0.012))
+    yield box("spout", CHROME, (x, x + 0.26 * p.d), (-0.012, 0.012), (p.h - 0.022, p.h - 0.006))
 
 
 def vanity(p: Piece) -> Iterator[Part]:
     """Yield a cabinet with a basin on top."""
-    top = p.h - 0.1
+    top = p.h - 0.035
     yield box("plinth", DARK, (p.x[0], p.x[1] - 0.07), (p.y[0] + 0.02, p.y[1] - 0.02), (0.0, 0.08))
     yield carcass(p, p.wood, (0.08, top - 0.031))
     yield from doors(p, p.front, p.y, (0.08, top - 0.031), count=2)

@@ -264,19 +264,20 @@ def treatment_chair(p: Piece) -> Iterator[Part]:
 
 
 def medical_cart(p: Piece) -> Iterator[Part]:
-    """Yield a trolley with drawers, a top rail and castors."""
+    """Yield a trolley with drawers, a side rail and castors."""
     yield from castors(p, 0.05)
-    top = p.h - 0.12
+    top = p.h
     yield carcass(p, WHITE, (0.11, top - 0.021), y=(p.y[0] + 0.02, p.y[1] - 0.02))
     yield from drawers(p, p.accent, (p.y[0] + 0.02, p.y[1] - 0.02), (0.12, top - 0.021), rows=5)
     yield box("top", LIGHT_GREY, p.x, p.y, (top - 0.02, top))
-    for y0 in (p.y[0], p.y[1] - 0.015):
-        yield box("rail", STEEL, p.x, (y0, y0 + 0.015), (top + 0.04, top + 0.06))
-        for x in (0.94 * p.x[0], 0.9 * p.x[1]):
-            yield box("rail post", STEEL, (x, x + 0.012), (y0 + 0.002, y0 + 0.013), (top, top + 0.04))
-    for i in range(3):
-        y = (-0.24 + 0.2 * i) * p.w
-        yield cylinder("bottle", (BLUE, WHITE, RED)[i], (0.0, y), (0.03, 0.02), (top, p.h - 0.02 * (i % 2)), sides=10)
+    yield cylinder(
+        "push bar", STEEL, (0.86 * p.h, p.x[1] - 0.02), 0.014, (p.y[1] - 0.02, p.y[1] + 0.05), axis="y", sides=8
+    )
+    yield box(
+        "push bar", STEEL, (0.7 * p.x[0], p.x[1] - 0.004), (p.y[1] + 0.05, p.y[1] + 0.075), (0.84 * p.h, 0.88 * p.h)
+    )
+    for x in (0.66 * p.x[0], 0.6 * p.x[1]):
+        yield box("bracket", STEEL, (x, x + 0.02), (p.y[1] - 0.02, p.y[1] + 0.05), (0.85 * p.h, 0.87 * p.h))
 
 
 def gas_bottle(p: Piece) -> Iterator[Part]:

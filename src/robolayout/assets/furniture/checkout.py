@@ -7,15 +7,14 @@ from collections.abc import Iterator
 from robolayout.assets.furniture._common import Builder, four
 from robolayout.assets.palette import (
     BLACK,
-    BRIGHT,
     CHROME,
     DARK,
-    GLASS,
     GLOW,
     IVORY,
     LIGHT_GREY,
     PAPER,
     RED,
+    SCREEN,
     SLATE,
     STEEL,
     YELLOW,
@@ -26,29 +25,14 @@ from robolayout.assets.shapes import box, cylinder, sheared, slab, soft
 
 
 def checkout(p: Piece) -> Iterator[Part]:
-    """Yield a till counter with a belt, a scanner and a register; customers pass at +x."""
-    top = 0.86 * p.h
+    """Yield a till counter with a belt and a scanner flush with its top; customers pass at +x."""
     yield box("plinth", DARK, (0.9 * p.x[0], 0.9 * p.x[1]), (0.96 * p.y[0], 0.96 * p.y[1]), (0.0, 0.08))
-    yield box("body", p.front, (0.96 * p.x[0], 0.96 * p.x[1]), (0.98 * p.y[0], 0.98 * p.y[1]), (0.08, top - 0.04))
-    yield box("band", p.accent, (0.96 * p.x[1], 0.975 * p.x[1]), (0.9 * p.y[0], 0.9 * p.y[1]), (0.5 * top, 0.68 * top))
-    yield box("top", LIGHT_GREY, p.x, p.y, (top - 0.04, top))
-    yield box("belt", BLACK, (0.0, 0.86 * p.x[1]), (0.9 * p.y[0], 0.1 * p.y[1]), (top, top + 0.008))
-    yield box("scanner", GLASS, (0.1 * p.d, 0.36 * p.d), (0.14 * p.w, 0.3 * p.w), (top + 0.001, top + 0.005))
-    for i in range(3):
-        y = (-0.36 + 0.13 * i) * p.w
-        yield box("goods", BRIGHT[i], (0.12 * p.d, 0.28 * p.d), (y, y + 0.12), (top + 0.008, top + 0.08 + 0.02 * i))
-    yield box("register", DARK, (-0.4 * p.d, -0.1 * p.d), (0.16 * p.w, 0.36 * p.w), (top, top + 0.06))
-    yield sheared(
-        "display", BLACK, (-0.2 * p.d, -0.17 * p.d), (0.18 * p.w, 0.34 * p.w), (top + 0.06, p.h), lean=(0.03, 0.0)
-    )
-    yield sheared(
-        "screen",
-        GLOW,
-        (-0.212 * p.d, -0.2 * p.d - 0.001),
-        (0.19 * p.w, 0.33 * p.w),
-        (top + 0.07, p.h - 0.005),
-        lean=(0.028, 0.0),
-    )
+    yield box("body", p.front, (0.96 * p.x[0], 0.96 * p.x[1]), (0.98 * p.y[0], 0.98 * p.y[1]), (0.08, p.h - 0.04))
+    yield box("band", p.accent, (0.96 * p.x[1], 0.975 * p.x[1]), (0.9 * p.y[0], 0.9 * p.y[1]), (0.5 * p.h, 0.66 * p.h))
+    yield box("top", LIGHT_GREY, p.x, p.y, (p.h - 0.04, p.h - 0.003))
+    yield box("belt", BLACK, (0.0, 0.86 * p.x[1]), (0.9 * p.y[0], 0.1 * p.y[1]), (p.h - 0.003, p.h))
+    yield box("scanner", SCREEN, (0.1 * p.d, 0.36 * p.d), (0.14 * p.w, 0.3 * p.w), (p.h - 0.003, p.h - 0.001))
+    yield box("staff shelf", p.wood, (p.x[0], 0.96 * p.x[0]), (0.9 * p.y[0], 0.9 * p.y[1]), (0.6 * p.h, 0.64 * p.h))
 
 
 def kiosk(p: Piece) -> Iterator[Part]:
@@ -162,8 +146,8 @@ def basket_stack(p: Piece) -> Iterator[Part]:
 
 
 def work_table(p: Piece) -> Iterator[Part]:
-    """Yield a work table with rolls of paper and tools on it."""
-    top = p.h - 0.16
+    """Yield a clear work table with rolls of paper or bowls on the shelf below it."""
+    top = p.h
     steel = p.kind in {"prep table"}
     tone = STEEL if steel else p.wood
     yield box("top", tone, p.x, p.y, (top - 0.04, top))
@@ -171,21 +155,14 @@ def work_table(p: Piece) -> Iterator[Part]:
     yield box(
         "shelf", tone, (0.86 * p.x[0], 0.86 * p.x[1]), (p.y[0] + 0.09, p.y[1] - 0.09), (0.18 * p.h, 0.18 * p.h + 0.03)
     )
+    low = 0.18 * p.h + 0.03
     for i in range(3):
-        y = (-0.34 + 0.1 * i) * p.w
         if steel:
-            yield cylinder("bowl", STEEL, (0.06, y * 1.2), (0.05, 0.09), (top, top + 0.08), sides=14)
+            yield cylinder("bowl", STEEL, (0.0, (-0.3 + 0.2 * i) * p.w), (0.06, 0.11), (low, low + 0.1), sides=14)
         else:
-            yield cylinder(
-                "roll",
-                (p.accent, PAPER, p.bedding)[i],
-                (top + 0.045, -0.3 * p.d + 0.1 * i),
-                0.045,
-                (-0.44 * p.w, 0.06 * p.w),
-                axis="y",
-                sides=12,
-            )
-    yield box("box", p.accent, (-0.1 * p.d, 0.2 * p.d), (0.22 * p.w, 0.38 * p.w), (top, p.h))
+            tint, at = (p.accent, PAPER, p.bedding)[i], (low + 0.05, -0.24 * p.d + 0.12 * i)
+            yield cylinder("roll", tint, at, 0.05, (-0.36 * p.w, 0.1 * p.w), axis="y", sides=12)
+    yield box("box", p.accent, (-0.2 * p.d, 0.2 * p.d), (0.2 * p.w, 0.36 * p.w), (low, low + 0.2 * p.h))
 
 
 def a_sign(p: Piece) -> Iterator[Part]:

@@ -11,7 +11,6 @@ from robolayout.assets.palette import (
     BRIGHT,
     CORK,
     DARK,
-    GLASS,
     GREEN,
     IVORY,
     LIGHT_GREY,
@@ -121,22 +120,12 @@ def flip_chart(p: Piece) -> Iterator[Part]:
 
 
 def lab_bench(p: Piece) -> Iterator[Part]:
-    """Yield a laboratory bench with a sink, taps and bottles."""
-    top = p.h - 0.22
+    """Yield a laboratory bench with a sink."""
+    top = p.h - 0.003
     yield box("plinth", BLACK, (p.x[0] + 0.06, p.x[1] - 0.06), (p.y[0] + 0.06, p.y[1] - 0.06), (0.0, 0.08))
     yield box("cabinets", p.front, (p.x[0] + 0.03, p.x[1] - 0.03), (p.y[0] + 0.03, p.y[1] - 0.03), (0.08, top - 0.04))
     yield box("top", DARK, p.x, p.y, (top - 0.04, top))
-    yield box("sink", LIGHT_GREY, (-0.24 * p.d, 0.24 * p.d), (0.26 * p.w, 0.44 * p.w), (top, top + 0.004))
-    yield cylinder("tap", STEEL, (0.0, 0.23 * p.w), 0.014, (top, p.h), sides=8)
-    for i in range(4):
-        yield cylinder(
-            "flask",
-            (GLASS, BLUE, GREEN, YELLOW)[i],
-            (0.1 * (-1) ** i, (-0.36 + 0.12 * i) * p.w),
-            (0.05, 0.018),
-            (top, top + 0.15),
-            sides=10,
-        )
+    yield box("sink", LIGHT_GREY, (-0.24 * p.d, 0.24 * p.d), (0.26 * p.w, 0.44 * p.w), (top, p.h))
 
 
 def skeleton(p: Piece) -> Iterator[Part]:

@@ -212,43 +212,48 @@ def pinball(p: Piece) -> Iterator[Part]:
 
 
 def poker_table(p: Piece) -> Iterator[Part]:
-    """Yield an oval card table with a padded rim, cards and chips."""
-    top = p.h - 0.03
+    """Yield an oval card table with a padded rim and a place for cards at each seat."""
+    top = p.h - 0.002
     yield oval("rim", BLACK, (0.0, 0.0), ((p.d / 2, p.w / 2),) * 2, (top - 0.08, top - 0.01), sides=32)
-    yield oval("cloth", FELT, (0.0, 0.0), ((0.41 * p.d, 0.44 * p.w),) * 2, (top - 0.01, top), sides=32)
+    yield oval("cloth", FELT, (0.0, 0.0), ((0.41 * p.d, 0.44 * p.w),) * 2, (top - 0.01, p.h), sides=32)
     for y in (-0.24 * p.w, 0.24 * p.w):
         yield cylinder("leg", p.dark, (0.0, y), (0.22 * p.d, 0.1 * p.d), (0.0, top - 0.08), sides=14)
     for i in range(6):
         turn = 2 * math.pi * i / 6
         x, y = 0.26 * p.d * math.cos(turn), 0.3 * p.w * math.sin(turn)
-        yield box("cards", IVORY, (x - 0.03, x + 0.03), (y - 0.045, y + 0.045), (top, top + 0.003))
-        yield cylinder("chips", BRIGHT[i], (x * 0.6, y * 0.72), 0.02, (top, p.h if i % 2 else top + 0.02), sides=10)
+        yield box("place", IVORY, (x - 0.04, x + 0.04), (y - 0.06, y + 0.06), (p.h, p.h + 0.0015))
 
 
 def chess_table(p: Piece) -> Iterator[Part]:
-    """Yield a small table with a chess board and pieces."""
-    top = p.h - 0.07
+    """Yield a small table with a chess board in its top."""
+    top = p.h - 0.0015
     yield box("top", p.dark, p.x, p.y, (top - 0.03, top))
     yield from four(p, p.dark, top - 0.03, thick=0.05, inset=0.03)
-    yield from _chess(p, 0.78 * min(p.d, p.w), top, p.h)
+    yield from _squares(0.78 * min(p.d, p.w), top, p.h)
 
 
 def chess_set(p: Piece) -> Iterator[Part]:
     """Yield a chess board with pieces."""
     board_z = 0.25 * p.h
     yield box("board", p.dark, p.x, p.y, (0.0, board_z))
-    yield from _chess(p, 0.9 * min(p.d, p.w), board_z, p.h)
+    yield from _chess(0.9 * min(p.d, p.w), board_z, p.h)
 
 
-def _chess(p: Piece, side: float, low: float, high: float) -> Iterator[Part]:
-    """Yield light squares and two ranks of men."""
+def _squares(side: float, low: float, high: float) -> Iterator[Part]:
+    """Yield the light squares of a board."""
     step = side / 8
-    thin = low + 0.0015
     for i in range(8):
         for j in range(8):
             if (i + j) % 2 == 0:
                 x, y = -side / 2 + i * step, -side / 2 + j * step
-                yield box("square", IVORY, (x, x + step), (y, y + step), (low, thin))
+                yield box("square", IVORY, (x, x + step), (y, y + step), (low, high))
+
+
+def _chess(side: float, low: float, high: float) -> Iterator[Part]:
+    """Yield light squares and two ranks of men."""
+    step = side / 8
+    thin = low + 0.0015
+    yield from _squares(side, low, thin)
     for i, tone in ((0, BLACK), (1, BLACK), (6, IVORY), (7, IVORY)):
         for j in range(8):
             if (i in (1, 6) and j % 2) or (i in (0, 7) and j % 3 == 2):

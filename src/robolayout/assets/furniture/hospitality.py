@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from robolayout.assets.furniture._common import Builder, board, four, open_case
+from robolayout.assets.furniture._common import Builder, four, open_case
 from robolayout.assets.furniture.retail import bottles
 from robolayout.assets.palette import (
     BLACK,
@@ -21,7 +21,6 @@ from robolayout.assets.palette import (
     ORANGE,
     RED,
     SLATE,
-    SPINES,
     STEEL,
     YELLOW,
     Piece,
@@ -55,15 +54,18 @@ def menu_board(p: Piece) -> Iterator[Part]:
 
 
 def buffet(p: Piece) -> Iterator[Part]:
-    """Yield a clothed table with chafing dishes and bowls."""
-    top = p.h - 0.2
-    yield slab("cloth", p.bedding, p.x, p.y, (0.0, top), top=(0.96, 0.985))
-    yield board(
-        Piece(p.d * 0.955, p.w * 0.983, p.h, p.palette, p.fabric, p.accent, p.bedding, p.kind, 0, p.key),
+    """Yield a table under a long cloth with a runner, clear for dishes."""
+    low = p.h - 0.004
+    yield slab("cloth", p.bedding, p.x, p.y, (0.0, low), top=(0.97, 0.988))
+    yield box("runner", p.accent, (-0.475 * p.d, 0.475 * p.d), (-0.488 * p.w, 0.488 * p.w), (low, p.h))
+    yield slab(
+        "overlay",
         p.accent,
-        (top + 0.001, top + 0.006),
+        (-0.5 * p.d - 0.003, 0.5 * p.d + 0.003),
+        (-0.16 * p.w, 0.16 * p.w),
+        (0.45 * p.h, low - 0.002),
+        top=(0.985, 1.0),
     )
-    yield from _dishes(p, top + 0.006, p.h)
 
 
 def _dishes(p: Piece, low: float, high: float) -> Iterator[Part]:
@@ -127,8 +129,8 @@ def buffet_counter(p: Piece) -> Iterator[Part]:
 
 
 def bar_counter(p: Piece) -> Iterator[Part]:
-    """Yield a bar with panels, a foot rail, a tap and glasses; guests at +x."""
-    top = p.h - 0.2
+    """Yield a bar with panels and a foot rail, clear on top; guests at +x."""
+    top = p.h
     yield box("body", p.dark, (p.x[0] + 0.04, p.x[1] - 0.16), (p.y[0] + 0.02, p.y[1] - 0.02), (0.0, top - 0.05))
     yield box("top", p.wood, p.x, p.y, (top - 0.049, top))
     count = max(2, round(p.w / 0.5))
@@ -136,22 +138,6 @@ def bar_counter(p: Piece) -> Iterator[Part]:
         y = (p.y[0] + 0.04 + i * (p.w - 0.08) / count + 0.03, p.y[0] + 0.04 + (i + 1) * (p.w - 0.08) / count - 0.03)
         yield box("panel", p.wood, (p.x[1] - 0.16, p.x[1] - 0.145), y, (0.2 * top, 0.88 * top))
     yield cylinder("foot rail", CHROME, (0.16, p.x[1] - 0.08), 0.02, (p.y[0] + 0.05, p.y[1] - 0.05), axis="y", sides=10)
-    yield cylinder("tap", CHROME, (-0.1 * p.d, 0.2 * p.w), 0.03, (top, p.h), sides=12)
-    yield box(
-        "tap head",
-        CHROME,
-        (-0.1 * p.d - 0.02, -0.1 * p.d + 0.02),
-        (0.2 * p.w - 0.12, 0.2 * p.w + 0.12),
-        (p.h - 0.05, p.h - 0.01),
-    )
-    for i in range(3):
-        yield cylinder(
-            "glass", GLASS, (0.1 * p.d, (-0.3 + 0.05 * i) * p.w), (0.026, 0.034), (top + 0.001, top + 0.13), sides=10
-        )
-    for i in range(3):
-        yield cylinder(
-            "bottle", SPINES[i], (-0.2 * p.d, (-0.1 + 0.05 * i) * p.w), (0.036, 0.015), (top, p.h - 0.01), sides=10
-        )
 
 
 def back_bar(p: Piece) -> Iterator[Part]:

@@ -15,7 +15,6 @@ from robolayout.assets.palette import (
     GLASS,
     GLOW,
     LEAF,
-    ORANGE,
     PAPER,
     SPINES,
     STEEL,
@@ -25,7 +24,7 @@ from robolayout.assets.palette import (
     Piece,
 )  # fmt: skip
 from robolayout.assets.part import Part
-from robolayout.assets.shapes import ball, box, cylinder, sheared, slab, soft
+from robolayout.assets.shapes import box, cylinder, sheared, slab, soft
 
 
 def base(p: Piece, *, top: float | None = None) -> Iterator[Part]:
@@ -62,22 +61,18 @@ def wall_cabinet(p: Piece) -> Iterator[Part]:
 
 
 def island(p: Piece) -> Iterator[Part]:
-    """Yield an island: units in front, a breakfast overhang behind, a bowl of fruit."""
+    """Yield an island: units in front, a breakfast overhang behind."""
     body = Piece(0.72 * p.d, p.w - 0.06, p.h, p.palette, p.fabric, p.accent, p.bedding, p.kind, p.variant, p.key)
-    for part in base(body, top=0.93 * p.h):
+    for part in base(body):
         if part.name != "top":
             part.vertices[:, 0] += 0.13 * p.d
             yield part
-    low = 0.93 * p.h
-    yield box("worktop", STONE if p.variant % 2 else p.wood, p.x, p.y, (low - 0.04, low))
-    r = 0.12
-    yield cylinder("bowl", CERAMIC, (0.0, -0.2 * p.w), (0.6 * r, r), (low, p.h - 0.02), sides=16)
-    yield ball("fruit", ORANGE, (-0.06, 0.06), (-0.2 * p.w - 0.06, -0.2 * p.w + 0.06), (low + 0.01, p.h), rings=4)
+    yield box("worktop", STONE if p.variant % 2 else p.wood, p.x, p.y, (p.h - 0.04, p.h))
 
 
 def kitchen_sink(p: Piece) -> Iterator[Part]:
     """Yield a unit with a steel basin and a tap."""
-    top = p.h - 0.26 if p.h > 1.05 else p.h - 0.06
+    top = p.h - 0.26 if p.h > 1.05 else p.h - 0.035
     yield from base(p, top=top)
     y = (-0.3 * p.w, 0.16 * p.w)
     x = (p.x[0] + 0.16 * p.d, p.x[1] - 0.14 * p.d)

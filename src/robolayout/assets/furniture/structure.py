@@ -82,13 +82,12 @@ def radiator_cover(p: Piece) -> Iterator[Part]:
 
 
 def altar(p: Piece) -> Iterator[Part]:
-    """Yield a stone table with a cloth and two candles."""
-    top = 0.82 * p.h
-    yield box("base", CONCRETE, (0.8 * p.x[0], 0.8 * p.x[1]), (0.84 * p.y[0], 0.84 * p.y[1]), (0.0, top - 0.06))
-    yield box("top", CONCRETE, p.x, p.y, (top - 0.06, top))
-    yield box("cloth", WHITE, (0.96 * p.x[0], 0.96 * p.x[1]), (0.5 * p.y[0], 0.5 * p.y[1]), (top, top + 0.004))
-    for y in (-0.36 * p.w, 0.36 * p.w):
-        yield cylinder("candle", WHITE, (0.0, y), 0.03, (top, p.h), sides=10)
+    """Yield a stone table with a cloth."""
+    top = p.h - 0.003
+    yield box("base", CONCRETE, (0.8 * p.x[0], 0.8 * p.x[1]), (0.84 * p.y[0], 0.84 * p.y[1]), (0.0, top - 0.08))
+    yield box("top", CONCRETE, p.x, p.y, (top - 0.08, top))
+    yield box("cloth", WHITE, (0.9 * p.x[0], 0.9 * p.x[1]), (0.5 * p.y[0], 0.5 * p.y[1]), (top, p.h))
+    yield box("cloth front", WHITE, (p.x[1], p.x[1] + 0.004), (0.5 * p.y[0], 0.5 * p.y[1]), (0.6 * p.h, top - 0.001))
 
 
 def sauna(p: Piece) -> Iterator[Part]:

@@ -149,20 +149,17 @@ def china_cabinet(p: Piece) -> Iterator[Part]:
 
 def bar_cart(p: Piece) -> Iterator[Part]:
     """Yield a trolley with two trays, bottles and wheels."""
-    low, high = 0.24 * p.h, 0.82 * p.h
+    low, high = 0.24 * p.h, p.h
     for z in (low, high):
         yield box("tray", p.wood, (p.x[0] + 0.016, p.x[1] - 0.016), (p.y[0] + 0.016, p.y[1] - 0.016), (z - 0.02, z))
     for x in (p.x[0] + 0.008, p.x[1] - 0.008):
         for y in (p.y[0] + 0.008, p.y[1] - 0.008):
-            yield cylinder("post", p.metal, (x, y), 0.008, (0.06, p.h), sides=6)
+            yield cylinder("post", p.metal, (x, y), 0.008, (0.06, p.h - 0.021), sides=6)
             yield cylinder("wheel", IRON, (0.03, x), 0.03, (y - 0.008, y + 0.008), axis="y", sides=10)
     rng = p.rng()
     for i in range(4):
-        y = p.y[0] + (i + 0.7) * p.w / 4.6
-        tall = rng.uniform(0.2, 0.28)
-        for z, share in ((low, 0.9), (high, 0.5)):
-            if i % 2 or z == low:
-                yield cylinder("bottle", rng.choice(SPINES), (0.02, y), (0.035, 0.02), (z, z + tall * share), sides=10)
+        y, tall = p.y[0] + (i + 0.7) * p.w / 4.6, rng.uniform(0.3, 0.45) * p.h
+        yield cylinder("bottle", rng.choice(SPINES), (0.02, y), (0.035, 0.02), (low, low + tall), sides=10)
 
 
 def wine_rack(p: Piece) -> Iterator[Part]:
@@ -229,19 +226,27 @@ def bar_cabinet(p: Piece) -> Iterator[Part]:
         )
 
 
-def work_books(p: Piece) -> Iterator[Part]:
-    """Yield a table with rows of books on it: a bookshop's display."""
-    thick = 0.05
-    top = p.h - 0.16
-    yield box("top", p.wood, p.x, p.y, (top - thick, top))
-    yield from four(p, p.dark, top - thick, thick=0.07, inset=0.02)
+def display_table(p: Piece) -> Iterator[Part]:
+    """Yield a clear table with rows of books on the shelf below it."""
+    yield box("top", p.wood, p.x, p.y, (p.h - 0.05, p.h))
+    yield from four(p, p.dark, p.h - 0.05, thick=0.07, inset=0.02)
+    shelf = 0.42 * p.h
+    yield box("shelf", p.wood, (p.x[0] + 0.03, p.x[1] - 0.03), (p.y[0] + 0.1, p.y[1] - 0.1), (shelf - 0.03, shelf))
     rng = p.rng()
-    rows, columns = max(2, round(p.d / 0.3)), max(2, round(p.w / 0.24))
+    rows, columns = max(2, round(p.d / 0.3)), max(2, round((p.w - 0.2) / 0.24))
     for i in range(rows):
         for j in range(columns):
-            x, y = p.x[0] + (i + 0.5) * p.d / rows, p.y[0] + (j + 0.5) * p.w / columns
-            tall = rng.choice((0.04, 0.07, 0.1, 0.16))
-            yield box("books", rng.choice(SPINES), (x - 0.11, x + 0.11), (y - 0.08, y + 0.08), (top, top + tall))
+            x = p.x[0] + 0.05 + (i + 0.5) * (p.d - 0.1) / rows
+            y = p.y[0] + 0.1 + (j + 0.5) * (p.w - 0.2) / columns
+            half = (0.4 * (p.d - 0.1) / rows, 0.36 * (p.w - 0.2) / columns)
+            tall = rng.choice((0.1, 0.2, 0.3, 0.4)) * (p.h - 0.05 - shelf)
+            yield box(
+                "books",
+                rng.choice(SPINES),
+                (x - half[0], x + half[0]),
+                (y - half[1], y + half[1]),
+                (shelf, shelf + tall),
+            )
 
 
 BUILDERS: dict[str, Builder] = {
@@ -258,7 +263,7 @@ BUILDERS: dict[str, Builder] = {
     "picnic table": picnic_table,
     "conference table": conference_table,
     "bar cabinet": bar_cabinet,
-    "display table": work_books,
+    "display table": display_table,
     "unknown surface": table,
     "kids table": table,
 }

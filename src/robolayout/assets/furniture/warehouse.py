@@ -263,9 +263,11 @@ def conveyor(p: Piece) -> Iterator[Part]:
 
 def packing_table(p: Piece) -> Iterator[Part]:
     """Yield a work table with a shelf, cartons and a roll of paper above it."""
-    top = min(0.92, 0.62 * p.h)
+    top = min(0.92, 0.62 * p.h) if p.h > 1.15 else p.h
     yield box("top", p.wood, p.x, p.y, (top - 0.04, top))
     yield from four(p, GREY, top - 0.04, thick=0.06, inset=0.01)
+    if top == p.h:
+        return
     for y in (p.y[0], p.y[1] - 0.05):
         yield box("post", GREY, (p.x[0], p.x[0] + 0.05), (y, y + 0.05), (top, p.h))
     inner = (p.y[0] + 0.05, p.y[1] - 0.05)

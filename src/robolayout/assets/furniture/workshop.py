@@ -33,8 +33,8 @@ Span = tuple[float, float]
 
 
 def workbench(p: Piece) -> Iterator[Part]:
-    """Yield a solid bench with drawers, a vise and tools."""
-    top = p.h - 0.1
+    """Yield a solid bench with drawers, a vise at its front edge and a tool box below."""
+    top = p.h
     yield box("top", p.wood, p.x, p.y, (top - 0.06, top))
     yield from four(p, p.dark, top - 0.06, thick=0.09, inset=0.02)
     yield box("shelf", p.wood, (0.84 * p.x[0], 0.84 * p.x[1]), (p.y[0] + 0.12, p.y[1] - 0.12), (0.16 * p.h, 0.19 * p.h))
@@ -43,11 +43,11 @@ def workbench(p: Piece) -> Iterator[Part]:
         z = top - 0.28 + 0.11 * i
         yield box("drawer", p.front, (0.86 * p.x[1], 0.9 * p.x[1]), (0.1 * p.w + 0.01, p.y[1] - 0.14), (z, z + 0.1))
         yield box("handle", DARK, (0.9 * p.x[1], 0.94 * p.x[1]), (0.22 * p.w, 0.3 * p.w), (z + 0.045, z + 0.06))
-    yield box("vise", BLUE, (p.x[1] - 0.12, p.x[1]), (-0.38 * p.w, -0.26 * p.w), (top, p.h))
-    yield cylinder("screw", STEEL, (-0.32 * p.w, top - 0.1), 0.015, (p.x[1] - 0.1, p.x[1] + 0.08), axis="x", sides=8)
-    yield box("tool box", RED, (-0.3 * p.d, 0.0), (0.12 * p.w, 0.32 * p.w), (top, p.h - 0.01))
-    yield box("hammer", p.dark, (0.1 * p.d, 0.13 * p.d), (-0.12 * p.w, 0.06 * p.w), (top, top + 0.02))
-    yield box("hammer head", IRON, (0.04 * p.d, 0.19 * p.d), (0.06 * p.w, 0.09 * p.w), (top, top + 0.03))
+    yield box("vise", BLUE, (p.x[1] - 0.02, p.x[1] + 0.03), (-0.4 * p.w, -0.26 * p.w), (p.h - 0.16, p.h - 0.02))
+    yield box("vise jaw", BLUE, (p.x[1] + 0.05, p.x[1] + 0.08), (-0.4 * p.w, -0.26 * p.w), (p.h - 0.16, p.h - 0.02))
+    yield cylinder("screw", STEEL, (-0.33 * p.w, p.h - 0.11), 0.012, (p.x[1] + 0.03, p.x[1] + 0.12), axis="x", sides=8)
+    yield box("tool box", RED, (-0.2 * p.d, 0.14 * p.d), (-0.3 * p.w, -0.02 * p.w), (0.19 * p.h, 0.4 * p.h))
+    yield box("tool box handle", DARK, (-0.05 * p.d, -0.01 * p.d), (-0.22 * p.w, -0.1 * p.w), (0.4 * p.h, 0.44 * p.h))
 
 
 def tool_chest(p: Piece) -> Iterator[Part]:
