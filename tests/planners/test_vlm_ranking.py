@@ -15,7 +15,8 @@ EMPTY = Program()
 
 
 def figures(hard: float = 1.0, access: float = 1.0, met: float = 1.0) -> dict[str, float | bool]:
-    return {name: hard for name in HARD} | {name: access for name in ACCESS} | {"statements_met_share": met}
+    shares = {name: hard for name in HARD} | {name: access for name in ACCESS}
+    return shares | {"walkable_ratio": access, "statements_met_share": met}
 
 
 def program(*lines: str) -> Program:
@@ -41,6 +42,11 @@ def test_the_sample_that_agrees_with_the_others_wins_a_tie() -> None:
     ]
     assert agreement(samples) == (0.0, 0.5, 0.5)
     assert rank_samples([figures()] * 3, samples) == (1, 2, 0)
+
+
+def test_more_walkable_floor_than_demanded_is_no_merit() -> None:
+    rows = [figures(met=0.9), figures(met=1.0) | {"walkable_ratio": 0.96}, figures(met=1.0) | {"walkable_ratio": 0.9}]
+    assert rank_samples(rows, [EMPTY] * 3) == (1, 0, 2)
 
 
 def test_rounding_decides_nothing() -> None:

@@ -13,7 +13,10 @@ from robolayout.constraints import Relation
 from robolayout.program import Program
 
 HARD = ("placed_share", "collision_free_share", "in_boundary_share", "supported_share", "door_clear")
-ACCESS = ("reachable_share", "usable_share", "walkable_ratio")
+ACCESS = ("reachable_share", "usable_share")
+WALKABLE = 0.95
+"""Walkable ratio that a report demands (DESIGN section 8); more than that is no merit."""
+
 STEP = 1e-4
 """Differences between shares below this do not count."""
 
@@ -24,7 +27,7 @@ class Score:
 
     Attributes:
         hard: Mean of the hard demands, 0 to 1.
-        access: Mean of what the agent reaches, uses and can walk, 0 to 1.
+        access: Mean of what the agent reaches, uses and can walk (as far as that is demanded), 0 to 1.
         statements: Share of statements met.
         agreement: Mean overlap of its statements with those of the other samples.
     """
@@ -54,7 +57,7 @@ def score_samples(figures: Sequence[Mapping[str, float | bool]], programs: Seque
     """
     agreed = agreement(programs)
     return tuple(
-        Score(_mean(row, HARD), _mean(row, ACCESS), float(row["statements_met_share"]), shared)
+        Score(_mean(row, HARD), _access(row), float(row["statements_met_share"]), shared)
         for row, shared in zip(figures, agreed, strict=True)
     )
 
@@ -85,6 +88,11 @@ def _opinion(relation: Relation) -> tuple[str, tuple[str, ...]]:
 
 def _overlap(a: frozenset[object], b: frozenset[object]) -> float:
     return len(a & b) / len(a | b) if a | b else 1.0
+
+
+def _access(row: Mapping[str, float | bool]) -> float:
+    walkable = min(1.0, float(row["walkable_ratio"]) / WALKABLE)
+    return (2 * _mean(row, ACCESS) + walkable) / 3
 
 
 def _mean(row: Mapping[str, float | bool], names: Sequence[str]) -> float:
