@@ -6,10 +6,11 @@ A cluster lives in the frame of its anchor: origin at the anchor's centre, x alo
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from robolayout.constraints import RELATIONS, AssetRef
+from robolayout.constraints import AssetRef
+from robolayout.constraints.around import Around
 from robolayout.planners._member import Member, box_of
 from robolayout.planners._roles import Cast
 from robolayout.planners._tops import Top
@@ -141,10 +142,8 @@ class ClusterBuilder:
 
     def _around(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
         """At the slots of the relation `around`."""
-        relation = RELATIONS["around"](  # type: ignore[call-arg]
-            items=tuple(AssetRef(item.name) for item in items), b=AssetRef(anchor.name), gap=items[0].joined.gap
-        )
-        slots: Iterable[tuple[float, float, float]] = relation.slots(self.scene)  # type: ignore[attr-defined]
+        seats = tuple(AssetRef(item.name) for item in items)
+        slots = Around(seats, AssetRef(anchor.name), items[0].joined.gap).slots(self.scene)
         return [
             Member(item.name, x, y, yaw, side=_side_of(yaw)) for item, (x, y, yaw) in zip(items, slots, strict=True)
         ]

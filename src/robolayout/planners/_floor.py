@@ -108,8 +108,8 @@ class Floor:
         """Return an independent copy."""
         return Floor(self.room, self.cell, self.origin, self.inside, self.body.copy(), self.wanted.copy(), self.landing)
 
-    def cells(self, corners: Iterable[Points]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-        """Return the indices of the cells whose centres lie in any of the convex polygons (k, 2)."""
+    def cells(self, corners: Iterable[Points]) -> NDArray[np.bool_]:
+        """Return the cells whose centres lie in any of the convex polygons (k, 2)."""
         mask = np.zeros(self.inside.shape, np.bool_)
         for polygon in corners:
             low = np.floor((polygon.min(0) - self.origin) / self.cell).astype(int).clip(0)
@@ -121,7 +121,7 @@ class Floor:
             for (ax, ay), (bx, by) in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
                 within &= (bx - ax) * (ys[None, :] - ay) - (by - ay) * (xs[:, None] - ax) >= 0
             mask[low[0] : high[0], low[1] : high[1]] |= within
-        return np.nonzero(mask)
+        return mask
 
     def look(self, points: Points) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.bool_]]:
         """Return cell indices of points (..., 2), clipped to the grid, and whether each point is on it."""
@@ -153,14 +153,18 @@ class Floor:
         from scipy import ndimage
 
         free = np.pad(self.inside & (self.body == 0), 1)
-        passable = ndimage.distance_transform_edt(free)[1:-1, 1:-1] * self.cell >= agent.radius + 0.7 * self.cell
-        labels, count = ndimage.label(passable, np.ones((3, 3)))
+        clearance = np.asarray(ndimage.distance_transform_edt(free))
+        passable = clearance[1:-1, 1:-1] * self.cell >= agent.radius + 0.7 * self.cell
+        labels = np.zeros(passable.shape, np.int32)
+        count = int(ndimage.label(passable, np.ones((3, 3)), labels))  # type: ignore[call-overload]
         if not count:
             return np.full(self.inside.shape, 1e3), 1.0
         at_door = np.bincount(labels[self.landing], minlength=count + 1)[1:]
         sizes = at_door if at_door.any() else np.bincount(labels.ravel(), minlength=count + 1)[1:]
         main = labels == 1 + int(np.argmax(sizes))
-        return ndimage.distance_transform_edt(~main) * self.cell, 1.0 - float(main.sum()) / float((labels > 0).sum())
+        return np.asarray(ndimage.distance_transform_edt(~main)) * self.cell, 1.0 - float(main.sum()) / float(
+            (labels > 0).sum()
+        )
 
 
 def room_depth(room: Room) -> float:

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from robolayout._errors import SceneError, UnknownNameError
 
@@ -161,7 +161,8 @@ def _parse(texts: tuple[tuple[str, str], ...]) -> Knowledge:
 
 
 def _role(entry: dict[str, Any], label: str, order: int, defaults: Mapping[str, Any]) -> Role:
-    joins = tuple(_join(dict(item), defaults) for item in entry.pop("joins", ()))
+    name = str(entry.get("name", "without a name"))
+    joins = tuple(_join(dict(item), name, defaults) for item in entry.pop("joins", ()))
     face = entry.pop("face", None)
     stands = tuple(entry.pop("stands", ("wall",)))
     for mode in stands:
@@ -169,25 +170,38 @@ def _role(entry: dict[str, Any], label: str, order: int, defaults: Mapping[str, 
             raise UnknownNameError("way of standing", str(mode), STANDS)
     said = {mode: tuple(defaults.get(mode, {}).get("say", ())) for mode in STANDS}
     said |= {mode: tuple(lines) for mode, lines in entry.pop("say", {}).items()}
-    return Role(
-        group=label,
-        order=order,
-        rank=int(entry.pop("rank", order)),
-        stands=stands,
-        joins=joins,
-        face=_face(dict(face)) if face else None,
-        say=said,
-        **{key: tuple(value) if isinstance(value, list) else value for key, value in entry.items()},
-    )
+    rank = int(entry.pop("rank", order))
+    facing = _build(Face, dict(face), name) if face else None
+    fixed = {
+        "group": label,
+        "order": order,
+        "rank": rank,
+        "stands": stands,
+        "joins": joins,
+        "face": facing,
+        "say": said,
+    }
+    return _build(Role, {**entry, **fixed}, name)
 
 
-def _join(item: dict[str, Any], defaults: Mapping[str, Any]) -> Join:
-    slot = str(item["slot"])
+def _join(item: dict[str, Any], role: str, defaults: Mapping[str, Any]) -> Join:
+    slot = str(item.get("slot", ""))
     if slot not in SLOTS:
         raise UnknownNameError("slot", slot, SLOTS)
-    merged = {**defaults.get(slot, {}), **item}
-    return Join(**{key: tuple(value) if isinstance(value, list) else value for key, value in merged.items()})
+    return _build(Join, {**defaults.get(slot, {}), **item}, role)
 
 
-def _face(item: dict[str, Any]) -> Face:
-    return Face(**{key: tuple(value) if isinstance(value, list) else value for key, value in item.items()})
+Kind = TypeVar("Kind", Role, Join, Face)
+
+
+def _build(kind: type[Kind], entry: dict[str, Any], role: str) -> Kind:
+    """Return an entry as its class; lists become tuples, unknown keys are refused with the known ones."""
+    known = {field.name for field in fields(kind)}
+    for key in entry:
+        if key not in known:
+            raise UnknownNameError(f"key in the role {role!r}", key, known)
+    values: dict[str, Any] = {key: tuple(item) if isinstance(item, list) else item for key, item in entry.items()}
+    try:
+        return kind(**values)
+    except TypeError:
+        raise SceneError(f"the role {role!r} lacks a key; a role needs a name, a join needs slot and of.") from None

@@ -229,4 +229,5 @@ def _fitted(site: Site, name: str, pose: tuple[float, float, float]) -> Member:
     room = shapely.Polygon(site.room.vertices).buffer(0.005, join_style="mitre")
     outlines = shapely.polygons([corners_of(Member(name, *pose), site.size(name)) for pose in poses.tolist()])
     best = int(np.argmin(np.round(shapely.area(shapely.difference(outlines, room)), 4)))
-    return Member(name, *(float(v) for v in poses[best]))
+    x, y, yaw = poses[best].tolist()
+    return Member(name, x, y, yaw)

@@ -253,7 +253,7 @@ class Site:
         x, y, yaw = (float(value) for value in pose)
         members = [m for m in cluster.members if self.on_floor(m)]
         corners = np.array([corners_of(m.moved(x, y, yaw), self.size(m.name)) for m in members])
-        bodies = shapely.polygons(corners)
+        bodies = np.asarray(shapely.polygons(corners))
         room = shapely.Polygon(self.room.vertices).buffer(0.008, join_style="mitre")
         if not shapely.covers(room, bodies).all():
             return False
@@ -290,15 +290,15 @@ class Site:
                 top = spot.member.bottom + self.size(name)[2]
                 self.spans.append(Span(name, wall.index, span[2], (span[0], spot.member.bottom, span[1], top)))
 
-    def _patch(self, i: NDArray[np.intp], j: NDArray[np.intp]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    def _patch(self, i: NDArray[np.intp], j: NDArray[np.intp]) -> NDArray[np.bool_]:
         """Return all cells around sample points 0.15 m apart, each once."""
         reach = max(1, round(0.075 / self.floor.cell))
-        mask = np.zeros(self.floor.inside.shape, np.bool_)
-        nx, ny = mask.shape
+        mask = np.zeros_like(self.floor.inside)
+        nx, ny = len(mask), len(mask[0])
         for di in range(-reach, reach + 1):
             for dj in range(-reach, reach + 1):
                 mask[(i + di).clip(0, nx - 1), (j + dj).clip(0, ny - 1)] = True
-        return np.nonzero(mask)
+        return mask
 
     def wall_takers(self, wall: Wall) -> list[tuple[Rect, str]]:
         """Return what covers a wall: (start, low, end, high) along it and up it, in metres, with a name each."""
