@@ -166,6 +166,10 @@ def test_layoutvlm_folders_are_read_as_they_are(tmp_path: Path) -> None:
     entry = import_folder(tmp_path)["assets"]["desk-0"]
     assert entry["assetMetadata"]["boundingBox"] == {"x": 0.6, "y": 1.5, "z": 0.75}
     assert entry["description"] == "An oak desk."
+    data["annotations"]["frontView"] = 1
+    (tmp_path / uid / "data.json").write_text(json.dumps(data))
+    turned = import_folder(tmp_path)["assets"]["desk-0"]
+    assert (turned["front"], turned["assetMetadata"]["boundingBox"]) == ("+x", {"x": 1.5, "y": 0.6, "z": 0.75})
 
 
 def test_bad_metadata_and_bad_folders_are_explained(tmp_path: Path) -> None:

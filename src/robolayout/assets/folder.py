@@ -188,13 +188,17 @@ def _json(path: Path) -> dict[str, Any]:
 
 
 def _objathor(path: Path, data: Mapping[str, Any]) -> Guess:
-    """Read LayoutVLM's and objathor's metadata; there bounding-box x is the width and y the depth."""
+    """Read LayoutVLM's and objathor's metadata; there bounding-box x is the width and y the depth.
+
+    Where `frontView` says that the front is a quarter turn away, width and depth change places.
+    """
     try:
         notes = data["annotations"]
         edges = data["assetMetadata"]["boundingBox"]
-        size = (float(edges["y"]), float(edges["x"]), float(edges["z"]))
+        across, along, height = (float(edges[key]) for key in ("x", "y", "z"))
         flags = {key: bool(notes[key]) for key in FLAGS if key in notes}
         view = VIEWS[int(notes.get("frontView", 0)) % 4]
+        size = (along, across, height) if view[1] == "z" else (across, along, height)
         text, words = str(notes["category"]), str(notes.get("description", ""))
     except (KeyError, TypeError, ValueError, OverflowError) as error:
         raise AssetError(
