@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from robolayout._errors import OutputError
 from robolayout._files import write_atomic
 from robolayout.export import Options, export, find_exporter, to_bytes
 from robolayout.render import PlanMarks
@@ -79,15 +80,43 @@ def _pictures(result: Result) -> Iterator[tuple[str, str | bytes]]:
     studio = Studio(result.scene, result.layout)
     yield "top.png", png(studio.view("top", size=PICTURE_SIZE))
     yield "view.png", png(studio.view("side", size=PICTURE_SIZE))
-    if result.trace.snapshots:
-        yield "progress.gif", progress_gif(result.scene, result.trace, result.layout)
+    if result.trace.losses:
+        yield "progress.gif", progress_gif(result.scene, result.trace)
         yield "loss.png", loss_png(result.trace)
+
+
+def comparison(results: Sequence[Result], suffix: str = ".png", *, width: int = 1800) -> bytes:
+    """Return the plans of several runs side by side.
+
+    Args:
+        results: The runs, from left to right.
+        suffix: ".png" or ".svg".
+        width: Pixels of the PNG's width.
+
+    Raises:
+        OutputError: The suffix is another one.
+    """
+    from robolayout.render import compare_image, compare_svg
+
+    if suffix not in (".png", ".svg"):
+        raise OutputError(f"a comparison cannot be written as {suffix or 'a file without suffix'!r}; use .png or .svg.")
+    panels = [
+        (f"{run.scene.name} for {_body(run.report.agents[0])}", run.scene, run.layout, plan_marks(run.report.agents[0]))
+        for run in results
+    ]
+    if suffix == ".svg":
+        return compare_svg(panels).encode()
+    return png(compare_image(panels, width=width).quantize(128))
+
+
+def _body(report: AgentReport) -> str:
+    return report.agent.title or report.agent.name
 
 
 def png(image: Image) -> bytes:
     """Return a picture as PNG."""
     stream = io.BytesIO()
-    image.save(stream, "PNG")
+    image.save(stream, "PNG", optimize=True)
     return stream.getvalue()
 
 

@@ -6,7 +6,9 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from robolayout.constraints._exact import ANGLE_TOLERANCE, GAP_TOLERANCE, facing_error, footprint, half_size
+from scipy.optimize import linear_sum_assignment
+
+from robolayout.constraints._exact import ANGLE_TOLERANCE, GAP_TOLERANCE, facing_error, footprint, frame, half_size
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
@@ -73,16 +75,20 @@ class Around(Relation):
         return tuple(slots)
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
-        """Return one row per item that pins it to its slot."""
+        """Return one row per item that pins it to the slot that is nearest to its guess."""
+        slots = self.slots(scene)
+        table = frame(scene, near, self.b)
+        here = [table.point(near[item.name].x, near[item.name].y) for item in self.items]
+        _, chosen = linear_sum_assignment([[math.dist(spot, slot[:2]) for slot in slots] for spot in here])
         return tuple(
             FrameTerm(
                 item,
                 self.b,
-                along=Interval(x - SLACK, x + SLACK),
-                across=Interval(y - SLACK, y + SLACK),
-                heading=yaw,
+                along=Interval(slots[k][0] - SLACK, slots[k][0] + SLACK),
+                across=Interval(slots[k][1] - SLACK, slots[k][1] + SLACK),
+                heading=slots[k][2],
             )
-            for item, (x, y, yaw) in zip(self.items, self.slots(scene), strict=True)
+            for item, k in zip(self.items, chosen, strict=True)
         )
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:

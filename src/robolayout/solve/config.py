@@ -55,6 +55,9 @@ class SolverConfig:
     search: SearchConfig = SearchConfig(steps=220, rate=0.10, final_rate=0.01, noise=0.06, ramp=0.05)
     """First phase: all starts."""
 
+    tops: SearchConfig = SearchConfig(steps=160, rate=0.03, final_rate=0.002, noise=0.01, ramp=0.3)
+    """First phase of what stands on other things, where distances are short."""
+
     polish: SearchConfig = SearchConfig(steps=140, rate=0.02, final_rate=0.0005)
     """Second phase: the kept starts."""
 

@@ -188,7 +188,7 @@ def make_starts(
     starts = np.repeat(world[None], count, axis=0)
     for k in range(1, count):
         if 2 * k < count:
-            _jitter(starts[k], moving, 0.1 + 1.2 * k / count, rng)
+            _jitter(starts[k], moving, (0.1 + 1.2 * k / count) * (0.1 if problem.parent[moving[0]] >= 0 else 1.0), rng)
         else:
             for slot in moving:
                 if rng.random() < 0.7:

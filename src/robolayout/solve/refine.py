@@ -114,7 +114,8 @@ class Solver:
         if not stage.moving:
             return self._judged(world, number)
         starts = make_starts(self.problem, world, stage.moving, self.config.starts, self.rng)
-        run = self.runner.advance(stage, starts, self.config.search, "search", rng=self.rng)
+        phase = self.config.tops if number else self.config.search
+        run = self.runner.advance(stage, starts, phase, "search", rng=self.rng)
         kept = run.world[run.order()[: self.config.kept]]
         run = self.runner.advance(stage, kept, self.config.polish, "polish")
         best = min((self._judged(run.world[k], number) for k in run.order()), key=lambda b: b.verdict.merit)

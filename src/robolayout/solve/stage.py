@@ -17,6 +17,7 @@ from robolayout.constraints import (
     ClearTerm,
     FrameTerm,
     InsideTerm,
+    Interval,
     MirrorTerm,
     OverlapTerm,
     PointRef,
@@ -31,7 +32,7 @@ from robolayout.solve.compile import Floats, Problem
 
 SLOT_BUCKETS = (8, 16, 32, 64, 128, 256, 512)
 EDGE_BUCKETS = (8, 32, 128)
-STAY = 0.02
+STAY = 0.03
 """Weight of staying where the program first put a thing, so that what no statement holds does not drift."""
 
 SOFT_CLEAR = 0.2
@@ -191,6 +192,20 @@ def _inner_corners(problem: Problem) -> Floats:
     return _padded([room.vertices[i] for i in inner], bucket(len(inner), EDGE_BUCKETS), [FAR_AWAY, FAR_AWAY])
 
 
+def _stay_terms(problem: Problem) -> Iterable[Term]:
+    """Yield weak rows that hold things where the program first put them, in the room or on their carrier."""
+    for name in problem.guessed:
+        slot = problem.slot[name]
+        carrier = problem.parent[slot]
+        if carrier < 0:
+            here = PointRef(problem.guess[name].x, problem.guess[name].y)
+            yield FrameTerm(AssetRef(name), here, distance=(0.0, 0.0), weight=STAY)
+        else:
+            u, v = (float(value) for value in relative(problem.start[carrier], problem.start[slot])[:2])
+            top = AssetRef(problem.names[carrier])
+            yield FrameTerm(AssetRef(name), top, along=Interval(u, u), across=Interval(v, v), weight=STAY)
+
+
 class _Rows:
     """Collects the rows of a stage's kernels."""
 
@@ -232,10 +247,7 @@ class _Rows:
         for terms in problem.statement_terms:
             yield from terms
         yield from self._wall_terms(problem)
-        for name in problem.guessed:
-            pose = problem.guess[name]
-            if problem.parent[problem.slot[name]] < 0:
-                yield FrameTerm(AssetRef(name), PointRef(pose.x, pose.y), distance=(0.0, 0.0), weight=STAY)
+        yield from _stay_terms(problem)
 
     def _wall_terms(self, problem: Problem) -> Iterable[Term]:
         """Yield rows that hold wall things, which no statement puts on a wall, at the wall nearest to their guess."""
