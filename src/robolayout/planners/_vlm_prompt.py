@@ -197,7 +197,7 @@ def image_label(name: str) -> str:
     return {
         "top": "The room from above: a grid with coordinates in metres, names, arrows along the fronts, wall numbers.",
         "side": "The room from the side, with the same marks.",
-    }.get(name, f"What {quoted(name)} looks like, with its front to the viewer's right along +x.")
+    }.get(name, f"What {quoted(name)} looks like from its front, a little from its right and from above.")
 
 
 def images_in_order(images: Mapping[str, bytes]) -> tuple[tuple[str, bytes], ...]:
