@@ -1,6 +1,6 @@
 """The fast renderer: OpenGL on EGL, without window or display.
 
-Every light direction gets a depth map in one atlas; one pass then shades with 4x multisampling. In software (llvmpipe)
+Every direction of the sun gets a depth map in one atlas; one pass then shades with 4x multisampling. In software (llvmpipe)
 a 512 x 512 picture takes about 0.1 s.
 """
 
@@ -15,15 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.render import _light
-from robolayout.render._mesh import Mesh, refined, welded
+from robolayout.render._mesh import Mesh
+from robolayout.render._rays import Lit, lit_by_sky
 from robolayout.render.camera import Camera
 
 SUN_TILE, SUN_COLUMNS = 768, 3
-SKY_TILE, SKY_COLUMNS = 256, 7
 """Pixels along a side of a light's depth map, and maps along a side of the atlas."""
-
-SKY_TABLE = 1024
-"""Columns of the table into which the sky's irradiance is written, one cell a corner."""
 
 _DEPTH_VERTEX = """
 #version 330
@@ -51,30 +48,6 @@ float visible(int k, vec3 at) {
     vec2 tile = vec2(k - k / COLUMNS * COLUMNS, k / COLUMNS);
     return textureLod(atlas, vec3((inside + tile) / float(COLUMNS), q.z), 0.0);
 }
-"""
-
-_SKY_VERTEX = """
-in vec3 position;
-in vec3 normal;
-uniform vec2 table;
-out float result;
-void main() {
-    float sky = 0.0;
-    for (int k = 0; k < COUNT; k++) {
-        float slope = dot(normal, toward[k]);
-        if (slope > 0.0) sky += visible(k, position + normal * %(bias)f) * slope;
-    }
-    result = sky * 2.0 / float(COUNT);
-    vec2 cell = vec2(gl_VertexID %% int(table.x), gl_VertexID / int(table.x));
-    gl_Position = vec4((cell + 0.5) / table * 2.0 - 1.0, 0.0, 1.0);
-}
-"""
-
-_SKY_FRAGMENT = """
-#version 330
-in float result;
-out float sky;
-void main() { sky = result; }
 """
 
 _VERTEX = """
@@ -176,10 +149,8 @@ def _programs(context: Any) -> dict[str, Any]:
         "bounce": _text(_light.BOUNCE),
     }
     suns = {"count": _light.SUN_COUNT, "columns": SUN_COLUMNS, "half": 0.5 / SUN_TILE}
-    skies = {"count": _light.SKY_COUNT, "columns": SKY_COLUMNS, "half": 0.5 / SKY_TILE}
     return {
         "shade": context.program(_VERTEX, _LOOKUP % suns + _FRAGMENT % words),
-        "sky": context.program(_LOOKUP % skies + _SKY_VERTEX % words, _SKY_FRAGMENT),
         "marks": context.program(_VERTEX, _ID_FRAGMENT),
         "depth": context.program(_DEPTH_VERTEX, _DEPTH_FRAGMENT),
     }
@@ -199,10 +170,10 @@ class GLRenderer:
         self._context: Any = _context(os.getpid(), threading.get_ident())
         self._program = _programs(self._context)
         self._coarse = mesh
-        self._blockers, self._sun_blockers = mesh.corners[sky_blockers], sun_blockers
-        self._fine = refined(mesh, _light.sample_distance(mesh))
-        first, self._places = welded(self._fine)
-        self._upload(first)
+        self._sun_blockers = sun_blockers
+        lit = lit_by_sky(mesh, mesh.corners[sky_blockers])
+        self._fine, self._places = lit.mesh, lit.places
+        self._upload(lit)
 
     def color(self, camera: Camera, keep: NDArray[np.bool_]) -> NDArray[np.uint8]:
         """Return the picture (height, width, 3) of the parts where `keep` (parts) holds."""
@@ -254,41 +225,20 @@ class GLRenderer:
             thing.release()
         return np.where(far > 0, names, -1).astype(np.int32), np.where(far > 0, far, np.inf).astype(np.float32)
 
-    def _upload(self, first: NDArray[np.intp]) -> None:
+    def _upload(self, lit: Lit) -> None:
         """Put the distinct corners of the fine mesh, with their sky, into buffers."""
-        fine = self._fine
-        face = first // 3
-        points, normals = fine.corners.reshape(-1, 3)[first], fine.normals.reshape(-1, 3)[first]
+        fine = lit.mesh
+        face = lit.first // 3
+        points, normals = fine.corners.reshape(-1, 3)[lit.first], fine.normals.reshape(-1, 3)[lit.first]
         self._columns = [
             ("3f4", "position", points),
             ("3f4", "normal", normals),
             ("4f4", "color", fine.colors[face]),
             ("f4", "gloss", fine.gloss[face]),
-            ("f4", "sky", self._sky(points, normals)),
+            ("f4", "sky", lit.sky),
             ("i4", "id", fine.ids[face]),
         ]
         self._buffers = {name: self._buffer(data) for _, name, data in self._columns}
-
-    def _sky(self, points: NDArray[np.float32], normals: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Return the irradiance (n,) of the sky at points (n, 3) with unit normals (n, 3); 1 under an open sky."""
-        if not len(points):
-            return np.zeros(0, np.float32)
-        program, toward = self._program["sky"], _light.sky_directions()
-        matrices, atlas = self._atlas(self._blockers, toward, SKY_COLUMNS, SKY_TILE)
-        table = (SKY_TABLE, -(-len(points) // SKY_TABLE))
-        texture = self._context.texture(table, 1, dtype="f4")
-        canvas = self._context.framebuffer([texture])
-        canvas.use()
-        self._context.disable(self._gl.DEPTH_TEST)
-        self._light_up(program, atlas, matrices, toward)
-        program["table"].value = table
-        source = self._buffer(np.concatenate([points, normals], axis=1))
-        array = self._context.vertex_array(program, [(source, "3f4 3f4", "position", "normal")])
-        array.render(self._gl.POINTS)
-        result = np.frombuffer(texture.read(), np.float32)[: len(points)].copy()
-        for thing in (array, source, canvas, texture, atlas):
-            thing.release()
-        return result
 
     def _buffer(self, data: NDArray[Any]) -> Any:
         return self._context.buffer(np.ascontiguousarray(data).tobytes())

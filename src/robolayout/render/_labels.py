@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
@@ -48,7 +49,7 @@ class Label:
         lines: One or two lines, top first.
         at: Middle of the text block, millimetres.
         size: Font size, millimetres.
-        upright: Whether the text runs upwards.
+        angle: Degrees counter-clockwise in which the text runs.
         leader: Point of the footprint that a thin line leads to, for names that stand beside it.
         halo: Whether it needs a light edge.
     """
@@ -56,17 +57,32 @@ class Label:
     lines: tuple[str, ...]
     at: Point
     size: float
-    upright: bool = False
+    angle: float = 0.0
     leader: Point | None = None
     halo: bool = False
 
     @property
+    def extent(self) -> Point:
+        """Length along the text and height across it, millimetres."""
+        length = max(text_width(line, self.size) for line in self.lines)
+        return (length, self.size * (0.82 + LINE * (len(self.lines) - 1)))
+
+    @property
+    def corners(self) -> tuple[Point, ...]:
+        """The four corners of the text block, millimetres."""
+        w, h = self.extent
+        return tuple(self.point(x, y) for x, y in ((-w / 2, -h / 2), (w / 2, -h / 2), (w / 2, h / 2), (-w / 2, h / 2)))
+
+    @property
     def box(self) -> Box:
         """Left, upper, right and lower edge in millimetres."""
-        w = max(text_width(line, self.size) for line in self.lines)
-        h = self.size * (0.82 + LINE * (len(self.lines) - 1))
-        w, h = (h, w) if self.upright else (w, h)
-        return (self.at[0] - w / 2, self.at[1] - h / 2, self.at[0] + w / 2, self.at[1] + h / 2)
+        xs, ys = zip(*self.corners, strict=True)
+        return (min(xs), min(ys), max(xs), max(ys))
+
+    def point(self, along: float, across: float) -> Point:
+        """Return the point so far along the text and below its middle, millimetres on the sheet."""
+        c, s = math.cos(math.radians(self.angle)), math.sin(math.radians(self.angle))
+        return (self.at[0] + c * along + s * across, self.at[1] - s * along + c * across)
 
 
 def place_labels(
@@ -100,24 +116,33 @@ def _first_inside(tag: Tag, taken: Sequence[Box], sizes: Sequence[float]) -> Lab
     sides = _sides(tag.outline)
     covers = np.array([shapely.Polygon(c) for c in tag.covers], dtype=object)
     for label in _inside(tag, sizes):
-        box = label.box
-        clear = _contains(sides, box) and not any(_meet(box, other) for other in taken)
-        if clear and not shapely.intersects(covers, shapely.box(*box)).any():
+        clear = _contains(sides, label.corners) and not any(_meet(label.box, other) for other in taken)
+        if clear and not shapely.intersects(covers, shapely.Polygon(label.corners)).any():
             return label
     return None
 
 
 def _inside(tag: Tag, sizes: Sequence[float]) -> Iterator[Label]:
     """Yield labels inside the footprint, best first: large, in one line, level, in the middle."""
-    corners = np.array(tag.outline)
+    corners = np.array(tag.outline, dtype=np.float64)
     middle, extent = corners.mean(axis=0), np.ptp(corners, axis=0)
     shifts = [(0.0, 0.0), (0, 0.28), (0, -0.28), (0.28, 0), (-0.28, 0), (0, 0.38), (0, -0.38), (0.36, 0), (-0.36, 0)]
+    along = _long_angle(corners)
     for size in sizes:
         for lines in _splits(tag.text):
-            turns = (False, True) if extent[1] > extent[0] else (False,)
-            for (dx, dy), upright in sorted(product(shifts, turns), key=lambda pair: pair[0] != (0.0, 0.0)):
+            turns = list(dict.fromkeys([0.0, along, *([90.0] if extent[1] > extent[0] else [])]))
+            middle_first = [(shifts[0], angle) for angle in turns] + list(product(shifts[1:], turns))
+            for (dx, dy), angle in middle_first:
                 at = (float(middle[0] + dx * extent[0]), float(middle[1] + dy * extent[1]))
-                yield Label(lines, at, size, upright, halo=tag.halo)
+                yield Label(lines, at, size, angle, halo=tag.halo)
+
+
+def _long_angle(corners: NDArray[np.float64]) -> float:
+    """Return the direction of the longest side in degrees, in (-90, 90], so that text is never upside down."""
+    edges = np.roll(corners, -1, axis=0) - corners
+    dx, dy = edges[int(np.argmax(np.round(np.linalg.norm(edges, axis=1), 6)))]
+    angle = round(math.degrees(math.atan2(-dy, dx)), 3) % 180
+    return angle - 180 if angle > 90 else angle
 
 
 def _first_beside(tag: Tag, taken: Sequence[Box], solids: NDArray[np.object_], sheet: Box, size: float) -> Label | None:
@@ -127,18 +152,18 @@ def _first_beside(tag: Tag, taken: Sequence[Box], solids: NDArray[np.object_], s
     middle = (low + high) / 2
     own = shapely.Polygon(tag.outline)
     compass = ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1))
-    gaps = [(gap, way) for gap in (0.8, 2.5, 4.5, 7.0, 10.0) for way in compass]
+    gaps = [(gap, way) for gap in (0.8, 2.0, 3.5) for way in compass]
     if tag.outward is not None:
         gaps = [(gap, tag.outward) for gap in (0.5, 1.5, 2.5, 3.0, 3.5, 4.0)] + gaps
     for gap, (dx, dy) in gaps:
         for lines in _splits(tag.text):
             upright = bool(dx) and not dy and tag.outward is not None and high[1] - low[1] > high[0] - low[0]
-            left, up, right, down = Label(lines, (0, 0), size, upright).box
+            left, up, right, down = Label(lines, (0, 0), size, 90.0 * upright).box
             x = middle[0] + dx * ((high[0] - low[0] + right - left) / 2 + gap)
             y = middle[1] + dy * ((high[1] - low[1] + down - up) / 2 + gap)
             near = shapely.shortest_line(own, shapely.Point(x, y)).coords[0]
             leader = (near[0], near[1]) if gap > 1 and (dx, dy) != tag.outward else None
-            label = Label(lines, (float(x), float(y)), size, upright, leader, leader is not None)
+            label = Label(lines, (float(x), float(y)), size, 90.0 * upright, leader, leader is not None)
             box = label.box
             free = box[0] > sheet[0] and box[1] > sheet[1] and box[2] < sheet[2] and box[3] < sheet[3]
             free = free and not any(_meet(box, other) for other in taken)
@@ -164,9 +189,9 @@ def _sides(outline: Sequence[Point]) -> NDArray[np.float64]:
     return np.column_stack([normals, (normals * corners).sum(axis=1)])
 
 
-def _contains(sides: NDArray[np.float64], box: Box, margin: float = 0.25) -> bool:
-    """Return whether a box lies inside a convex outline, `margin` millimetres from its sides."""
-    x, y = np.array([box[0], box[2], box[2], box[0]]), np.array([box[1], box[1], box[3], box[3]])
+def _contains(sides: NDArray[np.float64], corners: Sequence[Point], margin: float = 0.25) -> bool:
+    """Return whether points lie inside a convex outline, `margin` millimetres from its sides."""
+    x, y = np.array(corners).T
     return bool((sides[:, :1] * x + sides[:, 1:2] * y - sides[:, 2:] > margin).all())
 
 

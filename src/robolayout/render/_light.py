@@ -28,7 +28,7 @@ SKY = np.array([0.60, 0.66, 0.74])
 BOUNCE = np.array([0.36, 0.345, 0.32])
 """Linear irradiance over pi of sun, open sky and reflected light."""
 
-BOUNCE_LEVEL, BOUNCE_TILT = 0.85, 0.70
+BOUNCE_LEVEL, BOUNCE_TILT = 0.95, 0.80
 """How much reflected light a vertical surface gets, and how much more one that looks down."""
 
 BIAS = 0.012

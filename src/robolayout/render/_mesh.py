@@ -97,7 +97,7 @@ def ceiling_mesh(room: Room) -> Mesh:
     triangles = shapely.get_parts(shapely.constrained_delaunay_triangles(polygon))
     rings = shapely.get_coordinates(shapely.orient_polygons(triangles, exterior_cw=True)).reshape(-1, 4, 2)[:, :3]
     corners = np.dstack([rings, np.full((*rings.shape[:2], 1), room.wall_height)])
-    return flat_mesh(corners, (0.94, 0.94, 0.93), CEILING)
+    return flat_mesh(corners, (0.97, 0.97, 0.96), CEILING)
 
 
 def flat_mesh(corners: NDArray[np.floating], color: Sequence[float], name: str) -> Mesh:

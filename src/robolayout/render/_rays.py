@@ -1,10 +1,13 @@
 """The fallback renderer: ray casting with Embree on one core, same mesh, same camera, same light as `_gl`.
 
+The light of the sky is found here for both: at the corners of a refined mesh, once for all cameras.
+
 It needs no driver at all. A 512 x 512 picture takes about a second.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -20,16 +23,39 @@ SUBSAMPLES = np.array([(-0.125, -0.375), (0.375, -0.125), (-0.375, 0.125), (0.12
 """Offsets in pixels of the four samples that smooth edges (the usual pattern of 4x multisampling)."""
 
 
+@dataclass(frozen=True, eq=False)
+class Lit:
+    """A refined mesh and the sky's light at its corners.
+
+    Attributes:
+        mesh: The refined mesh, n triangles.
+        first: (v,) for each distinct corner, where it is first found in `mesh.corners.reshape(-1, 3)`.
+        places: (n, 3) the distinct corner of each corner.
+        sky: (v,) irradiance of the sky, 1 under an open one.
+    """
+
+    mesh: Mesh
+    first: NDArray[np.intp]
+    places: NDArray[np.intp]
+    sky: Floats
+
+
+def lit_by_sky(mesh: Mesh, blockers: Floats) -> Lit:
+    """Return the mesh, refined, with the sky's light; `blockers` are the triangles (n, 3, 3) that take it away."""
+    fine = refined(mesh, _light.sample_distance(mesh))
+    first, places = welded(fine)
+    points, normals = fine.corners.reshape(-1, 3)[first], fine.normals.reshape(-1, 3)[first]
+    return Lit(fine, first, places, _sky(points, normals, _scene(blockers)))
+
+
 class RayRenderer:
     """Draws one mesh from any camera by ray casting."""
 
     def __init__(self, mesh: Mesh, sky_blockers: NDArray[np.bool_], sun_blockers: NDArray[np.bool_]) -> None:
         """Prepare `mesh`; the masks say which of its triangles take the sky's and the sun's light away."""
         self._coarse, self._sun_blockers = mesh, sun_blockers
-        self._fine = refined(mesh, _light.sample_distance(mesh))
-        first, places = welded(self._fine)
-        points, normals = self._fine.corners.reshape(-1, 3)[first], self._fine.normals.reshape(-1, 3)[first]
-        self._sky = _sky(points, normals, _scene(mesh.corners[sky_blockers]))[places]
+        lit = lit_by_sky(mesh, mesh.corners[sky_blockers])
+        self._fine, self._sky = lit.mesh, lit.sky[lit.places]
 
     def color(self, camera: Camera, keep: NDArray[np.bool_]) -> NDArray[np.uint8]:
         """Return the picture (height, width, 3) of the parts where `keep` (parts) holds."""

@@ -227,16 +227,14 @@ def _draw_tag(sheet: Drawing, mark: Mark, camera: Camera, taken: list[Box], unit
     if mark.kind != "front":
         sheet.polygon([_disc((u, v), 3.6 * unit)], color, stroke=WHITE, width=0.8 * unit)
     reach = 6 * unit
-    best: Box = (0.0, 0.0, 0.0, 0.0)
-    least = math.inf
+    options: list[tuple[Box, float]] = []
     for ring, (dx, dy) in product((0.0, 14.0, 30.0, 50.0, 75.0), COMPASS):
         x = min(max(u + dx * (w / 2 + reach + ring * unit), w / 2 + 1), camera.width - w / 2 - 1)
         y = min(max(v + dy * (h / 2 + reach + ring * unit), h / 2 + 1), camera.height - h / 2 - 1)
         box = (x - w / 2, y - h / 2, x + w / 2, y + h / 2)
-        covered = sum(_overlap(box, other) for other in taken) + 400 * _holds(box, (u, v))
-        cost = covered + 1.5 * ring * unit
-        if cost < least:
-            best, least = box, cost
+        options.append((box, 400 * _holds(box, (u, v)) + 1.5 * ring * unit))
+    costs = _covered([box for box, _ in options], taken) + np.array([cost for _, cost in options])
+    best, least = options[int(np.argmin(costs))][0], float(costs.min())
     taken += [best, (u - reach, v - reach, u + reach, v + reach)]
     corners = [(best[0], best[1]), (best[2], best[1]), (best[2], best[3]), (best[0], best[3])]
     middle = ((best[0] + best[2]) / 2, (best[1] + best[3]) / 2)
@@ -246,9 +244,13 @@ def _draw_tag(sheet: Drawing, mark: Mark, camera: Camera, taken: list[Box], unit
     sheet.words(middle, mark.text, size, color=color)
 
 
-def _overlap(a: Box, b: Box) -> float:
-    """Return the common area of two boxes in square pixels."""
-    return max(0.0, min(a[2], b[2]) - max(a[0], b[0])) * max(0.0, min(a[3], b[3]) - max(a[1], b[1]))
+def _covered(boxes: Sequence[Box], taken: Sequence[Box]) -> NDArray[np.float64]:
+    """Return for each box the area that it shares with those taken, square pixels."""
+    if not taken:
+        return np.zeros(len(boxes))
+    a, b = np.array(boxes)[:, None], np.array(taken)[None]
+    sides = np.minimum(a[..., 2:], b[..., 2:]) - np.maximum(a[..., :2], b[..., :2])
+    return np.maximum(sides, 0).prod(axis=-1).sum(axis=1)
 
 
 def _holds(box: Box, point: Point) -> bool:

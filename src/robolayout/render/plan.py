@@ -261,11 +261,8 @@ def _draw_label(sheet: Drawing, label: Label) -> None:
         sheet.line([label.leader, label.at], QUIET, width=0.1)
     pitch = label.size * LINE
     for number, line in enumerate(label.lines):
-        shift = (number - (len(label.lines) - 1) / 2) * pitch
-        at = (label.at[0] + shift, label.at[1]) if label.upright else (label.at[0], label.at[1] + shift)
-        sheet.words(
-            at, line, label.size, color=INK, angle=90.0 if label.upright else 0.0, halo=PAPER if label.halo else None
-        )
+        at = label.point(0.0, (number - (len(label.lines) - 1) / 2) * pitch)
+        sheet.words(at, line, label.size, color=INK, angle=label.angle, halo=PAPER if label.halo else None)
 
 
 def _draw_foot(sheet: Drawing, agent: Agent | None, marks: PlanMarks | None, scale: int, left: float) -> None:
