@@ -81,7 +81,7 @@ def _pictures(result: Result) -> Iterator[tuple[str, str | bytes]]:
     yield "top.png", png(studio.view("top", size=PICTURE_SIZE))
     yield "view.png", png(studio.view("side", size=PICTURE_SIZE))
     if result.trace.losses:
-        yield "progress.gif", progress_gif(result.scene, result.trace)
+        yield "progress.gif", progress_gif(result.scene, result.trace, layout=result.layout)
         yield "loss.png", loss_png(result.trace)
 
 
@@ -116,7 +116,7 @@ def _body(report: AgentReport) -> str:
 def png(image: Image) -> bytes:
     """Return a picture as PNG."""
     stream = io.BytesIO()
-    image.save(stream, "PNG", optimize=True)
+    image.save(stream, "PNG")
     return stream.getvalue()
 
 
