@@ -154,7 +154,7 @@ class Floor:
 
         free = np.pad(self.inside & (self.body == 0), 1)
         clearance = np.asarray(ndimage.distance_transform_edt(free))
-        passable = clearance[1:-1, 1:-1] * self.cell >= agent.radius + 0.7 * self.cell
+        passable = clearance[1:-1, 1:-1] * self.cell >= agent.radius + self.cell
         labels = np.zeros(passable.shape, np.int32)
         count = int(ndimage.label(passable, np.ones((3, 3)), labels))  # type: ignore[call-overload]
         if not count:

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from robolayout.planners._cluster import Cluster, ClusterBuilder
 from robolayout.planners._grid import cell_poses, grid_batches, last_cell
@@ -29,10 +30,10 @@ CUT_OFF = 40.0
 INEXACT = 3.0
 """Cost of a place that fails the exact check by a hair."""
 
-CHECKED = 60
+CHECKED = 120
 """Best places that are checked exactly before one is taken."""
 
-TRIALS = 6
+TRIALS = 8
 """Places for which it is found out what they cut off."""
 
 HARMLESS = 0.8
@@ -79,7 +80,7 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
 
 def attempts(count: int) -> int:
     """Return how many rooms to try for so many assets: 12 for small rooms, fewer for crowded ones."""
-    return max(3, min(12, 150 // max(count, 1)))
+    return max(3, min(12, 240 // max(count, 1)))
 
 
 def _keep(site: Site, builder: ClusterBuilder, placed: Layout | None) -> None:
@@ -109,6 +110,15 @@ def _put(site: Site, batch: Batch, row: int) -> None:
     wall = int(batch.walls[row])
     anchor = batch.anchors[row] if batch.anchors else ""
     site.put(batch.cluster, batch.poses[row], batch.mode, wall if wall >= 0 else None, anchor or None)
+
+
+def _put_grid(site: Site, clusters: Sequence[Cluster], plan: GridPlan, frame: NDArray[np.float64]) -> None:
+    """Put equal clusters into the cells of a grid whose first cell is at `frame`."""
+    x, y, yaw = frame.tolist()
+    for cluster, cell in zip(clusters, cell_poses(plan, site.size(plan.names[0])), strict=True):
+        pose = Member("", *cell).moved(x, y, yaw)
+        site.put(cluster, np.array([pose.x, pose.y, pose.yaw]), "grid", None, None)
+        site.spots[cluster.anchor] = replace(site.spots[cluster.anchor], grid=plan)
 
 
 def _close(batch: Batch, row: int, other: Batch, at: int) -> bool:
@@ -265,34 +275,34 @@ class _Attempt:
 
     def _place_grid(self, clusters: Sequence[Cluster], weights: Mapping[str, float]) -> bool:
         """Put equal clusters into their best grid; False if none is good."""
-        best: tuple[float, GridPlan, Batch, int] | None = None
+        ranked: list[tuple[float, GridPlan, Batch, int]] = []
         for plan, batch in grid_batches(self.site, clusters):
             clash = self.site.clash(batch.cluster, batch.poses)
             if clash.min() > 1.0:
                 continue
             batch = replace(batch, poses=batch.poses[clash <= 1.0], walls=batch.walls[clash <= 1.0])
             cost = self.site.base_cost(batch.cluster, batch.poses) / len(clusters)
-            cost += 0.5 * (
-                taste(self.site, batch, weights) + taste(self.site, last_cell(self.site, plan, batch), weights)
-            )
-            cost += (
-                TIGHT * plan.tight
-                + 0.5 * (plan.rows * plan.columns - len(plan.names))
-                + 0.3 * abs(plan.rows - plan.columns) ** 0.5
-            )
-            row = int(np.argmin(cost))
-            if (best is None or cost[row] < best[0]) and self.site.exact(batch.cluster, batch.poses[row]):
-                best = (float(cost[row]), plan, batch, row)
+            last = last_cell(self.site, plan, batch)
+            cost += 0.5 * (taste(self.site, batch, weights) + taste(self.site, last, weights))
+            cost += TIGHT * plan.tight + 0.5 * (plan.rows * plan.columns - len(plan.names))
+            cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5
+            ranked += [(float(cost[row]), plan, batch, int(row)) for row in np.argsort(cost, kind="stable")[:4]]
+        best: tuple[float, GridPlan, Batch, int] | None = None
+        before, tried = len(self.site.unreached()), 0
+        for cost, plan, batch, row in sorted(ranked, key=lambda entry: entry[0]):
+            if cost > BAD + 1.0 or tried >= 2 * TRIALS or (best is not None and cost > best[0]):
+                break
+            if self.site.exact(batch.cluster, batch.poses[row]):
+                tried += 1
+                trial = self.site.copy()
+                _put_grid(trial, clusters, plan, batch.poses[row])
+                harm = (UNREACHED * max(0, len(trial.unreached()) - before) + CUT_OFF * trial.cut_off) / len(clusters)
+                if best is None or cost + harm < best[0]:
+                    best = (cost + harm, plan, batch, row)
         if best is None or best[0] > BAD + 1.0:
             return False
-        cost, plan, batch, row = best
-        frame = batch.poses[row]
-        size = self.site.size(plan.names[0])
-        for cluster, cell in zip(clusters, cell_poses(plan, size), strict=True):
-            pose = Member("", *cell).moved(*(float(v) for v in frame))
-            self.site.put(cluster, np.array([pose.x, pose.y, pose.yaw]), "grid", None, None)
-            self.site.spots[cluster.anchor] = replace(self.site.spots[cluster.anchor], grid=plan)
-        self.cost += cost * len(clusters)
+        _put_grid(self.site, clusters, best[1], best[2].poses[best[3]])
+        self.cost += best[0] * len(clusters)
         return True
 
 

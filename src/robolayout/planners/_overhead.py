@@ -18,6 +18,9 @@ from robolayout.scene import Wall
 EYE = 1.5
 """Metres at which the middle of a picture hangs."""
 
+ASIDE = (0.0, 0.5, -0.5, 1.0, -1.0)
+"""Metres by which a ceiling thing moves aside for another."""
+
 CLEAR_ABOVE = 0.12
 """Metres between a piece of furniture and what hangs over it."""
 
@@ -98,7 +101,7 @@ def _far(site: Site, name: str, member: Member) -> float:
     if site.away is None:
         return 0.0
     i, j, _ = site.floor.look(corners_of(member, site.size(name)))
-    return 7.0 * bool(site.away[i, j].min() > 0)
+    return 10.0 * bool(site.away[i, j].min() > 0)
 
 
 def _door_cost(site: Site, member: Member) -> float:
@@ -154,6 +157,9 @@ def _is(site: Site, name: str, role: str) -> bool:
 
 def _hang_from_ceiling(site: Site, name: str, point: tuple[float, float], yaw: float, owner: str | None) -> None:
     bottom = site.room.wall_height - site.size(name)[2]
+    apart = [point, *((point[0] + dx, point[1] + dy) for dx in ASIDE for dy in ASIDE)]
+    if owner is None:
+        point = next((p for p in apart if _is_free_above(site, name, p)), point)
     site.settle(name, Spot(Member(name, *point, yaw, bottom), "ceiling", None, owner))
 
 
@@ -175,6 +181,15 @@ def _spread(site: Site, count: int) -> list[tuple[float, float]]:
         seeds = np.array([points[nearest == k].mean(0) if (nearest == k).any() else seeds[k] for k in range(count)])
     world = seeds * site.floor.cell + np.asarray(site.floor.origin)
     return [(float(x), float(y)) for x, y in world]
+
+
+def _is_free_above(site: Site, name: str, point: tuple[float, float]) -> bool:
+    """Whether nothing else hangs from the ceiling there and the whole thing is inside the room."""
+    outline = shapely.Polygon(corners_of(Member(name, *point, 0.0), site.size(name)))
+    others = [shapely.Polygon(corners_of(s.member, site.size(n))) for n, s in site.spots.items() if s.mode == "ceiling"]
+    return shapely.Polygon(site.room.vertices).covers(outline) and not any(
+        outline.intersects(other) for other in others
+    )
 
 
 def lay_rugs(site: Site, names: Sequence[str]) -> None:

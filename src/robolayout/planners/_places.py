@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout.constraints.corner import convex_corners
 from robolayout.planners._cluster import Cluster
 from robolayout.planners._site import AT_WALL, Poses, Site
 from robolayout.scene import Wall
@@ -94,9 +95,10 @@ def _at_walls(site: Site, cluster: Cluster) -> Found:
 def _in_corners(site: Site, cluster: Cluster) -> Found:
     depth, width, _ = site.size(cluster.anchor)
     found: Found = ([], [], [])
+    corners, count = set(convex_corners(site.room)), len(site.room.walls)
     for wall in site.room.walls:
-        for t in (width / 2 + 0.04, wall.length - width / 2 - 0.04):
-            if width < wall.length:
+        for t, vertex in ((width / 2 + 0.04, wall.index), (wall.length - width / 2 - 0.04, (wall.index + 1) % count)):
+            if width < wall.length and vertex in corners:
                 found[0].append((*wall.point(t, depth / 2 + 0.04), wall_yaw(wall)))
                 found[1].append(wall.index)
                 found[2].append("")

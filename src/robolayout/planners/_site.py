@@ -252,6 +252,8 @@ class Site:
         """Whether a cluster at a pose touches nothing, stands in no landing and is inside the room, to the millimetre."""
         x, y, yaw = (float(value) for value in pose)
         members = [m for m in cluster.members if self.on_floor(m)]
+        if not members:
+            return True
         corners = np.array([corners_of(m.moved(x, y, yaw), self.size(m.name)) for m in members])
         bodies = np.asarray(shapely.polygons(corners))
         room = shapely.Polygon(self.room.vertices).buffer(0.008, join_style="mitre")

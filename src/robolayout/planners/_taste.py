@@ -101,5 +101,5 @@ def _facing(site: Site, batch: Batch, factor: float) -> Cost:
         ahead = (dx * np.cos(turn) + dy * np.sin(turn)) / np.maximum(away, 1e-6)
         seen = -(dx * math.cos(target.yaw) + dy * math.sin(target.yaw)) / np.maximum(away, 1e-6)
         outside = np.maximum(low - away, 0.0) + np.maximum(away - high, 0.0)
-        costs.append(1.5 * (1 - ahead) + 1.5 * (1 - seen) + np.minimum(outside, 2.0))
+        costs.append(1.5 * (1 - ahead) + 1.5 * (1 - seen) + 2.0 * np.minimum(outside, 2.0))
     return factor * face.weight * np.min(costs, axis=0)

@@ -33,13 +33,29 @@ class Top:
         """Place things given as (name, where, slot) and return them; settings go to the seats in order."""
         found: list[Member] = []
         self.seated = len(seats) > 1
+        in_line = self._in_line(items) if not seats else {}
         for i, (name, at, slot) in enumerate(items):
             if slot == "setting" and i < len(seats):
                 member = self._at_seat(name, at, seats[i])
                 if not any(overlaps(box_of(member, self.sizes[name]), other) for other in self.taken):
                     found.append(self._keep(member))
                     continue
-            found.append(self._keep(self._free(name, at, i, len(items))))
+            found.append(self._keep(in_line.get(name) or self._free(name, at, i, len(items))))
+        return found
+
+    def _in_line(self, items: Sequence[tuple[str, str, str]]) -> dict[str, Member]:
+        """Return places side by side for several things of one kind that fit so, if the top is bare."""
+        widths = [self.sizes[name][1] for name, _, _ in items]
+        spare = 2 * self.half[1] - sum(widths)
+        deepest = max((self.sizes[name][0] for name, _, _ in items), default=0.0)
+        if len(items) < 2 or self.taken or spare < 0.03 * len(items) or deepest > 2 * self.half[0]:
+            return {}
+        y, found = -self.half[1], dict[str, Member]()
+        for (name, at, _), width in zip(items, widths, strict=True):
+            y += spare / (2 * len(items)) + width / 2
+            x, _ = self._wanted(at, 0, 2, (max(self.half[0] - self.sizes[name][0] / 2, 0.0), 0.0))
+            found[name] = Member(name, x, y, 0.0)
+            y += spare / (2 * len(items)) + width / 2
         return found
 
     def _keep(self, member: Member) -> Member:

@@ -252,7 +252,7 @@ def _cut(text: str, word: str) -> str:
 
 
 def _count(word: str) -> int | None:
-    return int(word) if word.isdigit() else NUMBERS.get(word)
+    return int(word) if word.isdecimal() else NUMBERS.get(word)
 
 
 def _read_people(text: str) -> tuple[tuple[int, str], str]:
@@ -282,7 +282,7 @@ def _read_things(text: str) -> tuple[list[Wish], set[str], list[str]]:
     text, things = _read_corners(text)
     for part in re.split(r"[,;.!?]|\band\b|\bwith\b(?!out)|\bplus\b|\bnext to\b|\bnear\b|\bfor\b", text):
         refused = re.search(r"\b(no|without)\b", part) is not None
-        words = re.findall(r"\d+|[^\W\d_]+(?:['-][^\W\d_]+)*", part)
+        words = re.findall(r"[0-9]+|[^\W\d_]+(?:['-][^\W\d_]+)*", part)
         counts = [n for word in words if (n := _count(word))]
         phrase = " ".join(w for w in words if _count(w) is None and w not in ("of", "without", "no"))
         if not phrase or all(word in FILLERS for word in phrase.split()):

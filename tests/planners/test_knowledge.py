@@ -1,0 +1,104 @@
+"""The knowledge files are consistent, and a user's own file is read with clear errors."""
+
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from robolayout._errors import SceneError, UnknownNameError
+from robolayout.assets import CATALOGUE
+from robolayout.constraints import RELATIONS
+from robolayout.planners import OfflinePlanner, PlanRequest
+from robolayout.planners._knowledge import load_knowledge
+from robolayout.planners._roles import FALLBACKS, fallback
+from robolayout.planners._rooms import read_rooms
+from robolayout.scene import Asset, agent_names, scene_from_dict
+
+KNOWLEDGE = load_knowledge()
+FOLDER = Path(__file__).parents[2] / "src" / "robolayout" / "planners" / "knowledge"
+
+
+def test_every_category_has_one_role() -> None:
+    owners: dict[str, str] = {}
+    for path in sorted(FOLDER.glob("*.toml")):
+        for role in tomllib.loads(path.read_text("utf-8")).get("role", []):
+            for name in role.get("names", []):
+                assert name not in owners, f"{name!r} is in {owners.get(name)} and {path.name}"
+                owners[name] = path.name
+    assert len(owners) > 400
+
+
+def test_roles_name_only_known_roles() -> None:
+    for role in KNOWLEDGE.roles.values():
+        wanted = [name for join in role.joins for name in join.of if name != "*"]
+        wanted += [*role.above, *(role.face.roles if role.face else ())]
+        wanted += [key.split(" ", 1)[1] for key in role.prefer if key.startswith(("near ", "far "))]
+        assert not [name for name in wanted if name not in KNOWLEDGE.roles], role.name
+
+
+def test_statements_use_known_relations() -> None:
+    for role in KNOWLEDGE.roles.values():
+        lines = [line for lines in role.say.values() for line in lines]
+        lines += [line for join in role.joins for line in (*join.say, *join.pair, *join.all)]
+        for line in lines:
+            assert line.removeprefix("else ").split("(")[0] in RELATIONS, line
+
+
+def test_rooms_name_only_catalogue_things_and_known_bodies() -> None:
+    rooms = read_rooms()
+    things = [n for r in rooms.rooms.values() for part in (r.base, r.extras, r.person) for n in part]
+    things += [n for corner in rooms.corners.values() for n in corner]
+    things += [n for key, value in rooms.companions.items() for n in (key, *value)]
+    assert not [name for name in things if name not in CATALOGUE]
+    bodies = {*rooms.agents.values(), *(room.agent for room in rooms.rooms.values() if room.agent)}
+    assert bodies <= set(agent_names())
+
+
+def test_every_shape_has_a_fallback_role() -> None:
+    found = set()
+    for size in ((2.0, 1.5, 0.5), (0.5, 0.9, 1.9), (0.2, 0.2, 0.3), (1.5, 2.0, 0.01)):
+        for flag in ("on_floor", "on_wall", "on_ceiling", "on_object"):
+            flags = {name: name == flag for name in ("on_floor", "on_wall", "on_ceiling", "on_object")}
+            found.add(fallback(Asset("x-0", "x", size, **flags)))
+    assert found == set(FALLBACKS)
+    assert found <= set(KNOWLEDGE.roles)
+
+
+def test_a_users_file_replaces_a_role(tmp_path: Path) -> None:
+    path = tmp_path / "own.toml"
+    path.write_text(
+        'label = "shrine"\norder = 5\nwhy = "It is holy."\n[[role]]\nname = "shrine"\nnames = ["zorb"]\nstands = ["corner"]\n'
+    )
+    planner = OfflinePlanner([path])
+    box = {"boundingBox": {"x": 0.5, "y": 0.5, "z": 1.0}}
+    scene = scene_from_dict(
+        {
+            "task_description": "",
+            "layout_criteria": "",
+            "boundary": {"floor_vertices": [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]], "wall_height": 2.6},
+            "assets": {"zorb-0": {"category": "zorb", "description": "", "onFloor": True, "assetMetadata": box}},
+        }
+    )
+    assert planner.group(scene)[0].label == "shrine"
+    assert "solver.corner(zorb[0])" in planner.plan(PlanRequest(scene))
+
+
+@pytest.mark.parametrize(
+    ("text", "error", "words"),
+    [
+        ("label = ", SceneError, "not TOML"),
+        ('label = "x"\n[[role]]\nname = "a"\nstands = ["sky"]', UnknownNameError, "way of standing 'sky'"),
+        (
+            'label = "x"\n[[role]]\nname = "a"\njoins = [{ slot = "inside", of = [] }]',
+            UnknownNameError,
+            "slot 'inside'",
+        ),
+        ('label = "x"\n[[role]]\nname = "a"\ncolour = "red"', UnknownNameError, "key in the role 'a' 'colour'"),
+        ('label = "x"\n[[role]]\nstands = ["wall"]', SceneError, "lacks a key"),
+    ],
+)
+def test_a_broken_file_is_refused_in_words(tmp_path: Path, text: str, error: type[Exception], words: str) -> None:
+    path = tmp_path / "own.toml"
+    path.write_text(text)
+    with pytest.raises(error, match=words.replace("'", ".")):
+        load_knowledge([path])

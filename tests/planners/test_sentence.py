@@ -1,0 +1,96 @@
+"""From a sentence to a scene: what is understood, what is ignored, what is refused."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from robolayout._errors import SceneError
+from robolayout.planners import scene_from_sentence
+from robolayout.scene import scene_to_dict
+
+
+def test_the_sentence_of_the_readme() -> None:
+    scene, found = scene_from_sentence(
+        "a bedroom for two children with a bunk bed, desks and a reading corner, 4 x 5 m, for a wheelchair user"
+    )
+    assert (found.room_type, found.size, found.agent) == ("bedroom", (4.0, 5.0), "wheelchair")
+    assert found.wished["bunk bed"] == 1
+    assert found.wished["desk"] == 2
+    assert found.wished["armchair"] == 1
+    assert "single bed" not in found.wished and "bed" not in found.added
+    assert scene.agent.name == "wheelchair"
+    assert {"bunk_bed-0", "desk-1", "armchair-0"} <= set(scene.by_name)
+
+
+@pytest.mark.parametrize(
+    ("text", "room", "size"),
+    [
+        ("living room 18 x 14 feet", "living room", (5.49, 4.27)),
+        ("a kitchen of 500 x 400 cm", "kitchen", (5.0, 4.0)),
+        ("an office, 6m by 5m", "office", (6.0, 5.0)),
+        ("studio 5,5 \u00d7 6 m", "studio", (5.5, 6.0)),
+    ],
+)
+def test_sizes_in_any_unit(text: str, room: str, size: tuple[float, float]) -> None:
+    _, found = scene_from_sentence(text)
+    assert (found.room_type, found.size) == (room, size)
+
+
+def test_area_and_height() -> None:
+    scene, found = scene_from_sentence("a cafe for 10 people, 60 m2, 3 m high")
+    assert scene.room.area == pytest.approx(60, rel=0.01)
+    assert scene.room.wall_height == 3.0
+    assert found.wished["chair"] == 10
+
+
+def test_counts_people_and_refusals() -> None:
+    _, found = scene_from_sentence("a classroom for 24 pupils without a clock")
+    assert found.wished["student desk"] == 24
+    assert "wall clock" not in found.added
+    _, shop = scene_from_sentence("bookshop with twelve bookshelves and a flux capacitor")
+    assert shop.wished["bookshelf"] == 12
+    assert shop.ignored == ("flux capacitor",)
+    assert "Ignored: flux capacitor." in shop.sentences()
+
+
+def test_an_l_shaped_room_has_six_walls() -> None:
+    scene, found = scene_from_sentence("an L-shaped studio flat for a robot vacuum")
+    assert len(scene.room.walls) == 6
+    assert found.agent == "robot_vacuum"
+
+
+def test_variants_differ_and_repeat() -> None:
+    text = "a bedroom for two"
+    scenes = [scene_to_dict(scene_from_sentence(text, variant=v)[0]) for v in range(4)]
+    assert len({str(scene) for scene in scenes}) == 4
+    assert scene_to_dict(scene_from_sentence(text, variant=2)[0]) == scenes[2]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("", "the sentence is empty"),
+        ("  \n ", "the sentence is empty"),
+        ("a sofa and a lamp", "names no room; known room types: bathroom, bedroom"),
+        ("12 beds in a bedroom of 2 x 2 m", "12 x bed need .* a room of 2 x 2 m has 4.0 m2"),
+        ("a bedroom of 0.5 x 3 m", "cannot be furnished"),
+        ("a warehouse of 500 x 300 m", "give 1 to 100 m"),
+        ("a game room 2.2 x 2.2 m with a pool table", "does not fit|need"),
+        ("a bedroom 1 m high", "outside 1.8 to 20 m"),
+    ],
+)
+def test_impossible_wishes_are_refused_in_words(text: str, words: str) -> None:
+    with pytest.raises(SceneError, match=words):
+        scene_from_sentence(text)
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.text(max_size=60))
+def test_any_text_gives_a_scene_or_a_clear_error(text: str) -> None:
+    try:
+        scene, found = scene_from_sentence("bedroom " + text)
+    except SceneError as error:
+        assert str(error)
+    else:
+        assert scene.assets
+        assert found.sentences()
