@@ -68,7 +68,7 @@ def test_what_has_no_source_is_not_verified(name: str) -> None:
 def test_figures_of_the_wheelchair() -> None:
     agent = load_agent("wheelchair")
     assert (agent.radius, agent.length, agent.width, agent.turning_diameter) == (0.4575, 1.22, 0.76, 1.525)
-    assert (agent.reach_low, agent.reach_high, agent.reach_distance) == (0.38, 1.22, 0.508)
+    assert (agent.reach_low, agent.reach_high, agent.reach_distance) == (0.38, 1.22, 0.99)
     assert agent.sources["radius"].verified
     assert not agent.sources["height"].verified
     assert load_agent("child_6").radius == 0.25
