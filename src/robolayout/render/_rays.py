@@ -134,6 +134,21 @@ class RayRenderer:
         return lit.astype(np.float32), normals
 
 
+def surfaces(mesh: Mesh, camera: Camera) -> tuple[Floats, Floats]:
+    """Return linear colour and normal (height, width, 3) of what each pixel shows, smoothed; 0 where there is nothing."""
+    columns, rows = np.meshgrid(np.arange(camera.width), np.arange(camera.height))
+    centers = np.stack([columns, rows], axis=-1).reshape(-1, 1, 2) + 0.5
+    triangle, u, v, _ = _hits(_scene(mesh.corners), camera, camera.rays((centers + SUBSAMPLES).reshape(-1, 2)))
+    hit = triangle >= 0
+    face = triangle[hit]
+    weights = np.column_stack([1 - u[hit] - v[hit], u[hit], v[hit]])
+    colors, normals = np.zeros((len(hit), 3), np.float32), np.zeros((len(hit), 3), np.float32)
+    colors[hit] = mesh.colors[face, :3]
+    normals[hit] = np.einsum("nk,nkd->nd", weights, mesh.normals[face])
+    shape = (camera.height, camera.width, len(SUBSAMPLES), 3)
+    return colors.reshape(shape).mean(axis=2), normals.reshape(shape).mean(axis=2)
+
+
 def _scene(corners: Floats) -> Any:
     """Return the Embree scene of triangles (n, 3, 3), or None without triangles."""
     from embreex.mesh_construction import TriangleMesh

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from robolayout._errors import MissingExtraError
 from robolayout.render import _light
 from robolayout.render._mesh import Mesh
+from robolayout.render._rays import surfaces
 from robolayout.render.camera import Camera
 from robolayout.render.view import Studio, picture_size
 from robolayout.scene import Agent, Layout, Scene
@@ -35,7 +36,7 @@ def render_beauty(
     *,
     view: str = "side",
     size: int | tuple[int, int] = 1024,
-    samples: int = 8,
+    samples: int = 16,
     agent: Agent | None = None,
     seed: int = 0,
 ) -> Image:
@@ -78,8 +79,8 @@ def _trace(mi: Any, denoise: Any, mesh: Mesh, camera: Camera, samples: int, seed
     world = mi.load_dict(_world(mi, mesh, camera, samples))
     data = np.array(mi.render(world, spp=samples, seed=seed), dtype=np.float32)
     color, alpha = np.ascontiguousarray(data[..., :3]), data[..., 3:4]
-    albedo, normal = np.ascontiguousarray(data[..., 4:7]), np.ascontiguousarray(data[..., 7:10])
-    clean = denoise(color, albedo=np.clip(albedo, 0, 1), normal=normal, hdr=True)
+    albedo, normal = surfaces(mesh, camera)
+    clean = denoise(color, albedo=albedo, normal=normal, hdr=True)
     alpha = np.clip(denoise(np.repeat(alpha, 3, axis=2))[..., :1], 0, 1)
     shown = _light.encode(np.asarray(clean, np.float32) / np.maximum(alpha, 0.05) * EXPOSURE)
     picture = shown * alpha + np.array(_light.BACKGROUND, np.float32) * (1 - alpha)
@@ -95,11 +96,7 @@ def _world(mi: Any, mesh: Mesh, camera: Camera, samples: int) -> dict[str, Any]:
     power = _light.SUN * np.pi / (np.pi * (SUN_RADIUS / SUN_DISTANCE) ** 2)
     world: dict[str, Any] = {
         "type": "scene",
-        "integrator": {
-            "type": "aov",
-            "aovs": "albedo:albedo,normal:sh_normal",
-            "image": {"type": "path", "max_depth": 5, "rr_depth": 3, "hide_emitters": True},
-        },
+        "integrator": {"type": "path", "max_depth": 6, "rr_depth": 4, "hide_emitters": True},
         "sensor": {
             "type": "perspective",
             "fov": float(np.degrees(camera.fov)),
