@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from shapely import Polygon
 
-from robolayout.constraints._exact import footprint
+from robolayout.constraints._exact import common_area, footprint
 from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import Outcome, Relation
 from robolayout.constraints._terms import ClearTerm, Term
@@ -48,7 +48,7 @@ class DoorClear(Relation):
                 asset = scene.by_name[name]
                 if asset.is_flat or vertical_span(asset, pose)[0] >= CLEAR_HEIGHT:
                     continue
-                area = landing.intersection(footprint(scene, layout, AssetRef(name))).area
+                area = common_area(landing, footprint(scene, layout, AssetRef(name)))
                 if area > max(worst, OVERLAP_AREA):
                     worst, text = area, f"{name} takes {area:.3f} m2 of the landing of door {number}"
         return Outcome(worst <= OVERLAP_AREA, worst, OVERLAP_AREA, "m2", text)

@@ -9,7 +9,7 @@ from typing import ClassVar
 from shapely import box
 from shapely.affinity import rotate, translate
 
-from robolayout.constraints._exact import footprint, half_size
+from robolayout.constraints._exact import common_area, footprint, half_size
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import ClearTerm, Term
@@ -55,7 +55,7 @@ class KeepClear(Relation):
             if asset.name == self.a.name or asset.is_flat or asset.name not in layout:
                 continue
             bottom, top = vertical_span(asset, layout[asset.name])
-            area = strip.intersection(footprint(scene, layout, AssetRef(asset.name))).area
+            area = common_area(strip, footprint(scene, layout, AssetRef(asset.name)))
             if area > taken and bottom < high and top > low:
                 taken, culprit = area, asset.name
         text = f"{taken:.2f} m2 of {culprit} in the strip" if taken > CLEAR_TOLERANCE else "free"

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import ClassVar
 
-from robolayout.constraints._exact import footprint
+from robolayout.constraints._exact import common_area, footprint
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation
 from robolayout.constraints._terms import OverlapTerm, Term
@@ -51,7 +51,7 @@ class NoOverlap(Relation):
         shapes = {asset.name: footprint(scene, layout, AssetRef(asset.name)) for asset in placed}
         for a, b in combinations(placed, 2):
             if share_height(a, b, layout):
-                area = shapes[a.name].intersection(shapes[b.name]).area
+                area = common_area(shapes[a.name], shapes[b.name])
                 if area > max(worst, OVERLAP_AREA):
                     worst, text = area, f"{a.name} and {b.name} overlap by {area:.4f} m2"
         return Outcome(worst <= OVERLAP_AREA, worst, OVERLAP_AREA, "m2", text)

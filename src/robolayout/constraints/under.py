@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from robolayout.constraints._exact import footprint, half_size
+from robolayout.constraints._exact import common_area, footprint, half_size
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
@@ -42,7 +42,7 @@ class Under(Relation):
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """The rug's footprint overlaps each thing's."""
         rug = footprint(scene, layout, self.a)
-        covered = {item.name: rug.intersection(footprint(scene, layout, item)).area for item in self.items}
+        covered = {item.name: common_area(rug, footprint(scene, layout, item)) for item in self.items}
         beside = [name for name, area in covered.items() if area < 1e-4]
         least = min(covered.values())
         text = f"{', '.join(beside)} beside it" if beside else f"at least {least:.2f} m2 of each thing on it"

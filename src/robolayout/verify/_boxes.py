@@ -110,6 +110,19 @@ def landings(room: Room) -> NDArray[np.object_]:
     return np.array([Polygon(room.landing(door)) for door in room.doors], dtype=object)
 
 
+def shared_area(first: Any, second: Any) -> NDArray[np.float64]:
+    """Return the area in square metres that polygons share, pair by pair.
+
+    What plain intersection finds is measured again on a grid of 1e-9 m: GEOS returns a whole polygon for some pairs that only
+    touch (16 of 100,000 exact touches at multiples of 90 degrees with GEOS 3.14).
+    """
+    first, second = np.broadcast_arrays(first, second)
+    area = shapely.area(shapely.intersection(first, second))
+    found = area > 0.0
+    area[found] = shapely.area(shapely.intersection(first[found], second[found], grid_size=1e-9))
+    return area
+
+
 def share(flags: Any) -> float:
     """Return the share of true values; 1 for none at all."""
     values = np.asarray(flags, dtype=bool)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from shapely import Polygon, STRtree
 
 from robolayout.scene import Layout, Scene
-from robolayout.verify._boxes import AREA_TOLERANCE, Boxes, boxes, landings, room_polygon, share
+from robolayout.verify._boxes import AREA_TOLERANCE, Boxes, boxes, landings, room_polygon, share, shared_area
 
 
 @dataclass(frozen=True)
@@ -162,7 +162,7 @@ def collisions(found: Boxes, limits: PhysicsLimits) -> tuple[Collision, ...]:
     height = np.minimum(found.top[a], found.top[b]) - np.maximum(found.bottom[a], found.bottom[b])
     tall = height > limits.height + 1e-9
     a, b, height = a[tall], b[tall], height[tall]
-    area = shapely.area(shapely.intersection(found.footprints[a], found.footprints[b]))
+    area = shared_area(found.footprints[a], found.footprints[b])
     return tuple(
         Collision(found.names[i], found.names[j], float(shared), float(tallness))
         for i, j, shared, tallness in zip(a, b, area, height, strict=True)
@@ -175,7 +175,7 @@ def obstructions(scene: Scene, found: Boxes, limits: PhysicsLimits) -> tuple[Obs
     rows = np.flatnonzero(found.placed & ~found.flat & (found.bottom < limits.door_height - 1e-9))
     result: list[Obstruction] = []
     for door, landing in enumerate(landings(scene.room)):
-        area = shapely.area(shapely.intersection(found.footprints[rows], landing))
+        area = shared_area(found.footprints[rows], landing)
         result += [
             Obstruction(door, found.names[row], float(shared))
             for row, shared in zip(rows, area, strict=True)

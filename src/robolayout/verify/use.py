@@ -20,7 +20,7 @@ from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import Category, category_of
 from robolayout.scene import Agent, Asset, Layout, Point, Scene
-from robolayout.verify._boxes import AREA_TOLERANCE, Boxes, boxes, room_polygon, share
+from robolayout.verify._boxes import AREA_TOLERANCE, Boxes, boxes, room_polygon, share, shared_area
 from robolayout.verify._space import QUAD_SEGS, REACH_SLACK
 from robolayout.verify.navigation import navigation
 
@@ -162,7 +162,7 @@ class _Judge:
         found = self.found
         shared = np.minimum(found.top, found.top[row]) - np.maximum(found.bottom, found.bottom[row]) > 0.01
         rows = np.flatnonzero(found.placed & ~found.flat & shared & (np.arange(len(found.names)) != row))
-        area = shapely.area(shapely.intersection(found.footprints[rows], zone))
+        area = shared_area(found.footprints[rows], zone)
         names += [
             found.names[other]
             for other, taken in zip(rows, area, strict=True)

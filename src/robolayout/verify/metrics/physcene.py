@@ -13,7 +13,7 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout.scene import Layout, Room, Scene
-from robolayout.verify._boxes import Boxes, boxes
+from robolayout.verify._boxes import Boxes, boxes, shared_area
 from robolayout.verify.metrics._raster import Raster, labels, raster
 
 ROBOT_WIDTH = 0.3
@@ -89,7 +89,7 @@ def _overlapping(found: Boxes, rows: NDArray[np.intp]) -> NDArray[np.bool_]:
     first, second = first[first < second], second[first < second]
     a, b = rows[first], rows[second]
     height = np.minimum(found.top[a], found.top[b]) - np.maximum(found.bottom[a], found.bottom[b])
-    area = shapely.area(shapely.intersection(found.footprints[a], found.footprints[b]))
+    area = shared_area(found.footprints[a], found.footprints[b])
     both = (height > ROUNDING) & (area > ROUNDING)
     hit[first[both]] = hit[second[both]] = True
     return hit

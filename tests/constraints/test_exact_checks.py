@@ -1,0 +1,268 @@
+"""What the exact checks measure, by hand: the tolerances of DESIGN section 4 and what each relation does not ask for."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from robolayout.constraints import RELATIONS, AssetRef, PointRef, Relation, WallRef
+from robolayout.constraints._exact import common_area
+from robolayout.constraints.around import Around, shares
+from robolayout.constraints.door_clear import DoorClear
+from robolayout.constraints.inside_room import InsideRoom
+from robolayout.constraints.no_overlap import NoOverlap
+from robolayout.constraints.reachable_pairwise import ReachablePairwise
+from robolayout.constraints.room_to_open import RoomToOpen
+from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene
+
+ROOM = Room(((0, 0), (6, 0), (6, 5), (0, 5)), 2.6, doors=(Opening(0, 4.0, 0.9, 2.05),))
+A, B, C = AssetRef("a-0"), AssetRef("b-0"), AssetRef("c-0")
+BOX = Asset("a-0", "box", (0.6, 1.0, 0.8))
+TABLE = Asset("b-0", "table", (0.8, 1.6, 0.75))
+THIRD = Asset("c-0", "box", (0.4, 0.4, 0.4))
+NORTH = math.pi / 2
+
+
+def check(relation: Relation, *poses: tuple[float, ...], assets: tuple[Asset, ...] = (BOX, TABLE, THIRD)) -> bool:
+    """Return the verdict for assets at (x, y, yaw) or (x, y, yaw, z), on the floor where no z is given."""
+    placed = {}
+    for asset, pose in zip(assets, poses, strict=False):
+        z = pose[3] if len(pose) > 3 else asset.size[2] / 2
+        placed[asset.name] = Pose(pose[0], pose[1], z, pose[2])
+    outcome = relation.check(Scene(ROOM, assets), Layout(placed))
+    assert math.isfinite(outcome.value) and outcome.text
+    return outcome.met
+
+
+def said(name: str, *arguments: object, **options: object) -> Relation:
+    return RELATIONS[name](*arguments, **options)
+
+
+AWAY = (5.0, 4.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("pose", "met"),
+    [
+        ((3.0, 0.30, NORTH), True),
+        ((3.0, 0.34, NORTH), True),
+        ((3.0, 0.36, NORTH), False),
+        ((3.0, 0.26, NORTH), True),
+        ((3.0, 0.30, NORTH + math.radians(9)), True),
+        ((3.0, 0.30, NORTH + math.radians(11)), False),
+        ((3.0, 0.30, -NORTH), False),
+        ((-0.4, 0.30, NORTH), True),
+        ((-0.6, 0.30, NORTH), False),
+    ],
+)
+def test_against_wall(pose: tuple[float, ...], met: bool) -> None:
+    assert check(said("against_wall", A, WallRef(0)), pose) is met
+
+
+@pytest.mark.parametrize(("distance", "met"), [(0.94, False), (0.96, True), (2.04, True), (2.06, False)])
+def test_distance_constraint(distance: float, met: bool) -> None:
+    assert check(said("distance_constraint", A, B, 1.0, 2.0), (1.0, 1.0, 0.0), (1.0 + distance, 1.0, 1.0)) is met
+    assert check(said("distance_constraint", A, PointRef(1, 1), 1.0, 2.0), (1.0, 1.0 + distance, 0.0)) is met
+    assert check(said("distance_constraint", A, WallRef(3), 1.0, 2.0), (distance, 2.0, 0.0)) is met
+
+
+def test_distance_to_a_wall_is_to_its_segment_and_none_is_open() -> None:
+    assert check(said("distance_constraint", A, WallRef(0), 5.0, 5.0), (9.0, 4.0, 0.0)), "3 m past its end, 4 m off"
+    assert check(said("distance_constraint", A, B, None, 1.0), (1, 1, 0), (1, 1, 0))
+    assert check(said("distance_constraint", A, B, 1.0, None), (1, 1, 0), (900, 1, 0))
+    assert check(said("distance_constraint", A, B), (1, 1, 0), (5, 1, 0))
+
+
+@pytest.mark.parametrize(
+    ("pose", "met"),
+    [
+        ((2.0, 2.0, 0.3, 0.95), True),
+        ((2.39, 2.79, 0.0, 0.95), True),
+        ((2.41, 2.0, 0.0, 0.95), False),
+        ((2.0, 2.0, 0.0, 0.969), True),
+        ((2.0, 2.0, 0.0, 0.972), False),
+    ],
+)
+def test_on_top_of(pose: tuple[float, ...], met: bool) -> None:
+    assert check(said("on_top_of", C, B), AWAY, (2.0, 2.0, 0.0), pose) is met
+
+
+def test_align_with() -> None:
+    assert check(said("align_with", A, B), (1, 1, 0.3 + math.radians(9)), (3, 3, 0.3))
+    assert not check(said("align_with", A, B), (1, 1, 0.3 + math.radians(11)), (3, 3, 0.3))
+    assert check(said("align_with", A, B, 180.0), (1, 1, 0.3 - math.pi), (3, 3, 0.3))
+    assert check(said("align_with", A, WallRef(1)), (1, 1, NORTH)), "a wall's direction is corner to corner"
+
+
+def test_point_towards() -> None:
+    assert check(said("point_towards", A, B), (1, 1, 0.0), (4, 1.7, 0.0)), "the ray hits the footprint"
+    assert not check(said("point_towards", A, B), (1, 1, 0.0), (4, 2.0, 0.0))
+    assert check(said("point_towards", A, B), (1, 1, math.radians(9.9)), (4, 1, NORTH)), "within 10 degrees"
+    assert not check(said("point_towards", A, B), (1, 1, math.pi), (4, 1, 0.0)), "it looks away"
+    assert check(said("point_towards", A, B, 90.0), (1, 1, -NORTH), (4, 1, 0.0))
+    assert check(said("point_towards", A, PointRef(1, 4)), (1, 1, NORTH))
+    assert check(said("point_towards", A, WallRef(2)), (1, 1, NORTH))
+
+
+def test_symmetric_pair_is_about_left_and_right() -> None:
+    pair = said("symmetric_pair", A, C, B)
+    bed = (3.0, 3.0, 0.0)
+    assert check(pair, (2.7, 4.1, 0.0), bed, (2.7, 1.9, 2.0)), "headings are left free"
+    assert check(pair, (2.7, 4.1, 0.0), bed, (2.76, 1.93, 0.0))
+    assert not check(pair, (2.7, 4.1, 0.0), bed, (2.8, 1.87, 0.0))
+    assert not check(pair, (2.7, 4.1, 0.0), bed, (3.3, 4.1, 0.0)), "front and back are no mirror images"
+    about_wall = said("symmetric_pair", A, C, WallRef(0))
+    assert check(about_wall, (1.0, 2.0, 0.0), AWAY, (5.0, 2.0, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("name", "spot"),
+    [("in_front_of", (0.2, 0)), ("behind", (-0.2, 0)), ("left_of", (0, 0.2)), ("right_of", (0, -0.2))],
+)
+def test_sides_are_those_of_the_thing_itself(name: str, spot: tuple[float, float]) -> None:
+    yaw = 0.7
+    for other, (u, v) in {"in_front_of": (1, 0), "behind": (-1, 0), "left_of": (0, 1), "right_of": (0, -1)}.items():
+        u, v = u * (0.4 + 0.2 + 0.2), v * (0.8 + 0.2 + 0.2)  # half of b, a gap of 0.2 m, half of c
+        c, s = math.cos(yaw), math.sin(yaw)
+        met = check(said(name, C, B), AWAY, (3, 2, yaw), (3 + c * u - s * v, 2 + s * u + c * v, yaw))
+        assert met is (other == name), f"{name} with it at {other}, {spot}"
+
+
+def test_next_to_takes_either_side_and_keeps_close() -> None:
+    for y, met in ((3.2, True), (0.8, True), (3.4, False), (0.6, False), (2.0, False)):
+        assert check(said("next_to", C, B, "beside", 0.3), AWAY, (2, 2, 0), (2, y, 0)) is met
+    assert not check(said("next_to", C, B, "beside", 0.3), AWAY, (2, 2, 0), (2.5, 3.2, 0)), "past its end"
+    assert check(said("next_to", C, B, "front", 0.3), AWAY, (2, 2, 0), (2.8, 2, 0))
+
+
+def test_facing_pair() -> None:
+    assert check(said("facing_pair", A, B), (1, 1, 0), (4, 1, math.pi))
+    assert not check(said("facing_pair", A, B), (1, 1, 0), (4, 1, 0))
+
+
+def test_corner() -> None:
+    assert check(said("corner", C), AWAY, AWAY, (0.3, 4.75, 0))
+    assert not check(said("corner", C), AWAY, AWAY, (0.36, 4.75, 0))
+    assert check(said("corner", C, 3), AWAY, AWAY, (0.3, 4.75, 0))
+    assert not check(said("corner", C, 0), AWAY, AWAY, (0.3, 4.75, 0))
+    assert not check(said("corner", C), AWAY, AWAY, (0.1, 4.75, 0)), "10 cm through the wall"
+
+
+def test_centered_on() -> None:
+    picture = replace(BOX, on_floor=False, on_wall=True)
+    assert check(said("centered_on", A, WallRef(0)), (3.09, 4.0, 0))
+    assert not check(said("centered_on", A, WallRef(0)), (3.11, 0.0, 0))
+    assert check(said("centered_on", A, B), (2.92, 4.9, 0), (3.0, 1.0, NORTH), assets=(picture, TABLE))
+    assert not check(said("centered_on", A, B), (3.0, 4.9, 0), (3.0, 1.0, NORTH))
+    assert check(said("centered_on", A), (3.06, 2.56, 0))
+    assert not check(said("centered_on", A), (3.08, 2.58, 0)), "11 cm off, whatever the axes"
+
+
+def test_row_and_grid() -> None:
+    row = said("row", (A, C), None, 0.1)
+    assert check(row, (2, 2, 0), AWAY, (1.9, 1.2, 0)), "backs in line, at the right hand"
+    assert not check(row, (2, 2, 0), AWAY, (2.0, 1.2, 0))
+    assert not check(row, (2, 2, 0), AWAY, (1.9, 2.8, 0)), "at the left hand"
+    at_wall = said("row", (A, C), WallRef(3), 0.1)
+    assert check(at_wall, (0.3, 2, 0), AWAY, (0.2, 1.2, 0))
+    assert not check(at_wall, (2, 2, 0), AWAY, (1.9, 1.2, 0))
+    four = tuple(replace(THIRD, name=f"d-{i}") for i in range(4))
+    items = tuple(AssetRef(d.name) for d in four)
+    grid = said("grid", items, 2, 2, aisle=1.0, gap=0.5)
+    spots = [(3, 3, 0), (3, 2.1, 0), (1.6, 3, 0), (1.6, 2.1, 0)]
+    assert check(grid, *spots, assets=four)
+    assert not check(grid, *spots[:3], (1.6, 2.2, 0), assets=four)
+
+
+def test_under() -> None:
+    rug = replace(BOX, size=(2.0, 2.0, 0.01))
+    under = said("under", A, (B, C))
+    assert check(under, (2, 2, 0), (2, 3, 0), (3.1, 2, 0), assets=(rug, TABLE, THIRD))
+    assert not check(under, (2, 2, 0), (2, 3, 0), (3.3, 2, 0), assets=(rug, TABLE, THIRD))
+    assert not check(under, (2, 2, 0), (3.3, 3.4, -math.pi / 4), (2, 2, 0), assets=(rug, THIRD, TABLE)), (
+        "past its corner"
+    )
+
+
+def test_mounted_on_and_ceiling_above() -> None:
+    assert check(said("mounted_on", A, WallRef(0), 1.5), (3, 0.3, NORTH, 1.54))
+    assert not check(said("mounted_on", A, WallRef(0), 1.5), (3, 0.3, NORTH, 1.56))
+    assert check(said("mounted_on", A, WallRef(0)), (3, 0.3, NORTH, 9.0))
+    assert check(said("ceiling_above", A, B), (3.1, 3.1, 0), (3, 3, 0))
+    assert not check(said("ceiling_above", A, B), (3.11, 3.11, 0), (3, 3, 0))
+    assert check(said("ceiling_above", A), (3, 2.5, 0))
+
+
+def test_keep_clear() -> None:
+    clear = said("keep_clear", A, "front", 0.5)
+    assert check(clear, (2, 2, 0), (3.21, 2, 0))
+    assert not check(clear, (2, 2, 0), (3.18, 2, 0))
+    assert check(clear, (2, 2, 0), (2.6, 2, 0, 2.4)), "what hangs above is not in the way"
+    assert check(clear, (2, 2, 0), (2.6, 2, 0), assets=(BOX, replace(TABLE, size=(0.8, 1.6, 0.01)))), "a rug is not"
+    for side, spot in {"back": (1.4, 2), "left": (2, 2.9), "right": (2, 1.1)}.items():
+        assert not check(said("keep_clear", A, side, 0.5), (2, 2, 0), AWAY, (*spot, 0))
+        assert check(clear, (2, 2, 0), AWAY, (*spot, 0))
+
+
+TRIANGLE = (PointRef(0, 0), PointRef(4, 0), PointRef(0, 4))
+
+
+def test_zone_is_its_polygon_and_not_the_box_around_it() -> None:
+    zone = said("zone", C, TRIANGLE)
+    assert check(zone, AWAY, AWAY, (1.0, 1.0, 0))
+    assert not check(zone, AWAY, AWAY, (3.0, 3.0, 0))
+    assert check(zone, AWAY, AWAY, (0.16, 1.0, 0)), "4 cm over the edge"
+    assert not check(zone, AWAY, AWAY, (0.14, 1.0, 0))
+
+
+@pytest.mark.parametrize("count", range(1, 13))
+@pytest.mark.parametrize("size", [(0.8, 0.8), (0.9, 1.6), (1.0, 3.0), (2.4, 1.0)])
+def test_seats_around_a_table_have_places_of_their_own(count: int, size: tuple[float, float]) -> None:
+    table = Asset("b-0", "table", (*size, 0.75))
+    chairs = tuple(Asset(f"chair-{i}", "chair", (0.5, 0.45, 0.9)) for i in range(count))
+    scene = Scene(ROOM, (*chairs, table))
+    around = Around(tuple(AssetRef(chair.name) for chair in chairs), B, 0.1)
+    assert sum(shares(count, (size[0] / 2, size[1] / 2), 0.45).values()) == count
+    slots = around.slots(scene)
+    assert len(set(slots)) == count
+    poses = {c.name: Pose(3 + x, 2.5 + y, 0.45, yaw) for c, (x, y, yaw) in zip(chairs, slots, strict=True)}
+    layout = Layout(poses | {"b-0": Pose(3, 2.5, 0.375, 0.0)})
+    assert around.check(scene, layout).met, "every slot is at the table and faces it"
+    room_for = sum(int(side / 0.45) * 2 for side in size)
+    if count <= room_for // 2:
+        assert NoOverlap().check(scene, layout).met
+
+
+def test_implicit_checks() -> None:
+    assert check(NoOverlap(), (1, 1, 0), (1.7, 1, 0)) and not check(NoOverlap(), (1, 1, 0), (1.69, 1, 0))
+    assert check(NoOverlap(), (1, 1, 0), (1, 1, 0, 1.2)), "one above the other"
+    assert check(NoOverlap(), (1, 1, 0), (1, 1, 0), assets=(BOX, replace(TABLE, size=(2, 2, 0.02)))), "on a rug"
+    assert check(InsideRoom(), (0.295, 2, 0)) and not check(InsideRoom(), (0.285, 2, 0))
+    assert check(DoorClear(), (3.69, 0.5, 0)) and not check(DoorClear(), (3.71, 0.5, 0))
+    assert check(DoorClear(), (4.4, 0.5, 0, 2.5)), "above 2 m"
+    wardrobe = Asset("a-0", "wardrobe", (0.6, 1.2, 2.0))
+    assert check(RoomToOpen(), (0.3, 2, 0), (4, 2, 0), assets=(wardrobe, TABLE))
+    assert not check(RoomToOpen(), (0.3, 2, 0), (1.1, 2, 0), assets=(wardrobe, TABLE))
+
+
+def test_the_pairwise_clearance_of_the_paper_by_hand() -> None:
+    agent = Agent("disc", 0.25, 1.0)
+    scene = Scene(ROOM, (BOX, TABLE), agents=(agent,))
+    (term,) = ReachablePairwise().terms(scene, Layout({}))
+    assert (term.required, term.weight) == (pytest.approx(0.3 + 0.4 + 0.5), 0.01)
+    for distance, met in ((1.21, True), (1.19, False)):
+        layout = Layout({"a-0": Pose(1, 1, 0.4, 0), "b-0": Pose(1 + distance, 1, 0.4, 0)})
+        assert ReachablePairwise().check(scene, layout).met is met
+    assert ReachablePairwise().terms(scene.with_agents(replace(agent, radius=0.0)), Layout({})) == ()
+
+
+def test_touching_footprints_share_no_area() -> None:
+    """GEOS 3.14 returns the whole polygon for this pair, which shares one edge."""
+    first = Pose(0.0, 1.0, 0.0, math.pi).corners((0.75, 4.0, 1.0))
+    second = [(x + 0.75 * math.cos(math.pi), y + 0.75 * math.sin(math.pi)) for x, y in first]
+    from shapely import Polygon
+
+    assert common_area(Polygon(first), Polygon(second)) < 1e-9
+    assert common_area(Polygon(first), Polygon(first)) == pytest.approx(3.0)
