@@ -123,6 +123,20 @@ def test_a_model_with_tools_answers_with_a_tool(monkeypatch: pytest.MonkeyPatch)
     assert [group.label for group in asked.group(SCENE)] == ["sleeping", "decoration"]
 
 
+def test_tools_over_http_also_with_a_ready_model_asked_twice() -> None:
+    from pydantic_ai.models.openai import OpenAIChatModel
+    from pydantic_ai.providers.openai import OpenAIProvider
+
+    def with_tools(seen: Seen, number: int) -> Reply:
+        return Reply(GROUPING, tool=seen.body["tools"][0]["function"]["name"])
+
+    with serving(with_tools) as server:
+        asked = ModelPlanner(OpenAIChatModel("gpt-4o", provider=OpenAIProvider(base_url=server.url)), timeout=5.0)
+        first, second = asked.group(SCENE), asked.group(SCENE)
+    assert first == second
+    assert [group.label for group in first] == ["sleeping", "decoration"]
+
+
 def test_what_was_wrong_goes_back_with_the_program_until_it_is_right() -> None:
     wrong = "bed[0].position = [1, 1.6, 0.25]\nsolver.against_wal(bed[0], walls[3])"
 
@@ -372,15 +386,16 @@ def test_a_missing_key_names_its_variable() -> None:
         ModelPlanner("openai:gpt-4o").plan(REQUEST)
 
 
-def test_a_missing_package_is_named() -> None:
-    pytest.importorskip("pydantic_ai")
-    try:
-        import anthropic  # noqa: F401
-    except ImportError:
-        with pytest.raises(
-            InputError, match=r"anthropic models need a further package: pip install 'pydantic-ai-slim\[anthropic\]'"
-        ):
-            ModelPlanner("anthropic:claude-sonnet-4-5")
+def test_a_missing_package_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    from robolayout.planners import _model_provider
+
+    def without(provider: str) -> None:
+        raise ImportError("Please install `anthropic`, you can use `pip install 'pydantic-ai-slim[anthropic]'`")
+
+    monkeypatch.setattr(_model_provider, "infer_provider_class", without)
+    words = r"anthropic models need a further package: pip install 'pydantic-ai-slim\[anthropic\]'"
+    with pytest.raises(InputError, match=words):
+        ModelPlanner("anthropic:claude-sonnet-4-5")
 
 
 def test_a_missing_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

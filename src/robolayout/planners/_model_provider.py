@@ -123,38 +123,36 @@ def _check_url(base_url: str) -> None:
 
 def open_model(spec: Spec, *, priced: bool) -> Model:
     """Return a model ready to be asked; raises `InputError` for a missing key, package or price."""
-    if spec.model is not None:
-        model = spec.model
-    elif spec.base_url is not None:
-        model = _at_address(spec, spec.base_url)
-    else:
-        model = _at_provider(spec)
+    try:
+        if spec.model is not None:
+            model = spec.model
+        elif spec.base_url is not None or spec.provider in ("openai", "openai-chat"):
+            model = _compatible(spec)
+        else:
+            model = infer_model(spec.name)
+    except ImportError as error:
+        raise InputError(_package_sentence(spec.provider, error)) from None
+    except UserError as error:
+        raise InputError(_refusal(spec, error)) from None
     if priced:
         _check_price(spec, model)
     return model
 
 
-def _at_address(spec: Spec, base_url: str) -> Model:
-    """Return a model at an OpenAI-compatible server."""
+def _compatible(spec: Spec) -> Model:
+    """Return a model that is asked by OpenAI's chat completions: OpenAI's own, or one at a server of the user's."""
     client = _capped_client()
     name = spec.name.partition(":")[2] if spec.provider in ("openai", "openai-chat", "ollama") else spec.name
-    if spec.provider == "ollama":
-        return OpenAIChatModel(name, provider=OllamaProvider(base_url=base_url, http_client=client))
-    return OpenAIChatModel(name, provider=OpenAIProvider(base_url=base_url, http_client=client))
+    provider = OllamaProvider if spec.provider == "ollama" else OpenAIProvider
+    return OpenAIChatModel(name, provider=provider(base_url=spec.base_url, http_client=client))
 
 
-def _at_provider(spec: Spec) -> Model:
-    try:
-        return infer_model(spec.name)
-    except ImportError as error:
-        raise InputError(_package_sentence(spec.provider, error)) from None
-    except UserError as error:
-        variable = re.search(r"\b[A-Z][A-Z0-9]*_(?:API_KEY|KEY|TOKEN)\b", str(error))
-        if variable:
-            raise InputError(
-                f"{spec.provider} needs a key: set the environment variable {variable[0]} to ask {spec.name}."
-            ) from None
-        raise InputError(f"the model {spec.name!r} cannot be used: {str(error).split('. ')[0]}.") from None
+def _refusal(spec: Spec, error: UserError) -> str:
+    """Return why a model cannot be opened: mostly a key that is missing."""
+    variable = re.search(r"\b[A-Z][A-Z0-9]*_(?:API_KEY|KEY|TOKEN)\b", str(error))
+    if variable:
+        return f"{spec.provider} needs a key: set the environment variable {variable[0]} to ask {spec.name}."
+    return f"the model {spec.name!r} cannot be used: {str(error).split('. ')[0]}."
 
 
 def _package_sentence(provider: str, error: ImportError) -> str:
