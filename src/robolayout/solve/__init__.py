@@ -4,6 +4,7 @@ from robolayout.solve.compile import Problem, compile_problem
 from robolayout.solve.config import SearchConfig, SolverConfig, Weights
 from robolayout.solve.judge import Judge, Verdict
 from robolayout.solve.refine import Solution, Solver
+from robolayout.solve.runner import warm_up
 
 __all__ = [
     "Judge",
@@ -15,4 +16,5 @@ __all__ = [
     "Verdict",
     "Weights",
     "compile_problem",
+    "warm_up",
 ]

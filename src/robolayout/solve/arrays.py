@@ -85,3 +85,38 @@ class Schedule(NamedTuple):
     final_rate: Array
     noise: Array
     ramp: Array
+
+
+class Losses(NamedTuple):
+    """The terms of the objective for each start, each (K,)."""
+
+    overlap: Array
+    boundary: Array
+    clear: Array
+    statements: Array
+    reachability: Array
+
+
+SNAPSHOTS = 40
+"""Poses that one run records."""
+
+HISTORY = 512
+"""Steps whose losses one run records."""
+
+
+class Found(NamedTuple):
+    """What a run returns.
+
+    Attributes:
+        local: (K, A, 4) variables.
+        world: (K, A, 4) poses in the room.
+        losses: Terms per start, at full weights.
+        history: (HISTORY, 5) terms of the start with the lowest final objective, unused rows 0.
+        shots: (SNAPSHOTS, A, 4) poses of that start, evenly spaced over the steps.
+    """
+
+    local: Array
+    world: Array
+    losses: Losses
+    history: Array
+    shots: Array

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import jax.numpy as jnp
 from jax.lax import stop_gradient
 from jaxtyping import Array, Float
@@ -19,20 +17,10 @@ from robolayout._geometry import (
     point_to_box,
     signed_distance,
 )
-from robolayout.solve.arrays import Arrays, Routes
+from robolayout.solve.arrays import Arrays, Losses, Routes
 from robolayout.solve.config import Weights
 
 Poses = Float[Array, "starts slots 4"]
-
-
-class Losses(NamedTuple):
-    """The terms of the objective for each start."""
-
-    overlap: Float[Array, " starts"]
-    boundary: Float[Array, " starts"]
-    clear: Float[Array, " starts"]
-    statements: Float[Array, " starts"]
-    reachability: Float[Array, " starts"]
 
 
 def world_poses(local: Poses, arrays: Arrays) -> Poses:

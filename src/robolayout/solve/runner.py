@@ -3,19 +3,28 @@
 from __future__ import annotations
 
 import math
+import os
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from robolayout.scene import Snapshot, Trace
-from robolayout.solve.arrays import Routes, Schedule
-from robolayout.solve.compile import Floats, Problem
+from robolayout.scene import Scene, Snapshot, Trace
+from robolayout.solve import programs
+from robolayout.solve.arrays import HISTORY, SNAPSHOTS, Found, Losses, Routes, Schedule
+from robolayout.solve.compile import Floats, Problem, compile_problem
 from robolayout.solve.config import SearchConfig, SolverConfig
-from robolayout.solve.search import HISTORY, SNAPSHOTS, Found, advance
-from robolayout.solve.stage import Stage, no_routes
+from robolayout.solve.stage import Stage, make_stage, no_routes
 
 STILL = SearchConfig(steps=0, rate=0.0, final_rate=0.0)
 """A phase without a step: only the objective is evaluated."""
+
+PROGRAM = "search:advance"
+"""What all phases run."""
+
+PROCESSORS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+"""Processors that this process may use."""
 
 TERMS = ("overlap", "boundary", "clear", "statements", "reachability")
 BATCH = 8
@@ -71,32 +80,32 @@ class Runner:
         rng: np.random.Generator | None = None,
     ) -> Run:
         """Run one phase from world poses (K, n, 4)."""
-        runs: list[Run] = []
-        for begin in range(0, len(world), BATCH):
-            part = slice(begin, min(begin + BATCH, len(world)))
-            found = self._call(stage, world[part], phase, routes and Routes(*(field[part] for field in routes)), rng)
-            runs.append(self._run(stage, world[part], found))
-            if self.config.trace and begin == 0 and phase.steps:
-                self._record(stage, label, phase.steps, found)
+        parts = [slice(begin, begin + BATCH) for begin in range(0, len(world), BATCH)]
+        batches = [
+            _arguments(stage, world[part], phase, routes and Routes(*(field[part] for field in routes)), rng)
+            for part in parts
+        ]
+        results = self._call(batches)
+        runs = [self._run(stage, world[part], found) for part, found in zip(parts, results, strict=True)]
+        if self.config.trace and phase.steps:
+            self._record(stage, label, phase.steps, results[0])
         return Run(*(np.concatenate(fields) for fields in zip(*(run.fields() for run in runs), strict=True)))
 
     def evaluate(self, stage: Stage, world: Floats, routes: Routes | None = None) -> Run:
         """Return the objective of layouts (K, n, 4) without moving anything."""
         return self.advance(stage, world, STILL, "", routes=routes)
 
-    def _call(
-        self, stage: Stage, world: Floats, phase: SearchConfig, routes: Routes | None, rng: np.random.Generator | None
-    ) -> Found:
-        """Run one batch, filled up by repeating its last start."""
-        fill = np.minimum(np.arange(BATCH), len(world) - 1)
-        local = stage.local(world[fill]).astype(np.float32)
-        shape = (NOISE_BLOCK, BATCH, stage.slots, 2)
-        noise = np.zeros(shape, np.float32) if rng is None else rng.standard_normal(shape, np.float32)
-        schedule = Schedule(
-            np.int32(phase.steps), *(np.float32(v) for v in (phase.rate, phase.final_rate, phase.noise, phase.ramp))
-        )
-        demands = no_routes(BATCH, 8 * stage.slots) if routes is None else Routes(*(field[fill] for field in routes))
-        return advance(local, stage.arrays, demands, schedule, noise, weights=self.config.weights)
+    def _call(self, batches: list[tuple[Any, ...]]) -> list[Found]:
+        """Run batches side by side, one on each processor."""
+
+        def run(arguments: tuple[Any, ...]) -> Found:
+            local, world, *terms, history, shots = programs.call(PROGRAM, *arguments, weights=self.config.weights)
+            return Found(local, world, Losses(*terms), history, shots)
+
+        if len(batches) == 1:
+            return [run(batches[0])]
+        with ThreadPoolExecutor(min(len(batches), PROCESSORS)) as pool:
+            return list(pool.map(run, batches))
 
     def _run(self, stage: Stage, world: Floats, found: Found) -> Run:
         count = len(stage.problem.names)
@@ -146,3 +155,31 @@ class Runner:
             for step, label, poses in self._shots
         )
         return Trace(tuple(self._losses), shots)
+
+
+def _arguments(
+    stage: Stage,
+    world: Floats,
+    phase: SearchConfig,
+    routes: Routes | None = None,
+    rng: np.random.Generator | None = None,
+) -> tuple[Any, ...]:
+    """Return what the program takes for one batch, filled up by repeating its last start."""
+    fill = np.minimum(np.arange(BATCH), len(world) - 1)
+    local = stage.local(world[fill]).astype(np.float32)
+    shape = (NOISE_BLOCK, BATCH, stage.slots, 2)
+    noise = np.zeros(shape, np.float32) if rng is None else rng.standard_normal(shape, np.float32)
+    schedule = Schedule(
+        np.int32(phase.steps), *(np.float32(v) for v in (phase.rate, phase.final_rate, phase.noise, phase.ramp))
+    )
+    demands = no_routes(BATCH, 8 * stage.slots) if routes is None else Routes(*(field[fill] for field in routes))
+    return local, stage.arrays, demands, schedule, noise
+
+
+def warm_up(scene: Scene, config: SolverConfig | None = None) -> None:
+    """Start to load or compile, in the background, the program that solving this scene will need."""
+    if scene.assets:
+        problem = compile_problem(scene)
+        stage = make_stage(problem, 0, problem.start)
+        weights = (config or SolverConfig()).weights
+        programs.prepare(PROGRAM, *_arguments(stage, problem.start[None], STILL), weights=weights)

@@ -6,7 +6,6 @@ the objective along x, y and yaw, then unit-circle and rectangle projection.
 
 from __future__ import annotations
 
-from functools import partial
 from typing import NamedTuple
 
 import jax
@@ -14,39 +13,15 @@ import jax.numpy as jnp
 from jaxtyping import Array, Float, Int
 
 from robolayout._geometry import Body, extents, separation
-from robolayout.solve.arrays import Arrays, Routes, Schedule
+from robolayout.solve.arrays import HISTORY, SNAPSHOTS, Arrays, Found, Losses, Routes, Schedule
 from robolayout.solve.config import Weights
-from robolayout.solve.objective import Losses, bodies, losses, take, total, world_poses
+from robolayout.solve.objective import bodies, losses, take, total, world_poses
 
 DENSE_SLOTS = 32
 """Up to this many slots all pairs are looked at in every step; above, the nearest ones."""
 
 REFRESH = 16
 """Steps between two searches for the nearest pairs."""
-
-SNAPSHOTS = 40
-"""Poses that one run records."""
-
-HISTORY = 512
-"""Steps whose losses one run records."""
-
-
-class Found(NamedTuple):
-    """What a run returns.
-
-    Attributes:
-        local: (K, A, 4) variables.
-        world: (K, A, 4) poses in the room.
-        losses: Terms per start, at full weights.
-        history: (HISTORY, 5) terms of the start with the lowest final objective, unused rows 0.
-        shots: (SNAPSHOTS, A, 4) poses of that start, evenly spaced over the steps.
-    """
-
-    local: Array
-    world: Array
-    losses: Losses
-    history: Array
-    shots: Array
 
 
 class _State(NamedTuple):
@@ -97,7 +72,6 @@ def _project(local: Array, arrays: Arrays) -> Array:
     return jnp.where(arrays.free[None, :, None] > 0, moved, local)
 
 
-@partial(jax.jit, static_argnames=("weights",))
 def advance(
     local: Array, arrays: Arrays, routes: Routes, schedule: Schedule, noise: Array, *, weights: Weights
 ) -> Found:

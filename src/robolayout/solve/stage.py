@@ -38,6 +38,9 @@ STAY = 0.03
 SOFT_CLEAR = 0.2
 """Weight of a strip that should stay free against one that must."""
 
+CLEAR_BUCKET = 16
+"""Clear boxes that every problem has room for; no room of the examples has more."""
+
 FAR_AWAY = 1.0e4
 """Metres at which padded things lie."""
 
@@ -130,7 +133,7 @@ def make_stage(problem: Problem, number: int, world: Floats) -> Stage:
         carrier=carrier,
         limit=limit,
         free=free,
-        fixed=_padded(rows.fixed, bucket(len(rows.fixed), (16, 64, 256)), [FAR_AWAY, FAR_AWAY, 1, 0, 0, 0, 0]),
+        fixed=_padded(rows.fixed, bucket(len(rows.fixed), (2 * size, 4 * size)), [FAR_AWAY, FAR_AWAY, 1, 0, 0, 0, 0]),
         pairs=_padded(rows.pairs, size * (size - 1) // 2, [0, 0], np.int32),
         pair_weight=_padded([[1.0]] * len(rows.pairs), size * (size - 1) // 2, [0.0])[:, 0],
         edges=_edges(problem),
@@ -314,7 +317,7 @@ class _Rows:
 
     def clears(self, problem: Problem, size: int) -> dict[str, Floats]:
         """Return the clear boxes with the slots that each concerns."""
-        count = bucket(len(self.clear), (8, size, 4 * size))
+        count = bucket(len(self.clear), (CLEAR_BUCKET, 4 * size))
         weight = np.zeros((count, size))
         for g, term in enumerate(self.clear):
             for i, asset in enumerate(problem.scene.assets):
