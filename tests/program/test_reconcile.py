@@ -179,6 +179,8 @@ ACCEPTED = [
     ("keep_clear(chair[0], 'front')", "keep_clear(chair[0], 'left')"),
     ("point_towards(chair[0], table[0])", "around(chair, table[0])"),
     ("against_wall(shelf[0], walls[1])", "row(shelf, walls[1])"),
+    ("align_with(shelf[0], walls[0], 90)", "row(shelf, gap=0.1)"),
+    ("align_with(shelf[0], walls[0], 90)", "grid(shelf, 1, 3, 0.5)"),
     ("against_wall(sofa[0], walls[2])", "mounted_on(picture[0], walls[2])", "against_wall(bed[0], walls[2])"),
     ("align_with(chair[0], chair[1])", "align_with(chair[1], chair[0])"),
     (

@@ -113,28 +113,32 @@ class StatementWriter:
                 yield first, second
 
     def _grid(self, plan: GridPlan) -> Iterator[Line]:
-        """Yield the statements of a block: one grid, or rows that stand back to back."""
+        """Yield the statements of a block: one grid, or rows that stand back to back; its first thing has a heading."""
+        yield Line(f"solver.align_with({self._name(plan.names[0])}, {self._straight(plan.names[0])})", (plan.names[0],))
         if not plan.paired:
             items = self._list(plan.names)
             text = f"solver.grid({items}, {plan.rows}, {plan.columns}, aisle={plan.aisle:g}, gap={plan.gap:g})"
             yield Line(text, plan.names)
             return
-        heads: list[str] = []
-        for row in range(plan.rows):
-            names = plan.names[row * plan.columns : (row + 1) * plan.columns]
-            names = names[::-1] if row % 2 else names
-            heads.append(names[-1] if row % 2 else names[0])
+        rows = [plan.names[i : i + plan.columns] for i in range(0, len(plan.names), plan.columns)]
+        for number, names in enumerate(rows):
+            if number:
+                yield from self._next_row(plan, number, names[0], rows[number - 1][0])
             if len(names) > 1:
-                yield Line(f"solver.row({self._list(names)}, gap={plan.gap:g})", names)
-        for row in range(1, plan.rows):
-            here, before = (expression(self.site.scene, heads[r]) for r in (row, row - 1))
-            names = (heads[row], heads[row - 1])
-            if row % 2:
-                yield Line(f"solver.behind({here}, {before}, 0, 0.1)", names)
-            else:
-                yield Line(f"solver.in_front_of({here}, {before}, {plan.aisle - 0.1:g}, {plan.aisle + 1:g})", names)
-            if plan.columns == 1:
-                yield Line(f"solver.align_with({here}, {before}, 180)", names)
+                in_order = names[::-1] if number % 2 else names
+                yield Line(f"solver.row({self._list(in_order)}, gap={plan.gap:g})", in_order)
+
+    def _next_row(self, plan: GridPlan, number: int, head: str, before: str) -> Iterator[Line]:
+        """Yield how the first thing of a row stands to the first thing of the row before, to which it is turned round."""
+        here, there, names = self._name(head), self._name(before), (head, before)
+        yield Line(f"solver.align_with({here}, {there}, 180)", names)
+        if number % 2:
+            yield Line(f"solver.behind({here}, {there}, 0, 0.1)", names)
+        else:
+            yield Line(f"solver.in_front_of({here}, {there}, {plan.aisle - 0.1:g}, {plan.aisle + 1:g})", names)
+
+    def _name(self, name: str) -> str:
+        return expression(self.site.scene, name)
 
     def _straight(self, name: str) -> str:
         """Return the longest wall and the angle to it, as the last two arguments of `align_with`."""

@@ -12,11 +12,13 @@ from dataclasses import dataclass, field, replace
 
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.against_wall import AgainstWall
+from robolayout.constraints.align_with import AlignWith
 from robolayout.constraints.ceiling_above import CeilingAbove
 from robolayout.constraints.centered_on import CenteredOn
 from robolayout.constraints.corner import Corner
 from robolayout.constraints.distance_constraint import DistanceConstraint
 from robolayout.constraints.facing_pair import FacingPair
+from robolayout.constraints.grid import Grid
 from robolayout.constraints.mounted_on import MountedOn
 from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.constraints.point_towards import PointTowards
@@ -224,13 +226,19 @@ def one_wall(so_far: Accepted, relation: Relation) -> Answer:
 
 
 def one_heading(so_far: Accepted, relation: Relation) -> Answer:
-    """Reject a second heading for the same thing; of two that should face each other, let the free one turn."""
+    """Reject a second heading for the same thing; of two that should face each other, let the free one turn.
+
+    Free rows and grids only say how their things stand to each other, so one of them may be aligned with something else.
+    """
     if not relation.orients:
         return None
     turned = [name for name in subjects(relation) if _is_turned(so_far, name, relation)]
     if not turned:
         return None
     earlier = so_far.headings[turned[0]]
+    loose = isinstance(relation, Grid | Row) and getattr(relation, "wall", None) is None
+    if loose and len(turned) == 1 and isinstance(earlier.relation, AlignWith):
+        return None
     if isinstance(relation, FacingPair) and len(turned) == 1:
         free = relation.b if relation.a.name == turned[0] else relation.a
         change = PointTowards(free, AssetRef(turned[0]))
