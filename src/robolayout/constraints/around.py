@@ -6,8 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from scipy.optimize import linear_sum_assignment
-
+from robolayout.constraints._assignment import assignment
 from robolayout.constraints._exact import ANGLE_TOLERANCE, GAP_TOLERANCE, facing_error, footprint, frame, half_size
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, argument
@@ -79,7 +78,7 @@ class Around(Relation):
         slots = self.slots(scene)
         table = frame(scene, near, self.b)
         here = [table.point(near[item.name].x, near[item.name].y) for item in self.items]
-        _, chosen = linear_sum_assignment([[math.dist(spot, slot[:2]) for slot in slots] for spot in here])
+        chosen = assignment([[math.dist(spot, slot[:2]) for slot in slots] for spot in here])
         return tuple(
             FrameTerm(
                 item,
