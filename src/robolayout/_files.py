@@ -9,6 +9,19 @@ from pathlib import Path
 from robolayout._errors import OutputError
 
 
+def check_writable(folder: Path) -> None:
+    """Refuse a folder that cannot be made or written to, before any work is done for it.
+
+    Raises:
+        OutputError: The nearest existing folder above (or the folder itself) is none or is read-only.
+    """
+    nearest = next(path for path in (folder.absolute(), *folder.absolute().parents) if path.exists())
+    if not nearest.is_dir():
+        raise OutputError(f"cannot write to {folder}: {nearest} is not a folder; choose another one.")
+    if not os.access(nearest, os.W_OK | os.X_OK):
+        raise OutputError(f"cannot write to {folder}: {nearest} is read-only; choose a folder that you may write to.")
+
+
 def write_atomic(path: Path, data: bytes | str) -> Path:
     """Write a file in one step: either the whole new content is there, or what was there before.
 

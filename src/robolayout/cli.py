@@ -7,14 +7,14 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from robolayout._errors import RoboLayoutError
+from robolayout._errors import InputError, RoboLayoutError
 from robolayout._version import __version__
 
 if TYPE_CHECKING:
@@ -84,6 +84,7 @@ def generate(  # noqa: PLR0913 - one parameter per option
     as_json: JsonOption = False,
 ) -> None:
     """Lay out a scene, verify it, and write layout, report, pictures and GLB."""
+    from robolayout._files import check_writable
     from robolayout.export import find_exporter
     from robolayout.outputs import write_result
 
@@ -91,10 +92,11 @@ def generate(  # noqa: PLR0913 - one parameter per option
     for name in formats:
         find_exporter(name)
     given = _scene(scene, agent, asset_dir)
+    folder = out or Path("out") / given.name
+    check_writable(folder)
     with _progress(quiet or as_json) as say:
         result = _generate(given, program, seed=seed, starts=starts, trace=pictures, say=say)
         say("write")
-        folder = out or Path("out") / given.name
         files = write_result(result, folder, pictures=pictures, formats=formats)
     if as_json:
         typer.echo(json.dumps({"out": str(folder), **result.report.to_dict()}))
@@ -160,6 +162,36 @@ def render(
 
 
 @app.command()
+def compare(
+    scene: SceneArgument,
+    bodies: Annotated[str, typer.Option("--agents", help="Two to six bodies: names or files, separated by commas.")],
+    out: Annotated[Path, typer.Option("--out", help="Picture file, PNG or SVG.")] = Path("compare.png"),
+    seed: SeedOption = 0,
+    width: Annotated[int, typer.Option("--width", min=256, max=8192, help="Pixels of the PNG's width.")] = 1800,
+    asset_dir: AssetDirOption = None,
+    quiet: QuietOption = False,
+) -> None:
+    """Lay out one room for several bodies, side by side in one picture."""
+    from robolayout import pipeline
+    from robolayout._files import check_writable, write_atomic
+    from robolayout.outputs import comparison
+
+    if out.suffix not in (".png", ".svg"):
+        raise InputError(f"a comparison cannot be written to {out}: name a file that ends in .png or .svg.")
+    given = _scene(scene, bodies, asset_dir)
+    check_writable(out.parent)
+    with _progress(quiet) as say:
+        results = pipeline.compare(given, given.agents, seed=seed, progress=say)
+    write_atomic(out, comparison(results, out.suffix, width=width))
+    if not quiet:
+        rows = zip(*(result.report.rows() for result in results), strict=True)
+        heads = ["check", *(body.name for body in given.agents)]
+        _table(given.name, heads, [[row[0][0], *(value for _, value, _ in row)] for row in rows])
+        typer.echo(str(out))
+    raise typer.Exit(0 if all(result.report.ok for result in results) else 1)
+
+
+@app.command()
 def export(
     scene: SceneArgument,
     layout: LayoutArgument,
@@ -169,8 +201,8 @@ def export(
     asset_dir: AssetDirOption = None,
 ) -> None:
     """Write a layout for simulators and viewers."""
+    from robolayout.export import EXPORTERS, find_exporter
     from robolayout.export import export as write
-    from robolayout.export import find_exporter
     from robolayout.outputs import export_options
     from robolayout.scene import load_layout
     from robolayout.verify import verify
@@ -178,6 +210,8 @@ def export(
     given = _scene(scene, agent, asset_dir)
     placed = load_layout(layout, given)
     names = [name for name in to.split(",") if name]
+    if not names:
+        raise InputError(f"--to names no format. Known: {', '.join(EXPORTERS)}.")
     for name in names:
         find_exporter(name)
     options = export_options(verify(given, placed))
@@ -188,30 +222,23 @@ def export(
 @app.command()
 def agents(name: Annotated[str | None, typer.Argument(help="Show one profile with its sources.")] = None) -> None:
     """List the built-in bodies, or one with its sources."""
-    from robolayout.scene import agent_names, agent_to_dict, load_agent
+    from robolayout.scene import agent_names, load_agent
 
-    if name is None:
-        rows = [load_agent(known) for known in agent_names()]
-        table = [
-            [
-                a.name,
-                a.title,
-                f"{a.radius:.3f}",
-                f"{a.height:.2f}",
-                f"{a.reach:.2f}",
-                f"{a.reach_low:.2f}-{a.reach_high:.2f}",
-            ]
-            for a in rows
+    if name is not None:
+        body = load_agent(name)
+        figures = [
+            [key, f"{getattr(body, key):g}", "yes" if source.verified else "no", source.text]
+            for key, source in body.sources.items()
         ]
-        _table("Agents (metres)", ["name", "body", "radius", "height", "reach", "heights"], table)
+        _table(f"{body.title or body.name} (metres)", ["figure", "value", "verified", "source"], figures)
         return
-    body = load_agent(name)
-    figures: list[list[str]] = []
-    for key, value in agent_to_dict(body).items():
-        source = body.sources.get(key)
-        if source is not None:
-            figures.append([key, str(value), "yes" if source.verified else "no", source.text])
-    _table(body.title or body.name, ["figure", "value", "verified", "source"], figures)
+    rows: list[list[str]] = []
+    for known in agent_names():
+        a = load_agent(known)
+        shape = f"disc {2 * a.radius:.2f}" if a.length is None or a.width is None else f"{a.length:.2f} x {a.width:.2f}"
+        heights = "-" if a.reach_distance is None else f"{a.reach_low:.2f}-{a.reach_high:.2f}"
+        rows.append([known, a.title, shape, f"{a.radius:.3f}", f"{a.height:.2f}", f"{a.reach:.2f}", heights])
+    _table("Agents (metres)", ["name", "body", "footprint", "radius", "height", "reach", "heights"], rows)
 
 
 @app.command()
@@ -243,7 +270,9 @@ def _scene(path: str, agent: str | None, asset_dir: Path | None) -> Scene:
     return scene if agent is None else scene.with_agents(*load_agents(agent))
 
 
-def _generate(scene: Scene, program: Path | None, *, seed: int, starts: int, trace: bool, say: Any) -> Result:
+def _generate(
+    scene: Scene, program: Path | None, *, seed: int, starts: int, trace: bool, say: Callable[[str], None]
+) -> Result:
     from robolayout.pipeline import generate
     from robolayout.planners import FilePlanner
     from robolayout.solve import SolverConfig
@@ -254,15 +283,23 @@ def _generate(scene: Scene, program: Path | None, *, seed: int, starts: int, tra
 
 
 @contextmanager
-def _progress(silent: bool) -> Iterator[Any]:
+def _progress(silent: bool) -> Generator[Callable[[str], None]]:
     """Show the running phase on a terminal."""
     if silent or not sys.stderr.isatty():
-        yield lambda _: None
+        yield _hushed
         return
     from rich.console import Console
 
     with Console(stderr=True).status("starting") as status:
-        yield lambda phase: status.update(f"{phase} ...")
+
+        def say(phase: str) -> None:
+            status.update(f"{phase} ...")
+
+        yield say
+
+
+def _hushed(phase: str) -> None:
+    """Say nothing."""
 
 
 def _table(title: str, heads: list[str], rows: list[list[str]]) -> None:

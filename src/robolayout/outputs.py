@@ -8,7 +8,6 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from robolayout._errors import OutputError
 from robolayout._files import write_atomic
 from robolayout.export import Options, export, find_exporter, to_bytes
 from robolayout.render import PlanMarks
@@ -92,14 +91,9 @@ def comparison(results: Sequence[Result], suffix: str = ".png", *, width: int = 
         results: The runs, from left to right.
         suffix: ".png" or ".svg".
         width: Pixels of the PNG's width.
-
-    Raises:
-        OutputError: The suffix is another one.
     """
     from robolayout.render import compare_image, compare_svg
 
-    if suffix not in (".png", ".svg"):
-        raise OutputError(f"a comparison cannot be written as {suffix or 'a file without suffix'!r}; use .png or .svg.")
     panels = [
         (f"{run.scene.name} for {_body(run.report.agents[0])}", run.scene, run.layout, plan_marks(run.report.agents[0]))
         for run in results
