@@ -10,6 +10,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+import shapely
 from shapely import Point, Polygon
 
 from robolayout.constraints import FAR, AssetRef, FrameTerm, MirrorTerm, Ref, WallRef
@@ -106,8 +107,9 @@ class Proposals:
         if (low > 0.0 or high < FAR) and not isinstance(term.b, WallRef):
             away, around = rng.uniform(low, min(high, low + spread)), rng.uniform(0.0, math.tau)
             u, v = away * math.cos(around), away * math.sin(around)
-        elif low > 0.0 or high < FAR:
-            u = _draw(-FAR, FAR, spread, rng)
+        elif isinstance(term.b, WallRef) and (low > 0.0 or high < FAR):
+            end = self.problem.scene.room.walls[term.b.index].length / 2
+            u = rng.uniform(-end, end)
             v = rng.uniform(low, min(high, low + spread))
         return compose(frame, np.array([u, v, math.cos(yaw), math.sin(yaw)]))
 
@@ -193,7 +195,20 @@ def make_starts(
             for slot in moving:
                 if rng.random() < 0.7:
                     starts[k, slot] = proposals.draw(slot, starts[k], 1, rng)[0]
+    _bring_in(problem, starts, moving)
     return starts
+
+
+def _bring_in(problem: Problem, starts: Floats, moving: tuple[int, ...]) -> None:
+    """Put things whose centre lies outside the room onto the nearest point of its floor."""
+    room = Polygon(problem.scene.room.vertices)
+    shapely.prepare(room)
+    for slot in moving:
+        if problem.parent[slot] < 0:
+            points = np.asarray(shapely.points(starts[:, slot, :2]))
+            outside = ~shapely.covers(room, points)
+            ways = shapely.shortest_line(points[outside], room)
+            starts[outside, slot, :2] = shapely.get_coordinates(ways)[1::2]
 
 
 def _jitter(world: Floats, moving: tuple[int, ...], sigma: float, rng: np.random.Generator) -> None:

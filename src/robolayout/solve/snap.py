@@ -29,7 +29,9 @@ def snapped(problem: Problem, world: Floats, only: frozenset[str] | None = None)
     result = world.copy()
     for terms in problem.statement_terms:
         for term in terms:
-            if not isinstance(term, FrameTerm) or term.heading is None or not isinstance(term.a, AssetRef):
+            if not isinstance(term, FrameTerm) or term.heading is None or term.moves == "b":
+                continue
+            if not isinstance(term.a, AssetRef):
                 continue
             slot = problem.slot[term.a.name]
             if (only is not None and term.a.name not in only) or term.a.name in problem.pinned:
@@ -63,7 +65,7 @@ def _frame(problem: Problem, world: Floats, term: FrameTerm) -> Floats:
     if isinstance(term.b, WallRef):
         wall = problem.scene.room.walls[term.b.index]
         return np.array([*wall.midpoint, *wall.direction])
-    return np.array([term.b.x, term.b.y, 1.0, 0.0])
+    return np.array([term.b.x, term.b.y, math.cos(term.b.yaw), math.sin(term.b.yaw)])
 
 
 def _carry(problem: Problem, world: Floats, slot: int, pose: Floats) -> None:
