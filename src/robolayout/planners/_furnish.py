@@ -15,7 +15,7 @@ from robolayout.planners._overhead import hang, lay_rugs, overhead
 from robolayout.planners._places import Batch, batches
 from robolayout.planners._roles import Cast
 from robolayout.planners._site import GridPlan, Site, Spot
-from robolayout.planners._taste import taste
+from robolayout.planners._taste import looks, taste
 from robolayout.scene import Layout, Scene
 
 UNREACHED = 8.0
@@ -27,10 +27,10 @@ PATIENCE = 5
 CUT_OFF = 40.0
 """Cost of all of the free floor being out of the agent's way."""
 
-INEXACT = 3.0
+INEXACT = 5.0
 """Cost of a place that fails the exact check by a hair."""
 
-CHECKED = 120
+CHECKED = 300
 """Best places that are checked exactly before one is taken."""
 
 TRIALS = 8
@@ -141,7 +141,7 @@ class _Attempt:
         """Place what stands on the floor, and boards that the rest looks at; return the total cost."""
         for items in self._turns(last=False):
             self._place_role(items)
-        return self.cost
+        return self.cost + looks(self.site)
 
     def furnish_walls(self) -> None:
         """Hang and lay the rest, where the agents reach it over the finished floor."""

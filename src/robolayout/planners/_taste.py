@@ -35,7 +35,13 @@ def taste(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
     for key, weight in weights.items():
         if key.startswith(("near ", "far ")):
             cost += weight * nearness(site, xy, key)
-    return cost + _facing(site, batch, weights.get("face", 1.0))
+    return cost + _facing(site, batch.cluster.anchor, batch.poses)
+
+
+def looks(site: Site) -> float:
+    """Return how badly everything that is placed looks at what it should face, whichever was placed first."""
+    standing = [(name, spot.member) for name, spot in site.spots.items() if spot.mode not in ("hang", "join")]
+    return sum(float(_facing(site, name, np.array([[m.x, m.y, m.yaw]]))[0]) for name, m in standing)
 
 
 def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
@@ -85,21 +91,21 @@ def nearness(site: Site, xy: NDArray[np.float64], key: str) -> Cost:
     return away if word == "near" else np.maximum(0.0, 1.0 - away)
 
 
-def _facing(site: Site, batch: Batch, factor: float) -> Cost:
+def _facing(site: Site, anchor: str, poses: NDArray[np.float64]) -> Cost:
     """Return how badly places look at (or away from) what their role faces."""
-    face = site.cast[batch.cluster.anchor].role.face
-    names = targets(site, batch.cluster.anchor)
+    face = site.cast[anchor].role.face
+    names = targets(site, anchor)
     if face is None or not names:
-        return np.zeros(len(batch.poses))
+        return np.zeros(len(poses))
     costs: list[Cost] = []
     low, high = face.distance
     for name in names:
         target = site.spots[name].member
-        dx, dy = target.x - batch.poses[:, 0], target.y - batch.poses[:, 1]
+        dx, dy = target.x - poses[:, 0], target.y - poses[:, 1]
         away = np.hypot(dx, dy)
-        turn = batch.poses[:, 2] + (0.0 if face.how == "toward" else math.pi)
+        turn = poses[:, 2] + (0.0 if face.how == "toward" else math.pi)
         ahead = (dx * np.cos(turn) + dy * np.sin(turn)) / np.maximum(away, 1e-6)
         seen = -(dx * math.cos(target.yaw) + dy * math.sin(target.yaw)) / np.maximum(away, 1e-6)
         outside = np.maximum(low - away, 0.0) + np.maximum(away - high, 0.0)
         costs.append(1.5 * (1 - ahead) + 1.5 * (1 - seen) + 2.0 * np.minimum(outside, 2.0))
-    return factor * face.weight * np.min(costs, axis=0)
+    return face.weight * np.min(costs, axis=0)
