@@ -232,7 +232,8 @@ def _demands(
         return np.empty((0, 4)), ()
     picked = np.array(cells)
     stride = max(1, round(SPACING / ground.cell))
-    picked = picked[(picked.sum(axis=1) % stride) == 0]
+    spaced = picked[(picked.sum(axis=1) % stride) == 0]
+    picked = spaced if len(spaced) else picked
     px, py = ground.xs[picked[:, 0]], ground.ys[picked[:, 1]]
     index = np.array(slots)
     distance = _box_distance(px[:, None], py[:, None], world[index].T[:, None], problem.half[index].T[:, None])
