@@ -36,6 +36,8 @@ LAYERS: dict[str, float] = {
     "pipeline": 6,
     "outputs": 7,
     "": 8,  # the package's own page, which shows them all
+    "cli_tables": 8.2,
+    "cli_generate": 8.5,
     "cli": 9,
     "__main__": 10,
 }

@@ -7,20 +7,24 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable, Generator
-from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from robolayout._errors import InputError, RoboLayoutError
 from robolayout._version import __version__
-
-if TYPE_CHECKING:
-    from robolayout.pipeline import Result
-    from robolayout.scene import Scene
-    from robolayout.verify import Report
+from robolayout.cli_generate import (
+    AgentOption,
+    AssetDirOption,
+    JsonOption,
+    QuietOption,
+    SeedOption,
+    generate,
+    progress,
+    read_scene,
+)
+from robolayout.cli_tables import show, table
 
 app = typer.Typer(
     help="Lay out a 3D room for a body, and prove that it can move through and use it.",
@@ -32,15 +36,6 @@ app = typer.Typer(
 
 SceneArgument = Annotated[str, typer.Argument(help="A scene file (JSON).")]
 LayoutArgument = Annotated[Path, typer.Argument(help="A layout file (JSON).")]
-AgentOption = Annotated[
-    str | None, typer.Option("--agent", help="Body or bodies: names or files, separated by commas.")
-]
-AssetDirOption = Annotated[
-    Path | None, typer.Option("--asset-dir", help="Folder of the assets that the scene refers to.")
-]
-SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Settles every choice.")]
-QuietOption = Annotated[bool, typer.Option("--quiet", help="Print nothing but errors.")]
-JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines.")]
 
 
 def main() -> None:
@@ -67,42 +62,7 @@ def _page(
     """Lay out a 3D room for a body, and prove that it can move through and use it."""
 
 
-@app.command()
-def generate(  # noqa: PLR0913 - one parameter per option
-    scene: SceneArgument,
-    program: Annotated[
-        Path | None, typer.Option("--program", help="Use this constraint program instead of planning.")
-    ] = None,
-    agent: AgentOption = None,
-    seed: SeedOption = 0,
-    starts: Annotated[int, typer.Option("--starts", min=1, max=256, help="Starts of the search.")] = 16,
-    out: Annotated[Path | None, typer.Option("--out", help="Output folder; out/<scene> if not given.")] = None,
-    pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw plan, views, animation.")] = True,
-    export: Annotated[str, typer.Option("--export", help="Further formats, separated by commas.")] = "",
-    asset_dir: AssetDirOption = None,
-    quiet: QuietOption = False,
-    as_json: JsonOption = False,
-) -> None:
-    """Lay out a scene, verify it, and write layout, report, pictures and GLB."""
-    from robolayout._files import check_writable
-    from robolayout.export import find_exporter
-    from robolayout.outputs import write_result
-
-    formats = [name for name in export.split(",") if name]
-    for name in formats:
-        find_exporter(name)
-    given = _scene(scene, agent, asset_dir)
-    folder = out or Path("out") / given.name
-    check_writable(folder)
-    with _progress(quiet or as_json) as say:
-        result = _generate(given, program, seed=seed, starts=starts, trace=pictures, say=say)
-        say("write")
-        files = write_result(result, folder, pictures=pictures, formats=formats)
-    if as_json:
-        typer.echo(json.dumps({"out": str(folder), **result.report.to_dict()}))
-    elif not quiet:
-        _show(result.report, files)
-    raise typer.Exit(0 if result.report.ok else 1)
+app.command()(generate)
 
 
 @app.command()
@@ -123,13 +83,13 @@ def check(
     from robolayout.scene import load_layout
     from robolayout.verify import verify
 
-    given = _scene(scene, agent, asset_dir)
+    given = read_scene(scene, agent, asset_dir)
     asked = read_program(FilePlanner(program).plan(PlanRequest(given)), given) if program else None
     report = verify(given, load_layout(layout, given), asked)
     if as_json:
         typer.echo(json.dumps(report.to_dict()))
     elif not quiet:
-        _show(report, [])
+        show(report, [])
     raise typer.Exit(0 if report.ok else 1)
 
 
@@ -150,7 +110,7 @@ def render(
     from robolayout.scene import load_layout
     from robolayout.verify import judge_agent
 
-    given = _scene(scene, agent, asset_dir)
+    given = read_scene(scene, agent, asset_dir)
     placed = load_layout(layout, given)
     if view == "plan":
         marks = plan_marks(judge_agent(given, placed, given.agent))
@@ -178,15 +138,15 @@ def compare(
 
     if out.suffix not in (".png", ".svg"):
         raise InputError(f"a comparison cannot be written to {out}: name a file that ends in .png or .svg.")
-    given = _scene(scene, bodies, asset_dir)
+    given = read_scene(scene, bodies, asset_dir)
     check_writable(out.parent)
-    with _progress(quiet) as say:
+    with progress(quiet) as say:
         results = pipeline.compare(given, given.agents, seed=seed, progress=say)
     write_atomic(out, comparison(results, out.suffix, width=width))
     if not quiet:
         rows = zip(*(result.report.rows() for result in results), strict=True)
         heads = ["check", *(body.name for body in given.agents)]
-        _table(given.name, heads, [[row[0][0], *(value for _, value, _ in row)] for row in rows])
+        table(given.name, heads, [[row[0][0], *(value for _, value, _ in row)] for row in rows])
         typer.echo(str(out))
     raise typer.Exit(0 if all(result.report.ok for result in results) else 1)
 
@@ -207,7 +167,7 @@ def export(
     from robolayout.scene import load_layout
     from robolayout.verify import verify
 
-    given = _scene(scene, agent, asset_dir)
+    given = read_scene(scene, agent, asset_dir)
     placed = load_layout(layout, given)
     names = [name for name in to.split(",") if name]
     if not names:
@@ -230,7 +190,7 @@ def agents(name: Annotated[str | None, typer.Argument(help="Show one profile wit
             [key, f"{getattr(body, key):g}", "yes" if source.verified else "no", source.text]
             for key, source in body.sources.items()
         ]
-        _table(f"{body.title or body.name} (metres)", ["figure", "value", "verified", "source"], figures)
+        table(f"{body.title or body.name} (metres)", ["figure", "value", "verified", "source"], figures)
         return
     rows: list[list[str]] = []
     for known in agent_names():
@@ -238,7 +198,7 @@ def agents(name: Annotated[str | None, typer.Argument(help="Show one profile wit
         shape = f"disc {2 * a.radius:.2f}" if a.length is None or a.width is None else f"{a.length:.2f} x {a.width:.2f}"
         heights = "-" if a.reach_distance is None else f"{a.reach_low:.2f}-{a.reach_high:.2f}"
         rows.append([known, a.title, shape, f"{a.radius:.3f}", f"{a.height:.2f}", f"{a.reach:.2f}", heights])
-    _table("Agents (metres)", ["name", "body", "footprint", "radius", "height", "reach", "heights"], rows)
+    table("Agents (metres)", ["name", "body", "footprint", "radius", "height", "reach", "heights"], rows)
 
 
 @app.command()
@@ -247,81 +207,69 @@ def constraints() -> None:
     from robolayout.constraints import RELATIONS
 
     rows = [[relation.example.removeprefix("solver."), relation.meaning()] for relation in RELATIONS.values()]
-    _table("Relations", ["example", "meaning"], rows)
+    table("Relations", ["example", "meaning"], rows)
 
 
 @app.command()
-def assets(word: Annotated[str | None, typer.Argument(help="Show what this word is understood as.")] = None) -> None:
-    """List the catalogue of furniture with typical sizes, or look a word up."""
-    from robolayout.assets import CATALOGUE, find_category
+def assets(
+    word: Annotated[
+        str | None, typer.Argument(help="Show what this word is understood as; `import` reads a folder.")
+    ] = None,
+    folder: Annotated[Path | None, typer.Argument(help="Folder of meshes, after `import`.")] = None,
+    out: Annotated[Path, typer.Option("--out", help="Catalogue file that an import writes.")] = Path("catalogue.json"),
+    front: Annotated[
+        str | None, typer.Option("--front", help="Side that faces forward in the meshes, such as +x.")
+    ] = None,
+) -> None:
+    """List the catalogue of furniture with typical sizes, look a word up, or import a folder of meshes."""
+    from robolayout._files import write_atomic
+    from robolayout.assets import CATALOGUE, find_category, import_folder
 
+    if word == "import" and folder is not None:
+        catalogue = import_folder(folder, front=front)
+        typer.echo(str(write_atomic(out, json.dumps(catalogue, indent=2, ensure_ascii=False) + "\n")))
+        return
     found = CATALOGUE.values() if word is None else [find_category(word)]
     rows = [[c.name, c.group, " x ".join(f"{v:g}" for v in c.size), ", ".join(c.places), c.source] for c in found]
-    _table("Catalogue (depth x width x height in metres)", ["category", "group", "size", "place", "source"], rows)
+    table("Catalogue (depth x width x height in metres)", ["category", "group", "size", "place", "source"], rows)
 
 
-def _scene(path: str, agent: str | None, asset_dir: Path | None) -> Scene:
-    """Read a scene, for other agents if given, and show what was mended on reading."""
-    from robolayout.scene import load_agents, load_scene
+@app.command()
+def settle(
+    scene: SceneArgument,
+    layout: LayoutArgument,
+    seconds: Annotated[float, typer.Option("--seconds", min=0.1, max=60.0, help="Seconds of gravity.")] = 5.0,
+    asset_dir: AssetDirOption = None,
+) -> None:
+    """Let gravity act on a layout in MuJoCo and report what moves (extra `sim`)."""
+    from robolayout.export import settle as run
+    from robolayout.scene import load_layout
 
-    scene = load_scene(path, asset_dir)
-    for warning in scene.warnings:
-        sys.stderr.write(f"robolayout: warning: {warning}\n")
-    return scene if agent is None else scene.with_agents(*load_agents(agent))
-
-
-def _generate(
-    scene: Scene, program: Path | None, *, seed: int, starts: int, trace: bool, say: Callable[[str], None]
-) -> Result:
-    from robolayout.pipeline import generate
-    from robolayout.planners import FilePlanner
-    from robolayout.solve import SolverConfig
-
-    planner = FilePlanner(program) if program else None
-    config = SolverConfig(starts=starts, trace=trace)
-    return generate(scene, planner=planner, seed=seed, config=config, progress=say)
-
-
-@contextmanager
-def _progress(silent: bool) -> Generator[Callable[[str], None]]:
-    """Show the running phase on a terminal."""
-    if silent or not sys.stderr.isatty():
-        yield _hushed
-        return
-    from rich.console import Console
-
-    with Console(stderr=True).status("starting") as status:
-
-        def say(phase: str) -> None:
-            status.update(f"{phase} ...")
-
-        yield say
-
-
-def _hushed(phase: str) -> None:
-    """Say nothing."""
-
-
-def _table(title: str, heads: list[str], rows: list[list[str]]) -> None:
-    from rich.console import Console
-    from rich.table import Table
-
-    table = Table(title=title, title_justify="left")
-    for head in heads:
-        table.add_column(head, overflow="fold")
-    for row in rows:
-        table.add_row(*row)
-    Console(width=None if sys.stdout.isatty() else 140).print(table)
-
-
-def _show(report: Report, files: list[Path]) -> None:
-    """Print the short report, what is wrong, and where the files are."""
-    rows = [[name, value, "ok" if met else "SHORT"] for name, value, met in report.rows()]
-    title = f"{report.scene.name} for {', '.join(a.agent.name for a in report.agents)}"
-    _table(title, ["check", "result", ""], rows)
-    for sentence in report.violations[:12]:
+    given = read_scene(scene, None, asset_dir)
+    found = run(given, load_layout(layout, given), seconds)
+    typer.echo(f"{found.stable_share:.2f} of the assets stay within 1 cm and 2 degrees")
+    for sentence in found.violations:
         typer.echo(f"- {sentence}")
-    if len(report.violations) > 12:
-        typer.echo(f"- and {len(report.violations) - 12} more in the report")
-    for path in files:
-        typer.echo(str(path))
+    raise typer.Exit(1 if found.violations else 0)
+
+
+@app.command()
+def drive(
+    scene: SceneArgument,
+    layout: LayoutArgument,
+    agent: AgentOption = None,
+    asset_dir: AssetDirOption = None,
+) -> None:
+    """Drive the agent along its routes to every asset in MuJoCo and report contacts (extra `sim`)."""
+    from robolayout.export import drive as run
+    from robolayout.outputs import export_options
+    from robolayout.scene import load_layout
+    from robolayout.verify import verify
+
+    given = read_scene(scene, agent, asset_dir)
+    placed = load_layout(layout, given)
+    found = run(given, placed, given.agent, export_options(verify(given, placed)).routes)
+    typer.echo(f"{len(found.contacts)} contacts with furniture on all routes of {given.agent.name}")
+    for sentence in found.violations:
+        typer.echo(f"- {sentence}")
+    raise typer.Exit(1 if found.violations else 0)

@@ -1,0 +1,193 @@
+"""`robolayout generate`: from a scene file, or one sentence, to an output folder."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable, Generator, Iterator
+from contextlib import contextmanager
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from robolayout._errors import InputError
+
+if TYPE_CHECKING:
+    from robolayout.pipeline import Result
+    from robolayout.planners import Planner
+    from robolayout.scene import Scene
+
+SceneOrSentence = Annotated[
+    str, typer.Argument(metavar="SCENE", help="A scene file (JSON), or one sentence in quotes.")
+]
+ProgramOption = Annotated[
+    Path | None, typer.Option("--program", help="Use this constraint program instead of planning.")
+]
+AgentOption = Annotated[
+    str | None, typer.Option("--agent", help="Body or bodies: names or files, separated by commas.")
+]
+AssetDirOption = Annotated[
+    Path | None, typer.Option("--asset-dir", help="Folder of the assets that the scene refers to.")
+]
+SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Settles every choice.")]
+QuietOption = Annotated[bool, typer.Option("--quiet", help="Print nothing but errors.")]
+JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines.")]
+StartsOption = Annotated[int, typer.Option("--starts", min=1, max=256, help="Starts of the search.")]
+VariantsOption = Annotated[int, typer.Option("--variants", min=1, max=64, help="Different rooms for one sentence.")]
+ModelOption = Annotated[str | None, typer.Option("--model", help="Let a model plan: openai:gpt-4o, ollama:llava, ...")]
+ModeOption = Annotated[str, typer.Option("--mode", help="grouped, one_shot, no_image or no_constraint (with --model).")]
+SamplesOption = Annotated[int, typer.Option("--samples", min=1, max=16, help="Programs asked for at once.")]
+RetriesOption = Annotated[int, typer.Option("--retries", min=0, max=10, help="Further questions per group.")]
+BaseUrlOption = Annotated[str | None, typer.Option("--base-url", help="An OpenAI-compatible server.")]
+MaxCostOption = Annotated[float | None, typer.Option("--max-cost", help="Most dollars to spend on a model.")]
+TimeoutOption = Annotated[float, typer.Option("--timeout", help="Seconds to wait for a model's answer.")]
+ReplayOption = Annotated[Path | None, typer.Option("--replay", help="Answer from recorded exchanges, offline.")]
+
+
+def generate(  # noqa: PLR0913 - one parameter per option
+    scene: SceneOrSentence,
+    program: ProgramOption = None,
+    agent: AgentOption = None,
+    seed: SeedOption = 0,
+    starts: StartsOption = 16,
+    out: Annotated[Path | None, typer.Option("--out", help="Output folder; out/<scene> if not given.")] = None,
+    pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw plan, views, animation.")] = True,
+    export: Annotated[str, typer.Option("--export", help="Further formats, separated by commas.")] = "",
+    asset_dir: AssetDirOption = None,
+    variants: VariantsOption = 1,
+    model: ModelOption = None,
+    mode: ModeOption = "grouped",
+    samples: SamplesOption = 1,
+    retries: RetriesOption = 3,
+    base_url: BaseUrlOption = None,
+    max_cost: MaxCostOption = None,
+    timeout: TimeoutOption = 60.0,
+    replay: ReplayOption = None,
+    quiet: QuietOption = False,
+    as_json: JsonOption = False,
+) -> None:
+    """Lay out a scene, verify it, and write layout, report, pictures and GLB."""
+    from robolayout._files import check_writable
+    from robolayout.export import find_exporter
+    from robolayout.outputs import write_result
+    from robolayout.pipeline import generate as run
+    from robolayout.solve import SolverConfig
+
+    formats = [name for name in export.split(",") if name]
+    for name in formats:
+        find_exporter(name)
+    every_ok = True
+    for given, folder in _scenes(scene, agent, asset_dir, (seed, variants), out):
+        check_writable(folder)
+        planner: Planner | None = None
+        if _not_offline(program, model or base_url or replay):
+            limits = (base_url, max_cost, timeout, replay)
+            planner = _model_or_file(program, (model, mode, samples, retries), limits, folder / "exchanges", seed)
+        with progress(quiet or as_json) as say:
+            config = SolverConfig(starts=starts, trace=pictures)
+            result = run(given, planner=planner, seed=seed, config=config, progress=say)
+            say("write")
+            files = write_result(result, folder, pictures=pictures, formats=formats)
+        _tell(result, folder, files, quiet=quiet, as_json=as_json)
+        every_ok &= result.report.ok
+    raise typer.Exit(0 if every_ok else 1)
+
+
+def _not_offline(program: Path | None, model: object) -> bool:
+    """Return whether something else than the offline planner is asked for; both at once are an error."""
+    if program is not None and model is not None:
+        raise InputError("--program and --model (or --base-url, --replay) exclude each other: give one of them.")
+    return program is not None or model is not None
+
+
+def _model_or_file(
+    program: Path | None,
+    how: tuple[str | None, str, int, int],
+    limits: tuple[str | None, float | None, float, Path | None],
+    exchanges: Path,
+    seed: int,
+) -> Planner:
+    from robolayout.planners import FilePlanner, ModelPlanner
+
+    if program is not None:
+        return FilePlanner(program)
+    model, mode, samples, retries = how
+    base_url, max_cost, timeout, replay = limits
+    return ModelPlanner(
+        model,
+        mode=mode,  # type: ignore[arg-type]
+        samples=samples,
+        retries=retries,
+        base_url=base_url,
+        max_cost=max_cost,
+        timeout=timeout,
+        replay=replay,
+        exchanges=exchanges,
+        seed=seed,
+    )
+
+
+def _scenes(
+    text: str, agent: str | None, asset_dir: Path | None, seed_variants: tuple[int, int], out: Path | None
+) -> Iterator[tuple[Scene, Path]]:
+    """Yield the scene of a file, or the variants of a sentence, each with its output folder."""
+    from robolayout.scene import load_agents
+
+    seed, variants = seed_variants
+    if Path(text).suffix == ".json" or Path(text).exists() or " " not in text.strip():
+        scene = read_scene(text, agent, asset_dir)
+        yield scene, out or Path("out") / scene.name
+        return
+    from robolayout._files import write_atomic
+    from robolayout.planners import scene_from_sentence
+
+    for variant in range(variants):
+        scene, understood = scene_from_sentence(text, seed=seed, variant=variant)
+        sys.stderr.write(f"robolayout: {understood.sentence()}\n")
+        if agent is not None:
+            scene = scene.with_agents(*load_agents(agent))
+        folder = out or Path("out") / scene.name
+        folder = folder if variants == 1 else folder / f"variant-{variant}"
+        write_atomic(folder / "understood.json", json.dumps(asdict(understood), indent=2, ensure_ascii=False) + "\n")
+        yield scene, folder
+
+
+def read_scene(path: str, agent: str | None, asset_dir: Path | None) -> Scene:
+    """Read a scene, for other agents if given, and show what was mended on reading."""
+    from robolayout.scene import load_agents, load_scene
+
+    scene = load_scene(path, asset_dir)
+    for warning in scene.warnings:
+        sys.stderr.write(f"robolayout: warning: {warning}\n")
+    return scene if agent is None else scene.with_agents(*load_agents(agent))
+
+
+@contextmanager
+def progress(silent: bool) -> Generator[Callable[[str], None]]:
+    """Show the running phase on a terminal."""
+    if silent or not sys.stderr.isatty():
+        yield _hushed
+        return
+    from rich.console import Console
+
+    with Console(stderr=True).status("starting") as status:
+
+        def say(phase: str) -> None:
+            status.update(f"{phase} ...")
+
+        yield say
+
+
+def _hushed(phase: str) -> None:
+    """Say nothing."""
+
+
+def _tell(result: Result, folder: Path, files: list[Path], *, quiet: bool, as_json: bool) -> None:
+    from robolayout.cli_tables import show
+
+    if as_json:
+        typer.echo(json.dumps({"out": str(folder), **result.report.to_dict()}))
+    elif not quiet:
+        show(result.report, files)
