@@ -1,0 +1,99 @@
+"""What all tests share: a cache of compiled programs, the command line as a function, and one furnished bedroom."""
+
+from __future__ import annotations
+
+import fcntl
+import json
+import os
+import shutil
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from dataclasses import dataclass
+from io import StringIO
+from pathlib import Path
+from typing import Any
+from unittest.mock import patch
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+CACHE = "ROBOLAYOUT_CACHE"
+_MADE = pytest.StashKey[str]()
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Give this run a cache folder of its own; workers inherit it from the process that starts them."""
+    if CACHE not in os.environ:
+        config.stash[_MADE] = os.environ[CACHE] = tempfile.mkdtemp(prefix="robolayout-tests-")
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    if made := config.stash.get(_MADE, None):
+        shutil.rmtree(made, ignore_errors=True)
+        del os.environ[CACHE]
+
+
+@dataclass(frozen=True)
+class Ran:
+    """What a command did."""
+
+    code: int
+    out: str
+    err: str
+
+
+def run_command(*words: object) -> Ran:
+    """Run `robolayout <words>` in this process, as its entry point does."""
+    from robolayout.cli import main
+
+    out, err = StringIO(), StringIO()
+    with patch.object(sys, "argv", ["robolayout", *map(str, words)]), redirect_stdout(out), redirect_stderr(err):
+        try:
+            main()
+            code = 0
+        except SystemExit as stop:
+            code = stop.code if isinstance(stop.code, int) else 1 if stop.code else 0
+    return Ran(code, out.getvalue(), err.getvalue())
+
+
+@pytest.fixture(scope="session")
+def command() -> Callable[..., Ran]:
+    """The command line as a function."""
+    return run_command
+
+
+@dataclass(frozen=True)
+class Furnished:
+    """The output folder of one run of `generate` on the bedroom, and what it printed."""
+
+    folder: Path
+    scene: Path
+    code: int
+    printed: dict[str, Any]
+
+
+@pytest.fixture(scope="session")
+def furnished(tmp_path_factory: pytest.TempPathFactory) -> Furnished:
+    """The example bedroom for a wheelchair user, furnished once per test run, whatever the number of workers."""
+    base = tmp_path_factory.getbasetemp()
+    shared = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "furnished"
+    scene = ROOT / "examples" / "bedroom.json"
+    note = shared / "printed.json"
+    with _alone(shared):
+        if not note.exists():
+            ran = run_command("generate", scene, "--agent", "wheelchair", "--out", shared / "bedroom", "--json")
+            note.write_text(json.dumps([ran.code, ran.out, ran.err]), encoding="utf-8")
+    code, out, err = json.loads(note.read_text(encoding="utf-8"))
+    assert code in (0, 1), err
+    return Furnished(shared / "bedroom", scene, code, json.loads(out))
+
+
+@contextmanager
+def _alone(folder: Path) -> Iterator[None]:
+    """Hold a lock, so that one worker does the work and the others wait for it."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with (folder / "lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield

@@ -1,0 +1,82 @@
+"""The whole flow from Python: same input, same layout; what comes back says how it was made."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+
+import pytest
+
+import robolayout as rl
+from conftest import ROOT, Furnished
+
+TINY = {
+    "boundary": {"floor_vertices": [[0, 0, 0], [3, 0, 0], [3, 3, 0], [0, 3, 0]], "wall_height": 2.5},
+    "doors": [{"wall": 0, "offset": 0.1, "width": 0.9, "height": 2.05}],
+    "assets": {
+        "desk-0": {"category": "desk", "onFloor": True, "assetMetadata": {"boundingBox": {"x": 0.6, "y": 1.2, "z": 0.74}}},
+        "lamp-0": {"category": "desk lamp", "onObject": True, "assetMetadata": {"boundingBox": {"x": 0.2, "y": 0.2, "z": 0.4}}},
+    },
+}  # fmt: skip
+
+
+def test_the_layout_is_that_of_the_command_line_with_or_without_pictures(furnished: Furnished) -> None:
+    result = rl.generate(furnished.scene, agent="wheelchair", seed=0)
+    assert result.layout.to_dict() == json.loads((furnished.folder / "layout.json").read_text())
+    assert result.program.text == (furnished.folder / "program.py").read_text()
+    assert not result.trace.losses, "no trace unless asked for"
+    again = rl.generate(furnished.scene, agent="wheelchair", seed=0, program=result.program.text)
+    assert again.layout.to_dict() == result.layout.to_dict(), "a given program is solved as a planned one is"
+    assert set(result.report.timing) >= {"scene", "plan", "program", "solve", "verify"}
+    assert all(seconds["wall"] >= 0 and seconds["cpu"] >= 0 for seconds in result.report.timing.values())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("hash_seed", "threads"), [("1", "1"), ("77", "2")])
+def test_hash_seed_and_threads_do_not_matter(furnished: Furnished, hash_seed: str, threads: str) -> None:
+    code = (
+        "import json, sys, robolayout as rl\n"
+        f"result = rl.generate({str(furnished.scene)!r}, agent='wheelchair', seed=0)\n"
+        "sys.stdout.write(json.dumps(result.layout.to_dict(), indent=2) + '\\n')"
+    )
+    import os
+
+    flags = f"--xla_cpu_multi_thread_eigen={'true' if threads == '2' else 'false'}"
+    environment = os.environ | {"PYTHONHASHSEED": hash_seed, "OMP_NUM_THREADS": threads, "XLA_FLAGS": flags}
+    done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True, env=environment)
+    assert done.stdout == (furnished.folder / "layout.json").read_text()
+
+
+def test_a_scene_may_be_a_dictionary_and_an_agent_too() -> None:
+    heard: list[str] = []
+    body = {"name": "cart", "radius": 0.25, "height": 1.0, "reach": 0.8}
+    result = rl.generate(TINY, agent=body, seed=3, progress=heard.append)
+    assert set(result.layout) == {"desk-0", "lamp-0"}
+    assert result.scene.agent.name == "cart"
+    assert result.report.ok, result.report.violations
+    assert heard[0] == "plan" and heard[-1] == "verify"
+    assert result.report.to_dict()["agents"].keys() == {"cart"}
+
+
+def test_pinned_things_stay() -> None:
+    scene = rl.scene_from_dict(TINY)
+    there = rl.Pose(2.6, 1.7, 0.37, 3.141592653589793)
+    solution = rl.solve(scene, "solver.on_top_of(lamp[0], desk[0])", pinned={"desk-0": there})
+    desk = solution.layout["desk-0"]
+    assert (desk.x, desk.y) == pytest.approx((there.x, there.y), abs=1e-6)
+    assert rl.verify(scene, solution.layout).figures["supported_share"] == 1.0
+
+
+def test_the_report_measures_what_was_asked_not_what_was_left_of_it() -> None:
+    text = "solver.against_wall(desk[0], walls[1])\nsolver.against_wall(desk[0], walls[3])"
+    result = rl.generate(TINY, program=text)
+    assert [decision.verdict for decision in result.reconciled.decisions] == ["accepted", "rejected"]
+    assert [statement.met for statement in result.report.statements] == [True, False]
+    assert not result.report.ok
+
+
+def test_every_example_reads_without_a_warning_about_its_room_or_its_flags() -> None:
+    for path in sorted((ROOT / "examples").rglob("*.json")):
+        warnings = rl.load_scene(path).warnings
+        assert all("is called" in warning for warning in warnings), (path, warnings)
