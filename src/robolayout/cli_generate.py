@@ -6,7 +6,6 @@ import json
 import sys
 from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager
-from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -145,12 +144,12 @@ def _scenes(
 
     for variant in range(variants):
         scene, understood = scene_from_sentence(text, seed=seed, variant=variant)
-        sys.stderr.write(f"robolayout: {understood.sentence()}\n")
+        sys.stderr.write("".join(f"robolayout: {line}\n" for line in understood.sentences()))
         if agent is not None:
             scene = scene.with_agents(*load_agents(agent))
         folder = out or Path("out") / scene.name
         folder = folder if variants == 1 else folder / f"variant-{variant}"
-        write_atomic(folder / "understood.json", json.dumps(asdict(understood), indent=2, ensure_ascii=False) + "\n")
+        write_atomic(folder / "understood.json", json.dumps(understood.to_dict(), indent=2, ensure_ascii=False) + "\n")
         yield scene, folder
 
 

@@ -59,20 +59,6 @@ class Understanding:
     assumed: tuple[str, ...]
     ignored: tuple[str, ...]
 
-    def sentence(self) -> str:
-        """Return what was understood, in words."""
-        wished = ", ".join(f"{count} {name}" for name, count in self.wished.items()) or "nothing in particular"
-        added = ", ".join(f"{count} {name}" for name, count in self.added.items()) or "nothing"
-        parts = [
-            f"understood a {self.shape} {self.room_type} of {self.size[0]:g} x {self.size[1]:g} m for {self.agent or 'a disc'}",
-            f"asked for: {wished}",
-            f"added: {added}",
-            *self.assumed,
-        ]
-        if self.ignored:
-            parts.append(f"ignored: {', '.join(self.ignored)}")
-        return "; ".join(part.rstrip(".") for part in parts) + "."
-
     def to_dict(self) -> dict[str, object]:
         """Return everything as plain values for a file."""
         return {
