@@ -21,7 +21,7 @@ from robolayout.scene import Layout, Scene
 UNREACHED = 8.0
 """Cost of an asset that the agent cannot get to."""
 
-PATIENCE = 5
+PATIENCE = 3
 """Attempts without a better room after which the search ends."""
 
 CUT_OFF = 40.0
@@ -136,6 +136,7 @@ class _Attempt:
         self.rng = rng
         self.calm = calm
         self.cost = 0.0
+        self.missing = 0
 
     def furnish_floor(self) -> float:
         """Place what stands on the floor, and boards that the rest looks at; return the total cost."""
@@ -206,8 +207,10 @@ class _Attempt:
         ranked = self._ranked(batches(self.site, cluster, modes), weights, modes)
         if not ranked:
             return False if limit is not None else self._anywhere(cluster)
+        before = self.missing
         cost, batch, row = self._choose(ranked)
         if limit is not None and cost > limit:
+            self.missing = before
             return False
         if cost > 10 and len(cluster.members) > 1 and limit is None and self._split(cluster, modes, weights):
             return True
@@ -228,7 +231,7 @@ class _Attempt:
 
     def _choose(self, ranked: Sequence[Choice]) -> Choice:
         """Return the first place that is exactly free and cuts nothing off, or else the one that does least harm."""
-        before, best, rejected = len(self.site.unreached()), None, list[Choice]()
+        best, rejected, left = None, list[Choice](), dict[float, int]()
         for cost, batch, row in ranked:
             if best is not None and cost > best[0]:
                 break
@@ -239,12 +242,16 @@ class _Attempt:
                 continue
             trial = self.site.copy()
             _put(trial, batch, row)
-            harm = UNREACHED * max(0, len(trial.unreached()) - before) + CUT_OFF * trial.cut_off
+            missing = len(trial.unreached())
+            harm = UNREACHED * max(0, missing - self.missing) + CUT_OFF * trial.cut_off
+            left[cost + harm] = missing
             best = min((c for c in (best, (cost + harm, batch, row)) if c), key=lambda choice: choice[0])
             rejected.append((cost, batch, row))
             if harm < HARMLESS or len(rejected) >= TRIALS:
                 break
-        return best or ranked[0]
+        chosen = best or ranked[0]
+        self.missing = left.get(chosen[0], self.missing)
+        return chosen
 
     def _split(self, cluster: Cluster, modes: Sequence[str], weights: Mapping[str, float]) -> bool:
         """Place a cluster that fits nowhere as a whole: floor things that can stand alone are placed on their own."""

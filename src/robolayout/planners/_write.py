@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from robolayout.planners._member import Member, Size, box_of
 from robolayout.planners._roles import Cast
-from robolayout.planners._site import GridPlan, Site, Spot
+from robolayout.planners._site import GridPlan, Site, Spot, along_wall
 from robolayout.scene import Scene, Wall
 
 
@@ -193,7 +193,7 @@ class StatementWriter:
         return {
             "b": expression(self.site.scene, other),
             "b name": other,
-            "bwall": "" if there.wall is None else f"walls[{there.wall}]",
+            "bwall": "" if there.wall is None or not self._reaches(here, there.wall) else f"walls[{there.wall}]",
             "near": f"{max(0.0, distance - 0.15):.2f}",
             "far": f"{distance + 0.15:.2f}",
             "gap": f"{join.gap if join else 0.05:g}",
@@ -203,6 +203,12 @@ class StatementWriter:
             "ahead low": f"{max(0.0, ahead - 0.3):.1f}",
             "ahead high": f"{ahead + 0.3:.1f}",
         }
+
+    def _reaches(self, spot: Spot, wall: int) -> bool:
+        """Whether a thing stands before a wall, not past its end."""
+        segment = self.site.room.walls[wall]
+        span = along_wall(spot.member, self.site.size(spot.member.name), segment)
+        return span is not None and span[0] < segment.length - 0.05 and span[1] > 0.05
 
     def _vertex(self, spot: Spot) -> int:
         """Return the room corner nearest to a spot."""
