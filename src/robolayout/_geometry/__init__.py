@@ -9,6 +9,7 @@ from robolayout._geometry.boxes import (
     point_to_box,
     separation,
 )
+from robolayout._geometry.intersection import intersection_area, intersection_over_union
 from robolayout._geometry.polygon import signed_distance
 from robolayout._geometry.relations import FrameRow, frame_residual, mirror_residual, soft_abs
 
@@ -19,6 +20,8 @@ __all__ = [
     "corners",
     "extents",
     "frame_residual",
+    "intersection_area",
+    "intersection_over_union",
     "mirror_residual",
     "penetration",
     "point_to_box",

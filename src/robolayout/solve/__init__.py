@@ -3,8 +3,9 @@
 from robolayout.solve.compile import Problem, compile_problem
 from robolayout.solve.config import SearchConfig, SolverConfig, Weights
 from robolayout.solve.judge import Judge, Verdict
-from robolayout.solve.refine import Solution, Solver
+from robolayout.solve.refine import Solver
 from robolayout.solve.runner import warm_up
+from robolayout.solve.solution import Solution
 
 __all__ = [
     "Judge",

@@ -69,7 +69,7 @@ def load(about: dict[str, Any], code: bytes) -> Callable[[Sequence[Leaf]], list[
     def put(value: Leaf) -> Any:
         value = np.ascontiguousarray(value).reshape(value.shape)
         kind = _Kind(value.shape, value.dtype)
-        return _jax.batched_device_put(kind, sharding, [value], [device], True, False, during_call, False)
+        return _jax.batched_device_put(kind, sharding, [value], [device], True, False, during_call, True)
 
     def run(values: Sequence[Leaf]) -> list[Leaf]:
         results = executable.execute_sharded([put(value) for value in values]).consume_with_handlers(handlers)

@@ -8,7 +8,7 @@ hand, JAX itself runs the program and keeps its own cache.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
 from functools import cache
@@ -152,11 +152,20 @@ def _compiled(target: str, arguments: tuple[Any, ...], constants: Mapping[str, H
 
     specs = [jax.ShapeDtypeStruct(leaf.shape, leaf.dtype) for leaf in leaves(arguments)]
     options = OPTIONS if jax.default_backend() == "cpu" else {}
-    return jax.jit(flat, keep_unused=True).lower(*specs).compile(compiler_options=options)
+    with jax.enable_x64(_doubles(specs)):
+        return jax.jit(flat, keep_unused=True).lower(*specs).compile(compiler_options=options)
 
 
 def _runner(compiled: Any) -> Run:
+    import jax
+
     def run(values: Sequence[Leaf]) -> list[Leaf]:
-        return [np.asarray(value) for value in compiled(*values)]
+        with jax.enable_x64(_doubles(values)):
+            return [np.asarray(value) for value in compiled(*values)]
 
     return run
+
+
+def _doubles(values: Iterable[Any]) -> bool:
+    """Return whether a program works in double precision, which JAX must be told: as soon as one argument does."""
+    return any(value.dtype == np.float64 for value in values)

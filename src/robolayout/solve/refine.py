@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -16,28 +15,8 @@ from robolayout.solve.repair import Repair
 from robolayout.solve.routes import Ground, Plan, make_ground, obstacle_slots, pack, plan_routes
 from robolayout.solve.runner import Run, Runner
 from robolayout.solve.snap import snapped
+from robolayout.solve.solution import Progress, Solution, conclude, silent
 from robolayout.solve.stage import Stage, make_stage, stages
-
-Progress = Callable[[str], None]
-
-
-@dataclass(frozen=True)
-class Solution:
-    """What a solver found.
-
-    Attributes:
-        layout: Poses of all assets.
-        verdict: What the judge says of it.
-        status: "solved", or "unmet" if demands are left.
-        message: The status as a sentence.
-        trace: Losses and poses on the way; empty unless asked for.
-    """
-
-    layout: Layout
-    verdict: Verdict
-    status: str
-    message: str
-    trace: Trace = field(default_factory=Trace, repr=False)
 
 
 @dataclass
@@ -72,14 +51,14 @@ class Solver:
         self.judge = judge
         self.config = config or SolverConfig()
         self.rng = np.random.default_rng(seed)
-        self.progress = progress or (lambda _: None)
+        self.progress = progress or silent
         self.runner = Runner(self.config)
         self.grounds: list[tuple[Ground, tuple[int, ...]]] = []
 
     def solve(self) -> Solution:
         """Return the best layout found."""
         if not self.problem.names:
-            return _solution(Layout({}), Verdict(0.0, 0.0, 0.0), Trace())
+            return conclude(Layout({}), Verdict(0.0, 0.0, 0.0), Trace())
         self.grounds = [
             (make_ground(self.problem, a, self.config.cell), obstacle_slots(self.problem, a)) for a in self._bodies()
         ]
@@ -91,7 +70,7 @@ class Solver:
         assert best is not None
         best = self._snap(self._repair(self._snap(best)))
         trace = self.runner.trace(self.problem) if self.config.trace else Trace()
-        return _solution(self.problem.layout(best.world), best.verdict, trace)
+        return conclude(self.problem.layout(best.world), best.verdict, trace)
 
     def _bodies(self) -> tuple[Agent, ...]:
         """Return the agents to plan for, widest first."""
@@ -182,15 +161,3 @@ class Solver:
                     best = found
             fruitless = 0 if best.verdict.merit < before else fruitless + 1
         return best
-
-
-def _solution(layout: Layout, verdict: Verdict, trace: Trace) -> Solution:
-    if verdict.ok:
-        return Solution(layout, verdict, "solved", "Every demand and every statement is met.", trace)
-    parts = [
-        f"{verdict.hard:g} hard violations" if verdict.hard else "",
-        f"{verdict.access:.2f} of access missing" if verdict.access else "",
-        f"statements of weight {verdict.soft:g} unmet" if verdict.soft else "",
-    ]
-    text = ", ".join(part for part in parts if part)
-    return Solution(layout, verdict, "unmet", f"Budget spent with {text}; the report names them.", trace)

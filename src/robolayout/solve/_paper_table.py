@@ -1,0 +1,136 @@
+"""The paper's loss as data: who must not overlap, who stands on whom, who leaves room for the agent, what is said."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from robolayout.constraints import (
+    AssetRef,
+    FrameTerm,
+    MirrorTerm,
+    OverlapTerm,
+    PairwiseTerm,
+    ReachablePairwise,
+    Ref,
+    Term,
+    WallRef,
+)
+from robolayout.constraints.on_top_of import OnTopOf
+from robolayout.solve.compile import Floats, Problem
+from robolayout.solve.stage import SLOT_BUCKETS, bucket
+
+Array = Any
+
+
+class Table(NamedTuple):
+    """The loss of one scene, rows padded with weight 0. A slots, F fixed bodies, P pairs, S stacks, R frame and M mirror rows.
+
+    Attributes:
+        half: (A, 2) half depth and half width in metres.
+        fixed: (F, 7) walls and points as bodies (x, y, cos, sin, half x, half y, core).
+        pairs: (P, 2) slots that must not overlap.
+        pair_weight: (P,) 1 for real pairs.
+        required: (P,) metres between the centres of each pair that let the agent pass; 0 where it need not.
+        stacks: (S, 2) upper and lower slot of each stack.
+        stack_weight: (S,) 1 for real stacks.
+        frame_index: (R, 2) bodies a and b of each frame row (slots first, then fixed bodies).
+        frame_row: (R, 20) numbers of each frame row.
+        mirror_index: (M, 3) bodies a, b and axis.
+        mirror_weight: (M,) weight of each mirror row.
+        mirror_normal: (M,) 1 where the axis is a wall.
+    """
+
+    half: Array
+    fixed: Array
+    pairs: Array
+    pair_weight: Array
+    required: Array
+    stacks: Array
+    stack_weight: Array
+    frame_index: Array
+    frame_row: Array
+    mirror_index: Array
+    mirror_weight: Array
+    mirror_normal: Array
+
+
+def make_table(problem: Problem) -> Table:
+    """Return the paper's loss of a problem: its statements, overlaps and the pairwise reach, but no term of our own."""
+    size = bucket(len(problem.names), SLOT_BUCKETS)
+    half = np.ones((size, 2))
+    half[: len(problem.names)] = problem.half
+    stacks = [[i, parent] for i, parent in enumerate(problem.parent) if parent >= 0]
+    overlaps, required = overlap_pairs(problem), reach_pairs(problem)
+    pairs = sorted({*overlaps, *required})
+    bodies = _Bodies(problem, size)
+    said = [t for r in problem.relations if not isinstance(r, OnTopOf) for t in r.terms(problem.scene, problem.guess)]
+    frames = [term for term in said if isinstance(term, FrameTerm)]
+    mirrors = [term for term in said if isinstance(term, MirrorTerm)]
+    frame_index = [[bodies.index(t.a), bodies.index(t.b)] for t in frames]
+    mirror_index = [[bodies.index(t.a), bodies.index(t.b), bodies.index(t.ref)] for t in mirrors]
+    frame_rows = bucket(len(frames), (4 * size, 16 * size))
+    mirror_rows = bucket(len(mirrors), (size, 4 * size))
+    everyone = size * (size - 1) // 2
+    return Table(
+        half=half,
+        fixed=_padded(bodies.fixed, bucket(len(bodies.fixed), (2 * size, 4 * size)), [0, 0, 1, 0, 0, 0, 0]),
+        pairs=_padded(pairs, everyone, [0, 0], np.int32),
+        pair_weight=_padded([float(pair in overlaps) for pair in pairs], everyone, 0.0),
+        required=_padded([required.get(pair, 0.0) for pair in pairs], everyone, 0.0),
+        stacks=_padded(stacks, size, [0, 0], np.int32),
+        stack_weight=_padded([1.0] * len(stacks), size, 0.0),
+        frame_index=_padded(frame_index, frame_rows, [size, size], np.int32),
+        frame_row=_padded([t.row() for t in frames], frame_rows, FrameTerm(WallRef(0), WallRef(0), weight=0.0).row()),
+        mirror_index=_padded(mirror_index, mirror_rows, [size, size, size], np.int32),
+        mirror_weight=_padded([t.weight for t in mirrors], mirror_rows, 0.0),
+        mirror_normal=_padded([float(isinstance(t.ref, WallRef)) for t in mirrors], mirror_rows, 0.0),
+    )
+
+
+def overlap_pairs(problem: Problem) -> set[tuple[int, int]]:
+    """Return the pairs of slots that must not overlap: those at one height, stacks aside."""
+    return {pair for pair, term in _unstacked(problem, problem.implicit_terms) if isinstance(term, OverlapTerm)}
+
+
+def reach_pairs(problem: Problem) -> dict[tuple[int, int], float]:
+    """Return the pairs that must let the agent pass, with the metres between their centres that this takes."""
+    terms = ReachablePairwise().terms(problem.scene, problem.guess)
+    return {pair: term.required for pair, term in _unstacked(problem, terms) if isinstance(term, PairwiseTerm)}
+
+
+def _unstacked(problem: Problem, terms: Iterable[Term]) -> Iterable[tuple[tuple[int, int], Term]]:
+    """Yield the terms about two things neither of which stands on the other, with their slots."""
+    for term in terms:
+        if isinstance(term, OverlapTerm | PairwiseTerm):
+            a, b = problem.slot[term.a.name], problem.slot[term.b.name]
+            if problem.parent[a] != b and problem.parent[b] != a:
+                yield (a, b), term
+
+
+class _Bodies:
+    """Numbers everything that a row may be about: slots, then walls, then fixed points."""
+
+    def __init__(self, problem: Problem, size: int) -> None:
+        self.slot = problem.slot
+        self.size = size
+        walls = problem.scene.room.walls
+        self.fixed: list[list[float]] = [[*w.midpoint, *w.direction, w.length / 2, 0.0, w.length / 2] for w in walls]
+
+    def index(self, ref: Ref) -> int:
+        if isinstance(ref, AssetRef):
+            return self.slot[ref.name]
+        if isinstance(ref, WallRef):
+            return self.size + ref.index
+        self.fixed.append([ref.x, ref.y, np.cos(ref.yaw), np.sin(ref.yaw), 0.0, 0.0, 0.0])
+        return self.size + len(self.fixed) - 1
+
+
+def _padded(rows: Sequence[Any], size: int, filler: Any, kind: type = np.float64) -> Floats:
+    """Return rows as an array of `size` rows."""
+    table = np.full((size, *np.shape(filler)), filler, dtype=kind)
+    if rows:
+        table[: len(rows)] = rows
+    return table

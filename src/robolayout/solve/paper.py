@@ -1,0 +1,318 @@
+"""The paper's algorithm, for comparison: Adam in a trust region, hard corrections in between, then the refinement.
+
+Every constant of `PaperConfig` says where in the paper it stands; docs/derivations.md works the whole through by hand for two
+assets. Nothing of the default search is used, and nothing here helps the paper along, with one exception: where the refinement
+made the layout worse, the layout before it is returned.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+from shapely import Polygon
+
+from robolayout.scene import Room, Snapshot, Trace
+from robolayout.solve import programs
+from robolayout.solve._paper_table import make_table, overlap_pairs
+from robolayout.solve.compile import Floats, Problem
+from robolayout.solve.judge import Judge
+from robolayout.solve.project import footprint, into_room, outside, projected
+from robolayout.solve.solution import Progress, Solution, conclude, silent
+
+TERMS = ("overlap", "statements", "reachability")
+"""The terms of L_total: no overlap, existing and new constraints (solved together), pairwise reach."""
+
+
+@dataclass(frozen=True)
+class PaperConfig:
+    """The paper's constants."""
+
+    steps: int = 400
+    """T. Not in the paper; the published code's default."""
+
+    rate: float = 0.03
+    """alpha_0, section "Learning Rate Scaling"."""
+
+    position_factor: float = 3.0
+    """alpha_pos = 3 alpha_0 / R_room, section "Learning Rate Scaling"."""
+
+    beta: float = 0.9
+    """beta_1 and beta_2, section "Adam Update"."""
+
+    epsilon: float = 1.0e-8
+    """epsilon, section "Adam Update"."""
+
+    clip: float = 10.0
+    """Longest gradient of one position or one heading, section "Adam Update"."""
+
+    decay: float = 0.95
+    """gamma, section "Adam Update"."""
+
+    decay_every: int = 100
+    """Steps between two decays, section "Adam Update"."""
+
+    project_every: int = 80
+    """Steps between two boundary projections, section "Feasibility Enforcement" (its listing says 100)."""
+
+    radius: float = 1.0
+    """Delta_0, section "Rotation Constraint"; the paper gives no figure. Metres and units of (cos, sin) together."""
+
+    most_radius: float = 1.0
+    """Delta_max, ibid.; the paper gives no figure."""
+
+    accept: float = 0.1
+    """eta_1, ibid.; the paper gives no figure. This and the next three are the textbook's (Nocedal and Wright, chapter 4)."""
+
+    trust: float = 0.75
+    """eta_2, ibid."""
+
+    shrink: float = 0.5
+    """gamma_1, ibid."""
+
+    grow: float = 2.0
+    """gamma_2, ibid."""
+
+    refine_steps: int = 40
+    """T_cleanup, section "Refinement"."""
+
+    refine_rate: float = 0.01
+    """eta_cleanup, ibid."""
+
+    refine_clip: float = 1.0
+    """Gradient clipping, ibid."""
+
+    refine_project_every: int = 10
+    """K, ibid."""
+
+
+PAPER = PaperConfig()
+
+
+class Evaluation(NamedTuple):
+    """The loss at one layout.
+
+    Attributes:
+        value: L = 0.1 L_total.
+        gradient: (n, 4) along (x, y, cos, sin).
+        terms: Terms of L_total, as in `TERMS`.
+    """
+
+    value: float
+    gradient: Floats
+    terms: Floats
+
+
+Loss = Callable[[Floats], Evaluation]
+
+
+def paper_loss(problem: Problem) -> Loss:
+    """Return the paper's loss of world poses (n, 4)."""
+    table = make_table(problem)
+    padding = np.tile([0.0, 0.0, 1.0, 0.0], (len(table.half), 1))
+
+    def loss(world: Floats) -> Evaluation:
+        poses = padding.copy()
+        poses[: len(world)] = world
+        value, gradient, terms = programs.call("_paper_loss:value_and_gradient", poses, table)
+        return Evaluation(float(value), gradient[: len(world)], terms)
+
+    return loss
+
+
+class Moments(NamedTuple):
+    """Adam's memory: number of steps and the two moments (n, 4)."""
+
+    steps: int
+    first: Floats
+    second: Floats
+
+    @classmethod
+    def zero(cls, world: Floats) -> Moments:
+        """Return the memory before the first step."""
+        return cls(0, np.zeros_like(world), np.zeros_like(world))
+
+
+def rates(room: Room, config: PaperConfig = PAPER) -> Floats:
+    """Return the learning rates (4,) of (x, y, cos, sin)."""
+    x0, y0, x1, y1 = room.bounds
+    position = config.position_factor * config.rate / max(x1 - x0, y1 - y0, 1.0)
+    return np.array([position, position, config.rate, config.rate])
+
+
+def decayed(rate: Floats, count: int, config: PaperConfig = PAPER) -> Floats:
+    """Return alpha gamma^floor(t / 100)."""
+    return rate * config.decay ** (count // config.decay_every)
+
+
+def clipped(gradient: Floats, longest: float) -> Floats:
+    """Return gradients (n, 4) with every position's and every heading's part at most `longest`."""
+    parts = gradient.reshape(len(gradient), 2, 2)
+    length = np.linalg.norm(parts, axis=-1, keepdims=True)
+    return (parts * np.minimum(1.0, longest / np.maximum(length, 1e-300))).reshape(gradient.shape)
+
+
+def adam(moments: Moments, gradient: Floats, rate: Floats, config: PaperConfig = PAPER) -> tuple[Moments, Floats]:
+    """Return Adam's memory after a gradient, and the step that it proposes."""
+    count, beta = moments.steps + 1, config.beta
+    first = beta * moments.first + (1 - beta) * gradient
+    second = beta * moments.second + (1 - beta) * gradient**2
+    unbiased = 1 - beta**count
+    step = -rate * (first / unbiased) / (np.sqrt(second / unbiased) + config.epsilon)
+    return Moments(count, first, second), step
+
+
+def admissible(room: Room, world: Floats, step: Floats, radius: float) -> Floats:
+    """Return a step made admissible: at most `radius` long, positions in the room's box, headings on the unit circle."""
+    x0, y0, x1, y1 = room.bounds
+    length = float(np.linalg.norm(step))
+    if length > radius:
+        step = step * (radius / length)
+    target = world + step
+    target[:, :2] = np.clip(target[:, :2], (x0, y0), (x1, y1))
+    target[:, 2:] = _on_circle(world[:, 2:], target[:, 2:])
+    return target - world
+
+
+def _on_circle(here: Floats, target: Floats) -> Floats:
+    """Return headings (n, 2) in the direction of `target`, no further from `here` than that was."""
+    turn = np.arctan2(here[:, 0] * target[:, 1] - here[:, 1] * target[:, 0], np.sum(here * target, axis=1))
+    most = 2 * np.arcsin(np.minimum(np.linalg.norm(target - here, axis=1) / 2, 1.0))
+    turn = np.clip(turn, -most, most)
+    c, s = np.cos(turn), np.sin(turn)
+    return np.stack([c * here[:, 0] - s * here[:, 1], s * here[:, 0] + c * here[:, 1]], axis=1)
+
+
+def judged_step(
+    before: Evaluation, after: Evaluation, step: Floats, radius: float, config: PaperConfig = PAPER
+) -> tuple[bool, float]:
+    """Return whether a step is accepted, and the next trust radius.
+
+    The predicted decrease is that of the tangent plane, -gradient . step; a step that Adam's memory takes uphill is predicted
+    to gain nothing and refused.
+    """
+    predicted = -float(np.sum(before.gradient * step))
+    ratio = (before.value - after.value) / predicted if predicted > 0 else -math.inf
+    if ratio <= config.accept:
+        return False, radius * config.shrink
+    return True, min(radius * config.grow, config.most_radius) if ratio > config.trust else radius
+
+
+def random_start(problem: Problem, rng: np.random.Generator) -> Floats:
+    """Return world poses (n, 4): the program's own where it says so, else random ones with the footprint in the room."""
+    world, room = problem.start.copy(), problem.scene.room
+    x0, y0, x1, y1 = room.bounds
+    for slot, name in enumerate(problem.names):
+        if name in problem.pinned or name in problem.guessed:
+            continue
+        for _ in range(100):
+            yaw = rng.uniform(0.0, math.tau)
+            world[slot] = [rng.uniform(x0, x1), rng.uniform(y0, y1), math.cos(yaw), math.sin(yaw)]
+            if not outside(room, footprint(world[slot], problem.half[slot])).any():
+                break
+        world[slot] = into_room(room, world[slot], problem.half[slot])
+    return world
+
+
+def problematic(problem: Problem, world: Floats) -> tuple[int, ...]:
+    """Return the free slots whose footprint meets that of another one at the same height, stacks aside."""
+    shapes = [Polygon(footprint(pose, half)) for pose, half in zip(world, problem.half, strict=True)]
+    meeting = {i for pair in overlap_pairs(problem) if shapes[pair[0]].intersects(shapes[pair[1]]) for i in pair}
+    return tuple(i for i in sorted(meeting) if problem.names[i] not in problem.pinned)
+
+
+class PaperSolver:
+    """Solves one problem as the paper does.
+
+    Args:
+        problem: The problem.
+        judge: The exact verifier, as an order on layouts.
+        seed: Seed of the random start.
+        config: The paper's constants.
+        progress: Called with the name of each phase.
+    """
+
+    def __init__(
+        self,
+        problem: Problem,
+        judge: Judge,
+        *,
+        seed: int = 0,
+        config: PaperConfig = PAPER,
+        progress: Progress | None = None,
+    ) -> None:
+        self.problem = problem
+        self.judge = judge
+        self.config = config
+        self.rng = np.random.default_rng(seed)
+        self.progress = progress or silent
+        self.loss = paper_loss(problem)
+        self.losses: list[dict[str, float]] = []
+        self.shots: list[Snapshot] = []
+        free = [name not in problem.pinned for name in problem.names]
+        self.free = np.array(free, dtype=float)[:, None]
+
+    def solve(self) -> Solution:
+        """Return the layout that the paper's algorithm ends with."""
+        self.progress("search")
+        world = self.search(random_start(self.problem, self.rng))
+        layout = self.problem.layout(world)
+        verdict = self.judge(layout)
+        problem_slots = problematic(self.problem, world)
+        if problem_slots:
+            self.progress("refine")
+            refined = self.problem.layout(self.refine(world, problem_slots))
+            better = self.judge(refined)
+            if better.merit < verdict.merit:
+                layout, verdict = refined, better
+        return conclude(layout, verdict, Trace(tuple(self.losses), tuple(self.shots)))
+
+    def search(self, world: Floats) -> Floats:
+        """Return world poses (n, 4) after the main optimisation."""
+        config, room = self.config, self.problem.scene.room
+        rate, radius, moments = rates(room, config), config.radius, Moments.zero(world)
+        here = self.loss(world)
+        for count in range(1, config.steps + 1):
+            self._record("search", here, world)
+            gradient = clipped(here.gradient, config.clip) * self.free
+            moments, step = adam(moments, gradient, decayed(rate, count, config), config)
+            step = admissible(room, world, step, radius) * self.free
+            there = self.loss(world + step)
+            accepted, radius = judged_step(here, there, step, radius, config)
+            if accepted:
+                world, here = world + step, there
+            if count % config.project_every == 0:
+                world = projected(self.problem, world)
+                here = self.loss(world)
+        self._record("search", here, world)
+        return world
+
+    def refine(self, world: Floats, slots: tuple[int, ...]) -> Floats:
+        """Return world poses (n, 4) after the refinement, which moves these slots only."""
+        config, room = self.config, self.problem.scene.room
+        moving = np.zeros((len(world), 1))
+        moving[list(slots)] = 1.0
+        moments, rate = Moments.zero(world), np.full(4, config.refine_rate)
+        pinned = frozenset(name for i, name in enumerate(self.problem.names) if i not in slots)
+        for count in range(1, config.refine_steps + 1):
+            here = self.loss(world)
+            self._record("refine", here, world)
+            moments, step = adam(moments, clipped(here.gradient, config.refine_clip) * moving, rate, config)
+            world = world + admissible(room, world, step, math.inf) * moving
+            if count % config.refine_project_every == 0:
+                world = projected(replace(self.problem, pinned=pinned), world)
+        self._record("refine", self.loss(world), world)
+        return world
+
+    def _record(self, label: str, here: Evaluation, world: Floats) -> None:
+        step = len(self.losses)
+        terms = {name: float(value) for name, value in zip(TERMS, here.terms, strict=True)}
+        self.losses.append({**terms, "total": sum(terms.values())})
+        if step % 10 == 0:
+            layout = self.problem.layout(world)
+            self.shots.append(
+                Snapshot(step, label, {name: (pose.x, pose.y, pose.yaw) for name, pose in layout.items()})
+            )

@@ -1,0 +1,48 @@
+"""What every solver returns."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from robolayout.scene import Layout, Trace
+from robolayout.solve.judge import Verdict
+
+Progress = Callable[[str], None]
+"""Told the name of each phase as it begins."""
+
+
+def silent(_phase: str) -> None:
+    """Tell nobody."""
+
+
+@dataclass(frozen=True)
+class Solution:
+    """What a solver found.
+
+    Attributes:
+        layout: Poses of all assets.
+        verdict: What the judge says of it.
+        status: "solved", or "unmet" if demands are left.
+        message: The status as a sentence.
+        trace: Losses and poses on the way; empty unless asked for.
+    """
+
+    layout: Layout
+    verdict: Verdict
+    status: str
+    message: str
+    trace: Trace = field(default_factory=Trace, repr=False)
+
+
+def conclude(layout: Layout, verdict: Verdict, trace: Trace) -> Solution:
+    """Return a layout with its status in a word and in a sentence."""
+    if verdict.ok:
+        return Solution(layout, verdict, "solved", "Every demand and every statement is met.", trace)
+    parts = [
+        f"{verdict.hard:g} hard violations" if verdict.hard else "",
+        f"{verdict.access:.2f} of access missing" if verdict.access else "",
+        f"statements of weight {verdict.soft:g} unmet" if verdict.soft else "",
+    ]
+    text = ", ".join(part for part in parts if part)
+    return Solution(layout, verdict, "unmet", f"Budget spent with {text}; the report names them.", trace)
