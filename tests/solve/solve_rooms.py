@@ -19,7 +19,7 @@ QUICK = SolverConfig(
     polish=SearchConfig(steps=60, rate=0.02, final_rate=0.0005),
     reroute=SearchConfig(steps=60, rate=0.03, final_rate=0.001),
     route_rounds=3,
-    repair_rounds=2,
+    repair_rounds=6,
     candidates=16,
 )
 
@@ -27,7 +27,7 @@ DOOR = Opening(0, 2.9, 0.9, 2.05)
 SQUARE = Room(((0, 0), (4, 0), (4, 4), (0, 4)), 2.2, doors=(DOOR,))
 L_SHAPED = Room(((0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)), 2.2, doors=(DOOR,))
 TRIANGLE = Room(((0, 0), (5, 0), (0, 5)), 2.4)
-DISC = Agent("disc", 0.25, 1.5, reach_distance=0.5)
+DISC = Agent("disc", 0.25, 1.5, reach_distance=0.8)
 
 BED = Asset("bed-0", "bed", (2.0, 1.6, 0.5))
 STANDS = tuple(Asset(f"night_stand-{i}", "night stand", (0.4, 0.45, 0.5)) for i in range(2))

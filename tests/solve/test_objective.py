@@ -1,0 +1,122 @@
+"""The whole objective, with routes, carried things and saturating statements, against finite differences."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+from solve_rooms import BED, L_SHAPED, LAMP, PICTURE, RUG, STANDS, problem_of, room_of, scattered
+
+from robolayout._geometry import FrameRow
+from robolayout.solve import Problem, Weights
+from robolayout.solve.arrays import Arrays, Routes
+from robolayout.solve.objective import Losses, losses, total
+from robolayout.solve.stage import make_stage
+
+TEXT = """
+solver.against_wall(bed[0], walls[5])
+solver.symmetric_pair(night_stand[0], night_stand[1], bed[0])
+solver.next_to(night_stand[0], bed[0], "left")
+solver.on_top_of(lamp[0], night_stand[0])
+solver.point_towards(night_stand[1], bed[0])
+solver.distance_constraint(night_stand[1], [1, 3], 0.2, 0.4)
+solver.keep_clear(bed[0], "left", 0.5)
+solver.under(rug[0], [bed[0]])
+solver.mounted_on(picture[0], walls[5])
+"""
+STARTS = 3
+
+
+def parts(poses: jax.Array, arrays: Arrays, routes: Routes) -> Losses:
+    x, y, yaw = (poses[..., i] for i in range(3))
+    local = jnp.stack([x, y, jnp.cos(yaw), jnp.sin(yaw)], axis=-1)
+    return losses(local, arrays, routes, arrays.pairs, Weights())
+
+
+def value(poses: jax.Array, arrays: Arrays, routes: Routes) -> jax.Array:
+    return jnp.sum(total(parts(poses, arrays, routes), jnp.float64(0.7), Weights()))
+
+
+_compiled = partial(jax.jit, compiler_options={"xla_backend_optimization_level": "0"})
+_gradient = _compiled(jax.value_and_grad(value))
+_parts = _compiled(parts)
+
+
+def doubled(fields: Arrays | Routes) -> Arrays | Routes:
+    return type(fields)(*(f.astype(np.float64) if f.dtype.kind == "f" else f for f in fields))
+
+
+@pytest.fixture(scope="module")
+def problem() -> Problem:
+    return problem_of(room_of(BED, *STANDS, LAMP, RUG, PICTURE, room=L_SHAPED), TEXT)
+
+
+@pytest.fixture(scope="module")
+def everything(problem: Problem) -> tuple[np.ndarray, Arrays, Routes]:
+    """Return poses (starts, slots, 3), arrays and routes, at which every term is at work."""
+    rng = np.random.default_rng(4)
+    worlds = np.stack([scattered(problem, rng) for _ in range(STARTS)])
+    worlds[:, 2, :2] = worlds[:, 0, :2] + 0.2  # one thing inside another
+    stage = make_stage(problem, 0, worlds[0])
+    local = stage.local(worlds)
+    poses = np.concatenate([local[..., :2], np.arctan2(local[..., 3:], local[..., 2:3])], axis=-1)
+    points = worlds[:, [0, 1], :2] + 0.1
+    routes = Routes(points, np.tile(np.array([0, 1], np.int32), (STARTS, 1)), np.full((STARTS, 2), 0.4))
+    return poses, doubled(stage.arrays), doubled(routes)
+
+
+def test_every_term_is_at_work(everything: tuple[np.ndarray, Arrays, Routes]) -> None:
+    with jax.enable_x64(True):
+        found = _parts(*everything)
+    assert all((np.asarray(term) > 0).any() for term in found), found
+
+
+def test_the_gradient_of_the_objective_is_that_of_finite_differences(
+    problem: Problem, everything: tuple[np.ndarray, Arrays, Routes]
+) -> None:
+    """Of two things only one yields by rule; for differences to exist, here both do, and the mirror's axis is left out."""
+    poses, arrays, routes = everything
+    rows = FrameRow(*arrays.frame_row.T)
+    yielding = rows._replace(move_a=np.ones_like(rows.move_a), move_b=np.ones_like(rows.move_b))
+    arrays = arrays._replace(frame_row=np.stack(yielding, axis=-1))
+    step = 1e-6
+    with jax.enable_x64(True):
+        gradient = np.asarray(_gradient(poses, arrays, routes)[1])
+        for slot, name in enumerate(problem.names):
+            for axis in range(3 if name != "bed-0" else 0):
+                up, down = poses.copy(), poses.copy()
+                up[0, slot, axis] += step
+                down[0, slot, axis] -= step
+                first, second = (float(_gradient(p, arrays, routes)[0]) for p in (up, down))
+                assert gradient[0, slot, axis] == pytest.approx((first - second) / (2 * step), rel=1e-4, abs=1e-5)
+    assert not gradient[:, len(problem.names) :].any(), "padding is pulled"
+
+
+def test_what_stands_on_a_thing_pulls_at_it(everything: tuple[np.ndarray, Arrays, Routes]) -> None:
+    """A lamp that is outside the room takes its night stand back in."""
+    poses, arrays, routes = everything
+    only = arrays._replace(inside=np.eye(8)[3], frame_row=0 * arrays.frame_row, mirror_weight=0 * arrays.mirror_weight)
+    only = only._replace(pair_weight=0 * arrays.pair_weight, clear_weight=0 * arrays.clear_weight)
+    away = poses.copy()
+    away[:, 1, :2], away[:, 3, :2] = (-9.0, 0.0), 0.0
+    with jax.enable_x64(True):
+        gradient = np.asarray(_gradient(away, only, routes._replace(need=0 * routes.need - 9))[1])
+    assert (gradient[:, 1, 0] < 0).all(), "the night stand is pulled towards the room"
+    assert not gradient[:, [0, 2, 4, 5]].any()
+
+
+def test_statements_saturate_and_hard_demands_do_not(everything: tuple[np.ndarray, Arrays, Routes]) -> None:
+    """A statement that cannot be met fades; what stands outside the room is pulled the more, the farther it is."""
+    poses, arrays, routes = everything
+    pulls = []
+    for away in (20.0, 200.0):
+        moved = poses.copy()
+        moved[:, :, 0] += away
+        with jax.enable_x64(True):
+            found = _parts(moved, arrays, routes)
+        pulls.append((float(found.statements[0]) / away, float(found.boundary[0]) / away))
+    assert pulls[1][0] < pulls[0][0] / 3
+    assert pulls[1][1] > pulls[0][1] * 5
