@@ -297,3 +297,10 @@ def test_the_trace_is_kept_when_asked_for() -> None:
     assert [s.step for s in solution.trace.snapshots] == sorted(s.step for s in solution.trace.snapshots)
     assert solution.trace.snapshots[-1].step <= steps
     assert not solved(room_of(BED)).trace.losses
+
+
+@pytest.mark.parametrize("numbers", [{"candidates": 2}, {"candidates": 1, "kept": 1}, {"starts": 1, "kept": 4}])
+def test_any_small_budget_works(numbers: dict[str, int]) -> None:
+    text = "solver.distance_constraint(bed[0], walls[0], 50, 60)"
+    config = replace(QUICK, repair_rounds=2, **numbers)
+    assert solve(room_of(BED, TABLE), text, config=config).status == "unmet"

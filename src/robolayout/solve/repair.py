@@ -65,7 +65,7 @@ class Repair:
                 self._move(batch[k], slots, stage.moving)
         routes = pack([plan] * self.config.candidates, 8 * stage.slots) if number == 0 else None
         order = self.runner.evaluate(stage, batch, routes).order()
-        kept = self.config.kept
+        kept = min(self.config.kept, self.config.candidates)
         also = self.rng.choice(order[kept // 2 : 4 * kept], kept - kept // 2, replace=False)
         picked = batch[[*order[: kept // 2], *(int(k) for k in also)]]
         routes = pack([plan_for(w) for w in picked], 8 * stage.slots) if number == 0 else None
