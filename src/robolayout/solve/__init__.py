@@ -3,6 +3,7 @@
 from robolayout.solve.compile import Problem, compile_problem
 from robolayout.solve.config import SearchConfig, SolverConfig, Weights
 from robolayout.solve.judge import Judge, Verdict
+from robolayout.solve.profiles import solve_with, solver_names
 from robolayout.solve.refine import Solver
 from robolayout.solve.runner import warm_up
 from robolayout.solve.solution import Solution
@@ -17,5 +18,7 @@ __all__ = [
     "Verdict",
     "Weights",
     "compile_problem",
+    "solve_with",
+    "solver_names",
     "warm_up",
 ]

@@ -1,0 +1,189 @@
+"""SciPy's optimisers on the paper's loss and gradient: `trust-constr` and `dual-annealing`.
+
+Both keep to the paper's formulation (section "Rotation Constraint"): minimise L over positions in the room's box and headings
+(cos, sin) in [-1, 1]^2, subject to cos^2 + sin^2 = 1 as a nonlinear constraint, with gtol = xtol = barrier_tol = 1e-12. They are
+bounded by numbers of evaluations, never by the clock, so that the same seed gives the same layout.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from robolayout.scene import Snapshot, Trace
+from robolayout.solve.compile import Floats, Problem
+from robolayout.solve.judge import Judge
+from robolayout.solve.paper import TERMS, Evaluation, paper_loss, random_start
+from robolayout.solve.project import projected
+from robolayout.solve.solution import Progress, Solution, conclude, silent
+
+
+@dataclass(frozen=True)
+class ScipyConfig:
+    """Bounds of the search."""
+
+    tolerance: float = 1.0e-12
+    """gtol, xtol and barrier_tol of the paper."""
+
+    iterations: int = 300
+    """Most iterations of `trust-constr`."""
+
+    evaluations: int = 4000
+    """Evaluations of the loss after which `dual-annealing` starts no further round."""
+
+    rounds: int = 100
+    """Most rounds of annealing."""
+
+    polish: int = 60
+    """Iterations of `trust-constr` that follow annealing, to put headings on the unit circle."""
+
+
+class ScipySolver:
+    """Solves one problem with one of SciPy's optimisers.
+
+    Args:
+        problem: The problem.
+        judge: The exact verifier, as an order on layouts.
+        seed: Seed of the random start and of the annealing.
+        config: Bounds of the search.
+        progress: Called with the name of each phase.
+    """
+
+    def __init__(
+        self,
+        problem: Problem,
+        judge: Judge,
+        *,
+        seed: int = 0,
+        config: ScipyConfig | None = None,
+        progress: Progress | None = None,
+    ) -> None:
+        self.problem = problem
+        self.judge = judge
+        self.seed = seed
+        self.config = config or ScipyConfig()
+        self.progress = progress or silent
+        self.loss = paper_loss(problem)
+        self.start = random_start(problem, np.random.default_rng(seed))
+        self.free = [i for i, name in enumerate(problem.names) if name not in problem.pinned]
+        self.last = (np.empty(0), Evaluation(0.0, np.empty(0), np.empty(0)))
+        self.losses: list[dict[str, float]] = []
+        self.shots: list[Snapshot] = []
+
+    def trust_constr(self) -> Solution:
+        """Return the layout that a trust-region interior point method ends with."""
+        self.progress("search")
+        return self._concluded(self._trust_constr(self.start[self.free].ravel(), self.config.iterations))
+
+    def dual_annealing(self) -> Solution:
+        """Return the layout that annealing with gradient descents in between ends with, headings put on the circle last."""
+        if not self.free:
+            return self._concluded(np.empty(0))
+        from scipy import optimize
+
+        scipy: Any = optimize
+        self.progress("search")
+        low, high = self._box()
+        bounds = list(zip(low, high, strict=True))
+
+        def note(x: Floats, _value: float, _context: int) -> None:
+            self._record(x)
+
+        found = scipy.dual_annealing(
+            self._value,
+            bounds,
+            maxiter=self.config.rounds,
+            maxfun=self.config.evaluations,
+            x0=np.clip(self.start[self.free].ravel(), low, high),
+            seed=self.seed,
+            minimizer_kwargs={"method": "L-BFGS-B", "jac": self._gradient, "bounds": bounds},
+            callback=note,
+        )
+        self.progress("polish")
+        polished = self._trust_constr(found.x, self.config.polish)
+        return self._concluded(min((polished, found.x), key=self._value))
+
+    def _trust_constr(self, x: Floats, iterations: int) -> Floats:
+        if not self.free:
+            return x
+        from scipy import optimize
+        from scipy.sparse import csr_matrix, diags_array
+
+        scipy: Any = optimize
+        count = len(self.free)
+        rows = np.repeat(np.arange(count), 2)
+        columns = (4 * np.arange(count)[:, None] + [2, 3]).ravel()
+
+        def slope(value: Floats) -> Any:
+            return csr_matrix((2 * value[columns], (rows, columns)), shape=(count, 4 * count))
+
+        def bend(_value: Floats, multipliers: Floats) -> Any:
+            return diags_array(np.outer(2 * multipliers, [0.0, 0.0, 1.0, 1.0]).ravel())
+
+        def length(value: Floats) -> Floats:
+            return np.sum(value.reshape(-1, 4)[:, 2:] ** 2, axis=1)
+
+        def note(value: Floats, _state: object) -> None:
+            self._record(value)
+
+        low, high = self._box()
+        tolerance = self.config.tolerance
+        found = scipy.minimize(
+            self._value,
+            _on_circle(np.clip(x, low, high)),
+            jac=self._gradient,
+            method="trust-constr",
+            bounds=scipy.Bounds(low, high),
+            constraints=[scipy.NonlinearConstraint(length, 1.0, 1.0, jac=slope, hess=bend)],
+            options={"gtol": tolerance, "xtol": tolerance, "barrier_tol": tolerance, "maxiter": iterations},
+            callback=note,
+        )
+        return found.x
+
+    def _box(self) -> tuple[Floats, Floats]:
+        """Return the lowest and the highest variables."""
+        x0, y0, x1, y1 = self.problem.scene.room.bounds
+        count = len(self.free)
+        return np.tile([x0, y0, -1.0, -1.0], count), np.tile([x1, y1, 1.0, 1.0], count)
+
+    def _world(self, x: Floats) -> Floats:
+        world = self.start.copy()
+        world[self.free] = x.reshape(-1, 4)
+        return world
+
+    def _at(self, x: Floats) -> Evaluation:
+        """Return the loss at x; SciPy asks for its value and its gradient one after the other."""
+        if not np.array_equal(x, self.last[0]):
+            self.last = (x.copy(), self.loss(self._world(x)))
+        return self.last[1]
+
+    def _value(self, x: Floats) -> float:
+        return self._at(x).value
+
+    def _gradient(self, x: Floats) -> Floats:
+        return self._at(x).gradient[self.free].ravel()
+
+    def _record(self, x: Floats) -> None:
+        step, world = len(self.losses), self._world(_on_circle(x))
+        terms = dict(zip(TERMS, map(float, self._at(x).terms), strict=True))
+        self.losses.append({**terms, "total": sum(terms.values())})
+        if step % 10 == 0:
+            layout = self.problem.layout(world)
+            self.shots.append(Snapshot(step, "search", {name: (p.x, p.y, p.yaw) for name, p in layout.items()}))
+
+    def _concluded(self, x: Floats) -> Solution:
+        """Return the better of the raw result and of that after the hard corrections."""
+        raw = self._world(_on_circle(x))
+        layouts = [self.problem.layout(world) for world in (projected(self.problem, raw), raw)]
+        verdict, layout = min(((self.judge(one), one) for one in layouts), key=lambda found: found[0].merit)
+        return conclude(layout, verdict, Trace(tuple(self.losses), tuple(self.shots)))
+
+
+def _on_circle(x: Floats) -> Floats:
+    """Return variables with headings of length 1; the zero heading faces +x."""
+    poses = x.reshape(-1, 4).copy()
+    length = np.linalg.norm(poses[:, 2:], axis=1, keepdims=True)
+    poses[:, 2:] = np.where(length > 1e-9, poses[:, 2:] / np.maximum(length, 1e-9), [1.0, 0.0])
+    return poses.ravel()
