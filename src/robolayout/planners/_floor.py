@@ -160,6 +160,8 @@ class Floor:
         if not count:
             return np.full(self.inside.shape, 1e3), 1.0
         at_door = np.bincount(labels[self.landing], minlength=count + 1)[1:]
+        if self.room.doors and not at_door.any():
+            return np.full(self.inside.shape, 1e3), 1.0
         sizes = at_door if at_door.any() else np.bincount(labels.ravel(), minlength=count + 1)[1:]
         main = labels == 1 + int(np.argmax(sizes))
         return np.asarray(ndimage.distance_transform_edt(~main)) * self.cell, 1.0 - float(main.sum()) / float(

@@ -27,7 +27,7 @@ COMFORT = 0.26
 BASIC = 0.38
 """Share of the floor up to which what such a room always has is added."""
 
-ROOMY = 0.3
+ROOMY = 0.22
 """Share of the floor that wished things take where no size is given."""
 
 
