@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 import shapely
 
+from robolayout.assets.obstacles import use_sides
 from robolayout.planners._floor import rect_points
 from robolayout.planners._member import Member
 from robolayout.planners._places import WALL_GAP, centroid, targets, wall_yaw
@@ -38,6 +39,10 @@ def hang(site: Site, name: str, rng: np.random.Generator) -> None:
         site.settle(name, best[2])
 
 
+TAKE_HOLD = 0.05
+"""Metres that a thing begins below the top of the reach."""
+
+
 def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
     width = site.size(name)[1]
     low, high = width / 2 + 0.05, wall.length - width / 2 - 0.05
@@ -46,11 +51,18 @@ def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
     return sorted({round(float(t), 3) for t in marks if low <= t <= high})
 
 
+def _reach_top(site: Site) -> float:
+    """Return the highest lower edge, in metres, of what every agent with an arm can still take hold of."""
+    return min((a.reach_high for a in site.scene.agents if a.reach_distance is not None), default=9.0) - TAKE_HOLD
+
+
 def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot]:
     role, (depth, width, height) = site.cast[name].role, site.size(name)
     owner, bonus, lift = _below(site, name, wall, t)
     middle = max(role.height or max(EYE, 0.4 + height / 2), lift + CLEAR_ABOVE + height / 2)
-    middle = min(middle, site.room.wall_height - height / 2 - 0.03)
+    if use_sides(site.scene.by_name[name]):
+        middle = min(middle, _reach_top(site) + height / 2)
+    middle = min(max(middle, lift + CLEAR_ABOVE + height / 2), site.room.wall_height - height / 2 - 0.03)
     takers = site.wall_takers(wall)
     rect = (t - width / 2, middle - height / 2, t + width / 2, middle + height / 2)
     yaw = wall_yaw(wall)

@@ -74,7 +74,7 @@ class Top:
             "right": (max(ax, plate[0] / 2), -beside),
             "far left": (max(ax, plate[0] / 2), beside + 0.07),
             "far right": (max(ax, plate[0] / 2), -beside - 0.07),
-            "glass": (plate[0] + MARGIN + ax, -plate[1] / 2),
+            "glass": (max(ax, 0.2 * plate[0]), -beside - 0.08),
             "beyond": (plate[0] + MARGIN + ax, 0.0),
         }[at]
         c, s = round(math.cos(seat.yaw)), round(math.sin(seat.yaw))
