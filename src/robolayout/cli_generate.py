@@ -34,6 +34,7 @@ SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Settles every ch
 QuietOption = Annotated[bool, typer.Option("--quiet", help="Print nothing but errors.")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines.")]
 StartsOption = Annotated[int, typer.Option("--starts", min=1, max=256, help="Starts of the search.")]
+SolverOption = Annotated[str, typer.Option("--solver", help="default, paper, trust-constr or dual-annealing.")]
 VariantsOption = Annotated[int, typer.Option("--variants", min=1, max=64, help="Different rooms for one sentence.")]
 ModelOption = Annotated[str | None, typer.Option("--model", help="Let a model plan: openai:gpt-4o, ollama:llava, ...")]
 ModeOption = Annotated[str, typer.Option("--mode", help="grouped, one_shot, no_image or no_constraint (with --model).")]
@@ -51,6 +52,7 @@ def generate(  # noqa: PLR0913 - one parameter per option
     agent: AgentOption = None,
     seed: SeedOption = 0,
     starts: StartsOption = 16,
+    solver: SolverOption = "default",
     out: Annotated[Path | None, typer.Option("--out", help="Output folder; out/<scene> if not given.")] = None,
     pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw plan, views, animation.")] = True,
     export: Annotated[str, typer.Option("--export", help="Further formats, separated by commas.")] = "",
@@ -86,7 +88,7 @@ def generate(  # noqa: PLR0913 - one parameter per option
             planner = _model_or_file(program, (model, mode, samples, retries), limits, folder / "exchanges", seed)
         with progress(quiet or as_json) as say:
             config = SolverConfig(starts=starts, trace=pictures)
-            result = run(given, planner=planner, seed=seed, config=config, progress=say)
+            result = run(given, planner=planner, seed=seed, config=config, solver=solver, progress=say)
             say("write")
             files = write_result(result, folder, pictures=pictures, formats=formats)
         _tell(result, folder, files, quiet=quiet, as_json=as_json)

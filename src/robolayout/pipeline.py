@@ -13,7 +13,7 @@ from robolayout._errors import ModelError, ProgramError
 from robolayout.planners import Group, ModelPlanner, OfflinePlanner, Planner, PlanRequest, feedback_text
 from robolayout.program import Guess, Program, Reconciled, read_program, reconcile
 from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict, vertical_span
-from robolayout.solve import Solution, Solver, SolverConfig, Verdict, compile_problem
+from robolayout.solve import Solution, SolverConfig, Verdict, compile_problem, solve_with, warm_up
 from robolayout.verify import Report, judge_agent, physics, verify
 from robolayout.verify.use import horizontal_reach
 
@@ -90,6 +90,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     agent: AgentSpec | None = None,
     seed: int = 0,
     attempts: int = 4,
+    solver: str = "default",
     config: SolverConfig | None = None,
     progress: Progress | None = None,
 ) -> Result:
@@ -102,7 +103,8 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         agent: The body or bodies to lay out for; the scene's own if None.
         seed: Settles every choice: same input and seed, same layout.
         attempts: Most programs that are asked for, while demands stay unmet; the best verified one is kept.
-        config: Constants of the solver.
+        solver: Name of a solver: "default", "paper", "trust-constr" or "dual-annealing".
+        config: Constants of the default solver.
         progress: Called with the name of each phase.
 
     Returns:
@@ -112,7 +114,9 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     say = progress or (lambda _: None)
     with clock.station("scene"):
         scene = as_scene(scene, agent)
-    run = _Run(scene, seed, config, clock, say)
+    if solver == "default":
+        warm_up(scene, config)
+    run = _Run(scene, seed, solver, config, clock, say)
     planner = planner or OfflinePlanner()
     with clock.station("plan"):
         say("plan")
@@ -141,6 +145,7 @@ class _Run:
 
     scene: Scene
     seed: int
+    solver: str
     config: SolverConfig | None
     clock: _Clock
     say: Progress
@@ -254,7 +259,13 @@ class _Run:
             reconciled = reconcile(asked, here)
         with self.clock.station("solve"):
             solution = solve(
-                here, reconciled.program, seed=self.seed, config=self.config, pinned=placed, progress=self.say
+                here,
+                reconciled.program,
+                seed=self.seed,
+                solver=self.solver,
+                config=self.config,
+                pinned=placed,
+                progress=self.say,
             )
         return _Attempt(asked, reconciled, solution)
 
@@ -273,6 +284,7 @@ def solve(
     program: Program | str,
     *,
     seed: int = 0,
+    solver: str = "default",
     config: SolverConfig | None = None,
     pinned: Mapping[str, Pose] | None = None,
     progress: Progress | None = None,
@@ -283,14 +295,16 @@ def solve(
         scene: The scene.
         program: A program, or its text (read and filtered first).
         seed: Settles every choice.
-        config: Constants of the solver.
+        solver: Name of a solver: "default", "paper", "trust-constr" or "dual-annealing".
+        config: Constants of the default solver.
         pinned: Poses that must stay.
         progress: Called with the name of each phase.
     """
     if isinstance(program, str):
         program = reconcile(read_program(program, scene), scene).program
     problem = compile_problem(scene, program, seed=seed, pinned=pinned)
-    return Solver(problem, make_judge(scene, program), config, seed=seed, progress=progress).solve()
+    judge = make_judge(scene, program)
+    return solve_with(solver, problem, judge, seed=seed, config=config, progress=progress)
 
 
 def make_judge(scene: Scene, program: Program) -> Callable[[Layout], Verdict]:
