@@ -1,0 +1,208 @@
+"""docs/benchmarks.md and its plots, from the results on disk."""
+
+from __future__ import annotations
+
+import io
+import json
+import statistics
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+from benchmarks.examples import BODIES, ROOMS, ROOT
+from benchmarks.measures import SHARES
+from benchmarks.store import Row
+from robolayout._files import write_atomic
+
+RESULTS = ROOT / "benchmarks" / "results"
+PAGE = ROOT / "docs" / "benchmarks.md"
+HEADS = [name.removesuffix("_share").replace("_", " ") for name in SHARES]
+Rows = dict[str, Row]
+
+
+def write(results: Path, target: Path) -> None:
+    """Write the page and its plots from whatever results there are."""
+    parts = [
+        "# Benchmarks\n\nWritten by `python -m benchmarks` (`make bench`) from `benchmarks/results/`; do not edit. "
+        "Shares are means; what they mean is on the page about [the report](report.md).\n"
+    ]
+    for name, section in SECTIONS.items():
+        file = results / f"{name}.json"
+        if file.exists():
+            data = json.loads(file.read_text(encoding="utf-8"))
+            parts += [
+                section(data["rows"], target.parent / "images"),
+                f"*{data['machine']}, version {data['version']}.*\n",
+            ]
+        else:
+            parts.append(f"*Section {name!r} has not been measured: `python -m benchmarks --section {name}`.*\n")
+    write_atomic(target, "\n".join(parts))
+
+
+def table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """Return a table in Markdown, figures to the right."""
+    lines = [heads, ["---", *["---:"] * (len(heads) - 1)], *rows]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
+def mean(rows: Sequence[Row], name: str) -> float:
+    """Return the mean of a figure."""
+    return statistics.fmean(float(row[name]) for row in rows)
+
+
+def shares(rows: Sequence[Row]) -> list[str]:
+    """Return the cells of all shares; 1.00 is written only where every run has it."""
+    return [f"{min(mean(rows, name), 0.99 if any(row[name] < 1.0 for row in rows) else 1.0):.2f}" for name in SHARES]
+
+
+def summary(rows: Sequence[Row]) -> list[str]:
+    """Return the cells of how many runs there are, how many meet the hard demands, how many all, and the shares."""
+    return [str(len(rows)), *(f"{mean(rows, name):.0%}" for name in ("hard_ok", "ok")), *shares(rows)]
+
+
+def select(rows: Rows, keep: Callable[[list[str]], bool]) -> list[Row]:
+    """Return the rows whose key, split at slashes, is wanted."""
+    return [row for key, row in rows.items() if keep(key.split("/"))]
+
+
+def examples(rows: Rows, images: Path) -> str:
+    """Return the table of the four examples."""
+    lines: list[list[str]] = []
+    for room in ROOMS:
+        for body in BODIES:
+            found = select(rows, lambda key, room=room, body=body: key[:2] == [room, body])
+            if found:
+                met = f"{sum(row['ok'] for row in found)} of {len(found)}"
+                notes = f"{max(row['exempt'] for row in found)}"
+                lines.append(
+                    [f"{room.replace('_', ' ')}, {body}", met, *shares(found), notes, f"{mean(found, 'wall'):.1f}"]
+                )
+    heads = ["room and body", "all demands met", *HEADS, "not asked", "seconds"]
+    note = (
+        "*Not asked*: assets that no layout can bring into the reach of this body (a picture for a vacuum cleaner, "
+        "a mirror for a child); they lower reachable and usable, and the report says why.\n"
+    )
+    return f"## The examples, four bodies, five seeds\n\n{table(heads, lines)}\n{note}"
+
+
+def speed(rows: Rows, images: Path) -> str:
+    """Return the tables of seconds and draw how they grow."""
+    parts = ["## Speed\n"]
+    commands = [
+        [k.partition("/")[2], f"{r['wall']:.2f}", f"{r['cpu']:.2f}"]
+        for k, r in rows.items()
+        if k.startswith("process/")
+    ]
+    parts.append(table(["a new process", "wall s", "CPU s"], commands))
+    names = ("scene", "plan", "program", "solve", "verify")
+    lines: list[list[str]] = []
+    for key, row in rows.items():
+        if key.startswith("stations/"):
+            cells = [f"{row.get(f'{n}_wall', 0.0):.2f} / {row.get(f'{n}_cpu', 0.0):.2f}" for n in names]
+            lines.append([f"{key[9:].replace('_', ' ')}, {row['assets']} assets", f"{row['first_wall']:.1f}", *cells])
+    parts.append(table(["station, warm: wall / CPU s", "first run, in all", *names], lines))
+    grown = sorted((row for key, row in rows.items() if key.startswith("growth/")), key=lambda row: row["assets"])
+    heads = [
+        "solve, blind program, 30 % filled",
+        "first s",
+        "warm s",
+        "warm CPU s",
+        "without routes and repair, warm s",
+    ]
+    cells = [
+        [
+            f"{r['assets']} assets",
+            *(f"{r[n]:.2f}" for n in ("routes_first", "routes_wall", "routes_cpu", "no_routes_wall")),
+        ]
+        for r in grown
+    ]
+    parts.append(table(heads, cells))
+    if len(grown) > 1:
+        curves = {"with routes and repair": "routes_wall", "without": "no_routes_wall"}
+        lines_xy = {label: [(r["assets"], r[name]) for r in grown] for label, name in curves.items()}
+        parts.append(plot(images / "benchmark-growth.png", lines_xy, ("assets", "seconds, warm"), logarithmic=True))
+    return "\n".join(parts)
+
+
+def crowded(rows: Rows, images: Path) -> str:
+    """Return the table of crowded rooms and draw how often everything is in, inside and clear."""
+    groups: dict[str, list[Row]] = {}
+    for key, row in rows.items():
+        groups.setdefault(key.rpartition("/")[0], []).append(row)
+    heads = ["program / solver / room", "rooms", "hard demands met", "all demands met", *HEADS, "seconds"]
+    lines = [
+        [name.replace("/", ", "), *summary(found), f"{mean(found, 'wall'):.1f}"] for name, found in _sorted(groups)
+    ]
+    intro = (
+        "Rooms made by rule (`benchmarks/rooms.py`), default disc of 0.30 m. *program*: a program with blind guesses, "
+        "walls asked without thinking; *planned*: the offline planner writes it. "
+        "Hard demands: placed, no collision, inside, supported, doors clear.\n"
+    )
+    curves: dict[str, list[tuple[float, float]]] = {}
+    for name, found in groups.items():
+        who, solver, size, fill, *extra = name.split("/")
+        if not extra and solver == "default":
+            curves.setdefault(f"{who}, {size}", []).append((float(fill.rstrip("%")), 100 * mean(found, "hard_ok")))
+    picture = plot(images / "benchmark-crowded.png", curves, ("floor filled, %", "rooms with all hard demands met, %"))
+    return f"## Crowded rooms\n\n{intro}\n{table(heads, lines)}\n{picture}"
+
+
+def ablation(rows: Rows, images: Path) -> str:
+    """Return the table of what each part is worth."""
+    groups: dict[str, list[Row]] = {}
+    for key, row in rows.items():
+        groups.setdefault(key.split("/")[0], []).append(row)
+    heads = ["solver", "runs", "hard demands met", "all demands met", *HEADS, "wall s", "CPU s"]
+    lines = [[k, *summary(v), *(f"{mean(v, n):.1f}" for n in ("wall", "cpu"))] for k, v in groups.items()]
+    intro = (
+        "The same programs without guesses that help: crowded rooms of 20 assets (30 and 45 % filled) with blind guesses, "
+        "and bedroom and living room for a wheelchair with the planner's statements but none of its guesses; "
+        "one attempt each.\n"
+    )
+    return f"## What each part is worth\n\n{intro}\n{table(heads, lines)}"
+
+
+SECTIONS: dict[str, Callable[[Rows, Path], str]] = {
+    "examples": examples,
+    "speed": speed,
+    "crowded": crowded,
+    "ablation": ablation,
+}
+
+
+def plot(
+    path: Path, curves: dict[str, list[tuple[float, float]]], labels: tuple[str, str], *, logarithmic: bool = False
+) -> str:
+    """Draw curves as a PNG and return the line that shows it."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(6.4, 3.6), layout="constrained")
+    axes: Any = figure.subplots()
+    for number, (label, points) in enumerate(sorted(curves.items(), key=lambda item: _natural(item[0]))):
+        style = "--" if label.startswith("planned") else "-"
+        axes.plot(*zip(*sorted(points), strict=True), style, marker="os^Dv"[number % 5], label=label)
+    if logarithmic:
+        axes.set(xscale="log", yscale="log")
+        ticks = sorted({x for points in curves.values() for x, _ in points})
+        axes.set_xticks(ticks, [f"{x:g}" for x in ticks], minor=False)
+        axes.minorticks_off()
+    else:
+        axes.set_ylim(-4, 104)
+    axes.set(xlabel=labels[0], ylabel=labels[1])
+    axes.grid(alpha=0.3)
+    axes.legend(frameon=False, fontsize=8)
+    stream = io.BytesIO()
+    figure.savefig(stream, format="png", dpi=110, metadata={"Software": ""})
+    write_atomic(path, stream.getvalue())
+    return f"![{labels[1]} by {labels[0]}](images/{path.name})\n"
+
+
+def _sorted(groups: dict[str, list[Row]]) -> list[tuple[str, list[Row]]]:
+    return sorted(groups.items(), key=lambda item: _natural(item[0]))
+
+
+def _natural(text: str) -> list[tuple[int, str]]:
+    """Return a key that puts 9 before 10."""
+    return [
+        (int(word), "") if word.isdigit() else (0, word) for word in text.replace("%", " ").replace("/", " ").split()
+    ]

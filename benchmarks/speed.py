@@ -1,0 +1,105 @@
+"""Seconds: of the command, of its stations, of solving, and how they grow; each in a fresh process with a fresh cache."""
+
+from __future__ import annotations
+
+import json
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from benchmarks.examples import ROOMS, ROOT
+from benchmarks.measures import watch
+from benchmarks.store import Row
+
+COUNTS = (10, 20, 40, 80)
+REPEATS = 3
+
+
+def cases(quick: bool) -> Iterator[tuple[str, Callable[[], Row]]]:
+    """Yield processes, stations and growth."""
+    bedroom = str(ROOT / "examples" / "bedroom.json")
+    python, command = [sys.executable, "-c"], [sys.executable, "-m", "robolayout"]
+    yield "process/import robolayout", partial(process, [*python, "import robolayout"])
+    yield "process/robolayout --help", partial(process, [*command, "--help"])
+    yield "process/robolayout agents", partial(process, [*command, "agents"])
+    run = [*command, "generate", bedroom, "--agent", "wheelchair", "--quiet"]
+    yield "process/first generate, empty cache", partial(process, run, repeats=1)
+    yield "process/later generate", partial(process, run, warm=True)
+    yield "process/later generate, no pictures", partial(process, [*run, "--no-pictures"], warm=True)
+    for room in ROOMS[:1] if quick else ROOMS:
+        yield f"stations/{room}", partial(in_child, "stations", room)
+    for count in COUNTS[:1] if quick else COUNTS:
+        yield f"growth/{count} assets", partial(in_child, "growth", str(count))
+
+
+def process(words: list[str], *, repeats: int = REPEATS, warm: bool = False) -> Row:
+    """Return the median seconds of a process; `warm` runs it once before, so that what compiles is there."""
+    with tempfile.TemporaryDirectory() as folder:
+        environment = os.environ | {"ROBOLAYOUT_CACHE": str(Path(folder, "cache")), "PYTHONPATH": str(ROOT)}
+        walls: list[float] = []
+        cpus: list[float] = []
+        for i in range(repeats + warm):
+            before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
+            done = subprocess.run(words, cwd=folder, env=environment, capture_output=True, text=True)
+            after, ended = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
+            if done.returncode not in (0, 1) or "Traceback" in done.stderr:
+                raise RuntimeError(f"{words} failed: {done.stderr[-600:]}")
+            if i >= warm:
+                walls.append(ended - began)
+                cpus.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+    return {"wall": sorted(walls)[len(walls) // 2], "cpu": sorted(cpus)[len(cpus) // 2], "runs": len(walls)}
+
+
+def in_child(what: str, which: str) -> Row:
+    """Return the row that this module prints when it is run on its own in a fresh process with an empty cache."""
+    with tempfile.TemporaryDirectory() as folder:
+        environment = os.environ | {"ROBOLAYOUT_CACHE": str(Path(folder, "cache"))}
+        words = [sys.executable, "-m", "benchmarks.speed", what, which]
+        done = subprocess.run(words, cwd=ROOT, env=environment, stdout=subprocess.PIPE, text=True, check=True)
+    return json.loads(done.stdout.splitlines()[-1])
+
+
+def stations(room: str) -> Row:
+    """Return wall and CPU seconds of each station of a warm run, and of the first one in all."""
+    from benchmarks.measures import generated
+
+    scene = ROOT / "examples" / f"{room}.json"
+    first = generated(scene, agent="wheelchair", seed=0)
+    row = generated(scene, agent="wheelchair", seed=0)
+    return row | {"first_wall": first["wall"], "first_cpu": first["cpu"]}
+
+
+def growth(count: str) -> Row:
+    """Return seconds of solving a room 30 % full: first (compiling), then the median of warm runs, without routes too."""
+    from dataclasses import replace
+
+    import robolayout as rl
+    from benchmarks.rooms import Crowd, crowd
+
+    row: Row = {"assets": int(count)}
+    scene, program = crowd(Crowd(int(count), 0.30, 0))
+    given: Any = rl.scene_from_dict(scene)
+    for name, config in (
+        ("routes", rl.SolverConfig()),
+        ("no_routes", replace(rl.SolverConfig(), route_rounds=0, repair_rounds=0)),
+    ):
+        seconds: list[tuple[float, float]] = []
+        for seed in range(REPEATS + 1):
+            with watch() as spent:
+                rl.solve(given, program, seed=seed, config=config)
+            seconds.append((spent.wall, spent.cpu))
+        warm = sorted(seconds[1:])[REPEATS // 2]
+        row |= {f"{name}_first": seconds[0][0], f"{name}_wall": warm[0], f"{name}_cpu": warm[1]}
+    return row
+
+
+if __name__ == "__main__":
+    made = {"stations": stations, "growth": growth}[sys.argv[1]](sys.argv[2])
+    sys.stdout.write(json.dumps(made) + "\n")

@@ -1,0 +1,78 @@
+"""The benchmark command: its rooms are what they claim, its results are kept, its page follows from them."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from benchmarks import ablation, crowded, examples, page, speed
+from benchmarks.measures import SHARES
+from benchmarks.rooms import Crowd, crowd
+from benchmarks.store import Row, Store
+
+import robolayout as rl
+
+
+@pytest.mark.parametrize(
+    "asked", [Crowd(10, 0.30, 0), Crowd(40, 0.60, 3, concave=True), Crowd(20, 0.45, 1, contradictions=6)]
+)
+def test_rooms_are_as_full_as_they_claim_and_their_programs_read(asked: Crowd) -> None:
+    scene = rl.scene_from_dict(crowd(asked)[0])
+    corners = scene.room.vertices
+    area = (
+        abs(sum(x1 * y2 - x2 * y1 for (x1, y1), (x2, y2) in zip(corners, (*corners[1:], corners[0]), strict=True))) / 2
+    )
+    taken = sum(asset.size[0] * asset.size[1] for asset in scene.assets)
+    assert len(scene.assets) == asked.count and scene.warnings == ()
+    assert taken / area == pytest.approx(asked.fill, abs=0.005)
+    assert len(corners) == (6 if asked.concave else 4)
+    program = rl.read_program(crowd(asked)[1], scene)
+    assert len(program.guesses) == asked.count
+    assert len(program.statements) >= asked.count // 5 + 2 * asked.contradictions
+    assert crowd(asked) == crowd(asked)
+
+
+def test_every_section_has_cases_with_names_of_their_own() -> None:
+    for section in (examples, speed, crowded, ablation):
+        for quick in (True, False):
+            keys = [key for key, _ in section.cases(quick)]
+            assert keys and len(set(keys)) == len(keys)
+
+
+def test_what_is_measured_is_kept_and_not_measured_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from benchmarks import __main__ as command
+
+    measured: list[str] = []
+
+    def case(key: str) -> Row:
+        measured.append(key)
+        return {"wall": 0.123456789}
+
+    keys = ["a", "b"]
+    monkeypatch.setitem(command.SECTIONS, "speed", lambda quick: [(key, lambda key=key: case(key)) for key in keys])
+    file = tmp_path / "speed.json"
+    command.measure("speed", Store(file), quick=False, fresh=False)
+    keys.append("c")
+    command.measure("speed", Store(file), quick=False, fresh=False)
+    assert measured == ["a", "b", "c"]
+    assert json.loads(file.read_text())["rows"]["a"] == {"wall": 0.12346}
+    command.measure("speed", Store(file), quick=False, fresh=True)
+    assert measured == ["a", "b", "c"] * 2 or measured[3:] == ["a", "b", "c"]
+
+
+def test_the_page_follows_from_the_results(tmp_path: Path) -> None:
+    row: Row = dict.fromkeys(SHARES, 1.0) | {"ok": True, "hard_ok": True, "exempt": 0, "wall": 1.5, "cpu": 2.5}
+    poor: Row = row | {"reachable_share": 0.999, "ok": False}
+    store = Store(tmp_path / "examples.json")
+    store.save("bedroom/wheelchair/0", row)
+    store.save("bedroom/wheelchair/1", poor)
+    store = Store(tmp_path / "crowded.json")
+    for fill in ("30%", "45%"):
+        store.save(f"program/default/10 assets/{fill}/0", row)
+    page.write(tmp_path, tmp_path / "page.md")
+    text = (tmp_path / "page.md").read_text()
+    assert "| bedroom, wheelchair | 1 of 2 |" in text
+    assert "| 0.99 |" in text, "1.00 is only written where every run has it"
+    assert "Section 'ablation' has not been measured" in text
+    assert (tmp_path / "images" / "benchmark-crowded.png").read_bytes().startswith(b"\x89PNG")
