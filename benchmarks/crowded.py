@@ -6,9 +6,10 @@ from collections.abc import Callable, Iterator
 from functools import partial
 
 import robolayout as rl
-from benchmarks.measures import generated, solver_names
+from benchmarks.measures import generated
 from benchmarks.rooms import Crowd, crowd
 from benchmarks.store import Row
+from robolayout.solve import solver_names
 
 FILLS = (0.30, 0.45, 0.60)
 COUNTS = (10, 20, 40, 80)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -36,11 +35,6 @@ def watch() -> Iterator[Watch]:
     wall, cpu = time.perf_counter(), time.process_time()
     yield spent
     spent.wall, spent.cpu = time.perf_counter() - wall, time.process_time() - cpu
-
-
-def solver_names() -> tuple[str, ...]:
-    """Return the solvers that can be asked for by name."""
-    return tuple(getattr(importlib.import_module("robolayout.solve"), "SOLVERS", ("default",)))
 
 
 def figures(report: rl.Report) -> Row:
