@@ -77,7 +77,7 @@ class Case:
 
 
 def scene_of(example: str, rng: np.random.Generator, room: str = "rectangle", **options: object) -> Scene:
-    """Return a room with the things that a line of program text names, sizes varied by 15 %."""
+    """Return a room with the things that a line of program text names, sizes varied by 15 %, and two boxes."""
     counts: dict[str, int] = {}
     for node in ast.walk(ast.parse(example)):
         if isinstance(node, ast.Subscript) and isinstance(node.value, ast.Name) and node.value.id != "walls":
@@ -89,12 +89,13 @@ def scene_of(example: str, rng: np.random.Generator, room: str = "rectangle", **
         flags = {key: getattr(kind, key) for key in ("on_floor", "on_wall", "on_ceiling", "on_object")}
         size = tuple(float(side * rng.uniform(0.85, 1.15)) for side in kind.size)
         assets += [Asset(f"{variable}-{i}", kind.name, size, **flags) for i in range(count)]
+    assets += [Asset(f"bystander-{i}", "box", (0.5, 0.9, 1.2)) for i in range(min(2, SLOTS - len(assets)))]
     door = Opening(0, 1.0, 0.9, 2.05)
     return Scene(Room(ROOMS[room], 2.8, doors=(door,)), tuple(assets), **options)
 
 
-def vary(relation: Relation, scene: Scene, rng: np.random.Generator) -> Relation:
-    """Return the relation with other arguments of the kinds that it takes."""
+def vary(relation: Relation, scene: Scene, rng: np.random.Generator, chance: float = 0.5) -> Relation:
+    """Return the relation with other arguments of the kinds that it takes, each with that chance."""
     x0, y0, x1, y1 = scene.room.bounds
     middle = (rng.uniform(x0 + 2, x1 - 2), rng.uniform(y0 + 2, y1 - 2))
     changes: dict[str, object] = {}
@@ -113,7 +114,7 @@ def vary(relation: Relation, scene: Scene, rng: np.random.Generator) -> Relation
         swaps += field.metadata["choices"]
         if field.metadata["unit"] == "deg":
             swaps += [0.0, 37.0, 90.0, -135.0]
-        if swaps and rng.random() < 0.7:
+        if swaps and rng.random() < chance:
             changes[field.name] = swaps[int(rng.integers(len(swaps)))]
     return replace(relation, **changes)
 
@@ -197,7 +198,7 @@ def case(name: str, variant: int) -> Case:
     relation = read_program(kind.example, scene).statements[0].relation
     if variant:
         scene = moved_scene(scene, rng.uniform(0, math.tau), (3.0, -2.0))
-        relation = vary(relation, scene, rng)
+        relation = vary(relation, scene, rng, 1.0 if variant == 1 else 0.5)
     problem = flat_problem(scene, relation)
     arrays, random = stage_arrays(problem), anywhere(scene, rng)
     satisfied = descend(random, arrays, *STATED)
