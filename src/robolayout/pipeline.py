@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -63,7 +63,7 @@ class _Clock:
         self.seconds: dict[str, dict[str, float]] = {}
 
     @contextmanager
-    def station(self, name: str) -> Iterator[None]:
+    def station(self, name: str) -> Generator[None]:
         wall, cpu = time.perf_counter(), time.process_time()
         try:
             yield
@@ -111,7 +111,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         The layout with its program, decisions and report. No file is written.
     """
     clock = _Clock()
-    say = progress or (lambda _: None)
+    say = progress or _hushed
     with clock.station("scene"):
         scene = as_scene(scene, agent)
     if solver == "default":
@@ -128,6 +128,10 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     say("verify")
     report = verify(scene, best.solution.layout, best.asked).with_timing(clock.seconds)
     return Result(scene, groups, best.asked, best.reconciled, best.solution.layout, report, best.solution)
+
+
+def _hushed(phase: str) -> None:
+    """Say nothing."""
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ OVERLAP = 1000.0
 SHRINK = 0.1
 """L = 0.1 L_total (section "Objective Function")."""
 
-TINY = 1.0e-12
+TINY = 1.0e-24
 """Below the root of a heading's length, so that it has a slope everywhere."""
 
 

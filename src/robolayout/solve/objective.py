@@ -65,9 +65,9 @@ def statement_residuals(body: Body, arrays: Arrays) -> tuple[Array, Array]:
     row = FrameRow(*(arrays.frame_row[:, i] for i in range(arrays.frame_row.shape[1])))
     a = _yielding(take(body, arrays.frame_index[:, 0]), row.move_a)
     b = _yielding(take(body, arrays.frame_index[:, 1]), row.move_b)
-    twins = (take(body, arrays.mirror_index[:, i]) for i in range(2))
+    left, right = take(body, arrays.mirror_index[:, 0]), take(body, arrays.mirror_index[:, 1])
     axis = _yielding(take(body, arrays.mirror_index[:, 2]), jnp.zeros_like(arrays.mirror_weight))
-    return frame_residual(a, b, row), mirror_residual(*twins, axis, arrays.mirror_normal)
+    return frame_residual(a, b, row), mirror_residual(left, right, axis, arrays.mirror_normal)
 
 
 def overlap_depths(body: Body, pairs: Array, weights: Weights) -> Array:

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from scipy import ndimage
 from shapely import Polygon
 
 from robolayout.assets.obstacles import blocks, use_sides
@@ -65,7 +64,7 @@ def make_ground(problem: Problem, agent: Agent, cell: float) -> Ground:
     cell = max(cell, ((x1 - x0) * (y1 - y0) / 40_000) ** 0.5)
     xs, ys = np.arange(x0 + cell / 2, x1, cell), np.arange(y0 + cell / 2, y1, cell)
     room = Polygon(problem.scene.room.vertices)
-    points = shapely.points(*np.meshgrid(xs, ys, indexing="ij"))
+    points = np.asarray(shapely.points(*np.meshgrid(xs, ys, indexing="ij")))
     shapely.prepare(room)
     distance = shapely.distance(points, room.exterior)
     distance = np.where(shapely.contains(room, points), distance, -distance)
@@ -134,6 +133,7 @@ def plan_routes(problem: Problem, ground: Ground, world: Floats, slots: tuple[in
     if ground.start is None:
         return Plan(np.empty((0, 4)), 0)
     from skimage.graph import MCP_Geometric
+    from skimage.measure import label
 
     need = ground.agent.radius + MARGIN
     field = clearance(problem, ground, world, slots)
@@ -142,11 +142,11 @@ def plan_routes(problem: Problem, ground: Ground, world: Floats, slots: tuple[in
     walk = MCP_Geometric(cost, fully_connected=True)
     reach, _ = walk.find_costs([ground.start])
     passable = ground.open & (field >= ground.agent.radius - ground.cell / 4)
-    regions = ndimage.label(passable, structure=np.ones((3, 3)))[0]
-    here = regions[ground.start]
+    regions = np.asarray(label(passable, connectivity=2), dtype=np.int32)
+    here = int(regions[ground.start])
     home = (regions == here) if here else np.zeros_like(passable)
     goals = _goals(problem, ground, world, reach, home)
-    goals += _pockets(ground, regions, int(here), field)
+    goals += _pockets(ground, regions, here, field)
     points: set[tuple[int, int]] = set()
     for goal in goals:
         if np.isfinite(reach[goal]):

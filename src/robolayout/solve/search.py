@@ -34,7 +34,7 @@ class _State(NamedTuple):
     parts: Losses
 
 
-def near_pairs(local: Array, arrays: Arrays) -> Array:
+def near_pairs(local: Array, arrays: Arrays, _before: Array | None = None) -> Array:
     """Return the pairs that may touch within the next steps: (P, 2), or the nearest (starts, 4 A, 2) of large problems."""
     slots = arrays.half.shape[0]
     if slots <= DENSE_SLOTS:
@@ -45,6 +45,10 @@ def near_pairs(local: Array, arrays: Arrays) -> Array:
     nearest, index = jax.lax.top_k(-gap, 4 * slots)
     pairs = arrays.pairs[index]
     return jnp.where((nearest > -1.0)[..., None], pairs, 0)
+
+
+def _same_pairs(_local: Array, _arrays: Arrays, before: Array) -> Array:
+    return before
 
 
 def _tangent(local: Array, gradient: Array) -> Array:
@@ -100,9 +104,8 @@ def advance(
         rate = schedule.final_rate + (schedule.rate - schedule.final_rate) * 0.5 * (1.0 + jnp.cos(jnp.pi * done))
         pairs = state.pairs
         if arrays.half.shape[0] > DENSE_SLOTS:
-            pairs = jax.lax.cond(
-                (i % REFRESH == 0) | (i == steps), lambda: near_pairs(state.local, arrays), lambda: pairs
-            )
+            renew = (i % REFRESH == 0) | (i == steps)
+            pairs = jax.lax.cond(renew, near_pairs, _same_pairs, state.local, arrays, state.pairs)
         gradient, parts = jax.grad(objective, has_aux=True)(state.local, pairs, ramp)
         gradient = _tangent(state.local, gradient) * arrays.free[None, :, None]
         first = 0.9 * state.first + 0.1 * gradient
