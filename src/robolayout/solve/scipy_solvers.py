@@ -7,6 +7,7 @@ bounded by numbers of evaluations, never by the clock, so that the same seed giv
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from typing import Any
 
@@ -130,16 +131,18 @@ class ScipySolver:
 
         low, high = self._box()
         tolerance = self.config.tolerance
-        found = scipy.minimize(
-            self._value,
-            _on_circle(np.clip(x, low, high)),
-            jac=self._gradient,
-            method="trust-constr",
-            bounds=scipy.Bounds(low, high),
-            constraints=[scipy.NonlinearConstraint(length, 1.0, 1.0, jac=slope, hess=bend)],
-            options={"gtol": tolerance, "xtol": tolerance, "barrier_tol": tolerance, "maxiter": iterations},
-            callback=note,
-        )
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", "delta_grad == 0.0")  # where everything is met the loss is flat
+            found = scipy.minimize(
+                self._value,
+                _on_circle(np.clip(x, low, high)),
+                jac=self._gradient,
+                method="trust-constr",
+                bounds=scipy.Bounds(low, high),
+                constraints=[scipy.NonlinearConstraint(length, 1.0, 1.0, jac=slope, hess=bend)],
+                options={"gtol": tolerance, "xtol": tolerance, "barrier_tol": tolerance, "maxiter": iterations},
+                callback=note,
+            )
         return found.x
 
     def _box(self) -> tuple[Floats, Floats]:
