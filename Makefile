@@ -10,10 +10,10 @@ demo: $(STAMP) ## furnish the example bedroom for a wheelchair user
 	$(BIN)/robolayout generate examples/bedroom.json --agent wheelchair --out out/bedroom
 
 test: $(DEV) tests/tools/node_modules ## run the test suite on all cores
-	$(BIN)/python -m pytest -n auto --dist worksteal -q -m "not slow"
+	ROBOLAYOUT_NODE_TOOLS=1 $(BIN)/python -m pytest -n auto --dist worksteal -q -m "not slow"
 
 test-all: $(DEV) tests/tools/node_modules ## run everything, slow tests too
-	$(BIN)/python -m pytest -n auto --dist worksteal -q
+	ROBOLAYOUT_NODE_TOOLS=1 $(BIN)/python -m pytest -n auto --dist worksteal -q
 
 lint: $(DEV) ## ruff and pyright
 	$(BIN)/ruff check .

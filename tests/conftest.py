@@ -6,19 +6,15 @@ import fcntl
 import json
 import os
 import shutil
-import sys
 import tempfile
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, redirect_stderr, redirect_stdout
-from dataclasses import dataclass
-from io import StringIO
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
-from unittest.mock import patch
 
 import pytest
 
-ROOT = Path(__file__).parents[1]
+from running import ROOT, Furnished, Ran, run_command
+
 CACHE = "ROBOLAYOUT_CACHE"
 _MADE = pytest.StashKey[str]()
 
@@ -35,43 +31,10 @@ def pytest_unconfigure(config: pytest.Config) -> None:
         del os.environ[CACHE]
 
 
-@dataclass(frozen=True)
-class Ran:
-    """What a command did."""
-
-    code: int
-    out: str
-    err: str
-
-
-def run_command(*words: object) -> Ran:
-    """Run `robolayout <words>` in this process, as its entry point does."""
-    from robolayout.cli import main
-
-    out, err = StringIO(), StringIO()
-    with patch.object(sys, "argv", ["robolayout", *map(str, words)]), redirect_stdout(out), redirect_stderr(err):
-        try:
-            main()
-            code = 0
-        except SystemExit as stop:
-            code = stop.code if isinstance(stop.code, int) else 1 if stop.code else 0
-    return Ran(code, out.getvalue(), err.getvalue())
-
-
 @pytest.fixture(scope="session")
 def command() -> Callable[..., Ran]:
     """The command line as a function."""
     return run_command
-
-
-@dataclass(frozen=True)
-class Furnished:
-    """The output folder of one run of `generate` on the bedroom, and what it printed."""
-
-    folder: Path
-    scene: Path
-    code: int
-    printed: dict[str, Any]
 
 
 @pytest.fixture(scope="session")

@@ -18,10 +18,10 @@ from typing import Any
 import pytest
 from PIL import Image
 
-from conftest import Furnished, Ran
 from robolayout._version import __version__
 from robolayout.constraints import RELATIONS
 from robolayout.scene import agent_names
+from running import Furnished, Ran
 
 Command = Callable[..., Ran]
 Change = Callable[[dict[str, Any]], Any]

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from docs.generate import filled, pages
 
-from conftest import ROOT, Ran
+from running import ROOT, Ran
 
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 PAGES = {str(page.relative_to(ROOT)): page.read_text(encoding="utf-8") for page in pages()}

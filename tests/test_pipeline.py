@@ -9,7 +9,7 @@ import sys
 import pytest
 
 import robolayout as rl
-from conftest import ROOT, Furnished
+from running import ROOT, Furnished
 
 TINY = {
     "boundary": {"floor_vertices": [[0, 0, 0], [3, 0, 0], [3, 3, 0], [0, 3, 0]], "wall_height": 2.5},
