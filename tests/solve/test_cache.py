@@ -8,12 +8,15 @@ import sys
 import warnings
 from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from robolayout.solve import cache, programs
 from robolayout.solve.cache import cache_folder, entry_key, read_entry, write_entry
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
 
 OTHER = 12_345
 """A user that is not us."""
@@ -181,3 +184,34 @@ def test_nested_tuples_come_back_as_they_were():
     template = (1, (2, (3,)), 4)
     assert [int(leaf) for leaf in programs.leaves(template)] == [1, 2, 3, 4]
     assert programs.rebuilt(template, "abcd") == ("a", ("b", ("c",)), "d")
+
+
+@pytest.mark.parametrize("room", ["bedroom", "dining_room", "living_room", "tasks/classroom_crowded"])
+def test_what_is_warmed_up_is_what_the_room_needs_in_every_stage(room, monkeypatch):
+    from robolayout.planners import OfflinePlanner, PlanRequest
+    from robolayout.program import read_program, reconcile
+    from robolayout.scene import load_scene
+    from robolayout.solve import compile_problem, runner, warm_up
+    from robolayout.solve.stage import make_stage, stages
+
+    def shapes(arguments):
+        return [(leaf.shape, leaf.dtype) for leaf in programs.leaves(arguments)]
+
+    warmed = []
+    monkeypatch.setattr(programs, "prepare", lambda _target, *arguments, **_constants: warmed.append(shapes(arguments)))
+    scene = load_scene(EXAMPLES / f"{room}.json")
+    warm_up(scene)
+    program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene, seed=0)), scene), scene).program
+    problem = compile_problem(scene, program)
+    for number in stages(problem):
+        stage = make_stage(problem, number, problem.start)
+        assert shapes(runner._arguments(stage, problem.start[None], runner.STILL)) == warmed[0]
+
+
+def test_an_unknown_runtime_leaves_the_work_to_jax(probe, folder):
+    other = "from robolayout.solve import programs\nprograms.TESTED = ('none',)\n"
+    path = f"from importlib import import_module\nimport_module('robolayout.solve').__path__.append({str(probe)!r})\n"
+    done = subprocess.run([sys.executable, "-c", path + other + RUN], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[[0.0, 2.0, 4.0], [6.0, 8.0, 10.0]] True"
+    assert list(folder.glob("*.xla")) == []
+    assert any((folder / "jax").iterdir())
