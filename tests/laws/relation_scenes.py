@@ -182,9 +182,11 @@ def descend(poses: np.ndarray, arrays: Arrays, *parts: str, steps: int = 150) ->
 
 
 def anywhere(scene: Scene, rng: np.random.Generator) -> np.ndarray:
-    """Return random poses in and around a room; unused slots lie far away."""
+    """Return random poses, half of them anywhere in and around a room, half of them in one heap; unused slots are 0."""
     x0, y0, x1, y1 = scene.room.bounds
     poses = rng.uniform((x0 - 0.5, y0 - 0.5, -math.pi), (x1 + 0.5, y1 + 0.5, math.pi), (STARTS, SLOTS, 3))
+    poses[STARTS // 2 :, :, :2] = (x0 + x1) / 2, (y0 + y1) / 2
+    poses[STARTS // 2 :, :, :2] += rng.normal(0.0, 0.8, (STARTS // 2, SLOTS, 2))
     poses[:, len(scene.assets) :] = 0.0
     return poses
 
