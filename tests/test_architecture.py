@@ -33,6 +33,8 @@ LAYERS: dict[str, float] = {
     "constraints": 3,
     "program": 4,
     **dict.fromkeys(STATIONS, 5),
+    "attempt": 5.4,
+    "grouped": 5.6,
     "pipeline": 6,
     "outputs": 7,
     "": 8,  # the package's own page, which shows them all

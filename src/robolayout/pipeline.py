@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Generator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from robolayout._errors import ModelError, ProgramError
-from robolayout.planners import Group, ModelPlanner, OfflinePlanner, Planner, PlanRequest, feedback_text
-from robolayout.program import Guess, Program, Reconciled, read_program, reconcile
+from robolayout.attempt import Attempt, Clock, Progress
+from robolayout.planners import Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
+from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict, vertical_span
 from robolayout.solve import Solution, SolverConfig, Verdict, compile_problem, solve_with, warm_up
 from robolayout.verify import Report, judge_agent, physics, verify
 from robolayout.verify.use import horizontal_reach
 
 AgentSpec = Agent | str | Path | Mapping[str, Any]
-Progress = Callable[[str], None]
 
 WALKABLE = 0.98
 """Share of the free space that the solver wants connected to the door; the report demands 0.95."""
@@ -54,23 +51,6 @@ class Result:
     def trace(self) -> Trace:
         """The record of the search; empty unless asked for."""
         return self.solution.trace
-
-
-class _Clock:
-    """Collects wall and CPU seconds by station."""
-
-    def __init__(self) -> None:
-        self.seconds: dict[str, dict[str, float]] = {}
-
-    @contextmanager
-    def station(self, name: str) -> Generator[None]:
-        wall, cpu = time.perf_counter(), time.process_time()
-        try:
-            yield
-        finally:
-            spent = self.seconds.setdefault(name, {"wall": 0.0, "cpu": 0.0})
-            spent["wall"] += time.perf_counter() - wall
-            spent["cpu"] += time.process_time() - cpu
 
 
 def as_scene(scene: Scene | Mapping[str, Any] | str | Path, agent: AgentSpec | None = None) -> Scene:
@@ -110,7 +90,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     Returns:
         The layout with its program, decisions and report. No file is written.
     """
-    clock = _Clock()
+    clock = Clock()
     say = progress or _hushed
     with clock.station("scene"):
         scene = as_scene(scene, agent)
@@ -121,8 +101,10 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     with clock.station("plan"):
         say("plan")
         groups = planner.group(scene)
-    if program is None and isinstance(planner, ModelPlanner):
-        best, groups = run.by_groups(planner, groups)
+    if program is None and isinstance(planner, GroupPlanner):
+        from robolayout.grouped import GroupedRun
+
+        best, groups = GroupedRun(scene, planner, seed, clock, say, run.finished).run(groups)
     else:
         best = run.whole(planner, program, attempts)
     say("verify")
@@ -135,28 +117,19 @@ def _hushed(phase: str) -> None:
 
 
 @dataclass(frozen=True)
-class _Attempt:
-    """One program and what came of it."""
-
-    asked: Program
-    reconciled: Reconciled
-    solution: Solution
-
-
-@dataclass(frozen=True)
 class _Run:
-    """One call of `generate`: the loop over attempts and the loop over groups."""
+    """One call of `generate`: the loop over attempts; the loop over groups is in `grouped`."""
 
     scene: Scene
     seed: int
     solver: str
     config: SolverConfig | None
-    clock: _Clock
+    clock: Clock
     say: Progress
 
-    def whole(self, planner: Planner, program: str | None, attempts: int) -> _Attempt:
+    def whole(self, planner: Planner, program: str | None, attempts: int) -> Attempt:
         """Plan all assets at once; while demands stay unmet ask again, and keep the best."""
-        best: _Attempt | None = None
+        best: Attempt | None = None
         for number in range(1 if program is not None else attempts):
             with self.clock.station("plan"):
                 feedback = best.solution.message if best else ""
@@ -164,7 +137,7 @@ class _Run:
                 text = planner.plan(request) if program is None else program
             if best is not None and text == best.asked.text:
                 break
-            found = self._solved(text, self.scene)
+            found = self._solved(text)
             if best is None or found.solution.verdict.merit < best.solution.verdict.merit:
                 best = found
             if best.solution.verdict.ok:
@@ -172,93 +145,15 @@ class _Run:
         assert best is not None
         return best
 
-    def by_groups(self, planner: ModelPlanner, groups: tuple[Group, ...]) -> tuple[_Attempt, tuple[Group, ...]]:
-        """Plan one group after the other with a model; what is placed stays, and what is said stays said."""
-        placed: dict[str, Pose] = {}
-        best, done = None, list[Group]()
-        for group in groups:
-            here = replace(
-                self.scene, assets=tuple(a for a in self.scene.assets if a.name in placed or a.name in group.items)
-            )
-            best, taken_over = self._group(planner, here, group, placed, best)
-            note = " The model's answers stayed unusable; the offline planner took over." if taken_over else ""
-            done.append(replace(group, rationale=group.rationale + note))
-            placed |= dict(best.solution.layout)
-        assert best is not None
-        if not best.solution.verdict.ok:
-            guesses = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in placed.items()}
-            joint = self._finished(replace(best.asked, guesses=guesses), self.scene, {})
-            best = min((best, joint), key=lambda attempt: attempt.solution.verdict.merit)
-        return best, tuple(done)
-
-    def _group(
-        self, planner: ModelPlanner, here: Scene, group: Group, placed: dict[str, Pose], before: _Attempt | None
-    ) -> tuple[_Attempt, bool]:
-        """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable."""
-        best: _Attempt | None = None
-        feedback, previous = "", ""
-        for _ in range(1 + planner.retries):
-            request = PlanRequest(
-                self.scene,
-                group,
-                Layout(placed),
-                feedback,
-                self.seed,
-                previous,
-                self._images(planner, here, placed, group),
-            )
-            with self.clock.station("plan"):
-                try:
-                    texts = planner.plan_many(request, planner.samples)
-                except ModelError as error:
-                    self.say(f"model failed: {error}")
-                    break
-            found: list[_Attempt] = []
-            for text in texts:
-                try:
-                    found.append(self._solved(text, here, group, placed, before))
-                except ProgramError as error:
-                    previous, feedback = text, feedback_text(error=error)
-            if found:
-                best = min((best, *found) if best else found, key=lambda attempt: attempt.solution.verdict.merit)
-                if best.solution.verdict.ok:
-                    break
-                report = verify(here, best.solution.layout, best.asked)
-                previous = best.asked.text
-                feedback = feedback_text(rejections=best.reconciled.rejections, violations=report.violations)
-        if best is not None:
-            return best, False
-        text = OfflinePlanner().plan(PlanRequest(self.scene, group, Layout(placed), seed=self.seed))
-        return self._solved(text, here, group, placed, before), True
-
-    def _images(self, planner: ModelPlanner, here: Scene, placed: dict[str, Pose], group: Group) -> dict[str, bytes]:
-        """Return the annotated room as it stands and one picture per new kind of asset."""
-        if planner.mode == "no_image":
-            return {}
-        from robolayout.render import annotate, png_bytes, render_asset
-
-        layout = Layout(placed)
-        images = {view: png_bytes(annotate(here, layout, view=view)) for view in ("top", "side")}
-        kinds = {here.by_name[name].variable: name for name in reversed(group.items)}
-        return images | {name: png_bytes(render_asset(here.by_name[name])) for name in sorted(kinds.values())}
-
-    def _solved(
-        self,
-        text: str,
-        here: Scene,
-        group: Group | None = None,
-        placed: Mapping[str, Pose] | None = None,
-        before: _Attempt | None = None,
-    ) -> _Attempt:
-        """Read, filter and solve a program; of a group's program only what is about it, after what was said before."""
+    def _solved(self, text: str) -> Attempt:
+        """Read, filter and solve a program for the whole scene."""
         with self.clock.station("program"):
             self.say("program")
             asked = read_program(text, self.scene)
-            if group is not None:
-                asked = _about(asked, group, here, before.asked if before else None)
-        return self._finished(asked, here, placed or {})
+        return self.finished(asked, self.scene, {})
 
-    def _finished(self, asked: Program, here: Scene, placed: Mapping[str, Pose]) -> _Attempt:
+    def finished(self, asked: Program, here: Scene, placed: Mapping[str, Pose]) -> Attempt:
+        """Filter and solve a program for a scene; the poses given stay."""
         with self.clock.station("program"):
             reconciled = reconcile(asked, here)
         with self.clock.station("solve"):
@@ -271,16 +166,7 @@ class _Run:
                 pinned=placed,
                 progress=self.say,
             )
-        return _Attempt(asked, reconciled, solution)
-
-
-def _about(program: Program, group: Group, here: Scene, before: Program | None) -> Program:
-    """Return what a program says about a group and things already there, after the earlier groups' statements."""
-    mine, known = set(group.items), set(here.by_name)
-    new = [s for s in program.statements if (names := set(s.relation.asset_names())) & mine and names <= known]
-    statements = (*(before.statements if before else ()), *new)
-    numbered = tuple(replace(statement, number=i) for i, statement in enumerate(statements, 1))
-    return replace(program, statements=numbered, guesses={n: g for n, g in program.guesses.items() if n in mine})
+        return Attempt(asked, reconciled, solution)
 
 
 def solve(

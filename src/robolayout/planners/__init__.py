@@ -5,7 +5,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from robolayout.planners._types import Group, Planner, PlanRequest
+from robolayout.planners._types import Group, GroupPlanner, Planner, PlanRequest
 
 if TYPE_CHECKING:
     from robolayout.planners._vlm_feedback import feedback_text
@@ -30,6 +30,7 @@ _LAZY = {
 __all__ = [
     "FilePlanner",
     "Group",
+    "GroupPlanner",
     "ModelPlanner",
     "OfflinePlanner",
     "PlanRequest",

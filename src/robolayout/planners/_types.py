@@ -69,3 +69,22 @@ class Planner(Protocol):
     def plan(self, request: PlanRequest) -> str:
         """Return the text of a constraint program for the request."""
         ...
+
+
+@runtime_checkable
+class GroupPlanner(Planner, Protocol):
+    """A planner that is asked group by group, for several answers at once, and again with what was wrong.
+
+    Attributes:
+        mode: "grouped", "one_shot", "no_image" or "no_constraint".
+        samples: Programs to ask for per group; the best one is kept.
+        retries: Most further questions per group.
+    """
+
+    mode: str
+    samples: int
+    retries: int
+
+    def plan_many(self, request: PlanRequest, n: int) -> tuple[str, ...]:
+        """Return up to n answers to the same request."""
+        ...
