@@ -28,6 +28,7 @@ LAYERS: dict[str, float] = {
     "_version": 0,
     "_files": 0,
     "_geometry": 0,
+    "_grid": 0,
     "scene": 1,
     "assets": 2,
     "constraints": 3,

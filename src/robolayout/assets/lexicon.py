@@ -34,6 +34,8 @@ BREAKS = frozenset(
 )  # fmt: skip
 """Words after which no head noun is expected."""
 IRREGULAR = {"shelves": "shelf", "knives": "knife", "loaves": "loaf", "leaves": "leaf", "mice": "mouse", "feet": "foot"}
+PLAIN = re.compile(r"[a-z0-9]+(?: [a-z0-9]+)*")
+"""A phrase that is spelled as the index spells it already."""
 KEEPS_S = ("ss", "us", "is")
 LOSES_ES = ("ches", "shes", "xes", "sses", "zes")
 
@@ -191,6 +193,8 @@ def _singular(word: str) -> str:
 
 def normalise(phrase: str) -> str:
     """Return a phrase as the index spells it: lower case, plain letters, single spaces."""
+    if PLAIN.fullmatch(phrase):
+        return phrase
     return " ".join(token for segment in _segments(phrase) for token in segment)
 
 

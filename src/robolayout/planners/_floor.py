@@ -11,6 +11,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from robolayout._grid import components, distance
 from robolayout.planners._member import Rect
 from robolayout.scene import Agent, Room
 
@@ -150,23 +151,16 @@ class Floor:
 
     def away(self, agent: Agent) -> tuple[NDArray[np.float64], float]:
         """Return how far each cell is from where the agent can get to from the door (m), and the share cut off from it."""
-        from scipy import ndimage
-
-        free = np.pad(self.inside & (self.body == 0), 1)
-        clearance = np.asarray(ndimage.distance_transform_edt(free))
+        clearance = distance(np.pad(self.inside & (self.body == 0), 1))
         passable = clearance[1:-1, 1:-1] * self.cell >= agent.radius + self.cell
-        labels = np.zeros(passable.shape, np.int32)
-        count = int(ndimage.label(passable, np.ones((3, 3)), labels))  # type: ignore[call-overload]
-        if not count:
+        labels, sizes = components(passable)
+        if not len(sizes):
             return np.full(self.inside.shape, 1e3), 1.0
-        at_door = np.bincount(labels[self.landing], minlength=count + 1)[1:]
+        at_door = np.bincount(labels[self.landing], minlength=len(sizes) + 1)[1:]
         if self.room.doors and not at_door.any():
             return np.full(self.inside.shape, 1e3), 1.0
-        sizes = at_door if at_door.any() else np.bincount(labels.ravel(), minlength=count + 1)[1:]
-        main = labels == 1 + int(np.argmax(sizes))
-        return np.asarray(ndimage.distance_transform_edt(~main)) * self.cell, 1.0 - float(main.sum()) / float(
-            (labels > 0).sum()
-        )
+        main = labels == 1 + int(np.argmax(at_door if at_door.any() else sizes))
+        return distance(~main) * self.cell, 1.0 - float(main.sum()) / float(sizes.sum())
 
 
 def room_depth(room: Room) -> float:

@@ -14,6 +14,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely import Polygon
 
+from robolayout._grid import components
 from robolayout.assets.obstacles import blocks, use_sides
 from robolayout.scene import Agent
 from robolayout.solve.arrays import Routes
@@ -133,7 +134,6 @@ def plan_routes(problem: Problem, ground: Ground, world: Floats, slots: tuple[in
     if ground.start is None:
         return Plan(np.empty((0, 4)), 0)
     from skimage.graph import MCP_Geometric
-    from skimage.measure import label
 
     need = ground.agent.radius + MARGIN
     field = clearance(problem, ground, world, slots)
@@ -142,7 +142,7 @@ def plan_routes(problem: Problem, ground: Ground, world: Floats, slots: tuple[in
     walk = MCP_Geometric(cost, fully_connected=True)
     reach, _ = walk.find_costs([ground.start])
     passable = ground.open & (field >= ground.agent.radius - ground.cell / 4)
-    regions = np.asarray(label(passable, connectivity=2), dtype=np.int32)
+    regions, _ = components(passable)
     here = int(regions[ground.start])
     home = (regions == here) if here else np.zeros_like(passable)
     goals = _goals(problem, ground, world, reach, home)
@@ -190,7 +190,7 @@ def _beyond_use_sides(problem: Problem, ground: Ground, world: Floats, slot: int
     return np.logical_or.reduce([beyond[side] for side in sides])
 
 
-def _pockets(ground: Ground, regions: NDArray[np.int32], here: int, field: Floats) -> list[tuple[int, int]]:
+def _pockets(ground: Ground, regions: NDArray[np.intp], here: int, field: Floats) -> list[tuple[int, int]]:
     """Return the roomiest cell of every region of free space that is cut off."""
     pockets: list[tuple[int, int]] = []
     sizes = np.bincount(regions.ravel())

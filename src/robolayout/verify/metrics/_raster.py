@@ -9,12 +9,12 @@ import shapely
 from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
+from robolayout._grid import window_count
 from robolayout.scene import Room
 from robolayout.verify._boxes import room_polygon
 
 PIXELS = 256
-EIGHT = np.ones((3, 3), dtype=int)
-"""Neighbourhood of 8-connected components."""
+"""Pixels of a side."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,10 +47,8 @@ class Raster:
 
     def eroded_floor(self, width: float) -> NDArray[np.bool_]:
         """Return the floor eroded with a square kernel as wide as the robot."""
-        from scipy.ndimage import binary_erosion
-
         side = max(1, round(width / self.pixel))
-        return np.asarray(binary_erosion(self.floor, np.ones((side, side), dtype=bool)), dtype=np.bool_)
+        return window_count(self.floor, side) == side**2
 
 
 def raster(room: Room, margin: float) -> Raster:
@@ -64,12 +62,3 @@ def raster(room: Room, margin: float) -> Raster:
     y: NDArray[np.float64] = np.tile((center[1] + ticks)[:, None], (1, PIXELS))
     blank = Raster(x, y, pixel, np.zeros((PIXELS, PIXELS), dtype=np.bool_))
     return replace(blank, floor=blank.mask(room_polygon(room)))
-
-
-def labels(free: NDArray[np.bool_]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Return 8-connected components, numbered from 1 in row order, and their pixel counts."""
-    from scipy.ndimage import label
-
-    numbered = np.zeros(free.shape, dtype=np.intp)
-    label(free, structure=EIGHT, output=numbered)
-    return numbered, np.bincount(numbered.ravel())[1:]

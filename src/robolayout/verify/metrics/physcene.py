@@ -12,9 +12,10 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from robolayout._grid import components, window_count
 from robolayout.scene import Layout, Room, Scene
 from robolayout.verify._boxes import Boxes, boxes, shared_area
-from robolayout.verify.metrics._raster import Raster, labels, raster
+from robolayout.verify.metrics._raster import Raster, raster
 
 ROBOT_WIDTH = 0.3
 """Metres."""
@@ -72,7 +73,7 @@ def physcene(scene: Scene, layout: Layout, *, first_label: bool = False) -> PhyS
     blocking = [row for row in rows.tolist() if (found.bottom[row] + found.top[row]) / 2 < HIGH]
     masks = [picture.mask(found.footprints[row].buffer(ROBOT_WIDTH / 2)) for row in blocking]
     free = picture.eroded_floor(ROBOT_WIDTH) & ~np.logical_or.reduce([np.zeros_like(picture.floor), *masks])
-    numbered, counts = labels(free)
+    numbered, counts = components(free)
     return PhyScene(
         col_obj=float(hit.mean()) if len(hit) else 0.0,
         col_scene=float(hit.any()),
@@ -114,12 +115,9 @@ def _walkable(
 
 
 def _reach(masks: list[NDArray[np.bool_]], numbered: NDArray[np.intp], counts: NDArray[np.intp]) -> float:
-    from scipy.ndimage import binary_dilation
-
     if not masks or not len(counts):
         return 0.0
     touched = np.zeros(len(counts) + 1)
     for mask in masks:
-        around = np.asarray(binary_dilation(mask, np.ones((3, 3), dtype=bool)), dtype=np.bool_)
-        touched[np.unique(numbered[around])] += 1
+        touched[np.unique(numbered[window_count(mask, 3) > 0])] += 1
     return float((touched[1:] / len(masks) * counts / counts.sum()).sum())

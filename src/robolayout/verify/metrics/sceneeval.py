@@ -16,10 +16,11 @@ from numpy.typing import NDArray
 from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
+from robolayout._grid import components
 from robolayout.assets import category_of
 from robolayout.scene import Layout, Opening, Room, Scene
 from robolayout.verify._boxes import Boxes, boxes, room_polygon, share
-from robolayout.verify.metrics._raster import labels, raster
+from robolayout.verify.metrics._raster import raster
 from robolayout.verify.use import side_edge, strip
 
 ROBOT_WIDTH = 0.2
@@ -127,7 +128,7 @@ def _nav(room: Room, found: Boxes) -> float:
     free = picture.eroded_floor(ROBOT_WIDTH)
     for row in map(int, _obstacles(found)):
         free &= ~picture.mask(found.footprints[row].buffer(ROBOT_WIDTH / 2))
-    _, counts = labels(free)
+    _, counts = components(free)
     return float(counts.max() / counts.sum()) if len(counts) else 0.0
 
 
