@@ -489,7 +489,7 @@ def large(path: Path) -> None:
         (large, "is larger than 20 MB."),
         (lambda path: path.write_text("[" * 200_000), "is nested too deeply."),
         (lambda path: path.write_text("[" + "9" * 5000 + "]"), "is not JSON: Exceeds the limit"),
-        (lambda path: path.mkdir(), "does not exist; check the path."),
+        (lambda path: path.mkdir(), "is a folder; name the file in it."),
         (lambda path: None, "does not exist; check the path."),
     ],
 )
@@ -533,6 +533,15 @@ def test_a_mesh_outside_the_folder_is_refused(tmp_path: Path, hostile: str) -> N
     assert "lies outside the scene file's folder and the asset folder" in str(caught.value)
 
 
+def test_a_folder_names_the_file_that_was_meant(tmp_path: Path) -> None:
+    (tmp_path / "layout.json").write_text("{}")
+    with pytest.raises(SceneError, match=r"scene file .* is a folder; name the file in it, such as .*layout\.json\."):
+        load_scene(tmp_path)
+    (tmp_path / "scene.json").write_text("{}")
+    with pytest.raises(SceneError, match=r"is a folder; name the file in it, such as .*scene\.json\."):
+        load_scene(tmp_path)
+
+
 def test_meshes(tmp_path: Path) -> None:
     scenes, meshes = tmp_path / "scenes", tmp_path / "meshes"
     for folder in (scenes, meshes):
@@ -552,10 +561,13 @@ def test_meshes(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("path", "message"),
     [
-        ("bed.obj", "asset 'bed-0': path 'bed.obj' is not a .glb file; convert the mesh to GLB or leave path out."),
+        (
+            "bed.blend",
+            "asset 'bed-0': path 'bed.blend' is no mesh file (.glb, .obj, .ply, .stl); convert the mesh or leave path out.",
+        ),
         ("none.glb", "asset 'bed-0': path 'none.glb' does not exist; correct it or leave it out for a built-in shape."),
         (7, "asset 'bed-0': path must be a text, but is 7."),
-        ("x\0.glb", "is not a .glb file"),
+        ("x\0.glb", "is no mesh file"),
         ("x" * 300 + ".glb", "does not exist; correct it"),
     ],
 )
@@ -563,6 +575,20 @@ def test_unusable_meshes(tmp_path: Path, path: object, message: str) -> None:
     with pytest.raises(SceneError) as caught:
         scene_from_dict(changed("assets", "bed-0", "path", to=path), base=tmp_path)
     assert message in str(caught.value)
+
+
+@pytest.mark.parametrize("suffix", ["glb", "OBJ", "ply", "stl"])
+def test_every_mesh_format_that_is_imported_may_stand_in_a_scene(tmp_path: Path, suffix: str) -> None:
+    (tmp_path / f"bed.{suffix}").write_bytes(b"mesh")
+    scene = scene_from_dict(changed("assets", "bed-0", "path", to=f"bed.{suffix}"), base=tmp_path)
+    assert scene.by_name["bed-0"].path == tmp_path / f"bed.{suffix}"
+
+
+def test_a_mesh_of_200_megabytes_is_refused_when_the_scene_is_read(tmp_path: Path) -> None:
+    with (tmp_path / "bed.glb").open("wb") as file:
+        file.truncate(200_000_000)
+    with pytest.raises(SceneError, match=r"asset 'bed-0': path 'bed\.glb' has 200 MB; at most 100 MB are read\. Simpl"):
+        scene_from_dict(changed("assets", "bed-0", "path", to="bed.glb"), base=tmp_path)
 
 
 # Whatever comes in, what comes out is a scene or an InputError.

@@ -11,7 +11,7 @@ from robolayout.assets.lexicon import category_of, find_category
 if TYPE_CHECKING:
     from robolayout.assets.folder import import_folder
     from robolayout.assets.meshes import parts
-    from robolayout.assets.own import load_mesh_parts
+    from robolayout.assets.own import check_meshes, load_mesh_parts
     from robolayout.assets.part import Material, Part
     from robolayout.assets.rooms import RoomStyle, room_parts, room_style
 
@@ -22,6 +22,7 @@ __all__ = [
     "Part",
     "RoomStyle",
     "category_of",
+    "check_meshes",
     "find_category",
     "import_folder",
     "load_mesh_parts",
@@ -35,6 +36,7 @@ _LAZY = {
     "Material": "part",
     "Part": "part",
     "RoomStyle": "rooms",
+    "check_meshes": "own",
     "import_folder": "folder",
     "load_mesh_parts": "own",
     "parts": "meshes",

@@ -11,6 +11,7 @@ import json
 import struct
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,7 @@ from numpy.typing import NDArray
 
 from robolayout._errors import AssetError
 from robolayout.assets.part import Material, Part
+from robolayout.scene import Scene
 
 Array = NDArray[np.float64]
 Size = tuple[float, float, float]
@@ -76,14 +78,14 @@ def load_mesh_parts(path: Path, size: Size, *, up: str | None = None, front: str
     Raises:
         AssetError: The file is missing, too large, of an unknown format, broken or empty.
     """
-    pieces = read_pieces(path)
-    matrix = orientation(path, extent(pieces), size, up=up, front=front)
+    edges, pieces = _thin_pieces(path)
+    matrix = orientation(path, edges, size, up=up, front=front)
     points = np.concatenate([piece.vertices for piece in pieces]) @ matrix.T
     low, high = points.min(axis=0), points.max(axis=0)
     scale = np.array(size) / np.maximum(high - low, 1e-9)
     half = np.array(size) / 2
     built: list[Part] = []
-    for piece in _thinned(pieces):
+    for piece in pieces:
         vertices = np.clip((piece.vertices @ matrix.T - (low + high) / 2) * scale, -half, half)
         built.append(Part(piece.name, vertices, piece.faces.astype(np.int32), piece.material, convex=False))
     return _stretched(built, size)
@@ -153,6 +155,36 @@ def read_pieces(path: Path) -> tuple[RawMesh, ...]:
     if not pieces:
         raise AssetError(f"mesh {path.name} holds no triangles; export it again as a triangle mesh.")
     return pieces
+
+
+def check_meshes(scene: Scene) -> None:
+    """Read the mesh file of every asset that has one, so that a broken file is known before any work is done.
+
+    Raises:
+        AssetError: A file is missing, too large, broken or empty; the message names the asset.
+    """
+    for asset in scene.assets:
+        if asset.path is not None:
+            try:
+                _thin_pieces(asset.path)
+            except AssetError as error:
+                raise AssetError(f"asset {asset.name!r}: {error} Or leave path out for a built-in shape.") from error
+
+
+def _thin_pieces(path: Path) -> tuple[Size, tuple[RawMesh, ...]]:
+    """Return the edges of a file's mesh and its pieces, thinned; each version of a file is read once."""
+    try:
+        changed = path.stat().st_mtime_ns
+    except OSError as error:
+        raise AssetError(f"mesh {path.name} cannot be read: {error.strerror or error}.") from error
+    return _thin_version(path, changed)
+
+
+@lru_cache(maxsize=64)
+def _thin_version(path: Path, changed: int) -> tuple[Size, tuple[RawMesh, ...]]:
+    """Read one version of a file; `changed` tells versions apart."""
+    pieces = read_pieces(path)
+    return extent(pieces), tuple(_thinned(pieces))
 
 
 def _short(error: BaseException) -> str:

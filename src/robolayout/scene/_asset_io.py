@@ -17,6 +17,10 @@ SMALLEST, LARGEST = 1e-4, 100.0
 """Allowed side of an asset's box in metres."""
 SIDES = ("front", "back", "left", "right")
 """Sides that an asset can be used from."""
+MESHES = (".glb", ".obj", ".ply", ".stl")
+"""Suffixes of the mesh files that an asset may name."""
+MAX_MESH_BYTES = 100_000_000
+"""Largest mesh file."""
 
 _CHECK = Checker(SceneError)
 _FLAGS = ("onFloor", "onWall", "onCeiling", "onObject")
@@ -152,12 +156,13 @@ def _sides(value: object, where: str) -> tuple[str, ...] | None:
 
 
 def _mesh(value: object, where: str, folders: list[Path]) -> Path | None:
-    """Return the mesh file, which must be a GLB inside one of the folders."""
+    """Return the mesh file, which must lie inside one of the folders and not be too large."""
     if value is None or value == "":
         return None
     text = _CHECK.text(value, f"{where}: path", most=1000)
-    if not text.lower().endswith(".glb") or "\0" in text:
-        raise SceneError(f"{where}: path {show(text)} is not a .glb file; convert the mesh to GLB or leave path out.")
+    if not text.lower().endswith(MESHES) or "\0" in text:
+        known = ", ".join(MESHES)
+        raise SceneError(f"{where}: path {show(text)} is no mesh file ({known}); convert the mesh or leave path out.")
     places = [folder / text for folder in folders]
     allowed = [place for place in places if inside(place, folders)]
     if not allowed:
@@ -167,8 +172,19 @@ def _mesh(value: object, where: str, folders: list[Path]) -> Path | None:
         )
     for place in allowed:
         if is_file(place):
+            _check_length(place, text, where)
             return place.resolve()
     raise SceneError(f"{where}: path {show(text)} does not exist; correct it or leave it out for a built-in shape.")
+
+
+def _check_length(place: Path, text: str, where: str) -> None:
+    """Raise SceneError if a mesh file is larger than is read."""
+    length = place.stat().st_size
+    if length > MAX_MESH_BYTES:
+        raise SceneError(
+            f"{where}: path {show(text)} has {length / 1e6:.0f} MB; at most {MAX_MESH_BYTES // 1_000_000} MB are read. "
+            "Simplify the mesh or leave path out for a built-in shape."
+        )
 
 
 def _warn_of_gaps(assets: Mapping[str, Asset], warnings: list[str]) -> None:

@@ -123,6 +123,8 @@ class Checker:
 
     def read_text(self, path: Path, what: str) -> str:
         """Return the text of a file of at most `MAX_FILE_BYTES`, in UTF-8."""
+        if is_folder(path):
+            raise self.error(f"{what} {path} is a folder; name the file in it{_such_as(path, what)}.")
         if not is_file(path):
             raise self.error(f"{what} {path} does not exist; check the path.")
         try:
@@ -167,3 +169,22 @@ def is_file(path: Path) -> bool:
         return path.is_file()
     except (OSError, ValueError):
         return False
+
+
+def is_folder(path: Path) -> bool:
+    """Return whether `path` is a folder; a path that cannot exist is none."""
+    try:
+        return path.is_dir()
+    except (OSError, ValueError):
+        return False
+
+
+def _such_as(folder: Path, what: str) -> str:
+    """Return ", such as <file>" for the likeliest JSON file in a folder: the one called like `what`, else the first."""
+    try:
+        names = sorted(path.name for path in folder.glob("*.json"))[:1000]
+    except OSError:
+        return ""
+    likely = f"{what.split()[0]}.json"
+    names = [likely] if likely in names else names[:1]
+    return f", such as {folder / names[0]}" if names else ""
