@@ -12,7 +12,7 @@ from robolayout._files import write_atomic
 from robolayout.export import Options, export, find_exporter, to_bytes
 from robolayout.render import PlanMarks
 from robolayout.scene import Point, scene_to_dict
-from robolayout.verify import AgentReport, Navigation, Passage, Report
+from robolayout.verify import AgentReport, Passage, Report
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -123,28 +123,15 @@ def plan_marks(report: AgentReport) -> PlanMarks:
         free=_rings(nav.main),
         islands=tuple(rings for rings in _rings(nav.free) if rings not in _rings(nav.main)),
         routes=routes,
-        passages=tuple(_span(nav, passage) for passage in narrow[:1]),
+        passages=tuple(_span(passage) for passage in narrow[:1]),
         blocked=report.short,
         agent_at=nav.entry,
     )
 
 
-def _span(nav: Navigation, passage: Passage) -> tuple[Point, Point, float]:
+def _span(passage: Passage) -> tuple[Point, Point, float]:
     """Return the ends of the narrowest place and its width in metres."""
-    from shapely import LineString, Polygon
-    from shapely import Point as Spot
-    from shapely.ops import nearest_points
-
-    assert passage.point is not None
-    ends: list[Point] = []
-    for name in (*passage.between, *passage.between)[:2]:
-        if name in nav.layout:
-            shape = Polygon(nav.layout[name].corners(nav.scene.by_name[name].size))
-        else:
-            wall = nav.scene.room.walls[int(name.rpartition(" ")[2])]
-            shape = LineString([wall.start, wall.end])
-        spot = nearest_points(shape, Spot(passage.point))[0]
-        ends.append((spot.x, spot.y))
+    ends = (*passage.ends, *passage.ends)
     return (ends[0], ends[1], passage.width)
 
 

@@ -65,14 +65,14 @@ def test_height_counts_for_a_body_with_an_arm(bottom: float, usable: bool):
     judged = usage(scene, layout, ARM)
     assert judged.usable["picture-0"] is usable
     if not usable:
-        assert judged.uses["picture-0"].reason == "it begins 1.25 m high, reach ends at 1.20 m"
+        assert judged.uses["picture-0"].reason == "it begins 1.25 m high, reach ends at 1.20 m: 0.05 m too high"
     assert usage(scene, layout, DISC).usable["picture-0"]
 
 
 def test_low_things_are_below_reach():
     box = thing("box-0", (0.4, 0.4, 0.3), "storage box")
     judged = usage(*furnished(square(), (box, on_floor(box, 2.5, 2.5))), ARM)
-    assert judged.uses["box-0"].reason == "it ends 0.30 m high, reach begins at 0.40 m"
+    assert judged.uses["box-0"].reason == "it ends 0.30 m high, reach begins at 0.40 m: 0.10 m too low"
 
 
 def test_the_reach_is_a_sphere_around_the_shoulder():

@@ -1,11 +1,31 @@
-"""What stands in the way of a body, and from where it is used."""
+"""What stands in the way of a body, as the solver sees it, and from where it is used.
+
+The judge in `verify` works out for itself what stands in the way; a law test holds the two together.
+"""
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, lru_cache
+from itertools import pairwise
 
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout._errors import AssetError
 from robolayout.assets.lexicon import category_of
+from robolayout.assets.meshes import parts
+from robolayout.assets.part import Part
 from robolayout.scene import Agent, Asset
+
+SOLID = 0.9
+"""Share of a box's floor from which on its parts stand in the way as the box does."""
+MANY = 64
+"""More pieces than this stand in the way as the box does."""
+FINE = 0.01
+"""Metres between the points by which a user's own mesh is looked at."""
+
+Pieces = NDArray[np.float64]
+"""(m, 4): how far a rectangle's middle lies ahead and left of its asset's, half its depth, half its width; metres."""
 
 
 @cache
@@ -24,3 +44,87 @@ def blocks(asset: Asset, z: float, agent: Agent) -> bool:
     """
     low, high = z - asset.size[2] / 2, z + asset.size[2] / 2
     return not asset.is_flat and low < agent.height and high > agent.step
+
+
+def pieces(asset: Asset, z: float, agent: Agent) -> tuple[Pieces, bool]:
+    """Return what of an asset stands in a body's way, and whether the body may come under or into its box.
+
+    Args:
+        asset: The asset.
+        z: Height of its box's centre in metres.
+        agent: The body.
+    """
+    whole = np.array([[0.0, 0.0, asset.size[0] / 2, asset.size[1] / 2]])
+    if not blocks(asset, z, agent):
+        return whole[:0], False
+    if z + asset.size[2] / 2 <= agent.height:
+        return whole, False
+    found = _met(asset, round(agent.step - z, 6), round(agent.height - z, 6))
+    return (whole, False) if found is None else (found, True)
+
+
+@lru_cache(maxsize=4096)
+def _met(asset: Asset, low: float, high: float) -> Pieces | None:
+    """Return the pieces of an asset between two heights above its middle; None where they are as good as its box."""
+    try:
+        made = parts(asset)
+    except AssetError:
+        return None
+    ranges: list[tuple[float, float, float, float]] = []
+    for part in made:
+        x, y, z = part.vertices.T
+        if z.max() > low and z.min() < high:
+            outline = (x.min(), x.max(), y.min(), y.max())
+            ranges += [outline] if part.convex else _blobs(part, low, high)
+    spans = sorted(set(ranges))
+    spans = [s for s in spans if not any(s != t and _holds(t, s) for t in spans)]
+    if len(spans) > MANY or _covered(spans) >= SOLID * asset.size[0] * asset.size[1]:
+        return None
+    return np.array([((a + b) / 2, (c + d) / 2, (b - a) / 2, (d - c) / 2) for a, b, c, d in spans]).reshape(-1, 4)
+
+
+def _holds(outer: tuple[float, ...], inner: tuple[float, ...]) -> bool:
+    """Return whether one pair of ranges lies inside another."""
+    return outer[0] <= inner[0] and inner[1] <= outer[1] and outer[2] <= inner[2] and inner[3] <= outer[3]
+
+
+def _covered(spans: list[tuple[float, float, float, float]]) -> float:
+    """Return the area that rectangles cover together: strip by strip between all their ends."""
+    ends = sorted({end for span in spans for end in span[:2]})
+    area = 0.0
+    for low, high in pairwise(ends):
+        reached = -np.inf
+        for _, _, start, stop in sorted((s for s in spans if s[0] <= low and s[1] >= high), key=lambda s: s[2]):
+            area += (high - low) * max(0.0, stop - max(start, reached))
+            reached = max(reached, stop)
+    return area
+
+
+def _blobs(part: Part, low: float, high: float) -> list[tuple[float, float, float, float]]:
+    """Return the ranges of the connected spots that a surface covers, seen from above, between two heights."""
+    from robolayout._grid import components
+
+    corners = part.vertices[part.faces]
+    met = corners[(corners[:, :, 2].max(axis=1) > low) & (corners[:, :, 2].min(axis=1) < high)]
+    small = np.linalg.norm(np.ptp(met, axis=1), axis=1) <= FINE
+    points = np.concatenate([met[small].reshape(-1, 3), *(_sprinkled(triangle) for triangle in met[~small])])
+    points = points[(points[:, 2] >= low) & (points[:, 2] <= high), :2]
+    if not len(points):
+        return []
+    start = points.min(axis=0)
+    cells = np.floor((points - start) / FINE).astype(np.intp)
+    mask = np.zeros(cells.max(axis=0) + 1, dtype=np.bool_)
+    mask[cells[:, 0], cells[:, 1]] = True
+    label, counts = components(mask)
+    spot = label[cells[:, 0], cells[:, 1]]
+    groups = [points[spot == number] for number in range(1, len(counts) + 1)]
+    return [(float(g[:, 0].min()), float(g[:, 0].max()), float(g[:, 1].min()), float(g[:, 1].max())) for g in groups]
+
+
+def _sprinkled(triangle: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return points over a triangle, about `FINE` apart, its corners among them."""
+    a, b, c = triangle
+    count = 1 + int(max(np.linalg.norm(b - a), np.linalg.norm(c - a), np.linalg.norm(c - b)) / FINE)
+    i, j = np.meshgrid(np.arange(count + 1), np.arange(count + 1))
+    u, v = (grid[i + j <= count][:, None] / count for grid in (i, j))
+    return a + u * (b - a) + v * (c - a)

@@ -12,7 +12,7 @@ from robolayout.solve.config import SolverConfig
 from robolayout.solve.judge import Judge, Verdict
 from robolayout.solve.proposals import make_starts
 from robolayout.solve.repair import Repair
-from robolayout.solve.routes import Ground, Plan, make_ground, obstacle_slots, pack, plan_routes
+from robolayout.solve.routes import Ground, Obstacles, Plan, make_ground, obstacles_of, pack, plan_routes
 from robolayout.solve.runner import Run, Runner
 from robolayout.solve.snap import snapped
 from robolayout.solve.solution import Progress, Solution, conclude, silent
@@ -53,14 +53,14 @@ class Solver:
         self.rng = np.random.default_rng(seed)
         self.progress = progress or silent
         self.runner = Runner(self.config)
-        self.grounds: list[tuple[Ground, tuple[int, ...]]] = []
+        self.grounds: list[tuple[Ground, Obstacles]] = []
 
     def solve(self) -> Solution:
         """Return the best layout found."""
         if not self.problem.names:
             return conclude(Layout({}), Verdict(0.0, 0.0, 0.0), Trace())
         self.grounds = [
-            (make_ground(self.problem, a, self.config.cell), obstacle_slots(self.problem, a)) for a in self._bodies()
+            (make_ground(self.problem, a, self.config.cell), obstacles_of(self.problem, a)) for a in self._bodies()
         ]
         world = self.problem.start.copy()
         best: _Best | None = None
@@ -126,7 +126,7 @@ class Solver:
 
     def _planned(self, world: Floats, kept: list[Floats]) -> Plan:
         """Plan for every agent; demands of the two rounds before stay, so that furniture does not swing back."""
-        plans = [plan_routes(self.problem, ground, world, slots) for ground, slots in self.grounds]
+        plans = [plan_routes(self.problem, ground, world, things) for ground, things in self.grounds]
         demands = np.concatenate([plan.demands for plan in plans])
         kept.append(demands)
         del kept[:-3]

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from robolayout._grid import components
-from robolayout.assets.obstacles import blocks, use_sides
+from robolayout.assets.obstacles import pieces, use_sides
 from robolayout.scene import Agent
 from robolayout.solve.arrays import Routes
 from robolayout.solve.compile import Floats, Problem
@@ -87,24 +87,57 @@ def _entry(problem: Problem, agent: Agent, points: Floats, distance: Floats) -> 
     return tuple(int(i) for i in np.unravel_index(flat, distance.shape))  # type: ignore[return-value]
 
 
-def clearance(problem: Problem, ground: Ground, world: Floats, slots: tuple[int, ...]) -> Floats:
-    """Return metres from every cell to the nearest of the slots' boxes, negative inside, capped at 1 m past the radius."""
+@dataclass(frozen=True, eq=False)
+class Obstacles:
+    """What stands in one agent's way: boxes, or the parts of them that it cannot pass.
+
+    Attributes:
+        slot: (m,) slot that each rectangle belongs to.
+        offset: (m, 2) metres from the slot's middle to the rectangle's, ahead and to the left.
+        half: (m, 2) half its depth and half its width in metres.
+        shelter: Slots that the agent may come under or into.
+    """
+
+    slot: NDArray[np.intp]
+    offset: Floats
+    half: Floats
+    shelter: tuple[int, ...]
+
+    def poses(self, world: Floats) -> Floats:
+        """Return (m, 4) poses x, y, cos, sin of the rectangles."""
+        pose = world[self.slot].astype(float)
+        x, y, c, s = pose.T
+        ahead, left = self.offset.T
+        return np.stack([x + c * ahead - s * left, y + s * ahead + c * left, c, s], axis=1)
+
+
+def boxes_of(problem: Problem, slots: tuple[int, ...]) -> Obstacles:
+    """Return the whole boxes of some slots."""
+    index = np.array(slots, dtype=np.intp)
+    return Obstacles(index, np.zeros((len(slots), 2)), problem.half[index].reshape(-1, 2), ())
+
+
+def obstacles_of(problem: Problem, agent: Agent) -> Obstacles:
+    """Return what stands in this agent's way."""
+    found = [pieces(asset, problem.guess[asset.name].z, agent) for asset in problem.scene.assets]
+    rows = np.concatenate([np.empty((0, 4)), *(rectangles for rectangles, _ in found)])
+    slot = np.repeat(np.arange(len(found)), [len(rectangles) for rectangles, _ in found])
+    return Obstacles(slot, rows[:, :2], rows[:, 2:], tuple(i for i, (_, passable) in enumerate(found) if passable))
+
+
+def clearance(ground: Ground, world: Floats, obstacles: Obstacles) -> Floats:
+    """Return metres from every cell to the nearest obstacle, negative inside, capped at 1 m past the radius."""
     cap = ground.agent.radius + 1.0
     field = np.full((len(ground.xs), len(ground.ys)), cap)
-    for slot in slots:
-        x, y, c, s = world[slot]
-        hx, hy = problem.half[slot]
+    for pose, half in zip(obstacles.poses(world), obstacles.half, strict=True):
+        x, y, c, s = pose
+        hx, hy = half
         rx, ry = abs(c) * hx + abs(s) * hy + cap, abs(s) * hx + abs(c) * hy + cap
         i0, i1 = np.searchsorted(ground.xs, (x - rx, x + rx))
         j0, j1 = np.searchsorted(ground.ys, (y - ry, y + ry))
-        distance = _box_distance(ground.xs[i0:i1, None], ground.ys[None, j0:j1], world[slot], problem.half[slot])
+        distance = _box_distance(ground.xs[i0:i1, None], ground.ys[None, j0:j1], pose, half)
         np.minimum(field[i0:i1, j0:j1], distance, out=field[i0:i1, j0:j1])
     return field
-
-
-def obstacle_slots(problem: Problem, agent: Agent) -> tuple[int, ...]:
-    """Return the slots that stand in this agent's way."""
-    return tuple(i for i, asset in enumerate(problem.scene.assets) if blocks(asset, problem.guess[asset.name].z, agent))
 
 
 @dataclass(frozen=True)
@@ -122,21 +155,21 @@ class Plan:
     blockers: tuple[int, ...] = ()
 
 
-def plan_routes(problem: Problem, ground: Ground, world: Floats, slots: tuple[int, ...]) -> Plan:
+def plan_routes(problem: Problem, ground: Ground, world: Floats, obstacles: Obstacles) -> Plan:
     """Return what must yield so that the agent gets from the door to everything and into every pocket of free space.
 
     Args:
         problem: The problem.
         ground: The empty room on a grid.
         world: (n, 4) poses.
-        slots: Slots that stand in the agent's way.
+        obstacles: What stands in the agent's way.
     """
     if ground.start is None:
         return Plan(np.empty((0, 4)), 0)
     from skimage.graph import MCP_Geometric
 
     need = ground.agent.radius + MARGIN
-    field = clearance(problem, ground, world, slots)
+    field = clearance(ground, world, obstacles)
     lacking = np.maximum(need - field, 0.0)
     cost = np.where(ground.open, 1.0 + PUSH_PRICE * lacking, -1.0)
     walk = MCP_Geometric(cost, fully_connected=True)
@@ -146,13 +179,14 @@ def plan_routes(problem: Problem, ground: Ground, world: Floats, slots: tuple[in
     here = int(regions[ground.start])
     home = (regions == here) if here else np.zeros_like(passable)
     goals = _goals(problem, ground, world, reach, home)
-    goals += _pockets(ground, regions, here, field)
+    sheltered = clearance(ground, world, boxes_of(problem, obstacles.shelter)) < 0.0
+    goals += _pockets(ground, np.where(sheltered, 0, regions), here, field)
     points: set[tuple[int, int]] = set()
     for goal in goals:
         if np.isfinite(reach[goal]):
             points.update(walk.traceback(goal))
-    demands, blockers = _demands(problem, ground, world, slots, sorted(points))
-    turning, turn_blockers = _turning(problem, ground, world, slots, np.where(home, field, -np.inf))
+    demands, blockers = _demands(ground, world, obstacles, problem.half, sorted(points))
+    turning, turn_blockers = _turning(ground, world, obstacles, problem.half, np.where(home, field, -np.inf))
     blocked = len(goals) + bool(len(turning))
     return Plan(np.concatenate([turning, demands]), blocked, (*blockers, *turn_blockers))
 
@@ -165,8 +199,10 @@ def _goals(
     for slot, asset in enumerate(problem.scene.assets):
         if asset.is_flat or (asset.on_ceiling and not asset.on_floor):
             continue
-        near = clearance(problem, ground, world, (slot,)) <= ground.agent.reach - ground.cell / 2
+        near = clearance(ground, world, boxes_of(problem, (slot,))) <= ground.agent.reach - ground.cell / 2
         near &= _beyond_use_sides(problem, ground, world, slot)
+        if (carrier := int(problem.parent[slot])) >= 0:
+            near &= clearance(ground, world, boxes_of(problem, (carrier,))) >= 0.0
         if (near & home).any():
             continue
         costs = np.where(near & ground.open, reach, np.inf)
@@ -203,7 +239,7 @@ def _pockets(ground: Ground, regions: NDArray[np.intp], here: int, field: Floats
 
 
 def _turning(
-    problem: Problem, ground: Ground, world: Floats, slots: tuple[int, ...], field: Floats
+    ground: Ground, world: Floats, obstacles: Obstacles, boxes: Floats, field: Floats
 ) -> tuple[Floats, tuple[int, ...]]:
     """Return what must yield so that a body with a turning circle can turn at the roomiest place it gets to."""
     need = max(ground.agent.circumradius, (ground.agent.turning_diameter or 0.0) / 2)
@@ -212,9 +248,11 @@ def _turning(
         return np.empty((0, 4)), ()
     best = np.unravel_index(int(np.argmax(room)), room.shape)
     px, py = ground.xs[best[0]], ground.ys[best[1]]
-    near = [slot for slot in slots if _box_distance(px, py, world[slot], problem.half[slot]) < need + 0.3]
-    blocking = tuple(s for s in near if _box_distance(px, py, world[s], problem.half[s]) < need)
-    return np.array([[px, py, float(slot), need + MARGIN] for slot in near]).reshape(-1, 4), blocking
+    distance = _box_distance(px, py, obstacles.poses(world).T, obstacles.half.T)
+    near = np.flatnonzero(distance < need + 0.3)
+    points = np.full((len(near), 2), (px, py))
+    blocking = dict.fromkeys(obstacles.slot[distance < need].tolist())
+    return _rows(points, near, need + MARGIN, world, obstacles, boxes), tuple(blocking)
 
 
 def _box_distance(px: Floats, py: Floats, pose: Floats, half: Floats) -> Floats:
@@ -225,24 +263,40 @@ def _box_distance(px: Floats, py: Floats, pose: Floats, half: Floats) -> Floats:
 
 
 def _demands(
-    problem: Problem, ground: Ground, world: Floats, slots: tuple[int, ...], cells: list[tuple[int, int]]
+    ground: Ground, world: Floats, obstacles: Obstacles, boxes: Floats, cells: list[tuple[int, int]]
 ) -> tuple[Floats, tuple[int, ...]]:
     """Return (x, y, slot, metres) for every point and everything near it, and what lacks clearance, the worst first."""
-    if not cells or not slots:
+    if not cells or not len(obstacles.slot):
         return np.empty((0, 4)), ()
     picked = np.array(cells)
     stride = max(1, round(SPACING / ground.cell))
     spaced = picked[(picked.sum(axis=1) % stride) == 0]
     picked = spaced if len(spaced) else picked
-    px, py = ground.xs[picked[:, 0]], ground.ys[picked[:, 1]]
-    index = np.array(slots)
-    distance = _box_distance(px[:, None], py[:, None], world[index].T[:, None], problem.half[index].T[:, None])
+    points = np.stack([ground.xs[picked[:, 0]], ground.ys[picked[:, 1]]], axis=1)
+    poses = obstacles.poses(world)
+    distance = _box_distance(points[:, :1], points[:, 1:], poses.T[:, None], obstacles.half.T[:, None])
     need = ground.agent.radius + MARGIN
     point, near = np.nonzero(distance < need + 0.3)
     lacking = np.maximum(need - MARGIN - distance, 0.0).max(axis=0)
     worst = np.argsort(-lacking, kind="stable")[: int((lacking > 0).sum())]
-    demands = np.stack([px[point], py[point], index[near].astype(float), np.full(len(point), need)], axis=1)
-    return demands, tuple(int(i) for i in index[worst])
+    blockers = dict.fromkeys(obstacles.slot[worst].tolist())
+    return _rows(points[point], near, need, world, obstacles, boxes), tuple(blockers)
+
+
+def _rows(
+    points: Floats, near: NDArray[np.intp], need: float, world: Floats, obstacles: Obstacles, boxes: Floats
+) -> Floats:
+    """Return rows (x, y, slot, metres) which keep the rectangles `near` so far from points.
+
+    The search knows only whole boxes, so the point is moved within the slot's frame to where it is as far from the box as it
+    is from the rectangle, in the same direction. A rectangle that is its whole box leaves the point where it is.
+    """
+    slot = obstacles.slot[near]
+    x, y, c, s = world[slot].astype(float).T
+    dx, dy = points[:, 0] - x, points[:, 1] - y
+    apart = np.stack([c * dx + s * dy, c * dy - s * dx], axis=1) - obstacles.offset[near]
+    u, v = (np.copysign(np.abs(apart) - obstacles.half[near] + boxes[slot], apart)).T
+    return np.stack([x + c * u - s * v, y + s * u + c * v, slot.astype(float), np.full(len(slot), need)], axis=1)
 
 
 def pack(plans: list[Plan], size: int) -> Routes:

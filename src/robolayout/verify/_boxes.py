@@ -11,7 +11,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely import Polygon
 
-from robolayout.scene import Layout, Room, Scene
+from robolayout.scene import Asset, Layout, Room, Scene
 
 AREA_TOLERANCE = 1e-4
 """Square metres of intersection in plan that still count as touching (DESIGN section 4)."""
@@ -25,7 +25,9 @@ class Boxes:
     """The boxes of all assets, in the order of the scene; one row each, placed or not.
 
     Attributes:
+        assets: The assets.
         names: Asset names.
+        poses: (n, 4) x, y, z in metres and yaw in radians; NaN where unplaced.
         placed: (n,) whether it has a pose of finite numbers.
         footprints: (n,) Shapely polygons in the world frame; empty where unplaced.
         centers: (n, 2) metres; NaN where unplaced.
@@ -35,7 +37,9 @@ class Boxes:
         ceiling: (n,) whether it hangs from the ceiling.
     """
 
+    assets: tuple[Asset, ...]
     names: tuple[str, ...]
+    poses: NDArray[np.float64]
     placed: NDArray[np.bool_]
     footprints: NDArray[np.object_]
     centers: NDArray[np.float64]
@@ -44,8 +48,8 @@ class Boxes:
     flat: NDArray[np.bool_]
     ceiling: NDArray[np.bool_]
 
-    def obstacles(self, step: float, height: float) -> NDArray[np.intp]:
-        """Return the rows in the way of a body: their heights intersect [step, height] and they are no rugs."""
+    def meeting(self, step: float, height: float) -> NDArray[np.intp]:
+        """Return the rows whose boxes meet the heights [step, height] and that are no rugs."""
         return np.flatnonzero(self.placed & ~self.flat & (self.top > step + 1e-9) & (self.bottom < height - 1e-9))
 
     def carrier(self, row: int, tolerance: float = CARRIED) -> int | None:
@@ -76,6 +80,8 @@ def boxes(scene: Scene, layout: Layout) -> Boxes:
     if placed.any():
         footprints[placed] = shapely.polygons(corners(poses[placed], sizes[placed]))
     return Boxes(
+        assets=tuple(scene.assets),
+        poses=poses,
         names=tuple(asset.name for asset in scene.assets),
         placed=placed,
         footprints=footprints,

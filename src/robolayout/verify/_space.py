@@ -16,6 +16,7 @@ from shapely.geometry.base import BaseGeometry
 
 from robolayout.scene import LANDING_DEPTH, Room
 from robolayout.verify._boxes import Boxes, landings, room_polygon
+from robolayout.verify._obstacles import Obstacles
 
 QUAD_SEGS = 16
 """Chords per quarter turn in every round corner."""
@@ -47,8 +48,10 @@ class Space:
         return float(self.main.area / self.free.area) if self.free.area > 0 else 0.0
 
 
-def disc_space(room: Room, footprints: NDArray[np.object_], radius: float) -> Space:
-    """Return the free space of a disc among obstacle footprints.
+def disc_space(room: Room, obstacles: Obstacles, radius: float) -> Space:
+    """Return the free space of a disc among obstacles.
+
+    Pockets under or inside furniture that no way leads to are not free.
 
     The main component is the one with the largest intersection with the first door's landing; without a door, the
     largest. Where furniture fills the whole landing nothing can be entered, and it is empty. A disc too wide to stand
@@ -56,10 +59,15 @@ def disc_space(room: Room, footprints: NDArray[np.object_], radius: float) -> Sp
     """
     floor = room_polygon(room)
     eroded = floor.buffer(-radius, quad_segs=QUAD_SEGS)
-    grown = shapely.buffer(footprints, radius, quad_segs=QUAD_SEGS)
+    grown = shapely.buffer(obstacles.shapes, radius, quad_segs=QUAD_SEGS)
     free = eroded.difference(shapely.union_all(grown)) if len(grown) else eroded
     parts = components(free)
-    return Space(radius, MultiPolygon(list(parts)), *_entered(room, parts, eroded, radius))
+    main, zone = _entered(room, parts, eroded, radius)
+    if len(obstacles.shelter) and len(parts) > 1:
+        hidden = shapely.union_all(obstacles.shelter)
+        shapely.prepare(hidden)
+        parts = parts[~shapely.covers(hidden, parts) | shapely.equals(parts, main)]
+    return Space(radius, MultiPolygon(list(parts)), main, zone)
 
 
 def components(space: BaseGeometry) -> NDArray[np.object_]:

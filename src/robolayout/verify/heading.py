@@ -19,6 +19,7 @@ from shapely import MultiPolygon, Polygon
 
 from robolayout.scene import LANDING_DEPTH, Agent, Layout, Room, Scene
 from robolayout.verify._boxes import boxes, room_polygon
+from robolayout.verify._obstacles import obstacles
 from robolayout.verify._space import components, disc_space
 
 HEADINGS = 8
@@ -42,19 +43,18 @@ class HeadingSpace:
 
 def heading_space(scene: Scene, layout: Layout, agent: Agent) -> HeadingSpace:
     """Return where a rectangular body can get to and which way round; its length and width must be given."""
-    found = boxes(scene, layout)
-    obstacles = found.footprints[found.obstacles(agent.step, agent.height)]
+    blocking = obstacles(boxes(scene, layout), agent)
     first, step = _first_heading(scene.room), math.pi / HEADINGS
     headings = tuple(first + step * k for k in range(HEADINGS))
-    free = [_parts(scene.room, obstacles, rectangle(agent, heading)) for heading in headings]
+    free = [_parts(scene.room, blocking.shapes, rectangle(agent, heading)) for heading in headings]
     circle = max(agent.circumradius, (agent.turning_diameter or 0.0) / 2)
-    turning = components(disc_space(scene.room, obstacles, circle).free)
+    turning = components(disc_space(scene.room, blocking, circle).free)
     joined = _Joined(free)
     for place in turning:
         joined.join([(k, place) for k in range(HEADINGS)])
     if agent.turning_diameter is None:
         for k, heading in enumerate(headings):
-            for place in _parts(scene.room, obstacles, _swept(agent, heading, step)):
+            for place in _parts(scene.room, blocking.shapes, _swept(agent, heading, step)):
                 joined.join([(k, place), ((k + 1) % HEADINGS, place)])
     group = joined.group(joined.entry(scene.room, max(LANDING_DEPTH, agent.length or 0.0)))
     return HeadingSpace(
@@ -84,12 +84,12 @@ def _swept(agent: Agent, heading: float, step: float) -> NDArray[np.float64]:
     return corners / math.cos(step / 4)
 
 
-def _parts(room: Room, obstacles: NDArray[np.object_], body: NDArray[np.float64]) -> list[Polygon]:
+def _parts(room: Room, shapes: NDArray[np.object_], body: NDArray[np.float64]) -> list[Polygon]:
     """Return the pieces of the free space of a convex body, largest first."""
     walls = np.array([(wall.start, wall.end) for wall in room.walls])
     blocked = [*grown(walls, body)]
-    if len(obstacles):
-        blocked += [*grown(shapely.get_coordinates(obstacles).reshape(-1, 5, 2)[:, :4], body)]
+    if len(shapes):
+        blocked += [*grown(shapely.get_coordinates(shapes).reshape(-1, 5, 2)[:, :4], body)]
     return list(components(room_polygon(room).difference(shapely.union_all(blocked))))
 
 

@@ -18,6 +18,7 @@ from shapely import LineString, Polygon
 
 from robolayout.scene import Agent, Layout, Point, Scene
 from robolayout.verify._boxes import Boxes, boxes
+from robolayout.verify._obstacles import obstacles
 from robolayout.verify._space import REACH_SLACK, Space, disc_space, plan_distances, reached_rows
 from robolayout.verify.routes import find_routes
 
@@ -38,8 +39,10 @@ class Passage:
         asset: Where the way leads.
         width: Clear width in metres, to 1 cm; 0 if not even a disc of 1 cm gets there, `WIDE` stands for that or more.
         point: Where it is, metres; None where no passage limits the way (open floor, ample width, or an arm too short).
-        between: What stands left and right of it: asset names or "wall 2"; empty where there is no such place.
+        between: What stands left and right of it: asset names or "wall 2"; empty where there is no such place. One name
+            twice where the passage leads between two parts of it (the legs of a bed).
         cut_off: Whether one could stand near enough to it, but no disc however small gets there.
+        ends: Where what stands left and right of it is nearest, metres; one point for each of `between`.
     """
 
     asset: str
@@ -47,6 +50,14 @@ class Passage:
     point: Point | None
     between: tuple[str, ...]
     cut_off: bool = False
+    ends: tuple[Point, ...] = ()
+
+    @property
+    def sides(self) -> str:
+        """What stands left and right of it in words: "bed-0 and wall 1", "parts of bed-0"."""
+        if len(self.between) == 2 and self.between[0] == self.between[1]:
+            return f"parts of {self.between[0]}"
+        return " and ".join(self.between)
 
     @property
     def shown(self) -> str:
@@ -68,7 +79,8 @@ def find_passages(scene: Scene, layout: Layout, agent: Agent, names: Sequence[st
     for step in sorted({step for step in widest.values() if 0 < step < located}):
         group = [name for name, found in widest.items() if found == step]
         for name, place in search.necks(step, group).items():
-            result[name] = replace(result[name], point=place, between=search.neighbours(place, step * STEP))
+            between, ends = search.neighbours(place, step * STEP)
+            result[name] = replace(result[name], point=place, between=between, ends=ends)
     return result
 
 
@@ -86,7 +98,7 @@ class _Search:
 
     def __init__(self, scene: Scene, found: Boxes, agent: Agent) -> None:
         self._scene, self._found, self._agent = scene, found, agent
-        self._rows = found.obstacles(agent.step, agent.height)
+        self._obstacles = obstacles(found, agent)
         self._spaces: dict[int, tuple[Space, list[bool]]] = {}
 
     def row(self, name: str) -> int:
@@ -96,7 +108,7 @@ class _Search:
         """Return the free space of a disc of `step` lattice steps and what it reaches."""
         if step not in self._spaces:
             radius = step * STEP
-            space = disc_space(self._scene.room, self._found.footprints[self._rows], radius)
+            space = disc_space(self._scene.room, self._obstacles, radius)
             reach = replace(self._agent, radius=radius).reach
             reached = reached_rows(self._found, plan_distances(self._found, space.main), reach)
             self._spaces[step] = (space, reached.tolist())
@@ -125,18 +137,17 @@ class _Search:
                 result[name] = (float(middle.x), float(middle.y))
         return result
 
-    def neighbours(self, place: Point, radius: float) -> tuple[str, ...]:
-        """Return what touches a disc at a place: the nearest thing, and the nearest one across from it."""
+    def neighbours(self, place: Point, radius: float) -> tuple[tuple[str, ...], tuple[Point, ...]]:
+        """Return what touches a disc at a place, the nearest thing and the nearest one across from it, and where."""
         spot = shapely.Point(place)
-        names = [f"wall {wall.index}" for wall in self._scene.room.walls] + [
-            self._found.names[row] for row in self._rows
-        ]
+        names = [f"wall {wall.index}" for wall in self._scene.room.walls]
+        names += [self._found.names[row] for row in self._obstacles.rows]
         shapes = [LineString((wall.start, wall.end)) for wall in self._scene.room.walls]
-        shapes += list(self._found.footprints[self._rows])
+        shapes += list(self._obstacles.shapes)
         feet = shapely.get_coordinates(shapely.shortest_line(spot, np.array(shapes, dtype=object)))[1::2]
         offsets = feet - np.array(place)
         distance = np.hypot(offsets[:, 0], offsets[:, 1])
         first = int(np.argmin(distance))
         across = np.flatnonzero((offsets @ offsets[first] < 0) & (distance <= 2 * radius + 0.05))
-        others = [names[first]] + ([names[across[np.argmin(distance[across])]]] if len(across) else [])
-        return tuple(others)
+        found = [first, *across[np.argsort(distance[across], kind="stable")][:1].tolist()]
+        return tuple(names[i] for i in found), tuple((float(x), float(y)) for x, y in feet[found])

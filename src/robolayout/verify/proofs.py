@@ -134,7 +134,7 @@ def remedies(nav: Navigation) -> Remedies:
     trials = _Trials(nav)
     largest = min((p.width for name, p in nav.passages.items() if name not in aside), default=0.0)
     wanted = [name for name in nav.unreached if name not in aside]
-    narrow = [nav.passages[name] for name in wanted if len(nav.passages[name].between) == 2]
+    narrow = [nav.passages[name] for name in wanted if len(set(nav.passages[name].between)) == 2]
     return Remedies(
         removals={name: trials.removals(name) for name in wanted},
         gaps={(a, b): 2 * nav.agent.radius - p.width for p in narrow for a, b in [sorted(p.between)]},
@@ -148,7 +148,7 @@ class _Trials:
 
     def __init__(self, nav: Navigation) -> None:
         self._nav, self._found = nav, nav.boxes
-        self._rows = [int(row) for row in nav.boxes.obstacles(nav.agent.step, nav.agent.height)]
+        self._rows = [int(row) for row in np.unique(nav.blocking.rows)]
         self._below = [_chain(nav.boxes, row) for row in range(len(nav.boxes.names))]
         self._tried: dict[tuple[int, ...], NDArray[np.bool_]] = {}
 
@@ -168,8 +168,8 @@ class _Trials:
         if removed not in self._tried:
             if len(self._tried) >= TRIALS:
                 return False
-            kept = [other for other in self._rows if not self._below[other].intersection(removed)]
-            space = disc_space(self._nav.scene.room, self._found.footprints[kept], self._nav.agent.radius)
+            kept = {other for other in self._rows if not self._below[other].intersection(removed)}
+            space = disc_space(self._nav.scene.room, self._nav.blocking.of(kept), self._nav.agent.radius)
             reach = self._nav.agent.reach
             self._tried[removed] = reached_rows(self._found, plan_distances(self._found, space.main), reach)
         return bool(self._tried[removed][row])

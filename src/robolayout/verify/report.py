@@ -267,7 +267,7 @@ def _agent_table(report: AgentReport) -> list[str]:
     for name, passage in nav.passages.items():
         route = nav.routes.get(name)
         length = f"{route.length:.1f} m" if route else "-"
-        between = " and ".join(passage.between) or "-"
+        between = passage.sides or "-"
         reached = "yes" if nav.reached[name] else "**no**"
         usable = "yes" if report.usage.usable[name] else "**no**"
         lines.append(f"| {name} | {reached} | {length} | {passage.shown} | {between} | {usable} |")

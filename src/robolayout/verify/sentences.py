@@ -45,7 +45,7 @@ def unreached_sentence(nav: Navigation, name: str) -> str:
     if passage.between and passage.width < needed:
         return (
             f"{name} cannot be reached by {agent.name}: narrowest passage {passage.width:.2f} m, "
-            f"needs {needed:.2f} m, between {' and '.join(passage.between)}."
+            f"needs {needed:.2f} m, between {passage.sides}."
         )
     return (
         f"{name} is out of reach of {agent.name}: {nav.distances[name]:.2f} m from the nearest place to stand, "

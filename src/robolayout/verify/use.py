@@ -147,10 +147,17 @@ class _Judge:
         if reach is None:
             return
         for side, target in self._approaches(row).items():
-            zone = _within(target, reach + REACH_SLACK)
+            zone = self._zone(row, target, reach + REACH_SLACK)
             region = next((region for region in self.standing if region.intersects(zone)), None)
             if region is not None and not self.opening_blockers(row, side):
                 yield side, zone, region
+
+    def _zone(self, row: int, target: BaseGeometry, reach: float) -> BaseGeometry:
+        """Return from where a side or a footprint is within reach; never from under the asset that carries it."""
+        zone, carrier = _within(target, reach), self.found.carrier(row)
+        if carrier is None or self.found.top[carrier] <= self.agent.height:
+            return zone
+        return zone.difference(self.found.footprints[carrier])
 
     def opening_blockers(self, row: int, side: str) -> tuple[str, ...]:
         """Return what stands in the depth that an asset needs in front to be opened: names, or "the wall"."""
@@ -193,23 +200,25 @@ class _Judge:
         if blockers:
             return f"its front has no room to open: {' and '.join(blockers)} in the way"
         sides = " or ".join(side for side in approaches if side) or "edge"
-        away = min((self._nearest(target) for target in approaches.values()), default=math.inf)
+        away = min((self._nearest(row, target) for target in approaches.values()), default=math.inf)
         if away > FAR:
             return f"there is no place to stand at its {sides}"
         return f"the nearest place to stand is {away:.2f} m from its {sides}, reach is {reach:.2f} m at that height"
 
-    def _nearest(self, target: BaseGeometry) -> float:
+    def _nearest(self, row: int, target: BaseGeometry) -> float:
         """Return metres from an edge or a footprint to the nearest place to stand beyond it."""
-        zone = _within(target, FAR)
+        zone = self._zone(row, target, FAR)
         places = [place for region in self.standing if not (place := region.intersection(zone)).is_empty]
         return min((place.distance(target) for place in places), default=math.inf)
 
 
 def _height_reason(agent: Agent, bottom: float, top: float) -> str:
     if bottom > agent.reach_high:
-        return f"it begins {bottom:.2f} m high, reach ends at {agent.reach_high:.2f} m"
+        return f"it begins {bottom:.2f} m high, reach ends at {agent.reach_high:.2f} m: {bottom - agent.reach_high:.2f} m too high"
     if top < agent.reach_low:
-        return f"it ends {top:.2f} m high, reach begins at {agent.reach_low:.2f} m"
+        return (
+            f"it ends {top:.2f} m high, reach begins at {agent.reach_low:.2f} m: {agent.reach_low - top:.2f} m too low"
+        )
     return f"it is too far from the shoulder at {agent.shoulder_height:.2f} m for a reach of {agent.reach:.2f} m"
 
 
