@@ -45,10 +45,11 @@ def bed(p: Piece) -> Iterator[Part]:
             for y0 in (p.y[0], p.y[1] - 0.05):
                 yield box("post", p.dark, (p.x[0] + 0.003, board_x - 0.002), (y0, y0 + 0.05), (0.0, p.h - 0.05))
     low = 0.42 * top
-    yield box("frame", frame, (board_x, p.x[1]), p.y, (0.3 * low, low))
+    under = 0.5 * low  # what a vacuum cleaner needs to drive beneath
+    yield box("frame", frame, (board_x, p.x[1]), p.y, (under, low))
     for x in (board_x + 0.08, p.x[1] - 0.12):
         for y in (p.y[0] + 0.06, p.y[1] - 0.1):
-            yield box("leg", p.dark, (x, x + 0.05), (y, y + 0.05), (0.0, 0.3 * low))
+            yield box("leg", p.dark, (x, x + 0.05), (y, y + 0.05), (0.0, under))
     yield from _bedding(p, board_x, p.x[1] - 0.02, low, top, inset=0.012)
 
 
