@@ -1,15 +1,14 @@
 """Animations: complete, small, repeatable."""
 
 import io
-from itertools import pairwise
 
 import numpy as np
 import pytest
 from PIL import Image
 
 from robolayout._errors import InputError
-from robolayout.render import PlanMarks, progress_gif, walk_gif
-from robolayout.scene import Agent, Layout, Trace
+from robolayout.render import progress_gif
+from robolayout.scene import Trace
 
 
 def frames(data):
@@ -45,16 +44,3 @@ def test_a_trace_without_losses_or_snapshots_still_shows_the_layout(bedroom, lay
 def test_the_last_frame_looks_as_it_did(bedroom, layout, trace, golden):
     image = frames(progress_gif(bedroom, trace, layout=layout, size=300))[-1][0]
     golden(Image.fromarray(image.astype(np.uint8)), "progress-last-300", mean=2.0, share=0.02)
-
-
-@pytest.mark.parametrize("body", [None, Agent("long", 0.4, 1.0, length=0.8, width=0.4)])
-def test_the_agent_moves_along_its_routes(bedroom, layout, marks, body):
-    shown = [image for image, _ in frames(walk_gif(bedroom, layout, marks, agent=body, size=240, frames=12))]
-    assert 6 <= len(shown) <= 12
-    steps = [np.abs(a - b).mean() for a, b in pairwise(shown)]
-    assert max(steps) > 0.2
-
-
-def test_without_routes_there_is_no_walk(bedroom):
-    with pytest.raises(InputError, match="walk_gif has nothing to show"):
-        walk_gif(bedroom, Layout({}), PlanMarks())

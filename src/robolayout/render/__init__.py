@@ -8,7 +8,7 @@
 | `annotate(scene, layout, view=...)` | a view with grid, fronts, names and walls written into it, for a model |
 | `plan_svg`, `plan_image`, `plan_pdf` | the plan to scale, with what the agent can do (`PlanMarks`) |
 | `compare_image`, `compare_svg` | several plans side by side |
-| `progress_gif`, `walk_gif` | the optimisation, and the agent on its routes |
+| `progress_gif`, `walk_gif` | the optimisation, and the agent on its round through the room |
 | `loss_png`, `loss_image` | the terms of the loss, linear and logarithmic |
 | `run_pictures(scene, layout, trace)` | all files of a run at once |
 | `render_beauty(scene, layout, view=...)` | a path-traced picture (extra `beauty`) |
@@ -22,7 +22,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from robolayout.render.animation import progress_gif, walk_gif
+    from robolayout.render.animation import progress_gif
     from robolayout.render.annotation import Mark, annotate, annotation_camera, annotation_marks
     from robolayout.render.beauty import render_beauty
     from robolayout.render.camera import Camera, eye_camera, fitted_camera, spherical_camera
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from robolayout.render.pictures import png_bytes, run_pictures
     from robolayout.render.plan import draw_plan, plan_image, plan_pdf, plan_svg
     from robolayout.render.view import Buffers, Studio, render_asset, render_view
+    from robolayout.render.walk import walk_gif
 
 _HOMES = {
     "Buffers": "view",
@@ -60,7 +61,7 @@ _HOMES = {
     "render_view": "view",
     "run_pictures": "pictures",
     "spherical_camera": "camera",
-    "walk_gif": "animation",
+    "walk_gif": "walk",
 }
 """Every public name and the module that holds it."""
 

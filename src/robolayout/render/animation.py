@@ -1,11 +1,10 @@
-"""Animations: how the optimisation went, and the agent driving its routes. Both are plans seen from above, as GIF."""
+"""How the optimisation went, as a GIF: a plan seen from above, step by step."""
 
 from __future__ import annotations
 
 import io
 import math
 from collections.abc import Mapping, Sequence
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,10 +13,9 @@ from robolayout._errors import InputError
 from robolayout.render._architecture import THICKNESS, draw_floor, draw_walls
 from robolayout.render._drawing import Drawing, Item, Point, Text, paint, text_width
 from robolayout.render.curves import TOTAL, Frame, draw_panel, loss_terms
-from robolayout.render.marks import PlanMarks
-from robolayout.render.palette import INK, PAPER, QUIET, ROUTE
-from robolayout.render.plan import display_name, draw_contents, draw_footprint
-from robolayout.scene import Agent, Asset, Layout, Pose, Room, Scene, Snapshot, Trace
+from robolayout.render.palette import INK, QUIET, ROUTE
+from robolayout.render.plan import display_name, draw_footprint
+from robolayout.scene import Asset, Layout, Pose, Room, Scene, Snapshot, Trace
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -58,7 +56,7 @@ def progress_gif(
         chosen.append(Snapshot(last, "result", {name: (p.x, p.y, p.yaw) for name, p in layout.items()}))
     if not chosen:
         raise InputError("progress_gif has nothing to show: the trace has no snapshots and no layout was given.")
-    stage = _Stage(scene.room, STRIP if trace.losses else 8.0)
+    stage = Stage(scene.room, STRIP if trace.losses else 8.0)
     frame = Frame(13.0, stage.sheet.height - STRIP + 5.0, SHEET - 4.0, stage.sheet.height - 6.5)
     if trace.losses:
         _draw_curve(stage.sheet, frame, trace)
@@ -67,45 +65,7 @@ def progress_gif(
     return _gif(stage.sheet, painted, size, [*[pause] * (len(chosen) - 1), HOLD])
 
 
-def walk_gif(
-    scene: Scene,
-    layout: Layout,
-    marks: PlanMarks,
-    *,
-    agent: Agent | None = None,
-    size: int = 600,
-    frames: int = 80,
-    pause: int = 60,
-) -> bytes:
-    """Return the agent driving its routes, one after the other, as a GIF.
-
-    Args:
-        scene: The scene.
-        layout: The layout.
-        marks: Routes and free space.
-        agent: The body; None takes the scene's first agent.
-        size: Pixels of the longer side.
-        frames: Most frames.
-        pause: Milliseconds per frame.
-
-    Raises:
-        InputError: There is no route.
-    """
-    routes = {name: line for name, line in sorted(marks.routes.items()) if len(line) > 1}
-    if not routes:
-        raise InputError("walk_gif has nothing to show: the marks have no route.")
-    body = agent or scene.agent
-    stage = _Stage(scene.room, 8.0)
-    quiet = PlanMarks(free=marks.free, islands=marks.islands, blocked=marks.blocked)
-    below = Drawing(SHEET, stage.sheet.height)
-    draw_contents(below, scene, layout, quiet, stage.place)
-    stage.sheet.items[1:1] = below.items
-    stage.sheet.items += _names(scene, list(scene.assets), {n: (p.x, p.y, p.yaw) for n, p in layout.items()}, stage)
-    painted = [_walk_items(scene, step, routes, body, stage) for step in _walk_steps(routes, frames)]
-    return _gif(stage.sheet, painted, size, [*[pause] * (len(painted) - 1), HOLD // 2])
-
-
-class _Stage:
+class Stage:
     """The sheet of every frame: floor and walls, and where metres land on it."""
 
     def __init__(self, room: Room, strip: float) -> None:
@@ -148,7 +108,7 @@ def _draw_curve(sheet: Drawing, frame: Frame, trace: Trace) -> None:
 
 
 def _progress_items(
-    scene: Scene, order: Sequence[Asset], snapshot: Snapshot, stage: _Stage, curve: tuple[Frame, int]
+    scene: Scene, order: Sequence[Asset], snapshot: Snapshot, stage: Stage, curve: tuple[Frame, int]
 ) -> list[Item]:
     """Return what one frame adds: footprints, names, and the place on the curve."""
     sheet = Drawing(SHEET, stage.sheet.height)
@@ -156,7 +116,7 @@ def _progress_items(
         if asset.name in snapshot.poses:
             x, y, yaw = snapshot.poses[asset.name]
             draw_footprint(sheet, asset, Pose(x, y, asset.size[2] / 2 + 0.1 * (_level(asset) == 2), yaw), stage.place)
-    sheet.items += _names(scene, order, snapshot.poses, stage)
+    sheet.items += draw_names(scene, order, snapshot.poses, stage)
     frame, steps = curve
     if steps:
         x = frame.left + (frame.right - frame.left) * min(snapshot.step / max(steps - 1, 1), 1.0)
@@ -166,8 +126,8 @@ def _progress_items(
     return sheet.items
 
 
-def _names(
-    scene: Scene, order: Sequence[Asset], poses: Mapping[str, tuple[float, float, float]], stage: _Stage
+def draw_names(
+    scene: Scene, order: Sequence[Asset], poses: Mapping[str, tuple[float, float, float]], stage: Stage
 ) -> list[Item]:
     """Return the names of the things that are large enough to carry theirs."""
     items: list[Item] = []
@@ -182,56 +142,6 @@ def _names(
         if size >= 2.0 and min(asset.size[:2]) * stage.scale > 3.0:
             items.append(Text(stage.place(x, y), words, size, INK))
     return items
-
-
-def _walk_steps(routes: Mapping[str, Sequence[Point]], frames: int) -> list[tuple[str, float]]:
-    """Return (route, share of its length) per frame, so that the agent moves at one speed."""
-    lengths = {name: sum(math.dist(a, b) for a, b in pairwise(line)) for name, line in routes.items()}
-    total = max(sum(lengths.values()), 1e-6)
-    steps: list[tuple[str, float]] = []
-    for name, length in lengths.items():
-        count = max(3, round((frames - 3) * length / total))
-        steps += [(name, k / (count - 1)) for k in range(count)]
-    return [steps[k] for k in _spread(len(steps), frames)]
-
-
-def _walk_items(
-    scene: Scene, step: tuple[str, float], routes: Mapping[str, Sequence[Point]], body: Agent, stage: _Stage
-) -> list[Item]:
-    """Return what one frame adds: the route, the body on it, and where it goes."""
-    name, share = step
-    sheet = Drawing(SHEET, stage.sheet.height)
-    sheet.line([stage.place(*p) for p in routes[name]], ROUTE, width=0.5)
-    x, y, yaw = _along(routes[name], share)
-    corners = _body_outline(body, x, y, yaw)
-    sheet.polygon([[stage.place(*p) for p in corners]], ROUTE, opacity=0.45, stroke=ROUTE, width=0.4)
-    nose = [
-        (x + 0.8 * body.radius * math.cos(yaw + a), y + 0.8 * body.radius * math.sin(yaw + a)) for a in (0, 2.5, -2.5)
-    ]
-    sheet.polygon([[stage.place(*p) for p in nose]], PAPER)
-    words = f"to {display_name(scene, scene.by_name[name])}" if name in scene.by_name else f"to {name}"
-    sheet.words((SHEET / 2, stage.sheet.height - 5.0), words, 3.4, color=INK)
-    return sheet.items
-
-
-def _along(line: Sequence[Point], share: float) -> tuple[float, float, float]:
-    """Return position and heading at a share of a line's length."""
-    lengths = [math.dist(a, b) for a, b in pairwise(line)]
-    left = share * sum(lengths)
-    for (a, b), length in zip(pairwise(line), lengths, strict=True):
-        if left <= length or (a, b) == (line[-2], line[-1]):
-            t = min(left / max(length, 1e-9), 1.0)
-            return (a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), math.atan2(b[1] - a[1], b[0] - a[0]))
-        left -= length
-    return (*line[-1], 0.0)
-
-
-def _body_outline(body: Agent, x: float, y: float, yaw: float) -> list[Point]:
-    """Return the outline of the agent: its rectangle if it has one, else its disc."""
-    if body.length is not None and body.width is not None:
-        return list(Pose(x, y, 0.0, yaw).corners((body.length, body.width, 0.0)))
-    angles = [2 * math.pi * k / 32 for k in range(32)]
-    return [(x + body.radius * math.cos(a), y + body.radius * math.sin(a)) for a in angles]
 
 
 def _gif(sheet: Drawing, painted: Sequence[Sequence[Item]], size: int, pauses: Sequence[int]) -> bytes:
@@ -249,7 +159,11 @@ def _gif(sheet: Drawing, painted: Sequence[Sequence[Item]], size: int, pauses: S
         return big.reduce(SAMPLES)
 
     palette = frame(painted[-1]).quantize(PALETTE, images.Quantize.MEDIANCUT)
-    frames = [frame(items).quantize(palette=palette, dither=images.Dither.NONE) for items in painted]
+    return save_gif([frame(items).quantize(palette=palette, dither=images.Dither.NONE) for items in painted], pauses)
+
+
+def save_gif(frames: Sequence[Image], pauses: Sequence[int]) -> bytes:
+    """Return an endless GIF of frames that share one palette, each shown for its milliseconds."""
     stream = io.BytesIO()
     frames[0].save(
         stream,
