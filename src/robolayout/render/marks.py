@@ -22,6 +22,10 @@ class PlanMarks:
         passages: Narrowest passages: the two points between which it is narrowest, and the width in metres.
         blocked: Names of assets that the agent cannot reach.
         agent_at: Where the agent's disc is drawn, or None.
+        under: Polygons of the free space under or inside furniture.
+        parts: Outlines of the parts of such furniture that are in the agent's way (the legs of a table).
+        circles: Turning circles: centre, and diameter in metres.
+        arcs: How far the agent reaches: where it stands to use something, then an arc as a polyline.
     """
 
     free: tuple[Rings, ...] = ()
@@ -30,6 +34,10 @@ class PlanMarks:
     passages: tuple[tuple[Point, Point, float], ...] = ()
     blocked: tuple[str, ...] = ()
     agent_at: Point | None = None
+    under: tuple[Rings, ...] = ()
+    parts: tuple[tuple[Point, ...], ...] = ()
+    circles: tuple[tuple[Point, float], ...] = ()
+    arcs: tuple[tuple[Point, ...], ...] = ()
 
 
 def gap_ends(scene: Scene, layout: Layout, middle: Point, between: Sequence[str]) -> tuple[Point, Point] | None:

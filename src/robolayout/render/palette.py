@@ -19,6 +19,8 @@ ROUTE = "#0072b2"
 NARROW = "#009e73"
 TIGHT = "#d55e00"
 BLOCKED = "#d55e00"
+TURN = "#8e6a9b"
+REACH = "#b0527f"
 QUIET = "#77736d"
 
 _FAMILIES: dict[str, tuple[str, str]] = {

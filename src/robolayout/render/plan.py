@@ -11,8 +11,21 @@ from typing import TYPE_CHECKING
 from robolayout.render._architecture import THICKNESS, Place, draw_floor, draw_walls
 from robolayout.render._drawing import Drawing, Point, draw_image, draw_svg, text_width
 from robolayout.render._labels import LINE, Label, Tag, place_labels
-from robolayout.render.marks import PlanMarks
-from robolayout.render.palette import BLOCKED, FREE, INK, ISLAND, NARROW, PAPER, QUIET, ROUTE, TIGHT, asset_colors
+from robolayout.render.marks import PlanMarks, Rings
+from robolayout.render.palette import (
+    BLOCKED,
+    FREE,
+    INK,
+    ISLAND,
+    NARROW,
+    PAPER,
+    QUIET,
+    REACH,
+    ROUTE,
+    TIGHT,
+    TURN,
+    asset_colors,
+)
 from robolayout.scene import Agent, Asset, Layout, Pose, Scene, Wall, vertical_span
 
 if TYPE_CHECKING:
@@ -23,6 +36,12 @@ SCALES = (25, 50, 100, 200, 500)
 
 LONGEST = 180.0
 """Millimetres that the room may take; the first scale that fits is used."""
+
+LINES: dict[str, tuple[float, tuple[float, float] | None]] = {
+    "line": (0.5, None),
+    "dash": (0.35, (1.1, 0.6)),
+}
+"""Width, dash and gap of the lines in the legend, millimetres."""
 
 MARGIN = 6.0
 """Millimetres around the room's walls."""
@@ -124,16 +143,27 @@ def plan_scale(scene: Scene) -> int:
 def draw_contents(sheet: Drawing, scene: Scene, layout: Layout, marks: PlanMarks, place: Place) -> None:
     """Draw rugs, free space, then every footprint from the floor up; what hangs from the ceiling is dashed."""
     placed = [(asset, layout[asset.name]) for asset in scene.assets if asset.name in layout]
-    placed.sort(key=lambda pair: (pair[0].on_ceiling, vertical_span(*pair)[0], -pair[0].size[0] * pair[0].size[1]))
+    placed.sort(key=lambda pair: (vertical_span(*pair)[0], -pair[0].size[0] * pair[0].size[1]))
     for asset, pose in placed:
         if asset.is_flat:
             draw_footprint(sheet, asset, pose, place)
-    for shapes, color in ((marks.free, FREE), (marks.islands, ISLAND)):
-        for rings in shapes:
-            sheet.polygon([[place(x, y) for x, y in ring] for ring in rings], color, opacity=0.72)
+    _draw_areas(sheet, marks.free, FREE, place, opacity=0.72)
+    _draw_areas(sheet, marks.islands, ISLAND, place, opacity=0.72)
     for asset, pose in placed:
-        if not asset.is_flat:
+        if not (asset.is_flat or asset.on_ceiling):
             draw_footprint(sheet, asset, pose, place, blocked=asset.name in marks.blocked)
+    _draw_areas(sheet, marks.under, FREE, place, opacity=0.6)
+    for outline in marks.parts:
+        sheet.polygon([[place(x, y) for x, y in outline]], QUIET, opacity=0.3, stroke=QUIET, width=0.12)
+    for asset, pose in placed:
+        if asset.on_ceiling:
+            draw_footprint(sheet, asset, pose, place)
+
+
+def _draw_areas(sheet: Drawing, areas: tuple[Rings, ...], color: str, place: Place, *, opacity: float) -> None:
+    """Fill areas, each given as its outer ring and its holes."""
+    for rings in areas:
+        sheet.polygon([[place(x, y) for x, y in ring] for ring in rings], color, opacity=opacity)
 
 
 def draw_footprint(sheet: Drawing, asset: Asset, pose: Pose, place: Place, *, blocked: bool = False) -> None:
@@ -187,7 +217,14 @@ def _world(pose: Pose, forward: float, left: float) -> Point:
 
 
 def _draw_marks(sheet: Drawing, marks: PlanMarks, agent: Agent | None, place: Place, k: float) -> None:
-    """Draw routes with a dot at their end, and the agent's disc."""
+    """Draw turning circles, reach, routes with a dot at their end, and the agent's disc."""
+    for center, diameter in marks.circles:
+        sheet.polygon([_circle(place(*center), diameter / 2 * k, 72)], None, stroke=TURN, width=0.3, dash=(1.4, 0.8))
+    for points in marks.arcs:
+        fan = [place(*p) for p in points]
+        sheet.polygon([fan], REACH, opacity=0.09)
+        sheet.line(fan[1:], REACH, width=0.25)
+        sheet.polygon([_circle(fan[0], 0.45)], PAPER, stroke=REACH, width=0.2)
     lines = [[place(*p) for p in points] for _, points in sorted(marks.routes.items()) if len(points) > 1]
     for points in lines:
         sheet.line(points, PAPER, width=0.75)
@@ -212,9 +249,10 @@ def _draw_passages(sheet: Drawing, marks: PlanMarks, agent: Agent | None, place:
             sheet.line([(ax, ay), (bx, by)], color_, width=width)
             for x, y in ((ax, ay), (bx, by)):
                 sheet.line([(x - tick[0], y - tick[1]), (x + tick[0], y + tick[1])], color_, width=width)
-        level = abs(bx - ax) < abs(by - ay)
-        at = ((ax + bx) / 2 + (0.9 if level else 0), (ay + by) / 2 - (0 if level else 1.8))
-        sheet.words(at, f"{metres:.2f} m", 2.1, color=color, halo=PAPER, anchor="start" if level else "middle")
+        aside = (-tick[0], -tick[1]) if (tick[0], -tick[1]) < (0.0, 0.0) else tick
+        level = aside[0] < 0.3
+        at = ((ax + bx) / 2 + (0 if level else aside[0]), (ay + by) / 2 - (1.8 if level else -1.4 * aside[1]))
+        sheet.words(at, f"{metres:.2f} m", 2.1, color=color, halo=PAPER, anchor="middle" if level else "start")
 
 
 def _draw_labels(sheet: Drawing, scene: Scene, layout: Layout, place: Place, marks: PlanMarks) -> None:
@@ -294,6 +332,8 @@ def _draw_legend(sheet: Drawing, marks: PlanMarks, left: float, y: float) -> Non
     rows += [("area", ISLAND, "cut off")] if marks.islands else []
     rows += [("line", ROUTE, "route")] if marks.routes else []
     rows += [("line", NARROW, "narrowest")] if marks.passages else []
+    rows += [("dash", TURN, "turning circle")] if marks.circles else []
+    rows += [("line", REACH, "reach")] if marks.arcs else []
     rows += [("cross", BLOCKED, "out of reach")] if marks.blocked else []
     total = sum(6.0 + text_width(words, size) for *_, words in rows)
     size *= min(1.0, (sheet.width - 2 * left) / max(total, 1))
@@ -301,8 +341,9 @@ def _draw_legend(sheet: Drawing, marks: PlanMarks, left: float, y: float) -> Non
         box = [(x, y - 0.9), (x + 3, y - 0.9), (x + 3, y + 0.9), (x, y + 0.9)]
         if kind == "area":
             sheet.polygon([box], color, stroke=QUIET, width=0.1)
-        elif kind == "line":
-            sheet.line([(x, y), (x + 3, y)], color, width=0.5)
+        elif kind in LINES:
+            width, dash = LINES[kind]
+            sheet.line([(x, y), (x + 3, y)], color, width=width, dash=dash)
         else:
             sheet.line([box[0], box[2]], color, width=0.3)
             sheet.line([box[1], box[3]], color, width=0.3)

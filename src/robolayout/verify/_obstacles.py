@@ -39,17 +39,19 @@ class Obstacles:
     Attributes:
         rows: (m,) which asset each shape belongs to.
         shapes: (m,) Shapely rectangles in the world frame.
+        partial: (m,) whether a shape is a part of an asset that the body may come under or into, not a whole box.
         shelter: (k,) boxes of the assets that the body may come under or into.
     """
 
     rows: NDArray[np.intp]
     shapes: NDArray[np.object_]
+    partial: NDArray[np.bool_]
     shelter: NDArray[np.object_]
 
     def of(self, rows: set[int] | frozenset[int]) -> Obstacles:
         """Return what is left when only these assets are there; the shelter stays."""
         kept = np.isin(self.rows, list(rows))
-        return Obstacles(self.rows[kept], self.shapes[kept], self.shelter)
+        return Obstacles(self.rows[kept], self.shapes[kept], self.partial[kept], self.shelter)
 
 
 def obstacles(found: Boxes, agent: Agent) -> Obstacles:
@@ -72,7 +74,8 @@ def obstacles(found: Boxes, agent: Agent) -> Obstacles:
     shapes = found.footprints[whole]
     if rows:
         shapes = np.concatenate([shapes, _placed(found.poses[rows], np.concatenate(rectangles))])
-    return Obstacles(np.array(whole + rows, dtype=np.intp), shapes, found.footprints[shelter])
+    partial = np.arange(len(shapes)) >= len(whole)
+    return Obstacles(np.array(whole + rows, dtype=np.intp), shapes, partial, found.footprints[shelter])
 
 
 def _placed(poses: NDArray[np.float64], rectangles: Rectangles) -> NDArray[np.object_]:
