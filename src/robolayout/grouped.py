@@ -1,119 +1,357 @@
-"""Planning with a model: one group after the other, feedback and retries, and the offline planner as the last resort."""
+"""Planning with a model: one group after the other, samples, feedback and retries, and the offline planner as the last resort.
+
+Every answer is read, filtered, solved and verified; the samples of one question are solved together. What could not be read,
+was rejected, was forgotten, or is not met goes back to the model. The best verified answer of a group is kept, whenever it came.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 from robolayout._errors import ModelError, ProgramError
 from robolayout.attempt import Attempt, Clock, Progress
-from robolayout.planners import Group, GroupPlanner, OfflinePlanner, PlanRequest, feedback_text
-from robolayout.program import Guess, Program, read_program
+from robolayout.planners import Group, GroupPlanner, OfflinePlanner, PlanRequest, Score, feedback_text, score_samples
+from robolayout.program import Guess, Program, Statement, read_program, reconcile
 from robolayout.scene import Layout, Pose, Scene
-from robolayout.verify import verify
+from robolayout.verify import Report, verify
 
-Finish = Callable[[Program, Scene, Mapping[str, Pose]], Attempt]
-"""Filters and solves a program for a scene; the poses given stay."""
+Finish = Callable[[Sequence[Program], Scene, Mapping[str, Pose]], list[Attempt]]
+"""Filters and solves programs for a scene, together; the poses given stay."""
 
 
 @dataclass(frozen=True)
+class Sample:
+    """One answer of a model and what came of it.
+
+    Attributes:
+        group: Label of the group that it was asked for.
+        attempt: How often the group was asked for before, plus one.
+        number: Which of the answers to that question, from 1.
+        text: The answer.
+        score: What it achieves; None if it could not be read.
+        error: Why it could not be read.
+        layout: Where it puts the things of the group.
+        kept: Whether this one was taken.
+    """
+
+    group: str
+    attempt: int
+    number: int
+    text: str
+    score: Score | None = None
+    error: str = ""
+    layout: Layout | None = None
+    kept: bool = False
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the sample as it is written to `samples.json`."""
+        return {
+            "group": self.group,
+            "attempt": self.attempt,
+            "sample": self.number,
+            "kept": self.kept,
+            "score": self.score and self.score.to_dict(),
+            "error": self.error or None,
+            "program": self.text,
+            "layout": self.layout and self.layout.to_dict(),
+        }
+
+
+@dataclass(frozen=True)
+class Planned:
+    """What came of planning with a model.
+
+    Attributes:
+        attempt: The whole program and its solution.
+        groups: The groups as they were planned.
+        samples: All answers, in the order in which they were given.
+        taken_over: Why the offline planner planned a group, by its label.
+        planner: Who planned and what that took.
+    """
+
+    attempt: Attempt
+    groups: tuple[Group, ...]
+    samples: tuple[Sample, ...]
+    taken_over: Mapping[str, str]
+    planner: Mapping[str, Any]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return who planned, for the report: usage, warnings, what was taken over, and all of it in sentences."""
+        readable = sum(sample.score is not None for sample in self.samples)
+        sentences = [
+            *self.planner.get("sentences", ()),
+            f"{len(self.samples)} programs were given for {len(self.groups)} groups, {readable} of them could be read.",
+            *(f"The offline planner took over group {label!r}: {why}" for label, why in self.taken_over.items()),
+        ]
+        return {**self.planner, "taken_over": dict(self.taken_over), "sentences": sentences}
+
+
+@dataclass(frozen=True)
+class _Candidate:
+    """One readable answer for a group, solved and verified."""
+
+    sample: Sample
+    attempt: Attempt
+    report: Report
+    forgotten: tuple[str, ...]
+    strays: tuple[str, ...]
+    own: frozenset[int]
+
+    @property
+    def done(self) -> bool:
+        """Whether there is nothing to ask for again."""
+        return self.attempt.solution.verdict.ok and not self.forgotten
+
+    def feedback(self) -> str:
+        """Return what to tell the model about it."""
+        decisions = self.attempt.reconciled.decisions
+        rejected = [d.sentence for d in decisions if d.verdict == "rejected" and d.statement.number in self.own]
+        return feedback_text(
+            rejections=[*rejected, *self.strays], violations=self.report.violations, forgotten=self.forgotten
+        )
+
+
+@dataclass
+class _Question:
+    """One group in the room as it stands."""
+
+    here: Scene
+    group: Group
+    placed: Mapping[str, Pose]
+    before: tuple[Statement, ...]
+    images: Mapping[str, bytes] = field(default_factory=dict[str, bytes])
+    samples: list[Sample] = field(default_factory=list[Sample])
+    candidates: list[_Candidate] = field(default_factory=list[_Candidate])
+
+    def best(self) -> _Candidate | None:
+        """Return the candidate that the judge likes best: hard demands, access, statements; then few things forgotten."""
+        if not self.candidates:
+            return None
+        scores = self.scores()
+        keys = [
+            (*(-part for part in score.key[:3]), len(one.forgotten), -score.key[3], i)
+            for i, (score, one) in enumerate(zip(scores, self.candidates, strict=True))
+        ]
+        return self.candidates[min(keys)[-1]]
+
+    def scores(self) -> tuple[Score, ...]:
+        """Return the scores of all candidates."""
+        return score_samples(
+            [one.report.figures for one in self.candidates], [one.attempt.asked for one in self.candidates]
+        )
+
+    def records(self) -> Iterator[Sample]:
+        """Yield all answers with their scores."""
+        best = self.best()
+        scored = {id(one.sample): (one, score) for one, score in zip(self.candidates, self.scores(), strict=True)}
+        for sample in self.samples:
+            if id(sample) not in scored:
+                yield sample
+                continue
+            one, score = scored[id(sample)]
+            mine = {name: pose for name, pose in one.attempt.solution.layout.items() if name in self.group.items}
+            yield replace(sample, score=score, layout=Layout(mine), kept=one is best)
+
+
 class GroupedRun:
     """The loop over groups.
 
-    Attributes:
+    Args:
         scene: What is given.
         planner: Who is asked.
+        finish: Filters and solves programs.
+        prepare: Told the scene of the next group, to warm up for it.
         seed: Settles every choice.
         clock: Where seconds are counted.
         say: Told the name of each phase.
-        finish: Filters and solves a program.
     """
 
-    scene: Scene
-    planner: GroupPlanner
-    seed: int
-    clock: Clock
-    say: Progress
-    finish: Finish
+    def __init__(
+        self,
+        scene: Scene,
+        planner: GroupPlanner,
+        finish: Finish,
+        *,
+        prepare: Callable[[Scene, int], None],
+        seed: int,
+        clock: Clock,
+        say: Progress,
+    ) -> None:
+        self.scene, self.planner, self.finish, self.prepare = scene, planner, finish, prepare
+        self.seed, self.clock, self.say = seed, clock, say
+        self._answered = False
+        self._samples: list[Sample] = []
+        self._taken_over: dict[str, str] = {}
 
-    def run(self, groups: tuple[Group, ...]) -> tuple[Attempt, tuple[Group, ...]]:
+    def run(self, groups: tuple[Group, ...]) -> Planned:
         """Plan one group after the other; what is placed stays, and what is said stays said."""
         placed: dict[str, Pose] = {}
-        best, done = None, list[Group]()
-        for group in groups:
-            here = replace(
-                self.scene, assets=tuple(a for a in self.scene.assets if a.name in placed or a.name in group.items)
-            )
-            best, taken_over = self._group(here, group, placed, best)
-            note = " The model's answers stayed unusable; the offline planner took over." if taken_over else ""
-            done.append(replace(group, rationale=group.rationale + note))
-            placed |= dict(best.solution.layout)
-        assert best is not None
-        if not best.solution.verdict.ok:
-            guesses = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in placed.items()}
-            joint = self.finish(replace(best.asked, guesses=guesses), self.scene, {})
-            best = min((best, joint), key=lambda attempt: attempt.solution.verdict.merit)
-        return best, tuple(done)
-
-    def _group(
-        self, here: Scene, group: Group, placed: dict[str, Pose], before: Attempt | None
-    ) -> tuple[Attempt, bool]:
-        """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable."""
         best: Attempt | None = None
-        feedback, previous = "", ""
-        for _ in range(1 + self.planner.retries):
-            request = PlanRequest(
-                self.scene, group, Layout(placed), feedback, self.seed, previous, self._images(here, placed, group)
-            )
-            with self.clock.station("plan"):
-                try:
-                    texts = self.planner.plan_many(request, self.planner.samples)
-                except ModelError as error:
-                    self.say(f"model failed: {error}")
-                    break
-            found: list[Attempt] = []
-            for text in texts:
-                try:
-                    found.append(self._solved(text, here, group, placed, before))
-                except ProgramError as error:
-                    previous, feedback = text, feedback_text(error=error)
-            if found:
-                best = min((best, *found) if best else found, key=lambda attempt: attempt.solution.verdict.merit)
-                if best.solution.verdict.ok:
-                    break
-                report = verify(here, best.solution.layout, best.asked)
-                previous = best.asked.text
-                feedback = feedback_text(rejections=best.reconciled.rejections, violations=report.violations)
-        if best is not None:
-            return best, False
-        text = OfflinePlanner().plan(PlanRequest(self.scene, group, Layout(placed), seed=self.seed))
-        return self._solved(text, here, group, placed, before), True
+        parts: list[tuple[Group, Program]] = []
+        self._answered = len(groups) > 1
+        for group in groups:
+            names = {*placed, *group.items}
+            here = replace(self.scene, assets=tuple(asset for asset in self.scene.assets if asset.name in names))
+            before = best.asked.statements if best else ()
+            best = self._group(_Question(here, group, placed, before))
+            parts.append((group, replace(best.asked, statements=best.asked.statements[len(before) :])))
+            placed = dict(best.solution.layout)
+        assert best is not None
+        if len(parts) > 1:
+            best = self._joint(best, parts, placed)
+        done = tuple(replace(group, rationale=self._rationale(group)) for group in groups)
+        return Planned(best, done, tuple(self._samples), self._taken_over, self.planner.to_dict())
 
-    def _images(self, here: Scene, placed: dict[str, Pose], group: Group) -> dict[str, bytes]:
+    def _rationale(self, group: Group) -> str:
+        taken = group.label in self._taken_over
+        return group.rationale + (" Planned by the offline planner in place of the model." if taken else "")
+
+    def _joint(self, last: Attempt, parts: list[tuple[Group, Program]], placed: Mapping[str, Pose]) -> Attempt:
+        """Return the whole program with its layout; if demands are unmet, solved once more with everything free to move."""
+        solution = last.solution
+        if not solution.verdict.ok:
+            guesses = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in placed.items()}
+            (again,) = self.finish([replace(last.asked, guesses=guesses)], self.scene, {})
+            solution = min((solution, again.solution), key=lambda found: found.verdict.merit)
+        whole = joined(parts)
+        return Attempt(whole, reconcile(whole, self.scene), solution)
+
+    def _group(self, question: _Question) -> Attempt:
+        """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable."""
+        self.prepare(question.here, self.planner.samples)
+        feedback, previous, failure = "", "", "none of its programs could be read"
+        question.images = self._images(question)
+        for number in range(1, 2 + self.planner.retries):
+            request = self._request(question, feedback, previous)
+            try:
+                with self.clock.station("plan"):
+                    self.say("plan")
+                    texts = self.planner.plan_many(request, self.planner.samples)
+            except ModelError as error:
+                if not self._answered:
+                    raise
+                failure = str(error)
+                break
+            self._answered = True
+            wrong = self._try(question, texts, number)
+            best = question.best()
+            if best is None:
+                previous, feedback = wrong
+                continue
+            if best.done:
+                break
+            previous, feedback = best.attempt.asked.text, best.feedback()
+        best = question.best()
+        self._samples += question.records()
+        if best is not None:
+            return best.attempt
+        self._taken_over[question.group.label] = failure
+        text = OfflinePlanner().plan(PlanRequest(self.scene, question.group, Layout(question.placed), seed=self.seed))
+        asked = about(read_program(text, self.scene), question.group, question.here, question.before)
+        return self.finish([asked], question.here, question.placed)[0]
+
+    def _request(self, question: _Question, feedback: str, previous: str) -> PlanRequest:
+        return PlanRequest(
+            self.scene, question.group, Layout(question.placed), feedback, self.seed, previous, question.images
+        )
+
+    def _try(self, question: _Question, texts: Sequence[str], attempt: int) -> tuple[str, str]:
+        """Solve and verify the answers that can be read, together; return the last one that cannot be, and why."""
+        wrong = ("", "")
+        readable: list[tuple[Sample, Program, Program]] = []
+        for number, text in enumerate(texts, 1):
+            sample = Sample(question.group.label, attempt, number, text)
+            try:
+                with self.clock.station("program"):
+                    self.say("program")
+                    read = read_program(text, self.scene)
+                if self.planner.mode == "no_constraint":
+                    read = replace(read, statements=())
+                readable.append((sample, read, about(read, question.group, question.here, question.before)))
+            except ProgramError as error:
+                sample = replace(sample, error=str(error))
+                wrong = (text, feedback_text(error=error))
+            question.samples.append(sample)
+        if readable:
+            found = self.finish([asked for *_, asked in readable], question.here, question.placed)
+            question.candidates += [
+                self._candidate(question, sample, read, attempt)
+                for (sample, read, _), attempt in zip(readable, found, strict=True)
+            ]
+        return wrong
+
+    def _candidate(self, question: _Question, sample: Sample, read: Program, attempt: Attempt) -> _Candidate:
+        with self.clock.station("verify"):
+            report = verify(question.here, attempt.solution.layout, attempt.asked)
+        own = attempt.asked.statements[len(question.before) :]
+        said = {name for statement in own for name in statement.relation.asset_names()} | set(attempt.asked.guesses)
+        return _Candidate(
+            sample,
+            attempt,
+            report,
+            tuple(read.expressions.get(name, name) for name in question.group.items if name not in said),
+            tuple(_strays(read, question.group, question.here)),
+            frozenset(statement.number for statement in own),
+        )
+
+    def _images(self, question: _Question) -> dict[str, bytes]:
         """Return the annotated room as it stands and one picture per new kind of asset."""
         if self.planner.mode == "no_image":
             return {}
         from robolayout.render import annotate, png_bytes, render_asset
 
-        layout = Layout(placed)
-        images = {view: png_bytes(annotate(here, layout, view=view)) for view in ("top", "side")}
-        kinds = {here.by_name[name].variable: name for name in reversed(group.items)}
-        return images | {name: png_bytes(render_asset(here.by_name[name])) for name in sorted(kinds.values())}
-
-    def _solved(
-        self, text: str, here: Scene, group: Group, placed: Mapping[str, Pose], before: Attempt | None
-    ) -> Attempt:
-        """Read, filter and solve a group's program: only what is about it, after what was said before."""
-        with self.clock.station("program"):
-            self.say("program")
-            asked = about(read_program(text, self.scene), group, here, before.asked if before else None)
-        return self.finish(asked, here, placed)
+        here, layout = question.here, Layout(question.placed)
+        with self.clock.station("pictures"):
+            images = {view: png_bytes(annotate(here, layout, view=view)) for view in ("top", "side")}
+            kinds = {here.by_name[name].variable: name for name in reversed(question.group.items)}
+            return images | {name: png_bytes(render_asset(here.by_name[name])) for name in sorted(kinds.values())}
 
 
-def about(program: Program, group: Group, here: Scene, before: Program | None) -> Program:
+def about(program: Program, group: Group, here: Scene, before: tuple[Statement, ...]) -> Program:
     """Return what a program says about a group and things already there, after the earlier groups' statements."""
-    mine, known = set(group.items), set(here.by_name)
-    new = [s for s in program.statements if (names := set(s.relation.asset_names())) & mine and names <= known]
-    statements = (*(before.statements if before else ()), *new)
-    numbered = tuple(replace(statement, number=i) for i, statement in enumerate(statements, 1))
+    mine = set(group.items)
+    new = [statement for statement in program.statements if _concerns(statement, mine, here)]
+    numbered = tuple(replace(statement, number=i) for i, statement in enumerate((*before, *new), 1))
     return replace(program, statements=numbered, guesses={n: g for n, g in program.guesses.items() if n in mine})
+
+
+def joined(parts: Sequence[tuple[Group, Program]]) -> Program:
+    """Return one program that says what the groups' programs say, in plain statements under a heading for each group.
+
+    Args:
+        parts: Each group with its own statements and guesses.
+    """
+    lines: list[str] = []
+    statements: list[Statement] = []
+    guesses: dict[str, Guess] = {}
+    for group, part in parts:
+        heading = "".join(char if char.isprintable() else " " for char in f"{group.label}: {group.rationale}")
+        lines.append(f"# {heading.strip(': ')}")
+        lines += part.to_text().splitlines()
+        for i, statement in enumerate(part.statements):
+            line = len(lines) - len(part.statements) + 1 + i
+            statements.append(Statement(statement.relation, line, lines[line - 1], len(statements) + 1))
+        guesses |= part.guesses
+    text = "".join(f"{line}\n" for line in lines)
+    expressions = {name: text for _, part in parts for name, text in part.expressions.items()}
+    notes = tuple(note for _, part in parts for note in part.notes)
+    return Program(text, tuple(statements), guesses, notes, expressions)
+
+
+def _concerns(statement: Statement, mine: set[str], here: Scene) -> bool:
+    """Return whether a statement is about things of a group, and about nothing that is not there yet."""
+    names = set(statement.relation.asset_names())
+    return bool(names & mine) and names <= set(here.by_name)
+
+
+def _strays(program: Program, group: Group, here: Scene) -> Iterator[str]:
+    """Yield what is wrong with statements that are left out because of the things that they are about."""
+    mine = set(group.items)
+    for statement in program.statements:
+        if not _concerns(statement, mine, here):
+            later = [n for n in statement.relation.asset_names() if n not in here.by_name]
+            names = ", ".join(program.expressions.get(name, name) for name in later)
+            reason = f"{names} comes later" if later else "it is not about a thing of this group"
+            yield f"line {statement.line}: {statement.source}: {reason}."

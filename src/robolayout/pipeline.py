@@ -2,18 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robolayout.attempt import Attempt, Clock, Progress
 from robolayout.planners import Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict, vertical_span
-from robolayout.solve import Solution, SolverConfig, Verdict, compile_problem, solve_with, warm_up
+from robolayout.solve import (
+    Solution,
+    SolverConfig,
+    Verdict,
+    compile_problem,
+    solve_samples,
+    solve_with,
+    warm_up,
+    warm_up_samples,
+)
 from robolayout.verify import Report, judge_agent, physics, verify
 from robolayout.verify.use import horizontal_reach
+
+if TYPE_CHECKING:
+    from robolayout.grouped import Sample
 
 AgentSpec = Agent | str | Path | Mapping[str, Any]
 
@@ -37,6 +49,7 @@ class Result:
         layout: Poses.
         report: What the verifier says of them.
         solution: What the solver says of its run.
+        samples: Every answer of a model, with its score; empty without a model.
     """
 
     scene: Scene
@@ -46,6 +59,7 @@ class Result:
     layout: Layout
     report: Report
     solution: Solution = field(repr=False)
+    samples: tuple[Sample, ...] = field(default=(), repr=False)
 
     @property
     def trace(self) -> Trace:
@@ -102,11 +116,8 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         say("plan")
         groups = planner.group(scene)
     if program is None and isinstance(planner, GroupPlanner):
-        from robolayout.grouped import GroupedRun
-
-        best, groups = GroupedRun(scene, planner, seed, clock, say, run.finished).run(groups)
-    else:
-        best = run.whole(planner, program, attempts)
+        return run.by_groups(planner, groups)
+    best = run.whole(planner, program, attempts)
     say("verify")
     report = verify(scene, best.solution.layout, best.asked).with_timing(clock.seconds)
     return Result(scene, groups, best.asked, best.reconciled, best.solution.layout, report, best.solution)
@@ -145,28 +156,48 @@ class _Run:
         assert best is not None
         return best
 
+    def by_groups(self, planner: GroupPlanner, groups: tuple[Group, ...]) -> Result:
+        """Plan with a model, group by group; the report says who planned."""
+        from robolayout.grouped import GroupedRun
+
+        asking = GroupedRun(
+            self.scene, planner, self.finished, prepare=self.prepare, seed=self.seed, clock=self.clock, say=self.say
+        )
+        planned = asking.run(groups)
+        best, layout = planned.attempt, planned.attempt.solution.layout
+        self.say("verify")
+        report = verify(self.scene, layout, best.asked).with_timing(self.clock.seconds).with_planner(planned.to_dict())
+        return Result(
+            self.scene, planned.groups, best.asked, best.reconciled, layout, report, best.solution, planned.samples
+        )
+
+    def prepare(self, here: Scene, samples: int) -> None:
+        """Warm up for solving so many programs of a scene."""
+        if self.solver == "default":
+            (warm_up if samples == 1 else warm_up_samples)(here, self.config)
+
     def _solved(self, text: str) -> Attempt:
         """Read, filter and solve a program for the whole scene."""
         with self.clock.station("program"):
             self.say("program")
             asked = read_program(text, self.scene)
-        return self.finished(asked, self.scene, {})
+        return self.finished([asked], self.scene, {})[0]
 
-    def finished(self, asked: Program, here: Scene, placed: Mapping[str, Pose]) -> Attempt:
-        """Filter and solve a program for a scene; the poses given stay."""
+    def finished(self, asked: Sequence[Program], here: Scene, placed: Mapping[str, Pose]) -> list[Attempt]:
+        """Filter and solve programs for a scene, together; the poses given stay."""
         with self.clock.station("program"):
-            reconciled = reconcile(asked, here)
+            reconciled = [reconcile(program, here) for program in asked]
         with self.clock.station("solve"):
-            solution = solve(
+            solutions = solve_many(
                 here,
-                reconciled.program,
+                [found.program for found in reconciled],
                 seed=self.seed,
                 solver=self.solver,
                 config=self.config,
                 pinned=placed,
                 progress=self.say,
             )
-        return Attempt(asked, reconciled, solution)
+        return [Attempt(*parts) for parts in zip(asked, reconciled, solutions, strict=True)]
 
 
 def solve(
@@ -195,6 +226,37 @@ def solve(
     problem = compile_problem(scene, program, seed=seed, pinned=pinned)
     judge = make_judge(scene, program)
     return solve_with(solver, problem, judge, seed=seed, config=config, progress=progress)
+
+
+def solve_many(
+    scene: Scene,
+    programs: Sequence[Program],
+    *,
+    seed: int = 0,
+    solver: str = "default",
+    config: SolverConfig | None = None,
+    pinned: Mapping[str, Pose] | None = None,
+    progress: Progress | None = None,
+) -> list[Solution]:
+    """Solve several programs for one scene; the default solver shares its effort among them.
+
+    Args:
+        scene: The scene.
+        programs: What to solve, filtered.
+        seed: Settles every choice.
+        solver: Name of a solver; see `solve`.
+        config: Constants of the default solver.
+        pinned: Poses that must stay.
+        progress: Called with the name of each phase.
+    """
+    if solver != "default" or len(programs) == 1:
+        return [
+            solve(scene, program, seed=seed, solver=solver, config=config, pinned=pinned, progress=progress)
+            for program in programs
+        ]
+    problems = [compile_problem(scene, program, seed=seed, pinned=pinned) for program in programs]
+    judges = [make_judge(scene, program) for program in programs]
+    return solve_samples(problems, judges, seed=seed, config=config, progress=progress)
 
 
 def make_judge(scene: Scene, program: Program) -> Callable[[Layout], Verdict]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Protocol, runtime_checkable
+from typing import Any, Protocol, runtime_checkable
 
 from robolayout.scene import Layout, Scene
 
@@ -87,4 +87,8 @@ class GroupPlanner(Planner, Protocol):
 
     def plan_many(self, request: PlanRequest, n: int) -> tuple[str, ...]:
         """Return up to n answers to the same request."""
+        ...
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return who planned and what it took, for the report."""
         ...

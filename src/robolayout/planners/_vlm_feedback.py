@@ -11,21 +11,29 @@ MOST_LINES = 40
 
 
 def feedback_text(
-    *, error: ProgramError | None = None, rejections: Sequence[str] = (), violations: Sequence[str] = ()
+    *,
+    error: ProgramError | None = None,
+    rejections: Sequence[str] = (),
+    violations: Sequence[str] = (),
+    forgotten: Sequence[str] = (),
 ) -> str:
     """Return the feedback for the next attempt; empty if nothing is wrong.
 
     Args:
         error: Why the program could not be read, with line and caret.
         rejections: Statements that the filter rejected, with reasons (`Reconciled.rejections`).
+        forgotten: Things that the program says nothing about, as they are written in it.
         violations: What the judge found, unmet statements with measured values included (`Report.violations`).
     """
     parts: list[str] = []
     if error is not None:
         parts.append(f"The program could not be read:\n\n{_indented(str(error))}")
+    if forgotten:
+        names = ", ".join(forgotten[:MOST_LINES])
+        parts.append(f"The program says nothing about these things, though they must be placed: {names}.")
     if rejections:
         parts.append(
-            "These statements contradict the room or earlier ones and were left out:\n\n" + _bullets(rejections)
+            "These statements could not be used, for the reason given, and were left out:\n\n" + _bullets(rejections)
         )
     if violations:
         parts.append("The solver did its best with the rest; the judge then measured:\n\n" + _bullets(violations))

@@ -109,7 +109,17 @@ class ModelPlanner:
             "prompt_version": texts.PROMPT_VERSION,
             "usage": self.usage.to_dict(),
             "warnings": list(self.warnings),
+            "sentences": [self._summary(), *self.warnings],
         }
+
+    def _summary(self) -> str:
+        """Return who planned and what it took, in one sentence."""
+        used = self.usage
+        cost = "an unknown sum" if used.cost is None else f"${used.cost:.4f}"
+        return (
+            f"{self.model} planned in mode {self.mode} (prompts of version {texts.PROMPT_VERSION}): {used.requests} answers, "
+            f"{used.input_tokens} tokens sent and {used.output_tokens} received, for {cost}."
+        )
 
     def group(self, scene: Scene) -> tuple[Group, ...]:
         """Return all assets in groups, structural first, decorative last; in the mode one_shot in one group."""

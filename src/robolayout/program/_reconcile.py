@@ -41,6 +41,12 @@ class Decision:
         """The statement to solve, None if it was rejected."""
         return None if self.verdict == "rejected" else self.replacement or self.statement
 
+    @property
+    def sentence(self) -> str:
+        """What became of it and why, with its line."""
+        statement = self.statement
+        return f"line {statement.line}: {statement.source or statement.relation.sentence()}: {self.reason}."
+
     def to_dict(self) -> dict[str, object]:
         """Return one row of `constraints.json`."""
         return {
@@ -69,11 +75,7 @@ class Reconciled:
     @property
     def rejections(self) -> tuple[str, ...]:
         """One sentence for every statement that was rejected, for the planner."""
-        return tuple(
-            f"line {d.statement.line}: {d.statement.source or d.statement.relation.sentence()}: {d.reason}."
-            for d in self.decisions
-            if d.verdict == "rejected"
-        )
+        return tuple(decision.sentence for decision in self.decisions if decision.verdict == "rejected")
 
     def to_dict(self) -> dict[str, object]:
         """Return the content of `constraints.json`."""

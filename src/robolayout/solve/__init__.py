@@ -6,6 +6,7 @@ from robolayout.solve.judge import Judge, Verdict
 from robolayout.solve.profiles import solve_with, solver_names
 from robolayout.solve.refine import Solver
 from robolayout.solve.runner import warm_up
+from robolayout.solve.samples import solve_samples, warm_up_samples
 from robolayout.solve.solution import Solution
 
 __all__ = [
@@ -18,7 +19,9 @@ __all__ = [
     "Verdict",
     "Weights",
     "compile_problem",
+    "solve_samples",
     "solve_with",
     "solver_names",
     "warm_up",
+    "warm_up_samples",
 ]

@@ -59,9 +59,7 @@ class Solver:
         """Return the best layout found."""
         if not self.problem.names:
             return conclude(Layout({}), Verdict(0.0, 0.0, 0.0), Trace())
-        self.grounds = [
-            (make_ground(self.problem, a, self.config.cell), obstacles_of(self.problem, a)) for a in self._bodies()
-        ]
+        self._survey()
         world = self.problem.start.copy()
         best: _Best | None = None
         for number in stages(self.problem):
@@ -71,6 +69,12 @@ class Solver:
         best = self._snap(self._repair(self._snap(best)))
         trace = self.runner.trace(self.problem) if self.config.trace else Trace()
         return conclude(self.problem.layout(best.world), best.verdict, trace)
+
+    def _survey(self) -> None:
+        """Lay the grids on which routes are planned."""
+        self.grounds = [
+            (make_ground(self.problem, a, self.config.cell), obstacles_of(self.problem, a)) for a in self._bodies()
+        ]
 
     def _bodies(self) -> tuple[Agent, ...]:
         """Return the agents to plan for, widest first."""

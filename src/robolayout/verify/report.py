@@ -152,6 +152,7 @@ class Report:
         statements: Every statement as asked.
         demands: What `ok` asks for.
         timing: Wall and CPU seconds per station.
+        planner: Who planned and what that took, where that was a model.
     """
 
     scene: Scene
@@ -161,6 +162,7 @@ class Report:
     statements: tuple[StatementResult, ...] = ()
     demands: Demands = Demands()
     timing: Mapping[str, Mapping[str, float]] = field(default_factory=dict[str, Mapping[str, float]])
+    planner: Mapping[str, Any] = field(default_factory=dict[str, Any])
 
     @cached_property
     def figures(self) -> dict[str, float | bool]:
@@ -212,6 +214,10 @@ class Report:
         """Return the same report with further stations' wall and CPU seconds in front of its own."""
         return replace(self, timing={**timing, **self.timing})
 
+    def with_planner(self, planner: Mapping[str, Any]) -> Report:
+        """Return the same report with who planned and what that took."""
+        return replace(self, planner=planner)
+
     def to_dict(self) -> dict[str, Any]:
         """Return the content of `report.json`: the keys of DESIGN section 8, then details."""
         return {
@@ -222,6 +228,7 @@ class Report:
             "ok": self.ok,
             "metrics": {name: dict(figures) for name, figures in self.metrics.items()},
             "agents": {report.agent.name: report.to_dict() for report in self.agents},
+            **({"planner": dict(self.planner)} if self.planner else {}),
         }
 
     def rows(self) -> tuple[tuple[str, str, bool], ...]:
@@ -244,6 +251,8 @@ class Report:
             lines += ["", "## What would help", "", *(f"- {sentence}" for sentence in helps)]
         for report in self.agents:
             lines += ["", f"## {report.agent.title or report.agent.name}", "", *_agent_table(report)]
+        if self.planner:
+            lines += ["", "## Who planned", "", *(f"- {sentence}" for sentence in self.planner.get("sentences", ()))]
         return "\n".join(lines) + "\n"
 
     def __repr__(self) -> str:
