@@ -41,6 +41,7 @@ LAYERS: dict[str, float] = {
     "": 8,  # the package's own page, which shows them all
     "cli_tables": 8.2,
     "cli_generate": 8.5,
+    "cli_bodies": 8.7,
     "cli": 9,
     "__main__": 10,
 }

@@ -14,6 +14,7 @@ import typer
 
 from robolayout._errors import InputError, RoboLayoutError
 from robolayout._version import __version__
+from robolayout.cli_bodies import agents
 from robolayout.cli_generate import (
     AgentOption,
     AssetDirOption,
@@ -179,26 +180,7 @@ def export(
         typer.echo(str(write(given, placed, name, folder=out, options=options)))
 
 
-@app.command()
-def agents(name: Annotated[str | None, typer.Argument(help="Show one profile with its sources.")] = None) -> None:
-    """List the built-in bodies, or one with its sources."""
-    from robolayout.scene import agent_names, load_agent
-
-    if name is not None:
-        body = load_agent(name)
-        figures = [
-            [key, f"{getattr(body, key):g}", "yes" if source.verified else "no", source.text]
-            for key, source in body.sources.items()
-        ]
-        table(f"{body.title or body.name} (metres)", ["figure", "value", "verified", "source"], figures)
-        return
-    rows: list[list[str]] = []
-    for known in agent_names():
-        a = load_agent(known)
-        shape = f"disc {2 * a.radius:.2f}" if a.length is None or a.width is None else f"{a.length:.2f} x {a.width:.2f}"
-        heights = "-" if a.reach_distance is None else f"{a.reach_low:.2f}-{a.reach_high:.2f}"
-        rows.append([known, a.title, shape, f"{a.radius:.3f}", f"{a.height:.2f}", f"{a.reach:.2f}", heights])
-    table("Agents (metres)", ["name", "body", "footprint", "radius", "height", "reach", "heights"], rows)
+app.command()(agents)
 
 
 @app.command()

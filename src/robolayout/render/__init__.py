@@ -7,6 +7,7 @@
 | `render_asset(asset)` | one asset alone |
 | `annotate(scene, layout, view=...)` | a view with grid, fronts, names and walls written into it, for a model |
 | `plan_svg`, `plan_image`, `plan_pdf` | the plan to scale, with what the agent can do (`PlanMarks`) |
+| `body_svg`, `body_image`, `body_pdf`, `body_text` | one body to scale, with its reach and what it steps over |
 | `compare_image`, `compare_svg` | several plans side by side |
 | `progress_gif`, `walk_gif` | the optimisation, and the agent on its round through the room |
 | `loss_png`, `loss_image` | the terms of the loss, linear and logarithmic |
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from robolayout.render.animation import progress_gif
     from robolayout.render.annotation import Mark, annotate, annotation_camera, annotation_marks
     from robolayout.render.beauty import render_beauty
+    from robolayout.render.body import body_image, body_pdf, body_svg, body_text
     from robolayout.render.camera import Camera, eye_camera, fitted_camera, spherical_camera
     from robolayout.render.compare import compare_image, compare_svg
     from robolayout.render.curves import loss_image, loss_png
@@ -43,6 +45,10 @@ _HOMES = {
     "annotate": "annotation",
     "annotation_camera": "annotation",
     "annotation_marks": "annotation",
+    "body_image": "body",
+    "body_pdf": "body",
+    "body_svg": "body",
+    "body_text": "body",
     "compare_image": "compare",
     "compare_svg": "compare",
     "draw_plan": "plan",
@@ -74,6 +80,10 @@ __all__ = [
     "annotate",
     "annotation_camera",
     "annotation_marks",
+    "body_image",
+    "body_pdf",
+    "body_svg",
+    "body_text",
     "compare_image",
     "compare_svg",
     "draw_plan",

@@ -1,0 +1,79 @@
+"""`robolayout agents`: the bodies that can be given by name, and one of them with sources and a drawing."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from robolayout._errors import InputError
+from robolayout.cli_tables import table
+
+if TYPE_CHECKING:
+    from robolayout.scene import Agent
+
+SUFFIXES = (".svg", ".png", ".pdf")
+"""Forms of the drawing of a body."""
+
+
+def agents(
+    name: Annotated[
+        str | None, typer.Argument(help="Show one body with its sources: a name, or a .toml, .json or .urdf file.")
+    ] = None,
+    out: Annotated[Path | None, typer.Option("--out", help="Draw it to this file: SVG, PNG or PDF.")] = None,
+) -> None:
+    """List the built-in bodies, or one with its sources and a drawing."""
+    from robolayout.scene import agent_names, load_agent
+
+    if name is not None:
+        _one(load_agent(name), out)
+        return
+    if out is not None:
+        raise InputError("--out draws one body: name it, such as `robolayout agents wheelchair --out wheelchair.svg`.")
+    rows: list[list[str]] = []
+    for known in agent_names():
+        a = load_agent(known)
+        shape = f"disc {2 * a.radius:.2f}" if a.length is None or a.width is None else f"{a.length:.2f} x {a.width:.2f}"
+        heights = "-" if a.reach_distance is None else f"{a.reach_low:.2f}-{a.reach_high:.2f}"
+        rows.append([known, a.title, shape, f"{a.radius:.3f}", f"{a.height:.2f}", f"{a.reach:.2f}", heights])
+    table("Agents (metres)", ["name", "body", "footprint", "radius", "height", "reach", "heights"], rows)
+
+
+def _one(body: Agent, out: Path | None) -> None:
+    """Show a body: its figures with their sources, and a drawing on the terminal or in a file."""
+    from robolayout._files import write_atomic
+    from robolayout.render import body_text
+
+    if out is not None and out.suffix.lower() not in SUFFIXES:
+        raise InputError(f"a body cannot be drawn to {out}: name a file that ends in {', '.join(SUFFIXES)}.")
+    figures = [
+        [key, f"{getattr(body, key):g}", "yes" if source.verified else "no", source.text]
+        for key, source in body.sources.items()
+    ]
+    figures += [[key, f"{value:g}", "-", "given without a source"] for key, value in _unsourced(body)]
+    table(f"{body.title or body.name} (metres)", ["figure", "value", "verified", "source"], figures)
+    if out is not None:
+        typer.echo(str(write_atomic(out, _drawn(body, out.suffix.lower()))))
+    elif (sys.stdout.encoding or "").lower().startswith("utf"):
+        typer.echo(body_text(body))
+
+
+def _unsourced(body: Agent) -> list[tuple[str, float]]:
+    """Return the figures of a body that have no source: those of a user's own file."""
+    from robolayout.scene.agents_io import FIGURES
+
+    found = [(key, getattr(body, key)) for key in ("radius", "height", *FIGURES) if key not in body.sources]
+    given = body.reach_distance is not None
+    return [(k, v) for k, v in dict(found).items() if v is not None and (given or not k.startswith("reach_"))]
+
+
+def _drawn(body: Agent, suffix: str) -> bytes:
+    """Return the drawing of a body in the form that a file's suffix names."""
+    from robolayout.outputs import png
+    from robolayout.render import body_image, body_pdf, body_svg
+
+    if suffix == ".svg":
+        return body_svg(body).encode()
+    return body_pdf(body) if suffix == ".pdf" else png(body_image(body))

@@ -1,0 +1,195 @@
+"""A body to scale: its footprint from above with corridor, turning circle and reach, and its heights from the side."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from robolayout.render._drawing import Drawing, Point, Shape, draw_image, draw_svg, paint
+from robolayout.render.palette import FREE, INK, NARROW, QUIET, REACH, ROUTE, TURN
+from robolayout.scene import Agent
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+SCALES = (5, 10, 20, 25, 50, 100)
+"""Scales that a drawing may have."""
+SPACE = 62.0
+"""Millimetres that each of the two views may take."""
+SIZE = 2.3
+"""Millimetres of the letters."""
+EDGE, HEAD, FOOT, BETWEEN = 15.0, 12.0, 14.0, 22.0
+"""Millimetres left of the views, above, below and between them."""
+LABELS = 36.0
+"""Millimetres for the words beside the heights."""
+DOOR = (0.9, 2.05)
+"""Width and height in metres of the doorway that is drawn for comparison."""
+
+
+def draw_body(agent: Agent) -> Drawing:
+    """Return the drawing of a body in paper millimetres."""
+    around = 2 * max(agent.reach if _has_arm(agent) else 0.0, agent.circumradius, agent.radius, _turning(agent) / 2)
+    tall = max(agent.height, DOOR[1], agent.reach_high if _has_arm(agent) else 0.0)
+    scale = next((s for s in SCALES if max(around, tall) * 1000 / s <= SPACE), SCALES[-1])
+    k = 1000 / scale
+    broad = max(around, 2 * DOOR[0])
+    high = max(around, tall) * k
+    sheet = Drawing(2 * EDGE + around * k + BETWEEN + broad * k, HEAD + high + FOOT)
+    sheet.words((EDGE, 6.0), agent.title or agent.name, 3.2, anchor="start", color=INK)
+    _draw_above(sheet, agent, (EDGE + around * k / 2, HEAD + high / 2), k)
+    _draw_side(sheet, agent, (EDGE + around * k + BETWEEN + broad * k / 2, HEAD + high), k, broad)
+    _draw_legend(sheet, agent, (EDGE, sheet.height - 4.0), scale)
+    return sheet
+
+
+def body_svg(agent: Agent) -> str:
+    """Return the drawing of a body as SVG text, to scale."""
+    return draw_svg(draw_body(agent))
+
+
+def body_image(agent: Agent, *, width: int = 1200) -> Image:
+    """Return the drawing of a body as an RGB picture `width` pixels wide."""
+    return draw_image(draw_body(agent), width)
+
+
+def body_pdf(agent: Agent) -> bytes:
+    """Return the drawing of a body as a PDF page of its own size, to scale."""
+    from robolayout.render._pdf import draw_pdf
+
+    return draw_pdf(draw_body(agent))
+
+
+def body_text(agent: Agent, *, columns: int = 76) -> str:
+    """Return the outlines of the drawing as lines of Braille characters, for a terminal.
+
+    Args:
+        agent: The body.
+        columns: Characters of a line.
+    """
+    import numpy as np
+    from PIL import Image
+
+    full = draw_body(agent)
+    outlines = [replace(i, fill=None, dash=None, width=0.2) for i in full.items if isinstance(i, Shape) and i.stroke]
+    top, bottom = HEAD - 1.0, full.height - FOOT + 1.0
+    scale = 2 * columns / (full.width - LABELS)
+    picture = Image.new("RGB", (2 * columns, 4 * math.ceil((bottom - top) * scale / 4)), "#ffffff")
+    sheet = Drawing(full.width, full.height, list(outlines))
+    paint(picture, sheet.moved(0.0, -top), scale)
+    dots = (np.asarray(picture.convert("L")) < 250).reshape(picture.height // 4, 4, columns, 2)
+    weights = np.array([[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]])
+    codes = 0x2800 + (dots * weights[None, :, None, :]).sum(axis=(1, 3))
+    return "\n".join("".join(map(chr, row)).rstrip(chr(0x2800)) for row in codes.tolist())
+
+
+def _has_arm(agent: Agent) -> bool:
+    return agent.reach_distance is not None
+
+
+def _turning(agent: Agent) -> float:
+    """Return the diameter in metres of the circle in which it turns right round."""
+    return max(2 * agent.circumradius, agent.turning_diameter or 0.0)
+
+
+def _size(agent: Agent) -> tuple[float, float]:
+    """Return length and width of the footprint in metres."""
+    return (agent.length or 2 * agent.radius, agent.width or 2 * agent.radius)
+
+
+def _draw_above(sheet: Drawing, agent: Agent, middle: Point, k: float) -> None:
+    """Draw the footprint from above, heading to the right, with everything that is measured from its centre."""
+    x, y = middle
+    length, width = (v * k for v in _size(agent))
+    if _has_arm(agent):
+        sheet.polygon([_circle(middle, agent.reach * k)], REACH, opacity=0.07, stroke=REACH, width=0.2)
+    sheet.polygon([_circle(middle, agent.radius * k)], FREE, opacity=0.7, stroke=ROUTE, width=0.2, dash=(0.5, 0.6))
+    if agent.length is not None:
+        sheet.polygon([_circle(middle, _turning(agent) / 2 * k)], None, stroke=TURN, width=0.3, dash=(1.4, 0.8))
+        corners = [(x + sx * length / 2, y + sy * width / 2) for sx, sy in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        sheet.polygon([corners], ROUTE, opacity=0.25, stroke=ROUTE, width=0.35)
+    else:
+        sheet.polygon([_circle(middle, agent.radius * k)], ROUTE, opacity=0.25, stroke=ROUTE, width=0.35)
+    tip = min(2.0, 0.25 * length)
+    sheet.polygon(
+        [[(x + length / 2 - 0.4, y), (x + length / 2 - tip, y - 0.6 * tip), (x + length / 2 - tip, y + 0.6 * tip)]],
+        ROUTE,
+    )
+    outer = max(agent.reach if _has_arm(agent) else 0.0, agent.radius, _turning(agent) / 2) * k
+    across = "" if agent.length is None else f" x {_metres(width / k)}"
+    words = f"{_metres(length / k)}{across}" if across else f"{_metres(length / k)} across"
+    sheet.words((x, y + outer + 2.6), words, SIZE, color=ROUTE)
+
+
+def _draw_side(sheet: Drawing, agent: Agent, floor: Point, k: float, broad: float) -> None:
+    """Draw the body from the side on the floor, a doorway behind it, and the heights that count."""
+    x, y = floor
+    half = _size(agent)[0] / 2 * k
+    left, right = x - broad * k / 2, x + broad * k / 2
+    door = [(x - DOOR[0] / 2 * k, y), (x - DOOR[0] / 2 * k, y - DOOR[1] * k), (x + DOOR[0] / 2 * k, y - DOOR[1] * k)]
+    sheet.line([*door, (x + DOOR[0] / 2 * k, y)], QUIET, width=0.15, dash=(0.8, 0.8))
+    if _has_arm(agent):
+        sheet.polygon([_reached(agent, floor, k)], REACH, opacity=0.12, stroke=REACH, width=0.2)
+    top = y - agent.height * k
+    low = y - agent.step * k
+    sheet.polygon(
+        [[(x - half, low), (x - half, top), (x + half, top), (x + half, low)]],
+        ROUTE,
+        opacity=0.25,
+        stroke=ROUTE,
+        width=0.35,
+    )
+    sheet.line([(left - 3, y), (right + 1, y)], INK, width=0.35)
+    marks = [(agent.height, "height", ROUTE), (agent.step, "steps over", NARROW)]
+    if _has_arm(agent):
+        marks += [(agent.reach_high, "reaches up to", REACH), (agent.reach_low, "reaches down to", REACH)]
+    if agent.shoulder_height is not None:
+        marks.append((agent.shoulder_height, "shoulder", QUIET))
+    at = math.inf
+    for level, words, color in sorted(marks):
+        at = min(at - SIZE - 0.7, y - level * k)
+        sheet.line([(right, y - level * k), (right + 2.0, at)], color, width=0.2)
+        sheet.words((right + 2.6, at), f"{words} {_metres(level)}", SIZE, color=color, anchor="start")
+    sheet.width = max(sheet.width, right + LABELS)
+
+
+def _reached(agent: Agent, floor: Point, k: float) -> list[Point]:
+    """Return the outline, ahead of the body's middle, of what its arm reaches: a band, cut round about a shoulder."""
+    (x, y), levels = floor, [agent.reach_low + (agent.reach_high - agent.reach_low) * i / 24 for i in range(25)]
+    shoulder = agent.shoulder_height
+    far: list[Point] = []
+    for level in levels:
+        across = agent.reach**2 - (level - shoulder) ** 2 if shoulder is not None else agent.reach**2
+        if across >= 0:
+            far.append((x + math.sqrt(across) * k, y - level * k))
+    return [(x, far[0][1]), *far, (x, far[-1][1])] if far else []
+
+
+def _draw_legend(sheet: Drawing, agent: Agent, at: Point, scale: int) -> None:
+    """Explain the circles, in one row."""
+    x, y = at
+    rows: list[tuple[str, tuple[float, float] | None, str]] = [
+        (ROUTE, (0.5, 0.6), f"corridor {_metres(2 * agent.radius)}")
+    ]
+    if agent.length is not None:
+        rows.append((TURN, (1.1, 0.6), f"turning circle {_metres(_turning(agent))}"))
+    if _has_arm(agent):
+        rows.append((REACH, None, f"reach {_metres(agent.reach)} from its centre"))
+    rows.append((QUIET, (0.8, 0.8), f"door {DOOR[0]:.2f} x {_metres(DOOR[1])}"))
+    for color, dash, words in rows:
+        sheet.line([(x, y), (x + 3.0, y)], color, width=0.35, dash=dash)
+        sheet.words((x + 3.8, y), words, SIZE, anchor="start", color=INK)
+        x += 6.8 + 0.55 * SIZE * len(words)
+    sheet.width = max(sheet.width, x + 10.0)
+    sheet.words((sheet.width - 4.0, 6.0), f"1 : {scale}", SIZE, color=QUIET, anchor="end")
+
+
+def _metres(value: float) -> str:
+    """Return a length in words, to the centimetre or, where that is not all of it, to the millimetre."""
+    return f"{value:.2f} m" if abs(value - round(value, 2)) < 5e-4 else f"{value:.3f} m"
+
+
+def _circle(center: Point, radius: float, sides: int = 72) -> list[Point]:
+    """Return a circle as a polygon."""
+    turns = [2 * math.pi * i / sides for i in range(sides)]
+    return [(center[0] + radius * math.cos(t), center[1] + radius * math.sin(t)) for t in turns]
