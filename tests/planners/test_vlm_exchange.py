@@ -116,13 +116,13 @@ def test_an_answer_to_another_job_is_refused(
     recorded: tuple[Path, list[object]], request_of: Callable[[], PlanRequest]
 ) -> None:
     with pytest.raises(
-        ModelError, match=r"was given for another room, instruction, body, group or mode\. Record again"
+        InputError, match=r"was given for another room, instruction, body, group or mode\. Record again"
     ):
         ModelPlanner(replay=recorded[0]).plan(request_of())
 
 
 def test_another_mode_is_another_job(recorded: tuple[Path, list[object]]) -> None:
-    with pytest.raises(ModelError, match="another room, instruction, body, group or mode"):
+    with pytest.raises(InputError, match="another room, instruction, body, group or mode"):
         ModelPlanner(replay=recorded[0], mode="no_image").plan(PlanRequest(SCENE, SLEEPING))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -15,7 +15,7 @@ from robolayout._grid import components, distance
 from robolayout.planners._member import Rect
 from robolayout.scene import Agent, Room
 
-CELLS = 60_000
+CELLS = 40_000
 """Most cells of the grid; larger rooms get coarser ones."""
 
 Points = NDArray[np.float64]
@@ -70,6 +70,8 @@ class Floor:
         body: How many things stand on each cell.
         wanted: How much each cell should stay free: landings and strips before furniture.
         landing: Cells of the door landings.
+        clear: Cells to the nearest one that is taken or outside; above `near` only known to be above it.
+        near: Cells up to which `clear` is exact.
     """
 
     room: Room
@@ -79,17 +81,19 @@ class Floor:
     body: NDArray[np.int16]
     wanted: NDArray[np.float32]
     landing: NDArray[np.bool_]
+    clear: NDArray[np.float64]
+    near: float
 
     @staticmethod
-    def of(room: Room, corridor: float) -> Floor:
-        """Return the empty floor of a room; doors want `corridor` metres of depth."""
+    def of(room: Room, corridor: float, radius: float) -> Floor:
+        """Return the empty floor of a room; doors want `corridor` metres of depth, bodies have at most `radius`."""
         left, bottom, right, top = room.bounds
-        cell = max(0.03, math.sqrt((right - left) * (top - bottom) / CELLS))
+        cell = max(0.04, math.sqrt((right - left) * (top - bottom) / CELLS))
         nx, ny = math.ceil((right - left) / cell) + 1, math.ceil((top - bottom) / cell) + 1
         xs, ys = left + cell * (np.arange(nx) + 0.5), bottom + cell * (np.arange(ny) + 0.5)
         polygon = shapely.Polygon(room.vertices)
         inside = shapely.contains_xy(polygon, *np.meshgrid(xs, ys, indexing="ij"))
-        shape = inside.shape
+        shape, near = inside.shape, radius / cell + 2.0
         floor = Floor(
             room,
             cell,
@@ -98,6 +102,8 @@ class Floor:
             np.zeros(shape, np.int16),
             np.zeros(shape, np.float32),
             np.zeros(shape, np.bool_),
+            distance(np.pad(inside, 1), near)[1:-1, 1:-1],
+            near,
         )
         for door in room.doors:
             floor.landing[floor.cells([np.array(room.landing(door))])] = True
@@ -107,13 +113,31 @@ class Floor:
 
     def copy(self) -> Floor:
         """Return an independent copy."""
-        return Floor(self.room, self.cell, self.origin, self.inside, self.body.copy(), self.wanted.copy(), self.landing)
+        return replace(self, body=self.body.copy(), wanted=self.wanted.copy(), clear=self.clear.copy())
+
+    def take(self, corners: Points) -> None:
+        """Mark the cells under a rectangle with these corners (4, 2) as taken."""
+        self.body[self.cells([corners])] += 1
+        local = (corners - np.asarray(self.origin)) / self.cell - 0.5
+        center, sides = local.mean(axis=0), local[1:3] - local[0:2]
+        lengths = np.hypot(sides[:, 0], sides[:, 1])
+        low = np.maximum(np.floor(local.min(axis=0) - self.near - 1), 0).astype(int)
+        high = np.maximum(np.ceil(local.max(axis=0) + self.near + 2), 0).astype(int)
+        window = self.clear[low[0] : high[0], low[1] : high[1]]
+        dx = np.arange(low[0], low[0] + window.shape[0])[:, None] - center[0]
+        dy = np.arange(low[1], low[1] + window.shape[1])[None] - center[1]
+        out = [
+            np.maximum(np.abs(dx * side[0] + dy * side[1]) / length - length / 2, 0.0)
+            for side, length in zip(sides, lengths, strict=True)
+        ]
+        np.minimum(window, np.hypot(*out) + 0.5, out=window)  # half a cell: from the edge to a taken cell's centre
 
     def cells(self, corners: Iterable[Points]) -> NDArray[np.bool_]:
         """Return the cells whose centres lie in any of the convex polygons (k, 2)."""
         mask = np.zeros(self.inside.shape, np.bool_)
         for polygon in corners:
-            low = np.floor((polygon.min(0) - self.origin) / self.cell).astype(int).clip(0)
+            low = np.floor((polygon.min(0) - self.origin) / self.cell).astype(int)
+            low = np.maximum(low, 0)
             high = np.ceil((polygon.max(0) - self.origin) / self.cell).astype(int) + 1
             nx, ny = mask[low[0] : high[0], low[1] : high[1]].shape
             xs = self.origin[0] + self.cell * (low[0] + np.arange(nx) + 0.5)
@@ -128,7 +152,7 @@ class Floor:
         """Return cell indices of points (..., 2), clipped to the grid, and whether each point is on it."""
         raw = np.floor((points - np.asarray(self.origin)) / self.cell).astype(np.intp)
         nx, ny = self.inside.shape
-        i, j = raw[..., 0].clip(0, nx - 1), raw[..., 1].clip(0, ny - 1)
+        i, j = (np.minimum(np.maximum(raw[..., k], 0), n - 1) for k, n in enumerate((nx, ny)))
         return i, j, (raw[..., 0] == i) & (raw[..., 1] == j)
 
     def under(self, points: Points, poses: NDArray[np.float64]) -> NDArray[np.intp]:
@@ -150,17 +174,19 @@ class Floor:
         return Maps(*(grid.ravel().astype(np.float32) for grid in (taken, barred, outside, wanted)))
 
     def away(self, agent: Agent) -> tuple[NDArray[np.float64], float]:
-        """Return how far each cell is from where the agent can get to from the door (m), and the share cut off from it."""
-        clearance = distance(np.pad(self.inside & (self.body == 0), 1))
-        passable = clearance[1:-1, 1:-1] * self.cell >= agent.radius + self.cell
-        labels, sizes = components(passable)
+        """Return how far each cell is from where the agent can get to from the door, and the share cut off from it.
+
+        Distances are in metres; those beyond the agent's reach are only known to be beyond it.
+        """
+        labels, sizes = components(self.clear >= agent.radius / self.cell + 1.0)
         if not len(sizes):
             return np.full(self.inside.shape, 1e3), 1.0
         at_door = np.bincount(labels[self.landing], minlength=len(sizes) + 1)[1:]
         if self.room.doors and not at_door.any():
             return np.full(self.inside.shape, 1e3), 1.0
         main = labels == 1 + int(np.argmax(at_door if at_door.any() else sizes))
-        return distance(~main) * self.cell, 1.0 - float(main.sum()) / float(sizes.sum())
+        beyond = agent.reach / self.cell + 1.0
+        return distance(~main, beyond) * self.cell, 1.0 - float(main.sum()) / float(sizes.sum())
 
 
 def room_depth(room: Room) -> float:

@@ -11,7 +11,7 @@ import asyncio
 import warnings
 from collections.abc import Callable, Coroutine, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import Any, TypeVar
 
@@ -77,9 +77,11 @@ class Usage:
 class _Taped(WrapperModel):
     """Answers one question from the recording, or asks the wrapped model and records its answer."""
 
-    def __init__(self, wrapped: Model, tape: Tape, question: Question) -> None:
+    def __init__(self, wrapped: Model, tape: Tape, question: Question, spent: RunUsage) -> None:
         super().__init__(wrapped)
-        self._tape, self._question, self._turn = tape, question, 0
+        self._tape, self._question, self._spent = tape, question, spent
+        self._turn, self._feedback = 0, ""
+        self._answer: dict[str, Any] | None = None
 
     async def request(
         self,
@@ -88,16 +90,31 @@ class _Taped(WrapperModel):
         model_request_parameters: ModelRequestParameters,
     ) -> ModelResponse:
         """Return the answer to the next turn of the question."""
-        self._turn += 1
+        self._turn, self._feedback, self._answer = self._turn + 1, _feedback(messages), None
         if self._tape.replay:
-            return from_answer(self._tape.recall(self._question, self._turn))
+            return self._recalled()
         response = await self.wrapped.request(messages, model_settings, model_request_parameters)
         length = sum(len(part.content) for part in response.parts if isinstance(part, TextPart))
         if length > MOST_CHARACTERS:
             raise UnexpectedModelBehavior(f"an answer of {length} characters, at most {MOST_CHARACTERS} are read")
-        answer = to_answer(response, self._tape.scrub)
-        self._tape.write(self._question, self._turn, answer, _feedback(messages))
-        return from_answer(answer)
+        self._answer = to_answer(response, self._tape.scrub)
+        self._tape.write(self._question, self._turn, self._answer, self._feedback)
+        return from_answer(self._answer)
+
+    def _recalled(self) -> ModelResponse:
+        """Return the recorded answer, or fail as it did then."""
+        entry = self._tape.recall(self._question, self._turn)
+        if not entry.get("failure"):
+            return from_answer(entry["answer"])
+        if entry["answer"]:
+            self._spent.incr(RunUsage(requests=1))
+            self._spent.incr(from_answer(entry["answer"]).usage)
+        raise ModelError(entry["failure"])
+
+    def fail(self, failure: str) -> None:
+        """Record that the question failed, so that a replay fails alike."""
+        if not self._tape.replay:
+            self._tape.write(self._question, max(self._turn, 1), self._answer, self._feedback, failure)
 
 
 class Client:
@@ -147,24 +164,36 @@ class Client:
         self, model: Model, question: Question, answer: type[T], check: Check | None
     ) -> T | InputError | ModelError:
         """Ask one question; without pictures if the model turns out not to see."""
-        images = self.sees and model.profile.get("supports_image_input", True)
+        if question.images and not self._takes_pictures(model, question):
+            self._blind()
+            question = replace(question, images=())
+        taped = _Taped(model, self.tape, question, self._spent)
         try:
-            return await self._run_agent(model, question, answer, check, images=images)
-        except (InputError, ModelError) as error:
+            return await self._run_agent(taped, question, answer, check)
+        except InputError as error:
             return error
+        except ModelError as error:
+            failure = error
         except AgentRunError as error:
-            if not (images and question.images and isinstance(error, ModelHTTPError) and refuses_images(error)):
-                return sentence(error, self.spec, self.timeout, self.tape.scrub, self.usage.cost, self.max_cost)
+            if question.images and isinstance(error, ModelHTTPError) and refuses_images(error):
+                self._blind()
+                return await self._settled(model, question, answer, check)
+            failure = sentence(error, self.spec, self.timeout, self.tape.scrub, self.usage.cost, self.max_cost)
+        taped.fail(str(failure))
+        return failure
+
+    def _takes_pictures(self, model: Model, question: Question) -> bool:
+        return self.sees and model.profile.get("supports_image_input", True) and not self.tape.without_images(question)
+
+    def _blind(self) -> None:
+        """Note that the model does not see; it is never shown a picture again."""
         if self.sees:
             self.notes.append(f"{self.spec.name} does not take pictures; it plans from the text alone (mode no_image).")
         self.sees = False
-        return await self._settled(model, question, answer, check)
 
-    async def _run_agent(
-        self, model: Model, question: Question, answer: type[T], check: Check | None, *, images: bool
-    ) -> T:
+    async def _run_agent(self, taped: _Taped, question: Question, answer: type[T], check: Check | None) -> T:
         agent = Agent(
-            _Taped(model, self.tape, question),
+            taped,
             output_type=self._output(question, answer),
             instructions=question.instructions,
             retries={"output": 2},
@@ -180,7 +209,7 @@ class Client:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", UnsupportedSettingWarning)
             result = await agent.run(
-                _content(question, images=images),
+                _content(question),
                 model_settings=self._settings(question),
                 usage=self._spent,
                 usage_limits=self._limits(),
@@ -247,9 +276,9 @@ def from_answer(answer: Mapping[str, Any]) -> ModelResponse:
     return ModelResponse(parts, usage=usage, model_name=answer["model"], finish_reason=answer["finish_reason"])
 
 
-def _content(question: Question, *, images: bool) -> list[UserContent]:
+def _content(question: Question) -> list[UserContent]:
     content: list[UserContent] = [*question.texts]
-    for label, data in question.images if images else ():
+    for label, data in question.images:
         content += [label, BinaryContent(data, media_type="image/png")]
     return content
 

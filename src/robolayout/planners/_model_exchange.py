@@ -103,15 +103,21 @@ class Tape:
         return text
 
     def recall(self, question: Question, turn: int) -> dict[str, Any]:
-        """Return the recorded answer to a question, and record it again; raises `ModelError` if none fits."""
+        """Return the recorded exchange of a question, and record it again.
+
+        Raises:
+            InputError: It was recorded for another job, or the group was never asked for.
+            ModelError: There is none for this attempt, sample or turn.
+        """
         entry = self._recorded.get(question.slot(turn))
         if entry is None:
-            raise ModelError(
+            first = (question.attempt, question.sample, turn) == (1, 1, 1)
+            raise (InputError if first else ModelError)(
                 f"{self.replay} holds no answer to {describe(question, turn)}; recorded are "
                 f"{len(self._recorded)} exchanges for {entry_kinds(self._recorded)}. Record again, or replay the same job."
             )
         if entry["key"] != question.key:
-            raise ModelError(
+            raise InputError(
                 f"the answer to {describe(question, turn)} in {self.replay} was given for another room, instruction, "
                 "body, group or mode. Record again, or replay the same job."
             )
@@ -120,15 +126,27 @@ class Tape:
                 f"the replayed answer to {describe(question, turn)} was given to another wording or another state of the room."
             )
         self._put(question, turn, entry)
-        return entry["answer"]
+        return entry
+
+    def without_images(self, question: Question) -> bool:
+        """Return whether a recorded question was asked without the pictures that it has now: the model did not see."""
+        entry = self._recorded.get(question.slot(1))
+        return entry is not None and "request" in entry and not entry["request"]["images"]
 
     def recorded_parts(self, question: Question) -> list[dict[str, Any]]:
         """Return the parts of a recorded first answer, for how it was given; empty if there is none."""
         entry = self._recorded.get(question.slot(1))
-        return entry["answer"]["parts"] if entry else []
+        return entry["answer"]["parts"] if entry and entry["answer"] else []
 
-    def write(self, question: Question, turn: int, answer: Mapping[str, Any], feedback: str = "") -> None:
-        """Write one exchange, if exchanges are recorded."""
+    def write(
+        self,
+        question: Question,
+        turn: int,
+        answer: Mapping[str, Any] | None,
+        feedback: str = "",
+        failure: str = "",
+    ) -> None:
+        """Write one exchange, if exchanges are recorded; with `failure` one that came to nothing, and why."""
         entry: dict[str, Any] = {
             "format": FORMAT,
             "prompt_version": PROMPT_VERSION,
@@ -150,7 +168,7 @@ class Tape:
                 "feedback": feedback,
             },
             "answer": answer,
-        }
+        } | ({"failure": failure} if failure else {})
         self._put(question, turn, _scrubbed(entry, self.scrub))
 
     def _put(self, question: Question, turn: int, entry: Mapping[str, Any]) -> None:
@@ -221,8 +239,10 @@ def read_exchanges(folder: Path) -> dict[tuple[str, str, int, int, int], dict[st
 
 def _check(entry: Mapping[str, Any]) -> None:
     """Raise if an exchange lacks what a replay needs."""
-    parts = entry["answer"]["parts"]
+    failed = entry["answer"] is None and bool(entry.get("failure"))
+    parts = [] if failed else entry["answer"]["parts"]
     sound = all(isinstance(part["content"], str) and part["kind"] in ("text", "tool-call") for part in parts)
+    sound &= isinstance(entry.get("failure", ""), str) and isinstance(entry.get("request", {}), dict)
     if entry["format"] != FORMAT or not sound or not isinstance(entry["key"] + entry["state"] + entry["model"], str):
         raise ValueError(entry["format"])
 

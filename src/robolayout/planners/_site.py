@@ -113,6 +113,7 @@ class Site:
         away: How many metres each cell is out of the reach of the worst agent, once the floor is furnished.
         cut_off: Share of the free floor that the worst agent cannot get to.
         solids: Exact footprints of what stands on the floor, and the door landings.
+        cells: The cells, as two index arrays, of what an agent should get to.
     """
 
     scene: Scene
@@ -124,19 +125,28 @@ class Site:
     away: NDArray[np.float64] | None = None
     cut_off: float = 0.0
     solids: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
+    cells: dict[str, tuple[NDArray[np.intp], NDArray[np.intp]]] = field(
+        default_factory=dict[str, tuple[NDArray[np.intp], NDArray[np.intp]]]
+    )
 
     @staticmethod
     def of(scene: Scene, cast: Mapping[str, Cast]) -> Site:
         """Return the empty site of a scene."""
         corridor = max(0.6, 2 * max(agent.radius for agent in scene.agents) + 0.1)
-        site = Site(scene, cast, Floor.of(scene.room, corridor), corridor)
+        floor = Floor.of(scene.room, corridor, max(agent.radius for agent in scene.agents))
+        site = Site(scene, cast, floor, corridor)
         site.solids += [shapely.Polygon(scene.room.landing(door)) for door in scene.room.doors]
         return site
 
     def copy(self) -> Site:
         """Return an independent copy."""
         return replace(
-            self, floor=self.floor.copy(), spots=dict(self.spots), spans=list(self.spans), solids=list(self.solids)
+            self,
+            floor=self.floor.copy(),
+            spots=dict(self.spots),
+            spans=list(self.spans),
+            solids=list(self.solids),
+            cells=dict(self.cells),
         )
 
     @property
@@ -164,11 +174,8 @@ class Site:
         """Return the assets that count and that some agent of the scene cannot get to."""
         self.survey()
         found: list[str] = []
-        for name, spot in self.spots.items():
-            depth, width, _ = self.size(name)
-            points = _placed(rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.0), spot.member)
-            i, j, _ = self.floor.look(points)
-            if self.away is not None and spot.mode not in ("ceiling", "rug") and self.away[i, j].min() > 0:
+        for name, (i, j) in self.cells.items():
+            if self.away is not None and self.away[i, j].min() > 0:
                 found.append(name)
         return found
 
@@ -282,10 +289,13 @@ class Site:
         self.spots[name] = spot
         if self.on_floor(spot.member) and spot.mode not in ("ceiling", "rug"):
             corners = corners_of(spot.member, self.size(name))
-            self.floor.body[self.floor.cells([corners])] += 1
+            self.floor.take(corners)
             self.solids.append(shapely.Polygon(corners))
         if spot.mode in ("ceiling", "rug"):
             return
+        depth, width, _ = self.size(name)
+        points = _placed(rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.0), spot.member)
+        self.cells[name] = self.floor.look(points)[:2]
         for wall in self.room.walls:
             span = along_wall(spot.member, self.size(name), wall)
             if span is not None:
@@ -296,10 +306,14 @@ class Site:
         """Return all cells around sample points 0.15 m apart, each once."""
         reach = max(1, round(0.075 / self.floor.cell))
         mask = np.zeros_like(self.floor.inside)
-        nx, ny = len(mask), len(mask[0])
-        for di in range(-reach, reach + 1):
-            for dj in range(-reach, reach + 1):
-                mask[(i + di).clip(0, nx - 1), (j + dj).clip(0, ny - 1)] = True
+        mask[i, j] = True
+        for _ in range(reach):
+            wide = mask.copy()
+            wide[1:] |= mask[:-1]
+            wide[:-1] |= mask[1:]
+            mask = wide.copy()
+            mask[:, 1:] |= wide[:, :-1]
+            mask[:, :-1] |= wide[:, 1:]
         return mask
 
     def wall_takers(self, wall: Wall) -> list[tuple[Rect, str]]:
