@@ -42,6 +42,14 @@ def test_distance_is_scipys(mask: np.ndarray) -> None:
         assert np.allclose(distance(mask), ndimage.distance_transform_edt(mask))
 
 
+@given(MASKS, st.integers(1, 9))
+def test_a_limit_changes_no_distance_within_it(mask: np.ndarray, limit: int) -> None:
+    full, limited = distance(mask), distance(mask, limit)
+    near = full <= limit
+    assert np.array_equal(full[near], limited[near])
+    assert (limited[~near] > limit).all()
+
+
 def test_distances_may_be_long() -> None:
     mask = np.ones((300, 400), dtype=bool)
     mask[0, 0] = False

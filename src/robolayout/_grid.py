@@ -5,10 +5,17 @@ The same as `scipy.ndimage` gives (a test compares them); importing that costs a
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
 Mask = NDArray[np.bool_]
+
+SHORT = 100
+"""Cells up to which squared distances fit in 16 bits, which are twice as fast."""
+CHECK = 4
+"""Steps between two looks whether all distances are final."""
 
 
 def components(mask: Mask) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
@@ -50,25 +57,27 @@ def _joined(size: int, a: NDArray[np.intp], b: NDArray[np.intp]) -> NDArray[np.i
             root = root[root]
 
 
-def distance(mask: Mask) -> NDArray[np.float64]:
+def distance(mask: Mask, limit: float = math.inf) -> NDArray[np.float64]:
     """Return for each cell (m, n) the distance in cells to the nearest one where `mask` does not hold.
 
-    Where it holds everywhere, all distances are infinite.
+    Where it holds everywhere, all distances are infinite. Distances above `limit` cells are only known to be above it.
     """
-    rows, _ = mask.shape
+    rows, columns = mask.shape
+    kind, far = (np.int16, 127) if limit <= SHORT else (np.int32, 1 << 14)
     row = np.arange(rows, dtype=np.int32)[:, None]
-    far = np.int32(1 << 14)
-    before = np.maximum.accumulate(np.where(mask, -far, row), axis=0)
-    after = np.minimum.accumulate(np.where(mask, far, row)[::-1], axis=0)[::-1]
-    across = np.minimum(row - before, after - row) ** 2
+    before = np.maximum.accumulate(np.where(mask, np.int32(-far), row), axis=0)
+    after = np.minimum.accumulate(np.where(mask, np.int32(far + rows), row)[::-1], axis=0)[::-1]
+    across = np.minimum(np.minimum(row - before, after - row), far).astype(kind)
+    across *= across
     best = across.copy()
-    step = 1
-    while step < mask.shape[1] and step * step < best.max():
-        square = np.int32(step * step)
-        np.minimum(best[:, step:], across[:, :-step] + square, out=best[:, step:])
-        np.minimum(best[:, :-step], across[:, step:] + square, out=best[:, :-step])
-        step += 1
-    return np.where(best < far * far, np.sqrt(best), np.inf)
+    aside = np.empty_like(across)
+    for step in range(1, columns):
+        if step > limit or (step % CHECK == 0 and step * step >= best.max()):
+            break
+        np.add(across, kind(step * step), out=aside)
+        np.minimum(best[:, step:], aside[:, :-step], out=best[:, step:])
+        np.minimum(best[:, :-step], aside[:, step:], out=best[:, :-step])
+    return np.where(best < far * far, np.sqrt(best, dtype=np.float64), np.inf)
 
 
 def window_count(mask: Mask, side: int) -> NDArray[np.intp]:

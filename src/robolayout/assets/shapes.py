@@ -202,30 +202,18 @@ def _ball_faces(rings: int, sides: int) -> Faces:
 
 @cache
 def _soft_faces() -> Faces:
-    """Return the 44 faces of a bevelled box, found once as the hull of a unit one."""
-    points: list[tuple[float, ...]] = []
-    for signs in product((-1.0, 1.0), repeat=3):
-        points += [tuple(s * (1.0 if i == axis else 0.7) for i, s in enumerate(signs)) for axis in range(3)]
-    return np.array(_hull(np.array(points)), dtype=np.int32)
-
-
-def _hull(points: Array) -> list[tuple[int, int, int]]:
-    """Return the outward triangles of a small convex point set, face by face, in plain array code."""
-    faces: list[tuple[int, int, int]] = []
-    seen: set[tuple[int, ...]] = set()
-    count = len(points)
-    for i, j, k in product(range(count), repeat=3):
-        if not i < j < k:
-            continue
-        normal = np.cross(points[j] - points[i], points[k] - points[i])
-        side = (points - points[i]) @ normal
-        if np.linalg.norm(normal) < 1e-9 or not (np.all(side < 1e-9) or np.all(side > -1e-9)):
-            continue
-        flat = tuple(int(n) for n in np.flatnonzero(np.abs(side) < 1e-9))
-        if flat not in seen:
-            seen.add(flat)
-            faces += _fan(points, flat, normal if np.all(side < 1e-9) else -normal)
-    return faces
+    """Return the 44 triangles of a bevelled box: six sides, twelve edges, eight corners."""
+    signs = list(product((-1.0, 1.0), repeat=3))
+    points = np.array([[s * (1.0 if i == axis else 0.7) for i, s in enumerate(c)] for c in signs for axis in range(3)])
+    corners, own = np.repeat(np.array(signs), 3, axis=0), np.tile(np.arange(3), len(signs))
+    groups = [np.flatnonzero((own == axis) & (corners[:, axis] == s)) for axis in range(3) for s in (-1.0, 1.0)]
+    for along, (s, t) in product(range(3), product((-1.0, 1.0), repeat=2)):
+        across = [axis for axis in range(3) if axis != along]
+        at_edge = (corners[:, across[0]] == s) & (corners[:, across[1]] == t)
+        groups.append(np.flatnonzero(at_edge & (own != along)))
+    groups += [np.arange(3 * k, 3 * k + 3) for k in range(len(signs))]
+    faces = [face for group in groups for face in _fan(points, group.tolist(), points[group].mean(axis=0))]
+    return np.array(faces, dtype=np.int32)
 
 
 def _fan(points: Array, flat: Sequence[int], normal: Array) -> list[tuple[int, int, int]]:

@@ -239,8 +239,7 @@ def read_exchanges(folder: Path) -> dict[tuple[str, str, int, int, int], dict[st
 
 def _check(entry: Mapping[str, Any]) -> None:
     """Raise if an exchange lacks what a replay needs."""
-    failed = entry["answer"] is None and bool(entry.get("failure"))
-    parts = [] if failed else entry["answer"]["parts"]
+    parts = [] if entry.get("failure") and not entry["answer"] else entry["answer"]["parts"]
     sound = all(isinstance(part["content"], str) and part["kind"] in ("text", "tool-call") for part in parts)
     sound &= isinstance(entry.get("failure", ""), str) and isinstance(entry.get("request", {}), dict)
     if entry["format"] != FORMAT or not sound or not isinstance(entry["key"] + entry["state"] + entry["model"], str):

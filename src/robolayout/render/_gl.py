@@ -84,15 +84,16 @@ void main() {
     vec3 m = normalize(n);
     vec3 at = p + m * %(bias)f;
     float sun = 0.0;
-    float shine = 0.0;
+    float seen = 0.0;
+    vec3 middle = vec3(0.0);
     for (int k = 0; k < COUNT; k++) {
         float slope = dot(m, toward[k]);
-        if (slope > 0.0) {
-            float seen = visible(k, at);
-            sun += seen * slope;
-            shine += seen * pow(max(dot(m, normalize(toward[k] + look)), 0.0), 8.0 + 56.0 * g);
-        }
+        float here = slope > 0.0 ? visible(k, at) : 0.0;
+        sun += here * slope;
+        seen += here;
+        middle += toward[k];
     }
+    float shine = seen * pow(max(dot(m, normalize(normalize(middle) + look)), 0.0), 8.0 + 56.0 * g);
     vec3 light = vec3(%(sun)s) * sun / float(COUNT) + vec3(%(sky)s) * s + vec3(%(bounce)s) * (%(level)f - %(tilt)f * m.z);
     vec3 lit = c.rgb * light + 0.25 * g * g * shine / float(COUNT);
     vec3 over = max(lit - %(shoulder)f, 0.0);
@@ -194,7 +195,9 @@ class GLRenderer:
         shown = keep[self._fine.groups] & self._fine.facing(camera.position)
         context.enable(gl.BLEND)
         context.blend_func = gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA
-        self._draw("shade", camera, np.flatnonzero(shown & self._fine.opaque))
+        solid = np.flatnonzero(shown & self._fine.opaque)
+        near = np.linalg.norm(self._fine.corners[solid].mean(axis=1) - camera.position, axis=1)
+        self._draw("shade", camera, solid[np.argsort(near, kind="stable")])  # what is hidden then is not shaded
         glass = np.flatnonzero(shown & ~self._fine.opaque)
         away = np.linalg.norm(self._fine.corners[glass].mean(axis=1) - camera.position, axis=1)
         self._draw("shade", camera, glass[np.argsort(away, kind="stable")])

@@ -120,14 +120,16 @@ class RayRenderer:
         gloss = self._fine.gloss[face]
         toward = _light.sun_directions(camera)
         lifted = points + normals * np.float32(_light.BIAS)
-        sun, shine = np.zeros(len(points), np.float32), np.zeros(len(points), np.float32)
+        sun, seen = np.zeros(len(points), np.float32), np.zeros(len(points), np.float32)
         for direction in toward:
             slope = np.maximum(normals @ direction, 0)
-            seen = _visible(shadows, lifted, direction, slope > 0)
-            half = direction + look
-            half /= np.linalg.norm(half, axis=1, keepdims=True)
-            sun += seen * slope
-            shine += seen * np.maximum((normals * half).sum(axis=1), 0) ** (8 + 56 * gloss)
+            here = _visible(shadows, lifted, direction, slope > 0)
+            sun += here * slope
+            seen += np.where(slope > 0, here, 0)
+        middle = toward.sum(axis=0)
+        half = middle / np.linalg.norm(middle) + look
+        half /= np.linalg.norm(half, axis=1, keepdims=True)
+        shine = seen * np.maximum((normals * half).sum(axis=1), 0) ** (8 + 56 * gloss)
         bounce = (_light.BOUNCE_LEVEL - _light.BOUNCE_TILT * normals[:, 2])[:, None] * _light.BOUNCE
         light = _light.SUN * (sun / len(toward))[:, None] + _light.SKY * sky[:, None] + bounce
         lit = self._fine.colors[face, :3] * light + (0.25 * gloss**2 * shine / len(toward))[:, None]
