@@ -37,11 +37,15 @@ LAYERS: dict[str, float] = {
     "attempt": 5.4,
     "grouped": 5.6,
     "pipeline": 6,
+    "page": 6.5,
     "outputs": 7,
+    "plan_files": 7.5,
     "": 8,  # the package's own page, which shows them all
     "cli_tables": 8.2,
     "cli_generate": 8.5,
     "cli_bodies": 8.7,
+    "cli_physics": 8.7,
+    "cli_pictures": 8.7,
     "cli": 9,
     "__main__": 10,
 }

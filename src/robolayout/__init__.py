@@ -21,7 +21,7 @@ from robolayout._version import __version__ as __version__
 if TYPE_CHECKING:
     from robolayout._errors import InputError, RoboLayoutError
     from robolayout.export import export
-    from robolayout.outputs import write_result
+    from robolayout.outputs import page_html, write_result
     from robolayout.pipeline import Result, compare, generate, solve
     from robolayout.planners import scene_from_sentence
     from robolayout.program import Program, read_program, reconcile
@@ -61,6 +61,7 @@ _HOMES = {
     "load_agent": "scene",
     "load_layout": "scene",
     "load_scene": "scene",
+    "page_html": "outputs",
     "plan_svg": "render",
     "read_program": "program",
     "reconcile": "program",
@@ -94,6 +95,7 @@ __all__ = [
     "load_agent",
     "load_layout",
     "load_scene",
+    "page_html",
     "plan_svg",
     "read_program",
     "reconcile",

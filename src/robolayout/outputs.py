@@ -54,14 +54,27 @@ def write_result(
     for name in formats:
         find_exporter(name)
     written = [write_atomic(folder / name, data) for name, data in _texts(result, folder)]
-    written.append(write_atomic(folder / "scene.glb", to_bytes(result.scene, result.layout, "glb", partial=True)))
+    glb = to_bytes(result.scene, result.layout, "glb", partial=True)
+    written.append(write_atomic(folder / "scene.glb", glb))
     options = export_options(result.report)
     for name in formats:
         if name not in ("glb", "layout"):
             written.append(export(result.scene, result.layout, name, folder=folder, options=options, partial=True))
     if pictures:
-        written += [write_atomic(folder / name, data) for name, data in _pictures(result)]
+        written += [write_atomic(folder / name, data) for name, data in _pictures(result, glb)]
     return written
+
+
+def page_html(result: Result) -> str:
+    """Return the run as one page to look at in a browser: the room in 3D, verdicts and figures; it needs no network."""
+    glb = to_bytes(result.scene, result.layout, "glb", partial=True)
+    return _page(result, glb, [plan_marks(agent) for agent in result.report.agents])
+
+
+def _page(result: Result, glb: bytes, marks: Sequence[PlanMarks]) -> str:
+    from robolayout.page import content, document
+
+    return document(content(result, marks), glb)
 
 
 def export_options(report: Report) -> Options:
@@ -80,12 +93,14 @@ def _texts(result: Result, folder: Path) -> Iterator[tuple[str, str]]:
     yield "report.md", result.report.to_markdown()
 
 
-def _pictures(result: Result) -> Iterator[tuple[str, str | bytes]]:
+def _pictures(result: Result, glb: bytes) -> Iterator[tuple[str, str | bytes]]:
     from robolayout.render import Studio, loss_png, plan_svg, progress_gif
 
+    marks = [plan_marks(body) for body in result.report.agents]
+    yield "report.html", _page(result, glb, marks)
     for number, body in enumerate(result.report.agents, 1):
         file = "plan.svg" if number == 1 else f"plan_{number}_{re.sub(r'[^A-Za-z0-9]+', '_', body.agent.name)}.svg"
-        yield file, plan_svg(result.scene, result.layout, navigation=plan_marks(body), agent=body.agent)
+        yield file, plan_svg(result.scene, result.layout, navigation=marks[number - 1], agent=body.agent)
     studio = Studio(result.scene, result.layout)
     yield "top.png", png(studio.view("top", size=PICTURE_SIZE))
     yield "view.png", png(studio.view("side", size=PICTURE_SIZE))
@@ -120,7 +135,7 @@ def _body(report: AgentReport) -> str:
 def png(image: Image) -> bytes:
     """Return a picture as PNG."""
     stream = io.BytesIO()
-    image.save(stream, "PNG")
+    image.save(stream, "PNG", compress_level=4)  # half the time of the default level, files 8 % larger
     return stream.getvalue()
 
 

@@ -1,0 +1,161 @@
+"""A run as plain data for the viewer: lengths in whole millimetres, angles in tenths of a degree, verdicts in words."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from robolayout._version import __version__
+from robolayout.page._agents import agent_content, listed, millimetres
+from robolayout.render import PlanMarks, palette
+from robolayout.render.curves import TOTAL, loss_terms
+from robolayout.render.plan import display_name
+from robolayout.scene import Asset, Trace
+from robolayout.verify import Report
+
+if TYPE_CHECKING:
+    from robolayout.pipeline import Result
+
+FRAMES = 120
+"""Most moments of the search that the page holds."""
+
+CURVE = 240
+"""Most points of the loss curve."""
+
+Row = tuple[str, str, bool | None]
+"""What was looked at, what came out, and whether that is enough (None: nothing is asked)."""
+
+
+def content(result: Result, marks: Sequence[PlanMarks]) -> dict[str, Any]:
+    """Return everything that the page shows, the meshes aside.
+
+    Args:
+        result: The run.
+        marks: For each agent of the report: its free space, routes and narrowest passage.
+    """
+    scene, report = result.scene, result.report
+    room = scene.room
+    return {
+        "version": __version__,
+        "name": scene.name,
+        "task": scene.task_description,
+        "ok": report.ok,
+        "checks": [_check(*row) for row in report.rows()],
+        "problems": [*report.physics.reasons, *_unmet(report)],
+        "timing": [[station, round(spent["wall"], 3)] for station, spent in report.timing.items()],
+        "room": {
+            "floor": [listed(vertex) for vertex in room.vertices],
+            "height": millimetres(room.wall_height),
+            "doors": [door.wall for door in room.doors],
+            "windows": [window.wall for window in room.windows],
+        },
+        "assets": list(_assets(result)),
+        "statements": list(_statements(result)),
+        "agents": [
+            agent_content(agent, shown, report.demands) for agent, shown in zip(report.agents, marks, strict=True)
+        ],
+        "trace": _trace(result.trace, [asset.name for asset in scene.assets]),
+        "colors": {"route": palette.ROUTE, "narrow": palette.NARROW, "bad": palette.BLOCKED, "wall": palette.WALL},
+    }
+
+
+def _check(name: str, shown: str, met: bool) -> dict[str, Any]:
+    """Return one figure of the report; what is no share ("yes") has no bar."""
+    return {"name": name, "shown": shown, "met": met, "share": None if shown in ("yes", "no") else float(shown)}
+
+
+def _unmet(report: Report) -> Iterator[str]:
+    return (f"{item.sentence} is not met: {item.text}." for item in report.statements if not item.met)
+
+
+def _assets(result: Result) -> Iterator[dict[str, Any]]:
+    scene, layout = result.scene, result.layout
+    about = {asset.name: list[int]() for asset in scene.assets}
+    for i, statement in enumerate(result.program.statements):
+        for name in dict.fromkeys(statement.relation.asset_names()):
+            about[name].append(i)
+    for asset in scene.assets:
+        pose = layout.get(asset.name)
+        yield {
+            "name": asset.name,
+            "label": display_name(scene, asset),
+            "category": asset.category,
+            "description": asset.description,
+            "level": _level(asset),
+            "size": [millimetres(length) for length in asset.size],
+            "pose": None if pose is None else [*map(millimetres, (pose.x, pose.y, pose.z)), _tenths(pose.yaw)],
+            "rows": _physical(result.report, asset.name),
+            "statements": about[asset.name],
+        }
+
+
+def _level(asset: Asset) -> str:
+    """Return where an asset is held, which decides whose label comes first."""
+    if asset.is_flat:
+        return "flat"
+    if asset.on_ceiling:
+        return "ceiling"
+    if asset.on_wall:
+        return "wall"
+    return "floor" if asset.on_floor else "object"
+
+
+def _physical(report: Report, name: str) -> list[Row]:
+    """Return the physical checks that an asset fails, or that it fails none."""
+    found = report.physics
+    if not found.placed[name]:
+        return [("Placed", "no", False)]
+    hits = [item.b if item.a == name else item.a for item in found.collisions if name in (item.a, item.b)]
+    doors = [f"door {item.door}" for item in found.obstructions if item.asset == name]
+    rows: list[Row] = [("Collides", f"with {' and '.join(hits)}", False)] if hits else []
+    rows += [("Blocks", " and ".join(doors), False)] if doors else []
+    rows += [] if found.in_boundary[name] else [("Inside the room", "no", False)]
+    rows += [] if found.supported[name] else [("Held", "no: it stands, lies or hangs on nothing", False)]
+    return rows or [("Physics", "placed, collides with nothing, inside the room, held", True)]
+
+
+def _statements(result: Result) -> Iterator[dict[str, Any]]:
+    decided = {decision.statement.number: decision for decision in result.reconciled.decisions}
+    for item in result.report.statements:
+        decision = decided.get(item.number)
+        changed = decision is not None and decision.verdict != "accepted"
+        yield {
+            "line": item.line,
+            "sentence": item.sentence,
+            "met": item.met,
+            "text": item.text,
+            "limit": f"{item.limit:.2f} {item.unit}".strip() if math.isfinite(item.limit) else "",
+            "note": f"{decision.verdict} before solving: {decision.reason}" if decision and changed else "",
+        }
+
+
+def _trace(trace: Trace, names: Sequence[str]) -> dict[str, Any]:
+    """Return the moments of the search as flat lists of x, y, angle in the order of the assets; absent ones are None."""
+    count = len(trace.snapshots)
+    kept = range(count) if count <= FRAMES else sorted({round(k) for k in np.linspace(0, count - 1, FRAMES).tolist()})
+    frames: list[list[Any]] = []
+    for snapshot in (trace.snapshots[k] for k in kept):
+        poses: list[int | None] = []
+        for name in names:
+            x, y, yaw = snapshot.poses.get(name, (None, None, None))
+            poses += [None] * 3 if x is None or y is None or yaw is None else [*listed((x, y)), _tenths(yaw)]
+        frames.append([snapshot.step, snapshot.stage, poses])
+    return {"steps": len(trace.losses), "frames": frames, "curve": _curve(trace)}
+
+
+def _curve(trace: Trace) -> list[list[float]]:
+    """Return (step, log10 of the total loss), where it is positive."""
+    total = loss_terms(trace).get(TOTAL)
+    if total is None:
+        return []
+    steps = np.flatnonzero(np.isfinite(total) & (total > 0))
+    steps = steps[:: max(1, math.ceil(len(steps) / CURVE))]
+    return [[int(step), round(math.log10(float(total[step])), 3)] for step in steps]
+
+
+def _tenths(yaw: float) -> int:
+    """Return an angle in tenths of a degree."""
+    return round(math.degrees(yaw) * 10)

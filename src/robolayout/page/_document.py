@@ -1,0 +1,55 @@
+"""One HTML file of data, scene and viewer, in which nothing that a scene says can act.
+
+Names and descriptions come from files that anybody may have written. They go into the page as data that no browser runs:
+`<`, `>` and `&` are escaped, the viewer shows them as text only, and the page's policy allows the two hashes of its own
+script and style and nothing else, no address included.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import re
+from collections.abc import Mapping
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+_ESCAPES = str.maketrans({"<": "\\u003c", ">": "\\u003e", "&": "\\u0026"})
+
+
+def document(data: Mapping[str, Any], glb: bytes) -> str:
+    """Return the page, ASCII only.
+
+    Args:
+        data: What `content` returns.
+        glb: The furnished room as this package's GLB.
+    """
+    script, style = _part("viewer.js"), _part("viewer.css")
+    parts = {
+        "policy": _policy(script, style),
+        "style": style,
+        "script": script,
+        "data": json.dumps(data, separators=(",", ":"), allow_nan=False).translate(_ESCAPES),
+        "glb": base64.b64encode(glb).decode(),
+    }
+    return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]], _part("page.html"))
+
+
+def _policy(script: str, style: str) -> str:
+    """Return a policy that allows these two texts and nothing else."""
+    return (
+        f"default-src 'none'; script-src '{_hash(script)}'; style-src '{_hash(style)}'; "
+        "base-uri 'none'; form-action 'none'"
+    )
+
+
+def _hash(text: str) -> str:
+    return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
+
+
+@cache
+def _part(name: str) -> str:
+    """Return a file of the viewer, its lines ended as browsers count them for hashes."""
+    return (files("robolayout.page") / "data" / name).read_text(encoding="utf-8").replace("\r\n", "\n")
