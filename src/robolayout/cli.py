@@ -25,6 +25,8 @@ from robolayout.cli_generate import (
     progress,
     read_scene,
 )
+from robolayout.cli_physics import drive, settle
+from robolayout.cli_pictures import render
 from robolayout.cli_tables import show, table
 
 app = typer.Typer(
@@ -94,32 +96,7 @@ def check(
     raise typer.Exit(0 if report.ok else 1)
 
 
-@app.command()
-def render(
-    scene: SceneArgument,
-    layout: LayoutArgument,
-    view: Annotated[str, typer.Option("--view", help="top, side, plan, an asset's name, or eye:ASSET.")] = "side",
-    size: Annotated[int, typer.Option("--size", min=64, max=4096, help="Pixels of a side.")] = 1024,
-    out: Annotated[Path | None, typer.Option("--out", help="Picture file; <view>.png if not given.")] = None,
-    agent: AgentOption = None,
-    asset_dir: AssetDirOption = None,
-) -> None:
-    """Draw a layout."""
-    from robolayout._files import write_atomic
-    from robolayout.outputs import plan_marks, png
-    from robolayout.render import plan_image, render_view
-    from robolayout.scene import load_layout
-    from robolayout.verify import judge_agent
-
-    given = read_scene(scene, agent, asset_dir)
-    placed = load_layout(layout, given)
-    if view == "plan":
-        marks = plan_marks(judge_agent(given, placed, given.agent))
-        image = plan_image(given, placed, navigation=marks, agent=given.agent, width=size)
-    else:
-        image = render_view(given, placed, view=view, size=size)
-    target = out or Path(f"{view.replace(':', '_')}.png")
-    typer.echo(str(write_atomic(target, png(image))))
+app.command()(render)
 
 
 @app.command()
@@ -216,42 +193,5 @@ def assets(
     table("Catalogue (depth x width x height in metres)", ["category", "group", "size", "place", "source"], rows)
 
 
-@app.command()
-def settle(
-    scene: SceneArgument,
-    layout: LayoutArgument,
-    seconds: Annotated[float, typer.Option("--seconds", min=0.1, max=60.0, help="Seconds of gravity.")] = 5.0,
-    asset_dir: AssetDirOption = None,
-) -> None:
-    """Let gravity act on a layout in MuJoCo and report what moves (extra `sim`)."""
-    from robolayout.export import settle as run
-    from robolayout.scene import load_layout
-
-    given = read_scene(scene, None, asset_dir)
-    found = run(given, load_layout(layout, given), seconds)
-    typer.echo(f"{found.stable_share:.2f} of the assets stay within 1 cm and 2 degrees")
-    for sentence in found.violations:
-        typer.echo(f"- {sentence}")
-    raise typer.Exit(1 if found.violations else 0)
-
-
-@app.command()
-def drive(
-    scene: SceneArgument,
-    layout: LayoutArgument,
-    agent: AgentOption = None,
-    asset_dir: AssetDirOption = None,
-) -> None:
-    """Drive the agent along its routes to every asset in MuJoCo and report contacts (extra `sim`)."""
-    from robolayout.export import drive as run
-    from robolayout.outputs import export_options
-    from robolayout.scene import load_layout
-    from robolayout.verify import verify
-
-    given = read_scene(scene, agent, asset_dir)
-    placed = load_layout(layout, given)
-    found = run(given, placed, given.agent, export_options(verify(given, placed)).routes)
-    typer.echo(f"{len(found.contacts)} contacts with furniture on all routes of {given.agent.name}")
-    for sentence in found.violations:
-        typer.echo(f"- {sentence}")
-    raise typer.Exit(1 if found.violations else 0)
+app.command()(settle)
+app.command()(drive)

@@ -56,6 +56,8 @@ def generate(  # noqa: PLR0913 - one parameter per option
     out: Annotated[Path | None, typer.Option("--out", help="Output folder; out/<scene> if not given.")] = None,
     pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw plan, views, animation.")] = True,
     export: Annotated[str, typer.Option("--export", help="Further formats, separated by commas.")] = "",
+    walk: Annotated[bool, typer.Option("--walk", help="Also draw the body on its round: walk.gif.")] = False,
+    settle: Annotated[bool, typer.Option("--settle", help="Let gravity act in MuJoCo (extra `sim`).")] = False,
     asset_dir: AssetDirOption = None,
     variants: VariantsOption = 1,
     model: ModelOption = None,
@@ -79,9 +81,12 @@ def generate(  # noqa: PLR0913 - one parameter per option
     formats = [name for name in export.split(",") if name]
     for name in formats:
         find_exporter(name)
+    if settle:
+        _check_simulator()
     every_ok = True
     for given, folder in _scenes(scene, agent, asset_dir, (seed, variants), out):
         check_writable(folder)
+        _check_meshes(given)
         planner: Planner | None = None
         if _not_offline(program, model or base_url or replay):
             limits = (base_url, max_cost, timeout, replay)
@@ -89,11 +94,55 @@ def generate(  # noqa: PLR0913 - one parameter per option
         with progress(quiet or as_json) as say:
             config = SolverConfig(starts=starts, trace=pictures)
             result = run(given, planner=planner, seed=seed, config=config, solver=solver, progress=say)
+            if settle:
+                say("settle")
+                result = _settled(result)
             say("write")
             files = write_result(result, folder, pictures=pictures, formats=formats)
+            files += _walk(result, folder) if walk else []
         _tell(result, folder, files, quiet=quiet, as_json=as_json)
         every_ok &= result.report.ok
     raise typer.Exit(0 if every_ok else 1)
+
+
+def _check_meshes(scene: Scene) -> None:
+    """Refuse broken mesh files before any work; a scene without meshes loads nothing for it."""
+    if any(asset.path is not None for asset in scene.assets):
+        from robolayout.assets import check_meshes
+
+        check_meshes(scene)
+
+
+def _check_simulator() -> None:
+    """Refuse `--settle` before any work where MuJoCo is not installed."""
+    from robolayout.export import check_simulator
+
+    check_simulator()
+
+
+def _settled(result: Result) -> Result:
+    """Return the run with a report that also says what gravity does."""
+    from dataclasses import replace
+
+    from robolayout.export import settle
+
+    found = settle(result.scene, result.layout)
+    return replace(result, report=result.report.with_stability(found.to_dict()))
+
+
+def _walk(result: Result, folder: Path) -> list[Path]:
+    """Write walk.gif, or say why there is none."""
+    from robolayout._files import write_atomic
+    from robolayout.outputs import plan_marks
+    from robolayout.render import walk_gif
+
+    first = result.report.agents[0]
+    try:
+        data = walk_gif(result.scene, result.layout, plan_marks(first), agent=first.agent)
+    except InputError as error:
+        sys.stderr.write(f"robolayout: no walk.gif: {error}\n")
+        return []
+    return [write_atomic(folder / "walk.gif", data)]
 
 
 def _not_offline(program: Path | None, model: object) -> bool:

@@ -23,7 +23,7 @@ from robolayout.export.dxf import DXF
 from robolayout.export.glb import GLB
 from robolayout.export.layout_json import LAYOUT_JSON
 from robolayout.export.mjcf import MJCF
-from robolayout.export.physics import Drive, Driven, Motion, Settled, drive, settle
+from robolayout.export.physics import Drive, Driven, Motion, Settled, check_simulator, drive, settle
 from robolayout.export.procthor import PROCTHOR
 from robolayout.export.sceneeval import SCENEEVAL, write_meshes
 from robolayout.export.urdf import URDF
@@ -40,6 +40,7 @@ __all__ = [
     "Options",
     "Routes",
     "Settled",
+    "check_simulator",
     "drive",
     "export",
     "exporters",

@@ -97,7 +97,11 @@ class Settled:
     def to_dict(self) -> dict[str, object]:
         """Return the figures in metres and degrees."""
         rows = {
-            name: {"displacement": round(motion.displacement, 5), "tilt": round(math.degrees(motion.tilt), 3)}
+            name: {
+                "displacement": round(motion.displacement, 5) if math.isfinite(motion.displacement) else None,
+                "tilt": round(math.degrees(motion.tilt), 3),
+                "stable": motion.stable,
+            }
             for name, motion in self.motions.items()
         }
         return {
@@ -105,6 +109,7 @@ class Settled:
             "stable_share": self.stable_share,
             "assets": rows,
             "unplaced": [*self.unplaced],
+            "violations": [*self.violations],
         }
 
 
@@ -161,7 +166,12 @@ class Driven:
             }
             for name, drive in self.drives.items()
         }
-        return {"agent": self.agent, "routes": rows}
+        return {"agent": self.agent, "routes": rows, "violations": [*self.violations]}
+
+
+def check_simulator() -> None:
+    """Raise MissingExtraError where MuJoCo is not installed, before any work is done for it."""
+    _mujoco()
 
 
 def _mujoco() -> Any:

@@ -30,7 +30,7 @@ EXPOSURE = 0.74
 """Factor on the radiance before the tone curve."""
 
 
-def render_beauty(
+def render_beauty(  # noqa: PLR0913 - what `render_view` takes, and the paths of light
     scene: Scene,
     layout: Layout,
     *,
@@ -38,6 +38,7 @@ def render_beauty(
     size: int | tuple[int, int] = 1024,
     samples: int = 16,
     agent: Agent | None = None,
+    stand: tuple[float, float] | None = None,
     seed: int = 0,
 ) -> Image:
     """Return a path-traced picture of the room.
@@ -49,6 +50,7 @@ def render_beauty(
         size: Pixels: a side of a square, or (width, height).
         samples: Light paths per pixel.
         agent: Whose eyes an "eye:" view uses.
+        stand: Where it stands, metres in plan (see `render_view`).
         seed: Seed of the light paths.
 
     Raises:
@@ -56,7 +58,7 @@ def render_beauty(
     """
     mitsuba, denoise = _load()
     studio = Studio(scene, layout, renderer="rays")
-    camera = studio.camera(view, picture_size(size), agent=agent)
+    camera = studio.camera(view, picture_size(size), agent=agent, stand=stand)
     mesh = studio.shown(camera, inside=view.startswith("eye:"))
     return _trace(mitsuba, denoise, mesh, camera, samples, seed)
 

@@ -153,6 +153,7 @@ class Report:
         demands: What `ok` asks for.
         timing: Wall and CPU seconds per station.
         planner: Who planned and what that took, where that was a model.
+        stability: What a simulator found (`robolayout.export.settle`), as plain data; empty if none was asked.
     """
 
     scene: Scene
@@ -163,6 +164,7 @@ class Report:
     demands: Demands = Demands()
     timing: Mapping[str, Mapping[str, float]] = field(default_factory=dict[str, Mapping[str, float]])
     planner: Mapping[str, Any] = field(default_factory=dict[str, Any])
+    stability: Mapping[str, Any] = field(default_factory=dict[str, Any])
 
     @cached_property
     def figures(self) -> dict[str, float | bool]:
@@ -218,6 +220,10 @@ class Report:
         """Return the same report with who planned and what that took."""
         return replace(self, planner=planner)
 
+    def with_stability(self, stability: Mapping[str, Any]) -> Report:
+        """Return the same report with what a simulator found; the demands do not change."""
+        return replace(self, stability=stability)
+
     def to_dict(self) -> dict[str, Any]:
         """Return the content of `report.json`: the keys of DESIGN section 8, then details."""
         return {
@@ -229,6 +235,7 @@ class Report:
             "metrics": {name: dict(figures) for name, figures in self.metrics.items()},
             "agents": {report.agent.name: report.to_dict() for report in self.agents},
             **({"planner": dict(self.planner)} if self.planner else {}),
+            **({"stability": dict(self.stability)} if self.stability else {}),
         }
 
     def rows(self) -> tuple[tuple[str, str, bool], ...]:
@@ -249,6 +256,8 @@ class Report:
         helps = [sentence for report in self.agents for sentence in report.remedies.sentences(report.agent)]
         if helps:
             lines += ["", "## What would help", "", *(f"- {sentence}" for sentence in helps)]
+        if self.stability:
+            lines += ["", "## In a simulator", "", *_stability(self.stability)]
         for report in self.agents:
             lines += ["", f"## {report.agent.title or report.agent.name}", "", *_agent_table(report)]
         if self.planner:
@@ -258,6 +267,12 @@ class Report:
     def __repr__(self) -> str:
         shown = ", ".join(f"{name} {value}" for name, value, _ in self.rows())
         return f"Report({'ok' if self.ok else f'{len(self.violations)} violations'}: {shown})"
+
+
+def _stability(found: Mapping[str, Any]) -> list[str]:
+    """Return what gravity did, in a sentence and one for each asset that did not stay."""
+    head = f"After {found['seconds']:g} s of gravity, {found['stable_share']:.2f} of the assets stay where they are."
+    return [head, *(f"- {sentence}" for sentence in found["violations"])]
 
 
 def _finite(value: float) -> float | None:
@@ -272,7 +287,15 @@ def _places(space: HeadingSpace) -> list[dict[str, Any]]:
 
 def _agent_table(report: AgentReport) -> list[str]:
     nav = report.navigation
-    lines = ["| asset | reached | route | narrowest passage | between | usable |", "|---|---|---:|---:|---|---|"]
+    shown = [f"{name.removesuffix('_share').replace('_', ' ')} {value:.2f}" for name, value in report.figures.items()]
+    lines = [f"{', '.join(shown)}."]
+    if not nav.scene.room.doors:
+        lines.append(f"The room has no door: {report.agent.name} starts in the largest free part of the floor.")
+    if report.headings is not None:
+        turns = len(report.headings.turning.geoms)
+        lines.append(f"It can turn right round in {turns} {'place' if turns == 1 else 'places'}.")
+    lines += ["", "| asset | reached | route | narrowest passage | between | usable |"]
+    lines.append("|---|---|---:|---:|---|---|")
     for name, passage in nav.passages.items():
         route = nav.routes.get(name)
         length = f"{route.length:.1f} m" if route else "-"

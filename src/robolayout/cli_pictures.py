@@ -1,0 +1,236 @@
+"""`robolayout render`: every kind of picture of a layout."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from robolayout._errors import InputError
+from robolayout.cli_generate import AgentOption, AssetDirOption, read_scene
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+    from robolayout.render import Buffers, PlanMarks, Studio
+    from robolayout.scene import Layout, Point, Pose, Scene
+
+SceneArgument = Annotated[str, typer.Argument(help="A scene file (JSON).")]
+LayoutArgument = Annotated[Path, typer.Argument(help="A layout file (JSON).")]
+
+SUFFIXES = {"plan": (".png", ".svg", ".pdf"), "walk": (".gif",)}
+"""Endings of the files of drawings, the first by default; everything else is a PNG."""
+
+RENDERERS = {"auto": "auto", "gl": "gl", "ray": "rays", "rays": "rays"}
+"""Names on the command line and in Python."""
+
+SEEN_FROM = 1.3
+"""An eye-level picture is taken where the asset is at least so many of its own sizes away, if the route is long enough."""
+
+LEAST = 1.2
+"""... and at least so many metres."""
+
+
+@dataclass(frozen=True)
+class _Wish:
+    """What is asked for: the view, and how it is to be drawn."""
+
+    view: str
+    size: int
+    renderer: str
+    beauty: bool
+    annotated: bool
+    ids: bool
+    depth: bool
+
+
+def render(  # noqa: PLR0913 - one parameter per option
+    scene: SceneArgument,
+    layout: LayoutArgument,
+    view: Annotated[
+        str, typer.Option("--view", help="top, side, plan, walk (GIF), an asset's name, or eye:ASSET.")
+    ] = "side",
+    size: Annotated[int, typer.Option("--size", min=64, max=4096, help="Pixels of a side.")] = 1024,
+    out: Annotated[
+        Path | None, typer.Option("--out", help="Picture file; <view>.png if not given (plan: also .svg, .pdf).")
+    ] = None,
+    renderer: Annotated[str, typer.Option("--renderer", help="auto, gl (OpenGL) or ray (ray casting).")] = "auto",
+    beauty: Annotated[bool, typer.Option("--beauty", help="Trace paths of light (extra `beauty`).")] = False,
+    annotated: Annotated[
+        bool, typer.Option("--annotated", help="With grid, fronts and names, as a model sees it.")
+    ] = False,
+    ids: Annotated[bool, typer.Option("--ids", help="Also write which asset each pixel shows.")] = False,
+    depth: Annotated[bool, typer.Option("--depth", help="Also write each pixel's depth, in millimetres.")] = False,
+    agent: AgentOption = None,
+    asset_dir: AssetDirOption = None,
+) -> None:
+    """Draw a layout."""
+    from robolayout._files import write_atomic
+    from robolayout.scene import load_layout
+
+    wish = _Wish(view, size, _renderer(renderer), beauty, annotated, ids, depth)
+    _check(wish)
+    given = read_scene(scene, agent, asset_dir)
+    placed = load_layout(layout, given)
+    target = out or Path(f"{view.replace(':', '_')}{SUFFIXES.get(view, ('.png',))[0]}")
+    allowed = SUFFIXES.get(view, (".png",))
+    if target.suffix.lower() not in allowed:
+        raise InputError(
+            f"--view {view} cannot be written to {target}: name a file that ends in {' or '.join(allowed)}."
+        )
+    for path, data in _files(given, placed, wish, target):
+        typer.echo(str(write_atomic(path, data)))
+
+
+def _renderer(name: str) -> str:
+    if name not in RENDERERS:
+        raise InputError(f"--renderer {name!r} is not known: choose auto, gl or ray.")
+    return RENDERERS[name]
+
+
+def _check(wish: _Wish) -> None:
+    """Refuse options that exclude each other."""
+    chosen = [name for name in ("beauty", "annotated", "ids", "depth") if getattr(wish, name)]
+    by_name = ["renderer"] if wish.renderer != "auto" else []
+    if wish.beauty and by_name:
+        raise InputError("--renderer and --beauty exclude each other: give one of them.")
+    if wish.view in SUFFIXES and (found := chosen + by_name):
+        raise InputError(
+            f"--{found[0]} does not go with --view {wish.view}: use it with top, side, an asset or eye:ASSET."
+        )
+    if wish.annotated and wish.view not in ("top", "side"):
+        raise InputError(f"--annotated does not go with --view {wish.view}: use it with top or side.")
+    if len({"beauty", "annotated"} & set(chosen)) and len(chosen) > 1:
+        raise InputError(f"--{chosen[0]} and --{chosen[1]} exclude each other: give one of them.")
+
+
+def _files(scene: Scene, layout: Layout, wish: _Wish, target: Path) -> list[tuple[Path, bytes]]:
+    """Return the files that were asked for and what is in them, all drawn before any is written."""
+    from robolayout.outputs import png
+
+    if wish.view in SUFFIXES:
+        return [(target, _drawn(scene, layout, wish, target.suffix.lower()))]
+    stand = _stand(scene, layout, wish.view)
+    if wish.beauty:
+        from robolayout.render import render_beauty
+
+        return [(target, png(render_beauty(scene, layout, view=wish.view, size=wish.size, stand=stand)))]
+    if wish.annotated:
+        from robolayout.render import annotate
+
+        picture = annotate(scene, layout, view=wish.view, size=wish.size, renderer=wish.renderer)  # type: ignore[arg-type]
+        return [(target, png(picture))]
+    from robolayout.render import Studio
+
+    studio = Studio(scene, layout, renderer=wish.renderer)  # type: ignore[arg-type]
+    if wish.ids or wish.depth:
+        return _measured(studio, wish, target, stand)
+    return [(target, png(studio.view(wish.view, size=wish.size, stand=stand)))]
+
+
+def _drawn(scene: Scene, layout: Layout, wish: _Wish, suffix: str) -> bytes:
+    """Return the plan or the walk."""
+    from robolayout.outputs import plan_marks, png
+    from robolayout.render import plan_image, plan_pdf, plan_svg, walk_gif
+    from robolayout.verify import judge_agent
+
+    marks: PlanMarks = plan_marks(judge_agent(scene, layout, scene.agent))
+    agent = scene.agent
+    made: dict[str, Callable[[], bytes]] = {
+        ".gif": lambda: walk_gif(scene, layout, marks, agent=agent, size=wish.size),
+        ".svg": lambda: plan_svg(scene, layout, navigation=marks, agent=agent).encode(),
+        ".pdf": lambda: plan_pdf(scene, layout, navigation=marks, agent=agent),
+        ".png": lambda: png(plan_image(scene, layout, navigation=marks, agent=agent, width=wish.size)),
+    }
+    return made[suffix]()
+
+
+def _stand(scene: Scene, layout: Layout, view: str) -> Point | None:
+    """Return where the agent stands for an eye-level picture: on its way to the asset, as near as shows all of it."""
+    name = view.removeprefix("eye:")
+    if name == view or name not in layout:
+        return None
+    from robolayout.verify import judge_agent
+
+    route = judge_agent(scene, layout, scene.agent).navigation.routes.get(name)
+    if route is None:
+        return None
+    return viewpoint(route.points, layout[name], SEEN_FROM * max(scene.by_name[name].size))
+
+
+def viewpoint(route: Sequence[Point], pose: Pose, distance: float) -> Point:
+    """Return the last point of a route from which a pose is `distance` metres away (and `LEAST`), or the farthest."""
+    points = [route[0]]
+    for (ax, ay), (bx, by) in pairwise(route):
+        points += [(ax + (bx - ax) * step / 20, ay + (by - ay) * step / 20) for step in range(1, 21)]
+
+    def metres(point: Point) -> float:
+        return math.dist(point, (pose.x, pose.y))
+
+    far = [point for point in points if metres(point) >= max(distance, LEAST)]
+    return far[-1] if far else max(points, key=metres)
+
+
+def _measured(studio: Studio, wish: _Wish, target: Path, stand: Point | None) -> list[tuple[Path, bytes]]:
+    """Return the picture, which asset each pixel shows, how far it is, and what the numbers mean."""
+    from PIL import Image
+
+    from robolayout.outputs import png
+
+    inside = wish.view.startswith("eye:")
+    buffers = studio.buffers(studio.camera(wish.view, (wish.size, wish.size), stand=stand), inside=inside)
+    files = [(target, png(Image.fromarray(buffers.color)))]
+    if wish.ids:
+        files.append((target.with_name(f"{target.stem}-ids.png"), png(_id_picture(buffers))))
+    if wish.depth:
+        files.append((target.with_name(f"{target.stem}-depth.png"), png(_depth_picture(buffers))))
+    notes = json.dumps(_notes(buffers), indent=2, ensure_ascii=False) + "\n"
+    return [*files, (target.with_suffix(".json"), notes.encode())]
+
+
+def _id_picture(buffers: Buffers) -> Image:
+    """Return ids plus one as a picture: 0 background, 1 room, k + 2 the k-th asset; in colours if there are few."""
+    import numpy as np
+    from PIL import Image
+
+    numbers = buffers.ids + 1
+    if len(buffers.names) > 255:
+        return Image.fromarray(numbers.astype(np.uint16))
+    picture = Image.fromarray(numbers.astype(np.uint8), mode="P")
+    hues = (np.arange(254) * 0.61803) % 1.0
+    ramp = np.stack([0.5 + 0.42 * np.cos(2 * np.pi * (hues + shift)) for shift in (0.0, 1 / 3, 2 / 3)], axis=1)
+    colors = np.concatenate([[(0, 0, 0), (128, 128, 128)], np.round(255 * ramp)]).astype(np.uint8)
+    picture.putpalette(colors.tobytes())
+    return picture
+
+
+def _depth_picture(buffers: Buffers) -> Image:
+    """Return depths in whole millimetres as a 16-bit picture; 0 is the background."""
+    import numpy as np
+    from PIL import Image
+
+    depth = np.where(np.isfinite(buffers.depth), buffers.depth * 1000.0, 0.0)
+    return Image.fromarray(np.clip(np.round(depth), 0, 65535).astype(np.uint16))
+
+
+def _notes(buffers: Buffers) -> dict[str, Any]:
+    """Return what the pixels of the id and depth pictures mean, and where the camera is."""
+    camera = buffers.camera
+    return {
+        "ids": {"0": "background", **{str(k + 1): name for k, name in enumerate(buffers.names)}},
+        "depth": "millimetres along the line of sight; 0 is the background",
+        "camera": {
+            "position": list(camera.position),
+            "target": list(camera.target),
+            "up": list(camera.up),
+            "vertical_field_of_view": math.degrees(camera.fov),
+            "width": camera.width,
+            "height": camera.height,
+        },
+    }

@@ -1,0 +1,39 @@
+"""The plan as a file format: SVG and PDF to scale, with the agent's free space and routes.
+
+They are registered as formats under the entry point group `robolayout.exporters`, as another package's would be: a plan needs
+the judge, the pictures and the formats, which do not know each other.
+"""
+
+from __future__ import annotations
+
+from robolayout.export import Exporter, Options
+from robolayout.render import PlanMarks
+from robolayout.scene import Layout, Scene
+
+
+def _svg(scene: Scene, layout: Layout, options: Options) -> bytes:
+    """Return the plan as SVG."""
+    from robolayout.render import plan_svg
+
+    return plan_svg(scene, layout, navigation=_marks(scene, layout, options), agent=options.agent).encode()
+
+
+def _pdf(scene: Scene, layout: Layout, options: Options) -> bytes:
+    """Return the plan as PDF."""
+    from robolayout.render import plan_pdf
+
+    return plan_pdf(scene, layout, navigation=_marks(scene, layout, options), agent=options.agent)
+
+
+def _marks(scene: Scene, layout: Layout, options: Options) -> PlanMarks | None:
+    """Return what the agent can do in the layout; None without an agent."""
+    if options.agent is None:
+        return None
+    from robolayout.outputs import plan_marks
+    from robolayout.verify import judge_agent
+
+    return plan_marks(judge_agent(scene, layout, options.agent))
+
+
+SVG = Exporter("svg", ".svg", "the plan as a picture to scale, with free space and routes", None, _svg)
+PDF = Exporter("pdf", ".pdf", "the same as a page to print, to scale", None, _pdf)

@@ -1,0 +1,82 @@
+"""`settle`, `drive` and `generate --settle`: figures on the terminal, in a file and in the report."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+from running import Furnished, Ran
+
+Command = Callable[..., Ran]
+
+
+@pytest.fixture(scope="module")
+def given(furnished: Furnished) -> tuple[Path, Path]:
+    return (furnished.folder / "scene.json", furnished.folder / "layout.json")
+
+
+def test_settle_prints_and_writes_every_asset(command: Command, given: tuple[Path, Path], tmp_path: Path) -> None:
+    report = tmp_path / "settled.json"
+    ran = command("settle", *given, "--seconds", 1, "--report", report)
+    assert ran.code == 0, ran
+    assert "1.00 of the assets stay" in ran.out and "wardrobe-0" in ran.out and " mm" in ran.out
+    found = json.loads(report.read_text())
+    assert found["stable_share"] == 1.0 and found["seconds"] == 1.0 and found["violations"] == []
+    assert found["assets"]["double_bed-0"]["stable"] is True
+    assert set(found["assets"]["double_bed-0"]) == {"displacement", "tilt", "stable"}
+
+
+def test_what_does_not_stay_is_exit_code_1(command: Command, given: tuple[Path, Path], tmp_path: Path) -> None:
+    layout = json.loads(given[1].read_text())
+    layout["wardrobe-0"]["position"][2] += 0.4
+    moved = tmp_path / "layout.json"
+    moved.write_text(json.dumps(layout))
+    ran = command("settle", given[0], moved, "--seconds", 1, "--json")
+    found = json.loads(ran.out)
+    assert ran.code == 1 and found["stable_share"] < 1.0
+    assert found["violations"][0].startswith("wardrobe-0 does not stay: it moved")
+    assert command("settle", given[0], moved, "--seconds", 1, "--quiet") == Ran(1, "", "")
+
+
+def test_drive_writes_every_route(command: Command, given: tuple[Path, Path], tmp_path: Path) -> None:
+    report = tmp_path / "driven.json"
+    ran = command("drive", *given, "--report", report)
+    assert ran.code == 0 and ran.out.startswith("0 contacts"), ran
+    routes = json.loads(report.read_text())["routes"]
+    assert routes["double_bed-0"]["contacts"] == [] and routes["double_bed-0"]["length"] > 0.5
+
+
+def test_the_report_says_what_gravity_does_when_asked(command: Command, furnished: Furnished, tmp_path: Path) -> None:
+    program = furnished.folder / "program.py"
+    words = ("--program", program, "--starts", 1, "--no-pictures", "--quiet", "--settle", "--out", tmp_path)
+    assert command("generate", furnished.scene, *words).code in (0, 1)
+    report = json.loads((tmp_path / "report.json").read_text())
+    assert 0.9 <= report["stability"]["stable_share"] <= 1.0
+    assert "## In a simulator" in (tmp_path / "report.md").read_text()
+    assert "stability" not in json.loads((furnished.folder / "report.json").read_text())
+
+
+@pytest.mark.parametrize("name", ["settle", "drive"])
+def test_a_report_that_cannot_be_written_is_refused_first(
+    command: Command, given: tuple[Path, Path], tmp_path: Path, name: str
+) -> None:
+    ran = command(name, *given, "--report", tmp_path / "report.txt")
+    assert ran.code == 2 and "name a file that ends in .json" in ran.err
+    (tmp_path / "file").write_text("")
+    ran = command(name, *given, "--report", tmp_path / "file" / "report.json")
+    assert ran.code == 2 and "is not a folder" in ran.err
+
+
+@pytest.mark.parametrize("words", [("settle",), ("drive",), ("generate", "--settle")])
+def test_without_mujoco_the_extra_is_named_before_any_work(
+    command: Command, given: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, words: tuple[str, ...]
+) -> None:
+    monkeypatch.setattr(import_module("robolayout.export.physics"), "find_spec", lambda name: None)
+    out = ("--out", tmp_path / "out") if words[0] == "generate" else (given[1],)
+    ran = command(words[0], given[0], *words[1:], *out)
+    assert ran.code == 2 and "needs the extra 'sim': pip install 'robolayout[sim]'" in ran.err, ran
+    assert not (tmp_path / "out").exists()
