@@ -37,7 +37,7 @@ PALETTE = 96
 
 
 def progress_gif(
-    scene: Scene, trace: Trace, *, layout: Layout | None = None, size: int = 600, frames: int = 40, pause: int = 90
+    scene: Scene, trace: Trace, *, layout: Layout | None = None, size: int = 600, frames: int = 28, pause: int = 130
 ) -> bytes:
     """Return the optimisation as a GIF: the plan step by step above the curve of the total loss.
 

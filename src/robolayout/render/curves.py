@@ -146,14 +146,15 @@ def _scaled(values: NDArray[np.float64], logarithmic: bool) -> NDArray[np.float6
 def _lines(values: NDArray[np.float64]) -> list[list[tuple[float, float]]]:
     """Return the unbroken stretches of a line as (step, value) points, at most POINTS together."""
     stride = max(1, -(-len(values) // POINTS))
+    padded = np.full(-(-len(values) // stride) * stride, -np.inf)
+    padded[: len(values)] = np.where(np.isnan(values), -np.inf, values)
+    columns = padded.reshape(-1, stride)
     stretches: list[list[tuple[float, float]]] = [[]]
-    for start in range(0, len(values), stride):
-        column = values[start : start + stride]
-        if np.isnan(column).all():
+    for number, (at, value) in enumerate(zip(columns.argmax(axis=1).tolist(), columns.max(axis=1).tolist(), strict=True)):
+        if value == -np.inf:
             stretches.append([])
-            continue
-        at = int(np.nanargmax(column))
-        stretches[-1].append((start + at, float(column[at])))
+        else:
+            stretches[-1].append((number * stride + at, value))
     return [line if len(line) > 1 else [line[0], (line[0][0] + 0.5, line[0][1])] for line in stretches if line]
 
 
