@@ -11,7 +11,8 @@ from pathlib import Path
 
 import robolayout as rl
 from robolayout._files import write_atomic
-from robolayout.outputs import plan_marks, png
+from robolayout.outputs import png
+from robolayout.plan_marks import plan_marks
 from robolayout.render import Studio, plan_svg
 
 ROOT = Path(__file__).parents[1]

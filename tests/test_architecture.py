@@ -35,6 +35,8 @@ LAYERS: dict[str, float] = {
     "program": 4,
     **dict.fromkeys(STATIONS, 5),
     "attempt": 5.4,
+    "plan_marks": 5.5,
+    "critic": 5.6,
     "grouped": 5.6,
     "pipeline": 6,
     "page": 6.5,

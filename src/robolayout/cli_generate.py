@@ -133,7 +133,7 @@ def _settled(result: Result) -> Result:
 def _walk(result: Result, folder: Path) -> list[Path]:
     """Write walk.gif, or say why there is none."""
     from robolayout._files import write_atomic
-    from robolayout.outputs import plan_marks
+    from robolayout.plan_marks import plan_marks
     from robolayout.render import walk_gif
 
     first = result.report.agents[0]

@@ -136,7 +136,8 @@ def _files(scene: Scene, layout: Layout, wish: _Wish, target: Path) -> list[tupl
 
 def _drawn(scene: Scene, layout: Layout, wish: _Wish, suffix: str) -> bytes:
     """Return the plan or the walk."""
-    from robolayout.outputs import plan_marks, png
+    from robolayout.outputs import png
+    from robolayout.plan_marks import plan_marks
     from robolayout.render import plan_image, plan_pdf, plan_svg, walk_gif
     from robolayout.verify import judge_agent
 
