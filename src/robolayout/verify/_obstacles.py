@@ -54,6 +54,11 @@ class Obstacles:
         return Obstacles(self.rows[kept], self.shapes[kept], self.partial[kept], self.shelter)
 
 
+_NO_SHAPES = np.empty(0, dtype=np.object_)
+NOTHING = Obstacles(np.empty(0, dtype=np.intp), _NO_SHAPES, np.empty(0, dtype=np.bool_), _NO_SHAPES)
+"""No obstacle at all: the empty room."""
+
+
 def obstacles(found: Boxes, agent: Agent) -> Obstacles:
     """Return what stands in a body's way among the placed assets; rugs never do."""
     met = found.meeting(agent.step, agent.height)

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from robolayout.scene import Agent, Scene
 from robolayout.verify._boxes import Boxes, landings, room_polygon
+from robolayout.verify._obstacles import NOTHING
 from robolayout.verify._space import REACH_SLACK, disc_space, plan_distances, reached_rows
 from robolayout.verify.navigation import Navigation
 
@@ -103,6 +104,8 @@ def impossible(scene: Scene, agent: Agent) -> tuple[str, ...]:
         found.append(
             f"{agent.name} needs {2 * radius:.2f} m; the largest disc that fits into the empty room is {largest:.2f} m wide."
         )
+    elif not found:
+        found += _shut_out(scene, agent)
     standing = [a for a in scene.assets if a.on_floor and not (a.is_flat or a.on_wall or a.on_ceiling or a.on_object)]
     needed = sum(a.size[0] * a.size[1] for a in standing)
     clear = float(shapely.union_all(landings(room)).intersection(floor).area) if room.doors else 0.0
@@ -112,6 +115,24 @@ def impossible(scene: Scene, agent: Agent) -> tuple[str, ...]:
             f"{floor.area - clear:.2f} m2: they cannot all stand apart."
         )
     return tuple(found)
+
+
+def _shut_out(scene: Scene, agent: Agent) -> list[str]:
+    """Return why a body that fits through the door does not come in, even if the room is empty."""
+
+    def enters(radius: float) -> bool:
+        return not disc_space(scene.room, NOTHING, radius).main.is_empty
+
+    if enters(agent.radius):
+        return []
+    low, high = 0.0, agent.radius
+    while high - low > 1e-3:
+        middle = (low + high) / 2
+        low, high = (middle, high) if enters(middle) else (low, middle)
+    return [
+        f"Even in the empty room {agent.name} cannot come in by door 0: the room leaves a disc of {2 * low:.2f} m the way in, "
+        f"{agent.name} needs {2 * agent.radius:.2f} m."
+    ]
 
 
 def body_misfits(scene: Scene, agent: Agent) -> Iterator[str]:

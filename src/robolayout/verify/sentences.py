@@ -16,11 +16,11 @@ def agent_violations(nav: Navigation, usage: Usage, exempt: Mapping[str, str]) -
     """Return what keeps an agent from entering, moving, reaching and using; nothing that is not asked of it."""
     agent = nav.agent.name
     found = list(impossible(nav.scene, nav.agent))
-    if nav.main.is_empty:
+    if nav.main.is_empty and not found:
         found.append(
             f"{agent} (a disc of {2 * nav.agent.radius:.2f} m) cannot come in: the landing of door 0 is blocked."
         )
-    elif nav.walkable_ratio < WALKABLE:
+    elif nav.walkable_ratio < WALKABLE and not nav.main.is_empty:
         parts = len(nav.free.geoms) - 1
         found.append(
             f"{agent} can walk only {nav.walkable_ratio:.0%} of the free floor: {parts} further "
