@@ -27,6 +27,7 @@ LAYERS: dict[str, float] = {
     "_errors": 0,
     "_version": 0,
     "_files": 0,
+    "_html": 0,
     "_geometry": 0,
     "_grid": 0,
     "scene": 1,

@@ -99,12 +99,16 @@ class MissingExtraError(InputError):
 
     Args:
         feature: What was asked for.
-        extra: The extra that brings it.
+        extra: The extra that brings it, or the package itself where no extra does.
+        package: Whether `extra` is a package.
     """
 
-    def __init__(self, feature: str, extra: str) -> None:
+    def __init__(self, feature: str, extra: str, *, package: bool = False) -> None:
         self.extra = extra
-        super().__init__(f"{feature} needs the extra {extra!r}: pip install 'robolayout[{extra}]'.")
+        if package:
+            super().__init__(f"{feature} needs the package {extra!r}: pip install {extra}.")
+        else:
+            super().__init__(f"{feature} needs the extra {extra!r}: pip install 'robolayout[{extra}]'.")
 
 
 class ModelError(RoboLayoutError):

@@ -57,6 +57,16 @@ class Layout(Mapping[str, Pose]):
         rows = (f"{n}: ({p.x:.2f}, {p.y:.2f}, {p.z:.2f}) {math.degrees(p.yaw):.0f} deg" for n, p in self.items())
         return f"Layout({'; '.join(rows)})"
 
+    def _repr_html_(self) -> str:
+        """Return the poses as a table, for notebooks."""
+        from robolayout._html import table
+
+        rows = [
+            [name, f"{p.x:.3f}", f"{p.y:.3f}", f"{p.z:.3f}", f"{math.degrees(p.yaw) % 360:.1f}"]
+            for name, p in self.items()
+        ]
+        return table(["asset", "x (m)", "y (m)", "z (m)", "yaw (degrees)"], rows)
+
     def to_dict(self) -> dict[str, dict[str, list[float]]]:
         """Return the content of `layout.json`: metres and degrees, rounded to 1e-6."""
         return {

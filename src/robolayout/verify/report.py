@@ -18,6 +18,9 @@ from robolayout.verify.proofs import Remedies, exempt_from_reach, exempt_from_us
 from robolayout.verify.sentences import agent_violations
 from robolayout.verify.use import Usage
 
+SHOWN = 12
+"""Violations that a notebook shows; the report holds all."""
+
 
 @dataclass(frozen=True)
 class Demands:
@@ -263,6 +266,29 @@ class Report:
         if self.planner:
             lines += ["", "## Who planned", "", *(f"- {sentence}" for sentence in self.planner.get("sentences", ()))]
         return "\n".join(lines) + "\n"
+
+    def to_frame(self) -> Any:
+        """Return a pandas DataFrame with one row per asset: pose, box, verdicts, and what each agent can do with it.
+
+        Raises:
+            MissingExtraError: pandas is not installed.
+        """
+        from robolayout.verify.frame import report_frame
+
+        return report_frame(self)
+
+    def to_html(self) -> str:
+        """Return the short table and the first things that are wrong as HTML."""
+        from robolayout._html import bullets, paragraph, table
+
+        bodies = ", ".join(report.agent.title or report.agent.name for report in self.agents)
+        verdict = "all demands met" if self.ok else "not all demands are met"
+        rows = [[name, value, "ok" if met else "short"] for name, value, met in self.rows()]
+        head = paragraph(f"{self.scene.name} for {bodies}: {verdict}")
+        return head + table(["check", "result", ""], rows) + bullets(self.violations, SHOWN)
+
+    def _repr_html_(self) -> str:
+        return self.to_html()
 
     def __repr__(self) -> str:
         shown = ", ".join(f"{name} {value}" for name, value, _ in self.rows())

@@ -1,0 +1,31 @@
+"""Small pieces of HTML for notebooks; every text is escaped."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from html import escape
+
+
+def table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """Return a table; the first column is text, the others are figures."""
+    top = "".join(f"<th>{escape(head)}</th>" for head in heads)
+    body = "".join(f"<tr>{''.join(_cell(text, k) for k, text in enumerate(row))}</tr>" for row in rows)
+    return f"<table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def paragraph(text: str) -> str:
+    """Return a paragraph in bold."""
+    return f"<p><b>{escape(text)}</b></p>"
+
+
+def bullets(sentences: Sequence[str], most: int) -> str:
+    """Return a list of at most `most` sentences and how many more there are; nothing for none."""
+    shown = list(sentences[:most])
+    if len(sentences) > most:
+        shown.append(f"and {len(sentences) - most} more")
+    return f"<ul>{''.join(f'<li>{escape(sentence)}</li>' for sentence in shown)}</ul>" if shown else ""
+
+
+def _cell(text: str, column: int) -> str:
+    style = ' style="text-align:left"' if column == 0 else ""
+    return f"<td{style}>{escape(text)}</td>"
