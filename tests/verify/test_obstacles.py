@@ -145,7 +145,9 @@ def test_a_passage_between_two_legs_names_the_thing_once():
     assert passage.sides == "parts of dining_table-0"
     assert math.dist(*passage.ends) == pytest.approx(apart, abs=0.011)
     wide = replace(CAT, radius=0.25)
-    assert remedies(navigation(scene, layout, wide)).removals["box-0"] == (("dining_table-0",),)
+    found = remedies(navigation(scene, layout, wide))
+    assert ("dining_table-0",) in found.removals["box-0"]
+    assert not any(len(set(pair)) == 1 for pair in found.gaps)
 
 
 def test_nobody_takes_a_cup_from_under_its_table():
