@@ -43,6 +43,7 @@ RetriesOption = Annotated[int, typer.Option("--retries", min=0, max=10, help="Fu
 BaseUrlOption = Annotated[str | None, typer.Option("--base-url", help="An OpenAI-compatible server.")]
 MaxCostOption = Annotated[float | None, typer.Option("--max-cost", help="Most dollars to spend on a model.")]
 TimeoutOption = Annotated[float, typer.Option("--timeout", help="Seconds to wait for a model's answer.")]
+CriticOption = Annotated[bool, typer.Option("--critic", help="Let the model rate the room and amend it once.")]
 ReplayOption = Annotated[Path | None, typer.Option("--replay", help="Answer from recorded exchanges, offline.")]
 
 
@@ -64,6 +65,7 @@ def generate(  # noqa: PLR0913 - one parameter per option
     mode: ModeOption = "grouped",
     samples: SamplesOption = 1,
     retries: RetriesOption = 3,
+    critic: CriticOption = False,
     base_url: BaseUrlOption = None,
     max_cost: MaxCostOption = None,
     timeout: TimeoutOption = 60.0,
@@ -90,7 +92,9 @@ def generate(  # noqa: PLR0913 - one parameter per option
         planner: Planner | None = None
         if _not_offline(program, model or base_url or replay):
             limits = (base_url, max_cost, timeout, replay)
-            planner = _model_or_file(program, (model, mode, samples, retries), limits, folder / "exchanges", seed)
+            planner = _model_or_file(
+                program, (model, mode, samples, retries, critic), limits, folder / "exchanges", seed
+            )
         with progress(quiet or as_json) as say:
             config = SolverConfig(starts=starts, trace=pictures)
             result = run(given, planner=planner, seed=seed, config=config, solver=solver, progress=say)
@@ -154,7 +158,7 @@ def _not_offline(program: Path | None, model: object) -> bool:
 
 def _model_or_file(
     program: Path | None,
-    how: tuple[str | None, str, int, int],
+    how: tuple[str | None, str, int, int, bool],
     limits: tuple[str | None, float | None, float, Path | None],
     exchanges: Path,
     seed: int,
@@ -163,18 +167,20 @@ def _model_or_file(
 
     if program is not None:
         return FilePlanner(program)
-    model, mode, samples, retries = how
+    model, mode, samples, retries, critic = how
     base_url, max_cost, timeout, replay = limits
+    again = replay is not None and replay.resolve() == exchanges.resolve()
     return ModelPlanner(
         model,
         mode=mode,  # type: ignore[arg-type]
         samples=samples,
         retries=retries,
+        critic=critic,
         base_url=base_url,
         max_cost=max_cost,
         timeout=timeout,
         replay=replay,
-        exchanges=exchanges,
+        exchanges=None if again else exchanges,
         seed=seed,
     )
 
@@ -237,6 +243,8 @@ def _hushed(phase: str) -> None:
 def _tell(result: Result, folder: Path, files: list[Path], *, quiet: bool, as_json: bool) -> None:
     from robolayout.cli_tables import show
 
+    for warning in result.report.planner.get("warnings", ()):
+        sys.stderr.write(f"robolayout: warning: {warning}\n")
     if as_json:
         typer.echo(json.dumps({"out": str(folder), **result.report.to_dict()}))
     elif not quiet:

@@ -68,24 +68,21 @@ class Planned:
         groups: The groups as they were planned.
         samples: All answers, in the order in which they were given.
         taken_over: Why the offline planner planned a group, by its label.
-        planner: Who planned and what that took.
     """
 
     attempt: Attempt
     groups: tuple[Group, ...]
     samples: tuple[Sample, ...]
     taken_over: Mapping[str, str]
-    planner: Mapping[str, Any]
 
     def to_dict(self) -> dict[str, Any]:
-        """Return who planned, for the report: usage, warnings, what was taken over, and all of it in sentences."""
+        """Return what the report says of it: what was taken over, and all of it in sentences."""
         readable = sum(sample.score is not None for sample in self.samples)
         sentences = [
-            *self.planner.get("sentences", ()),
             f"{len(self.samples)} programs were given for {len(self.groups)} groups, {readable} of them could be read.",
             *(f"The offline planner took over group {label!r}: {why}" for label, why in self.taken_over.items()),
         ]
-        return {**self.planner, "taken_over": dict(self.taken_over), "sentences": sentences}
+        return {"taken_over": dict(self.taken_over), "sentences": sentences}
 
 
 @dataclass(frozen=True)
@@ -202,7 +199,7 @@ class GroupedRun:
         if len(parts) > 1:
             best = self._joint(best, parts, placed)
         done = tuple(replace(group, rationale=self._rationale(group)) for group in groups)
-        return Planned(best, done, tuple(self._samples), self._taken_over, self.planner.to_dict())
+        return Planned(best, done, tuple(self._samples), self._taken_over)
 
     def _rationale(self, group: Group) -> str:
         taken = group.label in self._taken_over
@@ -298,14 +295,16 @@ class GroupedRun:
 
     def _images(self, question: _Question) -> dict[str, bytes]:
         """Return the annotated room as it stands and one picture per new kind of asset."""
-        if self.planner.mode == "no_image":
+        here, layout = question.here, Layout(question.placed)
+        kinds = {here.by_name[name].variable: name for name in reversed(question.group.items)}
+        if self.planner.pictures == "none":
             return {}
+        if self.planner.pictures == "named":
+            return dict.fromkeys(("top", "side", *sorted(kinds.values())), b"")
         from robolayout.render import annotate, png_bytes, render_asset
 
-        here, layout = question.here, Layout(question.placed)
         with self.clock.station("pictures"):
             images = {view: png_bytes(annotate(here, layout, view=view)) for view in ("top", "side")}
-            kinds = {here.by_name[name].variable: name for name in reversed(question.group.items)}
             return images | {name: png_bytes(render_asset(here.by_name[name])) for name in sorted(kinds.values())}
 
 

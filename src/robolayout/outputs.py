@@ -79,6 +79,8 @@ def export_options(report: Report) -> Options:
 def _texts(result: Result, folder: Path) -> Iterator[tuple[str, str]]:
     yield "scene.json", _json(scene_to_dict(result.scene, base=folder.resolve()))
     yield "grouping.json", _json([group.to_dict() for group in result.groups])
+    if result.samples:
+        yield "samples.json", _json([sample.to_dict() for sample in result.samples])
     yield "program.py", result.program.text
     yield "constraints.json", _json(result.reconciled.to_dict())
     yield "layout.json", _json(result.layout.to_dict())

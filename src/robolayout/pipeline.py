@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from robolayout.attempt import Attempt, Clock, Progress
-from robolayout.planners import Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
+from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict, vertical_span
 from robolayout.solve import (
@@ -65,6 +65,20 @@ class Result:
     def trace(self) -> Trace:
         """The record of the search; empty unless asked for."""
         return self.solution.trace
+
+    def to_frame(self) -> Any:
+        """Return a pandas DataFrame with one row per asset (see `Report.to_frame`)."""
+        return self.report.to_frame()
+
+    def _repr_html_(self) -> str:
+        """Return the plan for the first agent beside the short report, for notebooks."""
+        from robolayout.plan_marks import plan_marks
+        from robolayout.render import plan_svg
+
+        first = self.report.agents[0]
+        plan = plan_svg(self.scene, self.layout, navigation=plan_marks(first), agent=first.agent)
+        shown = self.report.to_html()
+        return f'<div style="display:flex;flex-wrap:wrap;gap:2em;align-items:flex-start">{plan}<div>{shown}</div></div>'
 
 
 def as_scene(scene: Scene | Mapping[str, Any] | str | Path, agent: AgentSpec | None = None) -> Scene:
@@ -164,9 +178,17 @@ class _Run:
             self.scene, planner, self.finished, prepare=self.prepare, seed=self.seed, clock=self.clock, say=self.say
         )
         planned = asking.run(groups)
-        best, layout = planned.attempt, planned.attempt.solution.layout
+        best, parts = planned.attempt, [planned.to_dict()]
+        if isinstance(planner, Critic) and planner.critic:
+            from robolayout.critic import CriticPass
+
+            best, said = CriticPass(self.scene, planner, self.finished, self.clock, self.say).run(best)
+            parts.append(said.to_dict())
+        layout, parts = best.solution.layout, [planner.to_dict(), *parts]
+        who = {key: value for part in parts for key, value in part.items()}
+        who["sentences"] = [sentence for part in parts for sentence in part["sentences"]]
         self.say("verify")
-        report = verify(self.scene, layout, best.asked).with_timing(self.clock.seconds).with_planner(planned.to_dict())
+        report = verify(self.scene, layout, best.asked).with_timing(self.clock.seconds).with_planner(who)
         return Result(
             self.scene, planned.groups, best.asked, best.reconciled, layout, report, best.solution, planned.samples
         )

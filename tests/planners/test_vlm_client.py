@@ -16,6 +16,7 @@ from robolayout._errors import InputError, MissingExtraError, ModelError, Progra
 from robolayout.planners import Group, ModelPlanner, PlanRequest
 from robolayout.planners._vlm_grouping import LEFT_OVER
 from robolayout.program import Limits, read_program
+from robolayout.scene import Layout, Pose
 
 pytestmark = pytest.mark.usefixtures("ask_loopback")
 
@@ -442,15 +443,18 @@ def test_a_critic_rates_and_amends() -> None:
 
     with serving(critic) as server:
         asked = planner(server.url)
-        rating = asked.rate(SCENE, IMAGES, "all demands met")
-        text = asked.amend(PlanRequest(SCENE, previous=BED, feedback="\n".join(rating.reasons)))
+        stands = Layout({"bed-0": Pose(1.0, 1.6, 0.25, 0.0)})
+        pictures = {"finished top": png("red"), "finished side": png("green")}
+        rating = asked.rate(SCENE, stands, pictures, "all demands met")
+        text = asked.amend(PlanRequest(SCENE, placed=stands, previous=BED, feedback="\n".join(rating.reasons)))
     assert rating.score == 6
     assert text == BED
     assert "all demands met" in server.seen[0].user
-    assert len(server.seen[0].images) == 3
+    assert server.seen[0].labels == ["The finished room from above.", "The finished room from the side."]
+    assert '{"variable": "bed[0]", "position": [1.0, 1.6, 0.25], "rotation": 0' in server.seen[0].user
     assert "solver.against_wall(bed[0], walls[3])" in server.seen[1].user
 
 
 def test_a_rating_off_the_scale_is_asked_for_again() -> None:
     with serving(lambda seen, number: json.dumps({"score": 99 if number == 1 else 9})) as server:
-        assert planner(server.url).rate(SCENE, {}, "").score == 9
+        assert planner(server.url).rate(SCENE, Layout({}), {}, "").score == 9

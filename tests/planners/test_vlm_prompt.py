@@ -8,7 +8,7 @@ from importlib.resources import files
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from vlm_rooms import small_room
+from vlm_rooms import asset, small_room
 
 from robolayout.constraints import RELATIONS
 from robolayout.planners import Group, PlanRequest
@@ -23,9 +23,10 @@ from robolayout.planners._vlm_prompt import (
 )
 from robolayout.planners._vlm_vocabulary import entry, vocabulary
 from robolayout.program import read_program
-from robolayout.scene import Layout, Pose
+from robolayout.scene import Layout, Pose, scene_from_dict
+from robolayout.verify import verify
 
-PROMPTS = {"1": "8f85f866ccd8c53d"}
+PROMPTS = {"1": "8f85f866ccd8c53d", "2": "163ba47fec5b4e62"}
 BED = Group("sleeping", "The bed rules.", ("bed-0", "lamp-0"), ("lamp-0 beside bed-0",))
 
 
@@ -60,11 +61,20 @@ def test_a_signature_reads_like_python() -> None:
     assert "$" not in vocabulary()
 
 
-def test_the_example_of_the_prompt_is_a_program() -> None:
-    scene = small_room()
+def test_the_example_of_the_prompt_holds_exactly_where_it_guesses() -> None:
+    assets = {
+        "bed-0": asset("bed", 2.0, 1.6, 0.5),
+        **{f"night_stand-{i}": asset("night stand", 0.4, 0.45, 0.5) for i in range(2)},
+        **{f"lamp-{i}": asset("lamp", 0.25, 0.25, 0.3, onObject=True) for i in range(2)},
+    }
+    corners = [[0, 0, 0], [4, 0, 0], [4, 5, 0], [0, 5, 0]]
+    scene = scene_from_dict({"boundary": {"floor_vertices": corners, "wall_height": 2.6}, "assets": assets})
     program = read_program(prompt("plan"), scene)
-    assert [s.relation.name for s in program.statements] == ["against_wall", "distance_constraint"]
-    assert program.guesses["bed-0"].yaw == pytest.approx(math.radians(270))
+    assert len(program.statements) == 8
+    layout = Layout({name: Pose(*guess.position, guess.yaw or 0.0) for name, guess in program.guesses.items()})
+    report = verify(scene, layout, program)
+    assert report.figures["statements_met_share"] == 1.0, report.violations
+    assert report.figures["collision_free_scene"] and report.figures["supported_share"] == 1.0
 
 
 def test_no_constraint_speaks_of_no_relation() -> None:
@@ -97,7 +107,7 @@ def test_the_state_tells_poses_what_is_to_come_and_what_was_wrong() -> None:
     group = Group("x", "y", ("lamp-0",))
     text = state_text(PlanRequest(scene, group, placed))
     assert '{"variable": "bed[0]", "position": [1.0, 1.6, 0.25], "rotation": 270, "size": [2.0, 1.4, 0.5]}' in text
-    assert "Leave space for night_stand[0], picture[0]." in text
+    assert "Leave space for night_stand[0] (0.40 x 0.45), picture[0] (0.03 x 0.80)." in text
     assert "program before" not in text
     again = state_text(
         PlanRequest(scene, group, placed, "lamp-0 hangs in the air.", previous="```python\nx = 1\n```\n")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from robolayout.planners._types import Group, GroupPlanner, Planner, PlanRequest
+from robolayout.planners._types import Critic, Group, GroupPlanner, Judgement, Planner, PlanRequest
 
 if TYPE_CHECKING:
     from robolayout.planners._vlm_feedback import feedback_text
@@ -28,9 +28,11 @@ _LAZY = {
 }
 
 __all__ = [
+    "Critic",
     "FilePlanner",
     "Group",
     "GroupPlanner",
+    "Judgement",
     "ModelPlanner",
     "OfflinePlanner",
     "PlanRequest",

@@ -121,7 +121,7 @@ class Tape:
                 f"the answer to {describe(question, turn)} in {self.replay} was given for another room, instruction, "
                 "body, group or mode. Record again, or replay the same job."
             )
-        if entry["state"] != question.state and turn == 1:
+        if entry["state"] not in ("", question.state) and turn == 1:
             self.notes.append(
                 f"the replayed answer to {describe(question, turn)} was given to another wording or another state of the room."
             )

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Protocol, runtime_checkable
+from typing import Any, Literal, Protocol, runtime_checkable
 
 from robolayout.scene import Layout, Scene
+
+Pictures = Literal["drawn", "named", "none"]
+"""How a planner is shown pictures."""
 
 
 @dataclass(frozen=True)
@@ -72,6 +75,37 @@ class Planner(Protocol):
 
 
 @runtime_checkable
+class Critic(Protocol):
+    """Who looks at a finished room, rates it, and may amend its program.
+
+    Attributes:
+        critic: Whether to look at all.
+    """
+
+    critic: bool
+
+    @property
+    def pictures(self) -> Pictures:
+        """Whether it looks at pictures, as of `GroupPlanner`."""
+        ...
+
+    def rate(self, scene: Scene, layout: Layout, images: Mapping[str, bytes], report: str) -> Judgement:
+        """Return a rating of a finished room."""
+        ...
+
+    def amend(self, request: PlanRequest) -> str:
+        """Return the whole program of a finished room, amended."""
+        ...
+
+
+class Judgement(Protocol):
+    """A rating from 0 to 10, and what should be otherwise, one sentence each."""
+
+    score: int
+    reasons: list[str]
+
+
+@runtime_checkable
 class GroupPlanner(Planner, Protocol):
     """A planner that is asked group by group, for several answers at once, and again with what was wrong.
 
@@ -84,6 +118,11 @@ class GroupPlanner(Planner, Protocol):
     mode: str
     samples: int
     retries: int
+
+    @property
+    def pictures(self) -> Pictures:
+        """Whether it looks at pictures: at drawn ones, only at their names (a replay), or at none."""
+        ...
 
     def plan_many(self, request: PlanRequest, n: int) -> tuple[str, ...]:
         """Return up to n answers to the same request."""

@@ -16,18 +16,22 @@ def feedback_text(
     rejections: Sequence[str] = (),
     violations: Sequence[str] = (),
     forgotten: Sequence[str] = (),
+    wishes: Sequence[str] = (),
 ) -> str:
     """Return the feedback for the next attempt; empty if nothing is wrong.
 
     Args:
         error: Why the program could not be read, with line and caret.
         rejections: Statements that the filter rejected, with reasons (`Reconciled.rejections`).
+        wishes: What a critic of the finished room wants otherwise.
         forgotten: Things that the program says nothing about, as they are written in it.
         violations: What the judge found, unmet statements with measured values included (`Report.violations`).
     """
     parts: list[str] = []
     if error is not None:
         parts.append(f"The program could not be read:\n\n{_indented(str(error))}")
+    if wishes:
+        parts.append("The critic who saw the finished room says:\n\n" + _bullets(wishes))
     if forgotten:
         names = ", ".join(forgotten[:MOST_LINES])
         parts.append(f"The program says nothing about these things, though they must be placed: {names}.")

@@ -14,11 +14,12 @@ from functools import cache
 from importlib.resources import files
 from string import Template
 
+from robolayout.assets.obstacles import use_sides
 from robolayout.planners._types import Group, PlanRequest
 from robolayout.planners._vlm_vocabulary import vocabulary
-from robolayout.scene import Agent, Asset, Opening, Pose, Room, Scene
+from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene
 
-PROMPT_VERSION = "1"
+PROMPT_VERSION = "2"
 """Version of the prompt files; written into every exchange and every report."""
 
 LONGEST_DESCRIPTION = 400
@@ -73,7 +74,7 @@ def request_text(scene: Scene, group: Group | None, *, names: bool = False) -> s
     """
     assets = [scene.by_name[name] for name in group.items] if group else scene.assets
     written = expressions(scene)
-    things = [asset_data(asset) for asset in assets]
+    things = [{**asset_data(asset), **_used_from(asset)} for asset in assets]
     if not names:
         things = [{"variable": written[str(thing.pop("name"))], **thing} for thing in things]
     lines = [quoted(thing) for thing in things]
@@ -97,20 +98,38 @@ def state_text(request: PlanRequest) -> str:
     scene, placed = request.scene, request.placed or {}
     now = set(request.group.items) if request.group else {asset.name for asset in scene.assets}
     written = expressions(scene)
-    rows = [
-        quoted({"variable": written[name], **placed_data(scene.by_name[name], placed[name])})
-        for name in placed
-        if name not in now
+    there = Layout({name: pose for name, pose in placed.items() if name not in now})
+    later = [
+        f"{written[asset.name]} ({asset.size[0]:.2f} x {asset.size[1]:.2f})"
+        for asset in scene.assets
+        if asset.name not in placed and asset.name not in now
     ]
-    later = [written[asset.name] for asset in scene.assets if asset.name not in placed and asset.name not in now]
     text = Template(prompt("state")).substitute(
-        placed="\n".join(rows) or "Nothing is placed yet.",
+        placed=poses_text(scene, there) or "Nothing is placed yet.",
         later=f"Leave space for {', '.join(later)}." if later else "Nothing: this is the last group.",
     )
     if not request.feedback:
         return text
-    previous = "\n".join(line for line in request.previous.splitlines() if "```" not in line)
-    return text + "\n" + Template(prompt("retry")).substitute(previous=previous, feedback=request.feedback)
+    return text + "\n" + Template(prompt("retry")).substitute(previous=_unfenced(request), feedback=request.feedback)
+
+
+def amend_text(request: PlanRequest) -> str:
+    """Return where everything stands, the program behind it, and what should be otherwise."""
+    placed = poses_text(request.scene, request.placed or Layout({}))
+    filled = {"placed": placed, "previous": _unfenced(request), "feedback": request.feedback or "Nothing."}
+    return Template(prompt("amend")).substitute(filled)
+
+
+def poses_text(scene: Scene, layout: Layout) -> str:
+    """Return where things stand, one line each."""
+    written = expressions(scene)
+    rows = ({"variable": written[name], **placed_data(scene.by_name[name], pose)} for name, pose in layout.items())
+    return "\n".join(quoted(row) for row in rows)
+
+
+def _unfenced(request: PlanRequest) -> str:
+    """Return the program before without lines that could end its block."""
+    return "\n".join(line for line in request.previous.splitlines() if "```" not in line)
 
 
 def room_data(room: Room) -> dict[str, object]:
@@ -183,6 +202,12 @@ def asset_data(asset: Asset) -> dict[str, object]:
     return data
 
 
+def _used_from(asset: Asset) -> dict[str, object]:
+    """Return the sides that a thing is used from, where that is not any side."""
+    sides = use_sides(asset)
+    return {"used_from": list(sides)} if sides and len(sides) < 4 else {}
+
+
 def placed_data(asset: Asset, pose: Pose) -> dict[str, object]:
     """Return a placed asset as plain data: pose to 1 cm and 1 degree."""
     return {
@@ -197,13 +222,15 @@ def image_label(name: str) -> str:
     return {
         "top": "The room from above: a grid with coordinates in metres, names, arrows along the fronts, wall numbers.",
         "side": "The room from the side, with the same marks.",
+        "finished top": "The finished room from above.",
+        "finished side": "The finished room from the side.",
     }.get(name, f"What {quoted(name)} looks like from its front, a little from its right and from above.")
 
 
 def images_in_order(images: Mapping[str, bytes]) -> tuple[tuple[str, bytes], ...]:
     """Return images with the room first, assets by name."""
-    rank = {"top": 0, "side": 1}
-    return tuple(sorted(images.items(), key=lambda entry: (rank.get(entry[0], 2), entry[0])))
+    rank = {name: i for i, name in enumerate(("finished top", "finished side", "top", "side"))}
+    return tuple(sorted(images.items(), key=lambda entry: (rank.get(entry[0], len(rank)), entry[0])))
 
 
 def _dicts(rows: object) -> list[dict[str, object]]:

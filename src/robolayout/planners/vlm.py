@@ -21,9 +21,9 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast, get_args
 from robolayout._errors import InputError, MissingExtraError, UnknownNameError
 from robolayout.planners import _vlm_prompt as texts
 from robolayout.planners._model_exchange import Question, Tape
-from robolayout.planners._types import Group, PlanRequest
+from robolayout.planners._types import Group, Pictures, PlanRequest
 from robolayout.planners._vlm_grouping import Grouping, Rating, complaint, groups_of
-from robolayout.scene import Scene
+from robolayout.scene import Layout, Scene
 
 if TYPE_CHECKING:
     from pydantic_ai.models import Model
@@ -48,6 +48,7 @@ class ModelPlanner:
             replay needs none.
         mode: One of `MODES`.
         samples: Programs to draw per group; the pipeline keeps the best.
+        critic: Whether the model looks at the finished room and may amend its program once.
         retries: Further attempts that the pipeline may ask for per group.
         base_url: Address of an OpenAI-compatible server.
         max_cost: US dollars after which nothing more is asked.
@@ -64,6 +65,7 @@ class ModelPlanner:
         mode: Mode = "grouped",
         samples: int = 1,
         retries: int = 3,
+        critic: bool = False,
         base_url: str | None = None,
         max_cost: float | None = None,
         exchanges: str | Path | None = None,
@@ -77,7 +79,7 @@ class ModelPlanner:
         if model is None and replay is None:
             raise InputError("a model is needed: give one such as openai:gpt-4o, or a recording to replay.")
         self.mode: Mode = mode
-        self.samples, self.retries, self.seed = samples, retries, seed
+        self.samples, self.retries, self.critic, self.seed = samples, retries, critic, seed
         tape = Tape(Path(exchanges) if exchanges else None, Path(replay) if replay else None)
         self._client = _client(model, tape, base_url, timeout, max_cost)
         self._asked: Counter[tuple[str, str, str]] = Counter()
@@ -89,6 +91,13 @@ class ModelPlanner:
     def model(self) -> str:
         """The model's name."""
         return self._client.spec.name
+
+    @property
+    def pictures(self) -> Pictures:
+        """Whether it looks at pictures: not in mode no_image or with a model that does not see; a replay knows them by name."""
+        if self.mode == "no_image" or not self._client.sees:
+            return "none"
+        return "named" if self._client.tape.replay else "drawn"
 
     @property
     def usage(self) -> Usage:
@@ -163,22 +172,26 @@ class ModelPlanner:
         self._client.notes += [f"one of {n} samples is missing: {failure}" for failure in failures]
         return texts_
 
-    def rate(self, scene: Scene, images: Mapping[str, bytes], report: str) -> Rating:
+    def rate(self, scene: Scene, layout: Layout, images: Mapping[str, bytes], report: str) -> Rating:
         """Return the model's own rating of a finished room.
 
         Args:
             scene: The scene.
-            images: "top" and "side" of the finished room as PNG bytes.
+            layout: Where its things stand.
+            images: "finished top" and "finished side" as PNG bytes.
             report: What the judge measured, in words.
         """
-        parts = (texts.request_text(scene, None), f"# What was measured\n\n{report}")
+        parts = (
+            texts.request_text(scene, None),
+            f"# Where everything stands\n\n{texts.poses_text(scene, layout)}\n\n# What was measured\n\n{report}",
+        )
         question = self._question(scene, None, "rate", instructions="rate", parts=parts, images=images)
         (answer,) = self._client.ask([question], Rating)
         return _sound(answer)
 
     def amend(self, request: PlanRequest) -> str:
-        """Return the whole program, amended: `previous` is the program, `feedback` the report and the rating's reasons."""
-        parts = (texts.request_text(request.scene, None), texts.state_text(replace(request, group=None, placed=None)))
+        """Return the whole program, amended: `previous` is the program, `placed` the room, `feedback` what is wished for."""
+        parts = (texts.request_text(request.scene, None), texts.amend_text(request))
         question = self._question(request.scene, None, "amend", instructions="plan", parts=parts, images=request.images)
         (answer,) = self._client.ask([question], str)
         return _sound(answer)
@@ -198,7 +211,7 @@ class ModelPlanner:
         label = group.label if group else EVERYTHING
         key = texts.digest(data)
         self._asked[kind, label, key] += 1
-        shown = () if self.mode == "no_image" else texts.images_in_order(images or {})
+        shown = () if self.pictures == "none" else texts.images_in_order(images or {})
         return Question(
             kind,
             label,

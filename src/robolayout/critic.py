@@ -1,0 +1,163 @@
+"""The critic: a model looks at the finished room once, may amend its program once, and its rating decides with the judge."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from robolayout._errors import ModelError, ProgramError
+from robolayout.attempt import Attempt, Clock, Progress
+from robolayout.planners import Critic, Judgement, PlanRequest, Score, feedback_text, score_samples
+from robolayout.program import Guess, Program, read_program
+from robolayout.scene import Pose, Scene
+from robolayout.verify import Report, verify
+
+Finish = Callable[[Sequence[Program], Scene, Mapping[str, Pose]], list[Attempt]]
+
+FULL_MARKS = 10
+"""Rating at which nothing is amended."""
+
+PICTURE_SIZE = 768
+"""Pixels of a side of the pictures that a critic sees."""
+
+
+@dataclass(frozen=True)
+class Critique:
+    """What the critic said and what came of it.
+
+    Attributes:
+        outcome: What happened, in one sentence.
+        kept: Whether the amended room was taken.
+        before: Rating of the room as it was, 0 to 10; None if there was no answer.
+        after: Rating of the amended room; None if it was not rated.
+        reasons: What the critic wanted otherwise.
+    """
+
+    outcome: str
+    kept: bool = False
+    before: int | None = None
+    after: int | None = None
+    reasons: tuple[str, ...] = ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return what the report says of it, also in sentences."""
+        found = vars(self) | {"reasons": list(self.reasons)}
+        return {"critic": found, "sentences": [self.outcome, *(f"Critic: {reason}" for reason in self.reasons)]}
+
+
+@dataclass(frozen=True)
+class CriticPass:
+    """One look at a finished room.
+
+    Attributes:
+        scene: What is given.
+        critic: Who looks.
+        finish: Filters and solves programs.
+        clock: Where seconds are counted.
+        say: Told the name of each phase.
+    """
+
+    scene: Scene
+    critic: Critic
+    finish: Finish
+    clock: Clock
+    say: Progress
+
+    def run(self, room: Attempt) -> tuple[Attempt, Critique]:
+        """Return the better of the room and its amendment: no worse by the judge, and rated higher by the critic."""
+        self.say("critic")
+        try:
+            return self._run(room)
+        except ModelError as error:
+            return room, Critique(f"The critic did not answer: {error}")
+
+    def _run(self, room: Attempt) -> tuple[Attempt, Critique]:
+        report = self._verified(room)
+        first = self._rating(room, report)
+        reasons = tuple(first.reasons)
+        said = Critique(f"The critic gave {first.score} of 10", before=first.score, reasons=reasons)
+        if first.score >= FULL_MARKS:
+            return room, replace(said, outcome=f"{said.outcome} and had nothing to amend.")
+        text = self._amended(room, report, reasons)
+        try:
+            asked = read_program(text, self.scene)
+        except ProgramError as error:
+            why = str(error).splitlines()[0]
+            return room, replace(said, outcome=f"{said.outcome}; its program could not be read ({why}).")
+        (found,) = self.finish([replace(asked, guesses=self._guesses(asked, room))], self.scene, {})
+        found = replace(found, asked=replace(found.asked, text=asked.text))
+        after = self._verified(found)
+        worse = _worse(*score_samples([report.figures, after.figures], [room.asked, asked]))
+        if worse:
+            return room, replace(said, outcome=f"{said.outcome}; its amendment made {worse} worse and was dropped.")
+        try:
+            second = self._rating(found, after).score
+        except ModelError as error:
+            return room, replace(said, outcome=f"{said.outcome}; its amendment was not rated and was dropped: {error}")
+        kept = second > first.score
+        fate = "was kept" if kept else "was dropped, as it is no better"
+        outcome = f"{said.outcome} and {second} after its amendment, which {fate}."
+        return (found if kept else room), replace(said, outcome=outcome, kept=kept, after=second)
+
+    def _verified(self, room: Attempt) -> Report:
+        with self.clock.station("verify"):
+            return verify(self.scene, room.solution.layout, room.asked)
+
+    def _rating(self, room: Attempt, report: Report) -> Judgement:
+        images = self._pictures(room)
+        with self.clock.station("plan"):
+            return self.critic.rate(self.scene, room.solution.layout, images, summary(report))
+
+    def _amended(self, room: Attempt, report: Report, reasons: Sequence[str]) -> str:
+        request = PlanRequest(
+            self.scene,
+            placed=room.solution.layout,
+            feedback=feedback_text(wishes=reasons, violations=report.violations),
+            previous=room.asked.text,
+            images=self._annotated(room),
+        )
+        with self.clock.station("plan"):
+            return self.critic.amend(request)
+
+    def _guesses(self, asked: Program, room: Attempt) -> dict[str, Guess]:
+        """Return where things start from: where they stand, except what the amendment puts elsewhere."""
+        before = room.asked.guesses
+        here = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in room.solution.layout.items()}
+        return here | {name: guess for name, guess in asked.guesses.items() if guess != before.get(name)}
+
+    def _pictures(self, room: Attempt) -> dict[str, bytes]:
+        """Return the finished room from above and from the side."""
+        if self.critic.pictures != "drawn":
+            return self._undrawn("finished top", "finished side")
+        from robolayout.render import Studio, png_bytes
+
+        with self.clock.station("pictures"):
+            studio = Studio(self.scene, room.solution.layout)
+            return {f"finished {view}": png_bytes(studio.view(view, size=PICTURE_SIZE)) for view in ("top", "side")}
+
+    def _annotated(self, room: Attempt) -> dict[str, bytes]:
+        """Return the finished room with grid, names and fronts."""
+        if self.critic.pictures != "drawn":
+            return self._undrawn("top", "side")
+        from robolayout.render import annotate, png_bytes
+
+        with self.clock.station("pictures"):
+            layout = room.solution.layout
+            return {view: png_bytes(annotate(self.scene, layout, view=view)) for view in ("top", "side")}
+
+    def _undrawn(self, *names: str) -> dict[str, bytes]:
+        return {} if self.critic.pictures == "none" else dict.fromkeys(names, b"")
+
+
+def summary(report: Report) -> str:
+    """Return what the judge measured, for the critic: the short table and what is wrong."""
+    lines = [f"- {name}: {value}{'' if met else ' (short of what is demanded)'}" for name, value, met in report.rows()]
+    return "\n".join([*lines, "", feedback_text(violations=report.violations) or "Nothing is wrong."])
+
+
+def _worse(before: Score, after: Score) -> str:
+    """Return the first figure that has become worse; empty if none has."""
+    names = ("the hard demands", "reach and use", "the statements met")
+    pairs = zip(names, before.key, after.key, strict=False)
+    return next((name for name, old, new in pairs if new < old), "")
