@@ -135,12 +135,13 @@ def export(
     layout: LayoutArgument,
     to: Annotated[str, typer.Option("--to", help="Formats, separated by commas.")] = "glb",
     out: Annotated[Path, typer.Option("--out", help="Folder to write to.")] = Path(),
+    partial: Annotated[bool, typer.Option("--partial", help="Leave assets without a pose out.")] = False,
     agent: AgentOption = None,
     asset_dir: AssetDirOption = None,
 ) -> None:
     """Write a layout for simulators and viewers."""
-    from robolayout.export import EXPORTERS, find_exporter
-    from robolayout.export import export as write
+    from robolayout._files import check_writable
+    from robolayout.export import EXPORTERS, export_all, find_exporter
     from robolayout.outputs import export_options
     from robolayout.scene import load_layout
     from robolayout.verify import verify
@@ -152,9 +153,10 @@ def export(
         raise InputError(f"--to names no format. Known: {', '.join(EXPORTERS)}.")
     for name in names:
         find_exporter(name)
+    check_writable(out)
     options = export_options(verify(given, placed))
-    for name in names:
-        typer.echo(str(write(given, placed, name, folder=out, options=options)))
+    for path in export_all(given, placed, names, folder=out, options=options, partial=partial):
+        typer.echo(str(path))
 
 
 app.command()(agents)

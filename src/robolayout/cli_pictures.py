@@ -71,7 +71,7 @@ def render(  # noqa: PLR0913 - one parameter per option
     asset_dir: AssetDirOption = None,
 ) -> None:
     """Draw a layout."""
-    from robolayout._files import write_atomic
+    from robolayout._files import check_writable, write_atomic
     from robolayout.scene import load_layout
 
     wish = _Wish(view, size, _renderer(renderer), beauty, annotated, ids, depth)
@@ -84,6 +84,7 @@ def render(  # noqa: PLR0913 - one parameter per option
         raise InputError(
             f"--view {view} cannot be written to {target}: name a file that ends in {' or '.join(allowed)}."
         )
+    check_writable(target.absolute().parent)
     for path, data in _files(given, placed, wish, target):
         typer.echo(str(write_atomic(path, data)))
 

@@ -10,7 +10,7 @@ point group `robolayout.exporters`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.metadata import entry_points
 from pathlib import Path
@@ -43,6 +43,7 @@ __all__ = [
     "check_simulator",
     "drive",
     "export",
+    "export_all",
     "exporters",
     "find_exporter",
     "settle",
@@ -132,8 +133,23 @@ def export(
         MissingExtraError: The format needs a dependency that is not installed.
         OutputError: The file cannot be written; nothing half-written is left.
     """
-    exporter = find_exporter(target)
-    data = to_bytes(scene, layout, exporter.name, options=options, partial=partial)
-    if str(target) in exporters():
-        target = Path(f"{scene.name}{exporter.suffix}").name
-    return write_atomic(Path(folder) / target, data)
+    return export_all(scene, layout, [target], folder=folder, options=options, partial=partial)[0]
+
+
+def export_all(
+    scene: Scene,
+    layout: Layout,
+    targets: Sequence[str | Path],
+    *,
+    folder: str | Path = ".",
+    options: Options | None = None,
+    partial: bool = False,
+) -> list[Path]:
+    """Write a layout in several formats (see `export`); nothing is written unless all can be made."""
+    made: list[tuple[Path, bytes]] = []
+    for target in targets:
+        exporter = find_exporter(target)
+        data = to_bytes(scene, layout, exporter.name, options=options, partial=partial)
+        name = Path(f"{scene.name}{exporter.suffix}").name if str(target) in exporters() else target
+        made.append((Path(folder) / name, data))
+    return [write_atomic(path, data) for path, data in made]

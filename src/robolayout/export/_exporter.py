@@ -92,7 +92,7 @@ def check_layout(scene: Scene, layout: Layout, *, partial: bool = False) -> None
     if missing and not partial:
         raise LayoutError(
             f"the layout has no pose for {', '.join(map(repr, missing[:5]))} ({len(missing)} of {len(scene.assets)} "
-            "assets); place them first, or export with partial=True to leave them out."
+            "assets); place them first, or leave them out (--partial, partial=True)."
         )
     for name, pose in layout.items():
         if not all(map(math.isfinite, (pose.x, pose.y, pose.z, pose.yaw))):
