@@ -12,10 +12,16 @@ import tempfile
 import time
 from pathlib import Path
 
-from benchmarks import ablation, crowded, examples, page, speed
+from benchmarks import ablation, bodies, crowded, examples, page, speed
 from benchmarks.store import Store
 
-SECTIONS = {"examples": examples.cases, "speed": speed.cases, "crowded": crowded.cases, "ablation": ablation.cases}
+SECTIONS = {
+    "examples": examples.cases,
+    "bodies": bodies.cases,
+    "speed": speed.cases,
+    "crowded": crowded.cases,
+    "ablation": ablation.cases,
+}
 
 
 def main() -> None:

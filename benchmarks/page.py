@@ -85,6 +85,52 @@ def examples(rows: Rows, images: Path) -> str:
     return f"## The examples, four bodies, five seeds\n\n{table(heads, lines)}\n{note}"
 
 
+def bodies(rows: Rows, images: Path) -> str:
+    """Return the table of all bodies and the table of what the ways to mind reach are worth."""
+    groups: dict[str, list[Row]] = {}
+    ways: dict[str, list[Row]] = {}
+    for key, row in rows.items():
+        kind, first, second, *_ = key.split("/")
+        (groups if kind == "shares" else ways).setdefault(
+            first if kind != "shares" else f"{first}/{second}", []
+        ).append(row)
+    names = ("walkable_ratio", "reachable_share", "usable_share")
+    lines: list[list[str]] = []
+    for key, found in groups.items():
+        body, _, room = key.partition("/")
+        met = f"{sum(row['ok'] for row in found)} of {len(found)}"
+        why = f"{max(row['impossible'] for row in found)}"
+        cells = [f"{mean(found, name):.2f}" for name in (*names, "exempt", "short")]
+        lines.append(
+            [f"{body.replace('_', ' ')}, {room.replace('_', ' ')}", met, *cells, why, f"{mean(found, 'wall'):.1f}"]
+        )
+    heads = [
+        "body and room",
+        "all demands met",
+        "walkable",
+        "reachable",
+        "usable",
+        "not asked",
+        "short",
+        "impossible",
+        "s",
+    ]
+    intro = (
+        "*Not asked*: assets that no layout brings within this body's reach; *short*: assets that it should reach or use "
+        "and does not; *impossible*: what no layout could do (a forklift through a house door). *crowded*: 10 assets on "
+        "40 % of the floor.\n"
+    )
+    text = f"## Fifteen bodies\n\n{intro}\n{table(heads, lines)}\n"
+    if ways:
+        heads = ["what minds the body", "runs", "hard demands met", "all demands met", *HEADS, "seconds"]
+        cells = [[way, *summary(found), f"{mean(found, 'wall'):.1f}"] for way, found in ways.items()]
+        text += (
+            "The planner's statements without its guesses, solved once; *no reach*: the solver knows no body, its layout is "
+            f"judged for one.\n\n{table(heads, cells)}"
+        )
+    return text
+
+
 def speed(rows: Rows, images: Path) -> str:
     """Return the tables of seconds and draw how they grow."""
     parts = ["## Speed\n"]
@@ -164,6 +210,7 @@ def ablation(rows: Rows, images: Path) -> str:
 
 SECTIONS: dict[str, Callable[[Rows, Path], str]] = {
     "examples": examples,
+    "bodies": bodies,
     "speed": speed,
     "crowded": crowded,
     "ablation": ablation,
