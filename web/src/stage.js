@@ -83,7 +83,7 @@ export function makeStage(canvas, root, room, data) {
 function light(scene, camera, data, corners, center) {
   const span = corners[0].distanceTo(corners[7]);
   const [x, y] = cornerOf(data, center);
-  const sun = new DirectionalLight("#fff7ea", 0.95);
+  const sun = new DirectionalLight("#fff7ea", 0.75);
   // Lights, like everything outside the room's own group, count y upwards: (x, y, z) of the room is (x, z, -y) here.
   sun.position.set(center.x + span * (0.1 * x - 0.5 * y), span, -center.y - span * (0.1 * y + 0.5 * x));
   sun.target.position.set(center.x, 0, -center.y);
@@ -94,10 +94,10 @@ function light(scene, camera, data, corners, center) {
   sun.shadow.radius = 2.5;
   Object.assign(sun.shadow.camera, { left: -span / 1.7, right: span / 1.7, top: span / 1.7, bottom: -span / 1.7 });
   Object.assign(sun.shadow.camera, { near: 0.1, far: span * 3 });
-  const lamp = new DirectionalLight("#ffffff", 1.0);
+  const lamp = new DirectionalLight("#ffffff", 1.05);
   camera.add(lamp, lamp.target);
   lamp.target.position.set(0, 0, -1);
-  scene.add(camera, sun, sun.target, new HemisphereLight("#ffffff", "#f3ece2", 1.75));
+  scene.add(camera, sun, sun.target, new HemisphereLight("#ffffff", "#faf5ee", 2.0));
 }
 
 function resize(stage, canvas) {
