@@ -201,6 +201,21 @@ def test_an_l_shaped_room_is_walked_round_its_corner():
     assert nav.passages["picture-0"].width == pytest.approx(1.0, abs=0.0101)
 
 
+def test_a_route_stays_clear_where_two_corners_of_the_free_space_differ_by_rounding():
+    room = Room(((0.0, 0.0), (6.4, 0.0), (6.4, 3.2), (0.0, 3.2)), 2.6, doors=(Opening(1, 0.35, 0.95, 2.05),))
+    half = math.pi / 2
+    assets = {
+        thing("desk-0", (0.65, 1.2, 0.74)): Pose(1.210002, 0.325, 0.37, half),
+        thing("office_chair-0", (0.6, 0.6, 0.95)): Pose(1.210003, 1.020004, 0.475, 3 * half),
+        thing("dining_table-0", (0.75, 0.75, 0.75)): Pose(2.780001, 1.749987, 0.375, half),
+        thing("dining_chair-1", (0.46, 0.44, 0.82)): Pose(2.779998, 1.090004, 0.41, half),
+        thing("bookshelf-0", (0.3, 0.8, 1.8)): Pose(5.990002, 0.15, 0.9, half),
+    }
+    nav = navigation(*furnished(room, *assets.items()))
+    for route in nav.routes.values():
+        assert len(route.points) < 2 or nav.main.buffer(1e-5).covers(shapely.LineString(route.points)), route.asset
+
+
 def test_forty_assets_take_milliseconds():
     many = [thing(f"box-{i}", (0.4, 0.6, 0.8)) for i in range(40)]
     placed = ((box, on_floor(box, 0.7 + 1.1 * (i % 7), 1.3 + 1.1 * (i // 7), 9 * i)) for i, box in enumerate(many))

@@ -25,6 +25,8 @@ from robolayout.verify._space import QUAD_SEGS, Space
 
 AIMS = 3
 """How often the end of a route is moved to the place nearest to its last corner."""
+GRAIN = 1e-7
+"""Metres to which corners of the free space are rounded, since of two that differ by rounding nobody can tell left from right."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +70,7 @@ def find_routes(room: Room, space: Space, goals: Mapping[str, Polygon]) -> dict[
     start = entry_point(room, space)
     if start is None or not goals:
         return {}
-    mesh = _Mesh(space.main)
+    mesh = Mesh(space.main)
     tree = mesh.search(start)
     result: dict[str, Route] = {}
     for name, footprint in goals.items():
@@ -77,11 +79,12 @@ def find_routes(room: Room, space: Space, goals: Mapping[str, Polygon]) -> dict[
     return result
 
 
-class _Mesh:
+class Mesh:
     """The triangles of a polygon and who neighbours whom."""
 
     def __init__(self, polygon: Polygon) -> None:
-        triangles = shapely.get_parts(shapely.constrained_delaunay_triangles(polygon))
+        even = shapely.set_precision(polygon, GRAIN)
+        triangles = shapely.get_parts(shapely.constrained_delaunay_triangles(even))
         rings = shapely.get_coordinates(triangles).reshape(-1, 4, 2)[:, :3]
         self._triangles = triangles
         self._tree = shapely.STRtree(triangles)
@@ -106,10 +109,10 @@ class _Mesh:
         """Return the triangle that a point is in, or the nearest one."""
         return int(self._tree.nearest(shapely.Point(point)))
 
-    def search(self, start: Point) -> _Tree:
+    def search(self, start: Point) -> Tree:
         """Return the shortest ways over edge midpoints from a point to all triangles."""
         source = self.locate(start)
-        tree = _Tree(start, source, {source: (0.0, start)}, {})
+        tree = Tree(start, source, {source: (0.0, start)}, {})
         queue: list[tuple[float, int, Point]] = [(0.0, source, start)]
         done: set[int] = set()
         while queue:
@@ -126,7 +129,7 @@ class _Mesh:
                     heapq.heappush(queue, (further, neighbour, middle))
         return tree
 
-    def route(self, tree: _Tree, zone: Polygon) -> tuple[Point, ...]:
+    def route(self, tree: Tree, zone: Polygon) -> tuple[Point, ...]:
         """Return the taut way from the tree's start into a zone."""
         last = self._nearest(tree, zone)
         target = shapely.intersection(self._triangles[last], zone)
@@ -137,7 +140,7 @@ class _Mesh:
             points = _pull(tree.start, portals, (float(aim[0]), float(aim[1])))
         return points
 
-    def _portals(self, tree: _Tree, row: int) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    def _portals(self, tree: Tree, row: int) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
         """Return the edges that the way to a triangle crosses, each as (left, right)."""
         portals: list[tuple[NDArray[np.float64], NDArray[np.float64]]] = []
         while row != tree.source and row in tree.parent:
@@ -146,7 +149,7 @@ class _Mesh:
             row = before
         return portals[::-1]
 
-    def _nearest(self, tree: _Tree, zone: Polygon) -> int:
+    def _nearest(self, tree: Tree, zone: Polygon) -> int:
         """Return the triangle through which the way into a zone is shortest."""
         rows = [row for row in np.sort(self._tree.query(zone, predicate="intersects")).tolist() if row in tree.cost]
         doors = shapely.points([tree.cost[row][1] for row in rows])
@@ -162,7 +165,7 @@ class _Mesh:
 
 
 @dataclass(frozen=True)
-class _Tree:
+class Tree:
     """Ways from a start to triangles: for each, cost in metres, where the way comes in, and (triangle before, edge)."""
 
     start: Point
