@@ -20,7 +20,8 @@ from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, l
 from robolayout.solve import compile_problem
 from robolayout.solve.routes import Obstacles, clearance, make_ground, obstacles_of
 from robolayout.solve.routes import _rows as demand_rows
-from robolayout.verify import Navigation, navigation, verify
+from robolayout.verify import Navigation, judge_agent, navigation, verify
+from robolayout.verify.heading import rectangle as footprint_of
 from robolayout.verify.proofs import impossible, remedies
 
 SEEDS = st.integers(min_value=0, max_value=10**6)
@@ -97,6 +98,40 @@ def test_routes_meet_no_part_of_any_mesh_at_any_centimetre(seed: int):
         places = shapely.line_interpolate_point(route.line, np.arange(0.0, route.length + 0.01, 0.01))
         assert shapely.distance(places, walls).min() >= least
         assert material.is_empty or shapely.distance(places, material).min() >= least
+
+
+LONG = (
+    Agent("cart", 0.3, 1.0, length=0.8, width=0.5, reach_distance=0.6),
+    Agent("sled", 0.2, 0.09, step=0.02, length=0.7, width=0.3, turning_diameter=0.9),
+    load_agent("dog_medium"),
+    load_agent("wheelchair"),
+)
+
+
+@settings(max_examples=25, deadline=None, derandomize=True)
+@given(SEEDS)
+def test_a_long_body_driven_to_where_it_uses_a_thing_meets_nothing_on_the_way(seed: int):
+    """The swept rectangle, every centimetre and every degree, against the meshes and the walls; and it turns in its circle."""
+    scene, layout = furnished_room(seed, most=4)
+    agent = LONG[seed % len(LONG)]
+    report = judge_agent(scene, layout, agent)
+    assert report.headings is not None
+    free = shapely.Polygon(scene.room.vertices).buffer(1e-6).difference(solid(scene, layout, agent).buffer(-1e-6))
+    shapely.prepare(free)
+    corners = footprint_of(agent, 0.0)
+    stands = {name: use.stand for name, use in report.usage.uses.items() if use.stand is not None}
+    assert set(report.drives) == set(stands)
+    for name, drive in report.drives.items():
+        assert math.dist(drive.poses[-1][:2], stands[name]) < 1e-6
+        for a, b in itertools.pairwise(drive.poses):
+            count = 2 + int(max(math.dist(a[:2], b[:2]) / 0.01, abs(b[2] - a[2]) / math.radians(1)))
+            for share in np.linspace(0, 1, count):
+                x, y, turn = (1 - share) * np.array(a) + share * np.array(b)
+                c, s = math.cos(turn), math.sin(turn)
+                body_now = shapely.Polygon(corners @ np.array([(c, s), (-s, c)]) * (1 - 1e-5) + (x, y))
+                assert free.covers(body_now), (name, x, y, math.degrees(turn))
+            if agent.turning_diameter is not None and a[2] != b[2]:
+                assert free.covers(shapely.Point(a[:2]).buffer(agent.turning_diameter / 2 - 2e-3))
 
 
 @settings(max_examples=25, deadline=None, derandomize=True)

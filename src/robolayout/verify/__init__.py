@@ -1,5 +1,6 @@
 """The independent judge: physics, navigation, use and semantics of a finished layout, measured exactly with Shapely."""
 
+from robolayout.verify.drives import Drive, find_drives
 from robolayout.verify.heading import HeadingSpace, heading_space
 from robolayout.verify.navigation import Navigation, navigation
 from robolayout.verify.passages import Passage
@@ -14,6 +15,7 @@ __all__ = [
     "AgentReport",
     "Collision",
     "Demands",
+    "Drive",
     "HeadingSpace",
     "Navigation",
     "Obstruction",
@@ -28,6 +30,7 @@ __all__ = [
     "Use",
     "exempt_from_reach",
     "exempt_from_use",
+    "find_drives",
     "heading_space",
     "horizontal_reach",
     "impossible",

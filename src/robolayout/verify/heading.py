@@ -9,8 +9,8 @@ coming in along its normal, can be stood in. Bodies slide sideways as well as ah
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 import shapely
@@ -22,6 +22,8 @@ from robolayout.verify._boxes import boxes, room_polygon
 from robolayout.verify._obstacles import obstacles
 from robolayout.verify._space import components, disc_space
 
+Node = tuple[int, int]
+"""A piece of free space: number of its heading, and its own among those of that heading."""
 HEADINGS = 8
 """Headings in half a turn; a rectangle looks the same half a turn later, so this is a lattice of 22.5 degrees."""
 
@@ -34,11 +36,17 @@ class HeadingSpace:
         headings: Radians, one per region; the first is the door's normal (no door: the first wall's).
         standing: For each heading, where the centre can get to from the door.
         turning: Where the body can get to and turn right round.
+        pieces: The pieces of `standing`, by (number of the heading, number among its free pieces).
+        links: Pieces between which it can turn by one heading to the left, and where its centre may be meanwhile.
+        start: The piece that it comes into; None if there is none.
     """
 
     headings: tuple[float, ...]
     standing: tuple[MultiPolygon, ...]
     turning: MultiPolygon
+    pieces: Mapping[Node, Polygon] = field(default_factory=dict[Node, Polygon], repr=False)
+    links: tuple[tuple[Node, Node, Polygon], ...] = field(default=(), repr=False)
+    start: Node | None = None
 
 
 def heading_space(scene: Scene, layout: Layout, agent: Agent) -> HeadingSpace:
@@ -51,16 +59,21 @@ def heading_space(scene: Scene, layout: Layout, agent: Agent) -> HeadingSpace:
     turning = components(disc_space(scene.room, blocking, circle).free)
     joined = _Joined(free)
     for place in turning:
-        joined.join([(k, place) for k in range(HEADINGS)])
+        for k in range(HEADINGS):
+            joined.join(k, (k + 1) % HEADINGS, place)
     if agent.turning_diameter is None:
         for k, heading in enumerate(headings):
             for place in _parts(scene.room, blocking.shapes, _swept(agent, heading, step)):
-                joined.join([(k, place), ((k + 1) % HEADINGS, place)])
-    group = joined.group(joined.entry(scene.room, max(LANDING_DEPTH, agent.length or 0.0)))
+                joined.join(k, (k + 1) % HEADINGS, place)
+    start = joined.entry(scene.room, max(LANDING_DEPTH, agent.length or 0.0))
+    group = joined.group(start)
     return HeadingSpace(
         headings=headings,
         standing=tuple(MultiPolygon([p for i, p in enumerate(free[k]) if (k, i) in group]) for k in range(HEADINGS)),
         turning=MultiPolygon([place for place in turning if joined.node(0, place) in group]),
+        pieces={(k, i): free[k][i] for k, i in sorted(group)},
+        links=tuple(link for link in joined.links if link[0] in group),
+        start=start,
     )
 
 
@@ -104,23 +117,25 @@ class _Joined:
     def __init__(self, free: Sequence[Sequence[Polygon]]) -> None:
         self._free = free
         self._leader = {(k, i): (k, i) for k, pieces in enumerate(free) for i in range(len(pieces))}
+        self.links: list[tuple[Node, Node, Polygon]] = []
 
-    def node(self, heading: int, place: Polygon) -> tuple[int, int] | None:
+    def node(self, heading: int, place: Polygon) -> Node | None:
         """Return the piece of a heading that holds a place."""
         point = place.representative_point()
         return next(((heading, i) for i, piece in enumerate(self._free[heading]) if piece.intersects(point)), None)
 
-    def join(self, places: Sequence[tuple[int, Polygon]]) -> None:
-        """Join the pieces that hold these places."""
-        nodes = [node for heading, place in places if (node := self.node(heading, place)) is not None]
-        for node in nodes[1:]:
-            self._leader[self._root(node)] = self._root(nodes[0])
+    def join(self, before: int, after: int, place: Polygon) -> None:
+        """Join the pieces of two headings that hold a place where the body can turn from one to the other."""
+        a, b = self.node(before, place), self.node(after, place)
+        if a is not None and b is not None:
+            self._leader[self._root(b)] = self._root(a)
+            self.links.append((a, b, place))
 
-    def group(self, start: tuple[int, int] | None) -> set[tuple[int, int]]:
+    def group(self, start: Node | None) -> set[Node]:
         """Return everything joined to a piece."""
         return set() if start is None else {node for node in self._leader if self._root(node) == self._root(start)}
 
-    def entry(self, room: Room, depth: float) -> tuple[int, int] | None:
+    def entry(self, room: Room, depth: float) -> Node | None:
         """Return the piece in which a body comes in by the first door, heading along its normal."""
         if not room.doors:
             return max(self._leader, key=self._area, default=None)
@@ -128,10 +143,10 @@ class _Joined:
         shared = [piece.intersection(landing).area for piece in self._free[0]]
         return (0, int(np.argmax(shared))) if shared and max(shared) > 0 else None
 
-    def _area(self, node: tuple[int, int]) -> float:
+    def _area(self, node: Node) -> float:
         return sum(self._free[k][i].area for k, i in self.group(node))
 
-    def _root(self, node: tuple[int, int]) -> tuple[int, int]:
+    def _root(self, node: Node) -> Node:
         while self._leader[node] != node:
             node = self._leader[node]
         return node

@@ -10,6 +10,7 @@ from typing import Any
 
 from robolayout.scene import Agent, Layout, Scene
 from robolayout.verify._boxes import share
+from robolayout.verify.drives import Drive, find_drives
 from robolayout.verify.heading import HeadingSpace
 from robolayout.verify.metrics import published_metrics
 from robolayout.verify.navigation import Navigation
@@ -104,6 +105,14 @@ class AgentReport:
         """The smallest changes to this layout that would let it reach everything."""
         return remedies(self.navigation)
 
+    @cached_property
+    def drives(self) -> Mapping[str, Drive]:
+        """For a rectangular body the way, with its heading, to where it uses each thing; empty for a disc."""
+        if self.headings is None:
+            return {}
+        stands = {name: use.stand for name, use in self.usage.uses.items() if use.stand is not None}
+        return find_drives(self.navigation.scene.room, self.headings, stands)
+
     @property
     def figures(self) -> dict[str, float]:
         """The shares of DESIGN section 8 for this agent."""
@@ -135,6 +144,14 @@ class AgentReport:
             },
             "unreached": {name: _finite(nav.distances[name]) for name in nav.unreached},
             "unusable": {name: use.reason for name, use in self.usage.uses.items() if not use.usable},
+            "drives": {
+                name: {
+                    "length": drive.length,
+                    "turned": math.degrees(drive.turned),
+                    "poses": [[x, y, math.degrees(heading)] for x, y, heading in drive.poses],
+                }
+                for name, drive in self.drives.items()
+            },
             "turning_places": None if self.headings is None else _places(self.headings),
             "exempt": dict(self.exempt),
             "impossible": list(self.impossible),
