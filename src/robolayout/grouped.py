@@ -218,7 +218,7 @@ class GroupedRun:
     def _group(self, question: _Question) -> Attempt:
         """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable."""
         self.prepare(question.here, self.planner.samples)
-        feedback, previous, failure = "", "", "none of its programs could be read"
+        feedback, previous, failure = "", "", "none of its programs could be read."
         question.images = self._images(question)
         for number in range(1, 2 + self.planner.retries):
             request = self._request(question, feedback, previous)

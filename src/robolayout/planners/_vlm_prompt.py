@@ -128,8 +128,8 @@ def poses_text(scene: Scene, layout: Layout) -> str:
 
 
 def _unfenced(request: PlanRequest) -> str:
-    """Return the program before without lines that could end its block."""
-    return "\n".join(line for line in request.previous.splitlines() if "```" not in line)
+    """Return the program before, empty where a line could end its block, so that line numbers still fit."""
+    return "\n".join("" if "```" in line else line for line in request.previous.splitlines())
 
 
 def room_data(room: Room) -> dict[str, object]:
