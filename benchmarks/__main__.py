@@ -12,7 +12,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from benchmarks import ablation, bodies, crowded, examples, page, speed
+from benchmarks import ablation, bodies, crowded, examples, page, speed, vlm
 from benchmarks.store import Store
 
 SECTIONS = {
@@ -21,6 +21,7 @@ SECTIONS = {
     "speed": speed.cases,
     "crowded": crowded.cases,
     "ablation": ablation.cases,
+    "vlm": vlm.cases,
 }
 
 

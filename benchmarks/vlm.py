@@ -1,0 +1,72 @@
+"""What the parts of planning with a model are worth, on six rooms with recorded answers: modes, filter, samples, retries."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import Any
+from unittest.mock import patch
+
+import robolayout as rl
+from benchmarks.examples import ROOT
+from benchmarks.measures import figures, watch
+from benchmarks.store import Row
+from robolayout.planners import ModelPlanner
+from robolayout.program import Decision, Program, Reconciled
+
+RECORDINGS = ROOT / "tests" / "planners" / "recordings"
+ROOMS = ("bedroom", "bookstore", "buffet_restaurant", "computer_room", "game_room", "living_room")
+MODES = ("one_shot", "grouped")
+WAYS: dict[str, dict[str, Any]] = {
+    "as it is": {},
+    "no filter": {"filtered": False},
+    "no retries": {"retries": 0},
+    "no filter, no retries": {"filtered": False, "retries": 0},
+    "4 samples": {"samples": 4},
+    "4 samples, no retries": {"samples": 4, "retries": 0},
+}
+"""What differs from one sample, three retries, and the filter."""
+
+
+def cases(quick: bool) -> Iterator[tuple[str, Callable[[], Row]]]:
+    """Yield every way of asking for every room; only one_shot was recorded with four samples."""
+    for way, options in list(WAYS.items())[:2] if quick else WAYS.items():
+        for mode in MODES:
+            for room in ROOMS[4:5] if quick else ROOMS:
+                if mode == "one_shot" or "samples" not in options:
+                    yield f"{way}/{mode}/{room}", partial(replayed, room, mode, **options)
+
+
+def replayed(room: str, mode: Any, *, filtered: bool = True, samples: int = 1, retries: int = 3) -> Row:
+    """Answer from the recording, warm, and return figures, seconds of the solver and what became of the answers."""
+    scene = rl.load_scene(RECORDINGS / room / "scene.json")
+
+    def run() -> rl.Result:
+        recording = RECORDINGS / room / mode
+        planner = ModelPlanner(replay=recording, mode=mode, samples=samples, retries=retries)
+        if filtered:
+            return rl.generate(scene, planner=planner)
+        with patch("robolayout.pipeline.reconcile", unfiltered):
+            return rl.generate(scene, planner=planner)
+
+    run()
+    with watch() as spent:
+        result = run()
+    solve = result.report.timing["solve"]
+    first = [sample for sample in result.samples if sample.attempt == 1]
+    return figures(result.report) | {
+        "wall": spent.wall,
+        "cpu": spent.cpu,
+        "solve_wall": solve["wall"],
+        "solve_cpu": solve["cpu"],
+        "answers": len(result.samples),
+        "unreadable": sum(sample.score is None for sample in result.samples),
+        "asked_again": len(result.samples) - len(first),
+        "taken_over": len(result.report.planner["taken_over"]),
+        "stated": len(result.program.statements),
+    }
+
+
+def unfiltered(program: Program, scene: rl.Scene) -> Reconciled:
+    """Stand in for the filter: accept every statement."""
+    return Reconciled(program, tuple(Decision(s, "accepted", "not filtered") for s in program.statements))
