@@ -21,7 +21,7 @@ from robolayout.solve import (
     warm_up,
     warm_up_samples,
 )
-from robolayout.verify import Report, judge_agent, physics, verify
+from robolayout.verify import Report, judge_agent, kept_out, physics, verify
 from robolayout.verify.use import horizontal_reach
 
 if TYPE_CHECKING:
@@ -282,15 +282,19 @@ def solve_many(
 
 
 def make_judge(scene: Scene, program: Program) -> Callable[[Layout], Verdict]:
-    """Return the exact verifier as an order on (partial) layouts: what is not placed yet is not counted."""
+    """Return the exact verifier as an order on (partial) layouts: what is not placed yet is not counted.
+
+    A body that cannot come in whatever is done has no say.
+    """
     statements = [(s.relation, frozenset(s.relation.asset_names())) for s in program.statements]
+    bodies = [agent for agent in scene.agents if not kept_out(scene, agent)]
 
     def judge(layout: Layout) -> Verdict:
         placed = set(layout)
         found = physics(scene, layout)
         failing = [name for name in found.failing if name in placed]
         access, blamed = 0.0, list[str]()
-        for agent in scene.agents:
+        for agent in bodies:
             missing, to_move = _access(scene, layout, agent)
             access += missing
             blamed += to_move

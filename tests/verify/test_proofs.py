@@ -8,9 +8,9 @@ from dataclasses import replace
 import pytest
 from verify_rooms import DISC, DOOR, furnished, on_floor, square, thing
 
-from robolayout.scene import Layout, Opening, Scene
-from robolayout.verify import navigation
-from robolayout.verify.proofs import exempt_from_reach, exempt_from_use, impossible, remedies
+from robolayout.scene import Layout, Opening, Room, Scene
+from robolayout.verify import navigation, usage, verify
+from robolayout.verify.proofs import exempt_from_reach, exempt_from_use, impossible, kept_out, remedies
 
 ARM = replace(DISC, name="arm", reach_distance=0.6, reach_low=0.4, reach_high=1.2)
 BOX = thing("box-0", (0.5, 1.0, 0.8))
@@ -129,3 +129,31 @@ def test_a_floor_too_small_for_its_furniture():
         "The 4 assets that stand on the floor cover 16.00 m2, the floor outside door landings has 15.19 m2: they cannot all "
         "stand apart.",
     )
+
+
+def test_a_body_that_passes_the_door_but_not_the_wall_behind_it():
+    """A closet 0.5 m deep behind the door: the rest of the room lies round the corner."""
+    room = Room(
+        ((0, 0), (4, 0), (4, 5), (2, 5), (2, 0.5), (0, 0.5)),
+        2.6,
+        (Opening(wall=0, offset=0.1, width=0.9, height=2.05),),
+    )
+    scene = Scene(room, (BOX,), agents=(DISC,))
+    (sentence,) = impossible(scene, DISC)
+    assert sentence.startswith(
+        "Even in the empty room disc cannot come in by door 0: the room leaves a disc of 0.50 m "
+    )
+    assert kept_out(scene, replace(DISC, radius=0.24)) == ()
+    report = verify(scene, Layout({"box-0": on_floor(BOX, 3, 3)}))
+    assert report.violations[0] == sentence
+    assert not any("landing of door 0 is blocked" in said or "0%" in said for said in report.violations)
+
+
+def test_an_arm_at_the_shoulder_is_not_asked_for_what_ends_below_it():
+    """Shoulder at 1.0 m, reach 0.45 m: the arm ends at 0.55 m, whatever reach_low says."""
+    body = replace(ARM, reach_distance=0.45, shoulder_height=1.0, reach_low=0.3)
+    low = thing("low-0", (0.5, 0.5, 0.5))
+    scene, layout = furnished(square(), (low, on_floor(low, 2, 2)), agents=(body,))
+    assert exempt_from_use(scene, body) == {"low-0": "low-0 ends 0.50 m high and arm reaches down to 0.55 m"}
+    reason = usage(scene, layout).uses["low-0"].reason
+    assert reason == "it is 0.50 m below the shoulder at 1.00 m, reach is 0.45 m: 0.05 m too low"

@@ -5,7 +5,7 @@ from robolayout.verify.heading import HeadingSpace, heading_space
 from robolayout.verify.navigation import Navigation, navigation
 from robolayout.verify.passages import Passage
 from robolayout.verify.physics import Collision, Obstruction, Physics, PhysicsLimits, physics
-from robolayout.verify.proofs import Remedies, exempt_from_reach, exempt_from_use, impossible, remedies
+from robolayout.verify.proofs import Remedies, exempt_from_reach, exempt_from_use, impossible, kept_out, remedies
 from robolayout.verify.report import AgentReport, Demands, Report, StatementResult
 from robolayout.verify.routes import Route
 from robolayout.verify.use import Usage, Use, horizontal_reach, usage
@@ -35,6 +35,7 @@ __all__ = [
     "horizontal_reach",
     "impossible",
     "judge_agent",
+    "kept_out",
     "navigation",
     "physics",
     "remedies",

@@ -81,24 +81,26 @@ def exempt_from_reach(scene: Scene, agent: Agent) -> dict[str, str]:
 def exempt_from_use(scene: Scene, agent: Agent) -> dict[str, str]:
     """Return which assets a body is not asked to use, in any layout, and why.
 
-    Those it is not asked to reach, and what can only stand on the floor and ends below the lowest height that it reaches.
+    Those it is not asked to reach, and what can only stand on the floor and ends below the heights that its arm gets to.
     """
-    low = {
-        asset.name: f"{asset.name} ends {asset.size[2]:.2f} m high and {agent.name} reaches down to {agent.reach_low:.2f} m"
+    if agent.reach_distance is None:
+        return exempt_from_reach(scene, agent)
+    down_to = agent.reach_low
+    if agent.shoulder_height is not None:
+        down_to = max(down_to, agent.shoulder_height - agent.reach)
+    return {
+        asset.name: f"{asset.name} ends {asset.size[2]:.2f} m high and {agent.name} reaches down to {down_to:.2f} m"
         for asset in scene.assets
-        if agent.reach_distance is not None
-        and asset.size[2] < agent.reach_low - REACH_SLACK
+        if asset.size[2] < down_to - REACH_SLACK
         and asset.on_floor
         and not (asset.on_wall or asset.on_object or asset.is_flat)
     }
-    return exempt_from_reach(scene, agent) | low
 
 
-def impossible(scene: Scene, agent: Agent) -> tuple[str, ...]:
-    """Return what no layout of this scene can achieve for an agent, each with its proof in numbers."""
-    room = scene.room
+def kept_out(scene: Scene, agent: Agent) -> tuple[str, ...]:
+    """Return what keeps a body out of the room even if that is empty, each with its proof in numbers."""
     found = list(body_misfits(scene, agent))
-    floor, radius = room_polygon(room), agent.radius
+    floor, radius = room_polygon(scene.room), agent.radius
     if floor.buffer(-radius).is_empty:
         largest = 2 * float(shapely.maximum_inscribed_circle(floor, 1e-3).length)
         found.append(
@@ -106,6 +108,13 @@ def impossible(scene: Scene, agent: Agent) -> tuple[str, ...]:
         )
     elif not found:
         found += _shut_out(scene, agent)
+    return tuple(found)
+
+
+def impossible(scene: Scene, agent: Agent) -> tuple[str, ...]:
+    """Return what no layout of this scene can achieve for an agent, each with its proof in numbers."""
+    room, found = scene.room, list(kept_out(scene, agent))
+    floor = room_polygon(room)
     standing = [a for a in scene.assets if a.on_floor and not (a.is_flat or a.on_wall or a.on_ceiling or a.on_object)]
     needed = sum(a.size[0] * a.size[1] for a in standing)
     clear = float(shapely.union_all(landings(room)).intersection(floor).area) if room.doors else 0.0

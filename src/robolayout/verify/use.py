@@ -219,7 +219,12 @@ def _height_reason(agent: Agent, bottom: float, top: float) -> str:
         return (
             f"it ends {top:.2f} m high, reach begins at {agent.reach_low:.2f} m: {agent.reach_low - top:.2f} m too low"
         )
-    return f"it is too far from the shoulder at {agent.shoulder_height:.2f} m for a reach of {agent.reach:.2f} m"
+    shoulder = agent.shoulder_height or 0.0
+    away = bottom - shoulder if bottom > shoulder else shoulder - top
+    return (
+        f"it is {away:.2f} m {'above' if bottom > shoulder else 'below'} the shoulder at {shoulder:.2f} m, reach is "
+        f"{agent.reach:.2f} m: {away - agent.reach:.2f} m too {'high' if bottom > shoulder else 'low'}"
+    )
 
 
 def side_edge(footprint: Polygon, side: str) -> LineString:
