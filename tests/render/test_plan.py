@@ -15,7 +15,7 @@ from robolayout.render import PlanMarks, compare_image, compare_svg, draw_plan, 
 from robolayout.render._drawing import Drawing, Shape, Text, draw_image, draw_svg
 from robolayout.render._labels import Tag, place_labels
 from robolayout.render.palette import BLOCKED, FREE, NARROW, ROUTE, TIGHT
-from robolayout.render.plan import plan_scale
+from robolayout.render.plan import passage_spots, plan_scale
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -189,3 +189,33 @@ def test_crowded_tables_stay_drawable():
     poses = {f"plate-{k}": Pose(1.7 + 0.3 * (k % 2), 0.6 + 0.07 * k, 0.77, 0) for k in range(40)}
     image = plan_image(scene, Layout({"table-0": Pose(2, 2, 0.375, 0), **poses}), width=300)
     assert isinstance(image, Image.Image)
+
+
+def outline(x, y, w, h):
+    return ((x, y), (x + w, y), (x + w, y + h), (x, y + h))
+
+
+def test_a_name_keeps_off_what_hangs_above_and_off_lines_if_it_can():
+    lamp = outline(12, 12, 6, 6)
+    (label,) = place_labels([Tag("table", outline(0, 0, 30, 30), True, shuns=(lamp,))], [], (0, 0, 60, 60))
+    assert not shapely.Polygon(label.corners).intersects(shapely.LinearRing(lamp))
+    route = [(0.0, 15.0), (30.0, 15.0)]
+    (label,) = place_labels([Tag("rug", outline(0, 0, 30, 30), True)], [], (0, 0, 60, 60), lines=[route])
+    assert not shapely.Polygon(label.corners).intersects(shapely.LineString(route))
+    assert not label.halo
+
+
+def test_a_name_that_must_cross_a_line_has_a_light_edge():
+    lines = [[(0.0, y / 2), (12.0, y / 2)] for y in range(12)]
+    (label,) = place_labels([Tag("rug", outline(0, 0, 12, 6), False)], [], (0, 0, 60, 60), lines=lines)
+    assert label.halo
+
+
+def test_the_width_of_a_passage_is_written_beside_its_line_and_off_the_routes():
+    marks = PlanMarks(passages=(((0.0, 1.0), (2.0, 1.0), 2.0),))
+    routes = [((0.0, 1.1), (2.0, 1.1)), ((0.0, 0.9), (2.0, 0.9))]
+    for route, lower in zip(routes, (True, False), strict=True):
+        line = [(20 * x, 20 * y) for x, y in route]
+        ((x, y),) = passage_spots(marks, lambda x, y: (20 * x, 20 * y), [line], [])
+        assert abs(y - 20) > 1.0 and (y < 20) is lower
+        assert not shapely.box(x - 3, y - 0.9, x + 3, y + 0.9).intersects(shapely.LineString(line))

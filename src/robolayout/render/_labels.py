@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -15,6 +15,12 @@ from robolayout.render._drawing import text_width
 
 LINE = 1.12
 """Distance of two lines of text, in font sizes."""
+
+SQUARISH = 1.6
+"""Below this ratio of its sides, a footprint's name stands level aside rather than turned in the middle."""
+
+EAGER = 3
+"""Font sizes that are tried for a place where no line is crossed, before the name may cross one."""
 
 Point = tuple[float, float]
 Box = tuple[float, float, float, float]
@@ -31,6 +37,8 @@ class Tag:
         covers: Corners of what lies on top of the footprint and should stay free of text.
         outward: Direction in which a name beside the footprint stands best, or None.
         halo: Whether the name needs a light edge, because lines run under it.
+        quiet: Whether it is written in grey, since the thing hangs above.
+        shuns: Corners of what hangs above the footprint; the name keeps off their edges if it can.
     """
 
     text: str
@@ -39,6 +47,8 @@ class Tag:
     covers: tuple[tuple[Point, ...], ...] = ()
     outward: Point | None = None
     halo: bool = False
+    quiet: bool = False
+    shuns: tuple[tuple[Point, ...], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -52,6 +62,7 @@ class Label:
         angle: Degrees counter-clockwise in which the text runs.
         leader: Point of the footprint that a thin line leads to, for names that stand beside it.
         halo: Whether it needs a light edge.
+        quiet: Whether it is written in grey.
     """
 
     lines: tuple[str, ...]
@@ -60,6 +71,7 @@ class Label:
     angle: float = 0.0
     leader: Point | None = None
     halo: bool = False
+    quiet: bool = False
 
     @property
     def extent(self) -> Point:
@@ -90,31 +102,48 @@ def place_labels(
     obstacles: Sequence[Sequence[Point]],
     sheet: Box,
     sizes: Sequence[float] = (2.3, 2.0, 1.7, 1.4, 1.15),
+    lines: Sequence[Sequence[Point]] = (),
 ) -> list[Label]:
     """Return the labels that find a place, biggest footprints first; a name without a place is left out.
 
     `obstacles` are outlines that a name beside its footprint should not cover (other footprints, walls), `sheet` is the
-    paper, `sizes` are the font sizes to try, all in millimetres.
+    paper, `sizes` are the font sizes to try, `lines` are routes and the like, which a name crosses only if it must; all
+    in millimetres.
     """
+    strokes = np.array([shapely.LineString(line) for line in lines if len(line) > 1], dtype=object)
     order = sorted(range(len(tags)), key=lambda k: -shapely.Polygon(tags[k].outline).area)
     solids = np.array([shapely.Polygon(o) for o in obstacles], dtype=object)
     placed: list[Label] = []
     taken: list[Box] = []
     for k in order:
         tag = tags[k]
-        label = _first_inside(tag, taken, sizes)
+        soft = _soft(tag, strokes)
+        label = _first_inside(tag, taken, sizes[:EAGER], soft) if len(soft) else None
+        label = label or _first_inside(replace(tag, halo=tag.halo or len(soft) > 0), taken, sizes)
         if label is None and tag.beside:
-            label = _first_beside(tag, taken, solids, sheet, sizes[-2])
+            clear = np.concatenate([solids, strokes])
+            label = _first_beside(tag, taken, clear, sheet, sizes[-2])
+            label = label or _first_beside(tag, taken, solids, sheet, sizes[-2])
         if label is not None:
             placed.append(label)
             taken.append(label.box)
     return placed
 
 
-def _first_inside(tag: Tag, taken: Sequence[Box], sizes: Sequence[float]) -> Label | None:
-    """Return the largest label inside the footprint that meets no other and covers nothing on top."""
+def _soft(tag: Tag, strokes: NDArray[np.object_]) -> NDArray[np.object_]:
+    """Return the lines over a footprint that its name should not cross."""
+    edges = [shapely.LinearRing(corners) for corners in tag.shuns]
+    found = np.array([*strokes, *edges], dtype=object)
+    return found[shapely.intersects(found, shapely.Polygon(tag.outline))] if len(found) else found
+
+
+def _first_inside(
+    tag: Tag, taken: Sequence[Box], sizes: Sequence[float], soft: NDArray[np.object_] | None = None
+) -> Label | None:
+    """Return the largest label inside the footprint that meets no other, covers nothing on top and crosses no `soft` line."""
     sides = _sides(tag.outline)
     covers = np.array([shapely.Polygon(c) for c in tag.covers], dtype=object)
+    covers = covers if soft is None else np.concatenate([covers, soft])
     for label in _inside(tag, sizes):
         clear = _contains(sides, label.corners) and not any(_meet(label.box, other) for other in taken)
         if clear and not shapely.intersects(covers, shapely.Polygon(label.corners)).any():
@@ -132,9 +161,11 @@ def _inside(tag: Tag, sizes: Sequence[float]) -> Iterator[Label]:
         for lines in _splits(tag.text):
             turns = list(dict.fromkeys([0.0, along, *([90.0] if extent[1] > extent[0] else [])]))
             middle_first = [(shifts[0], angle) for angle in turns] + list(product(shifts[1:], turns))
+            if max(extent) < SQUARISH * min(extent):
+                middle_first = [(shift, angle) for angle in turns for shift in shifts]
             for (dx, dy), angle in middle_first:
                 at = (float(middle[0] + dx * extent[0]), float(middle[1] + dy * extent[1]))
-                yield Label(lines, at, size, angle, halo=tag.halo)
+                yield Label(lines, at, size, angle, halo=tag.halo, quiet=tag.quiet)
 
 
 def _long_angle(corners: NDArray[np.float64]) -> float:
@@ -163,7 +194,7 @@ def _first_beside(tag: Tag, taken: Sequence[Box], solids: NDArray[np.object_], s
             y = middle[1] + dy * ((high[1] - low[1] + down - up) / 2 + gap)
             near = shapely.shortest_line(own, shapely.Point(x, y)).coords[0]
             leader = (near[0], near[1]) if gap > 1 and (dx, dy) != tag.outward else None
-            label = Label(lines, (float(x), float(y)), size, 90.0 * upright, leader, leader is not None)
+            label = Label(lines, (float(x), float(y)), size, 90.0 * upright, leader, leader is not None, tag.quiet)
             box = label.box
             free = box[0] > sheet[0] and box[1] > sheet[1] and box[2] < sheet[2] and box[3] < sheet[3]
             free = free and not any(_meet(box, other) for other in taken)

@@ -6,7 +6,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
+from itertools import product
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from robolayout.render._architecture import THICKNESS, Place, draw_floor, draw_walls
 from robolayout.render._drawing import Drawing, Point, draw_image, draw_svg, text_width
@@ -42,6 +46,9 @@ LINES: dict[str, tuple[float, tuple[float, float] | None]] = {
     "dash": (0.35, (1.1, 0.6)),
 }
 """Width, dash and gap of the lines in the legend, millimetres."""
+
+WIDTH_TEXT = 2.1
+"""Font size of the width of a passage, millimetres."""
 
 MARGIN = 6.0
 """Millimetres around the room's walls."""
@@ -125,8 +132,7 @@ def draw_plan(
     draw_contents(sheet, scene, layout, marks, place)
     _draw_marks(sheet, marks, agent, place, k)
     draw_walls(sheet, scene.room, place)
-    _draw_labels(sheet, scene, layout, place, marks)
-    _draw_passages(sheet, marks, agent, place)
+    _draw_labels(sheet, scene, layout, place, marks, agent)
     _draw_foot(sheet, agent, navigation, scale, left)
     return sheet
 
@@ -237,10 +243,10 @@ def _draw_marks(sheet: Drawing, marks: PlanMarks, agent: Agent | None, place: Pl
         sheet.polygon([_circle(at, agent.radius * k)], ROUTE, opacity=0.22, stroke=ROUTE, width=0.3)
 
 
-def _draw_passages(sheet: Drawing, marks: PlanMarks, agent: Agent | None, place: Place) -> None:
-    """Draw each narrowest passage as a measured line with its width."""
+def _draw_passages(sheet: Drawing, marks: PlanMarks, agent: Agent | None, place: Place, at: Sequence[Point]) -> None:
+    """Draw each narrowest passage as a measured line, with its width at the places `at`."""
     needed = 2 * agent.radius if agent is not None else 0.0
-    for a, b, metres in sorted(marks.passages):
+    for (a, b, metres), spot in zip(sorted(marks.passages), at, strict=True):
         color = TIGHT if metres < needed - 1e-6 else NARROW
         (ax, ay), (bx, by) = place(*a), place(*b)
         length = max(((bx - ax) ** 2 + (by - ay) ** 2) ** 0.5, 1e-6)
@@ -249,18 +255,69 @@ def _draw_passages(sheet: Drawing, marks: PlanMarks, agent: Agent | None, place:
             sheet.line([(ax, ay), (bx, by)], color_, width=width)
             for x, y in ((ax, ay), (bx, by)):
                 sheet.line([(x - tick[0], y - tick[1]), (x + tick[0], y + tick[1])], color_, width=width)
-        aside = (-tick[0], -tick[1]) if (tick[0], -tick[1]) < (0.0, 0.0) else tick
-        level = aside[0] < 0.3
-        at = ((ax + bx) / 2 + (0 if level else aside[0]), (ay + by) / 2 - (1.8 if level else -1.4 * aside[1]))
-        sheet.words(at, f"{metres:.2f} m", 2.1, color=color, halo=PAPER, anchor="middle" if level else "start")
+        sheet.words(spot, f"{metres:.2f} m", WIDTH_TEXT, color=color, halo=PAPER)
 
 
-def _draw_labels(sheet: Drawing, scene: Scene, layout: Layout, place: Place, marks: PlanMarks) -> None:
-    """Write the names."""
+def passage_spots(
+    marks: PlanMarks, place: Place, lines: Sequence[Sequence[Point]], solids: Sequence[Sequence[Point]]
+) -> list[Point]:
+    """Return where the width of each passage is written: beside its line, where it covers least."""
+    import shapely
+
+    strokes = np.array([shapely.LineString(line) for line in lines], dtype=object)
+    blocks = np.array([shapely.Polygon(outline) for outline in solids], dtype=object)
+    spots: list[Point] = []
+    for a, b, metres in sorted(marks.passages):
+        (ax, ay), (bx, by) = place(*a), place(*b)
+        length = max(math.dist((ax, ay), (bx, by)), 1e-6)
+        nx, ny = (by - ay) / length, (ax - bx) / length
+        half = (text_width(f"{metres:.2f} m", WIDTH_TEXT) / 2, 0.45 * WIDTH_TEXT)
+        away = 0.7 + abs(nx) * half[0] + abs(ny) * half[1]
+        found: list[tuple[float, int, Point]] = []
+        for t, side in product((0.5, 0.35, 0.65, 0.2, 0.8), (1, -1)):
+            x, y = ax + t * (bx - ax) + side * away * nx, ay + t * (by - ay) + side * away * ny
+            box = shapely.box(x - half[0], y - half[1], x + half[0], y + half[1])
+            cost = (
+                shapely.length(shapely.intersection(strokes, box)).sum() + 4.0 * shapely.intersects(blocks, box).sum()
+            )
+            found.append((float(cost), len(found), (x, y)))
+        spots.append(min(found)[2])
+    return spots
+
+
+def _draw_labels(
+    sheet: Drawing, scene: Scene, layout: Layout, place: Place, marks: PlanMarks, agent: Agent | None
+) -> None:
+    """Draw the passages and write the names."""
     outlines = {n: tuple(place(*c) for c in layout[n].corners(scene.by_name[n].size)) for n in layout}
+    solid = [n for n in layout if not scene.by_name[n].is_flat and not scene.by_name[n].on_ceiling]
+    obstacles = [outlines[n] for n in solid]
+    for wall in scene.room.walls:
+        corners = [(0.0, 0.0), (wall.length, 0.0), (wall.length, -THICKNESS), (0.0, -THICKNESS)]
+        obstacles.append(tuple(place(*wall.point(s, d)) for s, d in corners))
+    k = math.dist(place(0.0, 0.0), place(1.0, 0.0))
+    lines = [[place(*p) for p in line] for line in marks.routes.values() if len(line) > 1]
+    lines += [_circle(place(*center), diameter / 2 * k, 72) for center, diameter in marks.circles]
+    spots = passage_spots(marks, place, lines, obstacles)
+    _draw_passages(sheet, marks, agent, place, spots)
+    for (a, b, metres), (x, y) in zip(sorted(marks.passages), spots, strict=True):
+        half = text_width(f"{metres:.2f} m", WIDTH_TEXT) / 2 + 0.5
+        obstacles.append(((x - half, y - 1.4), (x + half, y - 1.4), (x + half, y + 1.4), (x - half, y + 1.4)))
+        lines.append([place(*a), place(*b)])
+    lines += [[place(*p) for p in arc[1:]] for arc in marks.arcs]
+    tags = _tags(scene, layout, place, marks, outlines)
+    for label in place_labels(tags, obstacles, (1.0, 1.0, sheet.width - 1, sheet.height - 1), lines=lines):
+        _draw_label(sheet, label)
+
+
+def _tags(
+    scene: Scene, layout: Layout, place: Place, marks: PlanMarks, outlines: Mapping[str, tuple[Point, ...]]
+) -> list[Tag]:
+    """Return the names and where they may stand."""
     spans = {n: vertical_span(scene.by_name[n], layout[n]) for n in layout}
     solid = [n for n in layout if not scene.by_name[n].is_flat and not scene.by_name[n].on_ceiling]
-    tags = []
+    hanging = {n: outlines[n] for n in layout if scene.by_name[n].on_ceiling}
+    tags: list[Tag] = []
     for name in (asset.name for asset in scene.assets if asset.name in layout):
         asset = scene.by_name[name]
         above = solid if asset.is_flat else [n for n in solid if n != name and spans[n][0] > spans[name][0] + 0.05]
@@ -268,19 +325,19 @@ def _draw_labels(sheet: Drawing, scene: Scene, layout: Layout, place: Place, mar
         covers = [outlines[n] for n in above]
         if has_arrow(asset):
             covers.append(tuple(place(*p) for p in _front(asset, layout[name])))
-        outward = _outward(scene, layout[name]) if asset.on_wall else None
         tags.append(
-            Tag(display_name(scene, asset), outlines[name], beside, tuple(covers), outward, name in marks.blocked)
+            Tag(
+                display_name(scene, asset),
+                outlines[name],
+                beside,
+                tuple(covers),
+                _outward(scene, layout[name]) if asset.on_wall else None,
+                halo=name in marks.blocked,
+                quiet=asset.on_ceiling,
+                shuns=tuple(corners for other, corners in hanging.items() if other != name),
+            )
         )
-    obstacles = [outlines[n] for n in solid]
-    for wall in scene.room.walls:
-        corners = [(0.0, 0.0), (wall.length, 0.0), (wall.length, -THICKNESS), (0.0, -THICKNESS)]
-        obstacles.append(tuple(place(*wall.point(s, d)) for s, d in corners))
-    for a, b, _ in marks.passages:
-        (ax, ay), (bx, by) = place(*a), place(*b)
-        obstacles.append(((ax - 1, ay - 2), (bx + 9, ay - 2), (bx + 9, by + 2), (ax - 1, by + 2)))
-    for label in place_labels(tags, obstacles, (1.0, 1.0, sheet.width - 1, sheet.height - 1)):
-        _draw_label(sheet, label)
+    return tags
 
 
 def _outward(scene: Scene, pose: Pose) -> Point:
@@ -300,7 +357,8 @@ def _draw_label(sheet: Drawing, label: Label) -> None:
     pitch = label.size * LINE
     for number, line in enumerate(label.lines):
         at = label.point(0.0, (number - (len(label.lines) - 1) / 2) * pitch)
-        sheet.words(at, line, label.size, color=INK, angle=label.angle, halo=PAPER if label.halo else None)
+        color = QUIET if label.quiet else INK
+        sheet.words(at, line, label.size, color=color, angle=label.angle, halo=PAPER if label.halo else None)
 
 
 def _draw_foot(sheet: Drawing, agent: Agent | None, marks: PlanMarks | None, scale: int, left: float) -> None:
