@@ -180,3 +180,13 @@ def test_an_empty_layout_fails_everything():
     figures = verify(scene, Layout({})).figures
     assert figures["collision_free_scene"] is False
     assert [figures[k] for k in KEYS[:10] if k.endswith("share")] == pytest.approx([0, 0, 0, 0, 0, 0, 1])
+
+
+def test_what_blocks_the_door_is_named_once():
+    block, box = thing("block-0", (1.6, 1.4, 1.0)), thing("box-0", (0.5, 1.0, 0.8))
+    scene, layout = furnished(square(), (block, on_floor(block, 1.45, 0.7)), (box, on_floor(box, 2, 3.4)))
+    report = verify(scene, layout, agent=DISC)
+    assert report.agents[0].violations == (
+        "disc (a disc of 0.60 m) cannot come in: the landing of door 0 is blocked by block-0.",
+        "disc reaches none of block-0, box-0.",
+    )

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import numpy as np
+import shapely
+
 from robolayout.verify.navigation import Navigation
-from robolayout.verify.proofs import exempt_from_reach, impossible
+from robolayout.verify.proofs import exempt_from_reach, impossible, kept_out
 from robolayout.verify.use import Usage
 
 WALKABLE = 0.95
@@ -16,24 +19,35 @@ def agent_violations(nav: Navigation, usage: Usage, exempt: Mapping[str, str]) -
     """Return what keeps an agent from entering, moving, reaching and using; nothing that is not asked of it."""
     agent = nav.agent.name
     found = list(impossible(nav.scene, nav.agent))
-    if nav.main.is_empty and not found:
-        found.append(
-            f"{agent} (a disc of {2 * nav.agent.radius:.2f} m) cannot come in: the landing of door 0 is blocked."
-        )
-    elif nav.walkable_ratio < WALKABLE and not nav.main.is_empty:
-        parts = len(nav.free.geoms) - 1
-        found.append(
-            f"{agent} can walk only {nav.walkable_ratio:.0%} of the free floor: {parts} further "
-            f"{'part is' if parts == 1 else 'parts are'} cut off."
-        )
     aside = exempt_from_reach(nav.scene, nav.agent)
-    found += [unreached_sentence(nav, name) for name in nav.unreached if name not in aside]
+    wanted = [name for name in nav.unreached if name not in aside]
+    if nav.main.is_empty:
+        found += [_blocked_sentence(nav)] if not kept_out(nav.scene, nav.agent) else []
+        found += [f"{agent} reaches none of {', '.join(wanted)}."] if wanted else []
+    else:
+        if nav.walkable_ratio < WALKABLE:
+            parts = len(nav.free.geoms) - 1
+            found.append(
+                f"{agent} can walk only {nav.walkable_ratio:.0%} of the free floor: {parts} further "
+                f"{'part is' if parts == 1 else 'parts are'} cut off."
+            )
+        found += [unreached_sentence(nav, name) for name in wanted]
     found += [
         f"{name} cannot be used by {agent}: {use.reason}."
         for name, use in usage.uses.items()
         if not use.usable and nav.reached[name] and name not in exempt
     ]
     return tuple(found)
+
+
+def _blocked_sentence(nav: Navigation) -> str:
+    """Return what keeps a body out of a room that it could enter if it were empty."""
+    zone, wide = nav.space.door, 2 * nav.agent.radius
+    if zone is None:
+        return f"{nav.agent.name} (a disc of {wide:.2f} m) has no place to stand: the furniture leaves none."
+    near = nav.blocking.rows[shapely.distance(nav.blocking.shapes, zone) < nav.agent.radius]
+    names = " and ".join(nav.boxes.names[row] for row in np.unique(near)[:3])
+    return f"{nav.agent.name} (a disc of {wide:.2f} m) cannot come in: the landing of door 0 is blocked by {names}."
 
 
 def unreached_sentence(nav: Navigation, name: str) -> str:
