@@ -13,6 +13,7 @@ from robolayout.assets.palette import (
     GLASS,
     IVORY,
     LAMPSHADE,
+    STEEL,
     WHITE,
     Piece,
 )  # fmt: skip
@@ -20,6 +21,9 @@ from robolayout.assets.part import Part
 from robolayout.assets.shapes import ball, box, cylinder, moved, oval, slab
 
 Span = tuple[float, float]
+
+LONG = 1.8
+"""Ratio of its sides from which on a ceiling lamp is a bar instead of a bowl."""
 
 
 def floor_lamp(p: Piece) -> Iterator[Part]:
@@ -107,10 +111,18 @@ def chandelier(p: Piece) -> Iterator[Part]:
 
 
 def ceiling_lamp(p: Piece) -> Iterator[Part]:
-    """Yield a flat bowl of milky glass under a metal rim."""
-    yield oval("rim", WHITE, (0.0, 0.0), ((p.d / 2, p.w / 2), (p.d / 2, p.w / 2)), (0.7 * p.h, p.h), sides=28)
+    """Yield a flat bowl of milky glass under a metal rim; a long one is a bar."""
+    if max(p.d, p.w) > LONG * min(p.d, p.w):
+        x, y = (0.36 * p.d, 0.36 * p.w)
+        yield box("mount", STEEL, (-x, x), (-y, y), (0.8 * p.h, p.h))
+        yield slab("housing", WHITE, p.x, p.y, (0.35 * p.h, 0.8 * p.h), top=(0.92, 0.96))
+        yield slab("diffuser", LAMPSHADE, (-0.46 * p.d, 0.46 * p.d), (-0.47 * p.w, 0.47 * p.w), (0.0, 0.35 * p.h))
+        return
+    r = (p.d / 2, p.w / 2)
+    yield oval("rose", STEEL, (0.0, 0.0), ((0.55 * r[0], 0.55 * r[1]), (0.5 * r[0], 0.5 * r[1])), (0.85 * p.h, p.h))
+    yield oval("rim", WHITE, (0.0, 0.0), (r, (0.94 * r[0], 0.94 * r[1])), (0.6 * p.h, 0.85 * p.h), sides=28)
     yield oval(
-        "glass", LAMPSHADE, (0.0, 0.0), ((0.3 * p.d, 0.3 * p.w), (0.46 * p.d, 0.46 * p.w)), (0.0, 0.7 * p.h), sides=28
+        "glass", LAMPSHADE, (0.0, 0.0), ((0.3 * p.d, 0.3 * p.w), (0.46 * p.d, 0.46 * p.w)), (0.0, 0.6 * p.h), sides=28
     )
 
 
