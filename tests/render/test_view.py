@@ -137,6 +137,21 @@ def test_the_side_view_looks_at_fronts(bedroom, layout):
     assert studio.side_azimuth == studio.side_azimuth
 
 
+def test_a_close_up_looks_around_what_stands_before(bedroom, layout):
+    def seen(poses):
+        studio = Studio(bedroom, Layout(poses), renderer="rays")
+        buffers = studio.buffers(studio.camera("night_stand-0", (96, 96)))
+        return (buffers.ids == buffers.names.index("night_stand-0")).mean(), buffers.camera
+
+    stand = layout["night_stand-0"]
+    free, usual = seen({"night_stand-0": stand})
+    c, s = math.cos(stand.yaw - math.radians(30)), math.sin(stand.yaw - math.radians(30))
+    before = Pose(stand.x + 1.2 * c, stand.y + 1.2 * s, 1.05, stand.yaw - math.radians(30))
+    moved, chosen = seen({"night_stand-0": stand, "wardrobe-0": before})
+    assert free > 0.08 and moved > 0.8 * free
+    assert chosen.position != usual.position
+
+
 @both
 def test_an_asset_alone_is_seen_from_its_front(bedroom, renderer):
     image = np.asarray(render_asset(bedroom.by_name["wardrobe-0"], size=96, renderer=renderer), dtype=int)

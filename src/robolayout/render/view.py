@@ -29,7 +29,7 @@ from robolayout.render._mesh import (
     scene_mesh,
 )
 from robolayout.render.camera import SIDE_POLAR, Camera, eye_camera, fitted_camera, room_points
-from robolayout.scene import Agent, Asset, Layout, Room, Scene
+from robolayout.scene import Agent, Asset, Layout, Pose, Room, Scene
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -41,6 +41,13 @@ TOP_AZIMUTH = -math.pi / 2
 
 SIDE_AZIMUTHS = tuple(math.radians(a) for a in (-60, -120, -30, -150, 30, 150, 60, 120))
 """Azimuths the side view chooses from, radians; the first wins a tie."""
+
+CLOSE, CLOSE_LEAST = 0.75, 0.6
+"""A close-up shows so many times an asset's longest side to each side of its middle, and at least so many metres."""
+
+CLOSE_TURNS = tuple(math.radians(a) for a in (-30, 30, -55, 55, 0))
+CLOSE_POLARS = (math.radians(58), math.radians(40))
+"""Directions that a close-up chooses from, from the asset's front and from the vertical; the first wins a tie."""
 
 LARGEST = 8192
 """Most pixels along a side of a picture."""
@@ -111,12 +118,28 @@ class Studio:
         pose, asset = self.layout[name], self.scene.by_name[name]
         if name != view:
             return eye_camera(agent or self.scene.agent, stand or _entrance(room), pose, size)
-        reach = max(0.75, 1.2 * max(asset.size))
+        reach = max(CLOSE_LEAST, CLOSE * max(asset.size))
         around = np.array([(pose.x, pose.y, pose.z)]) + reach * np.array(
             [(a, b, c) for a in (-1, 1) for b in (-1, 1) for c in (-0.5, 0.5)]
         )
-        azimuth = pose.yaw + math.radians(-30)
-        return fitted_camera(around, math.radians(58), azimuth, size, fov=math.radians(32), margin=0.02)
+        cameras = [
+            fitted_camera(around, polar, pose.yaw + turn, size, fov=math.radians(32), margin=0.02)
+            for polar in CLOSE_POLARS
+            for turn in CLOSE_TURNS
+        ]
+        return min(cameras, key=lambda camera: self._hidden_share(camera, name))
+
+    def _hidden_share(self, camera: Camera, name: str) -> float:
+        """Return the share of points all over an asset's box that other boxes hide from a camera, in coarse steps."""
+        pose, size = self.layout[name], np.array(self.scene.by_name[name].size)
+        grid = np.array([(a, b, c) for a in (-0.4, 0, 0.4) for b in (-0.4, 0, 0.4) for c in (-0.4, 0, 0.4)]) * size
+        points = grid @ _turn(pose).T + (pose.x, pose.y, pose.z)
+        hidden = np.zeros(len(points), dtype=np.bool_)
+        for other, place in self.layout.items():
+            if other != name and not self.scene.by_name[other].is_flat:
+                half = np.array(self.scene.by_name[other].size) / 2
+                hidden |= _crosses(np.array(camera.position), points, place, half)
+        return round(4 * float(hidden.mean())) / 4
 
     def buffers(self, camera: Camera, *, inside: bool = False) -> Buffers:
         """Return colour, ids and depths seen by a camera; `inside` keeps every wall and draws the ceiling."""
@@ -263,6 +286,25 @@ def check_layout(scene: Scene, layout: Layout) -> None:
             raise LayoutError(f"the layout places {name!r}, which is not in the scene. Assets of the scene: {near}.")
         if not all(math.isfinite(v) for v in (pose.x, pose.y, pose.z, pose.yaw)):
             raise LayoutError(f"the pose of {name!r} is not finite: {pose}. Give numbers in metres and degrees.")
+
+
+def _turn(pose: Pose) -> NDArray[np.float64]:
+    """Return the rotation from an asset's frame to the room's."""
+    c, s = pose.forward
+    return np.array([(c, -s, 0.0), (s, c, 0.0), (0.0, 0.0, 1.0)])
+
+
+def _crosses(
+    start: NDArray[np.float64], ends: NDArray[np.float64], pose: Pose, half: NDArray[np.float64]
+) -> NDArray[np.bool_]:
+    """Return for each straight line from `start` to one of `ends` (n, 3) whether it crosses a box."""
+    back, middle = _turn(pose), (pose.x, pose.y, pose.z)
+    near, far = (start - middle) @ back, (ends - middle) @ back
+    step = far - near
+    step = np.where(np.abs(step) < 1e-12, 1e-12, step)
+    first, second = (-half - near) / step, (half - near) / step
+    enter, leave = np.minimum(first, second).max(axis=1), np.maximum(first, second).min(axis=1)
+    return (enter < leave) & (leave > 0.0) & (enter < 1.0)
 
 
 def _entrance(room: Room) -> tuple[float, float]:
