@@ -133,6 +133,8 @@ class Mesh:
         """Return the taut way from the tree's start into a zone."""
         last = self._nearest(tree, zone)
         target = shapely.intersection(self._triangles[last], zone)
+        if target.is_empty:
+            target = shapely.Point(shapely.get_coordinates(shapely.shortest_line(self._triangles[last], zone))[0])
         portals = self._portals(tree, last)
         points: tuple[Point, ...] = (tree.cost[last][1], tree.cost[last][1])
         for _ in range(AIMS):
@@ -152,6 +154,9 @@ class Mesh:
     def _nearest(self, tree: Tree, zone: Polygon) -> int:
         """Return the triangle through which the way into a zone is shortest."""
         rows = [row for row in np.sort(self._tree.query(zone, predicate="intersects")).tolist() if row in tree.cost]
+        if not rows:  # by rounding, a zone that touches the free space meets none of its triangles
+            known = sorted(tree.cost)
+            return known[int(np.argmin(shapely.distance(self._triangles[known], zone)))]
         doors = shapely.points([tree.cost[row][1] for row in rows])
         lines = shapely.shortest_line(shapely.intersection(self._triangles[rows], zone), doors)
         best = int(np.argmin(np.array([tree.cost[row][0] for row in rows]) + shapely.length(lines)))
