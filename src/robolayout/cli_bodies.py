@@ -49,14 +49,15 @@ def _one(body: Agent, out: Path | None) -> None:
     if out is not None and out.suffix.lower() not in SUFFIXES:
         raise InputError(f"a body cannot be drawn to {out}: name a file that ends in {', '.join(SUFFIXES)}.")
     figures = [
-        [key, f"{getattr(body, key):g}", "yes" if source.verified else "no", source.text]
+        [key, f"{value:g}", "yes" if source.verified else "no", source.text]
         for key, source in body.sources.items()
+        if (value := getattr(body, key)) is not None
     ]
     figures += [[key, f"{value:g}", "-", "given without a source"] for key, value in _unsourced(body)]
     table(f"{body.title or body.name} (metres)", ["figure", "value", "verified", "source"], figures)
     if out is not None:
         typer.echo(str(write_atomic(out, _drawn(body, out.suffix.lower()))))
-    elif (sys.stdout.encoding or "").lower().startswith("utf"):
+    elif (sys.stdout.encoding or "utf-8").lower().startswith("utf"):
         typer.echo(body_text(body))
 
 
