@@ -12,7 +12,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from benchmarks import ablation, bodies, crowded, examples, page, speed, vlm
+from benchmarks import ablation, bodies, crowded, examples, exports, page, pictures, speed, vlm
 from benchmarks.store import Store
 
 SECTIONS = {
@@ -22,6 +22,8 @@ SECTIONS = {
     "crowded": crowded.cases,
     "ablation": ablation.cases,
     "vlm": vlm.cases,
+    "pictures": pictures.cases,
+    "exports": exports.cases,
 }
 
 

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
-from benchmarks import ablation, bodies, crowded, examples, page, speed, vlm
+from benchmarks import ablation, bodies, crowded, examples, exports, page, pictures, speed, vlm
 from benchmarks.measures import SHARES
 from benchmarks.rooms import Crowd, crowd
 from benchmarks.store import Row, Store
@@ -34,7 +34,7 @@ def test_rooms_are_as_full_as_they_claim_and_their_programs_read(asked: Crowd) -
 
 
 def test_every_section_has_cases_with_names_of_their_own() -> None:
-    for section in (examples, bodies, speed, crowded, ablation, vlm):
+    for section in (examples, exports, pictures, bodies, speed, crowded, ablation, vlm):
         for quick in (True, False):
             keys = [key for key, _ in section.cases(quick)]
             assert keys and len(set(keys)) == len(keys)
@@ -76,3 +76,23 @@ def test_the_page_follows_from_the_results(tmp_path: Path) -> None:
     assert "| 0.99 |" in text, "1.00 is only written where every run has it"
     assert "Section 'ablation' has not been measured" in text
     assert (tmp_path / "images" / "benchmark-crowded.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_pictures_and_exports_without_a_tool_still_have_a_page(tmp_path: Path) -> None:
+    row: Row = {"assets": 3, "plan.svg_cpu": 0.051, "plan.svg_kb": 38.2, "rays_load": 0.1, "rays_top": 0.55}
+    Store(tmp_path / "pictures.json").save("bedroom", row)
+    row = {
+        "assets": 3,
+        "read_back": 5e-7,
+        "stable_share": 1.0,
+        "moved_mm": 0.2,
+        "tilt": 0.01,
+        "contacts": 0,
+        "routes": 2,
+    }
+    Store(tmp_path / "exports.json").save("bedroom", row | {"off_mm": 1.5})
+    page.write(tmp_path, tmp_path / "page.md")
+    text = (tmp_path / "page.md").read_text()
+    assert "| plan.svg | 0.05 s, 38 kB |" in text
+    assert "| OpenGL in software, top view, 512 x 512 | - |" in text and "512 x 512 | 0.55 s |" in text
+    assert "| bedroom | 3 | 5e-07 | - | - | 1.00 | 0.2 mm, 0.01 degrees | 0 on 2 routes | 1.5 mm |" in text
