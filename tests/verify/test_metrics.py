@@ -89,6 +89,32 @@ def test_sceneeval_opening_clearance_is_seen_along_the_normal():
     assert sceneeval(*furnished(window, (tall, on_floor(tall, 2.5, 3.7)))).opening_occlusion == pytest.approx((0.2,))
 
 
+@pytest.mark.parametrize(("bottom", "held"), [(0.0, 1.0), (0.004, 1.0), (0.006, 0.0), (-0.004, 1.0), (-0.006, 0.0)])
+def test_sceneeval_sup_on_the_ground_allows_five_millimetres(bottom: float, held: float):
+    assert sceneeval(*furnished(square(), (BOX, on_floor(BOX, 2, 2, bottom=bottom)))).sup_objects == held
+
+
+@pytest.mark.parametrize(("x", "held"), [(2.0, 1.0), (2.2, 1.0), (2.26, 0.5)])
+def test_sceneeval_sup_on_an_object_needs_the_centre_over_its_contacts(x: float, held: float):
+    """A plate on a box whose front edge is at x = 2.25; both are objects."""
+    scene, layout = furnished(square(), (BOX, on_floor(BOX, 2, 2)), (PLATE, on_floor(PLATE, x, 2, bottom=0.8)))
+    assert sceneeval(scene, layout).sup_objects == held
+
+
+def test_sceneeval_sup_at_walls_and_ceilings_needs_one_contact():
+    picture = thing("picture-0", (0.04, 0.6, 0.5), "picture", on_floor=False, on_wall=True)
+    lamp = thing("lamp-0", (0.4, 0.4, 0.3), "ceiling lamp", on_floor=False, on_ceiling=True)
+    for gap, held in ((0.0, 1.0), (0.004, 1.0), (0.006, 0.0)):
+        scene, layout = furnished(
+            square(),
+            (picture, replace(on_floor(picture, 0.02 + gap, 2), z=1.5)),
+            (lamp, on_floor(lamp, 2, 2, bottom=2.3 - gap)),
+        )
+        assert sceneeval(scene, layout).sup_objects == held
+    away = furnished(square(), (picture, replace(on_floor(picture, 0.02, 2, 180), z=1.5)))
+    assert sceneeval(*away).sup_objects == 0.0
+
+
 def test_physcene_walkable_starts_at_each_door():
     """Robot 0.3 m: lower part y from 0.15 to 0.85, upper part 1.55 to 3.85."""
     assert physcene(*divided(y=1.2)).r_walkable == pytest.approx(0.7 / 3.0, abs=0.01)

@@ -1,4 +1,4 @@
-"""SceneEval's metrics that need no language model: COL, NAV, ACC, OOB, opening clearance.
+"""SceneEval's metrics that need no language model: COL, NAV, ACC, OOB, SUP, opening clearance.
 
 Objects are the placed assets. Where SceneEval uses an object's mesh (COL, OOB) its box stands in: numbers compare with
 boxes, not with scans. The functional sides that SceneEval asks a language model for are the asset's use sides.
@@ -21,6 +21,7 @@ from robolayout.assets import category_of
 from robolayout.scene import Layout, Opening, Room, Scene
 from robolayout.verify._boxes import Boxes, boxes, room_polygon, share
 from robolayout.verify.metrics._raster import raster
+from robolayout.verify.metrics.support import supported
 from robolayout.verify.use import side_edge, strip
 
 ROBOT_WIDTH = 0.2
@@ -47,6 +48,7 @@ class SceneEval:
         nav: Largest free component over all free pixels.
         acc: Accessibility by object; -1 where it has no functional side.
         oob_objects: Share of objects out of bounds.
+        sup_objects: Share of objects that are supported.
         opening_occlusion: Occluded share of each opening, doors first.
     """
 
@@ -55,6 +57,7 @@ class SceneEval:
     nav: float
     acc: Mapping[str, float]
     oob_objects: float
+    sup_objects: float
     opening_occlusion: tuple[float, ...]
 
     @cached_property
@@ -71,6 +74,7 @@ class SceneEval:
             "NAV": self.nav,
             "ACC": self.acc_mean,
             "OOB": self.oob_objects,
+            "SUP": self.sup_objects,
             "opening_clearance": share([occlusion == 0 for occlusion in self.opening_occlusion]),
         }
 
@@ -86,6 +90,7 @@ def sceneeval(scene: Scene, layout: Layout) -> SceneEval:
         nav=_nav(scene.room, found),
         acc={found.names[row]: score for row, score in zip(rows, _accessibility(scene, found), strict=True)},
         oob_objects=float(np.mean([out_of_bounds(scene, found, int(row)) for row in rows])) if len(rows) else 0.0,
+        sup_objects=share([supported(scene, found, int(row)) for row in rows]),
         opening_occlusion=tuple(_occlusion(scene.room, o, found) for o in (*scene.room.doors, *scene.room.windows)),
     )
 
