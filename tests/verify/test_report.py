@@ -190,3 +190,11 @@ def test_what_blocks_the_door_is_named_once():
         "disc (a disc of 0.60 m) cannot come in: the landing of door 0 is blocked by block-0.",
         "disc reaches none of block-0, box-0.",
     )
+
+
+def test_psa_style_is_what_is_met_and_nothing_unless_all_is_valid():
+    scene, layout = good()
+    assert verify(scene, layout, asked(3)).metrics["LayoutVLM"]["PSA_style"] == 100.0
+    assert verify(scene, layout, asked(1)).metrics["LayoutVLM"]["PSA_style"] == 0.0
+    assert verify(scene, Layout({}), asked(3)).metrics["LayoutVLM"]["PSA_style"] == 0.0
+    assert "PSA_style" not in verify(scene, layout).metrics["LayoutVLM"]

@@ -208,7 +208,12 @@ class Report:
     @cached_property
     def metrics(self) -> Mapping[str, Mapping[str, object]]:
         """Published metrics under their own names and rules; they see only the placed assets."""
-        return published_metrics(self.scene, self.layout)
+        found = published_metrics(self.scene, self.layout)
+        if self.statements:
+            valid = all(self.physics.placed.values()) and set(found["LayoutVLM"].values()) == {100.0}
+            met = share([item.met for item in self.statements])
+            found["LayoutVLM"]["PSA_style"] = 100.0 * met if valid else 0.0
+        return found
 
     @cached_property
     def unmet(self) -> tuple[str, ...]:
