@@ -12,7 +12,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from benchmarks import ablation, bodies, crowded, examples, exports, page, pictures, speed, vlm
+from benchmarks import ablation, bodies, crowded, examples, exports, opening, page, pictures, speed, vlm
 from benchmarks.store import Store
 
 SECTIONS = {
@@ -24,6 +24,7 @@ SECTIONS = {
     "vlm": vlm.cases,
     "pictures": pictures.cases,
     "exports": exports.cases,
+    "opening": opening.cases,
 }
 
 

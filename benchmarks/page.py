@@ -291,6 +291,18 @@ def exports(rows: Rows, images: Path) -> str:
     return f"## Exports\n\n{intro}\n{table(heads, lines)}"
 
 
+def opening(rows: Rows, images: Path) -> str:
+    """Return the table of how long `report.html` takes to open."""
+    lines: list[list[str]] = []
+    for room in sorted(rows, key=lambda room: rows[room]["assets"]):
+        row = rows[room]
+        times = [_figure(row, key, "{:.2f} s") for key in ("figures", "drawn", "slowest")]
+        lines.append([room.replace("_", " "), str(row["assets"]), f"{row['kb']:.0f} kB", *times])
+    heads = ["room", "assets", "page", "figures are there", "first picture", "slowest of five"]
+    intro = "`report.html` in headless Chromium, 1280 x 800, drawn without a graphics card; medians of five.\n"
+    return f"## Opening the page\n\n{intro}\n{table(heads, lines)}"
+
+
 SECTIONS: dict[str, Callable[[Rows, Path], str]] = {
     "examples": examples,
     "bodies": bodies,
@@ -300,6 +312,7 @@ SECTIONS: dict[str, Callable[[Rows, Path], str]] = {
     "vlm": vlm,
     "pictures": pictures,
     "exports": exports,
+    "opening": opening,
 }
 
 

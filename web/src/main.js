@@ -29,6 +29,7 @@ async function draw() {
     showMoment();
     showPicture();
     await stage.start();
+    document.documentElement.dataset.drawn = performance.now().toFixed();
     document.documentElement.dataset.ready = "3d";
   } catch (error) {
     const message = byId("message");

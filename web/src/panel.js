@@ -92,8 +92,9 @@ export function showAgent(data, state) {
   data.assets.forEach((asset, i) => {
     const button = byId("assets").querySelector(`[data-asset="${i}"]`);
     const broken = asset.rows.some(([, , met]) => met === false);
-    const kind = asset.category.toLowerCase() === asset.label.replace(/ \d+$/, "") ? "" : asset.category;
-    fill(button, mark(broken ? "bad" : agent.assets[i].state), el("span", {}, asset.label), ...(kind ? [el("small", {}, kind)] : []));
+    const unmet = asset.statements.filter((number) => !data.statements[number].met).length;
+    const note = unmet ? [el("small", {}, unmet > 1 ? `${unmet} statements unmet` : "1 statement unmet")] : [];
+    fill(button, mark(broken ? "bad" : agent.assets[i].state), el("span", {}, asset.label), ...note);
     button.setAttribute("aria-pressed", String(i === state.asset));
   });
 }

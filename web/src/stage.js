@@ -70,11 +70,12 @@ export function makeStage(canvas, root, room, data) {
   canvas.addEventListener("keydown", (event) => turnByKey(stage, event));
   resize(stage, canvas);
   new ResizeObserver(() => resize(stage, canvas)).observe(canvas.parentElement);
-  /** Let the first picture be drawn once its programs are compiled, which does not hold up the page. */
+  /** Draw the first picture once its programs are compiled, which does not hold up the page. */
   stage.start = async () => {
     if (renderer.extensions.has("KHR_parallel_shader_compile")) await renderer.compileAsync(scene, camera);
     waiting = false;
     stage.changed();
+    await new Promise((drawn) => requestAnimationFrame(() => setTimeout(drawn)));
   };
   return stage;
 }
