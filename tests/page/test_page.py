@@ -21,11 +21,11 @@ GROUND = (0xF4, 0xF3, 0xEF)
 
 def canvas_of(page) -> Image.Image:
     """Return what is drawn, once two pictures running are the same."""
-    before = b""
-    while (now := page.locator("#canvas").screenshot()) != before:
-        before = now
+    shots = [b"", page.locator("#canvas").screenshot()]
+    while shots[-1] != shots[-2] and len(shots) < 50:
         page.wait_for_timeout(120)
-    return Image.open(io.BytesIO(now)).convert("RGB")
+        shots.append(page.locator("#canvas").screenshot())
+    return Image.open(io.BytesIO(shots[-1])).convert("RGB")
 
 
 def click_asset(page, name: str) -> None:
