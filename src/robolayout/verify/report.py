@@ -14,6 +14,7 @@ from robolayout.verify.drives import Drive, find_drives
 from robolayout.verify.heading import HeadingSpace
 from robolayout.verify.metrics import published_metrics
 from robolayout.verify.navigation import Navigation
+from robolayout.verify.passages import WIDE
 from robolayout.verify.physics import Physics
 from robolayout.verify.proofs import Remedies, exempt_from_reach, exempt_from_use, impossible, remedies
 from robolayout.verify.sentences import agent_violations
@@ -156,6 +157,7 @@ class AgentReport:
             "exempt": dict(self.exempt),
             "impossible": list(self.impossible),
             "remedies": list(self.remedies.sentences(self.agent)),
+            "largest_disc": self.remedies.largest_disc,
             "violations": list(self.violations),
         }
 
@@ -339,6 +341,12 @@ def _agent_table(report: AgentReport) -> list[str]:
     lines = [f"{', '.join(shown)}."]
     if not nav.scene.room.doors:
         lines.append(f"The room has no door: {report.agent.name} starts in the largest free part of the floor.")
+    largest, needed = report.remedies.largest_disc, 2 * report.agent.radius
+    if largest > 0:
+        more = " or more" if largest >= WIDE - 1e-9 else ""
+        lines.append(
+            f"The widest disc that reaches everything asked is {largest:.2f} m{more}; this body needs {needed:.2f} m."
+        )
     if report.headings is not None:
         turns = len(report.headings.turning.geoms)
         lines.append(f"It can turn right round in {turns} {'place' if turns == 1 else 'places'}.")
