@@ -1,285 +1,166 @@
 """Several programs for one scene, solved together.
 
-Their starts share the compiled batches that one program would have for itself: every call of `advance_many` holds a few starts
-of a few programs. Each program gets fewer starts, so that four of them cost little more than one; repair, which is expensive,
-is for those alone that the judge likes best.
+Each program has a solver of its own, in a thread of its own, with a share of the starts. Whenever all of them wait for the
+compiled search, what they ask for runs as one batch (`lanes`), a few starts of a few programs each: four programs cost
+about what one does. As soon as one of them is met entirely, no further effort is spent on the others; repair, which is
+expensive, is for the best alone. Which thread is faster decides nothing: choices are made only when all wait.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial
+from threading import Condition
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from robolayout.scene import Layout, Scene, Trace
-from robolayout.solve import programs
-from robolayout.solve.arrays import Arrays, Found, Losses, Routes, Schedule
+from robolayout.solve.arrays import Found
 from robolayout.solve.compile import Floats, Problem, compile_problem
-from robolayout.solve.config import SearchConfig, SolverConfig
+from robolayout.solve.config import SolverConfig
 from robolayout.solve.judge import Judge, Verdict
-from robolayout.solve.proposals import make_starts
+from robolayout.solve.lanes import STARTS, LaneRunner, Request, prepare, run_together
 from robolayout.solve.refine import Solver
-from robolayout.solve.routes import pack
-from robolayout.solve.runner import NOISE_BLOCK, PROCESSORS, STILL, Run, Runner
 from robolayout.solve.solution import Progress, Solution, conclude, silent
-from robolayout.solve.stage import Stage, make_stage, no_routes, stages
-
-Singles = NDArray[np.float32]
-
-PROGRAM = "search_many:advance_many"
-"""What all phases run."""
-
-LANES, STARTS = 4, 2
-"""Lanes of one compiled batch and starts in a lane; a lane belongs to one program."""
-
-LEAST_STARTS = 4
-"""Starts that every program gets, however many programs there are."""
+from robolayout.solve.stage import make_stage
 
 REPAIRED = 2
 """Programs that are repaired, at most: the best, and the next one if the best still breaks a hard demand."""
 
 
-@dataclass
-class _Job:
-    """Starts of one program that run on together with those of others."""
-
-    one: _One
-    stage: Stage
-    world: Floats
-    routes: Routes | None = None
+class _Enough(Exception):
+    """Another program is met already: no more effort for this stage."""
 
 
-class _LaneRunner(Runner):
-    """The record of one program's runs in lanes."""
-
-    def settle(self, job: _Job, part: slice, found: Found) -> Run:
-        """Return what one lane left."""
-        return self._run(job.stage, job.world[part], found)
-
-    def keep(self, job: _Job, label: str, steps: int, found: Found) -> None:
-        """Keep the record of a lane."""
-        if self.config.trace and steps:
-            self._record(job.stage, label, steps, found)
+class _Closed(Exception):
+    """The meeting has ended early."""
 
 
 class _One(Solver):
-    """One of several programs: what `Solver` does, between the runs that all programs make together."""
+    """The solver of one program among several; it leaves the repair for later.
 
-    def __init__(self, problem: Problem, judge: Judge, config: SolverConfig, seed: int, progress: Progress) -> None:
-        super().__init__(problem, judge, config, seed=seed, progress=progress)
-        self.lanes = _LaneRunner(config)
+    Attributes:
+        index: Which program it is.
+        number: Stage that it works on.
+        best: Best layout of that stage so far.
+        met: Stages for which everything was met.
+        lanes: Who runs its phases.
+    """
+
+    def __init__(self, index: int, problem: Problem, judge: Judge, config: SolverConfig, seed: int) -> None:
+        super().__init__(problem, judge, config, seed=seed)
+        self.index, self.number = index, 0
+        self.best: Any = None
+        self.met = set[int]()
+        self.lanes = LaneRunner(config, lambda request: run_together([request], config.weights)[0])
         self.runner = self.lanes
-        self._survey()
-        self.best = self._judged(problem.start.copy(), -1)
 
     @property
     def merit(self) -> float:
-        """What the judge says of the best layout so far; smaller is better."""
+        """What the judge says of the best layout; smaller is better."""
         return self.best.verdict.merit
 
-    def begin(self, number: int, starts: int) -> _Job | None:
-        """Return the starts of a stage; None if it moves nothing."""
-        if number not in stages(self.problem):
-            return None
-        stage = make_stage(self.problem, number, self.best.world)
-        if not stage.moving:
-            self.best = self._judged(self.best.world, number)
-            return None
-        return _Job(self, stage, make_starts(self.problem, self.best.world, stage.moving, starts, self.rng))
-
-    def choose(self, run: Run, number: int, count: int) -> None:
-        """Judge the first few layouts of a run and take the best."""
-        found = [self._judged(run.world[k], number) for k in run.order()[:count]]
-        self.best = min(found, key=lambda best: best.verdict.merit)
-
-    def improve(self, run: Run) -> None:
-        """Judge all layouts of a run of the first stage, and take one that is better than the best."""
-        for k in run.order():
-            found = self._judged(run.world[k], 0)
-            if found.verdict.merit < self.merit:
-                self.best = found
-
-    def blocked(self, job: _Job, kept: list[list[Floats]]) -> _Job | None:
-        """Return a job with what must yield to the agents' routes; None if they are free."""
-        plans = [self._planned(world, before) for world, before in zip(job.world, kept, strict=True)]
-        if not any(plan.blocked for plan in plans):
-            return None
-        return _Job(self, job.stage, job.world, pack(plans, 8 * job.stage.slots))
-
-    def snap(self) -> None:
-        """Put what is all but right exactly right."""
-        self.best = self._snap(self.best)
-
     def repair(self) -> None:
-        """Remove and reinsert what is to blame, while that helps."""
-        self.best = self._snap(self._repair(self.best))
+        """Remove and reinsert what is to blame, while that helps, without the others."""
+        self.best = self._snap(super()._repair(self.best))
 
     def conclusion(self) -> Solution:
         """Return the best layout found."""
         trace = self.runner.trace(self.problem) if self.config.trace else Trace()
         return conclude(self.problem.layout(self.best.world), self.best.verdict, trace)
 
+    def _stage(self, number: int, world: Floats) -> Any:
+        self.number, self.best = number, None
+        with suppress(_Enough):
+            self.best = super()._stage(number, world)
+        return self.best
 
-class Samples:
-    """Solves several programs of one scene.
+    def _judged(self, world: Floats, number: int) -> Any:
+        found = super()._judged(world, number)
+        if self.best is None or found.verdict.merit < self.merit:
+            self.best = found
+        if found.verdict.ok:
+            self.met.add(number)
+        return found
+
+    def _repair(self, best: Any) -> Any:
+        self.best = best
+        return best
+
+
+class _Meeting:
+    """Where solvers wait until all of them have asked for a run, and get their answers.
 
     Args:
-        problems: One problem per program.
-        judges: The exact verifier for each, as an order on layouts.
-        config: Constants; the starts are shared out among the programs.
-        seed: Seed of all randomness.
-        progress: Called with the name of each phase.
+        ones: The solvers.
     """
 
-    def __init__(
-        self,
-        problems: Sequence[Problem],
-        judges: Sequence[Judge],
-        config: SolverConfig | None = None,
-        *,
-        seed: int = 0,
-        progress: Progress | None = None,
-    ) -> None:
-        self.config = config or SolverConfig()
-        self.progress = progress or silent
-        pairs = zip(problems, judges, strict=True)
-        self.ones = [_One(p, judge, self.config, seed + 1009 * i, self.progress) for i, (p, judge) in enumerate(pairs)]
-        share = max(LEAST_STARTS, self.config.starts // len(self.ones))
-        self.starts = share + share % STARTS
-        self.kept = max(STARTS, self.config.kept // len(self.ones))
+    def __init__(self, ones: Sequence[_One]) -> None:
+        self.ones = ones
+        self._state = Condition()
+        self._live = len(ones)
+        self._closed = False
+        self._asked: dict[int, Request] = {}
+        self._answers: dict[int, list[Found] | None] = {}
 
-    def solve(self) -> list[Solution]:
-        """Return the best layout found for each program."""
-        for number in range(max(len(stages(one.problem)) for one in self.ones)):
-            self._stage(number)
-        settled = [one for one in self.ones if one.best.verdict.ok]
-        for one in settled or self.ones:
-            one.snap()
-        for one in sorted(self.ones, key=lambda one: one.merit)[:REPAIRED]:
-            if self._done():
-                break
-            one.repair()
-            if not one.best.verdict.hard:
-                break
-        return [one.conclusion() for one in self.ones]
+    def attend(self, one: _One) -> None:
+        """Let a solver work, in its own thread, to its end."""
+        try:
+            with suppress(_Closed):
+                one.solve()
+        finally:
+            with self._state:
+                self._live -= 1
+                self._state.notify_all()
 
-    def _done(self) -> bool:
-        """Return whether one program is met entirely: then no effort is spent on the others."""
-        return any(one.best.verdict.ok for one in self.ones)
+    def ask(self, one: _One, request: Request) -> list[Found]:
+        """Wait for the answer to a request."""
+        with self._state:
+            self._asked[one.index] = request
+            self._state.notify_all()
+            self._state.wait_for(lambda: self._closed or one.index in self._answers)
+            if self._closed:
+                raise _Closed
+            answer = self._answers.pop(one.index)
+        if answer is None:
+            raise _Enough
+        return answer
 
-    def _stage(self, number: int) -> None:
-        """Place what belongs to a stage, for all programs at once."""
-        self.progress("search")
-        jobs = [job for one in self.ones if (job := one.begin(number, self.starts)) is not None]
-        phase = self.config.tops if number else self.config.search
-        runs = self._advance(jobs, phase, "search", noise=True)
-        jobs = [
-            _Job(job.one, job.stage, run.world[run.order()[: self.kept]]) for job, run in zip(jobs, runs, strict=True)
-        ]
-        runs = self._advance(jobs, self.config.polish, "polish")
-        for job, run in zip(jobs, runs, strict=True):
-            job.one.choose(run, number, self.kept)
-        if number == 0:
-            self._route([_Job(job.one, job.stage, run.world) for job, run in zip(jobs, runs, strict=True)])
+    def close(self) -> None:
+        """Send home whoever still waits."""
+        with self._state:
+            self._closed = True
+            self._state.notify_all()
 
-    def _route(self, jobs: list[_Job]) -> None:
-        """Push furniture out of the agents' routes, replanning as it moves."""
-        kept = {id(job.one): [list[Floats]() for _ in job.world] for job in jobs}
-        for _ in range(self.config.route_rounds):
-            if self._done():
-                break
-            jobs = [job for job in jobs if job.one.best.verdict.access]
-            self.progress("routes")
-            blocked = [found for job in jobs if (found := job.one.blocked(job, kept[id(job.one)])) is not None]
-            if not blocked:
-                break
-            runs = self._advance(blocked, self.config.reroute, "routes")
-            jobs = []
-            for job, run in zip(blocked, runs, strict=True):
-                job.one.improve(run)
-                jobs.append(_Job(job.one, job.stage, run.world))
+    def preside(self, config: SolverConfig, progress: Progress) -> None:
+        """Answer requests until all have left."""
+        while True:
+            with self._state:
+                self._state.wait_for(lambda: len(self._asked) == self._live)
+                if not self._live:
+                    return
+            chosen, refused = self._agenda()
+            if chosen and not refused:
+                progress(self._asked[chosen[0]].label)
+                found = run_together([self._asked[i] for i in chosen], config.weights)
+                answers: dict[int, list[Found] | None] = dict(zip(chosen, found, strict=True))
+            else:
+                answers = dict.fromkeys(refused)
+            with self._state:
+                for index in answers:
+                    del self._asked[index]
+                self._answers |= answers
+                self._state.notify_all()
 
-    def _advance(self, jobs: Sequence[_Job], phase: SearchConfig, label: str, *, noise: bool = False) -> list[Run]:
-        """Run one phase of all jobs; lanes of one size share a batch."""
-        lanes = [
-            (j, slice(begin, begin + STARTS))
-            for j, job in enumerate(jobs)
-            for begin in range(0, len(job.world), STARTS)
-        ]
-        filled = [_lane(jobs[j], part, noise=noise) for j, part in lanes]
-        found: list[Run | None] = [None] * len(lanes)
-        batches = _batches([_shapes(lane) for lane in filled])
-        results = self._call([[filled[i] for i in batch] for batch in batches], phase)
-        for batch, lane_results in zip(batches, results, strict=True):
-            for i, result in zip(batch, lane_results, strict=False):
-                j, part = lanes[i]
-                if part.start == 0:
-                    jobs[j].one.lanes.keep(jobs[j], label, phase.steps, result)
-                found[i] = jobs[j].one.lanes.settle(jobs[j], part, result)
-        return [_joined([found[i] for i, (owner, _) in enumerate(lanes) if owner == j]) for j in range(len(jobs))]
-
-    def _call(self, batches: list[list[_Lane]], phase: SearchConfig) -> list[list[Found]]:
-        """Run batches side by side, one on each processor, and return what each lane left."""
-        schedule = _schedule(phase)
-
-        def run(batch: list[_Lane]) -> list[Found]:
-            local, arrays, routes, noise = _stacked(batch)
-            values = programs.call(PROGRAM, local, arrays, routes, schedule, noise, weights=self.config.weights)
-            return [_found([value[i] for value in values]) for i in range(len(batch))]
-
-        if len(batches) <= 1:
-            return [run(batch) for batch in batches]
-        with ThreadPoolExecutor(min(len(batches), PROCESSORS)) as pool:
-            return list(pool.map(run, batches))
-
-
-_Lane = tuple[Singles, Arrays, Routes, Singles]
-"""Variables, arrays, routes and noise of a few starts of one program."""
-
-
-def _lane(job: _Job, part: slice, *, noise: bool) -> _Lane:
-    """Return a few starts of a job, filled up by repeating the last one."""
-    world = job.world[part]
-    fill = np.minimum(np.arange(STARTS), len(world) - 1)
-    local = job.stage.local(world[fill]).astype(np.float32)
-    shape = (NOISE_BLOCK, STARTS, job.stage.slots, 2)
-    shake = job.one.rng.standard_normal(shape, np.float32) if noise else np.zeros(shape, np.float32)
-    routes = no_routes(STARTS, 8 * job.stage.slots)
-    if job.routes is not None:
-        routes = Routes(*(field[part][fill] for field in job.routes))
-    return local, job.stage.arrays, routes, shake
-
-
-def _shapes(lane: _Lane) -> tuple[tuple[int, ...], ...]:
-    return tuple(leaf.shape for leaf in programs.leaves(lane))
-
-
-def _batches(kinds: Sequence[tuple[tuple[int, ...], ...]]) -> list[list[int]]:
-    """Return the numbers of lanes that run together: of one size, at most `LANES` of them."""
-    by_kind: dict[tuple[tuple[int, ...], ...], list[int]] = {}
-    for i, kind in enumerate(kinds):
-        by_kind.setdefault(kind, []).append(i)
-    return [alike[begin : begin + LANES] for alike in by_kind.values() for begin in range(0, len(alike), LANES)]
-
-
-def _stacked(batch: list[_Lane]) -> Any:
-    """Return the arrays of lanes with a leading axis of `LANES`, filled up by repeating the last lane."""
-    columns = [programs.leaves(batch[min(i, len(batch) - 1)]) for i in range(LANES)]
-    return programs.rebuilt(batch[0], [np.stack(leaves) for leaves in zip(*columns, strict=True)])
-
-
-def _found(values: list[Any]) -> Found:
-    local, world, *terms, history, shots = values
-    return Found(local, world, Losses(*terms), history, shots)
-
-
-def _joined(runs: Sequence[Run | None]) -> Run:
-    fields = [run.fields() for run in runs if run is not None]
-    return Run(*(np.concatenate(column) for column in zip(*fields, strict=True)))
+    def _agenda(self) -> tuple[list[int], list[int]]:
+        """Return whose requests to run and whose to refuse: the earliest stage first, and no more than is needed."""
+        number = min(self.ones[i].number for i in self._asked)
+        chosen = sorted(i for i in self._asked if self.ones[i].number == number)
+        if any(number in one.met for one in self.ones):
+            return chosen, [i for i in chosen if self.ones[i].best is not None]
+        return chosen, []
 
 
 def solve_samples(
@@ -296,34 +177,55 @@ def solve_samples(
         problems: One problem per program, all of one scene.
         judges: The exact verifier for each, as an order on layouts.
         seed: Settles every choice.
-        config: Constants of the search.
+        config: Constants of the search; the starts are shared out among the programs.
         progress: Called with the name of each phase.
     """
     if not problems:
         return []
     if not problems[0].names:
         return [conclude(Layout({}), Verdict(0.0, 0.0, 0.0), Trace()) for _ in problems]
-    return Samples(problems, judges, config, seed=seed, progress=progress).solve()
+    config = config or SolverConfig()
+    starts, kept = (_share(count, len(problems)) for count in (config.starts, config.kept))
+    shared = replace(config, starts=starts, kept=kept)
+    pairs = zip(problems, judges, strict=True)
+    ones = [_One(i, problem, judge, shared, seed + 1009 * i) for i, (problem, judge) in enumerate(pairs)]
+    _search(ones, shared, progress or silent)
+    for one in sorted(ones, key=lambda one: one.merit)[:REPAIRED]:
+        if any(other.best.verdict.ok for other in ones):
+            break
+        (progress or silent)("repair")
+        one.config = config
+        one.repair()
+        if not one.best.verdict.hard:
+            break
+    return [one.conclusion() for one in ones]
+
+
+def _share(count: int, among: int) -> int:
+    """Return how many of so many starts one program gets, in whole lanes."""
+    return STARTS * max(1, round(count / among / STARTS))
+
+
+def _search(ones: Sequence[_One], config: SolverConfig, progress: Progress) -> None:
+    """Let all solvers work at the same time, up to the repair."""
+    meeting = _Meeting(ones)
+    alone = [one.lanes.send for one in ones]
+    for one in ones:
+        one.lanes.send = partial(meeting.ask, one)
+    with ThreadPoolExecutor(len(ones), thread_name_prefix="robolayout-sample") as pool:
+        working = [pool.submit(meeting.attend, one) for one in ones]
+        try:
+            meeting.preside(config, progress)
+        finally:
+            meeting.close()
+        for work in working:
+            work.result()
+    for one, send in zip(ones, alone, strict=True):
+        one.lanes.send = send
 
 
 def warm_up_samples(scene: Scene, config: SolverConfig | None = None) -> None:
     """Start to load or compile, in the background, the program that solving samples for this scene will need."""
     if scene.assets:
         problem = compile_problem(scene)
-        stage = make_stage(problem, 0, problem.start)
-        lane = _blank(stage)
-        weights = (config or SolverConfig()).weights
-        local, arrays, routes, noise = _stacked([lane])
-        programs.prepare(PROGRAM, local, arrays, routes, _schedule(STILL), noise, weights=weights)
-
-
-def _schedule(phase: SearchConfig) -> Schedule:
-    rates = (phase.rate, phase.final_rate, phase.noise, phase.ramp)
-    return Schedule(np.int32(phase.steps), *(np.float32(rate) for rate in rates))
-
-
-def _blank(stage: Stage) -> _Lane:
-    """Return a lane in which nothing happens."""
-    local = stage.local(np.repeat(stage.problem.start[None], STARTS, axis=0)).astype(np.float32)
-    noise = np.zeros((NOISE_BLOCK, STARTS, stage.slots, 2), np.float32)
-    return local, stage.arrays, no_routes(STARTS, 8 * stage.slots), noise
+        prepare(make_stage(problem, 0, problem.start), (config or SolverConfig()).weights)

@@ -1,0 +1,134 @@
+"""Runs of several programs in shared batches: every batch has a few lanes, and each lane holds a few starts of one program."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.solve import programs
+from robolayout.solve.arrays import Arrays, Found, Losses, Routes, Schedule
+from robolayout.solve.compile import Floats
+from robolayout.solve.config import SearchConfig, SolverConfig, Weights
+from robolayout.solve.runner import NOISE_BLOCK, PROCESSORS, STILL, Run, Runner
+from robolayout.solve.stage import Stage, no_routes
+
+PROGRAM = "search_many:advance_many"
+"""What all lanes run."""
+
+LANES, STARTS = 4, 2
+"""Lanes of one compiled batch and starts in a lane; together as many starts as a batch of one program has."""
+
+Singles = NDArray[np.float32]
+Lane = tuple[Singles, Arrays, Routes, Singles]
+"""Variables, arrays, routes and noise of a few starts of one program."""
+
+
+@dataclass(frozen=True, eq=False)
+class Request:
+    """What one program asks to be run.
+
+    Attributes:
+        phase: How the search goes.
+        label: Name of the phase.
+        lanes: Its starts.
+    """
+
+    phase: SearchConfig
+    label: str
+    lanes: tuple[Lane, ...]
+
+
+Send = Callable[[Request], list[Found]]
+"""Runs a request and returns what each lane left."""
+
+
+class LaneRunner(Runner):
+    """Runs phases in lanes, wherever these are run, and keeps the record.
+
+    Args:
+        config: Constants.
+        send: Who runs a request.
+    """
+
+    def __init__(self, config: SolverConfig, send: Send) -> None:
+        super().__init__(config)
+        self.send = send
+
+    def advance(
+        self,
+        stage: Stage,
+        world: Floats,
+        phase: SearchConfig,
+        label: str,
+        *,
+        routes: Routes | None = None,
+        rng: np.random.Generator | None = None,
+    ) -> Run:
+        """Run one phase from world poses (K, n, 4)."""
+        parts = [slice(begin, begin + STARTS) for begin in range(0, len(world), STARTS)]
+        lanes = tuple(
+            _lane(stage, world[part], routes and Routes(*(field[part] for field in routes)), rng) for part in parts
+        )
+        found = self.send(Request(phase, label, lanes))
+        if self.config.trace and phase.steps:
+            self._record(stage, label, phase.steps, found[0])
+        runs = [self._run(stage, world[part], one) for part, one in zip(parts, found, strict=True)]
+        return Run(*(np.concatenate(fields) for fields in zip(*(run.fields() for run in runs), strict=True)))
+
+
+def run_together(requests: Sequence[Request], weights: Weights) -> list[list[Found]]:
+    """Run requests, lanes of one size and phase in one batch, batches side by side; return what each lane left."""
+    lanes = [(request.phase, lane) for request in requests for lane in request.lanes]
+    alike: dict[Any, list[int]] = {}
+    for i, (phase, lane) in enumerate(lanes):
+        alike.setdefault((phase, *(leaf.shape for leaf in programs.leaves(lane))), []).append(i)
+    batches = [same[begin : begin + LANES] for same in alike.values() for begin in range(0, len(same), LANES)]
+
+    def run(batch: list[int]) -> list[Found]:
+        arguments = batch_arguments([lanes[i][1] for i in batch], lanes[batch[0]][0])
+        values = programs.call(PROGRAM, *arguments, weights=weights)
+        return [_found([value[i] for value in values]) for i in range(len(batch))]
+
+    if len(batches) == 1:
+        results = [run(batches[0])]
+    else:
+        with ThreadPoolExecutor(min(len(batches), PROCESSORS)) as pool:
+            results = list(pool.map(run, batches))
+    found = {i: one for batch, ones in zip(batches, results, strict=True) for i, one in zip(batch, ones, strict=True)}
+    ends = np.cumsum([len(request.lanes) for request in requests])
+    return [[found[i] for i in range(end - len(r.lanes), end)] for r, end in zip(requests, ends, strict=True)]
+
+
+def batch_arguments(lanes: Sequence[Lane], phase: SearchConfig) -> tuple[Any, ...]:
+    """Return what the program takes for some lanes, filled up by repeating the last one."""
+    columns = [programs.leaves(lanes[min(i, len(lanes) - 1)]) for i in range(LANES)]
+    stacked = [np.stack(leaves) for leaves in zip(*columns, strict=True)]
+    local, arrays, routes, noise = programs.rebuilt(lanes[0], stacked)
+    rates = (phase.rate, phase.final_rate, phase.noise, phase.ramp)
+    return local, arrays, routes, Schedule(np.int32(phase.steps), *(np.float32(rate) for rate in rates)), noise
+
+
+def prepare(stage: Stage, weights: Weights) -> None:
+    """Start to load or compile, in the background, what runs lanes of this size."""
+    lane = _lane(stage, stage.problem.start[None], None, None)
+    programs.prepare(PROGRAM, *batch_arguments([lane], STILL), weights=weights)
+
+
+def _lane(stage: Stage, world: Floats, routes: Routes | None, rng: np.random.Generator | None) -> Lane:
+    """Return a few starts of a stage, filled up by repeating the last one."""
+    fill = np.minimum(np.arange(STARTS), len(world) - 1)
+    local = stage.local(world[fill]).astype(np.float32)
+    shape = (NOISE_BLOCK, STARTS, stage.slots, 2)
+    noise = np.zeros(shape, np.float32) if rng is None else rng.standard_normal(shape, np.float32)
+    demands = no_routes(STARTS, 8 * stage.slots) if routes is None else Routes(*(field[fill] for field in routes))
+    return local, stage.arrays, demands, noise
+
+
+def _found(values: list[Any]) -> Found:
+    local, world, *terms, history, shots = values
+    return Found(local, world, Losses(*terms), history, shots)

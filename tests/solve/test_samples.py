@@ -1,0 +1,150 @@
+"""Several programs of one scene, solved in shared batches: as good as alone where it counts, and hardly dearer than one."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from typing import Any
+from unittest.mock import patch
+
+import numpy as np
+import pytest
+from solve_rooms import BED, LAMP, PICTURE, QUICK, STANDS, TABLE, room_of
+
+from robolayout.pipeline import make_judge, solve, solve_many
+from robolayout.program import Program, read_program, reconcile
+from robolayout.scene import Layout, Pose, Scene
+from robolayout.solve import SolverConfig, Verdict, compile_problem, programs, solve_samples
+from robolayout.solve.lanes import LaneRunner, Request, run_together
+from robolayout.solve.runner import Runner
+from robolayout.solve.stage import Stage, make_stage
+
+ROOM = room_of(BED, *STANDS, LAMP, TABLE)
+GOOD = """
+solver.against_wall(bed[0], walls[2])
+solver.next_to(night_stand[0], bed[0], "left")
+solver.align_with(night_stand[0], bed[0])
+solver.on_top_of(lamp[0], night_stand[0])
+"""
+OTHER = GOOD.replace("walls[2]", "walls[3]") + "solver.corner(table[0])\n"
+CONTRARY = (
+    GOOD
+    + "solver.distance_constraint(night_stand[1], bed[0], 3.0)\nsolver.distance_constraint(table[0], bed[0], 3.0)\n"
+)
+TEXTS = (GOOD, CONTRARY, OTHER, "solver.corner(table[0])\nsolver.on_top_of(lamp[0], table[0])\n")
+THOROUGH = replace(QUICK, starts=16)
+
+
+def read(scene: Scene, *texts: str) -> list[Program]:
+    return [reconcile(read_program(text, scene), scene).program for text in texts]
+
+
+@contextmanager
+def counted() -> Iterator[dict[str, int]]:
+    """Count the steps that all starts make in compiled programs, and the calls by program."""
+    found = {"steps": 0}
+    real = programs.call
+
+    def call(target: str, local: Any, arrays: Any, routes: Any, schedule: Any, *rest: Any, **constants: Any) -> Any:
+        found["steps"] += int(schedule.steps) * int(np.prod(local.shape[:-2]))
+        found[target] = found.get(target, 0) + 1
+        return real(target, local, arrays, routes, schedule, *rest, **constants)
+
+    with patch.object(programs, "call", call):
+        yield found
+
+
+def test_every_program_gets_a_layout_that_its_own_judge_measured() -> None:
+    asked = read(ROOM, *TEXTS)
+    solutions = solve_many(ROOM, asked, config=QUICK)
+    assert len(solutions) == 4
+    for program, solution in zip(asked, solutions, strict=True):
+        assert set(solution.layout) == set(ROOM.by_name)
+        assert make_judge(ROOM, program)(solution.layout).merit == solution.verdict.merit
+    assert any(solution.verdict.ok for solution in solutions)
+    assert solutions[1].verdict.merit > 0.0
+
+
+def test_four_programs_cost_less_than_twice_one() -> None:
+    for config in (THOROUGH, SolverConfig()):
+        with counted() as one:
+            solve(ROOM, read(ROOM, GOOD)[0], config=config)
+        with counted() as four:
+            solve_many(ROOM, read(ROOM, *TEXTS), config=config)
+        assert four["steps"] < 2 * one["steps"]
+        assert set(four) == {"steps", "search_many:advance_many"}
+
+
+def test_the_best_of_four_is_as_good_as_each_alone() -> None:
+    asked = read(ROOM, *TEXTS)
+    alone = min(solve(ROOM, program, config=QUICK).verdict.merit for program in asked)
+    together = min(solution.verdict.merit for solution in solve_many(ROOM, asked, config=QUICK))
+    assert together <= alone
+
+
+def test_same_programs_same_layouts() -> None:
+    first, second = (solve_many(ROOM, read(ROOM, *TEXTS[:3]), config=QUICK, seed=5) for _ in range(2))
+    assert [s.layout.to_dict() for s in first] == [s.layout.to_dict() for s in second]
+
+
+@pytest.mark.parametrize("count", [2, 3, 5])
+def test_any_number_of_programs(count: int) -> None:
+    solutions = solve_many(ROOM, read(ROOM, *([*TEXTS, *TEXTS][:count])), config=QUICK)
+    assert len(solutions) == count and min(s.verdict.hard for s in solutions) == 0.0
+
+
+def test_a_single_program_takes_the_way_of_always() -> None:
+    program = read(ROOM, GOOD)[0]
+    (found,) = solve_many(ROOM, [program], config=QUICK, seed=2)
+    assert found.layout.to_dict() == solve(ROOM, program, config=QUICK, seed=2).layout.to_dict()
+
+
+def test_what_is_pinned_stays_in_every_sample() -> None:
+    pinned = {"bed-0": Pose(1.0, 2.0, 0.25, 0.0)}
+    for solution in solve_many(ROOM, read(ROOM, *TEXTS), config=QUICK, pinned=pinned):
+        assert solution.layout["bed-0"] == pinned["bed-0"]
+
+
+def test_an_empty_room_and_no_program() -> None:
+    nothing = room_of()
+    assert solve_many(ROOM, [], config=QUICK) == []
+    assert [len(s.layout) for s in solve_many(nothing, read(nothing, "", ""), config=QUICK)] == [0, 0]
+
+
+def test_a_lane_computes_what_the_search_of_one_computes() -> None:
+    scene = room_of(BED, *STANDS, PICTURE)
+    problems = [compile_problem(scene, program) for program in read(scene, "", "solver.against_wall(bed[0], walls[2])")]
+    rng = np.random.default_rng(3)
+    asked: list[Request] = []
+    jobs: list[tuple[Stage, Any]] = []
+    for problem in problems:
+        world = problem.start[None] + np.pad(rng.normal(0, 0.2, (3, 4, 2)), ((0, 0), (0, 0), (0, 2)))
+        jobs.append((make_stage(problem, 0, problem.start), world))
+        with pytest.raises(StopIteration):
+            LaneRunner(QUICK, lambda request: asked.append(request) or next(iter(()))).advance(
+                *jobs[-1], QUICK.polish, "x"
+            )
+    assert [len(request.lanes) for request in asked] == [2, 2]
+    answers = run_together(asked, QUICK.weights)
+    for (stage, world), answer in zip(jobs, answers, strict=True):
+        lanes = LaneRunner(QUICK, lambda _, answer=answer: answer).advance(stage, world, QUICK.polish, "x")
+        alone = Runner(QUICK).advance(stage, world, QUICK.polish, "x")
+        np.testing.assert_allclose(lanes.world, alone.world, atol=2e-3)
+        np.testing.assert_allclose(lanes.energy, alone.energy, rtol=1e-2, atol=1e-3)
+
+
+def test_a_solver_that_breaks_down_breaks_the_run_and_hangs_nobody() -> None:
+    problems = [compile_problem(ROOM, program) for program in read(ROOM, *TEXTS)]
+    judges = [make_judge(ROOM, program) for program in read(ROOM, *TEXTS)]
+
+    def broken(layout: Layout) -> Verdict:
+        raise ZeroDivisionError
+
+    before = threading.active_count()
+    with pytest.raises(ZeroDivisionError):
+        solve_samples(problems, [*judges[:3], broken], config=QUICK)
+    with patch.object(programs, "call", side_effect=MemoryError), pytest.raises(MemoryError):
+        solve_samples(problems, judges, config=QUICK)
+    assert threading.active_count() <= before + 2
