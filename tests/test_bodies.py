@@ -161,3 +161,23 @@ def test_without_a_door_the_report_says_where_the_body_starts() -> None:
     report = verify(scene, Layout({"bookshelf-0": Pose(0.15, 2.5, 0.95, 0.0)}), agent="adult")
     assert report.ok
     assert "The room has no door: adult starts in the largest free part of the floor." in report.to_markdown()
+
+
+@pytest.mark.slow
+def test_in_a_simulator_a_vacuum_cleaner_drives_under_a_bed_and_a_taller_robot_hits_it() -> None:
+    """A bed across a narrow room: the only way to the box behind leads under it."""
+    pytest.importorskip("mujoco")
+    from robolayout.export import drive
+
+    room = Room(((0, 0), (2.3, 0), (2.3, 5), (0, 5)), 2.6, (Opening(0, 0.7, 0.9, 2.05),))
+    box = Asset("box-0", "box", (0.4, 0.4, 0.5))
+    scene = Scene(room, (BED, box))
+    layout = Layout({"bed-0": Pose(1.15, 2.5, 0.45, 0.0), "box-0": Pose(1.15, 4.5, 0.25, 0.0)})
+    vacuum = load_agent("robot_vacuum")
+    report = judge_agent(scene, layout, vacuum)
+    assert report.navigation.reached["box-0"]
+    routes = {"box-0": report.navigation.routes["box-0"].points}
+    assert not drive(scene, layout, vacuum, routes).contacts
+    tall = Agent("tall", vacuum.radius, 0.5, step=vacuum.step)
+    assert not judge_agent(scene, layout, tall).navigation.reached["box-0"]
+    assert "bed-0" in str(drive(scene, layout, tall, routes).contacts)
