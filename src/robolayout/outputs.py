@@ -120,7 +120,7 @@ def comparison(results: Sequence[Result], suffix: str = ".png", *, width: int = 
     ]
     if suffix == ".svg":
         return compare_svg(panels).encode()
-    return png(compare_image(panels, width=width).quantize(128))
+    return png(compare_image(panels, width=width).quantize(256))
 
 
 def _body(report: AgentReport) -> str:
