@@ -14,6 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from robolayout._grid import components
+from robolayout.assets import category_of
 from robolayout.assets.meshes import parts
 from robolayout.program import read_program
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, load_agent
@@ -21,6 +22,7 @@ from robolayout.solve import compile_problem
 from robolayout.solve.routes import Obstacles, clearance, make_ground, obstacles_of
 from robolayout.solve.routes import _rows as demand_rows
 from robolayout.verify import Navigation, judge_agent, navigation, verify
+from robolayout.verify._obstacles import part_rectangles
 from robolayout.verify.heading import rectangle as footprint_of
 from robolayout.verify.proofs import impossible, remedies
 
@@ -177,6 +179,57 @@ def test_verdicts_do_not_change_when_room_and_furniture_are_turned_and_moved(see
     assert dict(first.usage.usable) == dict(second.usage.usable)
     for name, value in first.figures.items():
         assert second.figures[name] == pytest.approx(value, abs=1e-3), name
+
+
+@settings(max_examples=15, deadline=None, derandomize=True)
+@given(SEEDS)
+def test_verdicts_do_not_change_when_room_and_furniture_are_mirrored(seed: int):
+    """Furniture that is its own mirror image: tables and chairs on four legs."""
+    rng = random.Random(seed)
+    room = ROOMS[0]
+    kinds = {
+        k: size for k, size in KINDS if k in ("chair", "coffee table", "desk", "dining table") and mirrors(k, size)
+    }
+    assert len(kinds) >= 2
+    assets = [Asset(f"{k.replace(' ', '_')}-{i}", k, kinds[k]) for i, k in enumerate(rng.choices(sorted(kinds), k=4))]
+    poses = {
+        a.name: Pose(rng.uniform(0.4, 4.2), rng.uniform(0.4, 3.4), a.size[2] / 2, rng.uniform(-3, 3)) for a in assets
+    }
+    (door,) = room.doors
+    length = room.walls[door.wall].length
+    flipped = replace(
+        room,
+        vertices=tuple((-x, y) for x, y in reversed(room.vertices)),
+        doors=(replace(door, wall=2 - door.wall, offset=length - door.offset - door.width),),
+    )
+    other = {name: Pose(-p.x, p.y, p.z, math.pi - p.yaw) for name, p in poses.items()}
+    turn = {"left": "right", "right": "left"}
+    swapped = [replace(a, use_sides=tuple(turn.get(s, s) for s in sides_of(a))) for a in assets]
+    for agent in (LOW, BODIES[3], LONG[0]):
+        first = verify(Scene(room, tuple(assets)), Layout(poses), agent=agent).agents[0]
+        second = verify(Scene(flipped, tuple(swapped)), Layout(other), agent=agent).agents[0]
+        assert dict(first.navigation.reached) == dict(second.navigation.reached)
+        assert dict(first.usage.usable) == dict(second.usage.usable)
+        assert second.navigation.free.area == pytest.approx(first.navigation.free.area, abs=1e-6)
+
+
+def mirrors(kind: str, size: tuple[float, float, float]) -> bool:
+    """Whether the low parts of a kind of furniture are their own mirror image."""
+    found = [
+        part_rectangles(Asset(f"{kind.replace(' ', '_')}-{i}", kind, size), 0.02, h)
+        for i in range(4)
+        for h in (0.09, 0.3)
+    ]
+    for rows in found:
+        if rows is not None and not np.allclose(
+            sorted(rows.tolist()), sorted(np.stack([rows[:, 0], -rows[:, 3], rows[:, 2], -rows[:, 1]], axis=1).tolist())
+        ):
+            return False
+    return True
+
+
+def sides_of(asset: Asset) -> tuple[str, ...]:
+    return tuple(category_of(asset).use_sides)
 
 
 def grid(scene: Scene, layout: Layout, agent: Agent):

@@ -24,6 +24,9 @@ MANY = 64
 FINE = 0.01
 """Metres between the points by which a user's own mesh is looked at."""
 
+TOUCHING = 1e-6
+"""Metres of height by which a part must reach into a body's heights."""
+
 Pieces = NDArray[np.float64]
 """(m, 4): how far a rectangle's middle lies ahead and left of its asset's, half its depth, half its width; metres."""
 
@@ -73,7 +76,7 @@ def _met(asset: Asset, low: float, high: float) -> Pieces | None:
     ranges: list[tuple[float, float, float, float]] = []
     for part in made:
         x, y, z = part.vertices.T
-        if z.max() > low and z.min() < high:
+        if z.max() - low > TOUCHING and high - z.min() > TOUCHING:
             outline = (x.min(), x.max(), y.min(), y.max())
             ranges += [outline] if part.convex else _blobs(part, low, high)
     spans = sorted(set(ranges))

@@ -23,7 +23,7 @@ FILLED = 0.9
 """Share of a box's footprint from which on its parts count as the whole box."""
 MOST = 64
 """Rectangles of one asset beyond which the whole box is taken."""
-ROUNDING = 1e-9
+ROUNDING = 1e-6
 """Metres of height that may be shared by rounding."""
 WELDED = 1e-4
 """Metres within which corners of a user's own mesh are one."""
