@@ -85,8 +85,7 @@ class CriticPass:
         except ProgramError as error:
             why = str(error).splitlines()[0]
             return room, replace(said, outcome=f"{said.outcome}; its program could not be read ({why}).")
-        (found,) = self.finish([replace(asked, guesses=self._guesses(asked, room))], self.scene, {})
-        found = replace(found, asked=replace(found.asked, text=asked.text))
+        found = replace(self._solved(asked, room), asked=asked)
         after = self._verified(found)
         worse = _worse(*score_samples([report.figures, after.figures], [room.asked, asked]))
         if worse:
@@ -119,6 +118,16 @@ class CriticPass:
         )
         with self.clock.station("plan"):
             return self.critic.amend(request)
+
+    def _solved(self, asked: Program, room: Attempt) -> Attempt:
+        """Solve the amendment with everything pinned that it says nothing new about; if that does not do, without pins."""
+        asked = replace(asked, guesses=self._guesses(asked, room))
+        pinned = {name: room.solution.layout[name] for name in _unchanged(room.asked, asked, room)}
+        (found,) = self.finish([asked], self.scene, pinned)
+        if found.solution.verdict.ok or not pinned:
+            return found
+        (free,) = self.finish([asked], self.scene, {})
+        return min((found, free), key=lambda attempt: attempt.solution.verdict.merit)
 
     def _guesses(self, asked: Program, room: Attempt) -> dict[str, Guess]:
         """Return where things start from: where they stand, except what the amendment puts elsewhere."""
@@ -154,6 +163,16 @@ def summary(report: Report) -> str:
     """Return what the judge measured, for the critic: the short table and what is wrong."""
     lines = [f"- {name}: {value}{'' if met else ' (short of what is demanded)'}" for name, value, met in report.rows()]
     return "\n".join([*lines, "", feedback_text(violations=report.violations) or "Nothing is wrong."])
+
+
+def _unchanged(before: Program, after: Program, room: Attempt) -> list[str]:
+    """Return the things about which two programs say the same."""
+    changed: set[str] = set()
+    for one, other in ((before, after), (after, before)):
+        said = [statement.relation for statement in other.statements]
+        changed |= {name for s in one.statements if s.relation not in said for name in s.relation.asset_names()}
+    here = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in room.solution.layout.items()}
+    return [name for name, guess in here.items() if name not in changed and after.guesses.get(name) == guess]
 
 
 def _worse(before: Score, after: Score) -> str:

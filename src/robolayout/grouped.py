@@ -68,12 +68,14 @@ class Planned:
         groups: The groups as they were planned.
         samples: All answers, in the order in which they were given.
         taken_over: Why the offline planner planned a group, by its label.
+        given_up: Why a group was not asked for again though something was wrong, by its label.
     """
 
     attempt: Attempt
     groups: tuple[Group, ...]
     samples: tuple[Sample, ...]
     taken_over: Mapping[str, str]
+    given_up: Mapping[str, str]
 
     def to_dict(self) -> dict[str, Any]:
         """Return what the report says of it: what was taken over, and all of it in sentences."""
@@ -81,8 +83,9 @@ class Planned:
         sentences = [
             f"{len(self.samples)} programs were given for {len(self.groups)} groups, {readable} of them could be read.",
             *(f"The offline planner took over group {label!r}: {why}" for label, why in self.taken_over.items()),
+            *(f"Group {label!r} was not asked for again: {why}" for label, why in self.given_up.items()),
         ]
-        return {"taken_over": dict(self.taken_over), "sentences": sentences}
+        return {"taken_over": dict(self.taken_over), "given_up": dict(self.given_up), "sentences": sentences}
 
 
 @dataclass(frozen=True)
@@ -181,6 +184,7 @@ class GroupedRun:
         self._answered = False
         self._samples: list[Sample] = []
         self._taken_over: dict[str, str] = {}
+        self._given_up: dict[str, str] = {}
 
     def run(self, groups: tuple[Group, ...]) -> Planned:
         """Plan one group after the other; what is placed stays, and what is said stays said."""
@@ -199,7 +203,7 @@ class GroupedRun:
         if len(parts) > 1:
             best = self._joint(best, parts, placed)
         done = tuple(replace(group, rationale=self._rationale(group)) for group in groups)
-        return Planned(best, done, tuple(self._samples), self._taken_over)
+        return Planned(best, done, tuple(self._samples), self._taken_over, self._given_up)
 
     def _rationale(self, group: Group) -> str:
         taken = group.label in self._taken_over
@@ -218,7 +222,7 @@ class GroupedRun:
     def _group(self, question: _Question) -> Attempt:
         """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable."""
         self.prepare(question.here, self.planner.samples)
-        feedback, previous, failure = "", "", "none of its programs could be read."
+        feedback, previous, failure = "", "", ""
         question.images = self._images(question)
         for number in range(1, 2 + self.planner.retries):
             request = self._request(question, feedback, previous)
@@ -242,9 +246,15 @@ class GroupedRun:
             previous, feedback = best.attempt.asked.text, best.feedback()
         best = question.best()
         self._samples += question.records()
-        if best is not None:
-            return best.attempt
-        self._taken_over[question.group.label] = failure
+        if best is None:
+            self._taken_over[question.group.label] = failure or "none of its programs could be read."
+            return self._offline(question)
+        if failure:
+            self._given_up[question.group.label] = failure
+        return best.attempt
+
+    def _offline(self, question: _Question) -> Attempt:
+        """Plan a group by rules."""
         text = OfflinePlanner().plan(PlanRequest(self.scene, question.group, Layout(question.placed), seed=self.seed))
         asked = about(read_program(text, self.scene), question.group, question.here, question.before)
         return self.finish([asked], question.here, question.placed)[0]

@@ -527,6 +527,12 @@ def test_a_critic_amends_once_and_only_for_the_better(
         assert "bed[0] is far from the door: move it to walls[1]." in seen.user
         assert seen.labels[0].startswith("The room from above: a grid")
     assert ((out / "program.py").read_text() == AMENDED) is kept
+    again = room.parent / "again"
+    mode = () if len(scores) == 2 else ("--mode", "no_image")
+    words = ("--replay", out / "exchanges", "--critic", *mode, "--no-pictures", "--out", again)
+    assert run_command("generate", room, *words).code == 0
+    assert read(again, "report.json")["planner"] == who
+    assert (again / "layout.json").read_bytes() == (out / "layout.json").read_bytes()
 
 
 def test_a_critic_that_breaks_down_leaves_the_room_as_it_was(room: Path) -> None:
@@ -537,3 +543,40 @@ def test_a_critic_that_breaks_down_leaves_the_room_as_it_was(room: Path) -> None
         ran, out = generate(server, room, "--critic")
     assert ran.code == 0, ran
     assert "The critic did not answer: openai:gpt-4o failed" in valid(out)["planner"]["critic"]["outcome"]
+
+
+def test_what_the_critic_does_not_speak_of_stays(room: Path) -> None:
+    def amended(seen: Seen, number: int) -> str:
+        if kind(seen) != "amend":
+            return Critical((6, 8), "")(seen, number) if kind(seen) == "rate" else good(seen, number)
+        shown = seen.user.partition("# Your program")[2].partition("```python\n")[2].partition("```")[0]
+        return shown.replace("solver.mounted_on(picture[0], walls[3]", "solver.mounted_on(picture[0], walls[1]")
+
+    with serving(good) as server:
+        _, out = generate(server, room)
+    before = read(out, "layout.json")
+    with serving(amended) as server:
+        ran, out = generate(server, room, "--critic")
+    after = read(out, "layout.json")
+    assert ran.code == 0, ran
+    assert [name for name in before if before[name] != after[name]] in ([], ["picture-0"])
+
+
+def test_one_that_breaks_down_when_asked_again_keeps_what_it_had(room: Path) -> None:
+    far = BED + "solver.distance_constraint(night_stand[0], bed[0], 3.4, 3.5)\n"
+
+    def tired(seen: Seen, n: int) -> Reply | str:
+        return (
+            good(seen, n)
+            if kind(seen) == "plan picture"
+            else far
+            if n == 1
+            else Reply("tired", 500, {"retry-after-ms": "10"})
+        )
+
+    with serving(plans(tired)) as server:
+        _, out = generate(server, room)
+    who = valid(out)["planner"]
+    assert who["taken_over"] == {}
+    assert who["given_up"] == {"sleeping": "openai:gpt-4o failed after several tries (500): tired."}
+    assert "Group 'sleeping' was not asked for again: openai:gpt-4o failed" in (out / "report.md").read_text()

@@ -132,6 +132,7 @@ class ModelPlanner:
 
     def group(self, scene: Scene) -> tuple[Group, ...]:
         """Return all assets in groups, structural first, decorative last; in the mode one_shot in one group."""
+        self._asked.clear()
         if self.mode == "one_shot" or len(scene.assets) < 2:
             return (Group(EVERYTHING, "All at once.", tuple(asset.name for asset in scene.assets)),)
         question = self._question(
