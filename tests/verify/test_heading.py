@@ -90,3 +90,11 @@ def test_without_a_door_the_largest_group_counts():
     scene, layout = furnished(square(doors=()), (shelf, on_floor(shelf, 2.0, 1.2)), agents=(CART,))
     space = heading_space(scene, layout, CART)
     assert space.standing[0].bounds[1] > 1.4
+
+
+def test_a_body_wider_than_the_door_gets_nowhere():
+    for width, enters in ((0.89, True), (0.91, False)):
+        body = replace(CART, width=width, radius=0.5)
+        space = heading_space(Scene(square(6.0), (), agents=(body,)), Layout({}), body)
+        assert space.standing[0].is_empty is not enters
+        assert (space.start is not None) is enters

@@ -20,7 +20,7 @@ from shapely import MultiPolygon, Polygon
 from robolayout.scene import LANDING_DEPTH, Agent, Layout, Room, Scene
 from robolayout.verify._boxes import boxes, room_polygon
 from robolayout.verify._obstacles import obstacles
-from robolayout.verify._space import components, disc_space
+from robolayout.verify._space import REACH_SLACK, components, disc_space
 
 Node = tuple[int, int]
 """A piece of free space: number of its heading, and its own among those of that heading."""
@@ -34,7 +34,7 @@ class HeadingSpace:
 
     Attributes:
         headings: Radians, one per region; the first is the door's normal (no door: the first wall's).
-        standing: For each heading, where the centre can get to from the door.
+        standing: For each heading, where the centre can get to from the door; nowhere if the door is too narrow.
         turning: Where the body can get to and turn right round.
         pieces: The pieces of `standing`, by (number of the heading, number among its free pieces).
         links: Pieces between which it can turn by one heading to the left, and where its centre may be meanwhile.
@@ -65,7 +65,8 @@ def heading_space(scene: Scene, layout: Layout, agent: Agent) -> HeadingSpace:
         for k, heading in enumerate(headings):
             for place in _parts(scene.room, blocking.shapes, _swept(agent, heading, step)):
                 joined.join(k, (k + 1) % HEADINGS, place)
-    start = joined.entry(scene.room, max(LANDING_DEPTH, agent.length or 0.0))
+    passes = not scene.room.doors or (agent.width or 0.0) <= scene.room.doors[0].width + REACH_SLACK
+    start = joined.entry(scene.room, max(LANDING_DEPTH, agent.length or 0.0)) if passes else None
     group = joined.group(start)
     return HeadingSpace(
         headings=headings,
