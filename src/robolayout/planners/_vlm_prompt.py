@@ -220,7 +220,8 @@ def placed_data(asset: Asset, pose: Pose) -> dict[str, object]:
 def image_label(name: str) -> str:
     """Return the line above an image."""
     return {
-        "top": "The room from above: a grid with coordinates in metres, names, arrows along the fronts, wall numbers.",
+        "top": "The room from above: a grid with coordinates in metres, names, arrows along the fronts, wall numbers. "
+        "Check your guesses against the grid.",
         "side": "The room from the side, with the same marks.",
         "finished top": "The finished room from above.",
         "finished side": "The finished room from the side.",
