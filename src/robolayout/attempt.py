@@ -1,13 +1,14 @@
-"""One program and what came of it, and the clock of a run."""
+"""One program and what came of it, the record of several searches as one, and the clock of a run."""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from robolayout.program import Program, Reconciled
+from robolayout.scene import Snapshot, Trace
 from robolayout.solve import Solution
 
 Progress = Callable[[str], None]
@@ -27,6 +28,16 @@ class Attempt:
     asked: Program
     reconciled: Reconciled
     solution: Solution
+
+
+def joined_traces(traces: Iterable[Trace]) -> Trace:
+    """Return the record of searches that followed each other."""
+    losses: list[Mapping[str, float]] = []
+    snapshots: list[Snapshot] = []
+    for trace in traces:
+        snapshots += [replace(snapshot, step=snapshot.step + len(losses)) for snapshot in trace.snapshots]
+        losses += trace.losses
+    return Trace(tuple(losses), tuple(snapshots))
 
 
 class Clock:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from robolayout._errors import ModelError, ProgramError
-from robolayout.attempt import Attempt, Clock, Progress
+from robolayout.attempt import Attempt, Clock, Progress, joined_traces
 from robolayout.planners import Critic, Judgement, PlanRequest, Score, feedback_text, score_samples
 from robolayout.program import Guess, Program, read_program
 from robolayout.scene import Pose, Scene
@@ -97,6 +97,8 @@ class CriticPass:
         kept = second > first.score
         fate = "was kept" if kept else "was dropped, as it is no better"
         outcome = f"{said.outcome} and {second} after its amendment, which {fate}."
+        trace = joined_traces([room.solution.trace, found.solution.trace])
+        found = replace(found, solution=replace(found.solution, trace=trace))
         return (found if kept else room), replace(said, outcome=outcome, kept=kept, after=second)
 
     def _verified(self, room: Attempt) -> Report:

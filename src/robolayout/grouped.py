@@ -11,10 +11,10 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from robolayout._errors import ModelError, ProgramError
-from robolayout.attempt import Attempt, Clock, Progress
+from robolayout.attempt import Attempt, Clock, Progress, joined_traces
 from robolayout.planners import Group, GroupPlanner, OfflinePlanner, PlanRequest, Score, feedback_text, score_samples
 from robolayout.program import Guess, Program, Statement, read_program, reconcile
-from robolayout.scene import Layout, Pose, Scene
+from robolayout.scene import Layout, Pose, Scene, Trace
 from robolayout.verify import Report, verify
 
 Finish = Callable[[Sequence[Program], Scene, Mapping[str, Pose]], list[Attempt]]
@@ -191,6 +191,7 @@ class GroupedRun:
         placed: dict[str, Pose] = {}
         best: Attempt | None = None
         parts: list[tuple[Group, Program]] = []
+        traces: list[Trace] = []
         self._answered = len(groups) > 1
         for group in groups:
             names = {*placed, *group.items}
@@ -199,9 +200,10 @@ class GroupedRun:
             best = self._group(_Question(here, group, placed, before))
             parts.append((group, replace(best.asked, statements=best.asked.statements[len(before) :])))
             placed = dict(best.solution.layout)
+            traces.append(best.solution.trace)
         assert best is not None
         if len(parts) > 1:
-            best = self._joint(best, parts, placed)
+            best = self._joint(best, parts, traces)
         done = tuple(replace(group, rationale=self._rationale(group)) for group in groups)
         return Planned(best, done, tuple(self._samples), self._taken_over, self._given_up)
 
@@ -209,15 +211,17 @@ class GroupedRun:
         taken = group.label in self._taken_over
         return group.rationale + (" Planned by the offline planner in place of the model." if taken else "")
 
-    def _joint(self, last: Attempt, parts: list[tuple[Group, Program]], placed: Mapping[str, Pose]) -> Attempt:
+    def _joint(self, last: Attempt, parts: list[tuple[Group, Program]], traces: list[Trace]) -> Attempt:
         """Return the whole program with its layout; if demands are unmet, solved once more with everything free to move."""
         solution = last.solution
         if not solution.verdict.ok:
-            guesses = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in placed.items()}
+            guesses = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in solution.layout.items()}
             (again,) = self.finish([replace(last.asked, guesses=guesses)], self.scene, {})
-            solution = min((solution, again.solution), key=lambda found: found.verdict.merit)
+            if again.solution.verdict.merit < solution.verdict.merit:
+                solution = again.solution
+                traces.append(solution.trace)
         whole = joined(parts)
-        return Attempt(whole, reconcile(whole, self.scene), solution)
+        return Attempt(whole, reconcile(whole, self.scene), replace(solution, trace=joined_traces(traces)))
 
     def _group(self, question: _Question) -> Attempt:
         """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable."""

@@ -100,3 +100,16 @@ def test_the_same_recording_gives_the_same_layout(room: str, mode: str) -> None:
     assert first.layout.to_dict() == second.layout.to_dict()
     assert first.program.text == second.program.text
     assert [sample.to_dict() for sample in first.samples] == [sample.to_dict() for sample in second.samples]
+
+
+def test_the_record_of_the_search_shows_group_after_group() -> None:
+    from robolayout.solve import SolverConfig
+
+    result = generate(
+        recordings.scene_of("game_room"), planner=planner("game_room", "grouped"), config=SolverConfig(trace=True)
+    )
+    shown = [len(snapshot.poses) for snapshot in result.trace.snapshots]
+    steps = [snapshot.step for snapshot in result.trace.snapshots]
+    assert shown == sorted(shown) and steps == sorted(steps) and steps[-1] <= len(result.trace.losses)
+    assert set(result.trace.snapshots[-1].poses) == set(result.layout)
+    assert len(set(shown)) == len(result.groups)
