@@ -102,3 +102,14 @@ def test_a_broken_file_is_refused_in_words(tmp_path: Path, text: str, error: typ
     path.write_text(text)
     with pytest.raises(error, match=words.replace("'", ".")):
         load_knowledge([path])
+
+
+@pytest.mark.parametrize(("top", "handy"), [(0.30, True), (0.74, True), (1.25, False)])
+def test_a_thing_goes_on_a_top_that_the_shortest_arm_gets_to(top: float, handy: bool) -> None:
+    from robolayout.planners._roles import in_height
+    from robolayout.scene import Asset, load_agent
+
+    book = Asset("book-0", "book", (0.2, 0.15, 0.1), on_floor=False, on_object=True)
+    assert in_height((load_agent("wheelchair"), load_agent("robot_vacuum")), book, top) is handy
+    humanoid = load_agent("unitree_g1")
+    assert in_height((humanoid,), book, top) is (top > 0.5)

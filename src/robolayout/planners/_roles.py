@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 
 from robolayout.assets import Category, category_of
 from robolayout.planners._knowledge import Join, Knowledge, Role
-from robolayout.scene import Asset, Scene
+from robolayout.scene import Agent, Asset, Scene
 
 TOP_HEIGHT = 1.45
 """Metres above which nothing is put on a top: out of sight and of most hands."""
+
+BEYOND = 0.03
+"""Metres beyond its own edge that an arm must get to a thing on a top."""
 
 TOP_SHARE = 0.55
 """Share of a top that may be covered."""
@@ -69,7 +72,12 @@ def cast_scene(scene: Scene, knowledge: Knowledge) -> dict[str, Cast]:
     taken: dict[tuple[str, str], int] = {}
     covered: dict[str, float] = {}
     for name in sorted(cast, key=lambda n: (cast[n].role.rank, -_footprint(cast[n].asset))):
-        found = _anchor(cast[name], cast, taken, covered)
+        handy = {n for n, other in cast.items() if in_height(scene.agents, cast[name].asset, other.asset.size[2])}
+        found = (
+            _anchor(cast[name], cast, taken, covered, handy)
+            or _anchor(cast[name], cast, taken, covered, set(cast))
+            or _any_top(cast[name], cast, covered)
+        )
         if found is None:
             continue
         anchor, join = found
@@ -139,10 +147,30 @@ def fallback(asset: Asset) -> str:
     return "thing on the ceiling" if asset.on_ceiling else "thing on a wall"
 
 
+def in_height(agents: Sequence[Agent], asset: Asset, bottom: float) -> bool:
+    """Return whether every agent with an arm gets past its own edge to a thing that stands `bottom` metres high."""
+    for agent in agents:
+        if agent.reach_distance is None:
+            continue
+        low, high = max(bottom, agent.reach_low), min(bottom + asset.size[2], agent.reach_high)
+        shoulder = min(max(agent.shoulder_height or low, low), high)
+        away = 0.0 if agent.shoulder_height is None else shoulder - agent.shoulder_height
+        if low > high or agent.reach**2 - away**2 < (agent.radius + BEYOND) ** 2:
+            return False
+    return True
+
+
 def _anchor(
-    item: Cast, cast: Mapping[str, Cast], taken: Mapping[tuple[str, str], int], covered: Mapping[str, float]
+    item: Cast,
+    cast: Mapping[str, Cast],
+    taken: Mapping[tuple[str, str], int],
+    covered: Mapping[str, float],
+    handy: Set[str],
 ) -> tuple[str, Join] | None:
-    """Return what the item joins: of the first fitting kind, the one with fewest like it."""
+    """Return what the item joins: of the first fitting kind, the one with fewest like it.
+
+    On a top it is put only where `handy` holds that top.
+    """
     for join in item.role.joins:
         if not join_allowed(join, item.asset):
             continue
@@ -151,6 +179,7 @@ def _anchor(
                 (taken.get((name, item.role.name), 0), -_score(other), order, name)
                 for order, (name, other) in enumerate(cast.items())
                 if name != item.name
+                and (name in handy or join.slot not in ("on", "setting"))
                 and (other.role.name == wanted or (wanted == "*" and other.role.top))
                 and taken.get((name, item.role.name), 0) < join.most
                 and not _depends(name, item.name, cast)
@@ -158,8 +187,6 @@ def _anchor(
             ]
             if free:
                 return (min(free)[3], join)
-    if item.asset.on_object and not (item.asset.on_floor or item.asset.on_wall or item.asset.on_ceiling):
-        return _any_top(item, cast, covered)
     return None
 
 
@@ -170,6 +197,8 @@ def _score(other: Cast) -> float:
 
 def _any_top(item: Cast, cast: Mapping[str, Cast], covered: Mapping[str, float]) -> tuple[str, Join] | None:
     """Return the best top for what can stand nowhere else, however unlikely that top is."""
+    if not item.asset.on_object or item.asset.on_floor or item.asset.on_wall or item.asset.on_ceiling:
+        return None
     best = [
         (other.asset.size[2] > TOP_HEIGHT, covered.get(name, 0.0) - _footprint(other.asset), name)
         for name, other in cast.items()
