@@ -12,6 +12,7 @@ from typing import Any
 from benchmarks.examples import BODIES, ROOMS, ROOT
 from benchmarks.measures import SHARES
 from benchmarks.store import Row
+from benchmarks.vlm import MODES, WAYS
 from robolayout._files import write_atomic
 
 RESULTS = ROOT / "benchmarks" / "results"
@@ -210,10 +211,12 @@ def ablation(rows: Rows, images: Path) -> str:
 
 def vlm(rows: Rows, images: Path) -> str:
     """Return the table of what the parts of planning with a model are worth, and what four samples cost the solver."""
-    groups: dict[str, list[Row]] = {}
-    for key, row in rows.items():
-        way, mode, _ = key.split("/")
-        groups.setdefault(f"{mode}, {way}", []).append(row)
+    groups = {
+        f"{mode}, {way}": found
+        for mode in MODES
+        for way in WAYS
+        if (found := select(rows, lambda key, way=way, mode=mode: key[:2] == [way, mode]))
+    }
     heads = ["mode, and what is different", "rooms", "hard demands met", "all demands met", *HEADS]
     lines = [
         [
