@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,8 +13,9 @@ from solve_rooms import BED, L_SHAPED, LAMP, SQUARE, STANDS, TABLE, TRIANGLE, pr
 from robolayout.constraints import FAR, FrameTerm, WallRef
 from robolayout.scene import Asset, Room
 from robolayout.solve import Problem
-from robolayout.solve.proposals import Proposals, make_starts
+from robolayout.solve.proposals import Proposals, frame_of
 from robolayout.solve.stage import relative
+from robolayout.solve.starts import make_starts
 
 ROOMS = pytest.mark.parametrize("room", [SQUARE, L_SHAPED, TRIANGLE], ids=["square", "L", "triangle"])
 CHAIRS = tuple(Asset(f"chair-{i}", "chair", (0.5, 0.5, 0.9)) for i in range(3))
@@ -66,8 +68,7 @@ def test_what_does_not_move_stays_in_every_start() -> None:
 
 def missed(problem: Problem, term: FrameTerm, world: np.ndarray) -> float:
     """Return by how many metres a row's place is missed, from its definition (DESIGN section 4), without the solver."""
-    proposals = Proposals.of(problem)
-    frame = proposals._frame(term.b, world)
+    frame = frame_of(problem, term.b, world)
     slot = problem.slot[term.a.name]
     u, v, c, s = relative(frame, world[slot])
     hx, hy = problem.half[slot]
@@ -95,12 +96,28 @@ def test_a_draw_satisfies_the_row_that_it_is_drawn_from(text: str) -> None:
     for _ in range(40):
         world = scattered(problem, rng)
         for term in proposals.frames[0]:
-            world[0] = proposals._placed(0, term, world, rng)
+            world[0] = proposals._placed(0, term, world, 1, rng)[0]
             assert missed(problem, term, world) < 1e-9
+            assert proposals.misses(replace(term, look=None), 0, world[:1], world) == pytest.approx([0.0], abs=1e-9)
             if term.heading is not None:
-                frame = proposals._frame(term.b, world)
+                frame = frame_of(problem, term.b, world)
                 _, _, c, s = relative(frame, world[0])
                 assert (c, s) == pytest.approx((math.cos(term.heading), math.sin(term.heading)), abs=1e-9)
+
+
+@pytest.mark.parametrize("text", STATEMENTS)
+def test_a_miss_is_none_exactly_where_the_row_holds(text: str) -> None:
+    large = Room(((0, 0), (9, 0), (9, 8), (7, 8), (7, 6), (0, 6)), 2.4)
+    problem = problem_of(room_of(BED, TABLE, room=large), f"solver.{text}")
+    rng = np.random.default_rng(2)
+    proposals = Proposals.of(problem)
+    for term in proposals.frames[0]:
+        plain = replace(term, heading=None, look=None)
+        for _ in range(40):
+            world = scattered(problem, rng)
+            found, asked = float(proposals.misses(plain, 0, world[:1], world)[0]), missed(problem, term, world)
+            assert (found > 1e-9) == (asked > 1e-9)
+            assert found >= asked - 1e-9
 
 
 def test_draws_for_a_statement_satisfy_it_far_more_often_than_chance() -> None:
@@ -135,7 +152,7 @@ def test_a_child_is_proposed_on_its_top() -> None:
     rng = np.random.default_rng(0)
     world = scattered(problem, rng)
     for _ in range(50):
-        world[1] = Proposals.of(problem)._anywhere(1, world, rng)
+        world[1] = Proposals.of(problem)._anywhere(1, world, 1, rng)[0]
         assert problem.relations[0].check(problem.scene, problem.layout(world)).met
 
 

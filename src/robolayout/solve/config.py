@@ -52,6 +52,9 @@ class SolverConfig:
     kept: int = 8
     """Starts that go on to polishing, routes and verification."""
 
+    judged: int = 4
+    """Layouts of each round of routes that the exact verifier sees, the most promising first."""
+
     search: SearchConfig = SearchConfig(steps=220, rate=0.10, final_rate=0.01, noise=0.06, ramp=0.05)
     """First phase: all starts."""
 

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
-from shapely import Point, Polygon
+from shapely import Polygon
 
-from robolayout.constraints import FAR, AssetRef, FrameTerm, MirrorTerm, Ref, WallRef
+from robolayout.constraints import FAR, AssetRef, FrameTerm, Interval, MirrorTerm, Ref, WallRef
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.stage import relative
 
@@ -25,6 +25,28 @@ def compose(outer: Floats, inner: Floats) -> Floats:
     return np.stack(
         [outer[..., 0] + c * x - s * y, outer[..., 1] + s * x + c * y, c * ic - s * is_, s * ic + c * is_], axis=-1
     )
+
+
+def frame_of(problem: Problem, ref: Ref, world: Floats) -> Floats:
+    """Return the frame (4,) of what a row refers to: an asset, a wall's middle, or a point."""
+    if isinstance(ref, AssetRef):
+        return world[problem.slot[ref.name]]
+    if isinstance(ref, WallRef):
+        wall = problem.scene.room.walls[ref.index]
+        return np.array([*wall.midpoint, *wall.direction])
+    return np.array([ref.x, ref.y, math.cos(ref.yaw), math.sin(ref.yaw)])
+
+
+def carry(problem: Problem, world: Floats, slot: int, pose: Floats, followers: frozenset[int] = frozenset()) -> None:
+    """Put a slot at a pose, in place, with everything that stands on it and with `followers`."""
+    before = world[slot].copy()
+    for other in range(len(world)):
+        carrier = problem.parent[other]
+        while carrier >= 0 and carrier != slot:
+            carrier = problem.parent[carrier]
+        if other != slot and (carrier == slot or other in followers):
+            world[other] = compose(pose, relative(before, world[other]))
+    world[slot] = pose
 
 
 @dataclass(frozen=True)
@@ -60,34 +82,28 @@ class Proposals:
         """Return `count` poses (count, 4) for a slot, the other poses being `world` (n, 4)."""
         placing = [t for t in self.frames.get(slot, []) if _places(t)]
         turning = [t for t in self.frames.get(slot, []) if t.heading is not None or t.look is not None]
+        chance = rng.random(count)
+        mirrored = (chance < 0.15) & bool(self.mirrors.get(slot))
+        placed = (chance < 0.75) & bool(placing) & ~mirrored
+        nearby = (chance < 0.85) & ~mirrored & ~placed
         found = np.empty((count, 4))
-        for i in range(count):
-            chance = rng.random()
-            if chance < 0.15 and self.mirrors.get(slot):
-                pose = self._mirrored(slot, world, rng)
-            elif chance < 0.75 and placing:
-                pose = self._placed(slot, placing[int(rng.integers(len(placing)))], world, rng)
-            elif chance < 0.85:
-                pose = self._nearby(world[slot], rng)
-            else:
-                pose = self._anywhere(slot, world, rng)
-            found[i] = self._turned(turning, pose, world, rng)
-        return found
+        found[nearby] = self._nearby(world[slot], int(nearby.sum()), rng)
+        anywhere = ~(mirrored | placed | nearby)
+        found[anywhere] = self._anywhere(slot, world, int(anywhere.sum()), rng)
+        for i in np.flatnonzero(mirrored):
+            found[i] = self._mirrored(slot, world, rng)
+        if placing:
+            which = np.where(placed, rng.integers(len(placing), size=count), -1)
+            for k, term in enumerate(placing):
+                found[which == k] = self._placed(slot, term, world, int((which == k).sum()), rng)
+        return self._turned(turning, found, world, rng)
 
-    def _frame(self, ref: Ref, world: Floats) -> Floats:
-        if isinstance(ref, AssetRef):
-            return world[self.problem.slot[ref.name]]
-        if isinstance(ref, WallRef):
-            wall = self.problem.scene.room.walls[ref.index]
-            return np.array([*wall.midpoint, *wall.direction])
-        return np.array([ref.x, ref.y, math.cos(ref.yaw), math.sin(ref.yaw)])
-
-    def _placed(self, slot: int, term: FrameTerm, world: Floats, rng: np.random.Generator) -> Floats:
+    def _placed(self, slot: int, term: FrameTerm, world: Floats, count: int, rng: np.random.Generator) -> Floats:
         """Draw from the set that a row allows."""
-        frame = self._frame(term.b, world)
-        yaw = term.heading if term.heading is not None else float(rng.integers(4)) * math.pi / 2
+        frame = frame_of(self.problem, term.b, world)
+        yaw = _quarters(count, rng) if term.heading is None else np.full(count, term.heading)
         hx, hy = self.problem.half[slot]
-        c, s = abs(math.cos(yaw)), abs(math.sin(yaw))
+        c, s = np.abs(np.cos(yaw)), np.abs(np.sin(yaw))
         spread = self._spread()
         u = _draw(
             term.along.low + term.along.low_extent * (c * hx + s * hy),
@@ -101,17 +117,39 @@ class Proposals:
             spread,
             rng,
         )
-        if term.fold and rng.random() < 0.5:
-            v = -v
+        if term.fold:
+            v = np.where(rng.random(count) < 0.5, -v, v)
         low, high = term.distance
         if (low > 0.0 or high < FAR) and not isinstance(term.b, WallRef):
-            away, around = rng.uniform(low, min(high, low + spread)), rng.uniform(0.0, math.tau)
-            u, v = away * math.cos(around), away * math.sin(around)
+            away, around = rng.uniform(low, min(high, low + spread), count), rng.uniform(0.0, math.tau, count)
+            u, v = away * np.cos(around), away * np.sin(around)
         elif isinstance(term.b, WallRef) and (low > 0.0 or high < FAR):
             end = self.problem.scene.room.walls[term.b.index].length / 2
-            u = rng.uniform(-end, end)
-            v = rng.uniform(low, min(high, low + spread))
-        return compose(frame, np.array([u, v, math.cos(yaw), math.sin(yaw)]))
+            u = rng.uniform(-end, end, count)
+            v = rng.uniform(low, min(high, low + spread), count)
+        return compose(frame, np.stack([u, v, np.cos(yaw), np.sin(yaw)], axis=-1))
+
+    def misses(self, term: FrameTerm, slot: int, poses: Floats, world: Floats) -> Floats:
+        """Return by how many metres poses (m, 4) of a slot miss a row; a heading a radian off counts as a metre."""
+        frame = frame_of(self.problem, term.b, world)
+        local = relative(frame, poses)
+        hx, hy = self.problem.half[slot]
+        c, s = np.abs(local[:, 2:]).T
+        across = np.abs(local[:, 1]) if term.fold else local[:, 1]
+        missed = _beyond(local[:, 0], term.along, c * hx + s * hy) + _beyond(across, term.across, s * hx + c * hy)
+        low, high = term.distance
+        if low > 0.0 or high < FAR:
+            x = local[:, 0]
+            if isinstance(term.b, WallRef):
+                x = np.maximum(np.abs(x) - self.problem.scene.room.walls[term.b.index].length / 2, 0.0)
+            away = np.hypot(x, local[:, 1])
+            missed += np.maximum(low - away, 0.0) + np.maximum(away - high, 0.0)
+        yaw = np.arctan2(local[:, 3], local[:, 2])
+        if term.heading is not None:
+            missed += np.abs(_wrapped(yaw - term.heading))
+        if term.look is not None:
+            missed += np.abs(_wrapped(yaw + term.look - np.arctan2(-local[:, 1], -local[:, 0])))
+        return missed
 
     def _spread(self) -> float:
         x0, y0, x1, y1 = self.problem.scene.room.bounds
@@ -123,51 +161,68 @@ class Proposals:
         term = terms[int(rng.integers(len(terms)))]
         mine = AssetRef(self.problem.names[slot])
         twin = term.b if term.a == mine else term.a
-        frame = self._frame(term.ref, world)
+        frame = frame_of(self.problem, term.ref, world)
         if isinstance(term.ref, WallRef):
             frame = np.array([frame[0], frame[1], -frame[3], frame[2]])
-        image = relative(frame, self._frame(twin, world)) * np.array([1.0, -1.0, 1.0, -1.0])
+        image = relative(frame, frame_of(self.problem, twin, world)) * np.array([1.0, -1.0, 1.0, -1.0])
         return compose(frame, image)
 
-    def _nearby(self, pose: Floats, rng: np.random.Generator) -> Floats:
+    def _nearby(self, pose: Floats, count: int, rng: np.random.Generator) -> Floats:
         """Draw close to where it is, turned by a multiple of 90 degrees."""
-        turn = float(rng.integers(4)) * math.pi / 2
-        shift = rng.normal(0.0, 0.3, 2)
-        return compose(
-            np.array([pose[0] + shift[0], pose[1] + shift[1], pose[2], pose[3]]),
-            np.array([0.0, 0.0, math.cos(turn), math.sin(turn)]),
-        )
+        yaw = math.atan2(pose[3], pose[2]) + _quarters(count, rng)
+        return np.column_stack([pose[:2] + rng.normal(0.0, 0.3, (count, 2)), np.cos(yaw), np.sin(yaw)])
 
-    def _anywhere(self, slot: int, world: Floats, rng: np.random.Generator) -> Floats:
+    def _anywhere(self, slot: int, world: Floats, count: int, rng: np.random.Generator) -> Floats:
         """Draw anywhere in the room, or on the top of its carrier."""
-        yaw = float(rng.integers(4)) * math.pi / 2
-        turned = np.array([0.0, 0.0, math.cos(yaw), math.sin(yaw)])
+        yaw = _quarters(count, rng)
+        heading = np.column_stack([np.cos(yaw), np.sin(yaw)])
         parent = self.problem.parent[slot]
         if parent >= 0:
             slack = np.maximum(self.problem.half[parent] - self.problem.half[slot].min(), 0.0)
-            turned[:2] = rng.uniform(-slack, slack)
-            return compose(world[parent], turned)
-        room = Polygon(self.problem.scene.room.vertices)
+            return compose(world[parent], np.column_stack([rng.uniform(-slack, slack, (count, 2)), heading]))
         x0, y0, x1, y1 = self.problem.scene.room.bounds
+        spots = rng.uniform((x0, y0), (x1, y1), (count, 2))
         for _ in range(20):
-            turned[:2] = rng.uniform((x0, y0), (x1, y1))
-            if room.contains(Point(turned[0], turned[1])):
+            outside = ~shapely.contains_xy(Polygon(self.problem.scene.room.vertices), *spots.T)
+            if not outside.any():
                 break
-        return turned
+            spots[outside] = rng.uniform((x0, y0), (x1, y1), (int(outside.sum()), 2))
+        return np.column_stack([spots, heading])
 
-    def _turned(self, terms: list[FrameTerm], pose: Floats, world: Floats, rng: np.random.Generator) -> Floats:
-        """Return the pose with the heading that one of its rows asks for, most of the time."""
-        if not terms or rng.random() < 0.1:
-            return pose
-        term = terms[int(rng.integers(len(terms)))]
-        frame = self._frame(term.b, world)
-        if term.heading is not None:
-            yaw = math.atan2(frame[3], frame[2]) + term.heading
-        else:
-            yaw = math.atan2(frame[1] - pose[1], frame[0] - pose[0]) - (term.look or 0.0)
-            if rng.random() < 0.5:
-                yaw = round(yaw / (math.pi / 2)) * (math.pi / 2)
-        return np.array([pose[0], pose[1], math.cos(yaw), math.sin(yaw)])
+    def _turned(self, terms: list[FrameTerm], poses: Floats, world: Floats, rng: np.random.Generator) -> Floats:
+        """Return the poses (m, 4), most of them with the heading that one of its rows asks for."""
+        if not terms:
+            return poses
+        count = len(poses)
+        which = np.where(rng.random(count) < 0.1, -1, rng.integers(len(terms), size=count))
+        square = rng.random(count) < 0.5
+        for k, term in enumerate(terms):
+            mine = which == k
+            frame = frame_of(self.problem, term.b, world)
+            if term.heading is not None:
+                yaw = np.full(int(mine.sum()), math.atan2(frame[3], frame[2]) + term.heading)
+            else:
+                yaw = np.arctan2(frame[1] - poses[mine, 1], frame[0] - poses[mine, 0]) - (term.look or 0.0)
+                yaw = np.where(square[mine], np.round(yaw / (math.pi / 2)) * (math.pi / 2), yaw)
+            poses[mine, 2:] = np.column_stack([np.cos(yaw), np.sin(yaw)])
+        return poses
+
+
+def _beyond(value: Floats, interval: Interval, extent: Floats) -> Floats:
+    """Return by how much values leave an interval that shrinks with the extent of the thing."""
+    low = interval.low + interval.low_extent * extent
+    high = interval.high - interval.high_extent * extent
+    return np.maximum(low - value, 0.0) + np.maximum(value - high, 0.0)
+
+
+def _wrapped(angle: Floats) -> Floats:
+    """Return angles in (-pi, pi]."""
+    return np.asarray(np.arctan2(np.sin(angle), np.cos(angle)), np.float64)
+
+
+def _quarters(count: int, rng: np.random.Generator) -> Floats:
+    """Draw multiples of 90 degrees, in radians."""
+    return rng.integers(4, size=count).astype(np.float64) * (math.pi / 2)
 
 
 def _places(term: FrameTerm) -> bool:
@@ -176,43 +231,8 @@ def _places(term: FrameTerm) -> bool:
     return any(abs(bound) < FAR for bound in bounds) or term.distance != (0.0, FAR)
 
 
-def _draw(low: float, high: float, spread: float, rng: np.random.Generator) -> float:
-    """Draw from an interval; open ends reach `spread` metres."""
-    low, high = max(low, -spread), min(high, spread)
-    return float(rng.uniform(low, high)) if high > low else (low + high) / 2
-
-
-def make_starts(
-    problem: Problem, world: Floats, moving: tuple[int, ...], count: int, rng: np.random.Generator
-) -> Floats:
-    """Return `count` starts (count, n, 4): the guess, wider and wider jitter of it, then draws from the rows."""
-    proposals = Proposals.of(problem)
-    starts = np.repeat(world[None], count, axis=0)
-    for k in range(1, count):
-        if 2 * k < count:
-            _jitter(starts[k], moving, (0.1 + 1.2 * k / count) * (0.1 if problem.parent[moving[0]] >= 0 else 1.0), rng)
-        else:
-            for slot in moving:
-                if rng.random() < 0.7:
-                    starts[k, slot] = proposals.draw(slot, starts[k], 1, rng)[0]
-    _bring_in(problem, starts, moving)
-    return starts
-
-
-def _bring_in(problem: Problem, starts: Floats, moving: tuple[int, ...]) -> None:
-    """Put things whose centre lies outside the room onto the nearest point of its floor."""
-    room = Polygon(problem.scene.room.vertices)
-    shapely.prepare(room)
-    for slot in moving:
-        if problem.parent[slot] < 0:
-            points = np.asarray(shapely.points(starts[:, slot, :2]))
-            outside = ~shapely.covers(room, points)
-            ways = shapely.shortest_line(points[outside], room)
-            starts[outside, slot, :2] = shapely.get_coordinates(ways)[1::2]
-
-
-def _jitter(world: Floats, moving: tuple[int, ...], sigma: float, rng: np.random.Generator) -> None:
-    for slot in moving:
-        world[slot, :2] += rng.normal(0.0, sigma, 2)
-        if rng.random() < sigma / 2:
-            world[slot, 2:] = [-world[slot, 3], world[slot, 2]]
+def _draw(low: Floats, high: Floats, spread: float, rng: np.random.Generator) -> Floats:
+    """Draw from intervals; open ends reach `spread` metres."""
+    low, high = np.maximum(low, -spread), np.minimum(high, spread)
+    drawn = low + rng.random(len(low)) * (high - low)
+    return np.asarray(np.where(high > low, drawn, (low + high) / 2), np.float64)

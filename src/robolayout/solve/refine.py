@@ -10,13 +10,16 @@ from robolayout.scene import Agent, Layout, Trace
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.judge import Judge, Verdict
-from robolayout.solve.proposals import make_starts
 from robolayout.solve.repair import Repair
 from robolayout.solve.routes import Ground, Obstacles, Plan, make_ground, obstacles_of, pack, plan_routes
 from robolayout.solve.runner import Run, Runner
 from robolayout.solve.snap import snapped
 from robolayout.solve.solution import Progress, Solution, conclude, silent
 from robolayout.solve.stage import Stage, make_stage, stages
+from robolayout.solve.starts import make_starts
+
+ROUTE_PATIENCE = 2
+"""Rounds of routes without success after which repair has its turn."""
 
 
 @dataclass
@@ -97,19 +100,37 @@ class Solver:
         if not stage.moving:
             return self._judged(world, number)
         starts = make_starts(self.problem, world, stage.moving, self.config.starts, self.rng)
-        phase = self.config.tops if number else self.config.search
-        run = self.runner.advance(stage, starts, phase, "search", rng=self.rng)
-        kept = run.world[run.order()[: self.config.kept]]
-        run = self.runner.advance(stage, kept, self.config.polish, "polish")
-        best = min((self._judged(run.world[k], number) for k in run.order()), key=lambda b: b.verdict.merit)
+        near, far = starts[: self.config.kept], starts[self.config.kept :]
+        run = self.runner.advance(stage, near, self.config.polish, "polish")
+        best = self._best_of(run, number, None)
+        if len(far) and not best.verdict.ok:
+            phase = self.config.tops if number else self.config.search
+            more = self.runner.advance(stage, far, phase, "search", rng=self.rng)
+            more = self.runner.advance(stage, more.world, self.config.polish, "polish")
+            best, run = self._best_of(more, number, best), run.joined(more).best(self.config.kept)
         if number == 0 and self.config.route_rounds and best.verdict.access:
             best = self._route(stage, run, best)
+        return best
+
+    def _best_of(self, run: Run, number: int, best: _Best | None, count: int | None = None) -> _Best:
+        """Return the best of a run's first few layouts and of what was best before, by the judge."""
+        for k in run.order()[:count]:
+            if best and best.verdict.ok:
+                break
+            found = self._judged(run.world[k], number)
+            if best is None or found.verdict.merit < best.verdict.merit:
+                best = found
+        assert best is not None
         return best
 
     def _route(self, stage: Stage, run: Run, best: _Best) -> _Best:
         """Push furniture out of the agents' routes, replanning as it moves."""
         world, kept = run.world, [[] for _ in run.world]
+        fruitless = 0
         for _ in range(self.config.route_rounds):
+            if not (best.verdict.hard or best.verdict.access) or fruitless == ROUTE_PATIENCE:
+                break
+            before = best.verdict.merit
             self.progress("routes")
             plans = [self._planned(world[k], kept[k]) for k in range(len(world))]
             if not any(plan.blocked for plan in plans):
@@ -117,12 +138,8 @@ class Solver:
             routes = pack(plans, 8 * stage.slots)
             run = self.runner.advance(stage, world, self.config.reroute, "routes", routes=routes)
             world = run.world
-            for k in run.order():
-                found = self._judged(world[k], 0)
-                if found.verdict.merit < best.verdict.merit:
-                    best = found
-            if not (best.verdict.hard or best.verdict.access):
-                break
+            best = self._best_of(run, 0, best, self.config.judged)
+            fruitless = 0 if best.verdict.merit < before else fruitless + 1
         return best
 
     def _plan(self, world: Floats) -> Plan:
@@ -159,7 +176,8 @@ class Solver:
                 break
             before = best.verdict.merit
             self.progress("repair")
-            for world in repair.candidates(best.world, best.verdict.culprits, round_number, self._plan):
+            made = repair.candidates(best.world, best.verdict.culprits, round_number, self._plan)
+            for world in made[: self.config.judged]:
                 found = self._judged(world, last)
                 if found.verdict.merit < best.verdict.merit:
                     best = found

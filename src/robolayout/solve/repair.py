@@ -15,10 +15,11 @@ import numpy as np
 from robolayout.constraints import AssetRef, FrameTerm, MirrorTerm
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
-from robolayout.solve.proposals import Proposals, compose
+from robolayout.solve.construct import Builder
+from robolayout.solve.proposals import Proposals, carry, compose
 from robolayout.solve.routes import Plan, pack
 from robolayout.solve.runner import Runner
-from robolayout.solve.stage import make_stage, relative
+from robolayout.solve.stage import make_stage
 
 
 class Repair:
@@ -60,7 +61,13 @@ class Repair:
         stage = make_stage(self.problem, number, world)
         batch = np.repeat(world[None], self.config.candidates, axis=0)
         turned = self._turns(batch, slots)
-        for k in range(1 + turned, self.config.candidates):
+        rebuilt = 1 + turned
+        if number == 0:
+            rebuilt = max(rebuilt, self.config.candidates // 2)
+            builder = Builder(self.problem, stage.moving, self.rng)
+            for k in range(1 + turned, rebuilt):
+                batch[k] = builder.build(world, self._ruined(slots, stage.moving, round_number))
+        for k in range(rebuilt, self.config.candidates):
             for _ in range(1 + (self.rng.random() < 0.15 * (1 + round_number))):
                 self._move(batch[k], slots, stage.moving)
         routes = pack([plan] * self.config.candidates, 8 * stage.slots) if number == 0 else None
@@ -72,6 +79,17 @@ class Repair:
         run = self.runner.advance(stage, picked, self.config.polish, "repair", routes=routes)
         return [run.world[k] for k in run.order()]
 
+    def _ruined(self, slots: list[int], moving: tuple[int, ...], round_number: int) -> set[int]:
+        """Return what to take out and place anew: one or two to blame and a few others, more of them in later rounds."""
+        count = int(self.rng.integers(1, 3 + round_number))
+        others = self.rng.choice(moving, min(count, len(moving)), replace=False).tolist()
+        blamed = [slots[min(int(self.rng.exponential(1.5)), len(slots) - 1)] for _ in range(2)]
+        return {*blamed, *others}
+
+    def _with(self, slot: int, whole: bool) -> frozenset[int]:
+        """Return what moves along with a slot: everything bound to it, or nothing."""
+        return frozenset(self.groups[slot]) if whole else frozenset()
+
     def _turns(self, batch: Floats, slots: list[int]) -> int:
         """Turn each of the most pressing things by 90, 180 and 270 degrees, alone and with what is bound to it."""
         k = 0
@@ -81,7 +99,7 @@ class Repair:
                 for whole in (False, True):
                     k += 1
                     turn = np.array([0.0, 0.0, math.cos(yaw), math.sin(yaw)])
-                    self._carry(batch[k], slot, compose(batch[k, slot], turn), whole=whole)
+                    carry(self.problem, batch[k], slot, compose(batch[k, slot], turn), self._with(slot, whole))
         return k
 
     def _move(self, world: Floats, slots: list[int], moving: tuple[int, ...]) -> None:
@@ -90,35 +108,20 @@ class Repair:
         chance = self.rng.random()
         before = world[slot].copy()
         if chance < 0.55:
-            self._carry(world, slot, self.proposals.draw(slot, world, 1, self.rng)[0], whole=self.rng.random() < 0.5)
+            pose = self.proposals.draw(slot, world, 1, self.rng)[0]
+            carry(self.problem, world, slot, pose, self._with(slot, self.rng.random() < 0.5))
         elif chance < 0.7:
             other = moving[int(self.rng.integers(len(moving)))]
-            self._carry(world, slot, world[other].copy(), whole=False)
-            self._carry(world, other, before, whole=False)
+            carry(self.problem, world, slot, world[other].copy())
+            carry(self.problem, world, other, before)
         elif chance < 0.85:
             yaw = math.pi / 2 * int(self.rng.integers(1, 4))
             turned = compose(before, np.array([0.0, 0.0, math.cos(yaw), math.sin(yaw)]))
-            self._carry(world, slot, turned, whole=self.rng.random() < 0.5)
+            carry(self.problem, world, slot, turned, self._with(slot, self.rng.random() < 0.5))
         else:
             shifted = before.copy()
             shifted[:2] += self.rng.normal(0.0, 0.4, 2)
-            self._carry(world, slot, shifted, whole=True)
-
-    def _carry(self, world: Floats, slot: int, pose: Floats, *, whole: bool) -> None:
-        """Put a slot at a pose; what stands on it follows, and with `whole` everything bound to it."""
-        before = world[slot].copy()
-        followers = self.groups[slot] if whole else set[int]()
-        for other in range(len(world)):
-            if other != slot and (other in followers or self._stands_on(other, slot)):
-                world[other] = compose(pose, relative(before, world[other]))
-        world[slot] = pose
-
-    def _stands_on(self, slot: int, carrier: int) -> bool:
-        while slot >= 0:
-            slot = self.problem.parent[slot]
-            if slot == carrier:
-                return True
-        return False
+            carry(self.problem, world, slot, shifted, self._with(slot, True))
 
 
 def _groups(problem: Problem) -> list[set[int]]:

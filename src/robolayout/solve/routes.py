@@ -29,6 +29,9 @@ MARGIN = 0.03
 SPACING = 0.10
 """Metres between the points of a route that become demands."""
 
+SPARE = 0.15
+"""Metres of clearance beyond what the body needs that are still told apart."""
+
 POCKET = 0.05
 """Square metres of free space cut off from the door that get a route of their own."""
 
@@ -126,18 +129,23 @@ def obstacles_of(problem: Problem, agent: Agent) -> Obstacles:
 
 
 def clearance(ground: Ground, world: Floats, obstacles: Obstacles) -> Floats:
-    """Return metres from every cell to the nearest obstacle, negative inside, capped at 1 m past the radius."""
-    cap = ground.agent.radius + 1.0
+    """Return metres from every cell to the nearest obstacle, negative inside, capped a little above what the body needs."""
+    agent = ground.agent
+    cap = max(agent.radius, agent.circumradius, (agent.turning_diameter or 0.0) / 2) + SPARE
     field = np.full((len(ground.xs), len(ground.ys)), cap)
     for pose, half in zip(obstacles.poses(world), obstacles.half, strict=True):
-        x, y, c, s = pose
-        hx, hy = half
-        rx, ry = abs(c) * hx + abs(s) * hy + cap, abs(s) * hx + abs(c) * hy + cap
-        i0, i1 = np.searchsorted(ground.xs, (x - rx, x + rx))
-        j0, j1 = np.searchsorted(ground.ys, (y - ry, y + ry))
-        distance = _box_distance(ground.xs[i0:i1, None], ground.ys[None, j0:j1], pose, half)
-        np.minimum(field[i0:i1, j0:j1], distance, out=field[i0:i1, j0:j1])
+        here = _window(ground, pose, half, cap)
+        distance = _box_distance(ground.xs[here[0], None], ground.ys[None, here[1]], pose, half)
+        np.minimum(field[here], distance, out=field[here])
     return field
+
+
+def _window(ground: Ground, pose: Floats, half: Floats, reach: float) -> tuple[slice, slice]:
+    """Return the cells within `reach` metres of a box's bounds, and some more."""
+    x, y, c, s = pose.tolist()
+    rx, ry = abs(c) * half[0] + abs(s) * half[1] + reach, abs(s) * half[0] + abs(c) * half[1] + reach
+    i, j = np.searchsorted(ground.xs, (x - rx, x + rx)), np.searchsorted(ground.ys, (y - ry, y + ry))
+    return slice(int(i[0]), int(i[1])), slice(int(j[0]), int(j[1]))
 
 
 @dataclass(frozen=True)
@@ -199,27 +207,29 @@ def _goals(
     for slot, asset in enumerate(problem.scene.assets):
         if asset.is_flat or (asset.on_ceiling and not asset.on_floor):
             continue
-        near = clearance(ground, world, boxes_of(problem, (slot,))) <= ground.agent.reach - ground.cell / 2
-        near &= _beyond_use_sides(problem, ground, world, slot)
+        pose, half = world[slot], problem.half[slot]
+        here = _window(ground, pose, half, ground.agent.reach)
+        xs, ys = ground.xs[here[0], None], ground.ys[None, here[1]]
+        near = _box_distance(xs, ys, pose, half) <= ground.agent.reach - ground.cell / 2
+        near &= _beyond_use_sides(problem, (xs, ys), pose, slot)
         if (carrier := int(problem.parent[slot])) >= 0:
-            near &= clearance(ground, world, boxes_of(problem, (carrier,))) >= 0.0
-        if (near & home).any():
+            near &= _box_distance(xs, ys, world[carrier], problem.half[carrier]) >= 0.0
+        if (near & home[here]).any():
             continue
-        costs = np.where(near & ground.open, reach, np.inf)
-        best = np.unravel_index(int(np.argmin(costs)), costs.shape)
-        if np.isfinite(costs[best]):
-            goals.append((int(best[0]), int(best[1])))
+        costs = np.where(near & ground.open[here], reach[here], np.inf)
+        if np.isfinite(costs).any():
+            i, j = np.unravel_index(int(np.argmin(costs)), costs.shape)
+            goals.append((here[0].start + int(i), here[1].start + int(j)))
     return goals
 
 
-def _beyond_use_sides(problem: Problem, ground: Ground, world: Floats, slot: int) -> NDArray[np.bool_]:
+def _beyond_use_sides(problem: Problem, cells: tuple[Floats, Floats], pose: Floats, slot: int) -> NDArray[np.bool_]:
     """Return which cells lie beyond a side that a thing is used from; all of them where any side will do."""
-    asset = problem.scene.assets[slot]
-    sides = use_sides(asset)
+    sides = use_sides(problem.scene.assets[slot])
     if problem.parent[slot] >= 0 or not sides or len(sides) == 4:
-        return np.ones((len(ground.xs), len(ground.ys)), dtype=bool)
-    x, y, c, s = world[slot]
-    dx, dy = ground.xs[:, None] - x, ground.ys[None] - y
+        return np.ones((len(cells[0]), cells[1].shape[1]), dtype=bool)
+    x, y, c, s = pose
+    dx, dy = cells[0] - x, cells[1] - y
     u, v = c * dx + s * dy, c * dy - s * dx
     hx, hy = problem.half[slot]
     beyond = {"front": u > hx, "back": u < -hx, "left": v > hy, "right": v < -hy}

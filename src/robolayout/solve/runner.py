@@ -52,6 +52,15 @@ class Run:
         """Return its arrays."""
         return (self.world, self.energy, self.hard)
 
+    def joined(self, other: Run) -> Run:
+        """Return both runs as one."""
+        return Run(*(np.concatenate(pair) for pair in zip(self.fields(), other.fields(), strict=True)))
+
+    def best(self, count: int) -> Run:
+        """Return its best starts, best first."""
+        first = self.order()[:count]
+        return Run(*(field[first] for field in self.fields()))
+
     def order(self) -> list[int]:
         """Return the starts, best first: hard part to 1e-3, then the whole."""
         return [int(k) for k in np.lexsort((self.energy, np.round(self.hard, 3)))]

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from robolayout.constraints import AssetRef, FrameTerm, WallRef
 from robolayout.solve.compile import Floats, Problem
-from robolayout.solve.proposals import compose
+from robolayout.solve.proposals import carry, compose, frame_of
 from robolayout.solve.stage import relative
 
 NEAR = 0.4
@@ -38,14 +36,14 @@ def snapped(problem: Problem, world: Floats, only: frozenset[str] | None = None)
                 continue
             pose = _target(problem, result, term, slot)
             if pose is not None:
-                _carry(problem, result, slot, pose)
+                carry(problem, result, slot, pose)
     return result
 
 
 def _target(problem: Problem, world: Floats, term: FrameTerm, slot: int) -> Floats | None:
     """Return the exact pose that a row asks for, if the thing is close to it."""
     assert term.heading is not None
-    frame = _frame(problem, world, term)
+    frame = frame_of(problem, term.b, world)
     local = relative(frame, world[slot])
     if abs(math.remainder(math.atan2(local[3], local[2]) - term.heading, math.tau)) > ALMOST:
         return None
@@ -57,24 +55,3 @@ def _target(problem: Problem, world: Floats, term: FrameTerm, slot: int) -> Floa
             return None
         local[:2] = min(max(local[0], -end), end), hx
     return compose(frame, local)
-
-
-def _frame(problem: Problem, world: Floats, term: FrameTerm) -> Floats:
-    if isinstance(term.b, AssetRef):
-        return world[problem.slot[term.b.name]]
-    if isinstance(term.b, WallRef):
-        wall = problem.scene.room.walls[term.b.index]
-        return np.array([*wall.midpoint, *wall.direction])
-    return np.array([term.b.x, term.b.y, math.cos(term.b.yaw), math.sin(term.b.yaw)])
-
-
-def _carry(problem: Problem, world: Floats, slot: int, pose: Floats) -> None:
-    """Put a thing at a pose, with everything that stands on it."""
-    before = world[slot].copy()
-    for other in range(len(world)):
-        carrier = problem.parent[other]
-        while carrier >= 0 and carrier != slot:
-            carrier = problem.parent[carrier]
-        if carrier == slot:
-            world[other] = compose(pose, relative(before, world[other]))
-    world[slot] = pose

@@ -1,0 +1,161 @@
+"""Starts built one thing after the other: each at the best of many places drawn from its statements.
+
+A start drawn blindly leaves the gradient search in a knot of things that block one another. Here each thing takes the place
+where it overlaps least with what stands already, with the floor that people need in front of it, and with the doors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+import numpy as np
+import shapely
+from numpy.typing import ArrayLike, NDArray
+
+from robolayout.assets.obstacles import use_sides
+from robolayout.constraints import AssetRef
+from robolayout.scene import vertical_span
+from robolayout.solve.compile import Floats, Problem
+from robolayout.solve.proposals import Proposals, carry
+
+CANDIDATES = 64
+"""Places looked at for each thing."""
+
+CLOSEST = 0.02
+"""Metres between a thing and the wall behind it."""
+
+OUTSIDE, BODY, STRIP, MISSED, AWAY = 20.0, 10.0, 2.0, 3.0, 0.02
+"""Costs: of lying outside the room and of overlap, whole; of blocked floor in front, whole; of a row missed by a metre or
+more; per metre from the guess."""
+
+Rects = NDArray[np.float64]
+"""(n, 4): low x, low y, high x, high y in metres."""
+
+
+class Builder:
+    """Builds starts for the things of the first stage of a problem.
+
+    Args:
+        problem: The problem.
+        moving: Slots to place.
+        rng: Source of randomness.
+    """
+
+    def __init__(self, problem: Problem, moving: tuple[int, ...], rng: np.random.Generator) -> None:
+        self.problem, self.moving, self.rng = problem, moving, rng
+        self.proposals = Proposals.of(problem)
+        self._floor = shapely.Polygon(problem.scene.room.vertices)
+        shapely.prepare(self._floor)
+        self._depth = min(2 * max(agent.radius for agent in problem.scene.agents) + 0.05, 1.0)
+        spans = [vertical_span(a, problem.guess[a.name]) for a in problem.scene.assets]
+        self._spans = np.array(spans).reshape(-1, 2)
+        self._solid = np.array([not asset.is_flat for asset in problem.scene.assets])
+        self._fronts = np.array(["front" in use_sides(a) for a in problem.scene.assets])
+        self._rank = self._ranks()
+
+    def build(self, world: Floats, slots: Collection[int] | None = None) -> Floats:
+        """Return one start (n, 4) with some slots placed anew, all that move by default; the others stay as in `world`."""
+        slots = self.moving if slots is None else slots
+        world = world.copy()
+        area = self.problem.half.prod(axis=1) * self.rng.uniform(0.7, 1.4, len(world))
+        settled = [s for s in range(len(world)) if s not in slots and self.problem.parent[s] < 0]
+        free = [not self.proposals.frames.get(s) for s in range(len(world))]
+        for slot in sorted(slots, key=lambda s: (self._rank[s], free[s], -area[s], s)):
+            places = self._places(slot, world)
+            pose = places[int(np.argmin(self._cost(slot, places, world, settled)))]
+            carry(self.problem, world, slot, pose)
+            settled.append(slot)
+        return world
+
+    def _ranks(self) -> list[int]:
+        """Return how many things stand between a slot and what it is placed by: what others refer to comes first."""
+        ahead: list[set[int]] = [set() for _ in self.problem.names]
+        for slot, terms in self.proposals.frames.items():
+            ahead[slot] |= {self.problem.slot[t.b.name] for t in terms if isinstance(t.b, AssetRef)} - {slot}
+        ranks = [0] * len(ahead)
+        for _ in range(4):
+            ranks = [max((ranks[b] + 1 for b in before), default=0) for before in ahead]
+        return ranks
+
+    def _places(self, slot: int, world: Floats) -> Floats:
+        """Return places (m, 4): drawn from its statements, and along the walls if nothing says where it goes."""
+        drawn = self.proposals.draw(slot, world, CANDIDATES, self.rng)
+        if self.proposals.frames.get(slot) or not self._fronts[slot]:
+            return drawn
+        return np.concatenate([drawn[: CANDIDATES // 4], self._along_walls(slot, CANDIDATES)])
+
+    def _along_walls(self, slot: int, count: int) -> Floats:
+        """Return places with the back to a wall."""
+        hx, hy = self.problem.half[slot]
+        walls = [wall for wall in self.problem.scene.room.walls if wall.length >= 2 * hy]
+        if not walls:
+            return np.empty((0, 4))
+        lengths = np.array([wall.length for wall in walls])
+        which = self.rng.choice(len(walls), count, p=lengths / lengths.sum())
+        along = hy + self.rng.random(count) * (lengths[which] - 2 * hy)
+        along = np.where(self.rng.random(count) < 0.3, hy + CLOSEST, along)
+        starts, ways, normals = (
+            np.array([getattr(w, name) for w in walls])[which] for name in ("start", "direction", "normal")
+        )
+        return np.concatenate([starts + along[:, None] * ways + (hx + CLOSEST) * normals, normals], axis=1)
+
+    def _cost(self, slot: int, places: Floats, world: Floats, settled: list[int]) -> Floats:
+        """Return what each place (m, 4) of a slot costs, given what is settled."""
+        mine = _bounds(places[:, :2], places[:, 2:], *self.problem.half[slot])
+        front = self._strips(np.full(len(places), slot), places)
+        area = float(4 * self.problem.half[slot].prod())
+        cost = OUTSIDE * self._outside(mine) + self.rng.random(len(places)) * 0.05
+        cost += AWAY * np.hypot(*(places[:, :2] - world[slot, :2]).T)
+        if self._solid[slot]:
+            landings = [np.array(self.problem.scene.room.landing(d)) for d in self.problem.scene.room.doors]
+            for landing in landings:
+                cost += BODY * _shared(mine, np.array([[*landing.min(axis=0), *landing.max(axis=0)]]))[:, 0] / area
+        low, high = self._spans[slot]
+        others = [s for s in settled if self._solid[s] and self._spans[s, 0] < high and self._spans[s, 1] > low]
+        if others and self._solid[slot]:
+            bodies = _bounds(world[others, :2], world[others, 2:], *self.problem.half[others].T)
+            least = np.minimum(area, 4 * self.problem.half[others].prod(axis=1))
+            cost += BODY * (_shared(mine, bodies) / least).sum(axis=1)
+            if self._fronts[slot]:
+                cost += STRIP * np.minimum(_shared(front, bodies).sum(axis=1) / _area(front), 1.0)
+            facing = [s for s in others if self._fronts[s]]
+            ahead = self._strips(facing, world[facing])
+            cost += STRIP * (_shared(mine, ahead) / _area(ahead)).sum(axis=1)
+        if self._fronts[slot]:
+            cost += STRIP * self._outside(front)
+        for term in self.proposals.frames.get(slot, []):
+            if not isinstance(term.b, AssetRef) or self.problem.slot[term.b.name] in settled:
+                cost += MISSED * np.minimum(self.proposals.misses(term, slot, places, world), 1.0)
+        return cost
+
+    def _outside(self, rects: Rects) -> Floats:
+        """Return which share of nine points of each rectangle (m, 4) is not on the floor."""
+        shares = np.linspace(0.02, 0.98, 3)
+        x = rects[:, 0, None] + shares * (rects[:, 2] - rects[:, 0])[:, None]
+        y = rects[:, 1, None] + shares * (rects[:, 3] - rects[:, 1])[:, None]
+        points = np.broadcast_arrays(x[:, :, None], y[:, None, :])
+        return 1.0 - shapely.contains_xy(self._floor, *points).reshape(len(rects), -1).mean(axis=1)
+
+    def _strips(self, slots: ArrayLike, poses: Floats) -> Rects:
+        """Return the bounds of the floor in front of slots (m,) at their poses."""
+        index = np.asarray(slots, dtype=np.intp)
+        hx, hy = self.problem.half[index].T
+        middle = poses[:, :2] + (hx + self._depth / 2)[:, None] * poses[:, 2:]
+        return _bounds(middle, poses[:, 2:], self._depth / 2, hy)
+
+
+def _bounds(center: Floats, heading: Floats, hx: Floats | float, hy: Floats | float) -> Rects:
+    """Return the bounds of rectangles with these middles and unit headings (m, 2) and half sizes (m,)."""
+    c, s = np.abs(heading).T
+    reach = np.stack([c * hx + s * hy, s * hx + c * hy], axis=1)
+    return np.concatenate([center - reach, center + reach], axis=1)
+
+
+def _shared(a: Rects, b: Rects) -> Floats:
+    """Return the areas (m, n) that rectangles (m, 4) and (n, 4) share."""
+    low, high = np.maximum(a[:, None, :2], b[None, :, :2]), np.minimum(a[:, None, 2:], b[None, :, 2:])
+    return np.maximum(high - low, 0.0).prod(axis=2)
+
+
+def _area(rects: Rects) -> Floats:
+    return np.maximum((rects[:, 2:] - rects[:, :2]).prod(axis=1), 1e-9)

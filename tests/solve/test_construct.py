@@ -1,0 +1,67 @@
+"""Starts that are built one thing after the other."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from shapely import Point, Polygon
+from solve_rooms import BED, STANDS, TABLE, problem_of, room_of
+
+from robolayout.scene import Asset, Room
+from robolayout.solve import Problem
+from robolayout.solve.construct import Builder
+
+SHELVES = tuple(Asset(f"bookshelf-{i}", "bookshelf", (0.35, 1.0, 1.9)) for i in range(8))
+
+
+def shared(problem: Problem, world: np.ndarray) -> float:
+    """Return the floor that things share, in square metres."""
+    layout = problem.layout(world)
+    shapes = [Polygon(layout[a.name].corners(a.size)) for a in problem.scene.assets]
+    return sum(a.intersection(b).area for i, a in enumerate(shapes) for b in shapes[:i])
+
+
+def crowded() -> Problem:
+    return problem_of(room_of(BED, TABLE, *SHELVES, room=Room(((0, 0), (5, 0), (5, 4), (0, 4)), 2.6)), seed=5)
+
+
+def test_built_rooms_overlap_far_less_than_blind_ones() -> None:
+    problem = crowded()
+    builder = Builder(problem, tuple(range(10)), np.random.default_rng(0))
+    built = [shared(problem, builder.build(problem.start)) for _ in range(8)]
+    assert max(built) < 0.2 * shared(problem, problem.start)
+
+
+def test_what_is_not_asked_for_stays_bit_for_bit() -> None:
+    problem = crowded()
+    built = Builder(problem, tuple(range(10)), np.random.default_rng(0)).build(problem.start, {3, 4})
+    same = (built == problem.start).all(axis=1)
+    assert same[[0, 1, 2, 5, 6, 7, 8, 9]].all()
+    assert not same[[3, 4]].all()
+
+
+def test_what_stands_on_a_thing_moves_with_it() -> None:
+    lamp = Asset("lamp-0", "table lamp", (0.2, 0.2, 0.4), on_floor=False, on_object=True)
+    problem = problem_of(room_of(STANDS[0], lamp), "solver.on_top_of(lamp[0], night_stand[0])")
+    world = problem.start.copy()
+    world[1, :2] = world[0, :2]
+    built = Builder(problem, (0,), np.random.default_rng(0)).build(world)
+    assert np.allclose(built[0, :2], built[1, :2])
+
+
+def test_things_used_from_the_front_stand_with_their_backs_to_walls() -> None:
+    problem = problem_of(room_of(*SHELVES[:2]), seed=1)
+    built = Builder(problem, (0, 1), np.random.default_rng(0)).build(problem.start)
+    layout = problem.layout(built)
+    outline = Polygon(problem.scene.room.vertices).exterior
+    for asset in problem.scene.assets:
+        pose = layout[asset.name]
+        back = Point(pose.x - 0.175 * math.cos(pose.yaw), pose.y - 0.175 * math.sin(pose.yaw))
+        assert outline.distance(back) < 0.05
+
+
+def test_the_same_seed_builds_the_same_room() -> None:
+    problem = crowded()
+    first, second = (Builder(problem, tuple(range(10)), np.random.default_rng(7)).build(problem.start) for _ in "ab")
+    assert first.tobytes() == second.tobytes()
