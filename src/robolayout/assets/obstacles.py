@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from robolayout._errors import AssetError
 from robolayout.assets.lexicon import category_of
-from robolayout.assets.meshes import parts
 from robolayout.assets.part import Part
 from robolayout.scene import Agent, Asset
 
@@ -69,6 +68,8 @@ def pieces(asset: Asset, z: float, agent: Agent) -> tuple[Pieces, bool]:
 @lru_cache(maxsize=4096)
 def _met(asset: Asset, low: float, high: float) -> Pieces | None:
     """Return the pieces of an asset between two heights above its middle; None where they are as good as its box."""
+    from robolayout.assets.meshes import parts
+
     try:
         made = parts(asset)
     except AssetError:

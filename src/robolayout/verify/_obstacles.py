@@ -15,7 +15,6 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout._errors import AssetError
-from robolayout.assets.meshes import parts
 from robolayout.scene import Agent, Asset
 from robolayout.verify._boxes import Boxes, corners
 
@@ -102,6 +101,8 @@ def part_rectangles(asset: Asset, low: float, high: float) -> Rectangles | None:
         low: Metres above its own bottom.
         high: Metres above its own bottom.
     """
+    from robolayout.assets.meshes import parts
+
     try:
         pieces = parts(asset)
     except AssetError:
