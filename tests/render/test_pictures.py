@@ -59,3 +59,10 @@ def test_a_path_traced_picture_shows_the_same_room(bedroom, layout):
     background = (np.abs(quick - quick[0, 0]).max(axis=2) < 8).mean()
     assert np.corrcoef(traced.mean(axis=2).ravel(), quick.mean(axis=2).ravel())[0, 1] > 0.8
     assert (np.abs(traced - quick[0, 0]).max(axis=2) < 12).mean() == pytest.approx(background, abs=0.12)
+
+
+def test_a_path_traced_picture_from_inside_is_lit_by_the_ceiling(bedroom, layout):
+    pytest.importorskip("mitsuba")
+    pytest.importorskip("pyoidn")
+    inside = np.asarray(render_beauty(bedroom, layout, view="eye:wardrobe-0", size=(64, 48), samples=4), dtype=int)
+    assert inside.mean() > 100, "the ceiling keeps the sky out, so it must shine itself"

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from robolayout._errors import MissingExtraError
 from robolayout.render import _light
-from robolayout.render._mesh import Mesh
+from robolayout.render._mesh import CEILING, Mesh
 from robolayout.render._rays import surfaces
 from robolayout.render.camera import Camera
 from robolayout.render.view import Studio, picture_size
@@ -25,6 +25,9 @@ if TYPE_CHECKING:
 SUN_DISTANCE = 60.0
 SUN_RADIUS = 2.6
 """Metres; together they make the sun's disc, wider than the real one so that shadows are soft."""
+
+INDOORS = 1.6
+"""Radiance of the ceiling in a view from inside the room, which neither sun nor sky would light."""
 
 EXPOSURE = 0.74
 """Factor on the radiance before the tone curve."""
@@ -122,14 +125,19 @@ def _world(mi: Any, mesh: Mesh, camera: Camera, samples: int) -> dict[str, Any]:
             "emitter": {"type": "area", "radiance": {"type": "rgb", "value": power.tolist()}},
         },
     }
+    above = mesh.named({CEILING})
+    if above.any():
+        world["integrator"]["hide_emitters"] = False
+        world["ceiling"] = _shape(mi, mesh.take(above), np.array([0.8, 0.8, 0.8, 1.0, 0.0]), "ceiling", INDOORS)
+        mesh = mesh.take(~above)
     looks, of = np.unique(np.column_stack([mesh.colors, mesh.gloss]).round(4), axis=0, return_inverse=True)
     for number, look in enumerate(looks):
-        world[f"shape{number}"] = _shape(mi, mesh.take(of.reshape(-1) == number), look, number)
+        world[f"shape{number}"] = _shape(mi, mesh.take(of.reshape(-1) == number), look, f"shape{number}")
     return world
 
 
-def _shape(mi: Any, mesh: Mesh, look: NDArray[np.float64], number: int) -> Any:
-    """Return the Mitsuba mesh of all triangles of one look: linear colour, opacity, gloss."""
+def _shape(mi: Any, mesh: Mesh, look: NDArray[np.float64], name: str, radiance: float | None = None) -> Any:
+    """Return the Mitsuba mesh of all triangles of one look (linear colour, opacity, gloss), shining if it has a radiance."""
     color = {"type": "rgb", "value": [float(v) for v in look[:3]]}
     surface: dict[str, Any] = {"type": "diffuse", "reflectance": color}
     if look[4] > 0.35:
@@ -142,8 +150,11 @@ def _shape(mi: Any, mesh: Mesh, look: NDArray[np.float64], number: int) -> Any:
         bsdf = mi.load_dict({"type": "twosided", "bsdf": surface})
     properties = mi.Properties()
     properties["mesh_bsdf"] = bsdf
+    if radiance is not None:
+        light = {"type": "area", "radiance": {"type": "rgb", "value": [radiance] * 3}}
+        properties["mesh_emitter"] = mi.load_dict(light)
     count = len(mesh)
-    shape = mi.Mesh(f"shape{number}", 3 * count, count, has_vertex_normals=True, props=properties)
+    shape = mi.Mesh(name, 3 * count, count, has_vertex_normals=True, props=properties)
     values = mi.traverse(shape)
     values["vertex_positions"] = mesh.corners.reshape(-1)
     values["vertex_normals"] = mesh.normals.reshape(-1)
