@@ -148,6 +148,18 @@ def speed(rows: Rows, images: Path) -> str:
             cells = [f"{row.get(f'{n}_wall', 0.0):.2f} / {row.get(f'{n}_cpu', 0.0):.2f}" for n in names]
             lines.append([f"{key[9:].replace('_', ' ')}, {row['assets']} assets", f"{row['first_wall']:.1f}", *cells])
     parts.append(table(["station, warm: wall / CPU s", "first run, in all", *names], lines))
+    compiled = [
+        [f"up to {r['slots']} assets", f"{r['wall']:.1f}", f"{r['cpu']:.1f}"]
+        for r in sorted((row for key, row in rows.items() if key.startswith("bucket/")), key=lambda row: row["slots"])
+    ]
+    parts.append(table(["compiling the search, import of JAX included", "wall s", "CPU s"], compiled))
+    for key, row in rows.items():
+        if key.startswith("shared/"):
+            sizes = ", ".join(map(str, row["assets"]))
+            parts.append(
+                f"{row['rooms']} rooms with {sizes} assets, laid out one after the other from an empty cache, "
+                f"needed {row['programs']} compiled programs between them.\n"
+            )
     grown = sorted((row for key, row in rows.items() if key.startswith("growth/")), key=lambda row: row["assets"])
     heads = [
         "solve, blind program, 30 % filled",

@@ -19,6 +19,7 @@ from benchmarks.measures import watch
 from benchmarks.store import Row
 
 COUNTS = (10, 20, 40, 80)
+BUCKETS = (8, 16, 32, 64, 128)
 REPEATS = 3
 
 
@@ -35,6 +36,9 @@ def cases(quick: bool) -> Iterator[tuple[str, Callable[[], Row]]]:
     yield "process/later generate, no pictures", partial(process, [*run, "--no-pictures"], warm=True)
     for room in ROOMS[:1] if quick else ROOMS:
         yield f"stations/{room}", partial(in_child, "stations", room)
+    for slots in BUCKETS[:1] if quick else BUCKETS:
+        yield f"bucket/{slots}", partial(in_child, "bucket", str(slots))
+    yield "shared/rooms", partial(in_child, "shared", "2" if quick else "12")
     for count in COUNTS[:1] if quick else COUNTS:
         yield f"growth/{count} assets", partial(in_child, "growth", str(count))
 
@@ -76,6 +80,35 @@ def stations(room: str) -> Row:
     return row | {"first_wall": first["wall"], "first_cpu": first["cpu"]}
 
 
+def bucket(slots: str) -> Row:
+    """Return seconds of compiling the search for rooms of up to so many assets, and of loading it in the next process."""
+    import robolayout as rl
+    from benchmarks.rooms import Crowd, crowd
+    from robolayout.solve.runner import STILL
+
+    scene, program = crowd(Crowd(int(slots), 0.30, 0))
+    still = rl.SolverConfig(starts=1, kept=1, route_rounds=0, repair_rounds=0, polish=STILL)
+    with watch() as spent:
+        rl.solve(rl.scene_from_dict(scene), program, config=still)
+    return {"slots": int(slots), "wall": spent.wall, "cpu": spent.cpu}
+
+
+def shared(count: str) -> Row:
+    """Return how many programs different rooms need between them, solved one after the other from an empty cache."""
+    import robolayout as rl
+    from robolayout.solve.programs import programs
+
+    files = sorted((ROOT / "examples" / "tasks").glob("*.json"))
+    step = max(len(files) // int(count), 1)
+    chosen = files[::step][: int(count)]
+    sizes: list[int] = []
+    for file in chosen:
+        scene = rl.load_scene(file)
+        sizes.append(len(scene.assets))
+        rl.generate(scene, attempts=1)
+    return {"rooms": len(chosen), "assets": sizes, "programs": len(programs().keys())}
+
+
 def growth(count: str) -> Row:
     """Return seconds of solving a room 30 % full: first (compiling), then the median of warm runs, without routes too."""
     from dataclasses import replace
@@ -101,5 +134,5 @@ def growth(count: str) -> Row:
 
 
 if __name__ == "__main__":
-    made = {"stations": stations, "growth": growth}[sys.argv[1]](sys.argv[2])
+    made = {"stations": stations, "bucket": bucket, "shared": shared, "growth": growth}[sys.argv[1]](sys.argv[2])
     sys.stdout.write(json.dumps(made) + "\n")

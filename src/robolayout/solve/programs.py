@@ -75,6 +75,12 @@ class Programs:
             return self._futures[key]
 
 
+    def keys(self) -> tuple[Hashable, ...]:
+        """Return what was asked for so far: function, shapes and constants of each program."""
+        with self._lock:
+            return tuple(self._futures)
+
+
 @cache
 def programs() -> Programs:
     """Return the programs of this process."""
