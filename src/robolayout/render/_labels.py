@@ -156,6 +156,7 @@ def _inside(tag: Tag, sizes: Sequence[float]) -> Iterator[Label]:
     corners = np.array(tag.outline, dtype=np.float64)
     middle, extent = corners.mean(axis=0), np.ptp(corners, axis=0)
     shifts = [(0.0, 0.0), (0, 0.28), (0, -0.28), (0.28, 0), (-0.28, 0), (0, 0.38), (0, -0.38), (0.36, 0), (-0.36, 0)]
+    shifts += [(dx, dy) for dy in (0.4, -0.4) for dx in (0.3, -0.3)]
     along = _long_angle(corners)
     for size in sizes:
         for lines in _splits(tag.text):
