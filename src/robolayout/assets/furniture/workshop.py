@@ -254,13 +254,14 @@ def sawhorse(p: Piece) -> Iterator[Part]:
 
 
 def lumber_rack(p: Piece) -> Iterator[Part]:
-    """Yield a cantilever rack with planks."""
+    """Yield a cantilever rack with planks; its lowest arms are its feet."""
     for i in range(n := max(2, round(p.w / 0.9))):
         y = p.y[0] + 0.06 + i * (p.w - 0.12) / (n - 1)
         yield box("post", BLUE, (p.x[0], p.x[0] + 0.08), (y - 0.04, y + 0.04), (0.0, p.h))
         for k in range(4):
             z = (0.06 + 0.25 * k) * p.h
-            yield box("arm", BLUE, (p.x[0] + 0.08, p.x[1]), (y - 0.03, y + 0.03), (z - 0.04, z))
+            low = z - 0.04 if k else 0.0
+            yield box("arm" if k else "foot", BLUE, (p.x[0] + 0.08, p.x[1]), (y - 0.03, y + 0.03), (low, z))
     for k in range(4):
         z = (0.06 + 0.25 * k) * p.h
         for i in range(3):
