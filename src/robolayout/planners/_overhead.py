@@ -39,6 +39,9 @@ def hang(site: Site, name: str, rng: np.random.Generator) -> None:
         site.settle(name, best[2])
 
 
+OUT_OF_REACH = 10.0
+"""Cost of hanging what is used higher than the shortest arm gets."""
+
 TAKE_HOLD = 0.05
 """Metres that a thing begins below the top of the reach."""
 
@@ -60,7 +63,8 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     role, (depth, width, height) = site.cast[name].role, site.size(name)
     owner, bonus, lift = _below(site, name, wall, t)
     middle = max(role.height or max(EYE, 0.4 + height / 2), lift + CLEAR_ABOVE + height / 2)
-    if use_sides(site.scene.by_name[name]):
+    used = bool(use_sides(site.scene.by_name[name]))
+    if used:
         middle = min(middle, _reach_top(site) + height / 2)
     middle = min(max(middle, lift + CLEAR_ABOVE + height / 2), site.room.wall_height - height / 2 - 0.03)
     takers = site.wall_takers(wall)
@@ -68,6 +72,7 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     yaw = wall_yaw(wall)
     member = Member(name, *wall.point(t, depth / 2 + WALL_GAP / 2), yaw, middle - height / 2)
     cost = 30.0 * (site.wall_conflict(rect, takers) > 0.0) + 20.0 * site.wall_conflict(rect, takers)
+    cost += OUT_OF_REACH * (used and middle - height / 2 > _reach_top(site) + TAKE_HOLD)
     cost += 1.2 * site.wall_conflict((rect[0] - 0.4, rect[1], rect[2] + 0.4, rect[3]), takers)
     cost += 0.8 * abs(t - wall.length / 2) / wall.length * (1 + role.prefer.get("centre", 0)) - bonus
     cost += role.prefer.get("long", 0.0) * (1 - wall.length / max(w.length for w in site.room.walls))
