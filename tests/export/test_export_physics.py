@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from robolayout._errors import LayoutError, MissingExtraError
+from robolayout.assets import CATALOGUE
 from robolayout.export.physics import ACCELERATION, Motion, drive, settle, timeline
 from robolayout.scene import DEFAULT_AGENT, Agent, Asset, Layout, Pose, Room, Scene
 
@@ -180,3 +181,16 @@ def test_timelines_obey_their_limits(line: list[tuple[float, float]], turns: boo
     change = np.abs(np.diff(path[:, 2])) / np.diff(times)
     assert change.max(initial=0.0) <= 1.0 + 1e-9
     assert ACCELERATION > 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("scale", [(1.0, 1.0, 1.0), (0.83, 0.9, 0.89)])
+def test_all_furniture_of_the_floor_stands_but_what_rocks(scale: tuple[float, float, float]) -> None:
+    fallen: list[str] = []
+    for category in CATALOGUE.values():
+        size = (category.size[0] * scale[0], category.size[1] * scale[1], category.size[2] * scale[2])
+        if "floor" in category.places and size[2] > 0.03 and "rocking" not in category.name:
+            thing = Asset("thing-0", category.name, size)
+            room = Room(((0.0, 0.0), (12.0, 0.0), (12.0, 12.0), (0.0, 12.0)), 8.0)
+            fallen += settle(Scene(room, (thing,)), Layout({"thing-0": Pose(6, 6, size[2] / 2, 0.3)}), 2.0).violations
+    assert fallen == []

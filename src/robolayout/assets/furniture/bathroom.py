@@ -318,6 +318,7 @@ def iron(p: Piece) -> Iterator[Part]:
 def vacuum(p: Piece) -> Iterator[Part]:
     """Yield an upright vacuum cleaner."""
     yield soft("head", DARK, (0.1 * p.d, p.x[1]), p.y, (0.0, 0.08 * p.h), bevel=0.015)
+    yield box("base", DARK, (-0.36 * p.d, 0.12 * p.d), (-0.28 * p.w, 0.28 * p.w), (0.0, 0.06 * p.h))
     yield sheared(
         "body",
         p.accent,

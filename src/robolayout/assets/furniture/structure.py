@@ -32,6 +32,10 @@ def stairs(p: Piece) -> Iterator[Part]:
     for i in range(count):
         x = (p.x[1] - (i + 1) * p.d / count, p.x[1] - i * p.d / count)
         yield box("step", p.wood, x, p.y, (max(0.0, i * rise - 0.12), (i + 1) * rise))
+    post = min(0.1, p.d / count, 0.2 * p.w)
+    for side in (p.y[0], p.y[1] - post):
+        top = (count - 1) * rise - 0.12
+        yield box("post", p.wood, (p.x[0], p.x[0] + post), (side, side + post), (0.0, max(top, 0.01)))
     if p.h > 1.6:
         rail = box("hand rail", p.dark, p.x, (p.y[1] - 0.05, p.y[1] - 0.005), (0.0, 0.05))
         rail.vertices[:, 2] += 0.85 + (p.x[1] - rail.vertices[:, 0]) / p.d * (p.h - 0.9)
