@@ -36,6 +36,7 @@ LAYERS: dict[str, float] = {
     "program": 4,
     **dict.fromkeys(STATIONS, 5),
     "attempt": 5.4,
+    "conflicts": 5.4,
     "plan_marks": 5.5,
     "critic": 5.6,
     "grouped": 5.6,

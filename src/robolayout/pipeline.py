@@ -132,8 +132,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     if program is None and isinstance(planner, GroupPlanner):
         return run.by_groups(planner, groups)
     best = run.whole(planner, program, attempts)
-    say("verify")
-    report = verify(scene, best.solution.layout, best.asked).with_timing(clock.seconds)
+    report = run.reported(best)
     return Result(scene, groups, best.asked, best.reconciled, best.solution.layout, report, best.solution)
 
 
@@ -187,11 +186,22 @@ class _Run:
         layout, parts = best.solution.layout, [planner.to_dict(), *parts]
         who = {key: value for part in parts for key, value in part.items()}
         who["sentences"] = [sentence for part in parts for sentence in part["sentences"]]
-        self.say("verify")
-        report = verify(self.scene, layout, best.asked).with_timing(self.clock.seconds).with_planner(who)
+        report = self.reported(best).with_planner(who)
         return Result(
             self.scene, planned.groups, best.asked, best.reconciled, layout, report, best.solution, planned.samples
         )
+
+    def reported(self, best: Attempt) -> Report:
+        """Judge the whole layout, and look what unmet statements lost to."""
+        self.say("verify")
+        layout = best.solution.layout
+        report = verify(self.scene, layout, best.asked)
+        if any(not item.met for item in report.statements):
+            from robolayout.conflicts import conflicts
+
+            with self.clock.station("conflicts"):
+                report = report.with_conflicts(conflicts(self.scene, best.reconciled, layout, seed=self.seed))
+        return report.with_timing(self.clock.seconds)
 
     def prepare(self, here: Scene, samples: int) -> None:
         """Warm up for solving so many programs of a scene."""

@@ -68,7 +68,7 @@ def _check(name: str, shown: str, met: bool) -> dict[str, Any]:
 
 
 def _unmet(report: Report) -> Iterator[str]:
-    return (f"{item.sentence} is not met: {item.text}." for item in report.statements if not item.met)
+    return (item.complaint for item in report.statements if not item.met)
 
 
 def _assets(result: Result) -> Iterator[dict[str, Any]]:

@@ -4,6 +4,7 @@ from robolayout.solve.compile import Problem, compile_problem
 from robolayout.solve.config import SearchConfig, SolverConfig, Weights
 from robolayout.solve.judge import Judge, Verdict
 from robolayout.solve.profiles import solve_with, solver_names
+from robolayout.solve.proposals import Proposals, carry
 from robolayout.solve.refine import Solver
 from robolayout.solve.runner import warm_up
 from robolayout.solve.samples import solve_samples, warm_up_samples
@@ -12,12 +13,14 @@ from robolayout.solve.solution import Solution
 __all__ = [
     "Judge",
     "Problem",
+    "Proposals",
     "SearchConfig",
     "Solution",
     "Solver",
     "SolverConfig",
     "Verdict",
     "Weights",
+    "carry",
     "compile_problem",
     "solve_samples",
     "solve_with",

@@ -51,6 +51,7 @@ class StatementResult:
         limit: What the figure is compared with.
         unit: Unit of both.
         text: The measurement in words.
+        lost_to: Where it is not met: what meeting it would break, in words; empty if nobody looked.
     """
 
     number: int
@@ -62,6 +63,13 @@ class StatementResult:
     limit: float
     unit: str
     text: str
+    lost_to: str = ""
+
+    @property
+    def complaint(self) -> str:
+        """What is wrong, in a sentence; empty where it is met."""
+        lost = f"; it lost to {self.lost_to}" if self.lost_to else ""
+        return "" if self.met else f"{self.sentence} is not met: {self.text}{lost}."
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain data; figures that do not exist are None."""
@@ -236,12 +244,17 @@ class Report:
         found = list(self.physics.reasons)
         for report in self.agents:
             found += report.violations
-        found += [f"{item.sentence} is not met: {item.text}." for item in self.statements if not item.met]
+        found += [item.complaint for item in self.statements if not item.met]
         return tuple(found)
 
     def with_timing(self, timing: Mapping[str, Mapping[str, float]]) -> Report:
         """Return the same report with further stations' wall and CPU seconds in front of its own."""
         return replace(self, timing={**timing, **self.timing})
+
+    def with_conflicts(self, lost_to: Mapping[int, str]) -> Report:
+        """Return the same report with what unmet statements lost to, by their numbers."""
+        told = (s if s.met else replace(s, lost_to=lost_to.get(s.number, "")) for s in self.statements)
+        return replace(self, statements=tuple(told))
 
     def with_planner(self, planner: Mapping[str, Any]) -> Report:
         """Return the same report with who planned and what that took."""

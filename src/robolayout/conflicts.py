@@ -1,0 +1,96 @@
+"""What an unmet statement lost to: the least that meeting it would break.
+
+For every statement that does not hold, the thing that it is about is put where it would hold; the place at which least
+breaks says what stands against it: a collision, a blocked way, another statement.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from robolayout.program import Reconciled, Statement
+from robolayout.scene import Layout, Scene
+from robolayout.solve import Proposals, carry, compile_problem
+from robolayout.verify import judge_agent, physics
+
+DRAWN = 96
+"""Places drawn for each thing of an unmet statement."""
+
+LOOKED_AT = 10
+"""Of the places at which the statement holds, so many are judged."""
+
+
+@dataclass(frozen=True)
+class _Standing:
+    """What is wrong in a layout, as sentences by weight."""
+
+    physics: frozenset[str]
+    out_of_reach: frozenset[str]
+    unmet: dict[int, Statement]
+
+
+def conflicts(scene: Scene, reconciled: Reconciled, layout: Layout, *, seed: int = 0) -> dict[int, str]:
+    """Return for each unmet statement, by its number, what it lost to, in words.
+
+    Args:
+        scene: What was given.
+        reconciled: The program after the filter.
+        layout: The layout that was found.
+        seed: Settles where is looked.
+    """
+    found = {d.statement.number: f"the filter, {d.reason}" for d in reconciled.decisions if d.verdict != "accepted"}
+    program = reconciled.program
+    unmet = [s for s in program.statements if not s.relation.check(scene, layout).met]
+    if unmet:
+        looker = _Looker(scene, reconciled, layout, np.random.default_rng(seed))
+        found |= {statement.number: looker.against(statement) for statement in unmet}
+    return found
+
+
+class _Looker:
+    """Tries places for the things of unmet statements."""
+
+    def __init__(self, scene: Scene, reconciled: Reconciled, layout: Layout, rng: np.random.Generator) -> None:
+        self.scene, self.program, self.rng = scene, reconciled.program, rng
+        self.problem = compile_problem(scene, reconciled.program, pinned=layout)
+        self.proposals = Proposals.of(self.problem)
+        self.now = self._standing(layout)
+
+    def against(self, statement: Statement) -> str:
+        """Return what stands against one unmet statement."""
+        best: tuple[float, str] | None = None
+        for place in self._places(statement):
+            then = self._standing(place)
+            collisions = sorted(then.physics - self.now.physics)
+            reach = sorted(then.out_of_reach - self.now.out_of_reach)
+            others = [s for number, s in then.unmet.items() if number not in self.now.unmet]
+            weight = sum(float(getattr(s.relation, "weight", 1.0)) for s in others)
+            cost = 100.0 * len(collisions) + 2.0 * len(reach) + weight
+            if best is None or cost < best[0]:
+                sentences = [*collisions, *(f"{name} out of reach" for name in reach)]
+                sentences += [f"statement {s.number}, {s.relation.sentence()}" for s in others]
+                best = (cost, "; ".join(text.rstrip(".") for text in sentences[:3]))
+        if best is None:
+            return "the others: with everything else in place, no place was found where it holds"
+        return best[1] or "nothing that was found: more starts or another seed may meet it"
+
+    def _places(self, statement: Statement) -> list[Layout]:
+        """Return layouts in which the statement holds and one thing of it has moved."""
+        found: list[Layout] = []
+        for name in statement.relation.asset_names():
+            slot = self.problem.slot[name]
+            for pose in self.proposals.draw(slot, self.problem.start, DRAWN, self.rng):
+                world = self.problem.start.copy()
+                carry(self.problem, world, slot, pose)
+                layout = self.problem.layout(world)
+                if len(found) < LOOKED_AT and statement.relation.check(self.scene, layout).met:
+                    found.append(layout)
+        return found
+
+    def _standing(self, layout: Layout) -> _Standing:
+        """Return what is wrong in a layout."""
+        short = (name for agent in self.scene.agents for name in judge_agent(self.scene, layout, agent).short)
+        unmet = {s.number: s for s in self.program.statements if not s.relation.check(self.scene, layout).met}
+        return _Standing(frozenset(physics(self.scene, layout).reasons), frozenset(short), unmet)

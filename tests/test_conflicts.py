@@ -1,0 +1,53 @@
+"""What an unmet statement lost to is named."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import robolayout as rl
+
+SCENE: dict[str, Any] = {
+    "task_description": "Two wardrobes.",
+    "boundary": {"floor_vertices": [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]], "wall_height": 2.6},
+    "doors": [{"wall": 2, "offset": 1.5, "width": 0.9, "height": 2.05}],
+    "assets": {
+        f"wardrobe-{i}": {
+            "category": "wardrobe",
+            "onFloor": True,
+            "assetMetadata": {"boundingBox": {"x": 0.6, "y": 2.4, "z": 2.1}},
+        }
+        for i in range(2)
+    },
+}
+BOTH_AT_ONE_WALL = "solver.against_wall(wardrobe[0], walls[0])\nsolver.against_wall(wardrobe[1], walls[0])\n"
+
+
+def test_a_wall_that_holds_only_one_of_two_names_the_other() -> None:
+    result = rl.generate(SCENE, program=BOTH_AT_ONE_WALL)
+    (lost,) = [item for item in result.report.statements if not item.met]
+    other = next(name for name in ("wardrobe-0", "wardrobe-1") if f"({name}" not in lost.sentence)
+    assert other in lost.lost_to
+    assert result.report.figures["collision_free_share"] == 1.0, "hard demands win"
+    assert any(f"it lost to {lost.lost_to}" in sentence for sentence in result.report.violations)
+    assert result.report.to_dict()["statements"][lost.number - 1]["lost_to"] == lost.lost_to
+
+
+def test_what_the_filter_changed_is_put_down_to_the_filter() -> None:
+    text = (
+        "solver.distance_constraint(wardrobe[0], wardrobe[1], None, 1.2)\n"
+        "solver.distance_constraint(wardrobe[1], wardrobe[0], 2.5, None)\n"
+    )
+    result = rl.generate(SCENE, program=text)
+    (lost,) = [item for item in result.report.statements if not item.met]
+    assert lost.number == 2
+    assert lost.lost_to.startswith("the filter, ")
+
+
+def test_what_is_met_lost_to_nothing() -> None:
+    result = rl.generate(SCENE, program="solver.against_wall(wardrobe[0], walls[0])")
+    assert all(item.met and not item.lost_to and not item.complaint for item in result.report.statements)
+
+
+def test_the_same_seed_tells_the_same() -> None:
+    first, second = (rl.generate(SCENE, program=BOTH_AT_ONE_WALL, seed=3).report.violations for _ in "ab")
+    assert first == second
