@@ -72,6 +72,7 @@ def test_a_good_layout_meets_every_demand():
         "limit",
         "unit",
         "text",
+        "lost_to",
     }
 
 
