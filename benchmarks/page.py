@@ -229,7 +229,7 @@ def vlm(rows: Rows, images: Path) -> str:
         for way in WAYS
         if (found := select(rows, lambda key, way=way, mode=mode: key[:2] == [way, mode]))
     }
-    heads = ["mode, and what is different", "rooms", "hard demands met", "all demands met", *HEADS]
+    heads = ["mode, and what is different", "runs", "hard demands met", "all demands met", *HEADS]
     lines = [
         [
             name,
@@ -243,8 +243,10 @@ def vlm(rows: Rows, images: Path) -> str:
     intro = (
         "Six rooms with recorded answers (`tests/planners/recordings`): programs as a strong model writes them, with the faults "
         "of such models. *as it is*: one sample, at most three retries, with the filter. *asked again*: answers to a question "
-        "that told what was wrong before. *taken over*: groups for which the offline planner stood in. Means over the rooms, "
-        "sums of the answers; four samples were recorded for one_shot only.\n"
+        "that told what was wrong before. *taken over*: groups for which the offline planner stood in. Means over the runs, "
+        "sums of the answers; four samples were recorded for one_shot only. A statement that the filter rejects counts as unmet "
+        "unless the layout meets it all the same. *each alone*: every recorded program solved by itself, without asking "
+        "again; *4 samples* solves them together and keeps the best, for about the CPU time of one.\n"
     )
     return f"## Planning with a model\n\n{intro}\n{table(heads, lines)}"
 

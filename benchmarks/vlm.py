@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import nullcontext
 from functools import partial
 from typing import Any
 from unittest.mock import patch
@@ -11,17 +12,20 @@ import robolayout as rl
 from benchmarks.examples import ROOT
 from benchmarks.measures import figures, watch
 from benchmarks.store import Row
-from robolayout.planners import ModelPlanner
+from robolayout.planners import ModelPlanner, PlanRequest
 from robolayout.program import Decision, Program, Reconciled
 
 RECORDINGS = ROOT / "tests" / "planners" / "recordings"
 ROOMS = ("bedroom", "bookstore", "buffet_restaurant", "computer_room", "game_room", "living_room")
 MODES = ("one_shot", "grouped")
+SAMPLES = 4
 WAYS: dict[str, dict[str, Any]] = {
     "as it is": {},
     "no filter": {"filtered": False},
     "no retries": {"retries": 0},
     "no filter, no retries": {"filtered": False, "retries": 0},
+    "each of 4 samples alone": {"alone": True},
+    "each of 4 samples alone, no filter": {"alone": True, "filtered": False},
     "4 samples": {"samples": 4},
     "4 samples, no retries": {"samples": 4, "retries": 0},
 }
@@ -33,25 +37,42 @@ def cases(quick: bool) -> Iterator[tuple[str, Callable[[], Row]]]:
     for way, options in list(WAYS.items())[:2] if quick else WAYS.items():
         for mode in MODES:
             for room in ROOMS[4:5] if quick else ROOMS:
-                if mode == "one_shot" or "samples" not in options:
+                if "alone" in options and mode == "one_shot":
+                    for sample in range(SAMPLES):
+                        yield (
+                            f"{way}/{mode}/{room}/{sample}",
+                            partial(alone, room, sample, options.get("filtered", True)),
+                        )
+                elif mode == "one_shot" or not {"samples", "alone"} & set(options):
                     yield f"{way}/{mode}/{room}", partial(replayed, room, mode, **options)
 
 
+def alone(room: str, number: int, filtered: bool) -> Row:
+    """Solve one of the four recorded samples as if it were the only one, without asking again."""
+    scene = rl.load_scene(RECORDINGS / room / "scene.json")
+    planner = ModelPlanner(replay=RECORDINGS / room / "one_shot", mode="one_shot")
+    (group,) = planner.group(scene)
+    text = planner.plan_many(PlanRequest(scene, group), SAMPLES)[number]
+    return measured(lambda: rl.generate(scene, program=text), filtered)
+
+
 def replayed(room: str, mode: Any, *, filtered: bool = True, samples: int = 1, retries: int = 3) -> Row:
-    """Answer from the recording, warm, and return figures, seconds of the solver and what became of the answers."""
+    """Answer from the recording and measure what comes of it."""
     scene = rl.load_scene(RECORDINGS / room / "scene.json")
 
     def run() -> rl.Result:
         recording = RECORDINGS / room / mode
-        planner = ModelPlanner(replay=recording, mode=mode, samples=samples, retries=retries)
-        if filtered:
-            return rl.generate(scene, planner=planner)
-        with patch("robolayout.pipeline.reconcile", unfiltered):
-            return rl.generate(scene, planner=planner)
+        return rl.generate(scene, planner=ModelPlanner(replay=recording, mode=mode, samples=samples, retries=retries))
 
-    run()
-    with watch() as spent:
-        result = run()
+    return measured(run, filtered)
+
+
+def measured(run: Callable[[], rl.Result], filtered: bool) -> Row:
+    """Run twice; return figures, seconds of the solver when warm, and what became of the answers."""
+    with nullcontext() if filtered else patch("robolayout.pipeline.reconcile", unfiltered):
+        run()
+        with watch() as spent:
+            result = run()
     solve = result.report.timing["solve"]
     first = [sample for sample in result.samples if sample.attempt == 1]
     return figures(result.report) | {
@@ -59,10 +80,10 @@ def replayed(room: str, mode: Any, *, filtered: bool = True, samples: int = 1, r
         "cpu": spent.cpu,
         "solve_wall": solve["wall"],
         "solve_cpu": solve["cpu"],
-        "answers": len(result.samples),
+        "answers": max(1, len(result.samples)),
         "unreadable": sum(sample.score is None for sample in result.samples),
         "asked_again": len(result.samples) - len(first),
-        "taken_over": len(result.report.planner["taken_over"]),
+        "taken_over": len(result.report.planner.get("taken_over", ())),
         "stated": len(result.program.statements),
     }
 
