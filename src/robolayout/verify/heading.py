@@ -11,11 +11,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 from shapely import MultiPolygon, Polygon
+from shapely.geometry.base import BaseGeometry
 
 from robolayout.scene import LANDING_DEPTH, Agent, Layout, Room, Scene
 from robolayout.verify._boxes import boxes, room_polygon
@@ -100,11 +102,17 @@ def _swept(agent: Agent, heading: float, step: float) -> NDArray[np.float64]:
 
 def _parts(room: Room, shapes: NDArray[np.object_], body: NDArray[np.float64]) -> list[Polygon]:
     """Return the pieces of the free space of a convex body, largest first."""
-    walls = np.array([(wall.start, wall.end) for wall in room.walls])
-    blocked = [*grown(walls, body)]
+    free = _empty(room, tuple(map(tuple, body.tolist())))
     if len(shapes):
-        blocked += [*grown(shapely.get_coordinates(shapes).reshape(-1, 5, 2)[:, :4], body)]
-    return list(components(room_polygon(room).difference(shapely.union_all(blocked))))
+        free = free.difference(shapely.union_all(grown(shapely.get_coordinates(shapes).reshape(-1, 5, 2)[:, :4], body)))
+    return list(components(free))
+
+
+@lru_cache(maxsize=256)
+def _empty(room: Room, body: tuple[tuple[float, ...], ...]) -> BaseGeometry:
+    """Return where the centre of a convex body may be in the empty room; the same for every layout of it."""
+    walls = np.array([(wall.start, wall.end) for wall in room.walls])
+    return room_polygon(room).difference(shapely.union_all(grown(walls, np.array(body))))
 
 
 def _first_heading(room: Room) -> float:
