@@ -133,7 +133,9 @@ def compare(
 def export(
     scene: SceneArgument,
     layout: LayoutArgument,
-    to: Annotated[str, typer.Option("--to", help="Formats, separated by commas.")] = "glb",
+    to: Annotated[
+        str, typer.Option("--to", help="Formats, separated by commas: glb, usd, mjcf, dxf, pdf, ...")
+    ] = "glb",
     out: Annotated[Path, typer.Option("--out", help="Folder to write to.")] = Path(),
     partial: Annotated[bool, typer.Option("--partial", help="Leave assets without a pose out.")] = False,
     agent: AgentOption = None,
@@ -141,7 +143,7 @@ def export(
 ) -> None:
     """Write a layout for simulators and viewers."""
     from robolayout._files import check_writable
-    from robolayout.export import EXPORTERS, export_all, find_exporter
+    from robolayout.export import export_all, exporters, find_exporter
     from robolayout.outputs import export_options
     from robolayout.scene import load_layout
     from robolayout.verify import verify
@@ -150,7 +152,7 @@ def export(
     placed = load_layout(layout, given)
     names = [name for name in to.split(",") if name]
     if not names:
-        raise InputError(f"--to names no format. Known: {', '.join(EXPORTERS)}.")
+        raise InputError(f"--to names no format. Known: {', '.join(sorted(exporters()))}.")
     for name in names:
         find_exporter(name)
     check_writable(out)

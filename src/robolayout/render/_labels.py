@@ -160,7 +160,7 @@ def _inside(tag: Tag, sizes: Sequence[float]) -> Iterator[Label]:
     along = _long_angle(corners)
     for size in sizes:
         for lines in _splits(tag.text):
-            turns = list(dict.fromkeys([0.0, along, *([90.0] if extent[1] > extent[0] else [])]))
+            turns: list[float] = list(dict.fromkeys([0.0, along, *([90.0] if extent[1] > extent[0] else [])]))
             middle_first = [(shifts[0], angle) for angle in turns] + list(product(shifts[1:], turns))
             if max(extent) < SQUARISH * min(extent):
                 middle_first = [(shift, angle) for angle in turns for shift in shifts]
