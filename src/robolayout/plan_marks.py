@@ -8,7 +8,7 @@ from typing import Any
 
 from robolayout.render import PlanMarks
 from robolayout.scene import Point, vertical_span
-from robolayout.verify import AgentReport, Navigation, Passage
+from robolayout.verify import AgentReport, Navigation, Passage, exempt_from_reach
 
 ARC = math.radians(16)
 """Half the angle of the arcs that show how far an arm reaches on the plan."""
@@ -20,10 +20,12 @@ Rings = tuple[tuple[Point, ...], ...]
 
 
 def plan_marks(report: AgentReport) -> PlanMarks:
-    """Return what one agent can do as shapes for the plan: free space, routes, the narrowest passages."""
+    """Return what one agent can do as shapes for the plan: free space, routes to what it is asked to reach, reach."""
     nav = report.navigation
-    routes = {name: route.points for name, route in nav.routes.items()}
-    narrow = sorted((p for p in nav.passages.values() if p.point is not None and p.between), key=lambda p: p.width)
+    aside = exempt_from_reach(nav.scene, report.agent)
+    routes = {name: route.points for name, route in nav.routes.items() if name not in aside}
+    ways = [p for name, p in nav.passages.items() if name not in aside]
+    narrow = sorted((p for p in ways if p.point is not None and p.between), key=lambda p: p.width)
     return PlanMarks(
         free=_rings(nav.main),
         islands=tuple(rings for rings in _rings(nav.free) if rings not in _rings(nav.main)),
