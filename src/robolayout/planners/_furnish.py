@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
@@ -21,8 +22,11 @@ from robolayout.scene import Layout, Scene
 UNREACHED = 8.0
 """Cost of an asset that the agent cannot get to."""
 
-PATIENCE = 3
-"""Attempts without a better room after which the search ends."""
+PATIENCE = 2
+"""Attempts without a clearly better room after which the search ends."""
+
+WORTH = 1.0
+"""Cost by which a room is clearly better."""
 
 CUT_OFF = 40.0
 """Cost of all of the free floor being out of the agent's way."""
@@ -59,23 +63,26 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
     """Return the best of several attempts; the very first one follows the knowledge to the letter.
 
     The floor is furnished in every attempt, walls and ceiling only in the best one. It is good enough after `PATIENCE`
-    attempts without a better one.
+    attempts without one that is better by `WORTH`.
     """
     empty = Site.of(scene, cast)
     builder = ClusterBuilder(scene, cast)
-    best: tuple[float, int, _Attempt] | None = None
+    best: tuple[float, _Attempt] | None = None
+    leap = (math.inf, 0)
     for number in range(attempts(len(scene.assets))):
         site = empty.copy()
         _keep(site, builder, placed)
         attempt = _Attempt(site, builder, np.random.default_rng((seed, number)), calm=number == 0 and seed == 0)
         cost = attempt.furnish_floor() + UNREACHED * len(site.unreached()) + CUT_OFF * site.cut_off
         if best is None or cost < best[0]:
-            best = (cost, number, attempt)
-        if best[0] < UNREACHED and number - best[1] >= PATIENCE:
+            best = (cost, attempt)
+        if cost < leap[0] - WORTH:
+            leap = (cost, number)
+        if best[0] < UNREACHED and number - leap[1] >= PATIENCE:
             break
     assert best is not None
-    best[2].furnish_walls()
-    return best[2].site
+    best[1].furnish_walls()
+    return best[1].site
 
 
 def attempts(count: int) -> int:
