@@ -106,7 +106,7 @@ class Top:
         rx, ry = room
         y = 0.0 if count == 1 else ry * (2 * (i + 0.5) / count - 1)
         if at == "back":
-            return (-rx, y)
+            return (max(-rx, rx - self.reach), y)
         if at == "front":
             return (max(0.0, rx - 0.03), y)
         if at == "side":
