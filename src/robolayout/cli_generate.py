@@ -243,9 +243,13 @@ def _hushed(phase: str) -> None:
 def _tell(result: Result, folder: Path, files: list[Path], *, quiet: bool, as_json: bool) -> None:
     from robolayout.cli_tables import show
 
-    for warning in result.report.planner.get("warnings", ()):
+    who = result.report.planner
+    for warning in who.get("warnings", ()):
         sys.stderr.write(f"robolayout: warning: {warning}\n")
     if as_json:
         typer.echo(json.dumps({"out": str(folder), **result.report.to_dict()}))
     elif not quiet:
         show(result.report, files)
+        for sentence in who.get("sentences", ()):
+            if sentence not in who["warnings"]:
+                typer.echo(sentence)

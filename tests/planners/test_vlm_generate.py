@@ -452,7 +452,9 @@ def test_the_own_recording_can_be_replayed_in_place(room: Path) -> None:
         _, out = generate(server, room)
     before = {path.name: path.read_bytes() for path in (out / "exchanges").iterdir()}
     words = ("--replay", out / "exchanges", "--mode", "no_image", "--no-pictures", "--out", out)
-    assert run_command("generate", room, *words).code == 0
+    ran = run_command("generate", room, *words)
+    assert ran.code == 0 and ran.err == "", ran
+    assert "3 answers, 3000 tokens sent and 600 received, for $0.0135." in ran.out
     assert {path.name: path.read_bytes() for path in (out / "exchanges").iterdir()} == before
 
 
