@@ -13,7 +13,7 @@ import tomllib
 import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 
 from robolayout.assets.category import DATA, PLACES, Category, built_in_categories
 from robolayout.scene import FLAT_HEIGHT, Asset
@@ -69,6 +69,7 @@ def find_category(text: str, *, description: str = "", size: Size | None = None,
     return _from_size(size, place)
 
 
+@lru_cache(maxsize=8192)
 def category_of(asset: Asset) -> Category:
     """Return the category of an asset, from its category, description, placement flags and size."""
     return find_category(asset.category, description=asset.description, size=asset.size, place=_place(asset))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -41,26 +42,42 @@ class KeepClear(Relation):
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one strip in a's frame."""
         center, half = side_box(half_size(scene, self.a), self.side, self.depth)
-        return (ClearTerm(self.a, center, half, self._span(scene, near), hard=False),)
+        return (ClearTerm(self.a, center, half, strip_span(scene, near, self.a), hard=False),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """At most 0.01 m2 of other footprints (rugs aside) in the strip."""
-        center, half = side_box(half_size(scene, self.a), self.side, self.depth)
-        pose = layout[self.a.name]
-        strip = box(center[0] - half[0], center[1] - half[1], center[0] + half[0], center[1] + half[1])
-        strip = translate(rotate(strip, pose.yaw, origin=(0, 0), use_radians=True), pose.x, pose.y)
-        low, high = self._span(scene, layout)
-        taken, culprit = 0.0, ""
-        for asset in scene.assets:
-            if asset.name == self.a.name or asset.is_flat or asset.name not in layout:
-                continue
-            bottom, top = vertical_span(asset, layout[asset.name])
-            area = common_area(strip, footprint(scene, layout, AssetRef(asset.name)))
-            if area > taken and bottom < high and top > low:
-                taken, culprit = area, asset.name
-        text = f"{taken:.2f} m2 of {culprit} in the strip" if taken > CLEAR_TOLERANCE else "free"
-        return Outcome(taken <= CLEAR_TOLERANCE, taken, CLEAR_TOLERANCE, "m2", text)
+        return strip_outcome(scene, layout, self.a, side_box(half_size(scene, self.a), self.side, self.depth))
 
-    def _span(self, scene: Scene, layout: Layout) -> tuple[float, float]:
-        low, high = vertical_span(scene.by_name[self.a.name], layout[self.a.name])
-        return (low + 0.02, high)
+
+def strip_span(scene: Scene, layout: Layout, owner: AssetRef) -> tuple[float, float]:
+    """Return between which heights in metres a thing's strip is to be free: its own, a threshold of 2 cm aside."""
+    low, high = vertical_span(scene.by_name[owner.name], layout[owner.name])
+    return (low + 0.02, high)
+
+
+def strip_outcome(
+    scene: Scene,
+    layout: Layout,
+    owner: AssetRef,
+    place: tuple[tuple[float, float], tuple[float, float]],
+    exempt: Collection[str] = (),
+) -> Outcome:
+    """Return how much of a strip, given by centre and half size in its owner's frame, is taken by the worst thing.
+
+    Rugs and what is exempt may lie there.
+    """
+    (x, y), (hx, hy) = place
+    pose = layout[owner.name]
+    strip = rotate(box(x - hx, y - hy, x + hx, y + hy), pose.yaw, origin=(0, 0), use_radians=True)
+    strip = translate(strip, pose.x, pose.y)
+    low, high = strip_span(scene, layout, owner)
+    taken, culprit = 0.0, ""
+    for asset in scene.assets:
+        if asset.name == owner.name or asset.is_flat or asset.name not in layout or asset.name in exempt:
+            continue
+        bottom, top = vertical_span(asset, layout[asset.name])
+        area = common_area(strip, footprint(scene, layout, AssetRef(asset.name)))
+        if area > taken and bottom < high and top > low:
+            taken, culprit = area, asset.name
+    text = f"{taken:.2f} m2 of {culprit} in the strip" if taken > CLEAR_TOLERANCE else "free"
+    return Outcome(taken <= CLEAR_TOLERANCE, taken, CLEAR_TOLERANCE, "m2", text)

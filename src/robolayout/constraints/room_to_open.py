@@ -3,21 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
 from typing import ClassVar
 
-from robolayout.assets import Category, category_of
+from robolayout.assets import category_of
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation
 from robolayout.constraints._terms import ClearTerm, Term
-from robolayout.constraints.keep_clear import KeepClear, side_box
-from robolayout.scene import Asset, Layout, Scene, vertical_span
-
-
-@cache
-def _category(asset: Asset) -> Category:
-    """Return an asset's category; its words are looked up once."""
-    return category_of(asset)
+from robolayout.constraints.keep_clear import side_box, strip_outcome, strip_span
+from robolayout.scene import Asset, Layout, Scene
 
 
 @dataclass(frozen=True)
@@ -26,27 +19,33 @@ class RoomToOpen(Relation):
 
     name: ClassVar[str] = "room_to_open"
     implicit: ClassVar[bool] = True
-    surrogate: ClassVar[bool] = True
     example: ClassVar[str] = ""
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one strip per thing that opens."""
-        exempt = frozenset(asset.name for asset in scene.assets if _category(asset).movable)
-        rows: list[Term] = []
-        for asset in self._opening(scene):
-            low, high = vertical_span(asset, near[asset.name])
-            center, half = side_box((asset.size[0] / 2, asset.size[1] / 2), "front", _category(asset).open_depth)
-            rows.append(ClearTerm(AssetRef(asset.name), center, half, (low + 0.02, high), exempt, hard=False))
-        return tuple(rows)
+        exempt = _movable(scene)
+        return tuple(
+            ClearTerm(AssetRef(a.name), *_strip(a), strip_span(scene, near, AssetRef(a.name)), exempt, hard=False)
+            for a in _opening(scene)
+        )
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """At most 0.01 m2 of any footprint in any strip (movable things counted, so a surrogate)."""
+        """At most 0.01 m2 of the footprint of anything that stays put in any strip."""
         outcomes = [
-            KeepClear(AssetRef(asset.name), "front", _category(asset).open_depth).check(scene, layout)
-            for asset in self._opening(scene)
+            strip_outcome(scene, layout, AssetRef(asset.name), _strip(asset), _movable(scene))
+            for asset in _opening(scene)
             if asset.name in layout
         ]
         return max(outcomes, key=lambda o: o.value, default=Outcome(True, 0.0, 0.0, "m2", "nothing opens"))
 
-    def _opening(self, scene: Scene) -> list[Asset]:
-        return [asset for asset in scene.assets if _category(asset).open_depth > 0 and not asset.on_ceiling]
+
+def _opening(scene: Scene) -> list[Asset]:
+    return [asset for asset in scene.assets if category_of(asset).open_depth > 0 and not asset.on_ceiling]
+
+
+def _movable(scene: Scene) -> frozenset[str]:
+    return frozenset(asset.name for asset in scene.assets if category_of(asset).movable)
+
+
+def _strip(asset: Asset) -> tuple[tuple[float, float], tuple[float, float]]:
+    return side_box((asset.size[0] / 2, asset.size[1] / 2), "front", category_of(asset).open_depth)

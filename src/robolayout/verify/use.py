@@ -18,7 +18,7 @@ import shapely
 from shapely import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from robolayout.assets import Category, category_of
+from robolayout.assets import category_of
 from robolayout.scene import Agent, Asset, Layout, Point, Scene
 from robolayout.verify._boxes import AREA_TOLERANCE, Boxes, boxes, room_polygon, share, shared_area
 from robolayout.verify._space import QUAD_SEGS, REACH_SLACK
@@ -108,12 +108,6 @@ def horizontal_reach(agent: Agent, bottom: float, top: float) -> float | None:
     return math.sqrt(agent.reach**2 - height**2) if height <= agent.reach else None
 
 
-@lru_cache(maxsize=4096)
-def _category(asset: Asset) -> Category:
-    """Return an asset's category; looked up from its words once, since the solver asks for it in every selection."""
-    return category_of(asset)
-
-
 class _Judge:
     """Looks at one asset after the other."""
 
@@ -133,11 +127,11 @@ class _Judge:
 
     def _sides(self, row: int) -> tuple[str, ...]:
         asset = self.scene.assets[row]
-        return tuple(_category(asset).use_sides if asset.use_sides is None else asset.use_sides)
+        return tuple(category_of(asset).use_sides if asset.use_sides is None else asset.use_sides)
 
     def _approaches(self, row: int) -> dict[str, BaseGeometry]:
         """Return, by side, what must come within reach: edges, or the footprint of what is carried or movable."""
-        if self.found.carrier(row) is not None or _category(self.scene.assets[row]).movable:
+        if self.found.carrier(row) is not None or category_of(self.scene.assets[row]).movable:
             return {"": self.found.footprints[row]}
         return {side: side_edge(self.found.footprints[row], side) for side in self._sides(row)}
 
@@ -161,7 +155,7 @@ class _Judge:
 
     def opening_blockers(self, row: int, side: str) -> tuple[str, ...]:
         """Return what stands in the depth that an asset needs in front to be opened: names, or "the wall"."""
-        depth = _category(self.scene.assets[row]).open_depth if side == "front" else 0.0
+        depth = category_of(self.scene.assets[row]).open_depth if side == "front" else 0.0
         if depth <= 0:
             return ()
         zone = strip(side_edge(self.found.footprints[row], side), depth)
@@ -173,7 +167,7 @@ class _Judge:
         names += [
             found.names[other]
             for other, taken in zip(rows, area, strict=True)
-            if taken > AREA_TOLERANCE and not _category(self.scene.assets[other]).movable
+            if taken > AREA_TOLERANCE and not category_of(self.scene.assets[other]).movable
         ]
         return tuple(names)
 
