@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 import numpy as np
 import shapely
@@ -19,7 +19,7 @@ from shapely import LineString, Polygon
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import category_of
-from robolayout.scene import Agent, Asset, Layout, Point, Scene
+from robolayout.scene import Agent, Layout, Point, Scene
 from robolayout.verify._boxes import AREA_TOLERANCE, Boxes, boxes, room_polygon, share, shared_area
 from robolayout.verify._space import QUAD_SEGS, REACH_SLACK
 from robolayout.verify.navigation import navigation
