@@ -18,6 +18,9 @@ Finish = Callable[[Sequence[Program], Scene, Mapping[str, Pose]], list[Attempt]]
 FULL_MARKS = 10
 """Rating at which nothing is amended."""
 
+MOST_REASONS, LONGEST_REASON = 5, 300
+"""Reasons that are kept, and characters of one."""
+
 PICTURE_SIZE = 768
 """Pixels of a side of the pictures that a critic sees."""
 
@@ -75,13 +78,14 @@ class CriticPass:
     def _run(self, room: Attempt) -> tuple[Attempt, Critique]:
         report = self._verified(room)
         first = self._rating(room, report)
-        reasons = tuple(first.reasons)
+        reasons = tuple(" ".join(reason.split())[:LONGEST_REASON] for reason in first.reasons[:MOST_REASONS])
         said = Critique(f"The critic gave {first.score} of 10", before=first.score, reasons=reasons)
         if first.score >= FULL_MARKS:
             return room, replace(said, outcome=f"{said.outcome} and had nothing to amend.")
-        text = self._amended(room, report, reasons)
         try:
-            asked = read_program(text, self.scene)
+            asked = read_program(self._amended(room, report, reasons), self.scene)
+        except ModelError as error:
+            return room, replace(said, outcome=f"{said.outcome} and was asked for an amendment in vain: {error}")
         except ProgramError as error:
             why = str(error).splitlines()[0]
             return room, replace(said, outcome=f"{said.outcome}; its program could not be read ({why}).")
