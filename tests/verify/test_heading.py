@@ -10,7 +10,8 @@ import pytest
 import shapely
 from verify_rooms import furnished, on_floor, square, thing
 
-from robolayout.scene import Agent, Layout, Room, Scene
+from robolayout.scene import Agent, Layout, Opening, Room, Scene, load_agent
+from robolayout.verify import navigation
 from robolayout.verify.heading import grown, heading_space, rectangle
 
 CART = Agent(name="cart", radius=0.4, height=1.0, length=1.2, width=0.6)
@@ -55,8 +56,6 @@ def test_a_straight_corridor_needs_the_width_only(width: float, passes: bool):
 
 def bend(width: float) -> Room:
     """An L of two corridors; the door is at the lower end of the upright one."""
-    from robolayout.scene import Opening
-
     return Room(
         ((0, 0), (width, 0), (width, 4 - width), (4, 4 - width), (4, 4), (0, 4)), 2.6, (Opening(0, 0.0, width, 2.05),)
     )
@@ -98,3 +97,33 @@ def test_a_body_wider_than_the_door_gets_nowhere():
         space = heading_space(Scene(square(6.0), (), agents=(body,)), Layout({}), body)
         assert space.standing[0].is_empty is not enters
         assert (space.start is not None) is enters
+
+
+@pytest.mark.parametrize(("width", "turns"), [(1.25, False), (1.35, True)])
+def test_a_wheelchair_needs_its_turning_circle_where_corridors_meet(width: float, turns: bool):
+    """Two corridors of width w leave a circle of 2 w / (1 + 1 / sqrt(2)) in their bend: 1.525 m from w = 1.302 m on."""
+    chair = load_agent("wheelchair")
+    scene = Scene(bend(width), (), agents=(chair,))
+    space = heading_space(scene, Layout({}), chair)
+    assert space.turning.is_empty is not turns
+    assert bool(space.standing[4].intersects(shapely.Point(3.3, 4 - width / 2))) is turns
+    assert space.standing[0].intersects(shapely.Point(width / 2, 2.0)), "straight in it comes either way"
+
+
+@pytest.mark.parametrize(("aisle", "gets_there"), [(3.4, False), (3.6, True)])
+def test_a_forklift_needs_its_aisle(aisle: float, gets_there: bool):
+    """Two rows of racks across a hall; what stands at the end of the aisle between them is reached or not."""
+    forklift = load_agent("forklift")
+    side, depth = 14.0, 1.2
+    room = Room(((0, 0), (side, 0), (side, side), (0, side)), 6.0, (Opening(0, 5.0, 4.0, 4.5),))
+    row = (side - aisle) / 2
+    left, right = (thing(f"pallet_rack-{i}", (row, depth, 3.0), "box") for i in range(2))
+    crate = thing("crate-0", (1.0, 1.0, 1.0), "box")
+    scene, layout = furnished(
+        room,
+        (left, on_floor(left, row / 2, 8.0)),
+        (right, on_floor(right, side - row / 2, 8.0)),
+        (crate, on_floor(crate, 7.0, 13.0)),
+        agents=(forklift,),
+    )
+    assert navigation(scene, layout).reached["crate-0"] is gets_there
