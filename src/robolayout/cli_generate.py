@@ -44,6 +44,9 @@ BaseUrlOption = Annotated[str | None, typer.Option("--base-url", help="An OpenAI
 MaxCostOption = Annotated[float | None, typer.Option("--max-cost", help="Most dollars to spend on a model.")]
 TimeoutOption = Annotated[float, typer.Option("--timeout", help="Seconds to wait for a model's answer.")]
 CriticOption = Annotated[bool, typer.Option("--critic", help="Let the model rate the room and amend it once.")]
+ConstraintsOption = Annotated[
+    Path | None, typer.Option("--constraints", help="A Python file with constraints of your own; it is run.")
+]
 ReplayOption = Annotated[Path | None, typer.Option("--replay", help="Answer from recorded exchanges, offline.")]
 
 
@@ -60,6 +63,7 @@ def generate(  # noqa: PLR0913 - one parameter per option
     walk: Annotated[bool, typer.Option("--walk", help="Also draw the body on its round: walk.gif.")] = False,
     settle: Annotated[bool, typer.Option("--settle", help="Let gravity act in MuJoCo (extra `sim`).")] = False,
     asset_dir: AssetDirOption = None,
+    constraints: ConstraintsOption = None,
     variants: VariantsOption = 1,
     model: ModelOption = None,
     mode: ModeOption = "grouped",
@@ -75,16 +79,11 @@ def generate(  # noqa: PLR0913 - one parameter per option
 ) -> None:
     """Lay out a scene, verify it, and write layout, report, pictures and GLB."""
     from robolayout._files import check_writable
-    from robolayout.export import find_exporter
     from robolayout.outputs import write_result
     from robolayout.pipeline import generate as run
     from robolayout.solve import SolverConfig
 
-    formats = [name for name in export.split(",") if name]
-    for name in formats:
-        find_exporter(name)
-    if settle:
-        _check_simulator()
+    formats = _checked(export, constraints, settle=settle)
     every_ok = True
     for given, folder in _scenes(scene, agent, asset_dir, (seed, variants), out):
         check_writable(folder)
@@ -117,11 +116,20 @@ def _check_meshes(scene: Scene) -> None:
         check_meshes(scene)
 
 
-def _check_simulator() -> None:
-    """Refuse `--settle` before any work where MuJoCo is not installed."""
-    from robolayout.export import check_simulator
+def _checked(export: str, constraints: Path | None, *, settle: bool) -> list[str]:
+    """Refuse unknown formats and a missing simulator before any work, read the user's constraints, return the formats."""
+    from robolayout.export import check_simulator, find_exporter
 
-    check_simulator()
+    formats = [name for name in export.split(",") if name]
+    for name in formats:
+        find_exporter(name)
+    if settle:
+        check_simulator()
+    if constraints is not None:
+        from robolayout.constraints import register_file
+
+        register_file(constraints)
+    return formats
 
 
 def _settled(result: Result) -> Result:
