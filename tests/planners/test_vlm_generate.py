@@ -380,6 +380,8 @@ def test_the_other_modes_end_valid(room: Path, mode: str) -> None:
     report = valid(out)
     assert len(server.seen[-1].images) >= 2
     assert len(report["statements"]) == (5 if mode == "one_shot" else 0)
+    program = read_program((out / "program.py").read_text(), load_scene(room))
+    assert len(program.statements) == len(report["statements"])
     assert ran.code == 0 or mode == "no_constraint"
 
 
