@@ -25,14 +25,14 @@ class Top:
         self.half = (size[0] / 2, size[1] / 2)
         self.sizes = sizes
         self.reach = reach
-        self.seated = False
+        self.seated = self.faced = False
         self.on_top = [member for member in placed if abs(member.bottom - size[2]) < 1e-6]
         self.taken: list[Rect] = [box_of(member, sizes[member.name]) for member in self.on_top]
 
     def put(self, items: Sequence[tuple[str, str, str]], seats: Sequence[Member]) -> list[Member]:
         """Place things given as (name, where, slot) and return them; settings go to the seats in order."""
         found: list[Member] = []
-        self.seated = len(seats) > 1
+        self.seated, self.faced = len(seats) > 1, bool(seats)
         in_line = self._in_line(items) if not seats else {}
         for i, (name, at, slot) in enumerate(items):
             if slot == "setting" and i < len(seats):
@@ -106,7 +106,7 @@ class Top:
         rx, ry = room
         y = 0.0 if count == 1 else ry * (2 * (i + 0.5) / count - 1)
         if at == "back":
-            return (max(-rx, rx - self.reach), y)
+            return (-rx if self.faced else max(-rx, rx - self.reach), y)
         if at == "front":
             return (max(0.0, rx - 0.03), y)
         if at == "side":
