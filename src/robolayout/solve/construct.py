@@ -28,6 +28,15 @@ OUTSIDE, BODY, STRIP, MISSED, AWAY = 20.0, 10.0, 2.0, 3.0, 0.02
 """Costs: of lying outside the room and of overlap, whole; of blocked floor in front, whole; of a row missed by a metre or
 more; per metre from the guess."""
 
+CORNER = 0.3
+"""Cost of a metre from the corner that a packed room is filled from."""
+
+GRAIN = 0.002
+"""Metres between packed things."""
+
+PACKED = 3000
+"""Most places with one heading that packing looks at for a thing."""
+
 Rects = NDArray[np.float64]
 """(n, 4): low x, low y, high x, high y in metres."""
 
@@ -67,6 +76,48 @@ class Builder:
             settled.append(slot)
         return world
 
+    def pack(self, world: Floats) -> Floats:
+        """Return a start (n, 4) that fills the room from one corner, each thing flush with its neighbours.
+
+        For rooms so full that only this finds a place for everything; edges are those along the axes.
+        """
+        world = world.copy()
+        x0, y0, x1, y1 = self.problem.scene.room.bounds
+        corner = np.array([self.rng.choice((x0, x1)), self.rng.choice((y0, y1))])
+        area = self.problem.half.prod(axis=1) * self.rng.uniform(0.5, 2.0, len(world))
+        settled = [s for s in range(len(world)) if s not in self.moving and self.problem.parent[s] < 0]
+        for slot in sorted(self.moving, key=lambda s: (-area[s], s)):
+            places = self._flush(slot, world, settled)
+            cost = self._hard_cost(slot, places, world, settled)
+            for term in self.proposals.frames.get(slot, []):
+                cost += MISSED / 3 * np.minimum(self.proposals.misses(term, slot, places, world), 1.0)
+            cost += CORNER * np.hypot(*(places[:, :2] - corner).T)
+            carry(self.problem, world, slot, places[int(np.argmin(cost))])
+            settled.append(slot)
+        return world
+
+    def _flush(self, slot: int, world: Floats, settled: list[int]) -> Floats:
+        """Return places (m, 4) at which two sides of a slot touch something: walls, landings, what stands already."""
+        room = self.problem.scene.room
+        outline = np.array(room.vertices)
+        landings = [np.array(room.landing(door)) for door in room.doors]
+        bodies = _bounds(world[settled, :2], world[settled, 2:], *self.problem.half[settled].T)
+        edges = [
+            np.unique(np.round(np.concatenate([outline[:, k], *(p[:, k] for p in landings), *bodies[:, k::2].T]), 4))
+            for k in (0, 1)
+        ]
+        quarters = self.rng.permutation(4) * (np.pi / 2)
+        found: list[Floats] = []
+        for yaw in quarters:
+            c, s = np.cos(yaw), np.sin(yaw)
+            reach = np.abs([[c, s], [s, c]]) @ self.problem.half[slot] + GRAIN
+            x, y = (np.concatenate([e + r, e - r]) for e, r in zip(edges, reach, strict=True))
+            grid = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
+            if len(grid) > PACKED:
+                grid = grid[self.rng.choice(len(grid), PACKED, replace=False)]
+            found.append(np.column_stack([grid, np.broadcast_to((c, s), grid.shape)]))
+        return np.concatenate(found)
+
     def _ranks(self) -> list[int]:
         """Return how many things stand between a slot and what it is placed by: what others refer to comes first."""
         ahead: list[set[int]] = [set() for _ in self.problem.names]
@@ -101,21 +152,12 @@ class Builder:
 
     def _cost(self, slot: int, places: Floats, world: Floats, settled: list[int]) -> Floats:
         """Return what each place (m, 4) of a slot costs, given what is settled."""
-        mine = _bounds(places[:, :2], places[:, 2:], *self.problem.half[slot])
         front = self._strips(np.full(len(places), slot), places)
-        area = float(4 * self.problem.half[slot].prod())
-        cost = OUTSIDE * self._outside(mine) + self.rng.random(len(places)) * 0.05
+        cost = self._hard_cost(slot, places, world, settled) + self.rng.random(len(places)) * 0.05
         cost += AWAY * np.hypot(*(places[:, :2] - world[slot, :2]).T)
-        if self._solid[slot]:
-            landings = [np.array(self.problem.scene.room.landing(d)) for d in self.problem.scene.room.doors]
-            for landing in landings:
-                cost += BODY * _shared(mine, np.array([[*landing.min(axis=0), *landing.max(axis=0)]]))[:, 0] / area
-        low, high = self._spans[slot]
-        others = [s for s in settled if self._solid[s] and self._spans[s, 0] < high and self._spans[s, 1] > low]
-        if others and self._solid[slot]:
-            bodies = _bounds(world[others, :2], world[others, 2:], *self.problem.half[others].T)
-            least = np.minimum(area, 4 * self.problem.half[others].prod(axis=1))
-            cost += BODY * (_shared(mine, bodies) / least).sum(axis=1)
+        mine, others = self._bodies(slot, places), self._beside(slot, settled)
+        if others:
+            bodies = self._bodies(others, world[others])
             if self._fronts[slot]:
                 cost += STRIP * np.minimum(_shared(front, bodies).sum(axis=1) / _area(front), 1.0)
             facing = [s for s in others if self._fronts[s]]
@@ -127,6 +169,31 @@ class Builder:
             if not isinstance(term.b, AssetRef) or self.problem.slot[term.b.name] in settled:
                 cost += MISSED * np.minimum(self.proposals.misses(term, slot, places, world), 1.0)
         return cost
+
+    def _hard_cost(self, slot: int, places: Floats, world: Floats, settled: list[int]) -> Floats:
+        """Return what each place (m, 4) costs by what it overlaps and how far it lies outside."""
+        mine, others = self._bodies(slot, places), self._beside(slot, settled)
+        area = float(4 * self.problem.half[slot].prod())
+        cost = OUTSIDE * self._outside(mine)
+        if self._solid[slot]:
+            for door in self.problem.scene.room.doors:
+                landing = np.array(self.problem.scene.room.landing(door))
+                cost += BODY * _shared(mine, np.array([[*landing.min(axis=0), *landing.max(axis=0)]]))[:, 0] / area
+        if others:
+            least = np.minimum(area, 4 * self.problem.half[others].prod(axis=1))
+            cost += BODY * (_shared(mine, self._bodies(others, world[others])) / least).sum(axis=1)
+        return cost
+
+    def _beside(self, slot: int, settled: list[int]) -> list[int]:
+        """Return which of the settled slots a slot could collide with."""
+        low, high = self._spans[slot]
+        if not self._solid[slot]:
+            return []
+        return [s for s in settled if self._solid[s] and self._spans[s, 0] < high and self._spans[s, 1] > low]
+
+    def _bodies(self, slots: ArrayLike, poses: Floats) -> Rects:
+        """Return the bounds of slots (m,), or of one slot, at their poses (m, 4)."""
+        return _bounds(poses[:, :2], poses[:, 2:], *self.problem.half[np.asarray(slots, dtype=np.intp)].T)
 
     def _outside(self, rects: Rects) -> Floats:
         """Return which share of nine points of each rectangle (m, 4) is not on the floor."""

@@ -74,7 +74,6 @@ class Programs:
                 self._futures[key] = self._workers.submit(_make, target, arguments, constants, entry_parts=key)
             return self._futures[key]
 
-
     def keys(self) -> tuple[Hashable, ...]:
         """Return what was asked for so far: function, shapes and constants of each program."""
         with self._lock:

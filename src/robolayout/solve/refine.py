@@ -9,6 +9,7 @@ import numpy as np
 from robolayout.scene import Agent, Layout, Trace
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
+from robolayout.solve.construct import Builder
 from robolayout.solve.judge import Judge, Verdict
 from robolayout.solve.repair import Repair
 from robolayout.solve.routes import Ground, Obstacles, Plan, make_ground, obstacles_of, pack, plan_routes
@@ -20,6 +21,10 @@ from robolayout.solve.starts import make_starts
 
 ROUTE_PATIENCE = 2
 """Rounds of routes without success after which repair has its turn."""
+
+
+PACKINGS = 24
+"""Orders in which a room is packed before it is given up as too full."""
 
 
 @dataclass
@@ -108,8 +113,21 @@ class Solver:
             more = self.runner.advance(stage, far, phase, "search", rng=self.rng)
             more = self.runner.advance(stage, more.world, self.config.polish, "polish")
             best, run = self._best_of(more, number, best), run.joined(more).best(self.config.kept)
+        if number == 0 and best.verdict.hard and self.config.repair_rounds:
+            best = self._pack(stage, best)
         if number == 0 and self.config.route_rounds and best.verdict.access:
             best = self._route(stage, run, best)
+        return best
+
+    def _pack(self, stage: Stage, best: _Best) -> _Best:
+        """Fill the room from a corner, in several orders, where nothing else has found a place for everything."""
+        builder = Builder(self.problem, stage.moving, self.rng)
+        for _ in range(PACKINGS):
+            if not best.verdict.hard:
+                break
+            found = self._judged(builder.pack(best.world), 0)
+            if found.verdict.merit < best.verdict.merit:
+                best = found
         return best
 
     def _best_of(self, run: Run, number: int, best: _Best | None, count: int | None = None) -> _Best:
