@@ -68,9 +68,9 @@ def test_the_same_seed_builds_the_same_room() -> None:
 
 
 def test_a_room_that_is_all_but_full_is_packed() -> None:
-    boxes = tuple(Asset(f"storage_box-{i}", "storage box", (0.5, 0.9, 0.4)) for i in range(15))
+    boxes = tuple(Asset(f"storage_box-{i}", "storage box", (0.5, 0.9, 0.4)) for i in range(14))
     problem = problem_of(room_of(*boxes, room=Room(((0, 0), (3.2, 0), (3.2, 3.2), (0, 3.2)), 2.6)), seed=2)
-    builder = Builder(problem, tuple(range(15)), np.random.default_rng(0))
+    builder = Builder(problem, tuple(range(14)), np.random.default_rng(0))
     packed = min((builder.pack(problem.start) for _ in range(12)), key=lambda world: shared(problem, world))
     assert shared(problem, packed) < 1e-6
     floor = Polygon(problem.scene.room.vertices).buffer(1e-6)
