@@ -197,7 +197,7 @@ class Builder:
 
     def _outside(self, rects: Rects) -> Floats:
         """Return which share of nine points of each rectangle (m, 4) is not on the floor."""
-        shares = np.linspace(0.02, 0.98, 3)
+        shares = np.linspace(0.002, 0.998, 3)
         x = rects[:, 0, None] + shares * (rects[:, 2] - rects[:, 0])[:, None]
         y = rects[:, 1, None] + shares * (rects[:, 3] - rects[:, 1])[:, None]
         points = np.broadcast_arrays(x[:, :, None], y[:, None, :])
