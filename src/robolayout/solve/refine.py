@@ -23,6 +23,9 @@ ROUTE_PATIENCE = 2
 """Rounds of routes without success after which repair has its turn."""
 
 
+FULL = 0.5
+"""Share of the floor above which packing comes before repair; below it, a few collisions are cheaper to repair."""
+
 PACKINGS = 24
 """Orders in which a room is packed before it is given up as too full."""
 
@@ -113,11 +116,16 @@ class Solver:
             more = self.runner.advance(stage, far, phase, "search", rng=self.rng)
             more = self.runner.advance(stage, more.world, self.config.polish, "polish")
             best, run = self._best_of(more, number, best), run.joined(more).best(self.config.kept)
-        if number == 0 and best.verdict.hard and self.config.repair_rounds:
+        if number == 0 and best.verdict.hard and self.config.repair_rounds and self._fill() > FULL:
             best = self._pack(stage, best)
         if number == 0 and self.config.route_rounds and best.verdict.access:
             best = self._route(stage, run, best)
         return best
+
+    def _fill(self) -> float:
+        """Return the share of the floor that things standing on it take."""
+        standing = [i for i, a in enumerate(self.problem.scene.assets) if self.problem.parent[i] < 0 and not a.is_flat]
+        return float(4 * self.problem.half[standing].prod(axis=1).sum()) / self.problem.scene.room.area
 
     def _pack(self, stage: Stage, best: _Best) -> _Best:
         """Fill the room from a corner, in several orders, where nothing else has found a place for everything."""
