@@ -229,10 +229,12 @@ def read_scene(path: str, agent: str | None, asset_dir: Path | None) -> Scene:
 
 
 @contextmanager
-def progress(silent: bool) -> Generator[Callable[[str], None]]:
-    """Show the running phase on a terminal."""
-    if silent or not sys.stderr.isatty():
-        yield _hushed
+def progress(quiet: bool) -> Generator[Callable[[str], None]]:
+    """Show the running phase on a terminal; elsewhere nobody is told."""
+    if quiet or not sys.stderr.isatty():
+        from robolayout.solve import silent
+
+        yield silent
         return
     from rich.console import Console
 
@@ -242,10 +244,6 @@ def progress(silent: bool) -> Generator[Callable[[str], None]]:
             status.update(f"{phase} ...")
 
         yield say
-
-
-def _hushed(phase: str) -> None:
-    """Say nothing."""
 
 
 def _tell(result: Result, folder: Path, files: list[Path], *, quiet: bool, as_json: bool) -> None:

@@ -16,6 +16,7 @@ from robolayout.solve import (
     SolverConfig,
     Verdict,
     compile_problem,
+    silent,
     solve_samples,
     solve_with,
     warm_up,
@@ -119,7 +120,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         The layout with its program, decisions and report. No file is written.
     """
     clock = Clock()
-    say = progress or _hushed
+    say = progress or silent
     with clock.station("scene"):
         scene = as_scene(scene, agent)
     if solver == "default":
@@ -134,10 +135,6 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     best = run.whole(planner, program, attempts)
     report = run.reported(best)
     return Result(scene, groups, best.asked, best.reconciled, best.solution.layout, report, best.solution)
-
-
-def _hushed(phase: str) -> None:
-    """Say nothing."""
 
 
 @dataclass(frozen=True)

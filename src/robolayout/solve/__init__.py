@@ -8,7 +8,7 @@ from robolayout.solve.proposals import Proposals, carry
 from robolayout.solve.refine import Solver
 from robolayout.solve.runner import warm_up
 from robolayout.solve.samples import solve_samples, warm_up_samples
-from robolayout.solve.solution import Solution
+from robolayout.solve.solution import Solution, silent
 
 __all__ = [
     "Judge",
@@ -22,6 +22,7 @@ __all__ = [
     "Weights",
     "carry",
     "compile_problem",
+    "silent",
     "solve_samples",
     "solve_with",
     "solver_names",
