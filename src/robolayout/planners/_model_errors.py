@@ -98,10 +98,11 @@ def _first_line(text: str) -> str:
 
 
 def _root(error: BaseException) -> BaseException:
-    """Return the first cause of an error ("connection refused" under three wrappings)."""
+    """Return the first cause of an error ("connection refused" under three wrappings): the system's, if it spoke."""
+    chain = [error]
     for _ in range(20):
-        cause = error.__cause__ or error.__context__
+        cause = chain[-1].__cause__ or chain[-1].__context__
         if cause is None:
             break
-        error = cause
-    return error
+        chain.append(cause)
+    return next((cause for cause in reversed(chain) if isinstance(cause, OSError)), chain[-1])
