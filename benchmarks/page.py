@@ -274,7 +274,9 @@ def vlm(rows: Rows, images: Path) -> str:
 VIEWS = {
     "gl_load": "loading a room for OpenGL",
     "gl_top": "OpenGL in software, top view, 512 x 512",
+    "gl_top_wall": "the same, wall seconds",
     "gl_side": "OpenGL in software, side view, 512 x 512",
+    "gl_side_wall": "the same, wall seconds",
     "rays_load": "loading a room for ray casting",
     "rays_top": "ray casting, top view, 512 x 512",
     "rays_side": "ray casting, side view, 512 x 512",

@@ -81,7 +81,7 @@ def _views(result: rl.Result) -> Row:
             studio.view(view, size=SIZE)
             with watch() as spent:
                 seen[renderer, view] = np.asarray(studio.view(view, size=SIZE), dtype=int)
-            row[f"{renderer}_{view}"] = spent.cpu
+            row |= {f"{renderer}_{view}": spent.cpu, f"{renderer}_{view}_wall": spent.wall}
     if "gl_load" in row:
         apart = [np.abs(seen["gl", view] - seen["rays", view]) for view in ("top", "side")]
         row["differ_mean"] = float(np.mean(apart))

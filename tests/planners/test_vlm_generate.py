@@ -323,6 +323,7 @@ def test_a_refused_connection_is_one_sentence(room: Path) -> None:
         port = free.getsockname()[1]
     ran, _ = generate(f"http://127.0.0.1:{port}/v1", room)
     refused(ran, f"cannot connect to 127.0.0.1:{port} for openai:gpt-4o")
+    assert "event loop" not in ran.err
 
 
 @pytest.mark.parametrize(
