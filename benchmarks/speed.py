@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import resource
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -34,6 +35,9 @@ def cases(quick: bool) -> Iterator[tuple[str, Callable[[], Row]]]:
     yield "process/first generate, empty cache", partial(process, run, repeats=1)
     yield "process/later generate", partial(process, run, warm=True)
     yield "process/later generate, no pictures", partial(process, [*run, "--no-pictures"], warm=True)
+    if not quick:
+        demo = f"git clone -q {shlex.quote(str(ROOT))} demo && make -C demo demo"
+        yield "process/make demo, clean clone, installation included", partial(process, ["sh", "-c", demo], repeats=1)
     for room in ROOMS[:1] if quick else ROOMS:
         yield f"stations/{room}", partial(in_child, "stations", room)
     for slots in BUCKETS[:1] if quick else BUCKETS:
