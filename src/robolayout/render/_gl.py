@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import threading
 from functools import lru_cache
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -171,6 +172,8 @@ class GLRenderer:
         self._context: Any = _context(os.getpid(), threading.get_ident())
         self._program = _programs(self._context)
         self._coarse = mesh
+        columns = np.ascontiguousarray(mesh.corners.reshape(-1, 3).T) if len(mesh) else np.zeros((3, 1))
+        self._bounds = columns.min(axis=1), columns.max(axis=1)
         self._sun_blockers = sun_blockers
         lit = lit_by_sky(mesh, mesh.corners[sky_blockers])
         self._fine, self._places = lit.mesh, lit.places
@@ -251,8 +254,7 @@ class GLRenderer:
         if not len(which):
             return
         program = self._program[name]
-        _, depth = camera.project(self._coarse.corners.reshape(-1, 3))
-        program["camera"].write(np.ascontiguousarray(camera.matrix(max(float(depth.max()) * 1.01, 1.0)).T).tobytes())
+        program["camera"].write(np.ascontiguousarray(camera.matrix(self._far(camera)).T).tobytes())
         program["eye"].value = camera.position
         content = [(self._buffers[name], kind, name) for kind, name, _ in self._columns if name in program]
         order = self._buffer(self._places[which].astype(np.int32))
@@ -260,6 +262,12 @@ class GLRenderer:
         array.render(self._gl.TRIANGLES)
         array.release()
         order.release()
+
+    def _far(self, camera: Camera) -> float:
+        """Return metres to a plane behind everything: depth is linear, so the corners of the bounds say it."""
+        low, high = self._bounds
+        _, depth = camera.project(np.array(list(product(*zip(low, high, strict=True)))))
+        return max(float(depth.max()) * 1.01, 1.0)
 
     def _light_up(self, program: Any, atlas: Any, matrices: NDArray[np.float32], toward: NDArray[np.float32]) -> None:
         atlas.use(0)
@@ -281,7 +289,7 @@ class GLRenderer:
         canvas = context.framebuffer(depth_attachment=atlas)
         canvas.use()
         canvas.clear()
-        points = shadows.reshape(-1, 3) if len(shadows) else np.zeros((1, 3), np.float32)
+        points = np.ascontiguousarray(shadows.reshape(-1, 3).T) if len(shadows) else np.zeros((3, 1), np.float32)
         matrices = np.stack([_fit_light(points, direction) for direction in toward])
         if len(shadows):
             context.enable(gl.DEPTH_TEST)
@@ -298,12 +306,12 @@ class GLRenderer:
 
 
 def _fit_light(points: NDArray[np.float32], direction: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return the orthographic (4, 4) matrix that looks against `direction` and holds all points in [-1, 1]."""
+    """Return the orthographic (4, 4) matrix that looks against `direction` and holds all points (3, n) in [-1, 1]."""
     side = np.cross(direction, (0.0, 1.0, 0.0) if abs(direction[1]) < 0.9 else (1.0, 0.0, 0.0))
     side = side / np.linalg.norm(side)
     axes = np.stack([side, np.cross(direction, side), -direction])
-    local = points @ axes.T
-    low, high = local.min(axis=0), local.max(axis=0)
+    local = axes.astype(np.float32) @ points
+    low, high = local.min(axis=1), local.max(axis=1)
     scale = 2 / np.maximum(high - low, 1e-3) * 0.98
     matrix = np.eye(4)
     matrix[:3, :3] = axes * scale[:, None]
