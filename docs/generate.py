@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING, Field
 from pathlib import Path
 from typing import Any
@@ -15,6 +15,7 @@ from typing import Any
 from robolayout import _errors
 from robolayout._files import write_atomic
 from robolayout.constraints import IMPLICIT, RELATIONS
+from robolayout.planners import scene_from_sentence
 from robolayout.scene import agent_names, load_agent
 
 ROOT = Path(__file__).parents[1]
@@ -41,6 +42,53 @@ def statements() -> str:
         met = (kind.check.__doc__ or "").strip()
         rows.append([call if not kind.implicit else f"{kind.name} (in every program)", kind.meaning(), met])
     return table(["statement", "what it asks", "met if"], rows)
+
+
+SENTENCES = (
+    "a bedroom for two children with a bunk bed, desks and a reading corner, 4 x 5 m, for a wheelchair user",
+    "a small home office with two desks and a printer",
+    "a living room of 30 square metres with a corner sofa, a TV and lots of bookshelves",
+    "a kitchen, 3.2 by 4.5 m, with an island and four bar stools",
+    "a dining room for eight people",
+    "a bathroom with a shower, two sinks and a washing machine, 2.5 x 3 m",
+    "a classroom for 20 pupils with a whiteboard",
+    "a cosy cafe with six small tables for two",
+    "a hospital room with two beds, for a nurse's robot: tiago",
+    "a bookshop with twelve shelves and a checkout counter",
+    "a gym with three treadmills and a bench, 12 ft x 20 ft",
+    "a meeting room for ten with a projector screen",
+    "an L-shaped studio flat, 6 x 7 m, with a double bed, a settee and a small dining table",
+    "a nursery with a cot, a changing table and a rocking chair",
+    "a florist's shop with flower stands, 8 x 6 m",
+    "a workshop with two workbenches and a tool cabinet for a forklift, 10 x 12 m",
+    "a room for my cat with a scratching post and an armchair",
+    "a care-home room for an older adult with a walker",
+    "a games room with a pool table, a dartboard and a purple dinosaur",
+    "somewhere to sleep",
+)
+"""What people write; the page about the planner shows what is understood."""
+
+
+def sentences() -> str:
+    """Return one row per sentence: room, body, what was wished and added, what meant nothing."""
+    rows: list[list[str]] = []
+    for text in SENTENCES:
+        try:
+            _, found = scene_from_sentence(text)
+        except _errors.RoboLayoutError as error:
+            rows.append([text, f"refused: {error}", "", "", ""])
+            continue
+        width, depth = found.size
+        room = f"{found.room_type}, {width:.1f} x {depth:.1f} m" + (", L-shaped" if "L" in found.shape else "")
+        body = found.agent or "-"
+        rows.append(
+            [text, f"{room}; {body}", _counts(found.wished), _counts(found.added), ", ".join(found.ignored) or "-"]
+        )
+    return table(["sentence", "room; body", "wished", "added", "meant nothing"], rows)
+
+
+def _counts(things: Mapping[str, int]) -> str:
+    return ", ".join(f"{count} {name}" if count > 1 else name for name, count in things.items()) or "-"
 
 
 def _argument(field: Field[Any]) -> str:
@@ -77,6 +125,7 @@ def errors() -> str:
 TABLES: dict[str, Callable[[], str]] = {
     "relations": relations,
     "statements": statements,
+    "sentences": sentences,
     "agents": agents,
     "errors": errors,
 }
