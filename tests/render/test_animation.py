@@ -1,23 +1,13 @@
 """Animations: complete, small, repeatable."""
 
-import io
-
 import numpy as np
 import pytest
+from film_frames import frames
 from PIL import Image
 
 from robolayout._errors import InputError
 from robolayout.render import progress_gif
 from robolayout.scene import Trace
-
-
-def frames(data):
-    image = Image.open(io.BytesIO(data))
-    found = []
-    for k in range(image.n_frames):
-        image.seek(k)
-        found.append((np.asarray(image.convert("RGB"), dtype=int), image.info["duration"]))
-    return found
 
 
 def test_progress_is_short_and_holds_the_result(bedroom, layout, trace):

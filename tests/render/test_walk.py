@@ -1,13 +1,12 @@
 """The agent on its round: it goes everywhere, cuts corners only across free space, and keeps clear of things."""
 
-import io
 import math
 from itertools import pairwise
 
 import numpy as np
 import pytest
 import shapely
-from PIL import Image
+from film_frames import frames
 
 from robolayout._errors import InputError
 from robolayout.render import PlanMarks, walk_gif
@@ -23,15 +22,6 @@ ROUTES = {
     "b-1": ((3.0, 0.2), (4.2, 0.9), (5.1, 3.4)),
     "c-0": ((3.0, 0.2), (1.8, 0.9), (0.5, 2.0)),
 }
-
-
-def frames(data):
-    image = Image.open(io.BytesIO(data))
-    found = []
-    for k in range(image.n_frames):
-        image.seek(k)
-        found.append((np.asarray(image.convert("RGB"), dtype=int), image.info["duration"]))
-    return found
 
 
 def test_a_round_visits_everything_once_and_comes_back():

@@ -47,22 +47,22 @@ class SolverConfig:
     """The default search."""
 
     starts: int = 16
-    """Starts of the first phase."""
+    """Starts in all; see `starts.make_starts`. Those past the first `kept` are used only if none of these is perfect."""
 
     kept: int = 8
-    """Starts that go on to polishing, routes and verification."""
+    """Starts near the guess and built anew, which are polished first; and how many go on to routes."""
 
     judged: int = 4
-    """Layouts of each round of routes that the exact verifier sees, the most promising first."""
+    """Layouts of each round of routes or repair that the exact verifier sees, the most promising first."""
 
     search: SearchConfig = SearchConfig(steps=220, rate=0.10, final_rate=0.01, noise=0.06, ramp=0.05)
-    """First phase: all starts."""
+    """Wide search, of the starts that are far from the guess."""
 
     tops: SearchConfig = SearchConfig(steps=160, rate=0.03, final_rate=0.002, noise=0.01, ramp=0.3)
-    """First phase of what stands on other things, where distances are short."""
+    """The same for what stands on other things, where distances are short."""
 
     polish: SearchConfig = SearchConfig(steps=140, rate=0.02, final_rate=0.0005)
-    """Second phase: the kept starts."""
+    """Of starts that are near a solution, and after the wide search."""
 
     reroute: SearchConfig = SearchConfig(steps=120, rate=0.03, final_rate=0.001)
     """After each planning of routes."""

@@ -67,7 +67,7 @@ class Builder:
         slots = self.moving if slots is None else slots
         world = world.copy()
         area = self.problem.half.prod(axis=1) * self.rng.uniform(0.7, 1.4, len(world))
-        settled = [s for s in range(len(world)) if s not in slots and self.problem.parent[s] < 0]
+        settled = self._standing(slots)
         free = [not self.proposals.frames.get(s) for s in range(len(world))]
         for slot in sorted(slots, key=lambda s: (self._rank[s], free[s], -area[s], s)):
             places = self._places(slot, world)
@@ -85,7 +85,7 @@ class Builder:
         x0, y0, x1, y1 = self.problem.scene.room.bounds
         corner = np.array([self.rng.choice((x0, x1)), self.rng.choice((y0, y1))])
         area = self.problem.half.prod(axis=1) * self.rng.uniform(0.5, 2.0, len(world))
-        settled = [s for s in range(len(world)) if s not in self.moving and self.problem.parent[s] < 0]
+        settled = self._standing(self.moving)
         for slot in sorted(self.moving, key=lambda s: (-area[s], s)):
             places = self._flush(slot, world, settled)
             cost = self._hard_cost(slot, places, world, settled)
@@ -96,12 +96,16 @@ class Builder:
             settled.append(slot)
         return world
 
+    def _standing(self, placed: Collection[int]) -> list[int]:
+        """Return the slots on the floor, at walls and at the ceiling that stay while others are placed."""
+        return [s for s, parent in enumerate(self.problem.parent) if s not in placed and parent < 0]
+
     def _flush(self, slot: int, world: Floats, settled: list[int]) -> Floats:
         """Return places (m, 4) at which two sides of a slot touch something: walls, landings, what stands already."""
         room = self.problem.scene.room
         outline = np.array(room.vertices)
         landings = [np.array(room.landing(door)) for door in room.doors]
-        bodies = _bounds(world[settled, :2], world[settled, 2:], *self.problem.half[settled].T)
+        bodies = self._bodies(settled, world[settled])
         edges = [
             np.unique(np.round(np.concatenate([outline[:, k], *(p[:, k] for p in landings), *bodies[:, k::2].T]), 4))
             for k in (0, 1)

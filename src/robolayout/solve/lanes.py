@@ -14,7 +14,7 @@ from robolayout.solve import programs
 from robolayout.solve.arrays import Arrays, Found, Losses, Routes, Schedule
 from robolayout.solve.compile import Floats
 from robolayout.solve.config import SearchConfig, SolverConfig, Weights
-from robolayout.solve.runner import NOISE_BLOCK, PROCESSORS, STILL, Run, Runner
+from robolayout.solve.runner import NOISE_BLOCK, PROCESSORS, STILL, Piece, Runner
 from robolayout.solve.stage import Stage, no_routes
 
 PROGRAM = "search_many:advance_many"
@@ -55,30 +55,18 @@ class LaneRunner(Runner):
         send: Who runs a request.
     """
 
+    share = STARTS
+
     def __init__(self, config: SolverConfig, send: Send) -> None:
         super().__init__(config)
         self.send = send
 
-    def advance(
-        self,
-        stage: Stage,
-        world: Floats,
-        phase: SearchConfig,
-        label: str,
-        *,
-        routes: Routes | None = None,
-        rng: np.random.Generator | None = None,
-    ) -> Run:
-        """Run one phase from world poses (K, n, 4)."""
-        parts = [slice(begin, begin + STARTS) for begin in range(0, len(world), STARTS)]
-        lanes = tuple(
-            _lane(stage, world[part], routes and Routes(*(field[part] for field in routes)), rng) for part in parts
-        )
-        found = self.send(Request(phase, label, lanes))
-        if self.config.trace and phase.steps:
-            self._record(stage, label, phase.steps, found[0])
-        runs = [self._run(stage, world[part], one) for part, one in zip(parts, found, strict=True)]
-        return Run(*(np.concatenate(fields) for fields in zip(*(run.fields() for run in runs), strict=True)))
+    def _results(
+        self, stage: Stage, pieces: Sequence[Piece], phase: SearchConfig, label: str, rng: np.random.Generator | None
+    ) -> list[Found]:
+        """Run pieces as lanes, wherever these are run."""
+        lanes = tuple(_lane(stage, world, routes, rng) for world, routes in pieces)
+        return self.send(Request(phase, label, lanes))
 
 
 def run_together(requests: Sequence[Request], weights: Weights) -> list[list[Found]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -110,12 +111,12 @@ class Solver:
         starts = make_starts(self.problem, world, stage.moving, self.config.starts, self.rng)
         near, far = starts[: self.config.kept], starts[self.config.kept :]
         run = self.runner.advance(stage, near, self.config.polish, "polish")
-        best = self._best_of(run, number, None)
+        best = self._best_of(run.ranked(), number, None)
         if len(far) and not best.verdict.ok:
             phase = self.config.tops if number else self.config.search
             more = self.runner.advance(stage, far, phase, "search", rng=self.rng)
             more = self.runner.advance(stage, more.world, self.config.polish, "polish")
-            best, run = self._best_of(more, number, best), run.joined(more).best(self.config.kept)
+            best, run = self._best_of(more.ranked(), number, best), run.joined(more).best(self.config.kept)
         if number == 0 and best.verdict.hard and self.config.repair_rounds and self._fill() > FULL:
             best = self._pack(stage, best)
         if number == 0 and self.config.route_rounds and best.verdict.access:
@@ -138,12 +139,12 @@ class Solver:
                 best = found
         return best
 
-    def _best_of(self, run: Run, number: int, best: _Best | None, count: int | None = None) -> _Best:
-        """Return the best of a run's first few layouts and of what was best before, by the judge."""
-        for k in run.order()[:count]:
+    def _best_of(self, worlds: Iterable[Floats], number: int, best: _Best | None) -> _Best:
+        """Return the best of some layouts and of what was best before, by the judge; nobody looks past a perfect one."""
+        for world in worlds:
             if best and best.verdict.ok:
                 break
-            found = self._judged(run.world[k], number)
+            found = self._judged(world, number)
             if best is None or found.verdict.merit < best.verdict.merit:
                 best = found
         assert best is not None
@@ -164,7 +165,7 @@ class Solver:
             routes = pack(plans, 8 * stage.slots)
             run = self.runner.advance(stage, world, self.config.reroute, "routes", routes=routes)
             world = run.world
-            best = self._best_of(run, 0, best, self.config.judged)
+            best = self._best_of(run.ranked()[: self.config.judged], 0, best)
             fruitless = 0 if best.verdict.merit < before else fruitless + 1
         return best
 
@@ -203,9 +204,6 @@ class Solver:
             before = best.verdict.merit
             self.progress("repair")
             made = repair.candidates(best.world, best.verdict.culprits, round_number, self._plan)
-            for world in made[: self.config.judged]:
-                found = self._judged(world, last)
-                if found.verdict.merit < best.verdict.merit:
-                    best = found
+            best = self._best_of(made[: self.config.judged], last, best)
             fruitless = 0 if best.verdict.merit < before else fruitless + 1
         return best

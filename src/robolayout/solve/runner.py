@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -34,6 +35,10 @@ NOISE_BLOCK = 32
 """Steps after which the noise repeats."""
 
 
+Piece = tuple[Floats, Routes | None]
+"""World poses of a few starts and what must not stand in their routes."""
+
+
 @dataclass(frozen=True)
 class Run:
     """What one run of the search left.
@@ -56,6 +61,10 @@ class Run:
         """Return both runs as one."""
         return Run(*(np.concatenate(pair) for pair in zip(self.fields(), other.fields(), strict=True)))
 
+    def ranked(self) -> Floats:
+        """Return the poses (K, n, 4), best first."""
+        return self.world[self.order()]
+
     def best(self, count: int) -> Run:
         """Return its best starts, best first."""
         first = self.order()[:count]
@@ -73,6 +82,9 @@ class Runner:
         config: Constants.
     """
 
+    share: ClassVar[int] = BATCH
+    """Starts that run in one piece."""
+
     def __init__(self, config: SolverConfig) -> None:
         self.config = config
         self._losses: list[dict[str, float]] = []
@@ -89,12 +101,9 @@ class Runner:
         rng: np.random.Generator | None = None,
     ) -> Run:
         """Run one phase from world poses (K, n, 4)."""
-        parts = [slice(begin, begin + BATCH) for begin in range(0, len(world), BATCH)]
-        batches = [
-            _arguments(stage, world[part], phase, routes and Routes(*(field[part] for field in routes)), rng)
-            for part in parts
-        ]
-        results = self._call(batches)
+        parts = [slice(begin, begin + self.share) for begin in range(0, len(world), self.share)]
+        pieces = [(world[part], routes and Routes(*(field[part] for field in routes))) for part in parts]
+        results = self._results(stage, pieces, phase, label, rng)
         runs = [self._run(stage, world[part], found) for part, found in zip(parts, results, strict=True)]
         if self.config.trace and phase.steps:
             self._record(stage, label, phase.steps, results[0])
@@ -103,6 +112,13 @@ class Runner:
     def evaluate(self, stage: Stage, world: Floats, routes: Routes | None = None) -> Run:
         """Return the objective of layouts (K, n, 4) without moving anything."""
         return self.advance(stage, world, STILL, "", routes=routes)
+
+    def _results(
+        self, stage: Stage, pieces: Sequence[Piece], phase: SearchConfig, label: str, rng: np.random.Generator | None
+    ) -> list[Found]:
+        """Run pieces of at most `share` starts."""
+        del label
+        return self._call([_arguments(stage, world, phase, routes, rng) for world, routes in pieces])
 
     def _call(self, batches: list[tuple[Any, ...]]) -> list[Found]:
         """Run batches side by side, one on each processor."""
