@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,10 +12,13 @@ from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Pla
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict, vertical_span
 from robolayout.solve import (
+    Enough,
+    Judge,
     Solution,
     SolverConfig,
     Verdict,
     compile_problem,
+    never,
     silent,
     solve_samples,
     solve_with,
@@ -288,30 +291,33 @@ def solve_many(
     return solve_samples(problems, judges, seed=seed, config=config, progress=progress)
 
 
-def make_judge(scene: Scene, program: Program) -> Callable[[Layout], Verdict]:
+def make_judge(scene: Scene, program: Program) -> Judge:
     """Return the exact verifier as an order on (partial) layouts: what is not placed yet is not counted.
 
-    A body that cannot come in whatever is done has no say.
+    A body that cannot come in whatever is done has no say. What is cheap is looked at first.
     """
     statements = [(s.relation, frozenset(s.relation.asset_names())) for s in program.statements]
     bodies = [agent for agent in scene.agents if not kept_out(scene, agent)]
 
-    def judge(layout: Layout) -> Verdict:
+    def judge(layout: Layout, enough: Enough = never, /) -> Verdict:
         placed = set(layout)
-        found = physics(scene, layout)
-        failing = [name for name in found.failing if name in placed]
-        access, blamed = 0.0, list[str]()
-        for agent in bodies:
-            missing, to_move = _access(scene, layout, agent)
-            access += missing
-            blamed += to_move
+        failing = [name for name in physics(scene, layout).failing if name in placed]
+        found = Verdict(float(len(failing)), 0.0, 0.0, tuple(failing))
+        if enough(found):
+            return found
         soft, unmet = 0.0, list[str]()
         for relation, names in statements:
             if names <= placed and not relation.check(scene, layout).met:
                 soft += float(getattr(relation, "weight", 1.0))
                 unmet += relation.asset_names()
-        culprits = tuple(dict.fromkeys([*failing, *blamed, *unmet]))
-        return Verdict(float(len(failing)), access, soft, culprits)
+        access, blamed = 0.0, list[str]()
+        for agent in bodies:
+            if enough(replace(found, access=access, soft=soft)):
+                break
+            missing, to_move = _access(scene, layout, agent)
+            access += missing
+            blamed += to_move
+        return Verdict(found.hard, access, soft, tuple(dict.fromkeys([*failing, *blamed, *unmet])))
 
     return judge
 

@@ -23,7 +23,7 @@ from robolayout.program import Program, Statement, read_program
 from robolayout.scene import Asset, Layout, Opening, Room, Scene
 from robolayout.solve import Problem, Weights, compile_problem
 from robolayout.solve.arrays import Arrays
-from robolayout.solve.objective import losses
+from robolayout.solve.objective import everything, losses
 from robolayout.solve.stage import make_stage, no_routes
 
 STARTS, SLOTS = 16, 8
@@ -128,7 +128,7 @@ def stage_arrays(problem: Problem) -> Arrays:
     row, clear = arrays.frame_row.copy(), arrays.clear_weight.copy()
     row[framed:, -1] = 0.0
     clear[:implicit] = 0.0
-    return arrays._replace(frame_row=row, clear_weight=clear)
+    return arrays._replace(frame_row=row, clear_weight=clear, inside=arrays.free)
 
 
 def flat_problem(scene: Scene, *relations: Relation, seed: int = 0) -> Problem:
@@ -144,7 +144,7 @@ def _terms(poses: jax.Array, arrays: Arrays, factors: jax.Array, weights: Weight
         x, y, yaw = (poses[..., i] for i in range(3))
         local = jnp.stack([x, y, jnp.cos(yaw), jnp.sin(yaw)], axis=-1)
         world = arrays._replace(anchor=jnp.zeros_like(arrays.anchor).at[:, 2].set(1.0))
-        found = losses(local, world, no_routes(len(poses), 1), arrays.pairs, weights)
+        found = losses(local, world, no_routes(len(poses), 1), everything(arrays), weights)
         values = jnp.stack([found.statements, found.overlap, found.boundary, found.clear], axis=-1)
         return jnp.sum(values @ factors), values
 

@@ -192,7 +192,7 @@ def test_what_is_warmed_up_is_what_the_room_needs_in_every_stage(room, monkeypat
     from robolayout.program import read_program, reconcile
     from robolayout.scene import load_scene
     from robolayout.solve import compile_problem, runner, warm_up
-    from robolayout.solve.stage import make_stage, stages
+    from robolayout.solve.stage import make_stage, no_routes, stages
 
     def shapes(arguments):
         return [(leaf.shape, leaf.dtype) for leaf in programs.leaves(arguments)]
@@ -205,7 +205,9 @@ def test_what_is_warmed_up_is_what_the_room_needs_in_every_stage(room, monkeypat
     problem = compile_problem(scene, program)
     for number in stages(problem):
         stage = make_stage(problem, number, problem.start)
-        assert shapes(runner._arguments(stage, problem.start[None], runner.STILL)) == warmed[0]
+        piece = (problem.start[None], lambda stage=stage: no_routes(1, 8 * stage.slots))
+        shakes = runner.noise(stage, runner.BATCH, None)
+        assert shapes(runner._arguments(stage, piece, runner.STILL, shakes)) == warmed[0]
 
 
 def test_an_unknown_runtime_leaves_the_work_to_jax(probe, folder):

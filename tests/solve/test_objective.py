@@ -14,6 +14,7 @@ from robolayout._geometry import FrameRow
 from robolayout.solve import Problem, Weights
 from robolayout.solve.arrays import Arrays, Routes
 from robolayout.solve.objective import Losses, losses, total
+from robolayout.solve.objective import everything as all_pairs
 from robolayout.solve.stage import make_stage
 
 TEXT = """
@@ -33,7 +34,7 @@ STARTS = 3
 def parts(poses: jax.Array, arrays: Arrays, routes: Routes) -> Losses:
     x, y, yaw = (poses[..., i] for i in range(3))
     local = jnp.stack([x, y, jnp.cos(yaw), jnp.sin(yaw)], axis=-1)
-    return losses(local, arrays, routes, arrays.pairs, Weights())
+    return losses(local, arrays, routes, all_pairs(arrays), Weights())
 
 
 def value(poses: jax.Array, arrays: Arrays, routes: Routes) -> jax.Array:
@@ -99,7 +100,7 @@ def test_what_stands_on_a_thing_pulls_at_it(everything: tuple[np.ndarray, Arrays
     """A lamp that is outside the room takes its night stand back in."""
     poses, arrays, routes = everything
     only = arrays._replace(inside=np.eye(8)[3], frame_row=0 * arrays.frame_row, mirror_weight=0 * arrays.mirror_weight)
-    only = only._replace(pair_weight=0 * arrays.pair_weight, clear_weight=0 * arrays.clear_weight)
+    only = only._replace(pairs=0 * arrays.pairs, clear_weight=0 * arrays.clear_weight)
     away = poses.copy()
     away[:, 1, :2], away[:, 3, :2] = (-9.0, 0.0), 0.0
     with jax.enable_x64(True):

@@ -15,7 +15,7 @@ from robolayout.scene import Asset, Room
 from robolayout.solve import Problem
 from robolayout.solve.proposals import Proposals, frame_of
 from robolayout.solve.stage import relative
-from robolayout.solve.starts import make_starts
+from robolayout.solve.starts import Starts
 
 ROOMS = pytest.mark.parametrize("room", [SQUARE, L_SHAPED, TRIANGLE], ids=["square", "L", "triangle"])
 CHAIRS = tuple(Asset(f"chair-{i}", "chair", (0.5, 0.5, 0.9)) for i in range(3))
@@ -41,11 +41,17 @@ STATEMENTS = [
 ]
 
 
+def every_kind(problem: Problem, world: np.ndarray, moving: tuple[int, ...], count: int) -> np.ndarray:
+    """Return starts: a quarter near the guess, half built, a quarter far from it."""
+    starts = Starts(problem, world, moving, np.random.default_rng(0))
+    return np.concatenate([starts.near(count // 4), starts.built(count // 2), starts.far(count // 4)])
+
+
 @ROOMS
 def test_every_start_is_inside_the_room(room: Room) -> None:
     """DESIGN section 11: random feasible placement."""
     problem = problem_of(room_of(BED, TABLE, *CHAIRS, room=room), "solver.next_to(bed[0], table[0])", seed=3)
-    starts = make_starts(problem, problem.start, (0, 1, 2, 3, 4), 32, np.random.default_rng(0))
+    starts = every_kind(problem, problem.start, (0, 1, 2, 3, 4), 32)
     floor = Polygon(room.vertices).buffer(1e-9)
     assert all(floor.covers(Point(x, y)) for x, y in starts[:, :, :2].reshape(-1, 2))
     assert np.hypot(starts[..., 2], starts[..., 3]) == pytest.approx(1.0)
@@ -55,14 +61,14 @@ def test_the_first_start_is_the_guess() -> None:
     problem = problem_of(room_of(BED, TABLE), "bed[0].position = [1.5, 2, 0.25]")
     world = problem.start.copy()
     world[1, :2] = 1.0, 3.0
-    starts = make_starts(problem, world, (0, 1), 8, np.random.default_rng(0))
+    starts = every_kind(problem, world, (0, 1), 8)
     assert (starts[0] == world).all()
     assert len({start.tobytes() for start in starts}) == 8
 
 
 def test_what_does_not_move_stays_in_every_start() -> None:
     problem = problem_of(room_of(BED, TABLE))
-    starts = make_starts(problem, problem.start, (1,), 8, np.random.default_rng(0))
+    starts = every_kind(problem, problem.start, (1,), 8)
     assert (starts[:, 0] == problem.start[0]).all()
 
 

@@ -139,7 +139,7 @@ def test_a_solver_that_breaks_down_breaks_the_run_and_hangs_nobody() -> None:
     problems = [compile_problem(ROOM, program) for program in read(ROOM, *TEXTS)]
     judges = [make_judge(ROOM, program) for program in read(ROOM, *TEXTS)]
 
-    def broken(layout: Layout) -> Verdict:
+    def broken(layout: Layout, enough: object = None, /) -> Verdict:
         raise ZeroDivisionError
 
     before = threading.active_count()

@@ -24,7 +24,7 @@ def arrays_of(scene: Scene, text: str = "", number: int = 0) -> Arrays:
 
 def pairs_of(scene: Scene, text: str = "", number: int = 0) -> set[tuple[str, str]]:
     arrays, names = arrays_of(scene, text, number), [asset.name for asset in scene.assets]
-    return {(names[a], names[b]) for (a, b), on in zip(arrays.pairs, arrays.pair_weight, strict=True) if on}
+    return {(names[a], names[b]) for a, b in arrays.pairs if a != b}
 
 
 def test_ceiling_things_hang_from_the_ceiling_of_this_room() -> None:
@@ -100,8 +100,19 @@ def test_every_room_of_a_size_is_of_one_shape() -> None:
 
 def test_padding_asks_for_nothing() -> None:
     arrays = arrays_of(room_of(BED))
-    assert not arrays.frame_row[:, -1].any() and not arrays.mirror_weight.any() and not arrays.pair_weight.any()
-    assert arrays.free.tolist() == arrays.inside.tolist() == [1.0] + [0.0] * 7
+    assert not arrays.frame_row[:, -1].any() and not arrays.mirror_weight.any() and not arrays.pairs.any()
+    assert arrays.free.tolist() == [1.0] + [0.0] * 7
+    assert (no_routes(2, 3).need < 0).all()
+
+
+def test_only_what_the_rectangle_around_the_room_does_not_hold_is_asked_to_stay_inside() -> None:
+    assert not arrays_of(room_of(BED)).inside.any()
+    assert arrays_of(room_of(BED, room=L_SHAPED)).inside.tolist() == [1.0] + [0.0] * 7
+    long = replace(BED, size=(4.5, 0.5, 0.5))  # fits into 4 m x 4 m only askew
+    assert arrays_of(room_of(long)).inside.tolist() == [1.0] + [0.0] * 7
+
+
+def test_free_ways_ask_for_nothing() -> None:
     assert (no_routes(2, 3).need < 0).all()
 
 

@@ -2,7 +2,7 @@
 
 from robolayout.solve.compile import Problem, compile_problem
 from robolayout.solve.config import SearchConfig, SolverConfig, Weights
-from robolayout.solve.judge import Judge, Verdict
+from robolayout.solve.judge import Enough, Judge, Verdict, never
 from robolayout.solve.profiles import solve_with, solver_names
 from robolayout.solve.proposals import Proposals, carry
 from robolayout.solve.refine import Solver
@@ -11,6 +11,7 @@ from robolayout.solve.samples import solve_samples, warm_up_samples
 from robolayout.solve.solution import Solution, silent
 
 __all__ = [
+    "Enough",
     "Judge",
     "Problem",
     "Proposals",
@@ -22,6 +23,7 @@ __all__ = [
     "Weights",
     "carry",
     "compile_problem",
+    "never",
     "silent",
     "solve_samples",
     "solve_with",

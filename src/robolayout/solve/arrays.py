@@ -19,11 +19,10 @@ class Arrays(NamedTuple):
         limit: (A, 2) half sizes in metres of the rectangle around the anchor that a slot's box stays in.
         free: (A,) 1 where the slot moves in this stage.
         fixed: (F, 7) walls and points as bodies (x, y, cos, sin, half x, half y, core).
-        pairs: (P, 2) slots that must not overlap.
-        pair_weight: (P,) 0 for padding.
+        pairs: (P, 2) slots that must not overlap; twice the same for padding.
         edges: (E, 4) room outline.
         inner: (Q, 2) corners of the room that point inwards.
-        inside: (A,) weight of staying in the room.
+        inside: (A,) weight of staying in the room, where the rectangle alone does not keep a slot in it.
         frame_index: (R, 2) bodies a and b of each frame row (slots first, then fixed bodies).
         frame_row: (R, 20) numbers of each frame row.
         mirror_index: (M, 3) bodies a, b and axis.
@@ -41,7 +40,6 @@ class Arrays(NamedTuple):
     free: Array
     fixed: Array
     pairs: Array
-    pair_weight: Array
     edges: Array
     inner: Array
     inside: Array
@@ -53,6 +51,18 @@ class Arrays(NamedTuple):
     clear_owner: Array
     clear_box: Array
     clear_weight: Array
+
+
+class Near(NamedTuple):
+    """What may touch within the next steps.
+
+    Attributes:
+        pairs: (M, 2) slots, or (K, M, 2) each start's own.
+        clears: (C, 2) clear box and slot, or (K, C, 2) each start's own.
+    """
+
+    pairs: Array
+    clears: Array
 
 
 class Routes(NamedTuple):

@@ -6,20 +6,28 @@ where it overlaps least with what stands already, with the floor that people nee
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection
 
 import numpy as np
 import shapely
 from numpy.typing import ArrayLike, NDArray
 
+from robolayout._grid import components
 from robolayout.assets.obstacles import use_sides
 from robolayout.constraints import AssetRef
-from robolayout.scene import vertical_span
+from robolayout.scene import Room, vertical_span
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.proposals import Proposals, carry
 
 CANDIDATES = 64
 """Places looked at for each thing."""
+
+LOOKS = 4
+"""Most times that it looks at so many."""
+
+GOOD = 1.5
+"""Cost of a place at which it looks no further."""
 
 CLOSEST = 0.02
 """Metres between a thing and the wall behind it."""
@@ -27,6 +35,18 @@ CLOSEST = 0.02
 OUTSIDE, BODY, STRIP, MISSED, AWAY = 20.0, 10.0, 2.0, 3.0, 0.02
 """Costs: of lying outside the room and of overlap, whole; of blocked floor in front, whole; of a row missed by a metre or
 more; per metre from the guess."""
+
+WALKED = 1.0
+"""Cost of taking only floor that people could walk on until then."""
+
+CUT = 4.0
+"""Cost of cutting the floor in two, or of shutting a door."""
+
+CUTS = 24
+"""Places of a thing of which this is looked at, the cheapest first."""
+
+GRID = 0.1
+"""Metres per cell of the floor that people can walk on."""
 
 CORNER = 0.3
 """Cost of a metre from the corner that a packed room is filled from."""
@@ -61,6 +81,12 @@ class Builder:
         self._solid = np.array([not asset.is_flat for asset in problem.scene.assets])
         self._fronts = np.array(["front" in use_sides(a) for a in problem.scene.assets])
         self._rank = self._ranks()
+        agent = max(problem.scene.agents, key=lambda a: a.radius)
+        low, high = self._spans.T
+        self._blocks = self._solid & (low < agent.height) & (high > agent.step)
+        self._radius = min(agent.radius, 0.5)
+        self._walkable = _walkable(problem.scene.room, self._radius)
+        self._entries = _entries(problem.scene.room, self._walkable)
 
     def build(self, world: Floats, slots: Collection[int] | None = None) -> Floats:
         """Return one start (n, 4) with some slots placed anew, all that move by default; the others stay as in `world`."""
@@ -68,13 +94,42 @@ class Builder:
         world = world.copy()
         area = self.problem.half.prod(axis=1) * self.rng.uniform(0.7, 1.4, len(world))
         settled = self._standing(slots)
+        walkable = self._walkable.copy()
+        for cells in self._cells(self._bodies(settled, world[settled]))[self._blocks[settled]]:
+            _take(walkable, cells)
         free = [not self.proposals.frames.get(s) for s in range(len(world))]
         for slot in sorted(slots, key=lambda s: (self._rank[s], free[s], -area[s], s)):
-            places = self._places(slot, world)
-            pose = places[int(np.argmin(self._cost(slot, places, world, settled)))]
-            carry(self.problem, world, slot, pose)
+            carry(self.problem, world, slot, self._place(slot, world, settled, walkable))
             settled.append(slot)
         return world
+
+    def _place(self, slot: int, world: Floats, settled: list[int], walkable: NDArray[np.bool_]) -> Floats:
+        """Return the best of many places of a slot, and take the floor that it needs; where all are bad, look again."""
+        best, least = world[slot], math.inf
+        for _ in range(LOOKS):
+            places = self._places(slot, world)
+            cost = self._cost(slot, places, world, settled)
+            if self._blocks[slot]:
+                cells = self._cells(self._bodies(slot, places))
+                cost += WALKED * _share(walkable, cells)
+                k = _uncut(walkable, cells, cost, self._entries)
+            else:
+                k = int(np.argmin(cost))
+            if cost[k] < least:
+                best, least = places[k], float(cost[k])
+            if least < GOOD:
+                break
+        if self._blocks[slot]:
+            _take(walkable, self._cells(self._bodies([slot], best[None]))[0])
+        return best
+
+    def _cells(self, bodies: Rects) -> NDArray[np.intp]:
+        """Return the cells (m, 4), low x, low y, high x, high y, that bodies and the way around them take."""
+        x0, y0, _, _ = self.problem.scene.room.bounds
+        reach = np.array([-1.0, -1.0, 1.0, 1.0]) * self._radius
+        cells = (bodies + reach - (x0, y0, x0, y0)) / GRID
+        cells = np.concatenate([np.floor(cells[:, :2]), np.ceil(cells[:, 2:])], axis=1)
+        return np.clip(cells.astype(np.intp), 0, np.tile(self._walkable.shape, 2))
 
     def pack(self, world: Floats) -> Floats:
         """Return a start (n, 4) that fills the room from one corner, each thing flush with its neighbours.
@@ -213,6 +268,74 @@ class Builder:
         hx, hy = self.problem.half[index].T
         middle = poses[:, :2] + (hx + self._depth / 2)[:, None] * poses[:, 2:]
         return _bounds(middle, poses[:, 2:], self._depth / 2, hy)
+
+
+def _walkable(room: Room, radius: float) -> NDArray[np.bool_]:
+    """Return in which cells of the empty room the centre of a disc can be."""
+    x0, y0, x1, y1 = room.bounds
+    x, y = np.arange(x0 + GRID / 2, x1, GRID), np.arange(y0 + GRID / 2, y1, GRID)
+    inner = shapely.Polygon(room.vertices).buffer(-radius)
+    shapely.prepare(inner)
+    return np.asarray(shapely.contains_xy(inner, *np.meshgrid(x, y, indexing="ij")))
+
+
+def _entries(room: Room, walkable: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """Return the cells (doors, 2) to walk on that are nearest to where people come in."""
+    x0, y0, _, _ = room.bounds
+    free = np.argwhere(walkable)
+    if not len(free) or not room.doors:
+        return np.empty((0, 2), np.intp)
+    middles = np.array([np.mean(room.landing(door), axis=0) for door in room.doors])
+    return free[[int(np.argmin(np.hypot(*((free + 0.5) * GRID + (x0, y0) - middle).T))) for middle in middles]]
+
+
+def _take(walkable: NDArray[np.bool_], cells: NDArray[np.intp]) -> None:
+    """Mark cells as taken from those who walk."""
+    x0, y0, x1, y1 = cells
+    walkable[x0:x1, y0:y1] = False
+
+
+def _share(walkable: NDArray[np.bool_], cells: NDArray[np.intp]) -> Floats:
+    """Return which share of the cells (m, 4) of each place is floor to walk on now."""
+    sums = np.pad(walkable.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
+    x0, y0, x1, y1 = cells.T
+    taken = sums[x1, y1] - sums[x0, y1] - sums[x1, y0] + sums[x0, y0]
+    return taken / np.maximum((x1 - x0) * (y1 - y0), 1)
+
+
+def _uncut(walkable: NDArray[np.bool_], cells: NDArray[np.intp], cost: Floats, entries: NDArray[np.intp]) -> int:
+    """Return the cheapest place, where one that cuts the floor in two or shuts a door costs more than one that does not."""
+    looked_at: set[int] = set()
+    while True:
+        best = int(np.argmin(cost))
+        if best in looked_at or len(looked_at) == CUTS:
+            return best
+        looked_at.add(best)
+        if _cuts(walkable, cells[best], entries):
+            cost[best] += CUT
+
+
+def _cuts(walkable: NDArray[np.bool_], cells: NDArray[np.intp], entries: NDArray[np.intp]) -> bool:
+    """Return whether taking cells cuts the floor in two or shuts a door."""
+    x0, y0, x1, y1 = cells
+    if ((entries >= (x0, y0)) & (entries < (x1, y1))).all(axis=1).any():
+        return True
+    around = np.pad(walkable, 1)
+    x, y = np.arange(x0, x1 + 2), np.arange(y0, y1 + 2)  # one cell more on each side, in the padded grid
+    ring = np.concatenate(
+        [
+            np.stack([x[:-1], np.full(len(x) - 1, y[0])], axis=1),
+            np.stack([np.full(len(y) - 1, x[-1]), y[:-1]], axis=1),
+            np.stack([x[:0:-1], np.full(len(x) - 1, y[-1])], axis=1),
+            np.stack([np.full(len(y) - 1, x[0]), y[:0:-1]], axis=1),
+        ]
+    )
+    free = around[ring[:, 0], ring[:, 1]]
+    if (free & ~np.roll(free, 1)).sum() <= 1:
+        return False
+    around[x0 + 1 : x1 + 1, y0 + 1 : y1 + 1] = False
+    labels, _ = components(around)
+    return len(np.unique(labels[ring[free, 0], ring[free, 1]])) > 1
 
 
 def _bounds(center: Floats, heading: Floats, hx: Floats | float, hy: Floats | float) -> Rects:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Protocol
 
 from robolayout.scene import Layout
 
@@ -33,9 +34,33 @@ class Verdict:
         return 100.0 * self.hard + 2.0 * self.access + self.soft
 
     @property
+    def promise(self) -> float:
+        """Smaller is a better layout to go on from: a collision between two things is sooner mended than a blocked way."""
+        return 4.0 * self.hard + 2.0 * self.access + self.soft
+
+    @property
     def ok(self) -> bool:
         """Whether nothing is left to do."""
         return self.merit == 0.0
 
 
-Judge = Callable[[Layout], Verdict]
+Enough = Callable[[Verdict], bool]
+"""Says of a verdict to which more can only be added whether it is bad enough for nobody to want to know the rest."""
+
+
+def never(_verdict: Verdict) -> bool:
+    """Want to know all of it."""
+    return False
+
+
+class Judge(Protocol):
+    """The exact verifier as an order on layouts."""
+
+    def __call__(self, layout: Layout, enough: Enough = never, /) -> Verdict:
+        """Judge a layout.
+
+        Args:
+            layout: Poses of what is placed so far.
+            enough: Asked between the parts of the verdict, the cheap ones first, whether to leave it at that.
+        """
+        ...

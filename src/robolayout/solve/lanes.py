@@ -8,13 +8,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from robolayout.solve import programs
 from robolayout.solve.arrays import Arrays, Found, Losses, Routes, Schedule
-from robolayout.solve.compile import Floats
 from robolayout.solve.config import SearchConfig, SolverConfig, Weights
-from robolayout.solve.runner import NOISE_BLOCK, PROCESSORS, STILL, Piece, Runner
+from robolayout.solve.runner import PROCESSORS, STILL, Piece, Runner, Singles, filled, noise
 from robolayout.solve.stage import Stage, no_routes
 
 PROGRAM = "search_many:advance_many"
@@ -23,7 +21,6 @@ PROGRAM = "search_many:advance_many"
 LANES, STARTS = 4, 2
 """Lanes of one compiled batch and starts in a lane; together as many starts as a batch of one program has."""
 
-Singles = NDArray[np.float32]
 Lane = tuple[Singles, Arrays, Routes, Singles]
 """Variables, arrays, routes and noise of a few starts of one program."""
 
@@ -65,7 +62,7 @@ class LaneRunner(Runner):
         self, stage: Stage, pieces: Sequence[Piece], phase: SearchConfig, label: str, rng: np.random.Generator | None
     ) -> list[Found]:
         """Run pieces as lanes, wherever these are run."""
-        lanes = tuple(_lane(stage, world, routes, rng) for world, routes in pieces)
+        lanes = tuple(_lane(stage, piece, rng) for piece in pieces)
         return self.send(Request(phase, label, lanes))
 
 
@@ -103,18 +100,14 @@ def batch_arguments(lanes: Sequence[Lane], phase: SearchConfig) -> tuple[Any, ..
 
 def prepare(stage: Stage, weights: Weights) -> None:
     """Start to load or compile, in the background, what runs lanes of this size."""
-    lane = _lane(stage, stage.problem.start[None], None, None)
+    lane = _lane(stage, (stage.problem.start[None], lambda: no_routes(1, 8 * stage.slots)), None)
     programs.prepare(PROGRAM, *batch_arguments([lane], STILL), weights=weights)
 
 
-def _lane(stage: Stage, world: Floats, routes: Routes | None, rng: np.random.Generator | None) -> Lane:
+def _lane(stage: Stage, piece: Piece, rng: np.random.Generator | None) -> Lane:
     """Return a few starts of a stage, filled up by repeating the last one."""
-    fill = np.minimum(np.arange(STARTS), len(world) - 1)
-    local = stage.local(world[fill]).astype(np.float32)
-    shape = (NOISE_BLOCK, STARTS, stage.slots, 2)
-    noise = np.zeros(shape, np.float32) if rng is None else rng.standard_normal(shape, np.float32)
-    demands = no_routes(STARTS, 8 * stage.slots) if routes is None else Routes(*(field[fill] for field in routes))
-    return local, stage.arrays, demands, noise
+    local, routes = filled(stage, piece, STARTS)
+    return local, stage.arrays, routes, noise(stage, STARTS, rng)
 
 
 def _found(values: list[Any]) -> Found:

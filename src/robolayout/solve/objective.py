@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import jax.numpy as jnp
-from jax.lax import stop_gradient
+from jax.lax import cond, stop_gradient
 from jaxtyping import Array, Float
 
 from robolayout._geometry import (
@@ -17,7 +17,7 @@ from robolayout._geometry import (
     point_to_box,
     signed_distance,
 )
-from robolayout.solve.arrays import Arrays, Losses, Routes
+from robolayout.solve.arrays import Arrays, Losses, Near, Routes
 from robolayout.solve.config import Weights
 
 Poses = Float[Array, "starts slots 4"]
@@ -41,8 +41,11 @@ def bodies(world: Poses, arrays: Arrays) -> Body:
 
 
 def take(body: Body, index: Array) -> Body:
-    """Return the bodies of those indices, for every start."""
-    return Body(*(field[:, index] for field in body))
+    """Return the bodies of those indices: the same (M,) for every start, or (starts, M) each start's own."""
+    if index.ndim == 1:
+        return Body(*(field[:, index] for field in body))
+    rows = jnp.arange(index.shape[0])[:, None]
+    return Body(*(field[rows, index] for field in body))
 
 
 def _yielding(body: Body, move: Float[Array, " rows"]) -> Body:
@@ -71,13 +74,9 @@ def statement_residuals(body: Body, arrays: Arrays) -> tuple[Array, Array]:
 
 
 def overlap_depths(body: Body, pairs: Array, weights: Weights) -> Array:
-    """Return by how many metres each pair goes into each other, margin included."""
-    if pairs.ndim == 2:
-        return penetration(take(body, pairs[:, 0]), take(body, pairs[:, 1]), weights.margin)
-    rows = jnp.arange(pairs.shape[0])[:, None]
-    first = Body(*(field[rows, pairs[..., 0]] for field in body))
-    second = Body(*(field[rows, pairs[..., 1]] for field in body))
-    return penetration(first, second, weights.margin)
+    """Return by how many metres each pair of slots goes into each other, margin included; 0 for a slot and itself."""
+    depth = penetration(take(body, pairs[..., 0]), take(body, pairs[..., 1]), weights.margin)
+    return jnp.where(pairs[..., 0] == pairs[..., 1], 0.0, depth)
 
 
 def boundary_depths(slots: Body, arrays: Arrays) -> Array:
@@ -89,66 +88,86 @@ def boundary_depths(slots: Body, arrays: Arrays) -> Array:
     return jnp.sum(outside, axis=-1) + jnp.sum(pierced, axis=-1)
 
 
-def clear_depths(body: Body, arrays: Arrays, weights: Weights) -> Array:
-    """Return by how many metres each slot is in each clear box (starts, G, A)."""
+def strips(body: Body, arrays: Arrays) -> Body:
+    """Return the clear boxes (starts, G) where their owners are."""
     owner = take(body, arrays.clear_owner)
     cx, cy, hx, hy = (arrays.clear_box[:, i] for i in range(4))
-    strip = Body(
-        owner.x + owner.c * cx - owner.s * cy,
-        owner.y + owner.s * cx + owner.c * cy,
-        owner.c,
-        owner.s,
-        jnp.broadcast_to(hx, owner.x.shape),
-        jnp.broadcast_to(hy, owner.x.shape),
-        jnp.zeros_like(owner.x),
+    return owner._replace(
+        x=owner.x + owner.c * cx - owner.s * cy,
+        y=owner.y + owner.s * cx + owner.c * cy,
+        hx=jnp.broadcast_to(hx, owner.x.shape),
+        hy=jnp.broadcast_to(hy, owner.x.shape),
+        core=jnp.zeros_like(owner.x),
     )
-    slots = take(body, jnp.arange(arrays.half.shape[0]))
-    left = Body(*(field[:, :, None] for field in strip))
-    right = Body(*(field[:, None, :] for field in slots))
-    return penetration(left, right, weights.margin)
+
+
+def clear_depths(body: Body, arrays: Arrays, clears: Array, weights: Weights) -> Array:
+    """Return by how many metres slots are in clear boxes, for pairs (..., 2) of a box and a slot."""
+    return penetration(take(strips(body, arrays), clears[..., 0]), take(body, clears[..., 1]), weights.margin)
 
 
 def route_depths(body: Body, routes: Routes) -> Array:
     """Return by how many metres each route point lacks clearance from its slot (starts, T)."""
-    rows = jnp.arange(routes.slot.shape[0])[:, None]
-    near = Body(*(field[rows, routes.slot] for field in body))
-    distance = point_to_box(routes.point[..., 0], routes.point[..., 1], near)
+    distance = point_to_box(routes.point[..., 0], routes.point[..., 1], take(body, routes.slot))
     return jnp.maximum(routes.need - distance, 0.0)
 
 
-def losses(local: Poses, arrays: Arrays, routes: Routes, pairs: Array, weights: Weights) -> Losses:
-    """Return every term of the objective per start; `pairs` are indices into slots, (P, 2) or per start (starts, M, 2).
+def everything(arrays: Arrays) -> Near:
+    """Return all pairs of slots, and all of clear boxes and slots."""
+    boxes, slots = arrays.clear_weight.shape
+    grid = jnp.stack(jnp.meshgrid(jnp.arange(boxes), jnp.arange(slots), indexing="ij"), axis=-1)
+    return Near(arrays.pairs, grid.reshape(-1, 2))
+
+
+def losses(local: Poses, arrays: Arrays, routes: Routes, near: Near, weights: Weights) -> Losses:
+    """Return every term of the objective per start, looking only at what may touch.
 
     Statements saturate: s log(1 + r / s), so that one that cannot be met stops pulling at the others.
     """
     body = bodies(world_poses(local, arrays), arrays)
-    slots = take(body, jnp.arange(arrays.half.shape[0]))
-    overlap = hard(overlap_depths(body, pairs, weights), weights)
-    weight = arrays.pair_weight if pairs.ndim == 2 else _pair_weights(pairs, arrays)
     framed, mirrored = statement_residuals(body, arrays)
     scale = weights.saturation
     pull = jnp.sum(scale * jnp.log1p(framed / scale) * arrays.frame_row[:, -1], axis=-1)
     pull += jnp.sum(scale * jnp.log1p(mirrored / scale) * arrays.mirror_weight, axis=-1)
+    clear = hard(clear_depths(body, arrays, near.clears, weights), weights)
     return Losses(
-        overlap=jnp.sum(overlap * weight, axis=-1),
-        boundary=jnp.sum(hard(boundary_depths(slots, arrays), weights) * arrays.inside, axis=-1),
-        clear=jnp.sum(hard(clear_depths(body, arrays, weights), weights) * arrays.clear_weight, axis=(1, 2)),
+        overlap=jnp.sum(hard(overlap_depths(body, near.pairs, weights), weights), axis=-1),
+        boundary=_boundary(body, arrays, weights),
+        clear=jnp.sum(clear * arrays.clear_weight[near.clears[..., 0], near.clears[..., 1]], axis=-1),
         statements=pull,
-        reachability=jnp.sum(hard(route_depths(body, routes), weights), axis=-1),
+        reachability=_reachability(body, routes, weights),
     )
 
 
-def _pair_weights(pairs: Array, arrays: Arrays) -> Array:
-    """Return 1 for real pairs of a neighbour list, 0 for its padding (a slot paired with itself)."""
-    return jnp.where(pairs[..., 0] == pairs[..., 1], 0.0, 1.0)
+def _boundary(body: Body, arrays: Arrays, weights: Weights) -> Array:
+    """Return the boundary term, without work where nothing can leave the room."""
+
+    def whole(body: Body) -> Array:
+        slots = take(body, jnp.arange(arrays.half.shape[0]))
+        return jnp.sum(hard(boundary_depths(slots, arrays), weights) * arrays.inside, axis=-1)
+
+    return cond(jnp.any(arrays.inside > 0.0), whole, _nothing, body)
 
 
-def total(parts: Losses, ramp: Array, weights: Weights) -> Array:
-    """Return the weighted sum per start, hard terms scaled by `ramp`."""
+def _reachability(body: Body, routes: Routes, weights: Weights) -> Array:
+    """Return the routes' term, without work where there are none."""
+
+    def whole(body: Body) -> Array:
+        return jnp.sum(hard(route_depths(body, routes), weights), axis=-1)
+
+    return cond(jnp.any(routes.need > 0.0), whole, _nothing, body)
+
+
+def _nothing(body: Body) -> Array:
+    return jnp.zeros(body.x.shape[0])
+
+
+def total(parts: Losses, ramp: Array, weights: Weights, routes: Array | float = 1.0) -> Array:
+    """Return the weighted sum per start, hard terms scaled by `ramp`, that of the routes by `routes` as well."""
     hard_sum = (
         weights.overlap * parts.overlap
         + weights.inside * parts.boundary
         + weights.clear * parts.clear
-        + weights.routes * parts.reachability
+        + weights.routes * routes * parts.reachability
     )
     return parts.statements + ramp * hard_sum

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from robolayout.scene import Agent, Layout, Trace
+from robolayout.solve.arrays import Routes
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.construct import Builder
@@ -18,7 +21,7 @@ from robolayout.solve.runner import Run, Runner
 from robolayout.solve.snap import snapped
 from robolayout.solve.solution import Progress, Solution, conclude, silent
 from robolayout.solve.stage import Stage, make_stage, stages
-from robolayout.solve.starts import make_starts
+from robolayout.solve.starts import Starts
 
 ROUTE_PATIENCE = 2
 """Rounds of routes without success after which repair has its turn."""
@@ -66,6 +69,7 @@ class Solver:
         self.progress = progress or silent
         self.runner = Runner(self.config)
         self.grounds: list[tuple[Ground, Obstacles]] = []
+        self.lead: _Best | None = None
 
     def solve(self) -> Solution:
         """Return the best layout found."""
@@ -92,36 +96,64 @@ class Solver:
         """Return the agents to plan for, widest first."""
         return tuple(sorted(self.problem.scene.agents, key=lambda a: -a.radius))
 
-    def _judged(self, world: Floats, number: int) -> _Best:
-        """Judge a layout of everything placed up to a stage."""
+    def _judged(self, world: Floats, number: int, best: _Best | None = None) -> _Best:
+        """Judge a layout of everything placed up to a stage, as far as it may be better than what is best so far."""
         layout = self.problem.layout(world)
         placed = {
             name: layout[name]
             for name, stage in zip(self.problem.names, self.problem.stage, strict=True)
             if stage <= number
         }
-        return _Best(world, self.judge(Layout(placed)))
+
+        def enough(verdict: Verdict) -> bool:
+            if best is None or verdict.merit < best.verdict.merit:
+                return False
+            return self.lead is None or verdict.promise >= self.lead.verdict.promise
+
+        found = _Best(world, self.judge(Layout(placed), enough))
+        if self.lead is None or found.verdict.promise < self.lead.verdict.promise:
+            self.lead = found
+        return found
 
     def _stage(self, number: int, world: Floats) -> _Best:
         """Place what belongs to a stage."""
         self.progress("search")
+        self.lead = None
         stage = make_stage(self.problem, number, world)
         if not stage.moving:
             return self._judged(world, number)
-        starts = make_starts(self.problem, world, stage.moving, self.config.starts, self.rng)
-        near, far = starts[: self.config.kept], starts[self.config.kept :]
-        run = self.runner.advance(stage, near, self.config.polish, "polish")
-        best = self._best_of(run.ranked(), number, None)
-        if len(far) and not best.verdict.ok:
-            phase = self.config.tops if number else self.config.search
-            more = self.runner.advance(stage, far, phase, "search", rng=self.rng)
-            more = self.runner.advance(stage, more.world, self.config.polish, "polish")
-            best, run = self._best_of(more.ranked(), number, best), run.joined(more).best(self.config.kept)
+        best, run = self._started(stage, number)
         if number == 0 and best.verdict.hard and self.config.repair_rounds and self._fill() > FULL:
             best = self._pack(stage, best)
         if number == 0 and self.config.route_rounds and best.verdict.access:
             best = self._route(stage, run, best)
         return best
+
+    def _started(self, stage: Stage, number: int) -> tuple[_Best, Run]:
+        """Return the best that polishing the guess leads to, and what other starts lead to where that is not perfect."""
+        starts = Starts(self.problem, stage.world, stage.moving, self.rng)
+        quarter = max(self.config.starts // 4, 1)
+        run = self.runner.advance(stage, starts.near(quarter), self.config.polish, "polish")
+        best = self._best_of(run.ranked(), number, None)
+        if number == 0 and not best.verdict.ok and self.config.starts > 1:
+            routes = partial(self._open, stage) if self.config.route_rounds else None
+            built = starts.built(2 * quarter)
+            more = self.runner.advance(
+                stage, built, self.config.polish, "polish", routes=routes and partial(routes, built)
+            )
+            best, run = self._best_of(more.ranked(), number, best), run.joined(more).best(self.config.kept)
+        if not best.verdict.ok and self.config.starts > 1:
+            phase = self.config.tops if number else self.config.search
+            far = starts.far(quarter * (3 if number else 1))
+            more = self.runner.advance(stage, far, phase, "search", rng=self.rng)
+            more = self.runner.advance(stage, more.world, self.config.polish, "polish")
+            best, run = self._best_of(more.ranked(), number, best), run.joined(more).best(self.config.kept)
+        return best, run
+
+    def _open(self, stage: Stage, worlds: Floats, part: slice) -> Routes:
+        """Return what keeps ways to everything open in some layouts."""
+        plans = [self._planned(one, [], everywhere=True) for one in worlds[part]]
+        return pack(plans, 8 * stage.slots)
 
     def _fill(self) -> float:
         """Return the share of the floor that things standing on it take."""
@@ -134,7 +166,7 @@ class Solver:
         for _ in range(PACKINGS):
             if not best.verdict.hard:
                 break
-            found = self._judged(builder.pack(best.world), 0)
+            found = self._judged(builder.pack(best.world), 0, best)
             if found.verdict.merit < best.verdict.merit:
                 best = found
         return best
@@ -144,7 +176,7 @@ class Solver:
         for world in worlds:
             if best and best.verdict.ok:
                 break
-            found = self._judged(world, number)
+            found = self._judged(world, number, best)
             if best is None or found.verdict.merit < best.verdict.merit:
                 best = found
         assert best is not None
@@ -152,29 +184,41 @@ class Solver:
 
     def _route(self, stage: Stage, run: Run, best: _Best) -> _Best:
         """Push furniture out of the agents' routes, replanning as it moves."""
-        world, kept = run.world, [[] for _ in run.world]
+        world = run.world
+        kept: list[list[Floats]] = [[] for _ in run.world]
         fruitless = 0
         for _ in range(self.config.route_rounds):
             if not (best.verdict.hard or best.verdict.access) or fruitless == ROUTE_PATIENCE:
                 break
-            before = best.verdict.merit
+            before = self._standing(best)
             self.progress("routes")
-            plans = [self._planned(world[k], kept[k]) for k in range(len(world))]
-            if not any(plan.blocked for plan in plans):
-                break
-            routes = pack(plans, 8 * stage.slots)
+            blocked: list[int] = []
+
+            def routes(part: slice, now: Floats = world, blocked: list[int] = blocked) -> Routes:
+                plans = [self._planned(one, before) for one, before in zip(now[part], kept[part], strict=True)]
+                blocked += [plan.blocked for plan in plans]
+                return pack(plans, 8 * stage.slots)
+
             run = self.runner.advance(stage, world, self.config.reroute, "routes", routes=routes)
             world = run.world
+            if not any(blocked):
+                break
             best = self._best_of(run.ranked()[: self.config.judged], 0, best)
-            fruitless = 0 if best.verdict.merit < before else fruitless + 1
+            fruitless = fruitless + 1 if self._standing(best) == before else 0
         return best
+
+    def _standing(self, best: _Best) -> tuple[float, float]:
+        """Return how good the best layout is, and the one to go on from."""
+        return best.verdict.merit, self.lead.verdict.promise if self.lead else math.inf
 
     def _plan(self, world: Floats) -> Plan:
         return self._planned(world, [])
 
-    def _planned(self, world: Floats, kept: list[Floats]) -> Plan:
+    def _planned(self, world: Floats, kept: list[Floats], *, everywhere: bool = False) -> Plan:
         """Plan for every agent; demands of the two rounds before stay, so that furniture does not swing back."""
-        plans = [plan_routes(self.problem, ground, world, things) for ground, things in self.grounds]
+        plans = [
+            plan_routes(self.problem, ground, world, things, everywhere=everywhere) for ground, things in self.grounds
+        ]
         demands = np.concatenate([plan.demands for plan in plans])
         kept.append(demands)
         del kept[:-3]
@@ -188,7 +232,10 @@ class Solver:
         if found.verdict.merit <= best.verdict.merit:
             return found
         for name in best.verdict.culprits:
-            found = self._judged(snapped(self.problem, best.world, frozenset({name})), last)
+            world = snapped(self.problem, best.world, frozenset({name}))
+            if np.array_equal(world, best.world):
+                continue
+            found = self._judged(world, last, best)
             if found.verdict.merit < best.verdict.merit:
                 best = found
         return best
@@ -196,14 +243,17 @@ class Solver:
     def _repair(self, best: _Best) -> _Best:
         """Remove and reinsert what is to blame, while that helps."""
         last = max(stages(self.problem))
+        if last > 0 or self.lead is None:
+            self.lead = best
         repair = Repair(self.problem, self.runner, self.config, self.rng)
         fruitless = 0
         for round_number in range(self.config.repair_rounds):
             if best.verdict.ok or fruitless == self.config.patience:
                 break
-            before = best.verdict.merit
+            before = self._standing(best)
             self.progress("repair")
-            made = repair.candidates(best.world, best.verdict.culprits, round_number, self._plan)
+            lead = self.lead or best
+            made = repair.candidates(lead.world, lead.verdict, round_number, self._plan)
             best = self._best_of(made[: self.config.judged], last, best)
-            fruitless = 0 if best.verdict.merit < before else fruitless + 1
+            fruitless = fruitless + 1 if self._standing(best) == before else 0
         return best

@@ -13,9 +13,11 @@ from collections.abc import Callable
 import numpy as np
 
 from robolayout.constraints import AssetRef, FrameTerm, MirrorTerm
+from robolayout.solve.arrays import Routes
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.construct import Builder
+from robolayout.solve.judge import Verdict
 from robolayout.solve.proposals import Proposals, carry, compose
 from robolayout.solve.routes import Plan, pack
 from robolayout.solve.runner import Runner
@@ -41,18 +43,18 @@ class Repair:
         self.groups = _groups(problem)
 
     def candidates(
-        self, world: Floats, culprits: tuple[str, ...], round_number: int, plan_for: Callable[[Floats], Plan]
+        self, world: Floats, verdict: Verdict, round_number: int, plan_for: Callable[[Floats], Plan]
     ) -> list[Floats]:
         """Return polished candidates, most promising first.
 
         Args:
             world: (n, 4) the best layout so far.
-            culprits: Assets to blame, the most pressing first.
+            verdict: What the judge says of it.
             round_number: Later rounds move more.
             plan_for: Plans routes in a layout.
         """
         plan = plan_for(world)
-        named = [self.problem.slot[name] for name in culprits if name in self.problem.slot]
+        named = [self.problem.slot[name] for name in verdict.culprits if name in self.problem.slot]
         slots = [s for s in dict.fromkeys([*plan.blockers, *named]) if self.problem.names[s] not in self.problem.pinned]
         if not slots:
             return []
@@ -65,18 +67,26 @@ class Repair:
         if number == 0:
             rebuilt = max(rebuilt, self.config.candidates // 2)
             builder = Builder(self.problem, stage.moving, self.rng)
+            colliding = set(named[: int(verdict.hard)]) & set(slots)
             for k in range(1 + turned, rebuilt):
-                batch[k] = builder.build(world, self._ruined(slots, stage.moving, round_number))
+                ruined = self._ruined(slots, stage.moving, round_number)
+                batch[k] = builder.build(world, ruined | colliding if k % 2 else ruined)
         for k in range(rebuilt, self.config.candidates):
             for _ in range(1 + (self.rng.random() < 0.15 * (1 + round_number))):
                 self._move(batch[k], slots, stage.moving)
-        routes = pack([plan] * self.config.candidates, 8 * stage.slots) if number == 0 else None
-        order = self.runner.evaluate(stage, batch, routes).order()
+        size = 8 * stage.slots
+
+        def same(part: slice) -> Routes:
+            return pack([plan] * len(batch[part]), size)
+
+        def own(part: slice) -> Routes:
+            return pack([plan_for(one) for one in picked[part]], size)
+
+        order = self.runner.evaluate(stage, batch, None if number else same).order()
         kept = min(self.config.kept, self.config.candidates)
         also = self.rng.choice(order[kept // 2 : 4 * kept], kept - kept // 2, replace=False)
         picked = batch[[*order[: kept // 2], *(int(k) for k in also)]]
-        routes = pack([plan_for(w) for w in picked], 8 * stage.slots) if number == 0 else None
-        run = self.runner.advance(stage, picked, self.config.polish, "repair", routes=routes)
+        run = self.runner.advance(stage, picked, self.config.polish, "repair", routes=None if number else own)
         return [run.world[k] for k in run.order()]
 
     def _ruined(self, slots: list[int], moving: tuple[int, ...], round_number: int) -> set[int]:

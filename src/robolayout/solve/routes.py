@@ -32,6 +32,9 @@ SPACING = 0.10
 SPARE = 0.15
 """Metres of clearance beyond what the body needs that are still told apart."""
 
+MOST_CELLS = 12_000
+"""Cells of a grid: 30 m2 at 5 cm, 120 m2 at 10 cm."""
+
 POCKET = 0.05
 """Square metres of free space cut off from the door that get a route of their own."""
 
@@ -63,9 +66,9 @@ class Ground:
 
 
 def make_ground(problem: Problem, agent: Agent, cell: float) -> Ground:
-    """Return the empty room on a grid; large rooms get larger cells (at most 40,000)."""
+    """Return the empty room on a grid; large rooms get larger cells."""
     x0, y0, x1, y1 = problem.scene.room.bounds
-    cell = max(cell, ((x1 - x0) * (y1 - y0) / 40_000) ** 0.5)
+    cell = max(cell, ((x1 - x0) * (y1 - y0) / MOST_CELLS) ** 0.5)
     xs, ys = np.arange(x0 + cell / 2, x1, cell), np.arange(y0 + cell / 2, y1, cell)
     room = Polygon(problem.scene.room.vertices)
     points = np.asarray(shapely.points(*np.meshgrid(xs, ys, indexing="ij")))
@@ -163,7 +166,9 @@ class Plan:
     blockers: tuple[int, ...] = ()
 
 
-def plan_routes(problem: Problem, ground: Ground, world: Floats, obstacles: Obstacles) -> Plan:
+def plan_routes(
+    problem: Problem, ground: Ground, world: Floats, obstacles: Obstacles, *, everywhere: bool = False
+) -> Plan:
     """Return what must yield so that the agent gets from the door to everything and into every pocket of free space.
 
     Args:
@@ -171,6 +176,7 @@ def plan_routes(problem: Problem, ground: Ground, world: Floats, obstacles: Obst
         ground: The empty room on a grid.
         world: (n, 4) poses.
         obstacles: What stands in the agent's way.
+        everywhere: Whether routes that are free ask to stay so.
     """
     if ground.start is None:
         return Plan(np.empty((0, 4)), 0)
@@ -186,7 +192,7 @@ def plan_routes(problem: Problem, ground: Ground, world: Floats, obstacles: Obst
     regions, _ = components(passable)
     here = int(regions[ground.start])
     home = (regions == here) if here else np.zeros_like(passable)
-    goals = _goals(problem, ground, world, reach, home)
+    goals = _goals(problem, ground, world, reach, np.zeros_like(home) if everywhere else home)
     sheltered = clearance(ground, world, boxes_of(problem, obstacles.shelter)) < 0.0
     goals += _pockets(ground, np.where(sheltered, 0, regions), here, field)
     points: set[tuple[int, int]] = set()

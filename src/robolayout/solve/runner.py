@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from robolayout.scene import Scene, Snapshot, Trace
 from robolayout.solve import programs
@@ -28,15 +30,20 @@ PROCESSORS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") el
 """Processors that this process may use."""
 
 TERMS = ("overlap", "boundary", "clear", "statements", "reachability")
-BATCH = 8
-"""Starts that run at once; more run in several batches, so that one compiled program serves them all."""
+BATCH = 4
+"""Starts that run at once; more run in several batches side by side, so that one compiled program serves them all."""
 
 NOISE_BLOCK = 32
 """Steps after which the noise repeats."""
 
 
-Piece = tuple[Floats, Routes | None]
-"""World poses of a few starts and what must not stand in their routes."""
+Planned = Callable[[slice], Routes]
+"""Says what must not stand in the routes of some of the starts; asked where these run, beside the others."""
+
+Singles = NDArray[np.float32]
+
+Piece = tuple[Floats, Callable[[], Routes]]
+"""World poses of a few starts and what says what must not stand in their routes."""
 
 
 @dataclass(frozen=True)
@@ -97,40 +104,39 @@ class Runner:
         phase: SearchConfig,
         label: str,
         *,
-        routes: Routes | None = None,
+        routes: Planned | None = None,
         rng: np.random.Generator | None = None,
     ) -> Run:
         """Run one phase from world poses (K, n, 4)."""
         parts = [slice(begin, begin + self.share) for begin in range(0, len(world), self.share)]
-        pieces = [(world[part], routes and Routes(*(field[part] for field in routes))) for part in parts]
+        free = no_routes(self.share, 8 * stage.slots)
+        pieces = [(world[part], partial(routes, part) if routes else lambda: free) for part in parts]
         results = self._results(stage, pieces, phase, label, rng)
         runs = [self._run(stage, world[part], found) for part, found in zip(parts, results, strict=True)]
         if self.config.trace and phase.steps:
             self._record(stage, label, phase.steps, results[0])
         return Run(*(np.concatenate(fields) for fields in zip(*(run.fields() for run in runs), strict=True)))
 
-    def evaluate(self, stage: Stage, world: Floats, routes: Routes | None = None) -> Run:
+    def evaluate(self, stage: Stage, world: Floats, routes: Planned | None = None) -> Run:
         """Return the objective of layouts (K, n, 4) without moving anything."""
         return self.advance(stage, world, STILL, "", routes=routes)
 
     def _results(
         self, stage: Stage, pieces: Sequence[Piece], phase: SearchConfig, label: str, rng: np.random.Generator | None
     ) -> list[Found]:
-        """Run pieces of at most `share` starts."""
+        """Run pieces of at most `share` starts side by side, one on each processor."""
         del label
-        return self._call([_arguments(stage, world, phase, routes, rng) for world, routes in pieces])
+        noises = [noise(stage, BATCH, rng) for _ in pieces]
 
-    def _call(self, batches: list[tuple[Any, ...]]) -> list[Found]:
-        """Run batches side by side, one on each processor."""
-
-        def run(arguments: tuple[Any, ...]) -> Found:
+        def run(piece: Piece, shakes: Singles) -> Found:
+            arguments = _arguments(stage, piece, phase, shakes)
             local, world, *terms, history, shots = programs.call(PROGRAM, *arguments, weights=self.config.weights)
             return Found(local, world, Losses(*terms), history, shots)
 
-        if len(batches) == 1:
-            return [run(batches[0])]
-        with ThreadPoolExecutor(min(len(batches), PROCESSORS)) as pool:
-            return list(pool.map(run, batches))
+        if len(pieces) == 1:
+            return [run(pieces[0], noises[0])]
+        with ThreadPoolExecutor(min(len(pieces), PROCESSORS)) as pool:
+            return list(pool.map(run, pieces, noises))
 
     def _run(self, stage: Stage, world: Floats, found: Found) -> Run:
         count = len(stage.problem.names)
@@ -182,23 +188,25 @@ class Runner:
         return Trace(tuple(self._losses), shots)
 
 
-def _arguments(
-    stage: Stage,
-    world: Floats,
-    phase: SearchConfig,
-    routes: Routes | None = None,
-    rng: np.random.Generator | None = None,
-) -> tuple[Any, ...]:
-    """Return what the program takes for one batch, filled up by repeating its last start."""
-    fill = np.minimum(np.arange(BATCH), len(world) - 1)
-    local = stage.local(world[fill]).astype(np.float32)
-    shape = (NOISE_BLOCK, BATCH, stage.slots, 2)
-    noise = np.zeros(shape, np.float32) if rng is None else rng.standard_normal(shape, np.float32)
-    schedule = Schedule(
-        np.int32(phase.steps), *(np.float32(v) for v in (phase.rate, phase.final_rate, phase.noise, phase.ramp))
-    )
-    demands = no_routes(BATCH, 8 * stage.slots) if routes is None else Routes(*(field[fill] for field in routes))
-    return local, stage.arrays, demands, schedule, noise
+def filled(stage: Stage, piece: Piece, count: int) -> tuple[Singles, Routes]:
+    """Return the variables and routes of some starts, filled up by repeating the last one."""
+    world, planned = piece
+    routes = planned()
+    fill = np.minimum(np.arange(count), len(world) - 1)
+    return stage.local(world[fill]).astype(np.float32), Routes(*(field[fill] for field in routes))
+
+
+def noise(stage: Stage, count: int, rng: np.random.Generator | None) -> Singles:
+    """Return standard normal numbers for `count` starts, 0 without a source."""
+    shape = (NOISE_BLOCK, count, stage.slots, 2)
+    return np.zeros(shape, np.float32) if rng is None else rng.standard_normal(shape, np.float32)
+
+
+def _arguments(stage: Stage, piece: Piece, phase: SearchConfig, shakes: Singles) -> tuple[Any, ...]:
+    """Return what the program takes for one batch."""
+    local, routes = filled(stage, piece, BATCH)
+    rates = (phase.rate, phase.final_rate, phase.noise, phase.ramp)
+    return local, stage.arrays, routes, Schedule(np.int32(phase.steps), *(np.float32(rate) for rate in rates)), shakes
 
 
 def warm_up(scene: Scene, config: SolverConfig | None = None) -> None:
@@ -207,4 +215,5 @@ def warm_up(scene: Scene, config: SolverConfig | None = None) -> None:
         problem = compile_problem(scene)
         stage = make_stage(problem, 0, problem.start)
         weights = (config or SolverConfig()).weights
-        programs.prepare(PROGRAM, *_arguments(stage, problem.start[None], STILL), weights=weights)
+        piece = (problem.start[None], lambda: no_routes(1, 8 * stage.slots))
+        programs.prepare(PROGRAM, *_arguments(stage, piece, STILL, noise(stage, BATCH, None)), weights=weights)

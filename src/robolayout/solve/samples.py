@@ -77,8 +77,8 @@ class _One(Solver):
             self.best = super()._stage(number, world)
         return self.best
 
-    def _judged(self, world: Floats, number: int) -> Any:
-        found = super()._judged(world, number)
+    def _judged(self, world: Floats, number: int, best: Any = None) -> Any:
+        found = super()._judged(world, number, best)
         if self.best is None or found.verdict.merit < self.merit:
             self.best = found
         if found.verdict.ok:

@@ -10,15 +10,19 @@ from typing import NamedTuple
 
 import jax
 import jax.numpy as jnp
-from jaxtyping import Array, Float, Int
+from jaxtyping import Array, Float
 
 from robolayout._geometry import Body, extents, separation
-from robolayout.solve.arrays import HISTORY, SNAPSHOTS, Arrays, Found, Losses, Routes, Schedule
+from robolayout.solve.arrays import HISTORY, SNAPSHOTS, Arrays, Found, Losses, Near, Routes, Schedule
 from robolayout.solve.config import Weights
-from robolayout.solve.objective import bodies, losses, take, total, world_poses
+from robolayout.solve.objective import bodies, everything, losses, strips, take, total, world_poses
 
-DENSE_SLOTS = 32
-"""Up to this many slots all pairs are looked at in every step; above, the nearest ones."""
+PAIRS_PER_SLOT, CLEARS_PER_SLOT = 3, 1
+"""Nearest pairs that every step looks at."""
+
+FADING, FADED = 0.4, 0.85
+"""Share of the steps during which the routes' weight fades, and after which none is left: in narrow passages routes press
+things into each other, which then have to part."""
 
 REFRESH = 16
 """Steps between two searches for the nearest pairs."""
@@ -28,27 +32,30 @@ class _State(NamedTuple):
     local: Float[Array, "starts slots 4"]
     first: Float[Array, "starts slots 3"]
     second: Float[Array, "starts slots 3"]
-    pairs: Int[Array, ...]
+    near: Near
     history: Array
     shots: Array
     parts: Losses
 
 
-def near_pairs(local: Array, arrays: Arrays, _before: Array | None = None) -> Array:
-    """Return the pairs that may touch within the next steps: (P, 2), or the nearest (starts, 4 A, 2) of large problems."""
-    slots = arrays.half.shape[0]
-    if slots <= DENSE_SLOTS:
-        return arrays.pairs
+def nearest(local: Array, arrays: Arrays) -> Near:
+    """Return for each start the pairs that are nearest to touching: of slots, and of clear boxes and slots."""
     table = bodies(world_poses(local, arrays), arrays)
-    gap = separation(take(table, arrays.pairs[:, 0]), take(table, arrays.pairs[:, 1]))
-    gap = jnp.where(arrays.pair_weight > 0, gap, jnp.inf)
-    nearest, index = jax.lax.top_k(-gap, 4 * slots)
-    pairs = arrays.pairs[index]
-    return jnp.where((nearest > -1.0)[..., None], pairs, 0)
+    apart = separation(take(table, arrays.pairs[:, 0]), take(table, arrays.pairs[:, 1]))
+    apart = jnp.where(arrays.pairs[:, 0] == arrays.pairs[:, 1], jnp.inf, apart)
+    boxes = Body(*(field[:, :, None] for field in strips(table, arrays)))
+    slots = Body(*(field[:, None, : arrays.half.shape[0]] for field in table))
+    out = jnp.where(arrays.clear_weight > 0.0, separation(boxes, slots), jnp.inf)
+    whole, count = everything(arrays), arrays.half.shape[0]
+    return Near(
+        _smallest(apart, whole.pairs, PAIRS_PER_SLOT * count),
+        _smallest(out.reshape(len(local), -1), whole.clears, CLEARS_PER_SLOT * count),
+    )
 
 
-def _same_pairs(_local: Array, _arrays: Arrays, before: Array) -> Array:
-    return before
+def _smallest(value: Array, index: Array, count: int) -> Array:
+    """Return the rows of `index` (M, 2) with the smallest values (starts, M): (starts, at most `count`, 2)."""
+    return index[jax.lax.top_k(-value, min(count, index.shape[0]))[1]]
 
 
 def _tangent(local: Array, gradient: Array) -> Array:
@@ -94,19 +101,18 @@ def advance(
     """
     steps = schedule.steps
 
-    def objective(value: Array, pairs: Array, ramp: Array) -> tuple[Array, Losses]:
-        parts = losses(value, arrays, routes, pairs, weights)
-        return jnp.sum(total(parts, ramp, weights)), parts
+    def objective(value: Array, near: Near, ramp: Array, fade: Array) -> tuple[Array, Losses]:
+        parts = losses(value, arrays, routes, near, weights)
+        return jnp.sum(total(parts, ramp, weights, fade)), parts
 
     def step(i: Array, state: _State) -> _State:
         done = i / jnp.maximum(steps, 1)
         ramp = jnp.minimum(1.0, schedule.ramp + (1.0 - schedule.ramp) * 2.0 * done)
         rate = schedule.final_rate + (schedule.rate - schedule.final_rate) * 0.5 * (1.0 + jnp.cos(jnp.pi * done))
-        pairs = state.pairs
-        if arrays.half.shape[0] > DENSE_SLOTS:
-            renew = (i % REFRESH == 0) | (i == steps)
-            pairs = jax.lax.cond(renew, near_pairs, _same_pairs, state.local, arrays, state.pairs)
-        gradient, parts = jax.grad(objective, has_aux=True)(state.local, pairs, ramp)
+        renew = (i % REFRESH == 0) | (i == steps)
+        fade = jnp.clip((FADED - done) / FADING, 0.0, 1.0)
+        near = jax.lax.cond(renew, lambda: nearest(state.local, arrays), lambda: state.near)
+        gradient, parts = jax.grad(objective, has_aux=True)(state.local, near, ramp, fade)
         gradient = _tangent(state.local, gradient) * arrays.free[None, :, None]
         first = 0.9 * state.first + 0.1 * gradient
         second = 0.98 * state.second + 0.02 * gradient * gradient
@@ -117,14 +123,14 @@ def advance(
         local = _project(_moved(state.local, move), arrays)
         history = state.history.at[jnp.minimum(i, HISTORY - 1)].set(jnp.stack(parts, axis=-1))
         shots = state.shots.at[jnp.minimum(i * SNAPSHOTS // jnp.maximum(steps, 1), SNAPSHOTS - 1)].set(state.local)
-        return _State(local, first, second, pairs, history, shots, parts)
+        return _State(local, first, second, near, history, shots, parts)
 
     zero = jnp.zeros((*local.shape[:2], 3))
     begin = _State(
         _project(local, arrays),
         zero,
         zero,
-        near_pairs(local, arrays),
+        Near(*(jnp.zeros(list_.shape, list_.dtype) for list_ in jax.eval_shape(nearest, local, arrays))),
         jnp.zeros((HISTORY, local.shape[0], 5)),
         jnp.zeros((SNAPSHOTS, *local.shape)),
         Losses(*(jnp.zeros(local.shape[0]) for _ in Losses._fields)),

@@ -41,6 +41,9 @@ SOFT_CLEAR = 0.2
 CLEAR_BUCKET = 16
 """Clear boxes that every problem has room for; no room of the examples has more."""
 
+MIRROR_BUCKET = 8
+"""Mirror rows that every problem has room for."""
+
 FAR_AWAY = 1.0e4
 """Metres at which padded things lie."""
 
@@ -125,7 +128,7 @@ def make_stage(problem: Problem, number: int, world: Floats) -> Stage:
     half = np.zeros((size, 2))
     half[:count] = problem.half
     inside = np.zeros(size)
-    inside[list(rows.inside)] = 1.0
+    inside[[i for i in rows.inside if not _held(problem, i)]] = 1.0
     tables = {**rows.frames(size), **rows.mirrors(size), **rows.clears(problem, size)}
     arrays = Arrays(
         half=half,
@@ -135,13 +138,20 @@ def make_stage(problem: Problem, number: int, world: Floats) -> Stage:
         free=free,
         fixed=_padded(rows.fixed, bucket(len(rows.fixed), (2 * size, 4 * size)), [FAR_AWAY, FAR_AWAY, 1, 0, 0, 0, 0]),
         pairs=_padded(rows.pairs, size * (size - 1) // 2, [0, 0], np.int32),
-        pair_weight=_padded([[1.0]] * len(rows.pairs), size * (size - 1) // 2, [0.0])[:, 0],
         edges=_edges(problem),
         inner=_inner_corners(problem),
         inside=inside,
         **tables,
     )
     return Stage(problem, Arrays(*(_typed(field) for field in arrays)), world, moving)
+
+
+def _held(problem: Problem, slot: int) -> bool:
+    """Return whether the rectangle around the room keeps a slot in it, whichever way it faces."""
+    room = problem.scene.room
+    x0, y0, x1, y1 = room.bounds
+    fills = math.isclose(room.area, (x1 - x0) * (y1 - y0))
+    return fills and 2 * float(np.hypot(*problem.half[slot])) <= min(x1 - x0, y1 - y0)
 
 
 def _typed(value: NDArray[np.generic]) -> NDArray[np.generic]:
@@ -296,7 +306,7 @@ class _Rows:
 
     def frames(self, size: int) -> dict[str, Floats]:
         """Return the frame rows; fixed points are added to `fixed` on the way."""
-        count = bucket(len(self.frame), (4 * size, 16 * size))
+        count = bucket(len(self.frame), (3 * size, 16 * size))
         index = [[self._body(term.a), self._body(term.b)] for term in self.frame]
         rows = [term.row() for term in self.frame]
         idle = FrameTerm(WallRef(0), WallRef(0), weight=0.0).row()
@@ -307,7 +317,7 @@ class _Rows:
 
     def mirrors(self, size: int) -> dict[str, Floats]:
         """Return the mirror rows."""
-        count = bucket(len(self.mirror), (size, 4 * size))
+        count = bucket(len(self.mirror), (MIRROR_BUCKET, 4 * size))
         index = [[self._body(t.a), self._body(t.b), self._body(t.ref)] for t in self.mirror]
         return {
             "mirror_index": _padded(index, count, [size, size, size], np.int32),
@@ -317,7 +327,7 @@ class _Rows:
 
     def clears(self, problem: Problem, size: int) -> dict[str, Floats]:
         """Return the clear boxes with the slots that each concerns."""
-        count = bucket(len(self.clear), (CLEAR_BUCKET, 4 * size))
+        count = bucket(len(self.clear), (CLEAR_BUCKET, max(size, 2 * CLEAR_BUCKET), 4 * size))
         weight = np.zeros((count, size))
         for g, term in enumerate(self.clear):
             for i, asset in enumerate(problem.scene.assets):

@@ -11,29 +11,50 @@ from robolayout.solve.construct import Builder
 from robolayout.solve.proposals import Proposals
 
 
-def make_starts(
-    problem: Problem, world: Floats, moving: tuple[int, ...], count: int, rng: np.random.Generator
-) -> Floats:
-    """Return `count` starts (count, n, 4), the most promising first.
+class Starts:
+    """Makes starts for one stage, each kind when it is asked for.
 
-    A quarter each: the guess and slight jitter of it, rooms built anew, wide jitter, draws from the statements.
+    Args:
+        problem: The problem.
+        world: (n, 4) the guess.
+        moving: Slots that the stage moves.
+        rng: Source of randomness.
     """
-    starts = np.repeat(world[None], count, axis=0)
-    on_tops = problem.parent[moving[0]] >= 0
-    builder, proposals = None if on_tops else Builder(problem, moving, rng), Proposals.of(problem)
-    scale = 0.1 if on_tops else 1.0
-    for k in range(1, count):
-        quarter = 4 * k // count
-        if quarter in (0, 2):
-            _jitter(starts[k], moving, (0.05 + 1.2 * k / count) * scale, rng)
-        elif quarter == 1 and builder:
-            starts[k] = builder.build(world)
-        else:
-            for slot in moving:
-                if slot == moving[0] or rng.random() < 0.7:
-                    starts[k, slot] = proposals.draw(slot, starts[k], 1, rng)[0]
-    _bring_in(problem, starts, moving)
-    return starts
+
+    def __init__(self, problem: Problem, world: Floats, moving: tuple[int, ...], rng: np.random.Generator) -> None:
+        self.problem, self.world, self.moving, self.rng = problem, world, moving, rng
+        self.scale = 0.1 if problem.parent[moving[0]] >= 0 else 1.0
+
+    def near(self, count: int) -> Floats:
+        """Return the guess and slight jitter of it (count, n, 4)."""
+        return self._jittered(0.05 + 0.3 * np.arange(count) / max(count, 1), first=1)
+
+    def built(self, count: int) -> Floats:
+        """Return rooms built one thing after the other (count, n, 4)."""
+        builder = Builder(self.problem, self.moving, self.rng)
+        starts = np.array([builder.build(self.world) for _ in range(count)])
+        _bring_in(self.problem, starts, self.moving)
+        return starts
+
+    def far(self, count: int) -> Floats:
+        """Return wide jitter, and draws from the statements (count, n, 4), half of each."""
+        starts = self._jittered(np.linspace(0.65, 1.0, count), first=0)
+        proposals = Proposals.of(self.problem)
+        for start in starts[(count + 1) // 2 :]:
+            start[:] = self.world
+            for slot in self.moving:
+                if slot == self.moving[0] or self.rng.random() < 0.7:
+                    start[slot] = proposals.draw(slot, start, 1, self.rng)[0]
+        _bring_in(self.problem, starts, self.moving)
+        return starts
+
+    def _jittered(self, sigmas: Floats, first: int) -> Floats:
+        """Return the guess moved about, from the `first` on; sigmas in metres."""
+        starts = np.repeat(self.world[None], len(sigmas), axis=0)
+        for start, sigma in zip(starts[first:], sigmas[first:], strict=True):
+            _jitter(start, self.moving, float(sigma) * self.scale, self.rng)
+        _bring_in(self.problem, starts, self.moving)
+        return starts
 
 
 def _bring_in(problem: Problem, starts: Floats, moving: tuple[int, ...]) -> None:
