@@ -201,14 +201,14 @@ class _Trials:
             kept = {other for other in self._rows if not self._below[other].intersection(removed)}
             space = disc_space(self._nav.scene.room, self._nav.blocking.of(kept), self._nav.agent.radius)
             reach = self._nav.agent.reach
-            self._tried[removed] = reached_rows(self._found, plan_distances(self._found, space.main), reach)
+            self._tried[removed] = reached_rows(self._found, plan_distances(self._found, space, reach), reach)
         return bool(self._tried[removed][row])
 
 
 def _chain(found: Boxes, row: int) -> set[int]:
     """Return an asset's row and the rows of everything that carries it."""
-    chain, carrier = {row}, found.carrier(row)
-    while carrier is not None and carrier not in chain:
+    chain, carrier = {row}, int(found.carriers[row])
+    while carrier >= 0 and carrier not in chain:
         chain.add(carrier)
-        carrier = found.carrier(carrier)
+        carrier = int(found.carriers[carrier])
     return chain
