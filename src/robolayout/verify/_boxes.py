@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -18,6 +18,9 @@ from robolayout.scene.asset import FLAT_HEIGHT
 
 AREA_TOLERANCE = 1e-4
 """Square metres of intersection in plan that still count as touching (DESIGN section 4)."""
+
+AT = 0.30
+"""Metres within which a movable thing (a chair) stands at another (a table)."""
 
 CARRIED = 0.02
 """Metres between an asset and the top of what carries it (DESIGN section 4)."""
@@ -54,6 +57,7 @@ class Boxes:
     ceiling: NDArray[np.bool_]
     movable: NDArray[np.bool_]
     open_depth: NDArray[np.float64]
+    _chairs_at: dict[int, frozenset[int]] = field(default_factory=dict[int, frozenset[int]], repr=False)
 
     def meeting(self, step: float, height: float) -> NDArray[np.intp]:
         """Return the rows whose boxes meet the heights [step, height] and that are no rugs."""
@@ -70,6 +74,16 @@ class Boxes:
         found = self.movable & ~self.flat & (self.bottom <= CARRIED + FLAT_HEIGHT)
         found[self.carriers[self.carriers >= 0]] = False
         return found
+
+    def chairs_at(self, row: int) -> frozenset[int]:
+        """Return the chairs that stand at an asset or at what carries it; none for a chair itself."""
+        if row not in self._chairs_at:
+            chairs, feet = np.flatnonzero(self.chairs), self.footprints
+            near = shapely.dwithin(feet[chairs], feet[row], AT)
+            if self.carriers[row] >= 0:
+                near |= shapely.dwithin(feet[chairs], feet[self.carriers[row]], AT)
+            self._chairs_at[row] = frozenset() if self.chairs[row] else frozenset(chairs[near].tolist())
+        return self._chairs_at[row]
 
     def held_by(self, among: NDArray[np.bool_], tolerance: float = CARRIED) -> NDArray[np.intp]:
         """Return (n,) which of the assets `among` is under each: its top at the asset's bottom, the centre over it; else -1."""

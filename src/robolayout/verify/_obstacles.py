@@ -9,7 +9,7 @@ in daily use (a chair) stands in the way of walking, but a body with an arm move
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 import shapely
@@ -23,8 +23,6 @@ FILLED = 0.9
 """Share of a box's footprint from which on its parts count as the whole box."""
 MOST = 64
 """Rectangles of one asset beyond which the whole box is taken."""
-AT = 0.30
-"""Metres within which a movable thing (a chair) stands at another (a table)."""
 ROUNDING = 1e-6
 """Metres of height that may be shared by rounding."""
 WELDED = 1e-4
@@ -57,16 +55,14 @@ class Obstacles:
         kept = np.isin(self.rows, list(rows))
         return Obstacles(self.rows[kept], self.shapes[kept], self.partial[kept], self.movable[kept], self.shelter)
 
-    def moved_for(self, found: Boxes, rows: NDArray[np.intp]) -> list[frozenset[int]]:
-        """Return for each of some assets which chairs are moved away to use it: those at it or its carrier; none for chairs."""
-        movable = np.unique(self.rows[self.movable])
-        if not len(movable):
-            return [frozenset()] * len(rows)
-        feet, below = found.footprints, np.where(found.carriers[rows] < 0, rows, found.carriers[rows])
-        near = shapely.distance(feet[movable], feet[rows][:, None]) <= AT
-        near |= shapely.distance(feet[movable], feet[below][:, None]) <= AT
-        near &= ~found.chairs[rows][:, None]
-        return [frozenset(movable[flags].tolist()) for flags in near]
+    @cached_property
+    def movables(self) -> frozenset[int]:
+        """The assets in its way that this body moves away from what they stand at."""
+        return frozenset(self.rows[self.movable].tolist())
+
+    def moved_for(self, found: Boxes, row: int) -> frozenset[int]:
+        """Return which of them are moved away to use an asset."""
+        return found.chairs_at(row) & self.movables if self.movables else self.movables
 
 
 _NO_SHAPES = np.empty(0, dtype=np.object_)

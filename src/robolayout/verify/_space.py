@@ -184,10 +184,10 @@ def plan_distances(found: Boxes, space: Space, reach: float) -> NDArray[np.float
         return np.where(found.placed, np.inf, np.nan)
     shapely.prepare(space.main)
     distances = shapely.distance(space.main, found.footprints)
-    if space.blocking.movable.any():
+    if space.blocking.movables:
         asked = found.placed & ~(found.flat | found.ceiling)
-        far = np.flatnonzero(asked & (distances > reach + REACH_SLACK))
-        for row, moved in zip(far, space.blocking.moved_for(found, far), strict=True):
+        for row in np.flatnonzero(asked & (distances > reach + REACH_SLACK)).tolist():
+            moved = space.blocking.moved_for(found, row)
             beyond = shapely.distance(space.opened(moved), found.footprints[row]) if moved else ()
             distances[row] = min((distances[row], *beyond))
     return distances

@@ -61,7 +61,7 @@ class Stances:
     def opened(self, row: int) -> tuple[frozenset[int], tuple[Region, ...]]:
         """Return which chairs are moved away to use an asset, and what that opens."""
         nav = self._nav
-        moved = nav.blocking.moved_for(nav.boxes, np.array([row]))[0]
+        moved = nav.blocking.moved_for(nav.boxes, row)
         if not moved:
             return moved, ()
         return moved, self._headings.opened(moved) if self._headings else tuple(_regions(nav.space.opened(moved)))
