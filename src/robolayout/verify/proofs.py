@@ -159,10 +159,15 @@ def body_misfits(scene: Scene, agent: Agent) -> Iterator[str]:
 
 
 def remedies(nav: Navigation) -> Remedies:
-    """Return the smallest changes to this layout that would let an agent reach what it does not reach."""
+    """Return the smallest changes to this layout that would let an agent reach what it does not reach.
+
+    None for a body that cannot come in even if the room is empty.
+    """
     aside = exempt_from_reach(nav.scene, nav.agent)
     trials = _Trials(nav)
     largest = min((p.width for name, p in nav.passages.items() if name not in aside), default=0.0)
+    if kept_out(nav.scene, nav.agent):
+        return Remedies({}, {}, largest, 2 * nav.agent.radius - largest)
     wanted = [name for name in nav.unreached if name not in aside]
     narrow = [nav.passages[name] for name in wanted if len(set(nav.passages[name].between)) == 2]
     return Remedies(
