@@ -63,7 +63,7 @@ def test_removals_agree_with_trying_every_set():
 def test_what_stands_on_a_removed_asset_goes_with_it():
     scene, layout = barrier(4.0)
     lamp = thing("lamp-0", (0.3, 0.3, 0.5), on_floor=False, on_object=True)
-    tall = replace(DISC, height=2.5)
+    tall = replace(DISC, height=2.0)
     poses = {**layout, "lamp-0": on_floor(lamp, 2, 2, bottom=1.8)}
     found = remedies(navigation(Scene(scene.room, (*scene.assets, lamp)), Layout(poses), tall))
     assert found.removals["box-0"] == (("shelf-0",),)
