@@ -27,7 +27,10 @@ WAYS: dict[str, tuple[str, bool]] = {
     "our solver, no reach": ("default", False),
     "our solver, routes": ("default", True),
 }
-"""Solver, and whether it knows the body; without, it lays out for a body so small that nothing is in its way."""
+"""Solver, and whether it knows the body; without, it lays out for a body so small that nothing is in its way.
+
+They are compared where it matters: on programs without guesses, in the bedroom and on 40 % of the floor.
+"""
 NOBODY = {"name": "nobody", "radius": 0.001, "height": 0.05, "step": 0.03, "reach": 20.0, "reach_high": 20.0}
 
 

@@ -147,9 +147,28 @@ def bodies(rows: Rows, images: Path) -> str:
         cells = [[way, *summary(found), f"{mean(found, 'wall'):.1f}"] for way, found in ways.items()]
         text += (
             "The planner's statements without its guesses, solved once; *no reach*: the solver knows no body, its layout is "
-            f"judged for one.\n\n{table(heads, cells)}"
+            f"judged for one.\n\n{table(heads, cells)}\n{_by_body(rows)}"
         )
     return text
+
+
+def _by_body(rows: Rows) -> str:
+    """Return what each way to mind reach gives each body: walkable, reachable, usable."""
+    cells: dict[str, dict[str, list[Row]]] = {}
+    for key, row in rows.items():
+        kind, way, body, *_ = key.split("/")
+        if kind == "reach":
+            cells.setdefault(body.replace("_", " "), {}).setdefault(way, []).append(row)
+    ways = list(dict.fromkeys(way for found in cells.values() for way in found))
+    names = ("walkable_ratio", "reachable_share", "usable_share")
+    lines = [
+        [
+            body,
+            *(" / ".join(f"{mean(found[way], name):.2f}" for name in names) if way in found else "-" for way in ways),
+        ]
+        for body, found in cells.items()
+    ]
+    return "Walkable / reachable / usable by body:\n\n" + table(["body", *ways], lines)
 
 
 def speed(rows: Rows, images: Path) -> str:

@@ -96,3 +96,12 @@ def test_pictures_and_exports_without_a_tool_still_have_a_page(tmp_path: Path) -
     assert "| plan.svg | 0.05 s, 38 kB |" in text
     assert "| OpenGL in software, top view, 512 x 512 | - |" in text and "512 x 512 | 0.55 s |" in text
     assert "| bedroom | 3 | 5e-07 | - | - | 1.00 | 0.2 mm, 0.01 degrees | 0 on 2 routes | 1.5 mm |" in text
+
+
+def test_the_page_says_what_minding_reach_is_worth_for_each_body() -> None:
+    poor: Row = dict.fromkeys(SHARES, 0.5) | {"ok": False, "hard_ok": False, "wall": 1.0}
+    rich: Row = dict.fromkeys(SHARES, 1.0) | {"ok": True, "hard_ok": True, "wall": 1.0}
+    ways = list(bodies.WAYS)
+    text = page.bodies({f"reach/{ways[1]}/spot/bedroom/0": poor, f"reach/{ways[3]}/spot/bedroom/0": rich}, Path())
+    assert f"| body | {ways[1]} | {ways[3]} |" in text
+    assert "| spot | 0.50 / 0.50 / 0.50 | 1.00 / 1.00 / 1.00 |" in text

@@ -63,7 +63,7 @@ def test_removals_agree_with_trying_every_set():
 def test_what_stands_on_a_removed_asset_goes_with_it():
     scene, layout = barrier(4.0)
     lamp = thing("lamp-0", (0.3, 0.3, 0.5), on_floor=False, on_object=True)
-    tall = replace(DISC, height=2.5)
+    tall = replace(DISC, height=2.0)
     poses = {**layout, "lamp-0": on_floor(lamp, 2, 2, bottom=1.8)}
     found = remedies(navigation(Scene(scene.room, (*scene.assets, lamp)), Layout(poses), tall))
     assert found.removals["box-0"] == (("shelf-0",),)
@@ -157,3 +157,11 @@ def test_an_arm_at_the_shoulder_is_not_asked_for_what_ends_below_it():
     assert exempt_from_use(scene, body) == {"low-0": "low-0 ends 0.50 m high and arm reaches down to 0.55 m"}
     reason = usage(scene, layout).uses["low-0"].reason
     assert reason == "it is 0.50 m below the shoulder at 1.00 m, reach is 0.45 m: 0.05 m too low"
+
+
+def test_a_body_that_cannot_come_in_is_not_helped_by_removing_furniture():
+    shelf = thing("bookshelf-0", (0.3, 1.0, 1.8), "bookshelf")
+    scene, layout = furnished(square(), (shelf, on_floor(shelf, 0.15, 2.5)))
+    report = verify(scene, layout, agent="forklift")
+    assert any("it cannot come in" in sentence for sentence in report.violations)
+    assert report.agents[0].remedies.removals == {} and "What would help" not in report.to_markdown()

@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 from verify_rooms import DISC, furnished, on_floor, square, thing
 
-from robolayout.scene import Agent, Pose
-from robolayout.verify import usage
+from robolayout.scene import Agent, Asset, Layout, Pose, Scene
+from robolayout.verify import navigation, usage, verify
 from robolayout.verify.use import horizontal_reach
 
 ARM = replace(DISC, reach_distance=0.6, reach_low=0.4, reach_high=1.2)
@@ -126,6 +126,83 @@ def test_a_chair_is_taken_from_any_side():
     desk = thing("desk-0", (0.6, 1.4, 0.75), "desk")
     scene, layout = furnished(square(), (desk, on_floor(desk, 0.3, 2.5)), (chair, on_floor(chair, 0.9, 2.5, 180)))
     assert usage(scene, layout).usable == {"desk-0": True, "chair-0": True}
+
+
+CHAIR = thing("dining_chair-0", (0.5, 0.5, 0.9), "dining chair")
+PLATE = thing("plate-0", (0.2, 0.2, 0.03), "plate", on_floor=False, on_object=True)
+SEAT = replace(ARM, reach_distance=0.55, reach_low=0.0)
+
+
+def place_setting(*more: tuple[Asset, Pose | None], chair: Asset = CHAIR) -> tuple[Scene, Layout]:
+    """A table across the room, a chair 5 cm before it in a gap of 0.7 m between two shelves, a plate behind the chair."""
+    table = thing("dining_table-0", (0.8, 4.0, 0.75), "dining table")
+    shelves = [(thing(f"shelf-{i}", (0.6, 1.65, 1.8)), x) for i, x in enumerate((0.825, 3.175))]
+    sides = [(shelf, on_floor(shelf, x, 2.7, 90)) for shelf, x in shelves]
+    top = (table, on_floor(table, 2.0, 3.6, 90))
+    return furnished(
+        square(),
+        top,
+        (chair, on_floor(chair, 2.0, 2.9, 90)),
+        (PLATE, on_floor(PLATE, 2.0, 3.35, bottom=0.75)),
+        *sides,
+        *more,
+    )
+
+
+def test_an_arm_moves_the_chair_away_that_stands_before_a_plate():
+    """The chair's near edge is at 2.65, the plate's at 3.25: from 0.3 m before the chair it is 0.90 m to the plate."""
+    scene, layout = place_setting()
+    judged, nav = usage(scene, layout, SEAT), navigation(scene, layout, SEAT)
+    assert nav.reached["plate-0"] and judged.usable["plate-0"]
+    assert judged.uses["plate-0"].moved == ("dining_chair-0",)
+    assert judged.uses["plate-0"].stand == pytest.approx((2.0, 2.9), abs=1e-3)
+    bare = Layout({name: pose for name, pose in layout.items() if name != "dining_chair-0"})
+    assert nav.main.area < navigation(scene, bare, SEAT).main.area, "to walk, the chair is in the way"
+    assert "yes, dining_chair-0 moved" in verify(scene, layout, agent=SEAT).to_markdown()
+    assert verify(scene, layout, agent=SEAT).agents[0].to_dict()["moved"]["plate-0"] == ["dining_chair-0"]
+
+
+def test_nobody_without_an_arm_moves_a_chair_and_a_cabinet_stays():
+    for agent, item in (
+        (replace(SEAT, reach_distance=None, radius=0.3), CHAIR),
+        (SEAT, replace(CHAIR, category="cabinet")),
+    ):
+        scene, layout = place_setting(chair=item)
+        assert not navigation(scene, layout, agent).reached["plate-0"]
+        assert not usage(scene, layout, agent).usable["plate-0"]
+
+
+def test_a_chair_that_carries_something_stays():
+    box = thing("book-0", (0.2, 0.2, 0.1), "book", on_floor=False, on_object=True)
+    scene, layout = place_setting((box, on_floor(box, 2.0, 2.9, bottom=0.9)))
+    assert not navigation(scene, layout, SEAT).reached["plate-0"]
+
+
+def test_a_barrier_of_boxes_away_from_what_is_used_stays_a_barrier():
+    boxes = [thing(f"storage_box-{i}", (0.4, 1.0, 0.4), "storage box") for i in range(4)]
+    barrier = [(box, on_floor(box, 0.5 + i, 2.0, 90)) for i, box in enumerate(boxes)]
+    for y, reached in ((3.8, False), (2.6, True)):
+        shelf = (SHELF, on_floor(SHELF, 2.0, y, -90))
+        judged = navigation(*furnished(square(), *barrier, shelf), replace(ARM, reach_distance=0.5))
+        assert judged.reached["bookshelf-0"] is reached
+
+
+@pytest.mark.parametrize("heading", [0, 90])
+def test_a_long_body_without_an_arm_touches_things_head_on(heading: float):
+    """1.1 x 0.5 m with a disc of 0.3 m, in a corridor 0.9 m wide: its nose comes within 5 cm of the box at the end."""
+    spot = Agent("spot", 0.3, 0.8, length=1.1, width=0.5)
+    side, box = thing("shelf-0", (3.1, 2.5, 1.8)), thing("box-0", (0.6, 0.6, 0.6), "box")
+    scene, layout = furnished(square(), (side, on_floor(side, 2.45, 2.75)), (box, on_floor(box, 0.45, 3.5, heading)))
+    assert usage(scene, layout, spot).usable["box-0"]
+    stand = usage(scene, layout, spot).uses["box-0"].stand
+    assert stand is not None and 3.2 - stand[1] <= 0.55 + 0.10 + 1e-4
+    assert not usage(scene, layout, replace(spot, length=4.5, radius=0.3)).usable["box-0"]
+
+
+def test_what_stands_on_a_rug_is_used_from_its_own_sides():
+    rug = thing("rug-0", (3.0, 3.0, 0.02), "rug")
+    scene, layout = furnished(square(), (rug, on_floor(rug, 2, 2)), (SHELF, on_floor(SHELF, 0.15, 2.5, 180)))
+    assert not usage(scene, layout).usable["bookshelf-0"]
 
 
 def test_unplaced_assets_are_not_usable_and_lamps_and_rugs_need_no_use():

@@ -137,7 +137,8 @@ def _asset(report: AgentReport, name: str) -> dict[str, Any]:
     elif use.stand is None:
         rows.append(("Used", "it asks for no use", None))
     else:
-        rows.append(("Used", f"yes, from its {use.side}" if use.side else "yes, from any side", True))
+        moved = f", once {' and '.join(use.moved)} stands aside" if use.moved else ""
+        rows.append(("Used", (f"yes, from its {use.side}" if use.side else "yes, from any side") + moved, True))
     return {"state": state, "stand": use.stand and listed(use.stand), "rows": rows}
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -11,10 +12,15 @@ import shapely
 from numpy.typing import NDArray
 from shapely import Polygon
 
+from robolayout.assets import category_of
 from robolayout.scene import Asset, Layout, Room, Scene
+from robolayout.scene.asset import FLAT_HEIGHT
 
 AREA_TOLERANCE = 1e-4
 """Square metres of intersection in plan that still count as touching (DESIGN section 4)."""
+
+AT = 0.30
+"""Metres within which a movable thing (a chair) stands at another (a table)."""
 
 CARRIED = 0.02
 """Metres between an asset and the top of what carries it (DESIGN section 4)."""
@@ -35,6 +41,8 @@ class Boxes:
         top: (n,) metres; NaN where unplaced.
         flat: (n,) whether it is a rug.
         ceiling: (n,) whether it hangs from the ceiling.
+        movable: (n,) whether a person moves it in daily use, as a chair.
+        open_depth: (n,) metres that must be clear in front to open it; 0 where none.
     """
 
     assets: tuple[Asset, ...]
@@ -47,49 +55,104 @@ class Boxes:
     top: NDArray[np.float64]
     flat: NDArray[np.bool_]
     ceiling: NDArray[np.bool_]
+    movable: NDArray[np.bool_]
+    open_depth: NDArray[np.float64]
+    _chairs_at: dict[int, frozenset[int]] = field(default_factory=dict[int, frozenset[int]], repr=False)
 
     def meeting(self, step: float, height: float) -> NDArray[np.intp]:
         """Return the rows whose boxes meet the heights [step, height] and that are no rugs."""
         return np.flatnonzero(self.placed & ~self.flat & (self.top > step + 1e-9) & (self.bottom < height - 1e-9))
 
-    def carrier(self, row: int, tolerance: float = CARRIED) -> int | None:
-        """Return the row that carries asset `row`: its top is at the asset's bottom and the centre is over it."""
-        if not self.placed[row]:
-            return None
-        near = self.placed & (np.abs(self.top - self.bottom[row]) <= tolerance + 1e-9)
-        near[row] = False
-        candidates = np.flatnonzero(near)
-        over = candidates[shapely.intersects_xy(self.footprints[candidates], *self.centers[row])]
-        if not len(over):
-            return None
-        return int(over[np.argmin(np.abs(self.top[over] - self.bottom[row]))])
+    @cached_property
+    def carriers(self) -> NDArray[np.intp]:
+        """(n,) row that carries each asset, rugs aside; -1 where none."""
+        return self.held_by(~self.flat)
+
+    @cached_property
+    def chairs(self) -> NDArray[np.bool_]:
+        """(n,) whether it is moved away from what it stands at: it is movable, stands on the floor and carries nothing."""
+        found = self.movable & ~self.flat & (self.bottom <= CARRIED + FLAT_HEIGHT)
+        found[self.carriers[self.carriers >= 0]] = False
+        return found
+
+    def chairs_at(self, row: int) -> frozenset[int]:
+        """Return the chairs that stand at an asset or at what carries it; none for a chair itself."""
+        if row not in self._chairs_at:
+            chairs, feet = np.flatnonzero(self.chairs), self.footprints
+            near = shapely.dwithin(feet[chairs], feet[row], AT)
+            if self.carriers[row] >= 0:
+                near |= shapely.dwithin(feet[chairs], feet[self.carriers[row]], AT)
+            self._chairs_at[row] = frozenset() if self.chairs[row] else frozenset(chairs[near].tolist())
+        return self._chairs_at[row]
+
+    def held_by(self, among: NDArray[np.bool_], tolerance: float = CARRIED) -> NDArray[np.intp]:
+        """Return (n,) which of the assets `among` is under each: its top at the asset's bottom, the centre over it; else -1."""
+        gap = np.abs(self.top[None, :] - self.bottom[:, None])
+        near = (gap <= tolerance + 1e-9) & among
+        np.fill_diagonal(near, val=False)
+        row, under = np.nonzero(near)
+        over = shapely.intersects_xy(self.footprints[under], *self.centers[row].T)
+        row, under = row[over], under[over]
+        order = np.lexsort((under, gap[row, under], row))
+        rows, first = np.unique(row[order], return_index=True)
+        result = np.full(len(self.names), -1, dtype=np.intp)
+        result[rows] = under[order][first]
+        return result
+
+
+@dataclass(frozen=True, eq=False)
+class _Kinds:
+    """What of the boxes does not depend on where they stand; the fields are those of `Boxes`."""
+
+    names: tuple[str, ...]
+    sizes: NDArray[np.float64]
+    flat: NDArray[np.bool_]
+    ceiling: NDArray[np.bool_]
+    movable: NDArray[np.bool_]
+    open_depth: NDArray[np.float64]
+
+
+@lru_cache(maxsize=32)
+def _kinds(assets: tuple[Asset, ...]) -> _Kinds:
+    """Return the same for every layout of these assets."""
+    kinds = [category_of(asset) for asset in assets]
+    return _Kinds(
+        names=tuple(asset.name for asset in assets),
+        sizes=np.array([asset.size for asset in assets], dtype=float).reshape(len(assets), 3),
+        flat=np.array([asset.is_flat for asset in assets], dtype=bool),
+        ceiling=np.array([asset.on_ceiling for asset in assets], dtype=bool),
+        movable=np.array([kind.movable for kind in kinds], dtype=bool),
+        open_depth=np.array([kind.open_depth for kind in kinds], dtype=float),
+    )
 
 
 def boxes(scene: Scene, layout: Layout) -> Boxes:
     """Return the boxes of all assets; poses of names that the scene does not have are ignored."""
-    count = len(scene.assets)
+    assets = tuple(scene.assets)
+    kinds, count = _kinds(assets), len(assets)
     poses = np.full((count, 4), np.nan)
-    for row, asset in enumerate(scene.assets):
-        pose = layout.get(asset.name)
+    for row, name in enumerate(kinds.names):
+        pose = layout.get(name)
         if pose is not None:
             poses[row] = (pose.x, pose.y, pose.z, pose.yaw)
     placed = np.asarray(np.isfinite(poses).all(axis=1))
     poses[~placed] = np.nan
-    sizes = np.array([asset.size for asset in scene.assets], dtype=float).reshape(count, 3)
     footprints = np.full(count, Polygon(), dtype=object)
     if placed.any():
-        footprints[placed] = shapely.polygons(corners(poses[placed], sizes[placed]))
+        footprints[placed] = shapely.polygons(corners(poses[placed], kinds.sizes[placed]))
     return Boxes(
-        assets=tuple(scene.assets),
+        assets=assets,
         poses=poses,
-        names=tuple(asset.name for asset in scene.assets),
+        names=kinds.names,
         placed=placed,
         footprints=footprints,
         centers=poses[:, :2],
-        bottom=poses[:, 2] - sizes[:, 2] / 2,
-        top=poses[:, 2] + sizes[:, 2] / 2,
-        flat=np.array([asset.is_flat for asset in scene.assets], dtype=bool),
-        ceiling=np.array([asset.on_ceiling for asset in scene.assets], dtype=bool),
+        bottom=poses[:, 2] - kinds.sizes[:, 2] / 2,
+        top=poses[:, 2] + kinds.sizes[:, 2] / 2,
+        flat=kinds.flat,
+        ceiling=kinds.ceiling,
+        movable=kinds.movable,
+        open_depth=kinds.open_depth,
     )
 
 

@@ -2,13 +2,14 @@
 
 An asset that ends below the body's height is in the way with its whole box. Of a higher one only the parts count that meet
 [step, height]: four legs for a vacuum cleaner under a bed, the post of a lamp for a child. Each part counts with the
-rectangle around it, in the asset's own frame; where these fill nearly the whole box, the box is taken.
+rectangle around it, in the asset's own frame; where these fill nearly the whole box, the box is taken. What a person moves
+in daily use (a chair) stands in the way of walking, but a body with an arm moves it away from what it stands at.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 import shapely
@@ -39,22 +40,34 @@ class Obstacles:
         rows: (m,) which asset each shape belongs to.
         shapes: (m,) Shapely rectangles in the world frame.
         partial: (m,) whether a shape is a part of an asset that the body may come under or into, not a whole box.
+        movable: (m,) whether this body moves it away to use what it stands at.
         shelter: (k,) boxes of the assets that the body may come under or into.
     """
 
     rows: NDArray[np.intp]
     shapes: NDArray[np.object_]
     partial: NDArray[np.bool_]
+    movable: NDArray[np.bool_]
     shelter: NDArray[np.object_]
 
     def of(self, rows: set[int] | frozenset[int]) -> Obstacles:
         """Return what is left when only these assets are there; the shelter stays."""
         kept = np.isin(self.rows, list(rows))
-        return Obstacles(self.rows[kept], self.shapes[kept], self.partial[kept], self.shelter)
+        return Obstacles(self.rows[kept], self.shapes[kept], self.partial[kept], self.movable[kept], self.shelter)
+
+    @cached_property
+    def movables(self) -> frozenset[int]:
+        """The assets in its way that this body moves away from what they stand at."""
+        return frozenset(self.rows[self.movable].tolist())
+
+    def moved_for(self, found: Boxes, row: int) -> frozenset[int]:
+        """Return which of them are moved away to use an asset."""
+        return found.chairs_at(row) & self.movables if self.movables else self.movables
 
 
 _NO_SHAPES = np.empty(0, dtype=np.object_)
-NOTHING = Obstacles(np.empty(0, dtype=np.intp), _NO_SHAPES, np.empty(0, dtype=np.bool_), _NO_SHAPES)
+_NO_FLAGS = np.empty(0, dtype=np.bool_)
+NOTHING = Obstacles(np.empty(0, dtype=np.intp), _NO_SHAPES, _NO_FLAGS, _NO_FLAGS, _NO_SHAPES)
 """No obstacle at all: the empty room."""
 
 
@@ -78,8 +91,10 @@ def obstacles(found: Boxes, agent: Agent) -> Obstacles:
     shapes = found.footprints[whole]
     if rows:
         shapes = np.concatenate([shapes, _placed(found.poses[rows], np.concatenate(rectangles))])
+    every = np.array(whole + rows, dtype=np.intp)
     partial = np.arange(len(shapes)) >= len(whole)
-    return Obstacles(np.array(whole + rows, dtype=np.intp), shapes, partial, found.footprints[shelter])
+    movable = found.chairs[every] & (agent.reach_distance is not None)
+    return Obstacles(every, shapes, partial, movable, found.footprints[shelter])
 
 
 def _placed(poses: NDArray[np.float64], rectangles: Rectangles) -> NDArray[np.object_]:

@@ -6,7 +6,10 @@ a wheelchair): the free space is exact along every straight edge and larger than
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any
 
 import numpy as np
 import shapely
@@ -16,14 +19,17 @@ from shapely.geometry.base import BaseGeometry
 
 from robolayout.scene import LANDING_DEPTH, Room
 from robolayout.verify._boxes import Boxes, landings, room_polygon
-from robolayout.verify._obstacles import Obstacles
+from robolayout.verify._obstacles import NOTHING, Obstacles
 
 QUAD_SEGS = 16
 """Chords per quarter turn in every round corner."""
 SLIVER = 1e-8
 """Square metres below which a piece of free space is numerical dust."""
+JOINT = 1e-6
+"""Metres by which what opens where a chair was overlaps the free space beside it."""
 REACH_SLACK = 1e-6
 """Metres of rounding that a distance may be above the reach."""
+_NONE = np.empty(0, dtype=np.object_)
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,12 +41,30 @@ class Space:
         free: Where its centre may be.
         main: The part of it that the agent comes into; empty if it cannot come in.
         door: Where it comes in: the landing of the first door; None without a door.
+        empty: Where its centre may be in the empty room.
+        blocking: What stands in its way.
     """
 
     radius: float
     free: MultiPolygon
     main: Polygon
     door: Polygon | None
+    empty: BaseGeometry = field(default_factory=Polygon, repr=False)
+    blocking: Obstacles = field(default=NOTHING, repr=False)
+    _opened: dict[frozenset[int], NDArray[np.object_]] = field(
+        default_factory=dict[frozenset[int], NDArray[np.object_]], repr=False
+    )
+
+    def opened(self, rows: frozenset[int]) -> NDArray[np.object_]:
+        """Return what the agent gets to beyond the main component once some assets are moved away."""
+        if rows not in self._opened:
+            self._opened[rows] = opened(
+                self.blocking, rows, (self.empty, self.free, self.main), self._grown, self.radius
+            )
+        return self._opened[rows]
+
+    def _grown(self, shapes: NDArray[np.object_], more: float) -> NDArray[np.object_]:
+        return shapely.buffer(shapes, self.radius + more, quad_segs=QUAD_SEGS)
 
     @property
     def walkable_ratio(self) -> float:
@@ -57,17 +81,68 @@ def disc_space(room: Room, obstacles: Obstacles, radius: float) -> Space:
     largest. Where furniture fills the whole landing nothing can be entered, and it is empty. A disc too wide to stand
     in an empty landing of 0.9 m gets one as deep as its diameter.
     """
-    floor = room_polygon(room)
-    eroded = floor.buffer(-radius, quad_segs=QUAD_SEGS)
-    grown = shapely.buffer(obstacles.shapes, radius, quad_segs=QUAD_SEGS)
-    free = eroded.difference(shapely.union_all(grown)) if len(grown) else eroded
+    eroded = _eroded(room, radius)
+    free = all_free(room, obstacles, radius)
     parts = components(free)
     main, zone = _entered(room, parts, eroded, radius)
     if len(obstacles.shelter) and len(parts) > 1:
         hidden = shapely.union_all(obstacles.shelter)
         shapely.prepare(hidden)
         parts = parts[~shapely.covers(hidden, parts) | shapely.equals(parts, main)]
-    return Space(radius, MultiPolygon(list(parts)), main, zone)
+    return Space(radius, MultiPolygon(list(parts)), main, zone, eroded, obstacles)
+
+
+@lru_cache(maxsize=1024)
+def _eroded(room: Room, radius: float) -> BaseGeometry:
+    """Return where the centre of a disc may be in the empty room; the same for every layout of it."""
+    return room_polygon(room).buffer(-radius, quad_segs=QUAD_SEGS)
+
+
+def all_free(room: Room, obstacles: Obstacles, radius: float) -> BaseGeometry:
+    """Return where the centre of a disc may be, hidden pockets included."""
+    if not len(obstacles.shapes):
+        return _eroded(room, radius)
+    together: Any = shapely.multipolygons(obstacles.shapes)  # grown in one go: half the time of one by one
+    return _eroded(room, radius).difference(together.buffer(radius, quad_segs=QUAD_SEGS))
+
+
+Grow = Callable[[NDArray[np.object_], float], NDArray[np.object_]]
+"""Returns convex shapes grown by a body, and by so many metres more."""
+
+
+def opened(
+    obstacles: Obstacles,
+    rows: frozenset[int],
+    spaces: tuple[BaseGeometry, BaseGeometry, BaseGeometry],
+    grow: Grow,
+    size: float,
+) -> NDArray[np.object_]:
+    """Return what a body gets to beyond where it is once some obstacles are moved away, as polygons.
+
+    Args:
+        obstacles: What stands in its way.
+        rows: The assets that are moved away.
+        spaces: Where its centre may be in the empty room, where as things stand, and where it gets to as things stand.
+        grow: Returns obstacles grown by the body.
+        size: Radius in metres of a disc that holds the body.
+    """
+    empty, free, main = spaces
+    gone = np.isin(obstacles.rows, list(rows))
+    shapes, others = obstacles.shapes[gone], obstacles.shapes[~gone]
+    if main.is_empty or not shapely.dwithin(main, shapes, size + 2 * JOINT).any():
+        return _NONE
+    near = others[(shapely.distance(shapes[:, None], others) <= 2 * size + 2 * JOINT).any(axis=0)]
+    place = empty.intersection(shapely.union_all(grow(shapes, JOINT)))
+    parts = components(place.difference(shapely.union_all(grow(near, 0.0))) if len(near) else place)
+    pieces = shapely.get_parts(free)
+    waiting = np.concatenate([parts, pieces[~shapely.covers(main, pieces)]])
+    found = np.array([main], dtype=object)
+    last = found
+    while len(last):
+        joined = shapely.intersects(waiting[:, None], last).any(axis=1)
+        last, waiting = waiting[joined], waiting[~joined]
+        found = np.concatenate([found, last])
+    return found[1:]
 
 
 def components(space: BaseGeometry) -> NDArray[np.object_]:
@@ -100,14 +175,24 @@ def _entered(
     return (parts[best] if shared[best] > 0 else Polygon()), zone
 
 
-def plan_distances(found: Boxes, main: Polygon) -> NDArray[np.float64]:
-    """Return metres from each footprint to the main component; infinite if that is empty, NaN where unplaced."""
-    if main.is_empty:
+def plan_distances(found: Boxes, space: Space, reach: float) -> NDArray[np.float64]:
+    """Return metres from each footprint to where a disc can be; infinite if it cannot come in, NaN where unplaced.
+
+    That is the main component; for what is out of reach from there also what it gets to once it has moved chairs away.
+    """
+    if space.main.is_empty:
         return np.where(found.placed, np.inf, np.nan)
-    shapely.prepare(main)
-    return shapely.distance(main, found.footprints)
+    shapely.prepare(space.main)
+    distances = shapely.distance(space.main, found.footprints)
+    if space.blocking.movables:
+        asked = found.placed & ~(found.flat | found.ceiling)
+        for row in np.flatnonzero(asked & (distances > reach + REACH_SLACK)).tolist():
+            moved = space.blocking.moved_for(found, row)
+            beyond = shapely.distance(space.opened(moved), found.footprints[row]) if moved else ()
+            distances[row] = min((distances[row], *beyond))
+    return distances
 
 
 def reached_rows(found: Boxes, distances: NDArray[np.float64], reach: float) -> NDArray[np.bool_]:
-    """Return which assets are reached from the main component; ceiling assets and rugs need no reaching."""
+    """Return which assets are reached from where the agent can be; ceiling assets and rugs need no reaching."""
     return found.placed & (found.flat | found.ceiling | (distances <= reach + REACH_SLACK))

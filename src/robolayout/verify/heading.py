@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cached_property, lru_cache, partial
 
 import numpy as np
 import shapely
@@ -21,8 +21,8 @@ from shapely.geometry.base import BaseGeometry
 
 from robolayout.scene import LANDING_DEPTH, Agent, Layout, Room, Scene
 from robolayout.verify._boxes import boxes, room_polygon
-from robolayout.verify._obstacles import obstacles
-from robolayout.verify._space import REACH_SLACK, components, disc_space
+from robolayout.verify._obstacles import Obstacles, obstacles
+from robolayout.verify._space import REACH_SLACK, all_free, components, disc_space, opened
 
 Node = tuple[int, int]
 """A piece of free space: number of its heading, and its own among those of that heading."""
@@ -53,31 +53,101 @@ class HeadingSpace:
 
 def heading_space(scene: Scene, layout: Layout, agent: Agent) -> HeadingSpace:
     """Return where a rectangular body can get to and which way round; its length and width must be given."""
-    blocking = obstacles(boxes(scene, layout), agent)
-    first, step = _first_heading(scene.room), math.pi / HEADINGS
-    headings = tuple(first + step * k for k in range(HEADINGS))
-    free = [_parts(scene.room, blocking.shapes, rectangle(agent, heading)) for heading in headings]
-    circle = max(agent.circumradius, (agent.turning_diameter or 0.0) / 2)
-    turning = components(disc_space(scene.room, blocking, circle).free)
-    joined = _Joined(free)
-    for place in turning:
-        for k in range(HEADINGS):
-            joined.join(k, (k + 1) % HEADINGS, place)
-    if agent.turning_diameter is None:
-        for k, heading in enumerate(headings):
-            for place in _parts(scene.room, blocking.shapes, _swept(agent, heading, step)):
-                joined.join(k, (k + 1) % HEADINGS, place)
-    passes = not scene.room.doors or (agent.width or 0.0) <= scene.room.doors[0].width + REACH_SLACK
-    start = joined.entry(scene.room, max(LANDING_DEPTH, agent.length or 0.0)) if passes else None
-    group = joined.group(start)
-    return HeadingSpace(
-        headings=headings,
-        standing=tuple(MultiPolygon([p for i, p in enumerate(free[k]) if (k, i) in group]) for k in range(HEADINGS)),
-        turning=MultiPolygon([place for place in turning if joined.node(0, place) in group]),
-        pieces={(k, i): free[k][i] for k, i in sorted(group)},
-        links=tuple(link for link in joined.links if link[0] in group),
-        start=start,
-    )
+    return Headings(scene.room, obstacles(boxes(scene, layout), agent), agent).space
+
+
+class Headings:
+    """The free space of a rectangular body by heading, each worked out when first asked for.
+
+    Args:
+        room: The room.
+        blocking: What stands in the body's way.
+        agent: The body; with length and width.
+    """
+
+    def __init__(self, room: Room, blocking: Obstacles, agent: Agent) -> None:
+        self._room, self._blocking, self._agent = room, blocking, agent
+        first, self._step = _first_heading(room), math.pi / HEADINGS
+        self.headings = tuple(first + self._step * k for k in range(HEADINGS))
+        self._free: dict[int, list[Polygon]] = {}
+        self._opened: dict[frozenset[int], tuple[tuple[int, Polygon], ...]] = {}
+
+    @cached_property
+    def space(self) -> HeadingSpace:
+        """All of it."""
+        return self._joined(range(HEADINGS))
+
+    @cached_property
+    def surely(self) -> tuple[MultiPolygon, ...]:
+        """Parts of where it can get to that take little time to find, one region per heading."""
+        if not self._room.doors:
+            return ()
+        two = self._agent.turning_diameter is not None
+        return self._joined((0, HEADINGS // 2) if two else (0,)).standing
+
+    @cached_property
+    def at_most(self) -> BaseGeometry:
+        """A region that takes little time to find and holds all of where the body gets to: a small disc's free space."""
+        least = min(self._agent.length or 0.0, self._agent.width or 0.0) / 2
+        return all_free(self._room, self._blocking, least * math.cos(math.pi / 64))
+
+    def opened(self, rows: frozenset[int]) -> tuple[tuple[int, Polygon], ...]:
+        """Return what the body gets to beyond that, sliding in without a turn, once some assets are moved away; by heading."""
+        if rows not in self._opened:
+            size = self._agent.circumradius
+            found: list[tuple[int, Polygon]] = []
+            for k, heading in enumerate(self.headings):
+                body = rectangle(self._agent, heading)
+                spaces = (_empty(self._room, _key(body)), MultiPolygon(self._pieces(k)), self.space.standing[k])
+                parts = opened(self._blocking, rows, spaces, partial(_larger, body), size)
+                found += [(k, part) for part in parts]
+            self._opened[rows] = tuple(found)
+        return self._opened[rows]
+
+    def _joined(self, numbers: Sequence[int]) -> HeadingSpace:
+        """Return where the body gets to with these headings alone."""
+        room, agent, shapes = self._room, self._agent, self._blocking.shapes
+        free = [self._pieces(k) if k in numbers else [] for k in range(HEADINGS)]
+        joined = _Joined(free)
+        pairs = [(k, numbers[(i + 1) % len(numbers)]) for i, k in enumerate(numbers)] if len(numbers) > 1 else []
+        for place in self._turning if pairs else ():
+            for before, after in pairs:
+                joined.join(before, after, place)
+        if agent.turning_diameter is None:
+            for before, after in pairs:
+                for place in _parts(room, shapes, _swept(agent, self.headings[before], self._step)):
+                    joined.join(before, after, place)
+        start = self._start(joined)
+        group = joined.group(start)
+        return HeadingSpace(
+            headings=self.headings,
+            standing=tuple(
+                MultiPolygon([p for i, p in enumerate(free[k]) if (k, i) in group]) for k in range(HEADINGS)
+            ),
+            turning=MultiPolygon([place for place in self._turning if joined.node(0, place) in group] if pairs else []),
+            pieces={(k, i): free[k][i] for k, i in sorted(group)},
+            links=tuple(link for link in joined.links if link[0] in group),
+            start=start,
+        )
+
+    def _start(self, joined: _Joined) -> Node | None:
+        room, agent = self._room, self._agent
+        if room.doors and (agent.width or 0.0) > room.doors[0].width + REACH_SLACK:
+            return None
+        return joined.entry(room, max(LANDING_DEPTH, agent.length or 0.0))
+
+    def _pieces(self, number: int) -> list[Polygon]:
+        """Return the pieces of the free space of one heading."""
+        if number not in self._free:
+            body = rectangle(self._agent, self.headings[number])
+            self._free[number] = _parts(self._room, self._blocking.shapes, body)
+        return self._free[number]
+
+    @cached_property
+    def _turning(self) -> NDArray[np.object_]:
+        """Return the places where the body can turn right round."""
+        circle = max(self._agent.circumradius, (self._agent.turning_diameter or 0.0) / 2)
+        return components(disc_space(self._room, self._blocking, circle).free)
 
 
 def rectangle(agent: Agent, heading: float) -> NDArray[np.float64]:
@@ -90,7 +160,7 @@ def rectangle(agent: Agent, heading: float) -> NDArray[np.float64]:
 
 def grown(shapes: NDArray[np.float64], body: NDArray[np.float64]) -> NDArray[np.object_]:
     """Return the Minkowski sums of convex shapes (n, corners, 2) and a centrally symmetric convex body (m, 2)."""
-    sums = (shapes[:, :, None, :] + body[None, None, :, :]).reshape(len(shapes), -1, 2)
+    sums = (shapes[:, :, None, :] + body[None, None, :, :]).reshape(len(shapes), shapes.shape[1] * len(body), 2)
     return np.asarray(shapely.convex_hull(shapely.multipoints(sums)), dtype=object)
 
 
@@ -102,10 +172,18 @@ def _swept(agent: Agent, heading: float, step: float) -> NDArray[np.float64]:
 
 def _parts(room: Room, shapes: NDArray[np.object_], body: NDArray[np.float64]) -> list[Polygon]:
     """Return the pieces of the free space of a convex body, largest first."""
-    free = _empty(room, tuple(map(tuple, body.tolist())))
-    if len(shapes):
-        free = free.difference(shapely.union_all(grown(shapely.get_coordinates(shapes).reshape(-1, 5, 2)[:, :4], body)))
-    return list(components(free))
+    free = _empty(room, _key(body))
+    return list(components(free.difference(shapely.union_all(_larger(body, shapes))) if len(shapes) else free))
+
+
+def _larger(body: NDArray[np.float64], shapes: NDArray[np.object_], more: float = 0.0) -> NDArray[np.object_]:
+    """Return rectangles grown by a body around its centre, and by so many metres more."""
+    corners = shapely.get_coordinates(shapes).reshape(-1, 5, 2)[:, :4]
+    return grown(corners, body + np.copysign(more, body) if more else body)
+
+
+def _key(body: NDArray[np.float64]) -> tuple[tuple[float, ...], ...]:
+    return tuple(map(tuple, body.tolist()))
 
 
 @lru_cache(maxsize=256)
@@ -128,7 +206,7 @@ class _Joined:
         self._leader = {(k, i): (k, i) for k, pieces in enumerate(free) for i in range(len(pieces))}
         self.links: list[tuple[Node, Node, Polygon]] = []
 
-    def node(self, heading: int, place: Polygon) -> Node | None:
+    def node(self, heading: int, place: BaseGeometry) -> Node | None:
         """Return the piece of a heading that holds a place."""
         point = place.representative_point()
         return next(((heading, i) for i, piece in enumerate(self._free[heading]) if piece.intersects(point)), None)

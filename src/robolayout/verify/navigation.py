@@ -2,7 +2,8 @@
 
 The agent is a disc; its free space is the room shrunk by its radius minus the obstacles grown by it (`_space.py`). What
 it can enter through the first door is the main component. An asset is reached when its footprint lies within the
-agent's reach, measured in plan from the agent's centre. Ceiling assets and rugs count as reached, unplaced ones never.
+agent's reach, measured in plan from the agent's centre, there or where it has moved a chair away that it gets to.
+Ceiling assets and rugs count as reached, unplaced ones never.
 """
 
 from __future__ import annotations
@@ -31,8 +32,9 @@ class Navigation:
         layout: The layout.
         agent: The body.
         space: Its free space and the component it enters.
-        distances: Metres in plan from each asset's footprint to the nearest place of the agent's centre; infinite if
-            there is none, NaN if unplaced.
+        distances: Metres in plan from each asset's footprint to the nearest place of the agent's centre in the main
+            component, for what is out of reach there also to the places of chairs; infinite if there is none, NaN if
+            unplaced.
         reached: Verdict per asset.
         boxes: The assets' boxes.
         blocking: What stands in its way.
@@ -115,7 +117,7 @@ def navigation(scene: Scene, layout: Layout, agent: Agent | None = None) -> Navi
     found = boxes(scene, layout)
     blocking = obstacles(found, agent)
     space = disc_space(scene.room, blocking, agent.radius)
-    distances = plan_distances(found, space.main)
+    distances = plan_distances(found, space, agent.reach)
     reached = reached_rows(found, distances, agent.reach)
     return Navigation(
         scene=scene,

@@ -110,7 +110,7 @@ class _Search:
             radius = step * STEP
             space = disc_space(self._scene.room, self._obstacles, radius)
             reach = replace(self._agent, radius=radius).reach
-            reached = reached_rows(self._found, plan_distances(self._found, space.main), reach)
+            reached = reached_rows(self._found, plan_distances(self._found, space, reach), reach)
             self._spaces[step] = (space, reached.tolist())
         return self._spaces[step]
 

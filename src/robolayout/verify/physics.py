@@ -202,9 +202,7 @@ def _held(scene: Scene, found: Boxes, limits: PhysicsLimits) -> NDArray[np.bool_
     floor = np.abs(found.bottom) <= tolerance
     ceiling = np.abs(found.top - scene.room.wall_height) <= tolerance
     wall = shapely.distance(found.footprints, walls) <= tolerance
-    carried = np.zeros(len(assets), dtype=bool)
-    for row in np.flatnonzero(found.placed & stands & ~floor):
-        carried[row] = found.carrier(int(row), limits.support) is not None
+    carried = found.held_by(found.placed, limits.support) >= 0
     return found.placed & ((stands & (floor | carried)) | (on_wall & wall) | (found.ceiling & ceiling))
 
 

@@ -159,10 +159,15 @@ def body_misfits(scene: Scene, agent: Agent) -> Iterator[str]:
 
 
 def remedies(nav: Navigation) -> Remedies:
-    """Return the smallest changes to this layout that would let an agent reach what it does not reach."""
+    """Return the smallest changes to this layout that would let an agent reach what it does not reach.
+
+    None for a body that cannot come in even if the room is empty.
+    """
     aside = exempt_from_reach(nav.scene, nav.agent)
     trials = _Trials(nav)
     largest = min((p.width for name, p in nav.passages.items() if name not in aside), default=0.0)
+    if kept_out(nav.scene, nav.agent):
+        return Remedies({}, {}, largest, 2 * nav.agent.radius - largest)
     wanted = [name for name in nav.unreached if name not in aside]
     narrow = [nav.passages[name] for name in wanted if len(set(nav.passages[name].between)) == 2]
     return Remedies(
@@ -201,14 +206,14 @@ class _Trials:
             kept = {other for other in self._rows if not self._below[other].intersection(removed)}
             space = disc_space(self._nav.scene.room, self._nav.blocking.of(kept), self._nav.agent.radius)
             reach = self._nav.agent.reach
-            self._tried[removed] = reached_rows(self._found, plan_distances(self._found, space.main), reach)
+            self._tried[removed] = reached_rows(self._found, plan_distances(self._found, space, reach), reach)
         return bool(self._tried[removed][row])
 
 
 def _chain(found: Boxes, row: int) -> set[int]:
     """Return an asset's row and the rows of everything that carries it."""
-    chain, carrier = {row}, found.carrier(row)
-    while carrier is not None and carrier not in chain:
+    chain, carrier = {row}, int(found.carriers[row])
+    while carrier >= 0 and carrier not in chain:
         chain.add(carrier)
-        carrier = found.carrier(carrier)
+        carrier = int(found.carriers[carrier])
     return chain

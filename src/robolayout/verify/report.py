@@ -18,7 +18,7 @@ from robolayout.verify.passages import WIDE
 from robolayout.verify.physics import Physics
 from robolayout.verify.proofs import Remedies, exempt_from_reach, exempt_from_use, impossible, remedies
 from robolayout.verify.sentences import agent_violations
-from robolayout.verify.use import Usage
+from robolayout.verify.use import Usage, Use
 
 SHOWN = 12
 """Violations that a notebook shows; the report holds all."""
@@ -84,13 +84,16 @@ class AgentReport:
         agent: The body.
         navigation: Where it can go and what it reaches.
         usage: What it can use.
-        headings: Where a rectangular body gets to and turns; None for a disc.
     """
 
     agent: Agent
     navigation: Navigation
     usage: Usage
-    headings: HeadingSpace | None = None
+
+    @property
+    def headings(self) -> HeadingSpace | None:
+        """Where a rectangular body gets to and turns; None for a disc."""
+        return self.usage.headings
 
     @cached_property
     def exempt(self) -> Mapping[str, str]:
@@ -119,7 +122,8 @@ class AgentReport:
         """For a rectangular body the way, with its heading, to where it uses each thing; empty for a disc."""
         if self.headings is None:
             return {}
-        stands = {name: use.stand for name, use in self.usage.uses.items() if use.stand is not None}
+        uses = self.usage.uses.items()
+        stands = {name: use.stand for name, use in uses if use.stand is not None and not use.moved}
         return find_drives(self.navigation.scene.room, self.headings, stands)
 
     @property
@@ -152,6 +156,7 @@ class AgentReport:
                 for name, p in nav.passages.items()
             },
             "unreached": {name: _finite(nav.distances[name]) for name in nav.unreached},
+            "moved": {name: list(use.moved) for name, use in self.usage.uses.items() if use.moved},
             "unusable": {name: use.reason for name, use in self.usage.uses.items() if not use.usable},
             "drives": {
                 name: {
@@ -348,6 +353,13 @@ def _places(space: HeadingSpace) -> list[dict[str, Any]]:
     return [{"point": [p.x, p.y], "area": g.area} for p, g in zip(points, space.turning.geoms, strict=True)]
 
 
+def _usable(use: Use) -> str:
+    """Return whether an asset can be used, and what has to be moved for it."""
+    if not use.usable:
+        return "**no**"
+    return f"yes, {' and '.join(use.moved)} moved" if use.moved else "yes"
+
+
 def _agent_table(report: AgentReport) -> list[str]:
     nav = report.navigation
     shown = [f"{name.removesuffix('_share').replace('_', ' ')} {value:.2f}" for name, value in report.figures.items()]
@@ -370,7 +382,7 @@ def _agent_table(report: AgentReport) -> list[str]:
         length = f"{route.length:.1f} m" if route else "-"
         between = passage.sides or "-"
         reached = "yes" if nav.reached[name] else "**no**"
-        usable = "yes" if report.usage.usable[name] else "**no**"
+        usable = _usable(report.usage.uses[name])
         lines.append(f"| {name} | {reached} | {length} | {passage.shown} | {between} | {usable} |")
     if report.exempt:
         lines += ["", *(f"- not asked: {reason}." for reason in report.exempt.values())]

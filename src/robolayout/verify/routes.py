@@ -15,7 +15,6 @@ from functools import cached_property
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
 from robolayout.scene import Point, Room
@@ -27,6 +26,10 @@ AIMS = 3
 """How often the end of a route is moved to the place nearest to its last corner."""
 GRAIN = 1e-7
 """Metres to which corners of the free space are rounded, since of two that differ by rounding nobody can tell left from right."""
+
+
+Portal = tuple[Point, Point]
+"""The ends of an edge that a way crosses: left and right."""
 
 
 @dataclass(frozen=True)
@@ -90,6 +93,8 @@ class Mesh:
         self._tree = shapely.STRtree(triangles)
         self._points, index = np.unique(rings.reshape(-1, 2), axis=0, return_inverse=True)
         self._corners = index.reshape(-1, 3)
+        self._spots: list[Point] = [(x, y) for x, y in self._points.tolist()]
+        self._middles: list[Point] = [(x, y) for x, y in self._points[self._corners].mean(axis=1).tolist()]
         self._edges = self._neighbours()
 
     def _neighbours(self) -> list[list[tuple[int, int, int]]]:
@@ -137,14 +142,18 @@ class Mesh:
             target = shapely.Point(shapely.get_coordinates(shapely.shortest_line(self._triangles[last], zone))[0])
         portals = self._portals(tree, last)
         points: tuple[Point, ...] = (tree.cost[last][1], tree.cost[last][1])
+        last_aim: Point | None = None
         for _ in range(AIMS):
-            aim = shapely.get_coordinates(shapely.shortest_line(target, shapely.Point(points[-2:][0])))[0]
-            points = _pull(tree.start, portals, (float(aim[0]), float(aim[1])))
+            x, y = shapely.get_coordinates(shapely.shortest_line(target, shapely.Point(points[-2:][0])))[0].tolist()
+            if (x, y) == last_aim:
+                break
+            last_aim = (x, y)
+            points = _pull(tree.start, portals, last_aim)
         return points
 
-    def _portals(self, tree: Tree, row: int) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    def _portals(self, tree: Tree, row: int) -> list[Portal]:
         """Return the edges that the way to a triangle crosses, each as (left, right)."""
-        portals: list[tuple[NDArray[np.float64], NDArray[np.float64]]] = []
+        portals: list[Portal] = []
         while row != tree.source and row in tree.parent:
             before, a, b = tree.parent[row]
             portals.append(self._oriented(before, a, b))
@@ -162,10 +171,9 @@ class Mesh:
         best = int(np.argmin(np.array([tree.cost[row][0] for row in rows]) + shapely.length(lines)))
         return rows[best]
 
-    def _oriented(self, row: int, a: int, b: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def _oriented(self, row: int, a: int, b: int) -> Portal:
         """Return an edge as (left, right), seen by somebody who leaves triangle `row` through it."""
-        middle = self._points[self._corners[row]].mean(axis=0)
-        left, right = self._points[a], self._points[b]
+        middle, left, right = self._middles[row], self._spots[a], self._spots[b]
         return (left, right) if _turn(middle, right, left) > 0 else (right, left)
 
 
@@ -179,18 +187,15 @@ class Tree:
     parent: dict[int, tuple[int, int, int]]
 
 
-def _turn(a: NDArray[np.float64], b: NDArray[np.float64], c: NDArray[np.float64]) -> float:
+def _turn(a: Point, b: Point, c: Point) -> float:
     """Return twice the signed area of a, b, c: positive when c is left of the line from a to b."""
-    return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 
 
-def _pull(
-    start: Point, portals: list[tuple[NDArray[np.float64], NDArray[np.float64]]], goal: Point
-) -> tuple[Point, ...]:
+def _pull(start: Point, portals: list[Portal], goal: Point) -> tuple[Point, ...]:
     """Pull a string tight through portals (the funnel algorithm); returns its corners."""
-    end = np.array(goal)
-    gates = [*portals, (end, end)]
-    apex = np.array(start)
+    gates = [*portals, (goal, goal)]
+    apex = start
     points = [apex]
     left, right = gates[0]
     left_at = right_at = 0
@@ -198,7 +203,7 @@ def _pull(
     while at < len(gates):
         new_left, new_right = gates[at]
         if _turn(apex, right, new_right) >= 0:
-            if np.array_equal(apex, right) or _turn(apex, left, new_right) < 0:
+            if apex == right or _turn(apex, left, new_right) < 0:
                 right, right_at = new_right, at
             else:
                 points.append(left)
@@ -207,7 +212,7 @@ def _pull(
                 left_at = right_at = at - 1
                 continue
         if _turn(apex, left, new_left) <= 0:
-            if np.array_equal(apex, left) or _turn(apex, right, new_left) > 0:
+            if apex == left or _turn(apex, right, new_left) > 0:
                 left, left_at = new_left, at
             else:
                 points.append(right)
@@ -216,9 +221,5 @@ def _pull(
                 left_at = right_at = at - 1
                 continue
         at += 1
-    points.append(end)
-    kept = [points[0]]
-    for point in points[1:]:
-        if not np.array_equal(point, kept[-1]):
-            kept.append(point)
-    return tuple((float(x), float(y)) for x, y in kept)
+    points.append(goal)
+    return tuple(point for point, before in zip(points, [None, *points], strict=False) if point != before)

@@ -3,29 +3,31 @@
 An asset is used from its sides (a wardrobe from the front, a bed from left or right). The agent can use it when its
 centre can stand in the main component, beyond that side's edge, within horizontal and vertical reach, and when what
 must be opened has room to open. What stands on something is reached over the edge of its carrier, and what a person
-moves in daily use (a chair) is taken hold of from any side.
+moves in daily use (a chair) is taken hold of from any side. A body with an arm moves chairs away from what it uses: from
+its place at a table it gets to what lies before it.
 """
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 import shapely
-from shapely import LineString, Polygon
+from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
-from robolayout.assets import category_of
 from robolayout.scene import Agent, Layout, Point, Scene
-from robolayout.verify._boxes import AREA_TOLERANCE, Boxes, boxes, room_polygon, share, shared_area
-from robolayout.verify._space import QUAD_SEGS, REACH_SLACK
-from robolayout.verify.navigation import navigation
-
-SIDES = ("front", "left", "back", "right")
-"""Sides in counter-clockwise order, starting with the one that faces +x at zero rotation."""
+from robolayout.scene.agent import TOUCH
+from robolayout.verify._approaches import approaches, horizontal_reach, needs_no_use
+from robolayout.verify._boxes import AREA_TOLERANCE, room_polygon, share, shared_area
+from robolayout.verify._sides import side_edge, strip
+from robolayout.verify._stances import Stances
+from robolayout.verify.heading import HeadingSpace
+from robolayout.verify.navigation import Navigation, navigation
 
 FAR = 3.0
 """Metres from a side beyond which no place to stand is looked for."""
@@ -41,6 +43,7 @@ class Use:
         side: The side it is used from; empty where any side will do.
         stand: A place for the agent's centre, metres; None where it is not usable or needs no use.
         reason: Why it cannot be used, as the end of a sentence; empty if it can.
+        moved: What is moved away to stand there: chairs at a table.
     """
 
     asset: str
@@ -48,6 +51,7 @@ class Use:
     side: str
     stand: Point | None
     reason: str
+    moved: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,120 +72,115 @@ class Usage:
         """Share of all assets that can be used."""
         return share(list(self.usable.values()))
 
+    @property
+    def headings(self) -> HeadingSpace | None:
+        """Where a rectangular body gets to and turns; None for a disc."""
+        return self._judge.stances.space
+
     @cached_property
     def uses(self) -> Mapping[str, Use]:
         """How each placed asset is used, or why not."""
         return {name: self._judge.explain(row) for row, name in enumerate(self.usable) if self._judge.found.placed[row]}
 
 
-def usage(
-    scene: Scene, layout: Layout, agent: Agent | None = None, *, standing: Sequence[BaseGeometry] | None = None
-) -> Usage:
+def usage(scene: Scene, layout: Layout, agent: Agent | None = None, *, nav: Navigation | None = None) -> Usage:
     """Judge what an agent can use.
 
     Args:
         scene: The scene.
         layout: The layout.
         agent: The body; the scene's first one if None.
-        standing: Where its centre can stand, one region per heading; the disc's main component if None.
+        nav: Where it can go, if that has been worked out already.
     """
-    agent = agent or scene.agent
-    regions = [navigation(scene, layout, agent).main] if standing is None else list(standing)
-    judge = _Judge(scene, boxes(scene, layout), agent, [region for region in regions if not region.is_empty])
-    return Usage(agent, {name: judge.usable(row) for row, name in enumerate(judge.found.names)}, judge)
-
-
-def horizontal_reach(agent: Agent, bottom: float, top: float) -> float | None:
-    """Return the horizontal reach in metres to something between two heights; None if it is out of reach in height.
-
-    An agent without a reach distance only gets to things, whatever their height. With a shoulder height the reach is a
-    sphere around the shoulder, otherwise a cylinder between the lowest and the highest height it reaches.
-    """
-    if agent.reach_distance is None:
-        return agent.reach
-    low, high = max(bottom, agent.reach_low), min(top, agent.reach_high)
-    if low > high + REACH_SLACK:
-        return None
-    if agent.shoulder_height is None:
-        return agent.reach
-    height = abs(min(max(agent.shoulder_height, low), high) - agent.shoulder_height)
-    return math.sqrt(agent.reach**2 - height**2) if height <= agent.reach else None
+    judge = _Judge(nav or navigation(scene, layout, agent))
+    return Usage(judge.agent, dict(zip(judge.found.names, judge.verdicts().tolist(), strict=True)), judge)
 
 
 class _Judge:
-    """Looks at one asset after the other."""
+    """Looks at all assets of a layout for one body."""
 
-    def __init__(self, scene: Scene, found: Boxes, agent: Agent, standing: Sequence[BaseGeometry]) -> None:
-        self.scene, self.found, self.agent, self.standing = scene, found, agent, standing
-        self.room = room_polygon(scene.room)
-        for region in standing:
+    def __init__(self, nav: Navigation) -> None:
+        self.agent, self.found, self.stances = nav.agent, nav.boxes, Stances(nav)
+        self.ways = approaches(self.found, self.agent)
+        self._room = room_polygon(nav.scene.room)
+        self._touched: dict[int, NDArray[np.object_]] = {}
+        self._touches = self.agent.reach_distance is None and self.stances.rectangular
+
+    def verdicts(self) -> NDArray[np.bool_]:
+        """Return (n,) what is usable."""
+        rows, zones = self.ways.rows, self.ways.zones
+        usable = self.found.placed & needs_no_use(self.found)
+        able = np.array([not self.opening_blockers(row, side) for row, side in self._each], dtype=bool)
+
+        def waiting() -> NDArray[np.intp]:
+            return np.flatnonzero(able & ~usable[rows])
+
+        def stand(region: BaseGeometry, zones: NDArray[np.object_]) -> None:
+            some = waiting()
             shapely.prepare(region)
+            usable[rows[some[shapely.intersects(region, zones[some])]]] = True
 
-    def usable(self, row: int) -> bool:
-        if not self.found.placed[row]:
-            return False
-        return self._needs_no_use(row) or next(self._ways(row), None) is not None
+        for _, region in self.stances.surely():
+            stand(region, zones)
+        if not self.stances.nowhere(zones[waiting()]).all():
+            for _, region in self.stances.everywhere:
+                stand(region, zones)
+        for number, region in self.stances.everywhere if self._touches and len(waiting()) else ():
+            stand(region, self._touching(number))
+        for row in np.unique(rows[waiting()]).tolist():
+            of_row = np.flatnonzero(able & (rows == row))
+            for _, region in self.stances.opened(row)[1]:
+                usable[row] |= bool(shapely.intersects(region, zones[of_row]).any())
+        return usable
 
-    def _needs_no_use(self, row: int) -> bool:
-        return bool(self.found.flat[row] or self.found.ceiling[row]) or self._sides(row) == ()
+    @property
+    def _each(self) -> Iterator[tuple[int, str]]:
+        return zip(self.ways.rows.tolist(), self.ways.sides, strict=True)
 
-    def _sides(self, row: int) -> tuple[str, ...]:
-        asset = self.scene.assets[row]
-        return tuple(category_of(asset).use_sides if asset.use_sides is None else asset.use_sides)
+    def _stands(self, row: int) -> Iterator[tuple[str, BaseGeometry, frozenset[int]]]:
+        """Yield how an asset can be used: side, where the centre stands for it, what may have to be moved away."""
+        able = [i for i in self.ways.of(row) if not self.opening_blockers(row, self.ways.sides[i])]
+        moved, beside = self.stances.opened(row)
+        for regions, chairs in ((self.stances.everywhere, frozenset[int]()), (beside, moved)):
+            for i, (number, region) in itertools.product(able, regions):
+                for zones in (self.ways.zones, self._touching(number)) if self._touches else (self.ways.zones,):
+                    yield self.ways.sides[i], region.intersection(zones[i]), chairs
 
-    def _approaches(self, row: int) -> dict[str, BaseGeometry]:
-        """Return, by side, what must come within reach: edges, or the footprint of what is carried or movable."""
-        if self.found.carrier(row) is not None or category_of(self.scene.assets[row]).movable:
-            return {"": self.found.footprints[row]}
-        return {side: side_edge(self.found.footprints[row], side) for side in self._sides(row)}
-
-    def _ways(self, row: int) -> Iterator[tuple[str, BaseGeometry, BaseGeometry]]:
-        """Yield sides that the agent can use an asset from, with the zone within reach and where it stands there."""
-        reach = horizontal_reach(self.agent, self.found.bottom[row], self.found.top[row])
-        if reach is None:
-            return
-        for side, target in self._approaches(row).items():
-            zone = self._zone(row, target, reach + REACH_SLACK)
-            region = next((region for region in self.standing if region.intersects(zone)), None)
-            if region is not None and not self.opening_blockers(row, side):
-                yield side, zone, region
-
-    def _zone(self, row: int, target: BaseGeometry, reach: float) -> BaseGeometry:
-        """Return from where a side or a footprint is within reach; never from under the asset that carries it."""
-        zone, carrier = _within(target, reach), self.found.carrier(row)
-        if carrier is None or self.found.top[carrier] <= self.agent.height:
-            return zone
-        return zone.difference(self.found.footprints[carrier])
+    def _touching(self, number: int) -> NDArray[np.object_]:
+        """Return (m,) from where the body touches each approach at a heading."""
+        if number not in self._touched:
+            self._touched[number] = self.ways.touching(self.stances.body(number))
+        return self._touched[number]
 
     def opening_blockers(self, row: int, side: str) -> tuple[str, ...]:
         """Return what stands in the depth that an asset needs in front to be opened: names, or "the wall"."""
-        depth = category_of(self.scene.assets[row]).open_depth if side == "front" else 0.0
-        if depth <= 0:
-            return ()
-        zone = strip(side_edge(self.found.footprints[row], side), depth)
-        names = ["the wall"] if zone.difference(self.room).area > AREA_TOLERANCE else []
         found = self.found
+        if side != "front" or found.open_depth[row] <= 0:
+            return ()
+        zone = strip(side_edge(found.footprints[row], side), float(found.open_depth[row]))
+        names = ["the wall"] if zone.difference(self._room).area > AREA_TOLERANCE else []
         shared = np.minimum(found.top, found.top[row]) - np.maximum(found.bottom, found.bottom[row]) > 0.01
-        rows = np.flatnonzero(found.placed & ~found.flat & shared & (np.arange(len(found.names)) != row))
+        rows = np.flatnonzero(
+            found.placed & ~found.flat & ~found.movable & shared & shapely.intersects(zone, found.footprints)
+        )
+        rows = rows[rows != row]
         area = shared_area(found.footprints[rows], zone)
-        names += [
-            found.names[other]
-            for other, taken in zip(rows, area, strict=True)
-            if taken > AREA_TOLERANCE and not category_of(self.scene.assets[other]).movable
-        ]
-        return tuple(names)
+        return (*names, *(found.names[other] for other in rows[area > AREA_TOLERANCE]))
 
     def explain(self, row: int) -> Use:
         name = self.found.names[row]
-        if self._needs_no_use(row):
+        if needs_no_use(self.found)[row]:
             return Use(name, True, "", None, "")
-        way = next(self._ways(row), None)
+        way = next((way for way in self._stands(row) if not way[1].is_empty), None)
         if way is None:
             return Use(name, False, "", None, self._reason(row))
-        side, zone, region = way
-        target = self._approaches(row)[side].centroid
-        spot = shapely.get_coordinates(shapely.shortest_line(region.intersection(zone), target))[0]
-        return Use(name, True, side, (float(spot[0]), float(spot[1])), "")
+        side, places, chairs = way
+        target = side_edge(self.found.footprints[row], side) if side else self.found.footprints[row]
+        spot = shapely.get_coordinates(shapely.shortest_line(places, target.centroid))[0]
+        near = shapely.Point(spot).buffer(self.agent.circumradius)
+        moved = [i for i in sorted(chairs) if near.intersects(self.found.footprints[i])] or sorted(chairs)
+        names = tuple(self.found.names[i] for i in moved)
+        return Use(name, True, side, (float(spot[0]), float(spot[1])), "", names)
 
     def _reason(self, row: int) -> str:
         agent, found = self.agent, self.found
@@ -189,21 +188,28 @@ class _Judge:
         reach = horizontal_reach(agent, bottom, top)
         if reach is None:
             return _height_reason(agent, bottom, top)
-        approaches = self._approaches(row)
-        blockers = [name for side in approaches for name in self.opening_blockers(row, side)]
+        numbers = self.ways.of(row)
+        blockers = [name for i in numbers for name in self.opening_blockers(row, self.ways.sides[i])]
         if blockers:
             return f"its front has no room to open: {' and '.join(blockers)} in the way"
-        sides = " or ".join(side for side in approaches if side) or "edge"
-        away = min((self._nearest(row, target) for target in approaches.values()), default=math.inf)
+        sides = " or ".join(self.ways.sides[i] for i in numbers if self.ways.sides[i]) or "edge"
+        away = min((self._nearest(row, i) for i in numbers), default=math.inf)
         if away > FAR:
             return f"there is no place to stand at its {sides}"
+        if self._touches:
+            return f"the nearest that it gets to its {sides} is {away:.2f} m, touching distance is {TOUCH:.2f} m"
         return f"the nearest place to stand is {away:.2f} m from its {sides}, reach is {reach:.2f} m at that height"
 
-    def _nearest(self, row: int, target: BaseGeometry) -> float:
-        """Return metres from an edge or a footprint to the nearest place to stand beyond it."""
-        zone = self._zone(row, target, FAR)
-        places = [place for region in self.standing if not (place := region.intersection(zone)).is_empty]
-        return min((place.distance(target) for place in places), default=math.inf)
+    def _nearest(self, row: int, number: int) -> float:
+        """Return metres from an approach to the nearest place to stand beyond it (or to a body that only touches)."""
+        zone, target = self.ways.zone(number, FAR), self.ways.target(number)
+        away = math.inf
+        for heading, region in (*self.stances.everywhere, *self.stances.opened(row)[1]):
+            place = region.intersection(zone)
+            if not place.is_empty:
+                there = self.ways.swept(self.stances.body(heading))[number] if self._touches else target
+                away = min(away, place.distance(there))
+        return away
 
 
 def _height_reason(agent: Agent, bottom: float, top: float) -> str:
@@ -219,25 +225,3 @@ def _height_reason(agent: Agent, bottom: float, top: float) -> str:
         f"it is {away:.2f} m {'above' if bottom > shoulder else 'below'} the shoulder at {shoulder:.2f} m, reach is "
         f"{agent.reach:.2f} m: {away - agent.reach:.2f} m too {'high' if bottom > shoulder else 'low'}"
     )
-
-
-def side_edge(footprint: Polygon, side: str) -> LineString:
-    """Return a side's edge, counter-clockwise, so that outside is on its right."""
-    ring = shapely.get_coordinates(footprint)
-    at = SIDES.index(side)
-    return LineString((ring[at], ring[at + 1]))
-
-
-def _within(target: BaseGeometry, reach: float) -> BaseGeometry:
-    """Return everything within `reach` of a footprint, or of an edge on its right-hand (outer) side."""
-    near = target.buffer(reach, quad_segs=QUAD_SEGS)
-    return near.intersection(strip(target, reach, margin=reach)) if isinstance(target, LineString) else near
-
-
-def strip(edge: LineString, depth: float, margin: float = 0.0) -> Polygon:
-    """Return the rectangle `depth` metres deep on the right of an edge, `margin` metres longer at both ends."""
-    (ax, ay), (bx, by) = edge.coords
-    length = math.hypot(bx - ax, by - ay)
-    dx, dy = (bx - ax) / length, (by - ay) / length
-    ax, ay, bx, by = ax - dx * margin, ay - dy * margin, bx + dx * margin, by + dy * margin
-    return Polygon(((ax, ay), (ax + dy * depth, ay - dx * depth), (bx + dy * depth, by - dx * depth), (bx, by)))

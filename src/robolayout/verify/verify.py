@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from robolayout.scene import Agent, Layout, Scene, load_agents
-from robolayout.verify.heading import heading_space
 from robolayout.verify.navigation import navigation
 from robolayout.verify.physics import physics
 from robolayout.verify.report import AgentReport, Demands, Report, StatementResult
@@ -51,10 +50,7 @@ def verify(
 def judge_agent(scene: Scene, layout: Layout, agent: Agent) -> AgentReport:
     """Judge what one agent can get to and use."""
     nav = navigation(scene, layout, agent)
-    rectangular = agent.length is not None and agent.width is not None
-    space = heading_space(scene, layout, agent) if rectangular else None
-    standing = space.standing if space else (nav.main,)
-    return AgentReport(agent, nav, usage(scene, layout, agent, standing=standing), space)
+    return AgentReport(agent, nav, usage(scene, layout, agent, nav=nav))
 
 
 def _agents(scene: Scene, agent: AgentSpec | Iterable[AgentSpec] | None) -> tuple[Agent, ...]:

@@ -20,9 +20,9 @@ from robolayout._grid import components
 from robolayout.assets import category_of
 from robolayout.scene import Layout, Opening, Room, Scene
 from robolayout.verify._boxes import Boxes, boxes, room_polygon, share
+from robolayout.verify._sides import side_edge, strip
 from robolayout.verify.metrics._raster import raster
 from robolayout.verify.metrics.support import supported
-from robolayout.verify.use import side_edge, strip
 
 ROBOT_WIDTH = 0.2
 """Metres."""
