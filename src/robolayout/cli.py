@@ -19,9 +19,11 @@ from robolayout.cli_generate import (
     AgentOption,
     AssetDirOption,
     JsonOption,
+    KnowledgeOption,
     QuietOption,
     SeedOption,
     generate,
+    own_planner,
     progress,
     read_scene,
 )
@@ -100,13 +102,14 @@ app.command()(render)
 
 
 @app.command()
-def compare(
+def compare(  # noqa: PLR0913 - one parameter per option
     scene: SceneArgument,
     bodies: Annotated[str, typer.Option("--agents", help="Two to six bodies: names or files, separated by commas.")],
     out: Annotated[Path, typer.Option("--out", help="Picture file, PNG or SVG.")] = Path("compare.png"),
     seed: SeedOption = 0,
     width: Annotated[int, typer.Option("--width", min=256, max=8192, help="Pixels of the PNG's width.")] = 1800,
     asset_dir: AssetDirOption = None,
+    knowledge: KnowledgeOption = None,
     quiet: QuietOption = False,
 ) -> None:
     """Lay out one room for several bodies, side by side in one picture."""
@@ -119,7 +122,8 @@ def compare(
     given = read_scene(scene, bodies, asset_dir)
     check_writable(out.parent)
     with progress(quiet) as say:
-        results = pipeline.compare(given, given.agents, seed=seed, progress=say)
+        planner = own_planner(knowledge)
+        results = pipeline.compare(given, given.agents, planner=planner, seed=seed, progress=say)
     write_atomic(out, comparison(results, out.suffix, width=width))
     if not quiet:
         rows = zip(*(result.report.rows() for result in results), strict=True)

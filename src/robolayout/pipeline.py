@@ -123,10 +123,12 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     say = progress or silent
     with clock.station("scene"):
         scene = as_scene(scene, agent)
+        planner = planner or OfflinePlanner()
+        if isinstance(planner, OfflinePlanner):
+            scene = planner.recognised(scene)
     if solver == "default":
         warm_up(scene, config)
     run = _Run(scene, seed, solver, config, clock, say)
-    planner = planner or OfflinePlanner()
     with clock.station("plan"):
         say("plan")
         groups = planner.group(scene)

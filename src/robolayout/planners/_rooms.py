@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources import files
 
@@ -55,9 +55,14 @@ class Rooms:
     companions: Mapping[str, Mapping[str, int]]
 
 
+def read_rooms(own: Iterable[RoomType] = ()) -> Rooms:
+    """Read the built-in room types, and let a user's own replace those of the same name."""
+    built_in = _built_in()
+    return replace(built_in, rooms={**built_in.rooms, **{room.name: room for room in own}})
+
+
 @cache
-def read_rooms() -> Rooms:
-    """Read the room types."""
+def _built_in() -> Rooms:
     text = (files("robolayout.planners") / "knowledge" / "_rooms.toml").read_text("utf-8")
     data = tomllib.loads(text)
     rooms = {

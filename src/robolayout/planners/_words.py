@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from robolayout._errors import SceneError
-from robolayout.assets import CATALOGUE, find_category
-from robolayout.planners._rooms import read_rooms
+from robolayout.assets import CATALOGUE, Category, find_category
+from robolayout.planners._rooms import Rooms, RoomType
 
 LONGEST = 2000
 """Characters of a sentence that are read."""
@@ -165,8 +166,13 @@ class Wishes:
     ignored: tuple[str, ...]
 
 
-def read_wishes(text: str) -> Wishes:
+def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wishes:
     """Return what a sentence says.
+
+    Args:
+        text: The sentence.
+        rooms: The room types, bodies and corners that are known.
+        own: Categories of the user's own.
 
     Raises:
         SceneError: It is empty, names no room type, or its figures make no sense.
@@ -180,12 +186,23 @@ def read_wishes(text: str) -> Wishes:
     shape = "L-shaped" if re.search(r"\bl[- ]?shaped?\b", rest) else "rectangular"
     square = bool(re.search(r"\bsquare\b", rest))
     rest = re.sub(r"\bl[- ]?shaped?\b", " ", rest)
-    room, rest = _read_room(rest)
+    room, rest = _read_room(rest, rooms.rooms)
     people, rest = _read_people(rest)
-    agent, rest = _read_agent(rest, people)
-    things, unwanted, ignored = _read_things(rest)
+    agent, rest = _read_agent(rest, people, rooms.agents)
+    rest, corners = _read_corners(rest, rooms.corners)
+    things, unwanted, ignored = _read_things(rest, own)
     return Wishes(
-        room, size, area, height, shape, square, agent, people[0], tuple(things), frozenset(unwanted), tuple(ignored)
+        room,
+        size,
+        area,
+        height,
+        shape,
+        square,
+        agent,
+        people[0],
+        (*corners, *things),
+        frozenset(unwanted),
+        tuple(ignored),
     )
 
 
@@ -232,8 +249,7 @@ def _read_height(text: str) -> tuple[float | None, str]:
     return height, text[: match.start()] + " , " + text[match.end() :]
 
 
-def _read_room(text: str) -> tuple[str, str]:
-    rooms = read_rooms().rooms
+def _read_room(text: str, rooms: Mapping[str, RoomType]) -> tuple[str, str]:
     words = sorted(((word, name) for name, room in rooms.items() for word in room.words), key=lambda w: -len(w[0]))
     found = [(match.start(), -len(word), word, name) for word, name in words if (match := _find(word, text))]
     if not found:
@@ -266,20 +282,18 @@ def _read_people(text: str) -> tuple[tuple[int, str], str]:
     return (min(count, MOST_OF_A_KIND), match.group(2)), text[: match.start()] + " , " + text[match.end() :]
 
 
-def _read_agent(text: str, people: tuple[int, str]) -> tuple[str | None, str]:
-    agents = read_rooms().agents
+def _read_agent(text: str, people: tuple[int, str], agents: Mapping[str, str]) -> tuple[str | None, str]:
     for word in sorted(agents, key=lambda w: -len(w)):
         if _find(word, text):
             return agents[word], _cut(text, word)
     return ("child_6" if people[1] in ("children", "kids") else None), text
 
 
-def _read_things(text: str) -> tuple[list[Wish], set[str], list[str]]:
+def _read_things(text: str, own: tuple[Category, ...]) -> tuple[list[Wish], set[str], list[str]]:
     """Return wishes, unwanted categories and ignored words of what is left of a sentence."""
     things: list[Wish] = []
     unwanted: set[str] = set()
     ignored: list[str] = []
-    text, things = _read_corners(text)
     for part in re.split(r"[,;.!?]|\band\b|\bwith\b(?!out)|\bplus\b|\bnext to\b|\bnear\b|\bfor\b", text):
         refused = re.search(r"\b(no|without)\b", part) is not None
         words = re.findall(r"[0-9]+|[^\W\d_]+(?:['-][^\W\d_]+)*", part)
@@ -287,8 +301,8 @@ def _read_things(text: str) -> tuple[list[Wish], set[str], list[str]]:
         phrase = " ".join(w for w in words if _count(w) is None and w not in ("of", "without", "no"))
         if not phrase or all(word in FILLERS for word in phrase.split()):
             continue
-        name = find_category(phrase).name
-        if name not in CATALOGUE or name.startswith("unknown"):
+        name = find_category(phrase, own=own).name
+        if name.startswith("unknown"):
             ignored.append(phrase)
         elif refused:
             unwanted.add(name)
@@ -297,9 +311,9 @@ def _read_things(text: str) -> tuple[list[Wish], set[str], list[str]]:
     return things, unwanted, ignored
 
 
-def _read_corners(text: str) -> tuple[str, list[Wish]]:
+def _read_corners(text: str, corners: Mapping[str, Mapping[str, int]]) -> tuple[str, list[Wish]]:
     found: list[Wish] = []
-    for word, contents in read_rooms().corners.items():
+    for word, contents in corners.items():
         if _find(word, text):
             found += [Wish(name, count) for name, count in contents.items()]
             text = _cut(text, word)
