@@ -163,7 +163,7 @@ class _Run:
             found = self._solved(text)
             if best is None or found.solution.verdict.merit < best.solution.verdict.merit:
                 best = found
-            if best.solution.verdict.ok:
+            if best.solution.verdict.ok or verify(self.scene, best.solution.layout, best.asked).ok:
                 break
         assert best is not None
         return best
