@@ -91,7 +91,8 @@ def generate(  # noqa: PLR0913 - one parameter per option
     formats = _checked(export, constraints, settle=settle)
     offline = own_planner(knowledge, program, model or base_url or replay)
     every_ok = True
-    for given, folder in _scenes(scene, agent, asset_dir, (seed, variants), out, knowledge or ()):
+    for given, folder, understood in _scenes(scene, agent, asset_dir, (seed, variants), out, knowledge or ()):
+        sys.stderr.write("" if quiet else "".join(f"robolayout: {line}\n" for line in understood))
         check_writable(folder)
         _check_meshes(given)
         planner: Planner | None = offline
@@ -217,27 +218,26 @@ def _scenes(
     seed_variants: tuple[int, int],
     out: Path | None,
     knowledge: Sequence[Path],
-) -> Iterator[tuple[Scene, Path]]:
-    """Yield the scene of a file, or the variants of a sentence, each with its output folder."""
+) -> Iterator[tuple[Scene, Path, tuple[str, ...]]]:
+    """Yield the scene of a file, or the variants of a sentence, each with its output folder and what was understood."""
     from robolayout.scene import load_agents
 
     seed, variants = seed_variants
     if Path(text).suffix == ".json" or Path(text).exists() or " " not in text.strip():
         scene = read_scene(text, agent, asset_dir)
-        yield scene, out or Path("out") / scene.name
+        yield scene, out or Path("out") / scene.name, ()
         return
     from robolayout._files import write_atomic
     from robolayout.planners import scene_from_sentence
 
     for variant in range(variants):
         scene, understood = scene_from_sentence(text, seed=seed, variant=variant, knowledge=knowledge)
-        sys.stderr.write("".join(f"robolayout: {line}\n" for line in understood.sentences()))
         if agent is not None:
             scene = scene.with_agents(*load_agents(agent))
         folder = out or Path("out") / scene.name
         folder = folder if variants == 1 else folder / f"variant-{variant}"
         write_atomic(folder / "understood.json", json.dumps(understood.to_dict(), indent=2, ensure_ascii=False) + "\n")
-        yield scene, folder
+        yield scene, folder, understood.sentences()
 
 
 def read_scene(path: str, agent: str | None, asset_dir: Path | None) -> Scene:

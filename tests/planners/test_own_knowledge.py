@@ -84,7 +84,7 @@ def test_a_sentence_knows_own_rooms_and_things(music: Path) -> None:
 
 def test_the_command_line_takes_files_of_ones_own(music: Path, tmp_path: Path, command: Callable[..., Ran]) -> None:
     out = tmp_path / "out"
-    words = ("generate", "a music room with a harp", "--no-pictures", "--quiet", "--out", out)
+    words = ("generate", "a music room with a harp", "--no-pictures", "--out", out)
     ran = command(*words, "--knowledge", music)
     assert ran.code in (0, 1), ran.err
     assert "1 concert harp" in ran.err

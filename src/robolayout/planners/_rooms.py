@@ -21,6 +21,7 @@ class RoomType:
         extras: What may be added.
         person: What each person brings along.
         people: How many people there are if nobody says.
+        couple: Whether two adults need nothing besides what always belongs in.
         tables: The table that the chairs of this room stand at, if they need one.
         agent: The body that such a room is usually for.
         height: Usual wall height in metres.
@@ -33,6 +34,7 @@ class RoomType:
     extras: Mapping[str, int]
     person: Mapping[str, int] = field(default_factory=dict[str, int])
     people: int = 0
+    couple: bool = False
     tables: str = ""
     agent: str | None = None
     height: float = 2.6

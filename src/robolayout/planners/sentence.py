@@ -151,7 +151,7 @@ def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
     wished: dict[str, int] = {}
     for wish in wishes.things:
         wished[wish.category] = wished.get(wish.category, 0) + wish.count
-    people = wishes.people or room.people
+    people = _people(wishes, room, wished)
     heads = {_head(name) for name in wished}
     for name, count in room.person.items():
         if people and _head(name) not in heads and name not in wishes.unwanted:
@@ -162,9 +162,29 @@ def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
     return wished
 
 
+def _people(wishes: Wishes, room: RoomType, wished: dict[str, int]) -> int:
+    """Return for how many the room is: as said, else as many as have a seat, a desk or a bed; seats are wished for."""
+    if wishes.seats:
+        tables = sum(count for name, count in wished.items() if _head(name) == "table")
+        chair = next((name for name in room.person if _head(name) == "chair"), "chair")
+        if not any(_head(name) == "chair" for name in wished):
+            wished[chair] = tables * wishes.seats
+    if wishes.people:
+        return 0 if room.couple and wishes.people == 2 and not wishes.children else wishes.people
+    taken = {_head(name) for name in room.person}
+    return max((count for name, count in wished.items() if _head(name) in taken), default=room.people)
+
+
+KIN = {"crib": "bed", "cradle": "bed", "loveseat": "sofa", "settee": "sofa", "recliner": "armchair"}
+"""Things that stand for another that they are not named after."""
+VAGUE = ("stand", "rack", "machine", "board")
+"""Last words that do not say what a thing is for."""
+
+
 def _head(name: str) -> str:
     """Return the word that says what a thing is: "bed" for a bunk bed."""
-    return name.split()[-1]
+    last = name.split()[-1]
+    return KIN.get(name, name if last in VAGUE else last)
 
 
 def _room_size(wishes: Wishes, room: RoomType, wished: Mapping[str, int], known: _Known) -> tuple[float, float]:
@@ -212,12 +232,12 @@ def _added(
 ) -> dict[str, int]:
     """Return what belongs in such a room and was not named, then extras in random order while there is room."""
     floor = size[0] * size[1] * (0.75 if wishes.shape == "L-shaped" else 1.0)
-    heads = {_head(wish.category) for wish in wishes.things}
+    heads = {_head(wish.category) for wish in wishes.things} | {_head(name) for name in wished if _head(name) == "bed"}
     added: dict[str, int] = {}
     for name, count in wished.items():
         for other, each in known.rooms.companions.get(name, {}).items():
             if _head(other) not in {_head(n) for n in wished} and other not in wishes.unwanted:
-                added[other] = count * each
+                added[other] = added.get(other, 0) + count * each
     order = [*room.base.items(), *(list(room.extras.items())[i] for i in rng.permutation(len(room.extras)))]
     for name, count in order:
         if (
@@ -227,10 +247,16 @@ def _added(
             or name in added
         ):
             continue
-        trial = {**wished, **added, name: count}
+        present = {_head(other) for other in (*wished, *added)}
+        needs = {
+            other: count * each
+            for other, each in known.rooms.companions.get(name, {}).items()
+            if _head(other) not in present and other not in room.base
+        }
+        group = {name: count, **needs}
         limit = BASIC if name in room.base else COMFORT
-        if known.floor_area({name: count}) == 0 or known.floor_area(trial) <= limit * floor:
-            added[name] = count
+        if known.floor_area(group) == 0 or known.floor_area({**wished, **added, **group}) <= limit * floor:
+            added |= group
     return added
 
 
@@ -319,7 +345,7 @@ def _asset(kind: Category, size: list[float]) -> dict[str, object]:
         "description": "",
         "onFloor": kind.on_floor,
         "onWall": kind.on_wall,
-        "onCeiling": kind.on_ceiling,
+        "onCeiling": kind.on_ceiling and not kind.on_wall,
         "onObject": kind.on_object,
         "assetMetadata": {"boundingBox": dict(zip("xyz", size, strict=True))},
         **({"like": kind.like} if kind.like else {}),
