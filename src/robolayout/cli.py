@@ -14,6 +14,7 @@ import typer
 
 from robolayout._errors import InputError, RoboLayoutError
 from robolayout._version import __version__
+from robolayout.cli_assets import assets
 from robolayout.cli_bodies import agents
 from robolayout.cli_generate import (
     AgentOption,
@@ -177,29 +178,6 @@ def constraints() -> None:
     table("Relations", ["example", "meaning"], rows)
 
 
-@app.command()
-def assets(
-    word: Annotated[
-        str | None, typer.Argument(help="Show what this word is understood as; `import` reads a folder.")
-    ] = None,
-    folder: Annotated[Path | None, typer.Argument(help="Folder of meshes, after `import`.")] = None,
-    out: Annotated[Path, typer.Option("--out", help="Catalogue file that an import writes.")] = Path("catalogue.json"),
-    front: Annotated[
-        str | None, typer.Option("--front", help="Side that faces forward in the meshes, such as +x.")
-    ] = None,
-) -> None:
-    """List the catalogue of furniture with typical sizes, look a word up, or import a folder of meshes."""
-    from robolayout._files import write_atomic
-    from robolayout.assets import CATALOGUE, find_category, import_folder
-
-    if word == "import" and folder is not None:
-        catalogue = import_folder(folder, front=front)
-        typer.echo(str(write_atomic(out, json.dumps(catalogue, indent=2, ensure_ascii=False) + "\n")))
-        return
-    found = CATALOGUE.values() if word is None else [find_category(word)]
-    rows = [[c.name, c.group, " x ".join(f"{v:g}" for v in c.size), ", ".join(c.places), c.source] for c in found]
-    table("Catalogue (depth x width x height in metres)", ["category", "group", "size", "place", "source"], rows)
-
-
+app.command()(assets)
 app.command()(settle)
 app.command()(drive)
