@@ -71,5 +71,16 @@ def _draw(found: Sequence[Category], target: Path) -> None:
 
     if target.suffix != ".png":
         raise InputError(f"pictures cannot be written to {target}: name a file that ends in .png.")
-    shown = [Asset(f"{variable_name(kind.name)}-0", kind.name, kind.size) for kind in found]
+    shown = [
+        Asset(
+            f"{variable_name(kind.name)}-0",
+            kind.name,
+            kind.size,
+            on_floor=kind.on_floor,
+            on_wall=kind.on_wall,
+            on_ceiling=kind.on_ceiling,
+            on_object=kind.on_object,
+        )
+        for kind in found
+    ]
     write_atomic(target, png(asset_sheet(shown)))
