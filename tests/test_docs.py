@@ -52,10 +52,10 @@ def desk(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def save_named(page: str, desk: Path) -> None:
-    """Save the TOML file that a page shows and names."""
-    for kind, code in FENCE.findall(PAGES[page]):
-        if kind == "toml" and (named := re.search(r'"(\w+\.toml)"', PAGES[page])):
-            (desk / named[1]).write_text(code, encoding="utf-8")
+    """Save the TOML file that a page names: the first that it shows."""
+    shown = [code for kind, code in FENCE.findall(PAGES[page]) if kind == "toml"]
+    if shown and (named := re.search(r'"(\w+\.toml)"', PAGES[page])):
+        (desk / named[1]).write_text(shown[0], encoding="utf-8")
 
 
 @pytest.mark.parametrize("page", [page for page in PAGES if page not in ELSEWHERE and "```python\n" in PAGES[page]])
