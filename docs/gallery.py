@@ -35,6 +35,7 @@ def main(names: list[str]) -> None:
         around = (done[number - 1].stem, done[(number + 1) % len(done)].stem)
         write_atomic(FOLDER / file.stem / "README.md", room_page(file, around))
     write_atomic(FOLDER / "README.md", index(done))
+    write_atomic(FOLDER / "index.html", leaves(done))
 
 
 def furnish(file: Path) -> str:
@@ -72,6 +73,18 @@ def index(done: list[Path]) -> str:
     rows = [" | ".join(cells[i : i + 3] + [""] * (3 - len(cells[i : i + 3]))) for i in range(0, len(cells), 3)]
     lines = "".join(f"| {row} |\n" for row in rows)
     return f"# Gallery\n\nWritten by `make gallery`; every room is one seed, unretouched.\n\n| | | |\n|---|---|---|\n{lines}"
+
+
+def leaves(done: list[Path]) -> str:
+    """Return the page to leaf through in a browser: one room at a time, by buttons, arrow keys or small pictures."""
+    rooms: list[dict[str, object]] = []
+    for file in done:
+        report = json.loads((FOLDER / file.stem / "report.json").read_text(encoding="utf-8"))
+        asked = rl.load_scene(file).task_description
+        kept = {key: report[key] for key in ("rows", "violations", "assets")}
+        rooms.append({"name": file.stem, "title": title(file), "asked": asked, "who": report["title"], **kept})
+    page = (ROOT / "docs" / "gallery.html").read_text(encoding="utf-8")
+    return page.replace("/*ROOMS*/ []", json.dumps(rooms).replace("<", "\\u003c"))
 
 
 def title(file: Path) -> str:

@@ -47,6 +47,7 @@ LAYERS: dict[str, float] = {
     "": 8,  # the package's own page, which shows them all
     "cli_tables": 8.2,
     "cli_generate": 8.5,
+    "cli_assets": 8.7,
     "cli_bodies": 8.7,
     "cli_physics": 8.7,
     "cli_pictures": 8.7,

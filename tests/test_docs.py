@@ -51,18 +51,24 @@ def desk(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+def save_named(page: str, desk: Path) -> None:
+    """Save the TOML file that a page names: the first that it shows."""
+    shown = [code for kind, code in FENCE.findall(PAGES[page]) if kind == "toml"]
+    if shown and (named := re.search(r'"(\w+\.toml)"', PAGES[page])):
+        (desk / named[1]).write_text(shown[0], encoding="utf-8")
+
+
 @pytest.mark.parametrize("page", [page for page in PAGES if page not in ELSEWHERE and "```python\n" in PAGES[page]])
 def test_python_blocks_run(
     page: str, desk: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.chdir(desk)
+    save_named(page, desk)
     names: dict[str, object] = {}
     for number, (kind, code) in enumerate(FENCE.findall(PAGES[page])):
         if kind == "python":
             code = compile(code, f"{page}:{number}", "exec", dont_inherit=True)
             exec(code, names)  # noqa: S102 - our own documentation
-        elif kind == "toml" and (named := re.search(r'"(\w+\.toml)"', PAGES[page])):
-            (desk / named[1]).write_text(code, encoding="utf-8")
     shown = capsys.readouterr().out
     if page == "README.md":
         printed = next(text for kind, text in FENCE.findall(PAGES[page]) if kind == "text").splitlines()
@@ -79,6 +85,7 @@ def test_shell_blocks_run(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.chdir(desk)
+    save_named(page, desk)
     bedroom = desk / "out" / "bedroom" / "layout.json"
     if str(bedroom.relative_to(desk)) in code and not bedroom.exists():
         command("generate", "examples/bedroom.json", "--agent", "wheelchair", "--out", "out/bedroom", "--no-pictures")

@@ -14,14 +14,17 @@ import typer
 
 from robolayout._errors import InputError, RoboLayoutError
 from robolayout._version import __version__
+from robolayout.cli_assets import assets
 from robolayout.cli_bodies import agents
 from robolayout.cli_generate import (
     AgentOption,
     AssetDirOption,
     JsonOption,
+    KnowledgeOption,
     QuietOption,
     SeedOption,
     generate,
+    own_planner,
     progress,
     read_scene,
 )
@@ -100,13 +103,14 @@ app.command()(render)
 
 
 @app.command()
-def compare(
+def compare(  # noqa: PLR0913 - one parameter per option
     scene: SceneArgument,
     bodies: Annotated[str, typer.Option("--agents", help="Two to six bodies: names or files, separated by commas.")],
     out: Annotated[Path, typer.Option("--out", help="Picture file, PNG or SVG.")] = Path("compare.png"),
     seed: SeedOption = 0,
     width: Annotated[int, typer.Option("--width", min=256, max=8192, help="Pixels of the PNG's width.")] = 1800,
     asset_dir: AssetDirOption = None,
+    knowledge: KnowledgeOption = None,
     quiet: QuietOption = False,
 ) -> None:
     """Lay out one room for several bodies, side by side in one picture."""
@@ -119,7 +123,8 @@ def compare(
     given = read_scene(scene, bodies, asset_dir)
     check_writable(out.parent)
     with progress(quiet) as say:
-        results = pipeline.compare(given, given.agents, seed=seed, progress=say)
+        planner = own_planner(knowledge)
+        results = pipeline.compare(given, given.agents, planner=planner, seed=seed, progress=say)
     write_atomic(out, comparison(results, out.suffix, width=width))
     if not quiet:
         rows = zip(*(result.report.rows() for result in results), strict=True)
@@ -173,29 +178,6 @@ def constraints() -> None:
     table("Relations", ["example", "meaning"], rows)
 
 
-@app.command()
-def assets(
-    word: Annotated[
-        str | None, typer.Argument(help="Show what this word is understood as; `import` reads a folder.")
-    ] = None,
-    folder: Annotated[Path | None, typer.Argument(help="Folder of meshes, after `import`.")] = None,
-    out: Annotated[Path, typer.Option("--out", help="Catalogue file that an import writes.")] = Path("catalogue.json"),
-    front: Annotated[
-        str | None, typer.Option("--front", help="Side that faces forward in the meshes, such as +x.")
-    ] = None,
-) -> None:
-    """List the catalogue of furniture with typical sizes, look a word up, or import a folder of meshes."""
-    from robolayout._files import write_atomic
-    from robolayout.assets import CATALOGUE, find_category, import_folder
-
-    if word == "import" and folder is not None:
-        catalogue = import_folder(folder, front=front)
-        typer.echo(str(write_atomic(out, json.dumps(catalogue, indent=2, ensure_ascii=False) + "\n")))
-        return
-    found = CATALOGUE.values() if word is None else [find_category(word)]
-    rows = [[c.name, c.group, " x ".join(f"{v:g}" for v in c.size), ", ".join(c.places), c.source] for c in found]
-    table("Catalogue (depth x width x height in metres)", ["category", "group", "size", "place", "source"], rows)
-
-
+app.command()(assets)
 app.command()(settle)
 app.command()(drive)

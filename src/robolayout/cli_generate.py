@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -47,6 +47,10 @@ CriticOption = Annotated[bool, typer.Option("--critic", help="Let the model rate
 ConstraintsOption = Annotated[
     Path | None, typer.Option("--constraints", help="A Python file with constraints of your own; it is run.")
 ]
+KnowledgeOption = Annotated[
+    list[Path] | None,
+    typer.Option("--knowledge", help="A file with kinds of things, roles and rooms of your own; may be repeated."),
+]
 ReplayOption = Annotated[Path | None, typer.Option("--replay", help="Answer from recorded exchanges, offline.")]
 
 
@@ -64,6 +68,7 @@ def generate(  # noqa: PLR0913 - one parameter per option
     settle: Annotated[bool, typer.Option("--settle", help="Let gravity act in MuJoCo (extra `sim`).")] = False,
     asset_dir: AssetDirOption = None,
     constraints: ConstraintsOption = None,
+    knowledge: KnowledgeOption = None,
     variants: VariantsOption = 1,
     model: ModelOption = None,
     mode: ModeOption = "grouped",
@@ -84,11 +89,13 @@ def generate(  # noqa: PLR0913 - one parameter per option
     from robolayout.solve import SolverConfig
 
     formats = _checked(export, constraints, settle=settle)
+    offline = own_planner(knowledge, program, model or base_url or replay)
     every_ok = True
-    for given, folder in _scenes(scene, agent, asset_dir, (seed, variants), out):
+    for given, folder, understood in _scenes(scene, agent, asset_dir, (seed, variants), out, knowledge or ()):
+        sys.stderr.write("" if quiet else "".join(f"robolayout: {line}\n" for line in understood))
         check_writable(folder)
         _check_meshes(given)
-        planner: Planner | None = None
+        planner: Planner | None = offline
         if _not_offline(program, model or base_url or replay):
             limits = (base_url, max_cost, timeout, replay)
             planner = _model_or_file(
@@ -164,6 +171,17 @@ def _not_offline(program: Path | None, model: object) -> bool:
     return program is not None or model is not None
 
 
+def own_planner(knowledge: list[Path] | None, *others: object) -> Planner | None:
+    """Return the offline planner with the user's own knowledge, if any is given; another planner has no use for it."""
+    from robolayout.planners import OfflinePlanner
+
+    if not knowledge:
+        return None
+    if any(other is not None for other in others):
+        raise InputError("--knowledge is for the offline planner: leave it out, or leave --program and --model out.")
+    return OfflinePlanner(knowledge)
+
+
 def _model_or_file(
     program: Path | None,
     how: tuple[str | None, str, int, int, bool],
@@ -194,28 +212,32 @@ def _model_or_file(
 
 
 def _scenes(
-    text: str, agent: str | None, asset_dir: Path | None, seed_variants: tuple[int, int], out: Path | None
-) -> Iterator[tuple[Scene, Path]]:
-    """Yield the scene of a file, or the variants of a sentence, each with its output folder."""
+    text: str,
+    agent: str | None,
+    asset_dir: Path | None,
+    seed_variants: tuple[int, int],
+    out: Path | None,
+    knowledge: Sequence[Path],
+) -> Iterator[tuple[Scene, Path, tuple[str, ...]]]:
+    """Yield the scene of a file, or the variants of a sentence, each with its output folder and what was understood."""
     from robolayout.scene import load_agents
 
     seed, variants = seed_variants
     if Path(text).suffix == ".json" or Path(text).exists() or " " not in text.strip():
         scene = read_scene(text, agent, asset_dir)
-        yield scene, out or Path("out") / scene.name
+        yield scene, out or Path("out") / scene.name, ()
         return
     from robolayout._files import write_atomic
     from robolayout.planners import scene_from_sentence
 
     for variant in range(variants):
-        scene, understood = scene_from_sentence(text, seed=seed, variant=variant)
-        sys.stderr.write("".join(f"robolayout: {line}\n" for line in understood.sentences()))
+        scene, understood = scene_from_sentence(text, seed=seed, variant=variant, knowledge=knowledge)
         if agent is not None:
             scene = scene.with_agents(*load_agents(agent))
         folder = out or Path("out") / scene.name
         folder = folder if variants == 1 else folder / f"variant-{variant}"
         write_atomic(folder / "understood.json", json.dumps(understood.to_dict(), indent=2, ensure_ascii=False) + "\n")
-        yield scene, folder
+        yield scene, folder, understood.sentences()
 
 
 def read_scene(path: str, agent: str | None, asset_dir: Path | None) -> Scene:

@@ -126,10 +126,12 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     say = progress or silent
     with clock.station("scene"):
         scene = as_scene(scene, agent)
+        planner = planner or OfflinePlanner()
+        if isinstance(planner, OfflinePlanner):
+            scene = planner.recognised(scene)
     if solver == "default":
         warm_up(scene, config)
     run = _Run(scene, seed, solver, config, clock, say)
-    planner = planner or OfflinePlanner()
     with clock.station("plan"):
         say("plan")
         groups = planner.group(scene)
@@ -164,7 +166,7 @@ class _Run:
             found = self._solved(text)
             if best is None or found.solution.verdict.merit < best.solution.verdict.merit:
                 best = found
-            if best.solution.verdict.ok:
+            if best.solution.verdict.ok or verify(self.scene, best.solution.layout, best.asked).ok:
                 break
         assert best is not None
         return best

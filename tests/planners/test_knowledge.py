@@ -5,7 +5,6 @@ from pathlib import Path
 
 import pytest
 
-from robolayout._errors import SceneError, UnknownNameError
 from robolayout.assets import CATALOGUE
 from robolayout.constraints import RELATIONS
 from robolayout.planners import OfflinePlanner, PlanRequest
@@ -81,27 +80,6 @@ def test_a_users_file_replaces_a_role(tmp_path: Path) -> None:
     )
     assert planner.group(scene)[0].label == "shrine"
     assert "solver.corner(zorb[0])" in planner.plan(PlanRequest(scene))
-
-
-@pytest.mark.parametrize(
-    ("text", "error", "words"),
-    [
-        ("label = ", SceneError, "not TOML"),
-        ('label = "x"\n[[role]]\nname = "a"\nstands = ["sky"]', UnknownNameError, "way of standing 'sky'"),
-        (
-            'label = "x"\n[[role]]\nname = "a"\njoins = [{ slot = "inside", of = [] }]',
-            UnknownNameError,
-            "slot 'inside'",
-        ),
-        ('label = "x"\n[[role]]\nname = "a"\ncolour = "red"', UnknownNameError, "key in the role 'a' 'colour'"),
-        ('label = "x"\n[[role]]\nstands = ["wall"]', SceneError, "lacks a key"),
-    ],
-)
-def test_a_broken_file_is_refused_in_words(tmp_path: Path, text: str, error: type[Exception], words: str) -> None:
-    path = tmp_path / "own.toml"
-    path.write_text(text)
-    with pytest.raises(error, match=words.replace("'", ".")):
-        load_knowledge([path])
 
 
 @pytest.mark.parametrize(("top", "handy"), [(0.30, True), (0.74, True), (1.25, False)])

@@ -53,6 +53,35 @@ def test_counts_people_and_refusals() -> None:
     assert "Ignored: flux capacitor." in shop.sentences()
 
 
+@pytest.mark.parametrize(
+    ("text", "wished"),
+    [
+        ("a cafe with six small tables for two", {"round table": 6, "chair": 12}),
+        ("a restaurant with eight tables for four", {"dining table": 8, "chair": 32}),
+        ("a dining room with a table for six", {"dining table": 1, "chair": 6}),
+        ("a kitchen with a table for four people", {"dining table": 1, "chair": 4}),
+        ("a meeting room for ten", {"office chair": 10}),
+        ("a classroom with 16 desks", {"student desk": 16, "chair": 16}),
+        ("a hospital room with two beds", {"hospital bed": 2, "night stand": 2, "iv stand": 2, "chair": 2}),
+        ("a home office with two desks", {"desk": 2, "office chair": 2, "monitor": 2, "keyboard": 2}),
+        ("a guest bedroom with two single beds", {"single bed": 2}),
+        ("a bedroom for a couple", {}),
+        ("a bedroom for two children", {"single bed": 2}),
+        ("a living room with a small table", {"coffee table": 1}),
+    ],
+)
+def test_people_seats_and_general_words_mean_what_is_usual_there(text: str, wished: dict[str, int]) -> None:
+    assert dict(scene_from_sentence(text)[1].wished) == wished
+
+
+def test_what_is_added_belongs_together() -> None:
+    for variant in range(6):
+        _, studio = scene_from_sentence("an L-shaped studio flat, 6 x 7 m, with a bed and a sofa", variant=variant)
+        assert ("television" in studio.added) == ("tv stand" in studio.added)
+    _, nursery = scene_from_sentence("a nursery with a cot")
+    assert "single bed" not in nursery.added
+
+
 def test_an_l_shaped_room_has_six_walls() -> None:
     scene, found = scene_from_sentence("an L-shaped studio flat for a robot vacuum")
     assert len(scene.room.walls) == 6
@@ -77,6 +106,7 @@ def test_variants_differ_and_repeat() -> None:
         ("a warehouse of 500 x 300 m", "give 1 to 100 m"),
         ("a game room 2.2 x 2.2 m with a pool table", "does not fit|need"),
         ("a bedroom 1 m high", "outside 1.8 to 20 m"),
+        ("1000 beds in a bedroom", "1000 x bed is more than one room is for; ask for at most 200"),
     ],
 )
 def test_impossible_wishes_are_refused_in_words(text: str, words: str) -> None:

@@ -36,6 +36,7 @@ class Category:
         friction: Friction coefficient against the floor; low for wheels.
         group: Functional group ("sleeping").
         source: Where the size comes from.
+        like: Name of the built-in category that one of a user's own is drawn, opened and moved like.
     """
 
     name: str
@@ -52,6 +53,7 @@ class Category:
     friction: float = 0.5
     group: str = "unknown"
     source: str = ESTIMATE
+    like: str = ""
 
     @property
     def places(self) -> tuple[str, ...]:

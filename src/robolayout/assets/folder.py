@@ -12,10 +12,10 @@ from typing import Any
 
 import numpy as np
 
-from robolayout._errors import AssetError
+from robolayout._errors import AssetError, UnknownNameError
 from robolayout.assets.category import Category
 from robolayout.assets.lexicon import find_category
-from robolayout.assets.own import SUFFIXES, Size, extent, fits_y_up, orientation, read_pieces
+from robolayout.assets.own import AXES, SUFFIXES, Size, extent, fits_y_up, orientation, read_pieces
 from robolayout.scene import variable_name
 
 MAX_FILES = 5000
@@ -65,9 +65,13 @@ def import_folder(directory: Path, *, front: str | None = None, up: str | None =
 
     Raises:
         AssetError: The folder does not exist or holds no mesh file.
+        UnknownNameError: There is no such axis.
     """
     if not directory.is_dir():
         raise AssetError(f"asset folder {directory.name!r} does not exist or is no folder.")
+    for axis in (front, up):
+        if axis is not None and axis not in AXES:
+            raise UnknownNameError("axis", axis, AXES)
     assets: dict[str, Any] = {}
     skipped: list[dict[str, str]] = []
     for path in _mesh_files(directory):

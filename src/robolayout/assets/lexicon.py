@@ -11,7 +11,7 @@ import math
 import re
 import tomllib
 import unicodedata
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 
@@ -50,7 +50,14 @@ class Match:
     names: tuple[str, ...]
 
 
-def find_category(text: str, *, description: str = "", size: Size | None = None, place: str | None = None) -> Category:
+def find_category(
+    text: str,
+    *,
+    description: str = "",
+    size: Size | None = None,
+    place: str | None = None,
+    own: tuple[Category, ...] = (),
+) -> Category:
     """Return the category that fits the words best; never fails.
 
     Args:
@@ -58,12 +65,13 @@ def find_category(text: str, *, description: str = "", size: Size | None = None,
         description: Free words, looked at where `text` says nothing.
         size: Depth, width, height in metres, if known.
         place: "floor", "wall", "ceiling" or "object", if known.
+        own: Further categories; their words come before the built-in ones.
 
     >>> find_category("squashy old couch").name
     'sofa'
     """
     for words in (text, description):
-        category = _from_words(words, size, place)
+        category = _from_words(words, size, place, own)
         if category is not None:
             return category
     return _from_size(size, place)
@@ -72,21 +80,23 @@ def find_category(text: str, *, description: str = "", size: Size | None = None,
 @lru_cache(maxsize=8192)
 def category_of(asset: Asset) -> Category:
     """Return the category of an asset, from its category, description, placement flags and size."""
-    return find_category(asset.category, description=asset.description, size=asset.size, place=_place(asset))
+    words = asset.like or asset.category
+    return find_category(words, description=asset.description, size=asset.size, place=place_of(asset))
 
 
-def _place(asset: Asset) -> str | None:
+def place_of(asset: Asset) -> str | None:
     """Return the one place where the asset may be; None where the flags leave a choice of several."""
     flags = (asset.on_floor, asset.on_wall, asset.on_ceiling, asset.on_object)
     places = [place for place, flag in zip(PLACES, flags, strict=True) if flag]
     return places[0] if len(places) == 1 else None
 
 
-def _from_words(text: str, size: Size | None, place: str | None) -> Category | None:
+def _from_words(text: str, size: Size | None, place: str | None, own: tuple[Category, ...]) -> Category | None:
     """Return the category of the best phrase in `text`, or None."""
-    matches = _matches(_segments(text))
+    matches = _matches(_segments(text), _index_of(own))
     matches.sort(key=lambda m: (m.segment, -m.end, m.start))
-    found = [_choose(match.names, size, place) for match in matches]
+    catalogue = {**built_in_categories(), **{category.name: category for category in own}}
+    found = [_choose([catalogue[name] for name in match.names], size, place) for match in matches]
     fitting = [category for category in found if size is None or _mismatch(category, size) < ODD_SIZE]
     return next(iter(fitting or found), None)
 
@@ -103,7 +113,7 @@ def _segments(text: str) -> list[list[str]]:
     return [segment for segment in segments if segment]
 
 
-def _matches(segments: Sequence[Sequence[str]]) -> list[Match]:
+def _matches(segments: Sequence[Sequence[str]], own: Mapping[str, tuple[str, ...]]) -> list[Match]:
     """Return every known phrase of the segments, maximal ones only."""
     matches: list[Match] = []
     number = offset = 0
@@ -113,7 +123,7 @@ def _matches(segments: Sequence[Sequence[str]]) -> list[Match]:
             if token in BREAKS and start >= covered:
                 number += 1
             for end in range(min(len(tokens), start + LONGEST_PHRASE), start, -1):
-                names = _lookup(tokens[start:end])
+                names = _lookup(tokens[start:end], own)
                 if names and end > covered:
                     matches.append(Match(number, offset + start, offset + end, names))
                     covered = end
@@ -122,17 +132,16 @@ def _matches(segments: Sequence[Sequence[str]]) -> list[Match]:
     return matches
 
 
-def _lookup(tokens: Sequence[str]) -> tuple[str, ...]:
-    """Return the categories of a phrase, as it stands or in the singular."""
-    index = phrase_index()
+def _lookup(tokens: Sequence[str], own: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
+    """Return the categories of a phrase, as it stands or in the singular; the user's own words come first."""
     raw = " ".join(tokens)
-    return index.get(raw) or index.get(singular(raw)) or ()
+    single = singular(raw)
+    index = phrase_index()
+    return own.get(raw) or own.get(single) or index.get(raw) or index.get(single) or ()
 
 
-def _choose(names: Sequence[str], size: Size | None, place: str | None) -> Category:
+def _choose(candidates: list[Category], size: Size | None, place: str | None) -> Category:
     """Return the candidate that fits the place, then the size; the first where nothing decides."""
-    catalogue = built_in_categories()
-    candidates = [catalogue[name] for name in names]
     if place is not None:
         candidates = [c for c in candidates if place in c.places] or candidates
     if size is None:
@@ -199,10 +208,16 @@ def normalise(phrase: str) -> str:
     return " ".join(token for segment in _segments(phrase) for token in segment)
 
 
+@lru_cache(maxsize=16)
+def _index_of(own: tuple[Category, ...]) -> dict[str, tuple[str, ...]]:
+    """Build the phrase table of a user's own categories."""
+    known = [(word, (category.name,)) for category in own for word in (category.name, *category.synonyms)]
+    return _index(known)
+
+
 @cache
 def phrase_index() -> dict[str, tuple[str, ...]]:
     """Build the phrase table: ambiguous words, then names, synonyms and WordNet's words; earlier entries win."""
-    index: dict[str, tuple[str, ...]] = {}
     ambiguous = tomllib.loads((DATA / "ambiguous.toml").read_text(encoding="utf-8"))
     wordnet = tomllib.loads((DATA / "wordnet.toml").read_text(encoding="utf-8"))
     catalogue = built_in_categories()
@@ -210,6 +225,12 @@ def phrase_index() -> dict[str, tuple[str, ...]]:
     known += [(name, (name,)) for name in catalogue if not name.startswith("unknown ")]
     known += [(word, (category.name,)) for category in catalogue.values() for word in category.synonyms]
     known += [(word, (name,)) for name, entry in wordnet.items() for word in entry["words"]]
+    return _index(known)
+
+
+def _index(known: Sequence[tuple[str, tuple[str, ...]]]) -> dict[str, tuple[str, ...]]:
+    """Return categories by word, as it stands and in the singular; earlier entries win."""
+    index: dict[str, tuple[str, ...]] = {}
     for word, names in known:
         index.setdefault(normalise(word), names)
     for word, names in known:

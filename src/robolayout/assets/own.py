@@ -211,6 +211,8 @@ def _check_counts(name: str, suffix: str, data: bytes) -> None:
 def _glb_count(name: str, data: bytes) -> int:
     """Return how many elements a GLB's accessors promise; its node count is bounded too."""
     try:
+        if len(data) < 20:
+            raise AssetError(f"mesh {name} is broken and cannot be used: it ends within its first 20 bytes.")
         magic, version, _, size, kind = struct.unpack_from("<4sIIII", data)
         if magic != b"glTF" or version != 2 or kind != 0x4E4F534A:
             raise AssetError(f"mesh {name} is broken and cannot be used: it is no binary glTF 2.0 file.")

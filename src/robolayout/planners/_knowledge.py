@@ -7,20 +7,36 @@ meaning of every key is written in docs/planner.md.
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
-from robolayout._errors import SceneError, UnknownNameError
+from robolayout._errors import InputError, SceneError
+from robolayout.assets import Category, find_category
+from robolayout.assets.lexicon import place_of
+from robolayout.constraints import RELATIONS
+from robolayout.planners._own import own_rooms, own_things
+from robolayout.planners._rooms import RoomType
+from robolayout.planners._shapes import among, build, tables
+from robolayout.scene import Asset
 
 SLOTS = ("beside", "front", "flank", "opposite", "behind", "around", "on", "setting", "near")
 """Ways of standing at something else."""
 STANDS = ("wall", "corner", "middle", "facing", "grid", "hang", "ceiling", "rug")
 """Ways of standing by itself."""
+TOP_KEYS = ("label", "order", "why", "role", "thing", "rooms", "slots")
+"""What a file may hold at its top."""
+_VALUES = (
+    "a, a2, b, wall, bwall, side, gap, least, most, near, far, angle, height, seat, straight, vertex, depth, items, "
+    "ahead low, ahead high"
+)
+PLACEHOLDERS = frozenset(_VALUES.split(", "))
+"""What a statement may name in braces."""
 
 
 @dataclass(frozen=True)
@@ -118,90 +134,138 @@ class Knowledge:
         roles: Roles by name.
         reasons: Rationale by group label.
         orders: Place by group label.
+        things: Categories of the user's own.
+        rooms: Room types of the user's own.
     """
 
     roles: Mapping[str, Role]
     reasons: Mapping[str, str]
     orders: Mapping[str, int]
+    things: tuple[Category, ...] = ()
+    rooms: tuple[RoomType, ...] = ()
+
+    def recognised(self, asset: Asset) -> Category | None:
+        """Return which of the user's own categories an asset is, if any."""
+        if not self.things:
+            return None
+        found = find_category(
+            asset.category, description=asset.description, size=asset.size, place=place_of(asset), own=self.things
+        )
+        return found if found in self.things else None
+
+
+@dataclass(frozen=True)
+class _Group:
+    """The head of a file: the name of its group, its place among them, and why things stand as they do."""
+
+    label: str
+    order: int = 50
+    why: str = ""
 
 
 def load_knowledge(extra: Iterable[Path] = ()) -> Knowledge:
-    """Read the built-in files and then `extra` ones, whose roles replace built-in roles of the same name."""
-    texts = [(path.name, path.read_text("utf-8")) for path in extra]
-    return _parse((*_built_in(), *texts))
+    """Read the built-in files and then `extra` ones, whose roles replace built-in roles of the same name.
+
+    Raises:
+        SceneError: A file is missing, broken, or says what cannot be.
+    """
+    return _parse((*_built_in(), *((str(path), _read(path)) for path in extra)))
+
+
+def _read(path: Path) -> str:
+    try:
+        return path.read_text("utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "it is no UTF-8 text"
+        raise SceneError(f"the knowledge file {path} cannot be read ({reason}); name a TOML file.") from None
 
 
 @cache
 def _built_in() -> tuple[tuple[str, str], ...]:
     folder = files("robolayout.planners") / "knowledge"
     found = sorted((item for item in folder.iterdir() if item.name.endswith(".toml")), key=lambda item: item.name)
-    return tuple((item.name, item.read_text("utf-8")) for item in found)
+    return tuple((item.name, item.read_text("utf-8")) for item in found if item.name != "_rooms.toml")
 
 
 @cache
 def _parse(texts: tuple[tuple[str, str], ...]) -> Knowledge:
-    roles: dict[str, Role] = {}
-    reasons: dict[str, str] = {}
-    orders: dict[str, int] = {}
-    defaults: dict[str, Any] = {}
+    reading = _Reading()
     for name, text in texts:
         try:
-            data = tomllib.loads(text)
+            reading.add(tomllib.loads(text))
         except tomllib.TOMLDecodeError as error:
             raise SceneError(f"the knowledge file {name} is not TOML: {error}. Correct it or leave it out.") from None
-        defaults.update(data.get("slots", {}))
-        if "label" not in data:
-            continue
-        label, order = str(data["label"]), int(data.get("order", 50))
-        reasons[label], orders[label] = str(data.get("why", "")), order
-        for entry in data.get("role", []):
-            role = _role(dict(entry), label, order, defaults)
-            roles[role.name] = role
-    return Knowledge(roles, reasons, orders)
+        except InputError as error:
+            raise SceneError(f"the knowledge file {name}: {error}") from None
+    return reading.knowledge()
 
 
-def _role(entry: dict[str, Any], label: str, order: int, defaults: Mapping[str, Any]) -> Role:
-    name = str(entry.get("name", "without a name"))
-    joins = tuple(_join(dict(item), name, defaults) for item in entry.pop("joins", ()))
-    face = entry.pop("face", None)
-    stands = tuple(entry.pop("stands", ("wall",)))
-    for mode in stands:
-        if mode not in STANDS:
-            raise UnknownNameError("way of standing", str(mode), STANDS)
-    said = {mode: tuple(defaults.get(mode, {}).get("say", ())) for mode in STANDS}
-    said |= {mode: tuple(lines) for mode, lines in entry.pop("say", {}).items()}
-    rank = int(entry.pop("rank", order))
-    facing = _build(Face, dict(face), name) if face else None
-    fixed = {
-        "group": label,
-        "order": order,
-        "rank": rank,
+class _Reading:
+    """Collects what one file after the other says; later ones replace earlier ones."""
+
+    def __init__(self) -> None:
+        self.roles: dict[str, Role] = {}
+        self.groups: dict[str, _Group] = {}
+        self.things: dict[str, Category] = {}
+        self.rooms: dict[str, RoomType] = {}
+        self.slots: dict[str, Any] = {}
+
+    def add(self, data: Mapping[str, Any]) -> None:
+        """Read one file."""
+        among("key", data, TOP_KEYS)
+        self.slots.update(data.get("slots", {}))
+        if set(data) == {"slots"}:
+            return
+        group = build(_Group, {key: data[key] for key in ("label", "order", "why") if key in data}, "its top")
+        self.groups[group.label] = group
+        found = [_role(entry, group, self.slots) for entry in tables(data.get("role", []), "role")]
+        self.roles |= {role.name: role for role in found}
+        self.things |= {thing.name: thing for thing in own_things(data.get("thing", []), group.label)}
+        self.rooms |= {room.name: room for room in own_rooms(data.get("rooms", {}), self.things)}
+
+    def knowledge(self) -> Knowledge:
+        """Return everything that was read, once its roles are known to fit together."""
+        for role in self.roles.values():
+            _check(role, self.roles)
+        reasons = {label: group.why for label, group in self.groups.items()}
+        orders = {label: group.order for label, group in self.groups.items()}
+        return Knowledge(self.roles, reasons, orders, tuple(self.things.values()), tuple(self.rooms.values()))
+
+
+def _role(entry: dict[str, Any], group: _Group, slots: Mapping[str, Any]) -> Role:
+    where = f"the role {entry.get('name', 'without a name')!r}"
+    stands = entry.get("stands", ["wall"])
+    said = {mode: tuple(slots.get(mode, {}).get("say", ())) for mode in STANDS} | entry.get("say", {})
+    fixed: dict[str, Any] = {
+        "group": group.label,
+        "order": group.order,
+        "rank": entry.get("rank", group.order),
         "stands": stands,
-        "joins": joins,
-        "face": facing,
+        "joins": tuple(_join(item, where, slots) for item in tables(entry.get("joins", []), f"{where}: joins")),
+        "face": build(Face, entry["face"], f"{where}: face") if "face" in entry else None,
         "say": said,
     }
-    return _build(Role, {**entry, **fixed}, name)
+    role = build(Role, {**entry, **fixed}, where)
+    among(f"way of standing in {where}:", role.stands, STANDS)
+    return role
 
 
-def _join(item: dict[str, Any], role: str, defaults: Mapping[str, Any]) -> Join:
-    slot = str(item.get("slot", ""))
-    if slot not in SLOTS:
-        raise UnknownNameError("slot", slot, SLOTS)
-    return _build(Join, {**defaults.get(slot, {}), **item}, role)
+def _join(item: dict[str, Any], where: str, slots: Mapping[str, Any]) -> Join:
+    among(f"slot in {where}:", [str(item.get("slot", ""))], SLOTS)
+    return build(Join, {**slots.get(item["slot"], {}), **item}, f"{where}: joins")
 
 
-Kind = TypeVar("Kind", Role, Join, Face)
-
-
-def _build(kind: type[Kind], entry: dict[str, Any], role: str) -> Kind:
-    """Return an entry as its class; lists become tuples, unknown keys are refused with the known ones."""
-    known = {field.name for field in fields(kind)}
-    for key in entry:
-        if key not in known:
-            raise UnknownNameError(f"key in the role {role!r}", key, known)
-    values: dict[str, Any] = {key: tuple(item) if isinstance(item, list) else item for key, item in entry.items()}
-    try:
-        return kind(**values)
-    except TypeError:
-        raise SceneError(f"the role {role!r} lacks a key; a role needs a name, a join needs slot and of.") from None
+def _check(role: Role, roles: Mapping[str, Role]) -> None:
+    """Refuse a role that names unknown roles or statements."""
+    where = f"the role {role.name!r}"
+    wanted = [name for join in role.joins for name in join.of if name != "*"] + [*role.above]
+    wanted += [key.split(" ", 1)[1] for key in role.prefer if key.startswith(("near ", "far "))]
+    among(f"role in {where}:", [*wanted, *(role.face.roles if role.face else ())], roles)
+    lines = [line for said in role.say.values() for line in said] + list(role.face.say if role.face else ())
+    lines += [line for join in role.joins for line in (*join.say, *join.pair, *join.all)]
+    for line in lines:
+        text = line.removeprefix("else ")
+        among(f"statement in {where}:", [text.split("(")[0]], RELATIONS)
+        among(f"placeholder in {where}:", re.findall(r"\{(.*?)\}", text), PLACEHOLDERS)
+        if not text.endswith(")") or re.search(r"[{}]", re.sub(r"\{[\w ]+\}", "", text)):
+            raise SceneError(f"{where} says {line!r}; write it as a call, such as 'next_to({{a}}, {{b}})'.")

@@ -98,8 +98,8 @@ def _role_finder(knowledge: Knowledge) -> Callable[[Asset, Category], Role]:
     by_word = {word: role for role in knowledge.roles.values() for word in role.words}
 
     def find(asset: Asset, category: Category) -> Role:
-        words = _normal(asset.category)
-        for name in (words, category.name):
+        words, own = _normal(asset.category), knowledge.recognised(asset)
+        for name in (words, own.name if own else "", category.name):
             role = by_name.get(name)
             if role is not None and _fits(role, asset):
                 return role

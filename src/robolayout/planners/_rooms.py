@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources import files
 
@@ -21,6 +21,7 @@ class RoomType:
         extras: What may be added.
         person: What each person brings along.
         people: How many people there are if nobody says.
+        couple: Whether two adults need nothing besides what always belongs in.
         tables: The table that the chairs of this room stand at, if they need one.
         agent: The body that such a room is usually for.
         height: Usual wall height in metres.
@@ -33,6 +34,7 @@ class RoomType:
     extras: Mapping[str, int]
     person: Mapping[str, int] = field(default_factory=dict[str, int])
     people: int = 0
+    couple: bool = False
     tables: str = ""
     agent: str | None = None
     height: float = 2.6
@@ -55,9 +57,14 @@ class Rooms:
     companions: Mapping[str, Mapping[str, int]]
 
 
+def read_rooms(own: Iterable[RoomType] = ()) -> Rooms:
+    """Read the built-in room types, and let a user's own replace those of the same name."""
+    built_in = _built_in()
+    return replace(built_in, rooms={**built_in.rooms, **{room.name: room for room in own}})
+
+
 @cache
-def read_rooms() -> Rooms:
-    """Read the room types."""
+def _built_in() -> Rooms:
     text = (files("robolayout.planners") / "knowledge" / "_rooms.toml").read_text("utf-8")
     data = tomllib.loads(text)
     rooms = {

@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from robolayout._errors import SceneError
-from robolayout.assets import CATALOGUE, find_category
-from robolayout.planners._rooms import read_rooms
+from robolayout.assets import CATALOGUE, Category, find_category
+from robolayout.assets.lexicon import singular
+from robolayout.planners._rooms import Rooms, RoomType
 
 LONGEST = 2000
 """Characters of a sentence that are read."""
 
 MOST_OF_A_KIND = 200
-"""Largest count that is believed."""
+"""Largest count that is furnished for."""
 
 UNITS = {"": 1.0, "m": 1.0, "cm": 0.01, "ft": 0.3048, "in": 0.0254}
 _NUMBER_WORDS = (
-    "no, a an one single, two both couple pair, three, four, five, six, seven, eight, nine, ten, eleven, twelve dozen, thirteen, "
+    "no, a an one, two both couple pair, three, four, five, six, seven, eight, nine, ten, eleven, twelve dozen, thirteen, "
     "fourteen, fifteen, sixteen, seventeen, eighteen, nineteen, twenty"
 )
 NUMBERS = {word: value for value, words in enumerate(_NUMBER_WORDS.split(", ")) for word in words.split()} | {
@@ -29,6 +31,8 @@ NUMBERS = {word: value for value, words in enumerate(_NUMBER_WORDS.split(", ")) 
     "thirty": 30,
 }
 PEOPLE = "people persons guests pupils students children kids patients colleagues employees players adults friends workers visitors"
+YOUNG = ("children", "kids")
+_ANY_NUMBER, _ANY_PEOPLE = "|".join(NUMBERS), PEOPLE.replace(" ", "|")
 FILLERS = frozenset(
     [
         "a",
@@ -113,6 +117,9 @@ FILLERS = frozenset(
         "meters",
         "metres",
         "feet",
+        "family",
+        "open-plan",
+        "s",
     ]
 )
 _NUMBER = r"(\d+(?:[.,]\d+)?)"
@@ -147,6 +154,8 @@ class Wishes:
         square: Whether it asks for a square room.
         agent: Name of the body, if one is named.
         people: Number of people, 0 if none is given.
+        children: Whether these are children.
+        seats: Seats at each table, 0 if none are given.
         things: What is wished.
         unwanted: Categories that must not be added.
         ignored: Words without a meaning here.
@@ -160,13 +169,20 @@ class Wishes:
     square: bool
     agent: str | None
     people: int
+    children: bool
+    seats: int
     things: tuple[Wish, ...]
     unwanted: frozenset[str]
     ignored: tuple[str, ...]
 
 
-def read_wishes(text: str) -> Wishes:
+def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wishes:
     """Return what a sentence says.
+
+    Args:
+        text: The sentence.
+        rooms: The room types, bodies and corners that are known.
+        own: Categories of the user's own.
 
     Raises:
         SceneError: It is empty, names no room type, or its figures make no sense.
@@ -180,12 +196,26 @@ def read_wishes(text: str) -> Wishes:
     shape = "L-shaped" if re.search(r"\bl[- ]?shaped?\b", rest) else "rectangular"
     square = bool(re.search(r"\bsquare\b", rest))
     rest = re.sub(r"\bl[- ]?shaped?\b", " ", rest)
-    room, rest = _read_room(rest)
+    room, rest = _read_room(rest, rooms.rooms)
+    seats, rest = _read_seats(rest)
     people, rest = _read_people(rest)
-    agent, rest = _read_agent(rest, people)
-    things, unwanted, ignored = _read_things(rest)
+    agent, rest = _read_agent(rest, people, rooms.agents)
+    rest, corners = _read_corners(rest, rooms.corners)
+    things, unwanted, ignored = _read_things(rest, rooms.rooms[room], own)
     return Wishes(
-        room, size, area, height, shape, square, agent, people[0], tuple(things), frozenset(unwanted), tuple(ignored)
+        room_type=room,
+        size=size,
+        area=area,
+        height=height,
+        shape=shape,
+        square=square,
+        agent=agent,
+        people=people[0],
+        children=people[1] in YOUNG,
+        seats=seats,
+        things=(*corners, *things),
+        unwanted=frozenset(unwanted),
+        ignored=tuple(ignored),
     )
 
 
@@ -232,8 +262,7 @@ def _read_height(text: str) -> tuple[float | None, str]:
     return height, text[: match.start()] + " , " + text[match.end() :]
 
 
-def _read_room(text: str) -> tuple[str, str]:
-    rooms = read_rooms().rooms
+def _read_room(text: str, rooms: Mapping[str, RoomType]) -> tuple[str, str]:
     words = sorted(((word, name) for name, room in rooms.items() for word in room.words), key=lambda w: -len(w[0]))
     found = [(match.start(), -len(word), word, name) for word, name in words if (match := _find(word, text))]
     if not found:
@@ -255,55 +284,83 @@ def _count(word: str) -> int | None:
     return int(word) if word.isdecimal() else NUMBERS.get(word)
 
 
+def _read_seats(text: str) -> tuple[int, str]:
+    """Return how many sit at each table ("six tables for two"), and the text without that."""
+    match = re.search(rf"(\btables?) (?:for|seating) (\d+|{_ANY_NUMBER})\b(?: (?:{_ANY_PEOPLE})\b)?", text)
+    if match is None:
+        return 0, text
+    return _bounded(_count(match.group(2)) or 0, "seats"), text[: match.end(1)] + " , " + text[match.end() :]
+
+
 def _read_people(text: str) -> tuple[tuple[int, str], str]:
     """Return how many people of which kind, and the text without them."""
-    kinds = PEOPLE.replace(" ", "|")
-    match = re.search(rf"\b(\d+|{'|'.join(NUMBERS)})\s+(?:\w+\s+)?({kinds})\b", text)
-    if match is None:
-        couple = re.search(r"\bfor (?:a couple|two)\b", text)
-        return (2 if couple else 0, "people"), text[: couple.start()] + text[couple.end() :] if couple else text
-    count = _count(match.group(1)) or 0
-    return (min(count, MOST_OF_A_KIND), match.group(2)), text[: match.start()] + " , " + text[match.end() :]
+    for pattern, kind in (
+        (rf"\b(\d+|{_ANY_NUMBER})\s+(?:\w+\s+)?({_ANY_PEOPLE})\b", ""),
+        (rf"\bfamily of (\d+|{_ANY_NUMBER})\b", "people"),
+        (r"\bfor a (couple)\b", "people"),
+        (rf"\bfor (\d+|{_ANY_NUMBER})\b(?=\s*(?:[,;.!?]|with\b|and\b|in\b|$))", "people"),
+    ):
+        match = re.search(pattern, text)
+        if match is not None:
+            kind = kind or match.group(2)
+            count = _bounded(_count(match.group(1)) or 0, kind)
+            return (count, kind), text[: match.start()] + " , " + text[match.end() :]
+    return (0, "people"), text
 
 
-def _read_agent(text: str, people: tuple[int, str]) -> tuple[str | None, str]:
-    agents = read_rooms().agents
+def _bounded(count: int, what: str) -> int:
+    """Return a count, or refuse one that no room is for."""
+    if count > MOST_OF_A_KIND:
+        raise SceneError(f"{count} x {what} is more than one room is for; ask for at most {MOST_OF_A_KIND}.")
+    return count
+
+
+def _read_agent(text: str, people: tuple[int, str], agents: Mapping[str, str]) -> tuple[str | None, str]:
     for word in sorted(agents, key=lambda w: -len(w)):
         if _find(word, text):
             return agents[word], _cut(text, word)
-    return ("child_6" if people[1] in ("children", "kids") else None), text
+    return ("child_6" if people[1] in YOUNG else None), text
 
 
-def _read_things(text: str) -> tuple[list[Wish], set[str], list[str]]:
+def _read_things(text: str, room: RoomType, own: tuple[Category, ...]) -> tuple[list[Wish], set[str], list[str]]:
     """Return wishes, unwanted categories and ignored words of what is left of a sentence."""
     things: list[Wish] = []
     unwanted: set[str] = set()
     ignored: list[str] = []
-    text, things = _read_corners(text)
     for part in re.split(r"[,;.!?]|\band\b|\bwith\b(?!out)|\bplus\b|\bnext to\b|\bnear\b|\bfor\b", text):
         refused = re.search(r"\b(no|without)\b", part) is not None
         words = re.findall(r"[0-9]+|[^\W\d_]+(?:['-][^\W\d_]+)*", part)
         counts = [n for word in words if (n := _count(word))]
         phrase = " ".join(w for w in words if _count(w) is None and w not in ("of", "without", "no"))
-        if not phrase or all(word in FILLERS for word in phrase.split()):
+        told = [word for word in phrase.split() if word not in FILLERS]
+        if not told:
             continue
-        name = find_category(phrase).name
-        if name not in CATALOGUE or name.startswith("unknown"):
+        name = _usual_there(told, room) or find_category(phrase, own=own).name
+        if name.startswith("unknown"):
             ignored.append(phrase)
         elif refused:
             unwanted.add(name)
         else:
-            things.append(Wish(name, min(max(counts), MOST_OF_A_KIND) if counts else _plural(phrase)))
+            things.append(Wish(name, _bounded(max(counts), name) if counts else _plural(phrase)))
     return things, unwanted, ignored
 
 
-def _read_corners(text: str) -> tuple[str, list[Wish]]:
+def _read_corners(text: str, corners: Mapping[str, Mapping[str, int]]) -> tuple[str, list[Wish]]:
     found: list[Wish] = []
-    for word, contents in read_rooms().corners.items():
+    for word, contents in corners.items():
         if _find(word, text):
             found += [Wish(name, count) for name, count in contents.items()]
             text = _cut(text, word)
     return text, found
+
+
+def _usual_there(words: list[str], room: RoomType) -> str | None:
+    """Return what a single general word means in a room: a desk of a classroom is a student desk."""
+    items = [*([room.tables] if room.tables else []), *room.person, *room.base, *room.extras]
+    word = singular(words[0])
+    if len(words) > 1 or word in items:
+        return None
+    return next((name for name in items if name.split()[-1] == word and name.split()[0] != word), None)
 
 
 def _plural(phrase: str) -> int:

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 
 from robolayout.planners._furnish import furnish
 from robolayout.planners._knowledge import Knowledge, load_knowledge
+from robolayout.planners._own import own_sides
 from robolayout.planners._roles import cast_scene
 from robolayout.planners._site import Site
 from robolayout.planners._types import Group, PlanRequest
 from robolayout.planners._write import StatementWriter, guess_lines, mentioned, wall_words
 from robolayout.planners.grouping import group_cast
-from robolayout.scene import Scene
+from robolayout.scene import Asset, Scene
 
 
 class OfflinePlanner:
@@ -28,6 +30,17 @@ class OfflinePlanner:
 
     def __repr__(self) -> str:
         return f"<offline planner with {len(self.knowledge.roles)} roles in {len(self.knowledge.orders)} groups>"
+
+    def recognised(self, scene: Scene) -> Scene:
+        """Return a scene whose assets of the user's own kinds say what they are like and from where they are used."""
+        return replace(scene, assets=tuple(self._recognised(asset) for asset in scene.assets))
+
+    def _recognised(self, asset: Asset) -> Asset:
+        found = None if asset.like else self.knowledge.recognised(asset)
+        if found is None:
+            return asset
+        sides = own_sides(found) if asset.use_sides is None else asset.use_sides
+        return replace(asset, like=found.like, use_sides=sides)
 
     def group(self, scene: Scene) -> tuple[Group, ...]:
         """Return all assets in groups, structural first, decorative last."""

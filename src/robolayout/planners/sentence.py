@@ -7,14 +7,17 @@ catalogue with seeded variety. What was understood, what was assumed and what wa
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
-from robolayout.planners._rooms import RoomType, read_rooms
+from robolayout.planners._knowledge import load_knowledge
+from robolayout.planners._own import own_sides
+from robolayout.planners._rooms import Rooms, RoomType, read_rooms
 from robolayout.planners._words import Wish, Wishes, read_wishes
 from robolayout.scene import Scene, scene_from_dict, variable_name
 
@@ -88,24 +91,44 @@ class Understanding:
         return tuple(lines)
 
 
-def scene_from_sentence(text: str, *, seed: int = 0, variant: int = 0) -> tuple[Scene, Understanding]:
+@dataclass(frozen=True)
+class _Known:
+    """The built-in categories and room types, with those of the user's own."""
+
+    kinds: Mapping[str, Category]
+    rooms: Rooms
+
+    def floor_area(self, things: Mapping[str, int]) -> float:
+        """Return the floor in m2 that things take."""
+        kinds = ((self.kinds[name], count) for name, count in things.items())
+        return sum(
+            kind.size[0] * kind.size[1] * count for kind, count in kinds if kind.on_floor and kind.size[2] > 0.03
+        )
+
+
+def scene_from_sentence(
+    text: str, *, seed: int = 0, variant: int = 0, knowledge: Iterable[str | Path] = ()
+) -> tuple[Scene, Understanding]:
     """Return a scene for a sentence, and what was understood of it.
 
     Args:
         text: One or a few sentences; lengths in metres, centimetres or feet.
         seed: Settles every choice.
         variant: Number of the variant; different ones have other doors, windows and additions.
+        knowledge: Files of your own, whose things and rooms are known besides the built-in ones.
 
     Raises:
         SceneError: The sentence is empty, names no room, or wishes more than the room can hold.
     """
     rng = np.random.default_rng((seed, variant))
-    wishes = read_wishes(text)
-    room = read_rooms().rooms[wishes.room_type]
+    own = load_knowledge(Path(path) for path in knowledge)
+    known = _Known({**CATALOGUE, **{thing.name: thing for thing in own.things}}, read_rooms(own.rooms))
+    wishes = read_wishes(text, known.rooms, own.things)
+    room = known.rooms.rooms[wishes.room_type]
     wished = _wished(wishes, room)
-    size = _room_size(wishes, room, wished)
-    _possible(wishes, wished, size)
-    added = _added(wishes, room, wished, size, rng)
+    size = _room_size(wishes, room, wished, known)
+    _possible(wishes, wished, size, known)
+    added = _added(wishes, room, wished, size, known, rng)
     agent = wishes.agent or room.agent
     assumed = _assumed(wishes, room, size)
     found = Understanding(
@@ -113,14 +136,14 @@ def scene_from_sentence(text: str, *, seed: int = 0, variant: int = 0) -> tuple[
         room.name,
         size,
         wishes.shape,
-        _height(wishes, room, {**wished, **added}),
+        _height(wishes, room, [known.kinds[name] for name in (*wished, *added)]),
         agent,
         wished,
         added,
         assumed,
         wishes.ignored,
     )
-    return scene_from_dict(_scene(found, rng)), found
+    return scene_from_dict(_scene(found, known.kinds, rng)), found
 
 
 def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
@@ -128,7 +151,7 @@ def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
     wished: dict[str, int] = {}
     for wish in wishes.things:
         wished[wish.category] = wished.get(wish.category, 0) + wish.count
-    people = wishes.people or room.people
+    people = _people(wishes, room, wished)
     heads = {_head(name) for name in wished}
     for name, count in room.person.items():
         if people and _head(name) not in heads and name not in wishes.unwanted:
@@ -139,23 +162,37 @@ def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
     return wished
 
 
+def _people(wishes: Wishes, room: RoomType, wished: dict[str, int]) -> int:
+    """Return for how many the room is: as said, else as many as have a seat, a desk or a bed; seats are wished for."""
+    if wishes.seats:
+        tables = sum(count for name, count in wished.items() if _head(name) == "table")
+        chair = next((name for name in room.person if _head(name) == "chair"), "chair")
+        if not any(_head(name) == "chair" for name in wished):
+            wished[chair] = tables * wishes.seats
+    if wishes.people:
+        return 0 if room.couple and wishes.people == 2 and not wishes.children else wishes.people
+    taken = {_head(name) for name in room.person}
+    return max((count for name, count in wished.items() if _head(name) in taken), default=room.people)
+
+
+KIN = {"crib": "bed", "cradle": "bed", "loveseat": "sofa", "settee": "sofa", "recliner": "armchair"}
+"""Things that stand for another that they are not named after."""
+VAGUE = ("stand", "rack", "machine", "board")
+"""Last words that do not say what a thing is for."""
+
+
 def _head(name: str) -> str:
     """Return the word that says what a thing is: "bed" for a bunk bed."""
-    return name.split()[-1]
+    last = name.split()[-1]
+    return KIN.get(name, name if last in VAGUE else last)
 
 
-def _floor_area(things: Mapping[str, int]) -> float:
-    """Return the floor in m2 that things take."""
-    kinds = ((CATALOGUE[name], count) for name, count in things.items())
-    return sum(kind.size[0] * kind.size[1] * count for kind, count in kinds if kind.on_floor and kind.size[2] > 0.03)
-
-
-def _room_size(wishes: Wishes, room: RoomType, wished: Mapping[str, int]) -> tuple[float, float]:
+def _room_size(wishes: Wishes, room: RoomType, wished: Mapping[str, int], known: _Known) -> tuple[float, float]:
     """Return width and depth in metres: as asked, else usual ones, enlarged for what is wished."""
     if wishes.size is not None:
         return wishes.size
     width, depth = room.size
-    area = wishes.area or max(width * depth, _floor_area({**room.base, **wished}) / ROOMY)
+    area = wishes.area or max(width * depth, known.floor_area({**room.base, **wished}) / ROOMY)
     if wishes.shape == "L-shaped":
         area *= 1.2
     ratio = 1.0 if wishes.square else width / depth
@@ -163,13 +200,13 @@ def _room_size(wishes: Wishes, room: RoomType, wished: Mapping[str, int]) -> tup
     return (round(width, 2), round(area / width, 2))
 
 
-def _possible(wishes: Wishes, wished: Mapping[str, int], size: tuple[float, float]) -> None:
+def _possible(wishes: Wishes, wished: Mapping[str, int], size: tuple[float, float], known: _Known) -> None:
     """Refuse wishes that no arrangement can meet."""
     floor = size[0] * size[1] * (0.75 if wishes.shape == "L-shaped" else 1.0)
     asked: dict[str, int] = {}
     for wish in wishes.things:
         asked[wish.category] = asked.get(wish.category, 0) + wish.count
-    need = _floor_area(wished)
+    need = known.floor_area(wished)
     if need > FULLEST * floor:
         things = ", ".join(f"{count} x {name}" for name, count in (asked or wished).items())
         raise SceneError(
@@ -177,7 +214,7 @@ def _possible(wishes: Wishes, wished: Mapping[str, int], size: tuple[float, floa
             f"{FULLEST:.0%} can be furnished; ask for a room of at least {need / FULLEST:.0f} m2 or for fewer things."
         )
     for name in wished:
-        kind = CATALOGUE[name]
+        kind = known.kinds[name]
         if kind.on_floor and (max(kind.size[:2]) > max(size) or min(kind.size[:2]) > min(size)):
             raise SceneError(
                 f"a {name} of {kind.size[0]:g} x {kind.size[1]:g} m does not fit into a room of {size[0]:g} x {size[1]:g} m; "
@@ -186,35 +223,46 @@ def _possible(wishes: Wishes, wished: Mapping[str, int], size: tuple[float, floa
 
 
 def _added(
-    wishes: Wishes, room: RoomType, wished: Mapping[str, int], size: tuple[float, float], rng: np.random.Generator
+    wishes: Wishes,
+    room: RoomType,
+    wished: Mapping[str, int],
+    size: tuple[float, float],
+    known: _Known,
+    rng: np.random.Generator,
 ) -> dict[str, int]:
     """Return what belongs in such a room and was not named, then extras in random order while there is room."""
     floor = size[0] * size[1] * (0.75 if wishes.shape == "L-shaped" else 1.0)
-    heads = {_head(wish.category) for wish in wishes.things}
+    heads = {_head(wish.category) for wish in wishes.things} | {_head(name) for name in wished if _head(name) == "bed"}
     added: dict[str, int] = {}
     for name, count in wished.items():
-        for other, each in read_rooms().companions.get(name, {}).items():
+        for other, each in known.rooms.companions.get(name, {}).items():
             if _head(other) not in {_head(n) for n in wished} and other not in wishes.unwanted:
-                added[other] = count * each
+                added[other] = added.get(other, 0) + count * each
     order = [*room.base.items(), *(list(room.extras.items())[i] for i in rng.permutation(len(room.extras)))]
     for name, count in order:
         if (
             name in wishes.unwanted
-            or (_head(name) in heads and CATALOGUE[name].on_floor)
+            or (_head(name) in heads and known.kinds[name].on_floor)
             or name in wished
             or name in added
         ):
             continue
-        trial = {**wished, **added, name: count}
+        present = {_head(other) for other in (*wished, *added)}
+        needs = {
+            other: count * each
+            for other, each in known.rooms.companions.get(name, {}).items()
+            if _head(other) not in present and other not in room.base
+        }
+        group = {name: count, **needs}
         limit = BASIC if name in room.base else COMFORT
-        if _floor_area({name: count}) == 0 or _floor_area(trial) <= limit * floor:
-            added[name] = count
+        if known.floor_area(group) == 0 or known.floor_area({**wished, **added, **group}) <= limit * floor:
+            added |= group
     return added
 
 
-def _height(wishes: Wishes, room: RoomType, things: Mapping[str, int]) -> float:
+def _height(wishes: Wishes, room: RoomType, things: Iterable[Category]) -> float:
     """Return the wall height in metres: as asked, or as usual, or enough for the tallest thing."""
-    tallest = max((CATALOGUE[name].size[2] for name in things), default=0.0)
+    tallest = max((kind.size[2] for kind in things), default=0.0)
     return wishes.height or max(room.height, math.ceil(10 * (1.07 * tallest + 0.2)) / 10)
 
 
@@ -231,7 +279,7 @@ def _assumed(wishes: Wishes, room: RoomType, size: tuple[float, float]) -> tuple
     return tuple(found)
 
 
-def _scene(found: Understanding, rng: np.random.Generator) -> dict[str, object]:
+def _scene(found: Understanding, kinds: Mapping[str, Category], rng: np.random.Generator) -> dict[str, object]:
     """Return the scene file's content for what was understood."""
     width, depth = found.size
     outline = [(0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth)]
@@ -247,13 +295,14 @@ def _scene(found: Understanding, rng: np.random.Generator) -> dict[str, object]:
     if rng.random() < 0.5:
         outline = [(width - x, y) for x, y in reversed(outline)]
     doors, windows = _openings(outline, found, rng)
+    things = {**found.added, **{n: c + found.added.get(n, 0) for n, c in found.wished.items()}}
     scene: dict[str, object] = {
         "task_description": found.text,
         "layout_criteria": "As the sentence asks; everything can be reached and used.",
         "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in outline], "wall_height": found.height},
         "doors": doors,
         "windows": windows,
-        "assets": _assets({**found.added, **{n: c + found.added.get(n, 0) for n, c in found.wished.items()}}, rng),
+        "assets": _assets([(kinds[name], count) for name, count in things.items()], rng),
     }
     if found.agent is not None:
         scene["agent"] = found.agent
@@ -278,27 +327,29 @@ def _openings(
     return doors, windows
 
 
-def _assets(things: Mapping[str, int], rng: np.random.Generator) -> dict[str, dict[str, object]]:
+def _assets(things: Iterable[tuple[Category, int]], rng: np.random.Generator) -> dict[str, dict[str, object]]:
     """Return the asset list; equal things have equal sizes, within 6 % of typical ones."""
     assets: dict[str, dict[str, object]] = {}
-    for name, count in things.items():
-        kind = CATALOGUE[name]
+    for kind, count in things:
         scale = 1.0 + 0.06 * float(rng.uniform(-1, 1))
         size = [round(max(0.01, value * (scale if kind.on_floor else 1.0)), 3) for value in kind.size]
         for index in range(count):
-            assets[f"{variable_name(name)}-{index}"] = _asset(kind, size)
+            assets[f"{variable_name(kind.name)}-{index}"] = _asset(kind, size)
     return assets
 
 
 def _asset(kind: Category, size: list[float]) -> dict[str, object]:
+    sides = own_sides(kind) if kind.like else None
     return {
         "category": kind.name,
         "description": "",
         "onFloor": kind.on_floor,
         "onWall": kind.on_wall,
-        "onCeiling": kind.on_ceiling,
+        "onCeiling": kind.on_ceiling and not kind.on_wall,
         "onObject": kind.on_object,
         "assetMetadata": {"boundingBox": dict(zip("xyz", size, strict=True))},
+        **({"like": kind.like} if kind.like else {}),
+        **({"useSides": list(sides)} if sides is not None else {}),
     }
 
 

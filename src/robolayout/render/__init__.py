@@ -5,6 +5,7 @@
 | `render_view(scene, layout, view=...)` | a picture from above, from the side, of one asset, or from an agent's eyes |
 | `Studio(scene, layout)` | the same for many views of one room, with ids and depths |
 | `render_asset(asset)` | one asset alone |
+| `asset_sheet(assets)` | many assets, each with its name |
 | `annotate(scene, layout, view=...)` | a view with grid, fronts, names and walls written into it, for a model |
 | `plan_svg`, `plan_image`, `plan_pdf` | the plan to scale, with what the agent can do (`PlanMarks`) |
 | `body_svg`, `body_image`, `body_pdf`, `body_text` | one body to scale, with its reach and what it steps over |
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from robolayout.render.marks import PlanMarks, gap_ends
     from robolayout.render.pictures import png_bytes, run_pictures
     from robolayout.render.plan import draw_plan, plan_image, plan_pdf, plan_svg
+    from robolayout.render.sheet import asset_sheet
     from robolayout.render.view import Buffers, Studio, render_asset, render_view
     from robolayout.render.walk import walk_gif
 
@@ -45,6 +47,7 @@ _HOMES = {
     "annotate": "annotation",
     "annotation_camera": "annotation",
     "annotation_marks": "annotation",
+    "asset_sheet": "sheet",
     "body_image": "body",
     "body_pdf": "body",
     "body_svg": "body",
@@ -80,6 +83,7 @@ __all__ = [
     "annotate",
     "annotation_camera",
     "annotation_marks",
+    "asset_sheet",
     "body_image",
     "body_pdf",
     "body_svg",

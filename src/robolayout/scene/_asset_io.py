@@ -24,7 +24,7 @@ MAX_MESH_BYTES = 100_000_000
 
 _CHECK = Checker(SceneError)
 _FLAGS = ("onFloor", "onWall", "onCeiling", "onObject")
-_KNOWN = ("category", "description", "path", "useSides", "assetMetadata", *_FLAGS)
+_KNOWN = ("category", "description", "path", "useSides", "like", "assetMetadata", *_FLAGS)
 
 
 def read_assets(
@@ -74,6 +74,8 @@ def write_asset(asset: Asset, base: Path | None = None) -> dict[str, object]:
         entry["path"] = (asset.path.relative_to(base.resolve()) if base and near else asset.path).as_posix()
     if asset.use_sides is not None:
         entry["useSides"] = list(asset.use_sides)
+    if asset.like:
+        entry["like"] = asset.like
     return entry | {key: value for key, value in asset.metadata.items() if key not in entry}
 
 
@@ -128,6 +130,7 @@ def _asset(name: str, entry: Mapping[str, object], folders: list[Path], warnings
         on_object=thing,
         path=_mesh(entry.get("path"), where, folders),
         use_sides=_sides(entry.get("useSides"), where),
+        like=_CHECK.text(entry.get("like", ""), f"{where}: like", most=200),
         metadata={key: value for key, value in entry.items() if key not in _KNOWN},
     )
 

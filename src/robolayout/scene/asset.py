@@ -25,6 +25,7 @@ class Asset:
         on_object: It may stand on another asset.
         path: A GLB file that replaces the parametric mesh.
         use_sides: Sides it is used from ("front", "back", "left", "right"); None leaves it to the category.
+        like: Words that say instead of `category` what it is drawn, opened and moved like; empty where that is clear.
         metadata: Any further keys of the scene file, kept for writing.
     """
 
@@ -38,6 +39,7 @@ class Asset:
     on_object: bool = False
     path: Path | None = None
     use_sides: tuple[str, ...] | None = None
+    like: str = ""
     metadata: dict[str, object] = field(default_factory=dict[str, object], compare=False)
 
     @property

@@ -1,4 +1,4 @@
-"""Warehouses, workshops, garages, and fixed parts of a building."""
+"""Warehouses: pallets, racks, carts and machines."""
 
 from __future__ import annotations
 

@@ -1,0 +1,86 @@
+"""`robolayout assets`: the catalogue of furniture, what a word is understood as, and folders of meshes."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from robolayout._errors import AssetError, InputError
+from robolayout.cli_tables import table
+
+if TYPE_CHECKING:
+    from robolayout.assets import Category
+
+
+def assets(
+    word: Annotated[
+        str | None,
+        typer.Argument(help="Show what this word is understood as, or this group; `import` reads a folder."),
+    ] = None,
+    folder: Annotated[Path | None, typer.Argument(help="Folder of meshes, after `import`.")] = None,
+    out: Annotated[Path, typer.Option("--out", help="Catalogue file that an import writes.")] = Path("catalogue.json"),
+    front: Annotated[
+        str | None, typer.Option("--front", help="Side that faces forward in the meshes, such as +x.")
+    ] = None,
+    pictures: Annotated[
+        Path | None, typer.Option("--pictures", help="Also draw what is listed into this PNG file.")
+    ] = None,
+) -> None:
+    """List the catalogue of furniture with typical sizes, look a word up, or import a folder of meshes."""
+    from robolayout.assets import CATALOGUE, find_category
+
+    if word == "import":
+        _import(folder, out, front)
+        return
+    if folder is not None:
+        raise InputError(f"{str(folder)!r} follows {word!r}: put a name of several words in quotes.")
+    found = [kind for kind in CATALOGUE.values() if word is None or kind.group == word]
+    found = found or [find_category(word or "")]
+    if pictures is not None:
+        _draw(found, pictures)
+    rows = [[c.name, c.group, " x ".join(f"{v:g}" for v in c.size), ", ".join(c.places), c.source] for c in found]
+    table("Catalogue (depth x width x height in metres)", ["category", "group", "size", "place", "source"], rows)
+
+
+def _import(folder: Path | None, out: Path, front: str | None) -> None:
+    """Write the catalogue of a folder, and say what was skipped."""
+    from robolayout._files import write_atomic
+    from robolayout.assets import import_folder
+
+    if folder is None:
+        raise InputError("import needs a folder: robolayout assets import FOLDER.")
+    catalogue = import_folder(folder, front=front)
+    for entry in catalogue["skipped"]:
+        sys.stderr.write(f"robolayout: skipped {entry['path']}: {entry['reason']}\n")
+    if not catalogue["assets"]:
+        raise AssetError(f"none of the {len(catalogue['skipped'])} meshes in {folder.name!r} can be used.")
+    typer.echo(str(write_atomic(out, json.dumps(catalogue, indent=2, ensure_ascii=False) + "\n")))
+
+
+def _draw(found: Sequence[Category], target: Path) -> None:
+    """Draw categories in their typical sizes."""
+    from robolayout._files import write_atomic
+    from robolayout.outputs import png
+    from robolayout.render import asset_sheet
+    from robolayout.scene import Asset, variable_name
+
+    if target.suffix != ".png":
+        raise InputError(f"pictures cannot be written to {target}: name a file that ends in .png.")
+    shown = [
+        Asset(
+            f"{variable_name(kind.name)}-0",
+            kind.name,
+            kind.size,
+            on_floor=kind.on_floor,
+            on_wall=kind.on_wall,
+            on_ceiling=kind.on_ceiling,
+            on_object=kind.on_object,
+        )
+        for kind in found
+    ]
+    write_atomic(target, png(asset_sheet(shown)))

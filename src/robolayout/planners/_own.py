@@ -1,0 +1,95 @@
+"""What a user's own file adds to the catalogue: kinds of things, each like a built-in one, and room types."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from robolayout._errors import SceneError
+from robolayout.assets import CATALOGUE, Category
+from robolayout.assets.category import PLACES, SIDES
+from robolayout.planners._rooms import RoomType
+from robolayout.planners._shapes import among, build, tables
+from robolayout.scene import agent_names
+
+OWN = "your own file"
+"""Where the size of an own category comes from."""
+
+
+@dataclass(frozen=True)
+class _Thing:
+    """One entry of `[[thing]]`; what it does not say is as in the category that it is like."""
+
+    name: str
+    like: str
+    words: tuple[str, ...] = ()
+    size: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    place: tuple[str, ...] = ()
+    use_sides: tuple[str, ...] = ()
+
+
+def own_things(entries: object, group: str) -> tuple[Category, ...]:
+    """Return the categories of a file.
+
+    Args:
+        entries: Its `[[thing]]` tables.
+        group: The label of its group.
+    """
+    return tuple(_category(entry, group) for entry in tables(entries, "thing"))
+
+
+def _category(entry: Mapping[str, object], group: str) -> Category:
+    where = f"the thing {entry.get('name', 'without a name')!r}"
+    thing = build(_Thing, entry, where)
+    among(f"category in {where}: like", [thing.like], CATALOGUE)
+    among(f"place in {where}:", thing.place, PLACES)
+    among(f"side in {where}:", thing.use_sides, SIDES)
+    if "size" in entry and not all(0.0 < side <= 100.0 for side in thing.size):
+        raise SceneError(f"{where}: size is {list(thing.size)}; depth, width and height are metres, from 0 to 100.")
+    base = CATALOGUE[thing.like]
+    placed = {f"on_{place}": place in thing.place for place in PLACES} if "place" in entry else {}
+    return replace(
+        base,
+        name=thing.name,
+        synonyms=thing.words,
+        size=thing.size if "size" in entry else base.size,
+        use_sides=thing.use_sides if "use_sides" in entry else base.use_sides,
+        group=group,
+        source=OWN if "size" in entry else base.source,
+        like=base.name,
+        **placed,
+    )
+
+
+def own_sides(category: Category) -> tuple[str, ...] | None:
+    """Return the sides from which one of the user's own things is used, where they differ from what it is like."""
+    return None if category.use_sides == CATALOGUE[category.like].use_sides else category.use_sides
+
+
+def own_rooms(entries: object, things: Mapping[str, Category]) -> tuple[RoomType, ...]:
+    """Return the room types of a file.
+
+    Args:
+        entries: Its `[rooms.NAME]` tables.
+        things: The user's own categories by name.
+    """
+    if not isinstance(entries, Mapping):
+        raise SceneError(f'rooms must be tables such as [rooms."music room"], but is {entries!r}.')
+    return tuple(_room(str(name), entry, things) for name, entry in entries.items())
+
+
+def _room(name: str, entry: object, things: Mapping[str, Category]) -> RoomType:
+    where = f"the room {name!r}"
+    if not isinstance(entry, Mapping):
+        raise SceneError(f"{where} must be a table, but is {entry!r}.")
+    empty: dict[str, int] = {}
+    room = build(RoomType, {"base": empty, "extras": empty, "words": [name], **entry, "name": name}, where)
+    known = {*CATALOGUE, *things}
+    among(f"category in {where}:", [*room.base, *room.extras, *room.person], known)
+    among(f"table in {where}:", [room.tables] if room.tables else [], known)
+    among(f"body in {where}:", [room.agent] if room.agent else [], agent_names())
+    if not all(1.0 <= side <= 100.0 for side in room.size):
+        raise SceneError(f"{where}: size is {list(room.size)}; width and depth are metres, from 1 to 100.")
+    if min([1, *room.base.values(), *room.extras.values(), *room.person.values()]) < 0:
+        raise SceneError(f"{where}: a count is below 0; leave the thing out.")
+    return room

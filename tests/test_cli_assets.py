@@ -1,0 +1,61 @@
+"""`robolayout assets`: listing, looking up, drawing, importing, and what is said of bad input."""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from PIL import Image
+
+from running import Ran
+
+TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n"
+
+
+def test_a_group_is_listed_with_sizes_and_sources(command: Callable[..., Ran]) -> None:
+    lines = command("assets", "structure").out
+    assert "sauna" in lines
+    assert "typical of common goods" in lines
+    assert "sofa" not in lines
+
+
+def test_what_is_listed_is_drawn(tmp_path: Path, command: Callable[..., Ran]) -> None:
+    sheet = tmp_path / "textiles.png"
+    assert command("assets", "textiles", "--pictures", sheet).code == 0
+    with Image.open(sheet) as picture:
+        assert picture.size == (400, 450)
+        assert len(picture.convert("RGB").getcolors(200_000) or ()) > 100
+
+
+def test_an_import_names_what_it_skips(tmp_path: Path, command: Callable[..., Ran]) -> None:
+    folder = tmp_path / "meshes"
+    folder.mkdir()
+    (folder / "desk.obj").write_text(TRIANGLE)
+    (folder / "broken.glb").write_bytes(b"glTF")
+    ran = command("assets", "import", folder, "--front=-x", "--out", tmp_path / "own.json")
+    assert ran.code == 0
+    assert "skipped broken.glb: mesh broken.glb is broken and cannot be used: it ends within" in ran.err
+    assert json.loads((tmp_path / "own.json").read_text())["assets"]["desk-0"]["front"] == "-x"
+    (folder / "desk.obj").unlink()
+    nothing = command("assets", "import", folder, "--out", tmp_path / "none.json")
+    assert (nothing.code, (tmp_path / "none.json").exists()) == (2, False)
+    assert "none of the 1 meshes in 'meshes' can be used" in nothing.err
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("import",), "import needs a folder"),
+        (("import", "nowhere"), "asset folder 'nowhere' does not exist"),
+        (("import", ".", "--front", "up"), "unknown axis 'up'. Known: +x, +y, +z, -x, -y, -z"),
+        (("old", "couch"), "put a name of several words in quotes"),
+        (("desk", "--pictures", "desk.jpg"), "name a file that ends in .png"),
+    ],
+)
+def test_bad_input_is_refused_in_words(
+    words: tuple[str, ...], said: str, command: Callable[..., Ran], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    ran = command("assets", *words)
+    assert ran.code == 2
+    assert said in ran.err
