@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robolayout.render import PlanMarks
 from robolayout.scene import Point, vertical_span
 from robolayout.verify import AgentReport, Navigation, Passage, exempt_from_reach
+
+if TYPE_CHECKING:
+    from shapely import LineString, Polygon
 
 ARC = math.radians(16)
 """Half the angle of the arcs that show how far an arm reaches on the plan."""
@@ -80,9 +83,19 @@ def _arcs(report: AgentReport) -> tuple[tuple[Point, ...], ...]:
             middle = math.atan2(pose.y - y, pose.x - x)
             turns = [middle + ARC * (step / 8 - 1) for step in range(17)]
             rays = [LineString([(x, y), (x + reach * math.cos(t), y + reach * math.sin(t))]) for t in turns]
-            ends = [room.intersection(ray).coords[-1] for ray in rays if room.covers(LineString(ray.coords[:1] * 2))]
-            found.append(((x, y), *((float(end[0]), float(end[1])) for end in ends)))
+            ends = [_inside(room, ray) for ray in rays if room.covers(LineString(ray.coords[:1] * 2))]
+            found.append(((x, y), *ends))
     return tuple(found)
+
+
+def _inside(room: Polygon, ray: LineString) -> Point:
+    """Return where a ray that begins in a room first leaves it, or its end."""
+    from shapely import get_parts
+
+    parts = [part.coords for part in get_parts(room.intersection(ray)) if part.geom_type == "LineString"]
+    first = min(parts or [ray.coords], key=lambda coords: math.dist(coords[0], ray.coords[0]))
+    x, y = first[-1]
+    return (float(x), float(y))
 
 
 def _span(passage: Passage) -> tuple[Point, Point, float]:

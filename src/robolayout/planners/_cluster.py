@@ -52,7 +52,7 @@ class ClusterBuilder:
         for item in cast.values():
             if item.anchor is not None:
                 self.followers.setdefault(item.anchor, []).append(item)
-        self.reachable = max(0.05, scene.agent.reach - scene.agent.radius - 0.02)
+        self.reachable = max(0.05, scene.agent.reach - scene.agent.radius - 0.05)
 
     def build(self, name: str) -> Cluster:
         """Return the cluster of an asset and everything that joins it."""

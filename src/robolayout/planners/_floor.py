@@ -11,9 +11,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from robolayout._grid import components, distance
+from robolayout._grid import distance
 from robolayout.planners._member import Rect
-from robolayout.scene import Agent, Room
+from robolayout.scene import Room
 
 CELLS = 40_000
 """Most cells of the grid; larger rooms get coarser ones."""
@@ -172,21 +172,6 @@ class Floor:
         outside = np.pad(~self.inside, 1, constant_values=True)
         wanted = np.minimum(np.pad(self.wanted, 1), 2.0)
         return Maps(*(grid.ravel().astype(np.float32) for grid in (taken, barred, outside, wanted)))
-
-    def away(self, agent: Agent) -> tuple[NDArray[np.float64], float]:
-        """Return how far each cell is from where the agent can get to from the door, and the share cut off from it.
-
-        Distances are in metres; those beyond the agent's reach are only known to be beyond it.
-        """
-        labels, sizes = components(self.clear >= agent.radius / self.cell + 1.0)
-        if not len(sizes):
-            return np.full(self.inside.shape, 1e3), 1.0
-        at_door = np.bincount(labels[self.landing], minlength=len(sizes) + 1)[1:]
-        if self.room.doors and not at_door.any():
-            return np.full(self.inside.shape, 1e3), 1.0
-        main = labels == 1 + int(np.argmax(at_door if at_door.any() else sizes))
-        beyond = agent.reach / self.cell + 1.0
-        return distance(~main, beyond) * self.cell, 1.0 - float(main.sum()) / float(sizes.sum())
 
 
 def room_depth(room: Room) -> float:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,7 @@ from robolayout.planners._overhead import hang, lay_rugs, overhead
 from robolayout.planners._places import Batch, batches
 from robolayout.planners._roles import Cast
 from robolayout.planners._site import GridPlan, Site, Spot
+from robolayout.planners._sorted import alike, by_manner
 from robolayout.planners._taste import looks, taste
 from robolayout.scene import Layout, Scene
 
@@ -31,8 +33,11 @@ WORTH = 1.0
 CUT_OFF = 40.0
 """Cost of all of the free floor being out of the agent's way."""
 
-INEXACT = 5.0
-"""Cost of a place that fails the exact check by a hair."""
+INEXACT = 30.0
+"""Cost of a place where something touches, by the exact check."""
+
+SHUT = 6.0
+"""Cost of a place where a door or drawer does not open."""
 
 CHECKED = 300
 """Best places that are checked exactly before one is taken."""
@@ -40,8 +45,26 @@ CHECKED = 300
 TRIALS = 8
 """Places for which it is found out what they cut off."""
 
+CLOSE, WIDEN = 0.3, 0.04
+"""Metres between places of which both are tried, and how much more for each one that did harm."""
+
 HARMLESS = 0.8
 """Cost of what a place cuts off below which it is taken at once."""
+
+HOPELESS = 6.0
+"""Cost for each thing of a grid above which they are rather placed one by one."""
+
+MOVES = 3
+"""Most times in one attempt that things are moved once more."""
+
+SINGLES = 3
+"""Most single things that are tried in another place, and most unreached things that are given room."""
+
+AROUND = (3, 6)
+"""How many things around one that is not reached are placed anew together."""
+
+NOWHERE = 50.0
+"""Cost of a cluster for which there is no place at all."""
 
 BAD = 2.5
 """Cost above which a place counts as bad enough to try something else."""
@@ -63,7 +86,7 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
     """Return the best of several attempts; the very first one follows the knowledge to the letter.
 
     The floor is furnished in every attempt, walls and ceiling only in the best one. It is good enough after `PATIENCE`
-    attempts without one that is better by `WORTH`.
+    attempts without one that is better by `WORTH`. Where something is out of the way, single things are moved once more.
     """
     empty = Site.of(scene, cast)
     builder = ClusterBuilder(scene, cast)
@@ -73,12 +96,14 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
         site = empty.copy()
         _keep(site, builder, placed)
         attempt = _Attempt(site, builder, np.random.default_rng((seed, number)), calm=number == 0 and seed == 0)
-        cost = attempt.furnish_floor() + UNREACHED * len(site.unreached()) + CUT_OFF * site.cut_off
+        cost, mended = attempt.furnish_floor(), False
         if best is None or cost < best[0]:
             best = (cost, attempt)
-        if cost < leap[0] - WORTH:
-            leap = (cost, number)
-        if best[0] < UNREACHED and number - leap[1] >= PATIENCE:
+        if number >= PATIENCE and best[0] >= UNREACHED and (number == PATIENCE or best[1] is attempt):
+            best, mended = (best[1].rearrange(), best[1]), True
+        if best[0] < leap[0] - WORTH:
+            leap = (best[0], number)
+        if best[0] < UNREACHED and (mended or number - leap[1] >= PATIENCE):
             break
     assert best is not None
     best[1].furnish_walls()
@@ -128,28 +153,102 @@ def _put_grid(site: Site, clusters: Sequence[Cluster], plan: GridPlan, frame: ND
         site.spots[cluster.anchor] = replace(site.spots[cluster.anchor], grid=plan)
 
 
-def _close(batch: Batch, row: int, other: Batch, at: int) -> bool:
-    """Whether two places are nearly the same."""
+def _close(batch: Batch, row: int, other: Batch, at: int, limit: float) -> bool:
+    """Whether two places are less than so many metres apart and face the same way."""
     step = np.abs(batch.poses[row] - other.poses[at])
-    return batch.cluster == other.cluster and bool(step[:2].max() < 0.3 and step[2] < 0.1)
+    return batch.cluster == other.cluster and bool(step[:2].max() < limit and step[2] < 0.1)
+
+
+@dataclass(frozen=True, eq=False)
+class _Step:
+    """One thing that was done: how to do it again on another site, what it cost, and how to do it otherwise.
+
+    Attributes:
+        put: Does it.
+        cost: Of the place.
+        cluster: What was placed; None for what is not placed otherwise (a grid, a board).
+        modes: Ways of standing that were open to it.
+        weights: What it prefers.
+    """
+
+    put: Callable[[Site], None]
+    cost: float = 0.0
+    cluster: Cluster | None = None
+    modes: tuple[str, ...] = ()
+    weights: Mapping[str, float] = field(default_factory=dict[str, float])
 
 
 class _Attempt:
     """One pass over all assets."""
 
     def __init__(self, site: Site, builder: ClusterBuilder, rng: np.random.Generator, *, calm: bool) -> None:
+        self.base = site.copy()
         self.site = site
         self.builder = builder
         self.rng = rng
         self.calm = calm
-        self.cost = 0.0
+        self.steps: list[_Step] = []
         self.missing = 0
+        self.trials = TRIALS
 
     def furnish_floor(self) -> float:
         """Place what stands on the floor, and boards that the rest looks at; return the total cost."""
         for items in self._turns(last=False):
             self._place_role(items)
-        return self.cost + looks(self.site)
+        return self.total()
+
+    def rearrange(self) -> float:
+        """Move single things once more while something is out of the way; return the total cost."""
+        for _ in range(MOVES):
+            if not self._move_some():
+                break
+        return self.total()
+
+    def total(self) -> float:
+        """Return the cost of the room as it is."""
+        return sum(step.cost for step in self.steps) + looks(self.site) + _harm(self.site)
+
+    def _move_some(self) -> bool:
+        """Take some clusters out and put each where it is less in the way; False if nothing gets better."""
+        before, steps, site = _harm(self.site), self.steps, self.site
+        if before < UNREACHED:
+            return False
+        self.trials = 2 * TRIALS
+        for out in self._in_the_way(before):
+            self.site, self.steps = self._without(out), [step for step in steps if step not in out]
+            self.missing = len(self.site.unreached())
+            for step in out:
+                if step.cluster is not None:
+                    self._place(step.cluster, step.modes, step.weights)
+            if _harm(self.site) < before - UNREACHED / 2:
+                return True
+            self.site, self.steps = site, steps
+        return False
+
+    def _in_the_way(self, harm: float) -> Iterator[list[_Step]]:
+        """Yield what to move: single things without which more is reached, then what stands around the unreached."""
+        movable = [step for step in self.steps if step.cluster is not None]
+        left = [(_harm(self._without([step], trial=True)), i) for i, step in enumerate(movable)]
+        yield from ([movable[i]] for value, i in sorted(left)[:SINGLES] if value < harm - UNREACHED / 2)
+        for name in self.site.unreached()[:SINGLES]:
+            here = self.site.spots[name].member
+            near = sorted(range(len(movable)), key=lambda i: self._apart(movable[i], here))
+            yield from ([movable[i] for i in sorted(near[:count])] for count in AROUND)
+
+    def _apart(self, step: _Step, here: Member) -> float:
+        """Return metres between a place and the nearest thing of a step's cluster."""
+        spots = (self.site.spots[member.name].member for member in step.cluster.members) if step.cluster else ()
+        return min(
+            math.hypot(spot.x - here.x, spot.y - here.y) - min(self.site.size(spot.name)[:2]) / 2 for spot in spots
+        )
+
+    def _without(self, out: Sequence[_Step], *, trial: bool = False) -> Site:
+        """Return the site with everything done again but some steps."""
+        site = self.base.copy(trial=trial)
+        for step in self.steps:
+            if step not in out:
+                step.put(site)
+        return site
 
     def furnish_walls(self) -> None:
         """Hang and lay the rest, where the agents reach it over the finished floor."""
@@ -172,11 +271,12 @@ class _Attempt:
         return float(self.rng.normal(0.0, 1.5))
 
     def _place_role(self, items: Sequence[Cast]) -> None:
-        hung, high, flat, standing = _by_manner(items)
+        hung, high, flat, standing = by_manner(items)
         for name in hung:
             hang(self.site, name, self.rng)
         overhead(self.site, high)
         lay_rugs(self.site, flat)
+        self.steps += [_settled(name, self.site) for name in (*hung, *high, *flat) if name in self.site.spots]
         clusters = [self.builder.build(name) for name in standing]
         if not clusters:
             return
@@ -200,10 +300,10 @@ class _Attempt:
         left = list(clusters)
         if self.site.cast[clusters[0].anchor].role.stands[0] == "wall":
             left = [cluster for cluster in clusters if not self._place(cluster, ["wall"], weights, limit=BAD)]
-        for alike in _alike(self.site, left):
-            for count in sorted({max(2, round(len(alike) * share)) for share in SHARES}, reverse=True):
-                if count <= len(alike) and self._place_grid(alike[:count], weights):
-                    left = [cluster for cluster in left if cluster not in alike[:count]]
+        for equal in alike(self.site, left):
+            for count in sorted({max(2, round(len(equal) * share)) for share in SHARES}, reverse=True):
+                if count <= len(equal) and self._place_grid(equal[:count], weights):
+                    left = [cluster for cluster in left if cluster not in equal[:count]]
                     break
         return left
 
@@ -221,8 +321,9 @@ class _Attempt:
             return False
         if cost > 10 and len(cluster.members) > 1 and limit is None and self._split(cluster, modes, weights):
             return True
-        _put(self.site, batch, row)
-        self.cost += cost
+        step = _Step(partial(_put, batch=batch, row=row), cost, cluster, tuple(modes), weights)
+        step.put(self.site)
+        self.steps.append(step)
         return True
 
     def _ranked(self, found: Sequence[Batch], weights: Mapping[str, float], modes: Sequence[str]) -> list[Choice]:
@@ -242,19 +343,21 @@ class _Attempt:
         for cost, batch, row in ranked:
             if best is not None and cost > best[0]:
                 break
-            if any(_close(batch, row, other, at) for _, other, at in rejected):
+            if any(_close(batch, row, other, at, CLOSE + WIDEN * len(rejected)) for _, other, at in rejected):
                 continue
-            if not self.site.exact(batch.cluster, batch.poses[row]):
-                best = min((c for c in (best, (cost + INEXACT, batch, row)) if c), key=lambda choice: choice[0])
+            fault = self.site.fault(batch.cluster, batch.poses[row])
+            if fault:
+                wrong = cost + (INEXACT if fault == "touches" else SHUT)
+                best = min((c for c in (best, (wrong, batch, row)) if c), key=lambda choice: choice[0])
                 continue
-            trial = self.site.copy()
+            trial = self.site.copy(trial=True)
             _put(trial, batch, row)
             missing = len(trial.unreached())
             harm = UNREACHED * max(0, missing - self.missing) + CUT_OFF * trial.cut_off
             left[cost + harm] = missing
             best = min((c for c in (best, (cost + harm, batch, row)) if c), key=lambda choice: choice[0])
             rejected.append((cost, batch, row))
-            if harm < HARMLESS or len(rejected) >= TRIALS:
+            if harm < HARMLESS or len(rejected) >= self.trials:
                 break
         chosen = best or ranked[0]
         self.missing = left.get(chosen[0], self.missing)
@@ -283,8 +386,9 @@ class _Attempt:
         """Put a cluster for which no place was found into the middle; the solver has to see."""
         from robolayout.planners._places import centroid
 
-        self.site.put(cluster, np.array([*centroid(self.site), 0.0]), "middle", None, None)
-        self.cost += 50.0
+        pose = np.array([*centroid(self.site), 0.0])
+        self.steps.append(_Step(lambda site: site.put(cluster, pose, "middle", None, None), NOWHERE))
+        self.steps[-1].put(self.site)
         return True
 
     def _place_grid(self, clusters: Sequence[Cluster], weights: Mapping[str, float]) -> bool:
@@ -306,44 +410,27 @@ class _Attempt:
         for cost, plan, batch, row in sorted(ranked, key=lambda entry: entry[0]):
             if cost > BAD + 1.0 or tried >= 2 * TRIALS or (best is not None and cost > best[0]):
                 break
-            if self.site.exact(batch.cluster, batch.poses[row]):
+            if not self.site.fault(batch.cluster, batch.poses[row]):
                 tried += 1
-                trial = self.site.copy()
+                trial = self.site.copy(trial=True)
                 _put_grid(trial, clusters, plan, batch.poses[row])
                 harm = (UNREACHED * max(0, len(trial.unreached()) - before) + CUT_OFF * trial.cut_off) / len(clusters)
                 if best is None or cost + harm < best[0]:
                     best = (cost + harm, plan, batch, row)
-        if best is None or best[0] > BAD + 1.0:
+        if best is None or best[0] > HOPELESS:
             return False
-        _put_grid(self.site, clusters, best[1], best[2].poses[best[3]])
-        self.cost += best[0] * len(clusters)
+        put = partial(_put_grid, clusters=clusters, plan=best[1], frame=best[2].poses[best[3]])
+        self.steps.append(_Step(put, best[0] * len(clusters)))
+        put(self.site)
         return True
 
 
-def _by_manner(items: Sequence[Cast]) -> tuple[list[str], list[str], list[str], list[str]]:
-    """Sort assets of one role into hung, overhead, flat and standing ones, as role and flags allow."""
-    manners: tuple[list[str], list[str], list[str], list[str]] = ([], [], [], [])
-    for item in items:
-        asset, stands = item.asset, item.role.stands
-        if asset.is_flat and "rug" in stands:
-            manners[2].append(item.name)
-        elif asset.on_wall and ("hang" in stands or not asset.on_floor):
-            manners[0].append(item.name)
-        elif asset.on_ceiling and not asset.on_floor:
-            manners[1].append(item.name)
-        else:
-            manners[3].append(item.name)
-    return manners
+def _harm(site: Site) -> float:
+    """Return the cost of what the agents do not get to or cannot use, and of the floor that is cut off."""
+    return UNREACHED * len(site.unreached()) + CUT_OFF * site.cut_off
 
 
-def _alike(site: Site, clusters: Sequence[Cluster]) -> list[list[Cluster]]:
-    """Return clusters in sets of the same make: anchors and followers of the same sizes."""
-    sets: dict[tuple[object, ...], list[Cluster]] = {}
-    for cluster in clusters:
-        key = tuple(
-            (site.cast[m.name].role.name, *(round(v, 1) for v in site.size(m.name)[:2]))
-            for m in cluster.members
-            if site.on_floor(m)
-        )
-        sets.setdefault(key, []).append(cluster)
-    return list(sets.values())
+def _settled(name: str, site: Site) -> _Step:
+    """Return a step that puts a thing where it is on a site."""
+    spot = site.spots[name]
+    return _Step(lambda other: other.settle(name, spot))

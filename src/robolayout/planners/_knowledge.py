@@ -54,6 +54,7 @@ class Join:
         pair: Statements for two that flank the same thing.
         all: Statements for all that join the same thing together.
         loose: Whether it may stand by itself if there is no room for it there.
+        gather: Whether they stand together on one thing rather than one on each.
     """
 
     slot: str
@@ -66,6 +67,7 @@ class Join:
     pair: tuple[str, ...] = ()
     all: tuple[str, ...] = ()
     loose: bool = False
+    gather: bool = False
 
 
 @dataclass(frozen=True)

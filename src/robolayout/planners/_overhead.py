@@ -37,10 +37,22 @@ def hang(site: Site, name: str, rng: np.random.Generator) -> None:
                 best = key
     if best is not None:
         site.settle(name, best[2])
+        if site.standings and _juts_out(site, best[2].member) > 0:
+            site.floor.take(corners_of(best[2].member, site.size(name)))
+            site.survey()
 
 
 OUT_OF_REACH = 10.0
-"""Cost of hanging what is used higher than the shortest arm gets."""
+"""Cost of hanging what is used higher than the shortest arm gets, or where a door or drawer opens."""
+
+APART = 0.01
+"""Metres that a hung thing keeps from what stands or hangs beside it at the least."""
+
+JUTS_OUT = 12.0
+"""Cost of hanging in the way of a body."""
+
+THIN = 0.1
+"""Metres that a thing may stand out from its wall without being in the way."""
 
 TAKE_HOLD = 0.05
 """Metres that a thing begins below the top of the reach."""
@@ -48,8 +60,8 @@ TAKE_HOLD = 0.05
 
 def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
     width = site.size(name)[1]
-    low, high = width / 2 + 0.05, wall.length - width / 2 - 0.05
-    marks = [wall.length / 2, *np.arange(low, high, 0.15)]
+    low, high = width / 2 + WALL_GAP - 1e-6, wall.length - width / 2 - WALL_GAP + 1e-6
+    marks = [wall.length / 2, *np.arange(low + 0.04, high, 0.15)]
     marks += [(span.rect[0] + span.rect[2]) / 2 for span in site.spans if span.wall == wall.index]
     return sorted({round(float(t), 3) for t in marks if low <= t <= high})
 
@@ -71,13 +83,17 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     rect = (t - width / 2, middle - height / 2, t + width / 2, middle + height / 2)
     yaw = wall_yaw(wall)
     member = Member(name, *wall.point(t, depth / 2 + WALL_GAP / 2), yaw, middle - height / 2)
-    cost = 30.0 * (site.wall_conflict(rect, takers) > 0.0) + 20.0 * site.wall_conflict(rect, takers)
+    covered = site.wall_conflict(rect, takers, APART)
+    cost = 30.0 * (covered > 0.0) + 20.0 * covered
     cost += OUT_OF_REACH * (used and middle - height / 2 > _reach_top(site) + TAKE_HOLD)
     cost += 1.2 * site.wall_conflict((rect[0] - 0.4, rect[1], rect[2] + 0.4, rect[3]), takers)
     cost += 0.8 * abs(t - wall.length / 2) / wall.length * (1 + role.prefer.get("centre", 0)) - bonus
     cost += role.prefer.get("long", 0.0) * (1 - wall.length / max(w.length for w in site.room.walls))
     if member.bottom < 2.0 and _in_landing(site, member):
         cost += 30.0
+    cost += JUTS_OUT * _juts_out(site, member)
+    outline = shapely.Polygon(corners_of(member, site.size(name)))
+    cost += OUT_OF_REACH * bool(shapely.intersects(outline, site.openings).any())
     cost += _crowding(site, name, member) + _sight(site, name, member) + _far(site, name, member)
     for key, weight in role.prefer.items():
         if key.startswith("near "):
@@ -113,12 +129,22 @@ def _in_landing(site: Site, member: Member) -> bool:
     return any(shapely.Polygon(site.room.landing(door)).intersects(outline) for door in site.room.doors)
 
 
+def _juts_out(site: Site, member: Member) -> float:
+    """Return the share of a hung thing that is in the way of a body over free floor; what is thin is not."""
+    depth, width, _ = site.size(member.name)
+    if depth <= THIN or member.bottom >= max(agent.height for agent in site.scene.agents):
+        return 0.0
+    points = rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.02)
+    pose = np.array([[member.x, member.y, member.yaw]])
+    return 1.0 - float(site.floor.maps().taken[site.floor.under(points, pose)].mean())
+
+
 def _far(site: Site, name: str, member: Member) -> float:
-    """Return a cost for hanging where some agent cannot reach it in plan; nothing while the floor is still empty."""
-    if site.away is None:
+    """Return a cost for hanging where some agent cannot reach or use it; nothing while the floor is still empty."""
+    if not site.standings:
         return 0.0
     i, j, _ = site.floor.look(corners_of(member, site.size(name)))
-    return 10.0 * bool(site.away[i, j].min() > 0)
+    return 10.0 * (not site.serves((i, j), site.used_from(member)))
 
 
 def _door_cost(site: Site, member: Member) -> float:

@@ -167,7 +167,7 @@ def _anchor(
     covered: Mapping[str, float],
     handy: Set[str],
 ) -> tuple[str, Join] | None:
-    """Return what the item joins: of the first fitting kind, the one with fewest like it.
+    """Return what the item joins: of the first fitting kind, the one with fewest like it (or most).
 
     On a top it is put only where `handy` holds that top.
     """
@@ -176,7 +176,7 @@ def _anchor(
             continue
         for wanted in join.of:
             free = [
-                (taken.get((name, item.role.name), 0), -_score(other), order, name)
+                (taken.get((name, item.role.name), 0) * (-1 if join.gather else 1), -_score(other), order, name)
                 for order, (name, other) in enumerate(cast.items())
                 if name != item.name
                 and (name in handy or join.slot not in ("on", "setting"))

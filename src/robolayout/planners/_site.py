@@ -17,13 +17,19 @@ from numpy.typing import NDArray
 from robolayout.planners._cluster import Cluster
 from robolayout.planners._floor import Floor, Points, moved, rect_points
 from robolayout.planners._member import Member, Rect, box_of, overlaps
+from robolayout.planners._reach import Standing, standing, turning_radius, use_cells
 from robolayout.planners._roles import Cast
 from robolayout.scene import Room, Scene, Wall
 
 Poses = NDArray[np.float64]
+Cells = tuple[NDArray[np.intp], NDArray[np.intp]]
+"""Indices of cells of the floor."""
 
 CLASH = 100.0
 """Cost of a square metre of clash."""
+
+HAIR = 0.002
+"""Metres that two things stand apart at least, so that rounding does not make them touch."""
 
 NEAR_WALL = 0.6
 """Metres from a wall within which a thing stands before it."""
@@ -110,10 +116,13 @@ class Site:
         corridor: Metres that the agent needs to pass.
         spots: What is placed, by name, in the order of placing.
         spans: What the placed things cover of the walls.
-        away: How many metres each cell is out of the reach of the worst agent, once the floor is furnished.
-        cut_off: Share of the free floor that the worst agent cannot get to.
+        standings: Where each agent gets to, once the floor is furnished.
         solids: Exact footprints of what stands on the floor, and the door landings.
+        fixed: Exact footprints of what does not make way for an opening door.
+        openings: Exact strips that doors and drawers open into.
         cells: The cells, as two index arrays, of what an agent should get to.
+        uses: The cells, by agent, from which it uses a thing; None where that is not asked of it.
+        trial: Whether this is only to find out what is reached: what things want clear is not marked.
     """
 
     scene: Scene
@@ -122,31 +131,36 @@ class Site:
     corridor: float
     spots: dict[str, Spot] = field(default_factory=dict[str, Spot])
     spans: list[Span] = field(default_factory=list["Span"])
-    away: NDArray[np.float64] | None = None
-    cut_off: float = 0.0
+    standings: tuple[Standing, ...] = ()
     solids: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
-    cells: dict[str, tuple[NDArray[np.intp], NDArray[np.intp]]] = field(
-        default_factory=dict[str, tuple[NDArray[np.intp], NDArray[np.intp]]]
-    )
+    fixed: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
+    openings: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
+    cells: dict[str, Cells] = field(default_factory=dict[str, "Cells"])
+    uses: dict[str, tuple[Cells | None, ...]] = field(default_factory=dict[str, tuple["Cells | None", ...]])
+    trial: bool = False
 
     @staticmethod
     def of(scene: Scene, cast: Mapping[str, Cast]) -> Site:
         """Return the empty site of a scene."""
         corridor = max(0.6, 2 * max(agent.radius for agent in scene.agents) + 0.1)
-        floor = Floor.of(scene.room, corridor, max(agent.radius for agent in scene.agents))
+        floor = Floor.of(scene.room, corridor, max(turning_radius(agent) for agent in scene.agents))
         site = Site(scene, cast, floor, corridor)
         site.solids += [shapely.Polygon(scene.room.landing(door)) for door in scene.room.doors]
         return site
 
-    def copy(self) -> Site:
-        """Return an independent copy."""
+    def copy(self, *, trial: bool = False) -> Site:
+        """Return an independent copy; on one for a `trial` what things want clear is not marked."""
         return replace(
             self,
+            trial=trial,
             floor=self.floor.copy(),
             spots=dict(self.spots),
             spans=list(self.spans),
             solids=list(self.solids),
+            fixed=list(self.fixed),
+            openings=list(self.openings),
             cells=dict(self.cells),
+            uses=dict(self.uses),
         )
 
     @property
@@ -162,22 +176,31 @@ class Site:
         """Whether a member takes floor space."""
         return member.bottom < 0.01 and not self.scene.by_name[member.name].is_flat
 
+    @property
+    def cut_off(self) -> float:
+        """Share of the free floor that the worst agent cannot get to."""
+        return max(found.cut_off for found in self.standings)
+
     def survey(self) -> None:
-        """Find out what the agents reach over the floor as it is furnished now."""
-        found = [self.floor.away(agent) for agent in self.scene.agents]
-        self.away = np.max(
-            [a - agent.reach + 0.03 for (a, _), agent in zip(found, self.scene.agents, strict=True)], axis=0
-        )
-        self.cut_off = max(share for _, share in found)
+        """Find out where the agents get to over the floor as it is furnished now."""
+        self.standings = tuple(standing(self.floor, agent) for agent in self.scene.agents)
 
     def unreached(self) -> list[str]:
-        """Return the assets that count and that some agent of the scene cannot get to."""
+        """Return the assets that some agent of the scene cannot get to or cannot use."""
         self.survey()
-        found: list[str] = []
-        for name, (i, j) in self.cells.items():
-            if self.away is not None and self.away[i, j].min() > 0:
-                found.append(name)
-        return found
+        return [name for name, cells in self.cells.items() if not self.serves(cells, self.uses[name])]
+
+    def serves(self, cells: Cells, uses: Sequence[Cells | None]) -> bool:
+        """Whether every agent gets to these cells and stands on some of those from which it uses what is there."""
+        return all(
+            float(found.away[cells].min()) <= agent.reach - 0.03 and (use is None or bool(found.stand[use].any()))
+            for agent, found, use in zip(self.scene.agents, self.standings, uses, strict=True)
+        )
+
+    def used_from(self, member: Member, *, carried: bool = False) -> tuple[Cells | None, ...]:
+        """Return the cells, by agent, from which it would use a thing there."""
+        asset = self.scene.by_name[member.name]
+        return tuple(use_cells(self.floor, asset, member, agent, carried=carried) for agent in self.scene.agents)
 
     def behind(self, member: Member) -> float:
         """Return the smallest x of a floor member in its cluster's frame, metres; 0 for what is on a top."""
@@ -255,21 +278,45 @@ class Site:
         total[~good] += 12.0
         return total
 
-    def exact(self, cluster: Cluster, pose: NDArray[np.float64]) -> bool:
-        """Whether a cluster at a pose touches nothing, stands in no landing and is inside the room, to the millimetre."""
+    def fault(self, cluster: Cluster, pose: NDArray[np.float64]) -> str:
+        """Return what is wrong with a cluster at a pose, to the millimetre: "touches", "shut" (a door) or nothing.
+
+        It touches things, a landing or the walls.
+        """
         x, y, yaw = (float(value) for value in pose)
         members = [m for m in cluster.members if self.on_floor(m)]
         if not members:
-            return True
-        corners = np.array([corners_of(m.moved(x, y, yaw), self.size(m.name)) for m in members])
+            return ""
+        corners = np.array([corners_of(m.moved(x, y, yaw), _grown(self.size(m.name))) for m in members])
         bodies = np.asarray(shapely.polygons(corners))
         room = shapely.Polygon(self.room.vertices).buffer(0.008, join_style="mitre")
         if not shapely.covers(room, bodies).all():
+            return "touches"
+        if _touch(bodies, self.solids):
+            return "touches"
+        return "" if self._opens(members, bodies, pose) else "shut"
+
+    def _opens(self, members: Sequence[Member], bodies: NDArray[np.object_], pose: NDArray[np.float64]) -> bool:
+        """Whether doors and drawers of floor members open, and those of what stands there already."""
+        fixed = [body for body, m in zip(bodies, members, strict=True) if not self.cast[m.name].category.movable]
+        if _touch(np.array(fixed), self.openings):
             return False
-        return not self.solids or bool((shapely.area(shapely.intersection(bodies[:, None], self.solids)) < 5e-5).all())
+        x, y, yaw = (float(value) for value in pose)
+        strips = [strip for m in members if (strip := self.opening(m.moved(x, y, yaw))) is not None]
+        room = shapely.Polygon(self.room.vertices).buffer(0.008, join_style="mitre")
+        return bool(shapely.covers(room, strips).all()) and not _touch(np.array(strips), [*self.fixed, *fixed])
+
+    def opening(self, member: Member) -> shapely.Polygon | None:
+        """Return the strip that the doors or drawers of a floor thing open into, or None."""
+        item = self.cast[member.name]
+        if item.category.open_depth <= 0 or "front" not in (item.asset.use_sides or item.category.use_sides):
+            return None
+        left, bottom, right, top = _strip_rect(self.size(member.name), "front", item.category.open_depth)
+        inner = np.array([(left + 0.01, bottom), (right, bottom), (right, top), (left + 0.01, top)])
+        return shapely.Polygon(_placed(inner, member))
 
     def put(self, cluster: Cluster, pose: NDArray[np.float64], mode: str, wall: int | None, anchor: str | None) -> None:
-        """Place a cluster: record its members and mark the floor."""
+        """Place a cluster: record its members and mark the floor, also what it wants clear unless this is a `trial`."""
         x, y, yaw = (float(value) for value in pose)
         rear = min(self.behind(member) for member in cluster.members)
         for member in cluster.members:
@@ -278,7 +325,7 @@ class Site:
             here, item = member.moved(x, y, yaw), self.cast[member.name]
             spot = Spot(here, own if first else "join", wall if at_wall else None, anchor if first else item.anchor)
             self.settle(member.name, spot)
-        for strip in self.strips(cluster):
+        for strip in () if self.trial else self.strips(cluster):
             points = moved(strip.points, np.array([[x, y, yaw]]))[0]
             i, j, on_grid = self.floor.look(points)
             keep = on_grid & self.floor.inside[i, j]
@@ -291,11 +338,16 @@ class Site:
             corners = corners_of(spot.member, self.size(name))
             self.floor.take(corners)
             self.solids.append(shapely.Polygon(corners))
+            if not self.cast[name].category.movable:
+                self.fixed.append(self.solids[-1])
+            strip = self.opening(spot.member)
+            self.openings += [strip] if strip is not None else []
         if spot.mode in ("ceiling", "rug"):
             return
         depth, width, _ = self.size(name)
         points = _placed(rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.0), spot.member)
         self.cells[name] = self.floor.look(points)[:2]
+        self.uses[name] = self.used_from(spot.member, carried=spot.mode == "join" and spot.member.bottom > 0.01)
         for wall in self.room.walls:
             span = along_wall(spot.member, self.size(name), wall)
             if span is not None:
@@ -338,6 +390,18 @@ class Site:
                 high = min(rect[3], other[3]) - max(rect[1], other[1]) + margin
                 total += wide * high / area
         return min(total, 1.0)
+
+
+def _touch(bodies: NDArray[np.object_], others: Sequence[shapely.Polygon]) -> bool:
+    """Whether any of these polygons shares more than a sliver with any of the others."""
+    if not len(bodies) or not others:
+        return False
+    return bool((shapely.area(shapely.intersection(bodies[:, None], others)) >= 5e-5).any())
+
+
+def _grown(size: tuple[float, float, float]) -> tuple[float, float, float]:
+    """Return a size with `HAIR` on every side."""
+    return (size[0] + 2 * HAIR, size[1] + 2 * HAIR, size[2])
 
 
 def corners_of(member: Member, size: tuple[float, float, float]) -> Points:

@@ -79,11 +79,18 @@ class Top:
         }[at]
         c, s = round(math.cos(seat.yaw)), round(math.sin(seat.yaw))
         inward += MARGIN
+        if at == "glass" and self._inner(seat, left) > self.reach >= self._inner(seat, -left):
+            left = -left  # a hand comes from the end of the table: nobody stands where the chair is
         if c:
             x, y = -c * (self.half[0] - inward), seat.y + c * left
         else:
             x, y = seat.x - s * left, -s * (self.half[1] - inward)
         return Member(name, x, y, seat.yaw, side=seat.name)
+
+    def _inner(self, seat: Member, left: float) -> float:
+        """Return metres from a place so far to the left of a seat to the end of the table."""
+        c, s = round(math.cos(seat.yaw)), round(math.sin(seat.yaw))
+        return self.half[1] - abs(seat.y + c * left) if c else self.half[0] - abs(seat.x - s * left)
 
     def _free(self, name: str, at: str, i: int, count: int) -> Member:
         """Return the free place nearest to where the i-th of `count` such things belongs."""

@@ -34,7 +34,7 @@ def guess_lines(site: Site, name: str) -> list[str]:
     member, height = site.spots[name].member, site.size(name)[2]
     label = expression(site.scene, name)
     degrees = round(math.degrees(member.yaw) % 360.0, 1) % 360.0
-    position = ", ".join(f"{value:.2f}" for value in (member.x, member.y, member.bottom + height / 2))
+    position = ", ".join(f"{round(value, 3):g}" for value in (member.x, member.y, member.bottom + height / 2))
     return [f"{label}.position = [{position}]", f"{label}.rotation = [{degrees:g}]"]
 
 

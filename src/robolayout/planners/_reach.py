@@ -1,0 +1,163 @@
+"""Where bodies can stand on the floor as it is furnished so far, and from which cells they use a thing.
+
+A rectangular body is looked at along and across the first door only, and turns where its whole turning circle is free. That is
+stricter than the verifier, which knows more headings: a room that serves here serves there.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout._grid import components, distance
+from robolayout.assets import category_of
+from robolayout.planners._floor import Floor, Points, moved, rect_points
+from robolayout.planners._member import MARGIN, Member, Size
+from robolayout.scene import LANDING_DEPTH, Agent, Asset
+
+Mask = NDArray[np.bool_]
+
+FAR_AWAY = 1e3
+"""Metres that stand for out of reach."""
+
+
+SPACING = 0.08
+"""Least metres between the points from which a use is looked for."""
+
+
+@dataclass(frozen=True)
+class Standing:
+    """Where one agent gets to.
+
+    Attributes:
+        away: Metres from each cell to where the agent gets to; beyond its reach only known to be beyond it.
+        cut_off: Share of the free floor that it cannot get to.
+        stand: Cells on which its centre can stand to use something, whichever way round.
+    """
+
+    away: NDArray[np.float64]
+    cut_off: float
+    stand: Mask
+
+
+def turning_radius(agent: Agent) -> float:
+    """Return the radius in metres of the circle that must be free where an agent turns, at least that of its disc."""
+    return max(agent.radius, agent.circumradius, (agent.turning_diameter or 0.0) / 2)
+
+
+def standing(floor: Floor, agent: Agent) -> Standing:
+    """Return where an agent gets to from the door."""
+    labels, sizes = components(floor.clear >= agent.radius / floor.cell + 1.0)
+    nowhere = np.zeros_like(floor.inside)
+    if not len(sizes):
+        return Standing(np.full(floor.inside.shape, FAR_AWAY), 1.0, nowhere)
+    at_door = np.bincount(labels[floor.landing], minlength=len(sizes) + 1)[1:]
+    if floor.room.doors and not at_door.any():
+        return Standing(np.full(floor.inside.shape, FAR_AWAY), 1.0, nowhere)
+    main = labels == 1 + int(np.argmax(at_door if at_door.any() else sizes))
+    away = distance(~main, agent.reach / floor.cell + 1.0) * floor.cell
+    stand = main if agent.length is None or agent.width is None else _either_way(floor, agent)
+    return Standing(away, 1.0 - float(main.sum()) / float(sizes.sum()), stand)
+
+
+def _either_way(floor: Floor, agent: Agent) -> Mask:
+    """Return where a rectangular body can stand along or across the door's direction, having come in straight."""
+    room = floor.room
+    normal = room.walls[room.doors[0].wall if room.doors else 0].normal
+    along, across = (components(_fits(floor, agent, heading)) for heading in (normal, (-normal[1], normal[0])))
+    turns = floor.clear >= turning_radius(agent) / floor.cell + 1.0
+    wide = len(across[1]) + 1
+    pairs = np.stack(np.divmod(np.flatnonzero(np.bincount(along[0][turns] * wide + across[0][turns])), wide), axis=1)
+    if room.doors:
+        depth = max(LANDING_DEPTH, agent.length or 0.0)
+        there = floor.cells([np.array(room.landing(room.doors[0], depth))])
+        count = np.bincount(along[0][there], minlength=len(along[1]) + 1)[1:]
+    else:
+        count = along[1]
+    if not count.any():
+        return np.zeros_like(floor.inside)
+    ways, turned = np.zeros(len(along[1]) + 1, np.bool_), np.zeros(len(across[1]) + 1, np.bool_)
+    ways[1 + int(np.argmax(count))] = True
+    for _ in range(len(pairs)):
+        before = ways.sum() + turned.sum()
+        turned[pairs[ways[pairs[:, 0]], 1]] = True
+        ways[pairs[turned[pairs[:, 1]], 0]] = True
+        if ways.sum() + turned.sum() == before:
+            break
+    ways[0] = turned[0] = False
+    return ways[along[0]] | turned[across[0]]
+
+
+def _fits(floor: Floor, agent: Agent, heading: tuple[float, float]) -> Mask:
+    """Return the cells on which a rectangular body with a heading touches nothing."""
+    rim = math.ceil(agent.circumradius / floor.cell) + 2
+    blocked = np.pad(~floor.inside | (floor.body > 0), rim, constant_values=True)
+    for (dx, dy), extent in ((heading, agent.length or 0.0), ((-heading[1], heading[0]), agent.width or 0.0)):
+        blocked = _smeared(blocked, (dx, dy), extent / 2 / floor.cell + 0.5)
+    return ~blocked[rim:-rim, rim:-rim]
+
+
+def _smeared(mask: Mask, direction: tuple[float, float], half: float) -> Mask:
+    """Return a mask spread by so many cells along a direction, both ways."""
+    found, (nx, ny) = mask.copy(), mask.shape
+    for step in range(1, int(half) + 1):
+        i, j = round(step * direction[0]), round(step * direction[1])
+        low, high = (max(i, 0), max(j, 0)), (min(nx + i, nx), min(ny + j, ny))
+        there = (slice(low[0], high[0]), slice(low[1], high[1]))
+        back = (slice(low[0] - i, high[0] - i), slice(low[1] - j, high[1] - j))
+        found[there] |= mask[back]
+        found[back] |= mask[there]
+    return found
+
+
+def use_cells(
+    floor: Floor, asset: Asset, member: Member, agent: Agent, *, carried: bool
+) -> tuple[NDArray[np.intp], NDArray[np.intp]] | None:
+    """Return the cells from which an agent uses a thing there; None if that is not asked of it or out of its height."""
+    if agent.reach_distance is None and not asset.on_floor:
+        return None
+    sides = tuple(category_of(asset).use_sides if asset.use_sides is None else asset.use_sides)
+    reach = reach_between(agent, member.bottom, member.bottom + asset.size[2])
+    if reach is None or not sides:
+        return None
+    if carried or category_of(asset).movable:
+        sides = ("",)
+    local = np.concatenate(
+        [_within(asset.size, side, round(reach, 3), max(SPACING, round(floor.cell, 3))) for side in sides]
+    )
+    i, j, on_grid = floor.look(moved(local, np.array([[member.x, member.y, member.yaw]]))[0])
+    return i[on_grid], j[on_grid]
+
+
+def reach_between(agent: Agent, bottom: float, top: float) -> float | None:
+    """Return the horizontal reach in metres to something between two heights, None if it is too high or too low."""
+    if agent.reach_distance is None:
+        return agent.reach
+    low, high = max(bottom, agent.reach_low), min(top, agent.reach_high)
+    if low > high:
+        return None
+    shoulder = agent.shoulder_height
+    height = 0.0 if shoulder is None else abs(min(max(shoulder, low), high) - shoulder)
+    return math.sqrt(agent.reach**2 - height**2) if height < agent.reach else None
+
+
+@lru_cache(maxsize=4096)
+def _within(size: Size, side: str, reach: float, step: float) -> Points:
+    """Return points (k, 2) from which a side ("": any edge) of a box at the origin is within reach."""
+    hx, hy = size[0] / 2, size[1] / 2
+    points = rect_points((-hx - reach, -hy - reach, hx + reach, hy + reach), 0.0, step)
+    edge = {
+        "front": (hx, -hy, hx, hy),
+        "back": (-hx, -hy, -hx, hy),
+        "left": (-hx, hy, hx, hy),
+        "right": (-hx, -hy, hx, -hy),
+    }
+    left, bottom, right, top = edge.get(side, (-hx, -hy, hx, hy))
+    x, y = points[:, 0], points[:, 1]
+    away = np.hypot(np.maximum(np.maximum(left - x, x - right), 0), np.maximum(np.maximum(bottom - y, y - top), 0))
+    beyond = {"front": x > hx, "back": x < -hx, "left": y > hy, "right": y < -hy}.get(side, away > 0)
+    return points[beyond & (away <= reach - MARGIN)]

@@ -1,0 +1,38 @@
+"""Assets of one role, sorted before they are placed: by manner of standing, and into sets of the same make."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from robolayout.planners._cluster import Cluster
+from robolayout.planners._roles import Cast
+from robolayout.planners._site import Site
+
+
+def by_manner(items: Sequence[Cast]) -> tuple[list[str], list[str], list[str], list[str]]:
+    """Sort assets of one role into hung, overhead, flat and standing ones, as role and flags allow."""
+    manners: tuple[list[str], list[str], list[str], list[str]] = ([], [], [], [])
+    for item in items:
+        asset, stands = item.asset, item.role.stands
+        if asset.is_flat and "rug" in stands:
+            manners[2].append(item.name)
+        elif asset.on_wall and ("hang" in stands or not asset.on_floor):
+            manners[0].append(item.name)
+        elif asset.on_ceiling and not asset.on_floor:
+            manners[1].append(item.name)
+        else:
+            manners[3].append(item.name)
+    return manners
+
+
+def alike(site: Site, clusters: Sequence[Cluster]) -> list[list[Cluster]]:
+    """Return clusters in sets of the same make: anchors and followers of the same sizes."""
+    sets: dict[tuple[object, ...], list[Cluster]] = {}
+    for cluster in clusters:
+        key = tuple(
+            (site.cast[m.name].role.name, *(round(v, 1) for v in site.size(m.name)[:2]))
+            for m in cluster.members
+            if site.on_floor(m)
+        )
+        sets.setdefault(key, []).append(cluster)
+    return list(sets.values())
