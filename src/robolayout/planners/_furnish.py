@@ -27,6 +27,9 @@ UNREACHED = 8.0
 PATIENCE = 2
 """Attempts without a clearly better room after which the search ends."""
 
+HOPE = 4
+"""The same while something is out of the way or does not open."""
+
 WORTH = 1.0
 """Cost by which a room is clearly better."""
 
@@ -36,7 +39,7 @@ CUT_OFF = 40.0
 INEXACT = 30.0
 """Cost of a place where something touches, by the exact check."""
 
-SHUT = 6.0
+SHUT = 18.0
 """Cost of a place where a door or drawer does not open."""
 
 CHECKED = 300
@@ -86,7 +89,8 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
     """Return the best of several attempts; the very first one follows the knowledge to the letter.
 
     The floor is furnished in every attempt, walls and ceiling only in the best one. It is good enough after `PATIENCE`
-    attempts without one that is better by `WORTH`. Where something is out of the way, single things are moved once more.
+    attempts without one that is better by `WORTH`, or `HOPE` where it does not serve. Where something
+    is out of the way, single things are moved once more.
     """
     empty = Site.of(scene, cast)
     builder = ClusterBuilder(scene, cast)
@@ -96,14 +100,14 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
         site = empty.copy()
         _keep(site, builder, placed)
         attempt = _Attempt(site, builder, np.random.default_rng((seed, number)), calm=number == 0 and seed == 0)
-        cost, mended = attempt.furnish_floor(), False
+        cost = attempt.furnish_floor()
         if best is None or cost < best[0]:
             best = (cost, attempt)
-        if number >= PATIENCE and best[0] >= UNREACHED and (number == PATIENCE or best[1] is attempt):
-            best, mended = (best[1].rearrange(), best[1]), True
+        if number >= PATIENCE and not best[1].serves and (number == PATIENCE or best[1] is attempt):
+            best = (best[1].rearrange(), best[1])
         if best[0] < leap[0] - WORTH:
             leap = (best[0], number)
-        if best[0] < UNREACHED and (mended or number - leap[1] >= PATIENCE):
+        if number - leap[1] >= (PATIENCE if best[1].serves else HOPE):
             break
     assert best is not None
     best[1].furnish_walls()
@@ -207,6 +211,11 @@ class _Attempt:
     def total(self) -> float:
         """Return the cost of the room as it is."""
         return sum(step.cost for step in self.steps) + looks(self.site) + _harm(self.site)
+
+    @property
+    def serves(self) -> bool:
+        """Whether everything is reached and used, and every door and drawer opens."""
+        return _harm(self.site) < UNREACHED and all(step.cost < SHUT for step in self.steps)
 
     def _move_some(self) -> bool:
         """Take some clusters out and put each where it is less in the way; False if nothing gets better."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,19 +29,34 @@ SPACING = 0.08
 """Least metres between the points from which a use is looked for."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Standing:
     """Where one agent gets to.
 
     Attributes:
         away: Metres from each cell to where the agent gets to; beyond its reach only known to be beyond it.
         cut_off: Share of the free floor that it cannot get to.
-        stand: Cells on which its centre can stand to use something, whichever way round.
+        easy: Cells on which its centre can stand to use something and turn right round.
+        floor: The floor.
+        agent: The body.
     """
 
     away: NDArray[np.float64]
     cut_off: float
-    stand: Mask
+    easy: Mask
+    floor: Floor
+    agent: Agent
+
+    def stands_on(self, cells: tuple[NDArray[np.intp], NDArray[np.intp]]) -> bool:
+        """Whether its centre can stand on some of these cells to use something, whichever way round."""
+        return bool(self.easy[cells].any()) or bool(self.stand[cells].any())
+
+    @cached_property
+    def stand(self) -> Mask:
+        """Cells on which its centre can stand to use something, one way round or the other."""
+        return (
+            self.easy if self.agent.length is None or self.agent.width is None else _either_way(self.floor, self.agent)
+        )
 
 
 def turning_radius(agent: Agent) -> float:
@@ -54,14 +69,25 @@ def standing(floor: Floor, agent: Agent) -> Standing:
     labels, sizes = components(floor.clear >= agent.radius / floor.cell + 1.0)
     nowhere = np.zeros_like(floor.inside)
     if not len(sizes):
-        return Standing(np.full(floor.inside.shape, FAR_AWAY), 1.0, nowhere)
+        return Standing(np.full(floor.inside.shape, FAR_AWAY), 1.0, nowhere, floor, agent)
     at_door = np.bincount(labels[floor.landing], minlength=len(sizes) + 1)[1:]
     if floor.room.doors and not at_door.any():
-        return Standing(np.full(floor.inside.shape, FAR_AWAY), 1.0, nowhere)
+        return Standing(np.full(floor.inside.shape, FAR_AWAY), 1.0, nowhere, floor, agent)
     main = labels == 1 + int(np.argmax(at_door if at_door.any() else sizes))
     away = distance(~main, agent.reach / floor.cell + 1.0) * floor.cell
-    stand = main if agent.length is None or agent.width is None else _either_way(floor, agent)
-    return Standing(away, 1.0 - float(main.sum()) / float(sizes.sum()), stand)
+    return Standing(away, 1.0 - float(main.sum()) / float(sizes.sum()), _turning(floor, agent, main), floor, agent)
+
+
+def _turning(floor: Floor, agent: Agent, main: Mask) -> Mask:
+    """Return where a body that comes in by the door gets to while it can turn right round; `main` for a disc."""
+    if agent.length is None or agent.width is None:
+        return main
+    labels, sizes = components(floor.clear >= turning_radius(agent) / floor.cell + 1.0)
+    if not len(sizes) or not floor.room.doors:
+        return np.zeros_like(main)
+    # What it turns on from the landing is joined to the door, straight in along its normal.
+    at_door = np.bincount(labels[floor.landing], minlength=len(sizes) + 1)[1:]
+    return labels == 1 + int(np.argmax(at_door)) if at_door.any() else np.zeros_like(main)
 
 
 def _either_way(floor: Floor, agent: Agent) -> Mask:

@@ -193,7 +193,7 @@ class Site:
     def serves(self, cells: Cells, uses: Sequence[Cells | None]) -> bool:
         """Whether every agent gets to these cells and stands on some of those from which it uses what is there."""
         return all(
-            float(found.away[cells].min()) <= agent.reach - 0.03 and (use is None or bool(found.stand[use].any()))
+            float(found.away[cells].min()) <= agent.reach - 0.03 and (use is None or found.stands_on(use))
             for agent, found, use in zip(self.scene.agents, self.standings, uses, strict=True)
         )
 

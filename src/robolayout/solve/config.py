@@ -67,7 +67,7 @@ class SolverConfig:
     reroute: SearchConfig = SearchConfig(steps=120, rate=0.03, final_rate=0.001)
     """After each planning of routes."""
 
-    route_rounds: int = 6
+    route_rounds: int = 3
     """Most rounds of planning routes and moving furniture out of their way."""
 
     repair_rounds: int = 16

@@ -130,11 +130,14 @@ class Solver:
         return best
 
     def _started(self, stage: Stage, number: int) -> tuple[_Best, Run]:
-        """Return the best that polishing the guess leads to, and what other starts lead to where that is not perfect."""
+        """Return the guess, or else the best that polishing it and, where that is not perfect, other starts lead to."""
+        best = self._judged(stage.world, number)
+        if best.verdict.ok:
+            return best, Run(stage.world[None], np.zeros(1), np.zeros(1))
         starts = Starts(self.problem, stage.world, stage.moving, self.rng)
         quarter = max(self.config.starts // 4, 1)
         run = self.runner.advance(stage, starts.near(quarter), self.config.polish, "polish")
-        best = self._best_of(run.ranked(), number, None)
+        best = self._best_of(run.ranked(), number, best)
         if number == 0 and not best.verdict.ok and self.config.starts > 1:
             routes = partial(self._open, stage) if self.config.route_rounds else None
             built = starts.built(2 * quarter)

@@ -225,6 +225,7 @@ class _Rows:
     def __init__(self, problem: Problem, moving: set[int]) -> None:
         self.problem = problem
         self.moving = moving
+        self.number = max((problem.stage[i] for i in moving), default=0)
         self.size = bucket(len(problem.names), SLOT_BUCKETS)
         walls = problem.scene.room.walls
         self.fixed: list[list[float]] = [
@@ -290,8 +291,7 @@ class _Rows:
 
     def _at_hand(self, slots: list[int]) -> bool:
         """Return whether all slots have their own place already: they move now or were placed before."""
-        stage = max((self.problem.stage[i] for i in self.moving), default=0)
-        return all(self.problem.stage[i] <= stage for i in slots)
+        return all(self.problem.stage[i] <= self.number for i in slots)
 
     def _moves(self, refs: Iterable[Ref]) -> bool:
         return any(isinstance(ref, AssetRef) and self.problem.slot[ref.name] in self.moving for ref in refs)
