@@ -47,10 +47,10 @@ class SolverConfig:
     """The default search."""
 
     starts: int = 16
-    """Starts in all; see `starts.make_starts`. Those past the first `kept` are used only if none of these is perfect."""
+    """Starts in all: a quarter near the guess; where none of these is perfect, half as many built, then a quarter far off."""
 
     kept: int = 8
-    """Starts near the guess and built anew, which are polished first; and how many go on to routes."""
+    """How many go on to routes, and from one round of repair to its polish."""
 
     judged: int = 4
     """Layouts of each round of routes or repair that the exact verifier sees, the most promising first."""

@@ -17,7 +17,7 @@ from robolayout.solve.construct import Builder
 from robolayout.solve.judge import Judge, Verdict
 from robolayout.solve.repair import Repair
 from robolayout.solve.routes import Ground, Obstacles, Plan, make_ground, obstacles_of, pack, plan_routes
-from robolayout.solve.runner import Run, Runner
+from robolayout.solve.runner import STILL, Run, Runner
 from robolayout.solve.snap import snapped
 from robolayout.solve.solution import Progress, Solution, conclude, silent
 from robolayout.solve.stage import Stage, make_stage, stages
@@ -133,7 +133,8 @@ class Solver:
         """Return the guess, or else the best that polishing it and, where that is not perfect, other starts lead to."""
         best = self._judged(stage.world, number)
         if best.verdict.ok:
-            return best, Run(stage.world[None], np.zeros(1), np.zeros(1))
+            still = Run(stage.world[None], np.zeros(1), np.zeros(1))
+            return best, self.runner.advance(stage, still.world, STILL, "guess") if self.config.trace else still
         starts = Starts(self.problem, stage.world, stage.moving, self.rng)
         quarter = max(self.config.starts // 4, 1)
         run = self.runner.advance(stage, starts.near(quarter), self.config.polish, "polish")

@@ -113,7 +113,7 @@ class Runner:
         pieces = [(world[part], partial(routes, part) if routes else lambda: free) for part in parts]
         results = self._results(stage, pieces, phase, label, rng)
         runs = [self._run(stage, world[part], found) for part, found in zip(parts, results, strict=True)]
-        if self.config.trace and phase.steps:
+        if self.config.trace and label:
             self._record(stage, label, phase.steps, results[0])
         return Run(*(np.concatenate(fields) for fields in zip(*(run.fields() for run in runs), strict=True)))
 
@@ -160,16 +160,16 @@ class Runner:
         return world
 
     def _record(self, stage: Stage, label: str, steps: int, found: Found) -> None:
-        """Keep the losses of the best start of a batch, and its poses at 20 moments."""
+        """Keep the losses of the best start of a batch, and its poses at 20 moments; at one where nothing moved."""
         history, shots = np.asarray(found.history), np.asarray(found.shots)[:, : len(stage.problem.names)]
         begin = len(self._losses)
         weights = self.config.weights
         factors = (weights.overlap, weights.inside, weights.clear, 1.0, weights.routes)
-        for row in history[: min(steps, HISTORY)]:
+        for row in history[: min(max(steps, 1), HISTORY)]:
             terms = {name: float(value) * f for name, value, f in zip(TERMS, row, factors, strict=True)}
             self._losses.append(terms | {"total": sum(terms.values())})
         stride = max(1, SNAPSHOTS // 20)
-        for i in range(0, SNAPSHOTS, stride):
+        for i in range(0, SNAPSHOTS if steps else 1, stride):
             self._shots.append((begin + i * steps // SNAPSHOTS, label, shots[i]))
 
     def trace(self, problem: Problem) -> Trace:

@@ -219,6 +219,26 @@ def _stay_terms(problem: Problem) -> Iterable[Term]:
             yield FrameTerm(AssetRef(name), top, along=Interval(u, u), across=Interval(v, v), weight=STAY)
 
 
+def wall_terms(problem: Problem) -> Iterable[FrameTerm]:
+    """Yield rows that hold wall things, which no statement puts on a wall, at the wall nearest to their guess."""
+    from robolayout.constraints.against_wall import wall_term
+
+    held = {
+        t.a for terms in problem.statement_terms for t in terms if isinstance(t, FrameTerm) and isinstance(t.b, WallRef)
+    }
+    walls = problem.scene.room.walls
+    for asset in problem.scene.assets:
+        ref, slot = AssetRef(asset.name), problem.slot[asset.name]
+        if not asset.on_wall or asset.on_floor or problem.parent[slot] >= 0 or ref in held:
+            continue
+        pose = problem.guess[asset.name]
+        wide = [w for w in walls if w.length >= asset.size[1]] or list(walls)
+        nearest = min(
+            wide, key=lambda w: abs((pose.x - w.start[0]) * w.normal[0] + (pose.y - w.start[1]) * w.normal[1])
+        )
+        yield wall_term(ref, WallRef(nearest.index), problem.scene, 2.0)
+
+
 class _Rows:
     """Collects the rows of a stage's kernels."""
 
@@ -260,34 +280,8 @@ class _Rows:
         yield from problem.implicit_terms
         for terms in problem.statement_terms:
             yield from terms
-        yield from self._wall_terms(problem)
+        yield from wall_terms(problem)
         yield from _stay_terms(problem)
-
-    def _wall_terms(self, problem: Problem) -> Iterable[Term]:
-        """Yield rows that hold wall things, which no statement puts on a wall, at the wall nearest to their guess."""
-        from robolayout.constraints.against_wall import wall_term
-
-        held = {
-            t.a
-            for terms in problem.statement_terms
-            for t in terms
-            if isinstance(t, FrameTerm) and isinstance(t.b, WallRef)
-        }
-        for asset in problem.scene.assets:
-            ref = AssetRef(asset.name)
-            if (
-                asset.on_wall
-                and not asset.on_floor
-                and problem.parent[problem.slot[asset.name]] < 0
-                and ref not in held
-            ):
-                pose = problem.guess[asset.name]
-                walls = problem.scene.room.walls
-                wide = [w for w in walls if w.length >= asset.size[1]] or list(walls)
-                nearest = min(
-                    wide, key=lambda w: abs((pose.x - w.start[0]) * w.normal[0] + (pose.y - w.start[1]) * w.normal[1])
-                )
-                yield wall_term(ref, WallRef(nearest.index), problem.scene, 2.0)
 
     def _at_hand(self, slots: list[int]) -> bool:
         """Return whether all slots have their own place already: they move now or were placed before."""
