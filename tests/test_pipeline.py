@@ -9,6 +9,7 @@ import sys
 import pytest
 
 import robolayout as rl
+from robolayout.planners import OfflinePlanner, PlanRequest
 from running import ROOT, Furnished
 
 TINY = {
@@ -80,3 +81,26 @@ def test_every_example_reads_without_a_warning_about_its_room_or_its_flags() -> 
     for path in sorted((ROOT / "examples").rglob("*.json")):
         warnings = rl.load_scene(path).warnings
         assert all("is called" in warning for warning in warnings), (path, warnings)
+
+
+def test_another_program_is_asked_for_where_a_thing_stands_too_high_for_the_body() -> None:
+    """The solver cannot lower what a program puts on a high top, and calls its work done; the report does not."""
+    assets = {
+        "bookshelf-0": {"category": "bookshelf", "onFloor": True, "size": [0.3, 0.9, 1.9]},
+        "night_stand-0": {"category": "night stand", "onFloor": True, "size": [0.4, 0.5, 0.5]},
+        "clock-0": {"category": "alarm clock", "onObject": True, "size": [0.1, 0.15, 0.1]},
+    }
+    for asset in assets.values():
+        asset["assetMetadata"] = {"boundingBox": dict(zip("xyz", asset.pop("size"), strict=True))}
+    told: list[str] = []
+
+    class Two(OfflinePlanner):
+        """Writes a bad program first."""
+
+        def plan(self, request: PlanRequest) -> str:
+            told.append(request.feedback)
+            return f"solver.on_top_of(clock[0], {'night_stand' if len(told) > 1 else 'bookshelf'}[0])"
+
+    result = rl.generate(TINY | {"assets": assets}, agent="child_6", planner=Two())
+    assert len(told) == 2 and result.report.ok, result.report.violations
+    assert result.layout["clock-0"].z < 1.0

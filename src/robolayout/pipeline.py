@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -156,6 +157,7 @@ class _Run:
     def whole(self, planner: Planner, program: str | None, attempts: int) -> Attempt:
         """Plan all assets at once; while demands stay unmet ask again, and keep the best."""
         best: Attempt | None = None
+        least = (math.inf, True)
         for number in range(1 if program is not None else attempts):
             with self.clock.station("plan"):
                 feedback = best.solution.message if best else ""
@@ -164,9 +166,12 @@ class _Run:
             if best is not None and text == best.asked.text:
                 break
             found = self._solved(text)
-            if best is None or found.solution.verdict.merit < best.solution.verdict.merit:
-                best = found
-            if best.solution.verdict.ok or verify(self.scene, best.solution.layout, best.asked).ok:
+            report = verify(self.scene, found.solution.layout, found.asked)
+            # A thing that stands too high is nothing that the solver could move, but another program may put it lower.
+            rank = (found.solution.verdict.merit, not report.ok)
+            if best is None or rank < least:
+                best, least = found, rank
+            if report.ok or (found.solution.verdict.ok and any(one.impossible for one in report.agents)):
                 break
         assert best is not None
         return best
