@@ -72,9 +72,17 @@ def cast_scene(scene: Scene, knowledge: Knowledge) -> dict[str, Cast]:
     taken: dict[tuple[str, str], int] = {}
     covered: dict[str, float] = {}
     for name in sorted(cast, key=lambda n: (cast[n].role.rank, -_footprint(cast[n].asset))):
-        handy = {n for n, other in cast.items() if in_height(scene.agents, cast[name].asset, other.asset.size[2])}
+        handy, sideways = (
+            {
+                n
+                for n, other in cast.items()
+                if in_height(scene.agents, cast[name].asset, other.asset.size[2], narrow=way)
+            }
+            for way in (False, True)
+        )
         found = (
             _anchor(cast[name], cast, taken, covered, handy)
+            or _anchor(cast[name], cast, taken, covered, sideways)
             or _anchor(cast[name], cast, taken, covered, set(cast))
             or _any_top(cast[name], cast, covered)
         )
@@ -147,15 +155,19 @@ def fallback(asset: Asset) -> str:
     return "thing on the ceiling" if asset.on_ceiling else "thing on a wall"
 
 
-def in_height(agents: Sequence[Agent], asset: Asset, bottom: float) -> bool:
-    """Return whether every agent with an arm gets past its own edge to a thing that stands `bottom` metres high."""
+def in_height(agents: Sequence[Agent], asset: Asset, bottom: float, *, narrow: bool = False) -> bool:
+    """Return whether every agent with an arm gets past its own edge to a thing that stands `bottom` metres high.
+
+    Its edge is that of its disc, or `narrow` that of its narrow side.
+    """
     for agent in agents:
         if agent.reach_distance is None:
             continue
         low, high = max(bottom, agent.reach_low), min(bottom + asset.size[2], agent.reach_high)
         shoulder = min(max(agent.shoulder_height or low, low), high)
         away = 0.0 if agent.shoulder_height is None else shoulder - agent.shoulder_height
-        if low > high or agent.reach**2 - away**2 < (agent.radius + BEYOND) ** 2:
+        edge = min(agent.length, agent.width) / 2 if narrow and agent.length and agent.width else agent.radius
+        if low > high or agent.reach**2 - away**2 < (edge + BEYOND) ** 2:
             return False
     return True
 
