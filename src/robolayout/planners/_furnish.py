@@ -423,7 +423,9 @@ class _Attempt:
                 tried += 1
                 trial = self.site.copy(trial=True)
                 _put_grid(trial, clusters, plan, batch.poses[row])
-                harm = (UNREACHED * max(0, len(trial.unreached()) - before) + CUT_OFF * trial.cut_off) / len(clusters)
+                harm = (UNREACHED * max(0, len(trial.unreached()) - before) + CUT_OFF * trial.cut_off) / len(
+                    clusters
+                ) ** 0.5
                 if best is None or cost + harm < best[0]:
                     best = (cost + harm, plan, batch, row)
         if best is None or best[0] > HOPELESS:
