@@ -13,6 +13,7 @@ from solve_rooms import BED, L_SHAPED, LAMP, SQUARE, STANDS, TABLE, TRIANGLE, pr
 from robolayout.constraints import FAR, FrameTerm, WallRef
 from robolayout.scene import Asset, Room
 from robolayout.solve import Problem
+from robolayout.solve.construct import Builder
 from robolayout.solve.proposals import Proposals, frame_of
 from robolayout.solve.stage import relative
 from robolayout.solve.starts import Starts
@@ -43,7 +44,7 @@ STATEMENTS = [
 
 def every_kind(problem: Problem, world: np.ndarray, moving: tuple[int, ...], count: int) -> np.ndarray:
     """Return starts: a quarter near the guess, half built, a quarter far from it."""
-    starts = Starts(problem, world, moving, np.random.default_rng(0))
+    starts = Starts(problem, world, moving, Builder(problem, np.random.default_rng(0)))
     return np.concatenate([starts.near(count // 4), starts.built(count // 2), starts.far(count // 4)])
 
 
@@ -102,7 +103,7 @@ def test_a_draw_satisfies_the_row_that_it_is_drawn_from(text: str) -> None:
     for _ in range(40):
         world = scattered(problem, rng)
         for term in proposals.frames[0]:
-            world[0] = proposals._placed(0, term, world, 1, rng)[0]
+            world[0] = proposals.placed(0, term, world, 1, rng)[0]
             assert missed(problem, term, world) < 1e-9
             assert proposals.misses(replace(term, look=None), 0, world[:1], world) == pytest.approx([0.0], abs=1e-9)
             if term.heading is not None:
@@ -145,11 +146,14 @@ def test_a_twin_is_proposed_at_the_mirror_image() -> None:
     problem = problem_of(room_of(BED, *STANDS), text)
     rng = np.random.default_rng(2)
     world = scattered(problem, rng)
-    world[1] = Proposals.of(problem)._mirrored(1, world, rng)
+    proposals = Proposals.of(problem)
+    (row,) = proposals.mirrors[1]
+    world[1] = proposals.image(row, 1, world)
     outcome = problem.relations[0].check(problem.scene, problem.layout(world))
     assert outcome.value < 1e-9
     about_wall = problem_of(room_of(BED, *STANDS), "solver.symmetric_pair(night_stand[0], night_stand[1], walls[2])")
-    world[1] = Proposals.of(about_wall)._mirrored(1, world, rng)
+    proposals = Proposals.of(about_wall)
+    world[1] = proposals.image(proposals.mirrors[1][0], 1, world)
     assert about_wall.relations[0].check(about_wall.scene, about_wall.layout(world)).value < 1e-9
 
 

@@ -35,6 +35,7 @@ from robolayout.pipeline import make_judge, solve
 from robolayout.program import read_program, reconcile
 from robolayout.scene import Asset, Pose, Room, Scene, vertical_span
 from robolayout.solve import Solver, Verdict
+from robolayout.solve.construct import Builder
 from robolayout.solve.refine import _Best
 from robolayout.solve.repair import Repair
 from robolayout.solve.routes import make_ground, obstacles_of, plan_routes
@@ -271,7 +272,7 @@ def test_refinement_and_repair_never_end_worse() -> None:
 def test_repair_moves_only_what_is_to_blame_and_what_belongs_to_it() -> None:
     scene = room_of(BED, TABLE, STANDS[0])
     problem = problem_of(scene, "solver.next_to(night_stand[0], table[0])")
-    repair = Repair(problem, Runner(QUICK), QUICK, np.random.default_rng(0))
+    repair = Repair(problem, Runner(QUICK), QUICK, Builder(problem, np.random.default_rng(0)))
     world = problem.start.copy()
     slots = [1]
     for _ in range(100):

@@ -115,6 +115,12 @@ class Room:
         ring = zip(self.vertices, self.vertices[1:] + self.vertices[:1], strict=True)
         return sum(ax * by - bx * ay for (ax, ay), (bx, by) in ring) / 2
 
+    @cached_property
+    def fills_bounds(self) -> bool:
+        """Whether it is a rectangle along the axes."""
+        x0, y0, x1, y1 = self.bounds
+        return math.isclose(self.area, (x1 - x0) * (y1 - y0))
+
     def landing(self, door: Opening, depth: float = LANDING_DEPTH) -> tuple[Point, Point, Point, Point]:
         """Return the corners of the door's landing: its width, `depth` metres into the room, counter-clockwise."""
         wall = self.walls[door.wall]

@@ -14,7 +14,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from robolayout.constraints import IMPLICIT, Relation, Term
+from robolayout.constraints import IMPLICIT, AssetRef, FrameTerm, Relation, Term, WallRef
+from robolayout.constraints.against_wall import wall_term
 from robolayout.constraints.mounted_on import MountedOn
 from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.program import Guess, Program
@@ -77,6 +78,29 @@ class Problem:
     def implicit_terms(self) -> tuple[Term, ...]:
         """Rows of the implicit relations."""
         return tuple(term for relation in IMPLICIT for term in relation.terms(self.scene, self.guess))
+
+    @cached_property
+    def wall_terms(self) -> tuple[FrameTerm, ...]:
+        """Rows that hold wall things, which no statement puts on a wall, at the wall nearest to their guess."""
+        rows = (term for terms in self.statement_terms for term in terms)
+        held = {term.a for term in rows if isinstance(term, FrameTerm) and isinstance(term.b, WallRef)}
+        walls = self.scene.room.walls
+        found: list[FrameTerm] = []
+        for asset in self.scene.assets:
+            ref = AssetRef(asset.name)
+            if not asset.on_wall or asset.on_floor or self.parent[self.slot[asset.name]] >= 0 or ref in held:
+                continue
+            pose = self.guess[asset.name]
+            wide = [w for w in walls if w.length >= asset.size[1]] or list(walls)
+            nearest = min(
+                wide, key=lambda w: abs((pose.x - w.start[0]) * w.normal[0] + (pose.y - w.start[1]) * w.normal[1])
+            )
+            found.append(wall_term(ref, WallRef(nearest.index), self.scene, 2.0))
+        return tuple(found)
+
+    def movable(self, number: int) -> tuple[int, ...]:
+        """Return the slots that a stage places."""
+        return tuple(i for i, name in enumerate(self.names) if self.stage[i] == number and name not in self.pinned)
 
     @cached_property
     def start(self) -> Floats:

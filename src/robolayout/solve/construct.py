@@ -8,17 +8,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection
+from dataclasses import dataclass
 
 import numpy as np
 import shapely
 from numpy.typing import ArrayLike, NDArray
 
-from robolayout._grid import components
 from robolayout.assets.obstacles import use_sides
 from robolayout.constraints import AssetRef
-from robolayout.scene import Room, vertical_span
+from robolayout.scene import vertical_span
+from robolayout.solve._walked import Walked
 from robolayout.solve.compile import Floats, Problem
-from robolayout.solve.proposals import Proposals, carry
+from robolayout.solve.proposals import Proposals, carry, compose, placing
 
 CANDIDATES = 64
 """Places looked at for each thing."""
@@ -39,14 +40,8 @@ more; per metre from the guess."""
 WALKED = 1.0
 """Cost of taking only floor that people could walk on until then."""
 
-CUT = 4.0
-"""Cost of cutting the floor in two, or of shutting a door."""
-
-CUTS = 24
-"""Places of a thing of which this is looked at, the cheapest first."""
-
-GRID = 0.1
-"""Metres per cell of the floor that people can walk on."""
+NEEDS = 6
+"""Places looked at for each thing that is yet to come and goes by the one that is placed."""
 
 CORNER = 0.3
 """Cost of a metre from the corner that a packed room is filled from."""
@@ -61,17 +56,33 @@ Rects = NDArray[np.float64]
 """(n, 4): low x, low y, high x, high y in metres."""
 
 
+@dataclass(frozen=True, eq=False)
+class _Site:
+    """A room while it is built.
+
+    Attributes:
+        settled: (n,) which slots have their place.
+        bodies: (n, 4) bounds of slots.
+        ahead: (n, 4) bounds of the floor in front of them.
+        walked: The floor that is left to walk on.
+    """
+
+    settled: NDArray[np.bool_]
+    bodies: Rects
+    ahead: Rects
+    walked: Walked
+
+
 class Builder:
     """Builds starts for the things of the first stage of a problem.
 
     Args:
         problem: The problem.
-        moving: Slots to place.
         rng: Source of randomness.
     """
 
-    def __init__(self, problem: Problem, moving: tuple[int, ...], rng: np.random.Generator) -> None:
-        self.problem, self.moving, self.rng = problem, moving, rng
+    def __init__(self, problem: Problem, rng: np.random.Generator) -> None:
+        self.problem, self.moving, self.rng = problem, problem.movable(0), rng
         self.proposals = Proposals.of(problem)
         self._floor = shapely.Polygon(problem.scene.room.vertices)
         shapely.prepare(self._floor)
@@ -84,52 +95,54 @@ class Builder:
         agent = max(problem.scene.agents, key=lambda a: a.radius)
         low, high = self._spans.T
         self._blocks = self._solid & (low < agent.height) & (high > agent.step)
-        self._radius = min(agent.radius, 0.5)
-        self._walkable = _walkable(problem.scene.room, self._radius)
-        self._entries = _entries(problem.scene.room, self._walkable)
+        self._needs = self._followers()
+        self._walked = Walked(problem.scene.room, min(agent.radius, 0.5))
+        landings = [np.array(problem.scene.room.landing(door)) for door in problem.scene.room.doors]
+        self._landings = np.array([[*corners.min(axis=0), *corners.max(axis=0)] for corners in landings]).reshape(-1, 4)
 
     def build(self, world: Floats, slots: Collection[int] | None = None) -> Floats:
         """Return one start (n, 4) with some slots placed anew, all that move by default; the others stay as in `world`."""
         slots = self.moving if slots is None else slots
         world = world.copy()
         area = self.problem.half.prod(axis=1) * self.rng.uniform(0.7, 1.4, len(world))
-        settled = self._standing(slots)
-        walkable = self._walkable.copy()
-        for cells in self._cells(self._bodies(settled, world[settled]))[self._blocks[settled]]:
-            _take(walkable, cells)
+        site = self._site(world, slots)
         free = [not self.proposals.frames.get(s) for s in range(len(world))]
         for slot in sorted(slots, key=lambda s: (self._rank[s], free[s], -area[s], s)):
-            carry(self.problem, world, slot, self._place(slot, world, settled, walkable))
-            settled.append(slot)
+            carry(self.problem, world, slot, self._place(slot, world, site))
+            site.settled[slot] = True
         return world
 
-    def _place(self, slot: int, world: Floats, settled: list[int], walkable: NDArray[np.bool_]) -> Floats:
+    def _site(self, world: Floats, slots: Collection[int]) -> _Site:
+        """Return the room before slots are placed: what stands on the floor, at walls and at the ceiling beside them."""
+        settled = np.array([parent < 0 for parent in self.problem.parent])
+        settled[list(slots)] = False
+        every = np.arange(len(world))
+        site = _Site(settled, self._bodies(every, world), self._strips(every, world), self._walked.copy())
+        site.walked.take(site.walked.cells(site.bodies[settled & self._blocks]))
+        return site
+
+    def _place(self, slot: int, world: Floats, site: _Site) -> Floats:
         """Return the best of many places of a slot, and take the floor that it needs; where all are bad, look again."""
         best, least = world[slot], math.inf
         for _ in range(LOOKS):
             places = self._places(slot, world)
-            cost = self._cost(slot, places, world, settled)
+            bodies = self._bodies(slot, places)
+            cost = self._cost(slot, places, bodies, world, site)
             if self._blocks[slot]:
-                cells = self._cells(self._bodies(slot, places))
-                cost += WALKED * _share(walkable, cells)
-                k = _uncut(walkable, cells, cost, self._entries)
+                cells = site.walked.cells(bodies)
+                cost += WALKED * site.walked.share(cells)
+                k = site.walked.cheapest(cells, cost)
             else:
-                k = int(np.argmin(cost))
+                k = int(cost.argmin())
             if cost[k] < least:
                 best, least = places[k], float(cost[k])
+                site.bodies[slot] = bodies[k]
             if least < GOOD:
                 break
+        site.ahead[slot] = self._strips([slot], best[None])[0]
         if self._blocks[slot]:
-            _take(walkable, self._cells(self._bodies([slot], best[None]))[0])
+            site.walked.take(site.walked.cells(site.bodies[[slot]]))
         return best
-
-    def _cells(self, bodies: Rects) -> NDArray[np.intp]:
-        """Return the cells (m, 4), low x, low y, high x, high y, that bodies and the way around them take."""
-        x0, y0, _, _ = self.problem.scene.room.bounds
-        reach = np.array([-1.0, -1.0, 1.0, 1.0]) * self._radius
-        cells = (bodies + reach - (x0, y0, x0, y0)) / GRID
-        cells = np.concatenate([np.floor(cells[:, :2]), np.ceil(cells[:, 2:])], axis=1)
-        return np.clip(cells.astype(np.intp), 0, np.tile(self._walkable.shape, 2))
 
     def pack(self, world: Floats) -> Floats:
         """Return a start (n, 4) that fills the room from one corner, each thing flush with its neighbours.
@@ -140,31 +153,24 @@ class Builder:
         x0, y0, x1, y1 = self.problem.scene.room.bounds
         corner = np.array([self.rng.choice((x0, x1)), self.rng.choice((y0, y1))])
         area = self.problem.half.prod(axis=1) * self.rng.uniform(0.5, 2.0, len(world))
-        settled = self._standing(self.moving)
+        site = self._site(world, self.moving)
         for slot in sorted(self.moving, key=lambda s: (-area[s], s)):
-            places = self._flush(slot, world, settled)
-            cost = self._hard_cost(slot, places, world, settled)
+            places = self._flush(slot, site.bodies[site.settled])
+            bodies = self._bodies(slot, places)
+            cost = self._hard_cost(slot, bodies, site)
             for term in self.proposals.frames.get(slot, []):
                 cost += MISSED / 3 * np.minimum(self.proposals.misses(term, slot, places, world), 1.0)
             cost += CORNER * np.hypot(*(places[:, :2] - corner).T)
-            carry(self.problem, world, slot, places[int(np.argmin(cost))])
-            settled.append(slot)
+            k = int(cost.argmin())
+            carry(self.problem, world, slot, places[k])
+            site.settled[slot], site.bodies[slot] = True, bodies[k]
         return world
 
-    def _standing(self, placed: Collection[int]) -> list[int]:
-        """Return the slots on the floor, at walls and at the ceiling that stay while others are placed."""
-        return [s for s, parent in enumerate(self.problem.parent) if s not in placed and parent < 0]
-
-    def _flush(self, slot: int, world: Floats, settled: list[int]) -> Floats:
+    def _flush(self, slot: int, bodies: Rects) -> Floats:
         """Return places (m, 4) at which two sides of a slot touch something: walls, landings, what stands already."""
-        room = self.problem.scene.room
-        outline = np.array(room.vertices)
-        landings = [np.array(room.landing(door)) for door in room.doors]
-        bodies = self._bodies(settled, world[settled])
-        edges = [
-            np.unique(np.round(np.concatenate([outline[:, k], *(p[:, k] for p in landings), *bodies[:, k::2].T]), 4))
-            for k in (0, 1)
-        ]
+        outline = np.array(self.problem.scene.room.vertices)
+        rects = np.concatenate([self._landings, bodies])
+        edges = [np.unique(np.round(np.concatenate([outline[:, k], *rects[:, k::2].T]), 4)) for k in (0, 1)]
         quarters = self.rng.permutation(4) * (np.pi / 2)
         found: list[Floats] = []
         for yaw in quarters:
@@ -182,10 +188,40 @@ class Builder:
         ahead: list[set[int]] = [set() for _ in self.problem.names]
         for slot, terms in self.proposals.frames.items():
             ahead[slot] |= {self.problem.slot[t.b.name] for t in terms if isinstance(t.b, AssetRef)} - {slot}
+        for slot, terms in self.proposals.mirrors.items():
+            ahead[slot] |= {self.problem.slot[t.ref.name] for t in terms if isinstance(t.ref, AssetRef)} - {slot}
+            if slot not in self.proposals.frames:
+                twins = {self.proposals.twin(term, slot) for term in terms}
+                ahead[slot] |= {twin for twin in twins if twin in self.proposals.frames}
         ranks = [0] * len(ahead)
         for _ in range(4):
             ranks = [max((ranks[b] + 1 for b in before), default=0) for before in ahead]
         return ranks
+
+    def _followers(self) -> dict[int, list[tuple[int, Floats]]]:
+        """Return for each slot what goes by it, and a few places (m, 4) of that in the slot's frame."""
+        needs: dict[int, list[tuple[int, Floats]]] = {}
+        origin = np.tile((0.0, 0.0, 1.0, 0.0), (len(self.problem.names), 1))
+        for slot, terms in self.proposals.frames.items():
+            for term in terms:
+                if self.problem.parent[slot] >= 0 or not isinstance(term.b, AssetRef) or not placing(term):
+                    continue
+                places = self.proposals.placed(slot, term, origin, NEEDS, self.rng)
+                needs.setdefault(self.problem.slot[term.b.name], []).append((slot, places))
+                for mirror in self.proposals.mirrors.get(slot, []):
+                    if mirror.ref == term.b:
+                        image = (self.proposals.twin(mirror, slot), places * (1.0, -1.0, 1.0, -1.0))
+                        needs[self.problem.slot[term.b.name]].append(image)
+        return needs
+
+    def _cramped(self, slot: int, places: Floats, site: _Site) -> Floats:
+        """Return how little room each place (m, 4) of a slot leaves to what goes by it."""
+        cost = np.zeros(len(places))
+        for other, around in self._needs.get(slot, []):
+            if not site.settled[other]:
+                bodies = self._bodies(other, compose(places[:, None], around).reshape(-1, 4))
+                cost += np.minimum(self._hard_cost(other, bodies, site).reshape(len(places), -1).min(axis=1), 1.0)
+        return cost
 
     def _places(self, slot: int, world: Floats) -> Floats:
         """Return places (m, 4): drawn from its statements, and along the walls if nothing says where it goes."""
@@ -209,46 +245,41 @@ class Builder:
         )
         return np.concatenate([starts + along[:, None] * ways + (hx + CLOSEST) * normals, normals], axis=1)
 
-    def _cost(self, slot: int, places: Floats, world: Floats, settled: list[int]) -> Floats:
+    def _cost(self, slot: int, places: Floats, bodies: Rects, world: Floats, site: _Site) -> Floats:
         """Return what each place (m, 4) of a slot costs, given what is settled."""
-        front = self._strips(np.full(len(places), slot), places)
-        cost = self._hard_cost(slot, places, world, settled) + self.rng.random(len(places)) * 0.05
+        cost = self._hard_cost(slot, bodies, site) + self.rng.random(len(places)) * 0.05
         cost += AWAY * np.hypot(*(places[:, :2] - world[slot, :2]).T)
-        mine, others = self._bodies(slot, places), self._beside(slot, settled)
-        if others:
-            bodies = self._bodies(others, world[others])
-            if self._fronts[slot]:
-                cost += STRIP * np.minimum(_shared(front, bodies).sum(axis=1) / _area(front), 1.0)
-            facing = [s for s in others if self._fronts[s]]
-            ahead = self._strips(facing, world[facing])
-            cost += STRIP * (_shared(mine, ahead) / _area(ahead)).sum(axis=1)
+        cost += MISSED * self._cramped(slot, places, site)
+        beside = self._beside(slot, site)
+        ahead = site.ahead[beside & self._fronts]
+        cost += STRIP * (_shared(bodies, ahead) / _area(ahead)).sum(axis=1)
         if self._fronts[slot]:
+            front = self._strips(np.full(len(places), slot), places)
+            cost += STRIP * np.minimum(_shared(front, site.bodies[beside]).sum(axis=1) / _area(front), 1.0)
             cost += STRIP * self._outside(front)
         for term in self.proposals.frames.get(slot, []):
-            if not isinstance(term.b, AssetRef) or self.problem.slot[term.b.name] in settled:
+            if not isinstance(term.b, AssetRef) or site.settled[self.problem.slot[term.b.name]]:
                 cost += MISSED * np.minimum(self.proposals.misses(term, slot, places, world), 1.0)
+        for term in self.proposals.mirrors.get(slot, []):
+            if site.settled[self.proposals.twin(term, slot)]:
+                image = self.proposals.image(term, slot, world)
+                cost += MISSED * np.minimum(np.hypot(*(places[:, :2] - image[:2]).T), 1.0)
         return cost
 
-    def _hard_cost(self, slot: int, places: Floats, world: Floats, settled: list[int]) -> Floats:
-        """Return what each place (m, 4) costs by what it overlaps and how far it lies outside."""
-        mine, others = self._bodies(slot, places), self._beside(slot, settled)
+    def _hard_cost(self, slot: int, bodies: Rects, site: _Site) -> Floats:
+        """Return what each place of a slot, given by its bounds (m, 4), costs by what it overlaps and leaves of the room."""
+        cost = OUTSIDE * self._outside(bodies)
         area = float(4 * self.problem.half[slot].prod())
-        cost = OUTSIDE * self._outside(mine)
         if self._solid[slot]:
-            for door in self.problem.scene.room.doors:
-                landing = np.array(self.problem.scene.room.landing(door))
-                cost += BODY * _shared(mine, np.array([[*landing.min(axis=0), *landing.max(axis=0)]]))[:, 0] / area
-        if others:
-            least = np.minimum(area, 4 * self.problem.half[others].prod(axis=1))
-            cost += BODY * (_shared(mine, self._bodies(others, world[others])) / least).sum(axis=1)
-        return cost
+            cost += BODY / area * _shared(bodies, self._landings).sum(axis=1)
+        beside = self._beside(slot, site)
+        least = np.minimum(area, 4 * self.problem.half[beside].prod(axis=1))
+        return cost + BODY * (_shared(bodies, site.bodies[beside]) / least).sum(axis=1)
 
-    def _beside(self, slot: int, settled: list[int]) -> list[int]:
-        """Return which of the settled slots a slot could collide with."""
-        low, high = self._spans[slot]
-        if not self._solid[slot]:
-            return []
-        return [s for s in settled if self._solid[s] and self._spans[s, 0] < high and self._spans[s, 1] > low]
+    def _beside(self, slot: int, site: _Site) -> NDArray[np.bool_]:
+        """Return with which of the settled slots (n,) a slot could collide."""
+        low, high = self._spans.T
+        return site.settled & self._solid & self._solid[slot] & (low < high[slot]) & (high > low[slot])
 
     def _bodies(self, slots: ArrayLike, poses: Floats) -> Rects:
         """Return the bounds of slots (m,), or of one slot, at their poses (m, 4)."""
@@ -259,6 +290,9 @@ class Builder:
         shares = np.linspace(0.002, 0.998, 3)
         x = rects[:, 0, None] + shares * (rects[:, 2] - rects[:, 0])[:, None]
         y = rects[:, 1, None] + shares * (rects[:, 3] - rects[:, 1])[:, None]
+        if self.problem.scene.room.fills_bounds:
+            x0, y0, x1, y1 = self.problem.scene.room.bounds
+            return 1.0 - ((x > x0) & (x < x1)).mean(axis=1) * ((y > y0) & (y < y1)).mean(axis=1)
         points = np.broadcast_arrays(x[:, :, None], y[:, None, :])
         return 1.0 - shapely.contains_xy(self._floor, *points).reshape(len(rects), -1).mean(axis=1)
 
@@ -270,86 +304,19 @@ class Builder:
         return _bounds(middle, poses[:, 2:], self._depth / 2, hy)
 
 
-def _walkable(room: Room, radius: float) -> NDArray[np.bool_]:
-    """Return in which cells of the empty room the centre of a disc can be."""
-    x0, y0, x1, y1 = room.bounds
-    x, y = np.arange(x0 + GRID / 2, x1, GRID), np.arange(y0 + GRID / 2, y1, GRID)
-    inner = shapely.Polygon(room.vertices).buffer(-radius)
-    shapely.prepare(inner)
-    return np.asarray(shapely.contains_xy(inner, *np.meshgrid(x, y, indexing="ij")))
-
-
-def _entries(room: Room, walkable: NDArray[np.bool_]) -> NDArray[np.intp]:
-    """Return the cells (doors, 2) to walk on that are nearest to where people come in."""
-    x0, y0, _, _ = room.bounds
-    free = np.argwhere(walkable)
-    if not len(free) or not room.doors:
-        return np.empty((0, 2), np.intp)
-    middles = np.array([np.mean(room.landing(door), axis=0) for door in room.doors])
-    return free[[int(np.argmin(np.hypot(*((free + 0.5) * GRID + (x0, y0) - middle).T))) for middle in middles]]
-
-
-def _take(walkable: NDArray[np.bool_], cells: NDArray[np.intp]) -> None:
-    """Mark cells as taken from those who walk."""
-    x0, y0, x1, y1 = cells
-    walkable[x0:x1, y0:y1] = False
-
-
-def _share(walkable: NDArray[np.bool_], cells: NDArray[np.intp]) -> Floats:
-    """Return which share of the cells (m, 4) of each place is floor to walk on now."""
-    sums = np.pad(walkable.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
-    x0, y0, x1, y1 = cells.T
-    taken = sums[x1, y1] - sums[x0, y1] - sums[x1, y0] + sums[x0, y0]
-    return taken / np.maximum((x1 - x0) * (y1 - y0), 1)
-
-
-def _uncut(walkable: NDArray[np.bool_], cells: NDArray[np.intp], cost: Floats, entries: NDArray[np.intp]) -> int:
-    """Return the cheapest place, where one that cuts the floor in two or shuts a door costs more than one that does not."""
-    looked_at: set[int] = set()
-    while True:
-        best = int(np.argmin(cost))
-        if best in looked_at or len(looked_at) == CUTS:
-            return best
-        looked_at.add(best)
-        if _cuts(walkable, cells[best], entries):
-            cost[best] += CUT
-
-
-def _cuts(walkable: NDArray[np.bool_], cells: NDArray[np.intp], entries: NDArray[np.intp]) -> bool:
-    """Return whether taking cells cuts the floor in two or shuts a door."""
-    x0, y0, x1, y1 = cells
-    if ((entries >= (x0, y0)) & (entries < (x1, y1))).all(axis=1).any():
-        return True
-    around = np.pad(walkable, 1)
-    x, y = np.arange(x0, x1 + 2), np.arange(y0, y1 + 2)  # one cell more on each side, in the padded grid
-    ring = np.concatenate(
-        [
-            np.stack([x[:-1], np.full(len(x) - 1, y[0])], axis=1),
-            np.stack([np.full(len(y) - 1, x[-1]), y[:-1]], axis=1),
-            np.stack([x[:0:-1], np.full(len(x) - 1, y[-1])], axis=1),
-            np.stack([np.full(len(y) - 1, x[0]), y[:0:-1]], axis=1),
-        ]
-    )
-    free = around[ring[:, 0], ring[:, 1]]
-    if (free & ~np.roll(free, 1)).sum() <= 1:
-        return False
-    around[x0 + 1 : x1 + 1, y0 + 1 : y1 + 1] = False
-    labels, _ = components(around)
-    return len(np.unique(labels[ring[free, 0], ring[free, 1]])) > 1
-
-
 def _bounds(center: Floats, heading: Floats, hx: Floats | float, hy: Floats | float) -> Rects:
     """Return the bounds of rectangles with these middles and unit headings (m, 2) and half sizes (m,)."""
     c, s = np.abs(heading).T
-    reach = np.stack([c * hx + s * hy, s * hx + c * hy], axis=1)
+    reach = np.empty(center.shape)
+    reach[:, 0], reach[:, 1] = c * hx + s * hy, s * hx + c * hy
     return np.concatenate([center - reach, center + reach], axis=1)
 
 
 def _shared(a: Rects, b: Rects) -> Floats:
     """Return the areas (m, n) that rectangles (m, 4) and (n, 4) share."""
-    low, high = np.maximum(a[:, None, :2], b[None, :, :2]), np.minimum(a[:, None, 2:], b[None, :, 2:])
-    return np.maximum(high - low, 0.0).prod(axis=2)
+    wide, long = (np.minimum(a[:, k + 2, None], b[:, k + 2]) - np.maximum(a[:, k, None], b[:, k]) for k in (0, 1))
+    return np.maximum(wide, 0.0) * np.maximum(long, 0.0)
 
 
 def _area(rects: Rects) -> Floats:
-    return np.maximum((rects[:, 2:] - rects[:, :2]).prod(axis=1), 1e-9)
+    return np.maximum((rects[:, 2] - rects[:, 0]) * (rects[:, 3] - rects[:, 1]), 1e-9)

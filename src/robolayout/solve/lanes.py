@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 
 from robolayout.solve import programs
-from robolayout.solve.arrays import Arrays, Found, Losses, Routes, Schedule
+from robolayout.solve.arrays import Arrays, Found, Losses, Routes
 from robolayout.solve.config import SearchConfig, SolverConfig, Weights
-from robolayout.solve.runner import PROCESSORS, STILL, Piece, Runner, Singles, filled, noise
+from robolayout.solve.runner import PROCESSORS, STILL, Piece, Runner, Singles, filled, noise, schedule_of
 from robolayout.solve.stage import Stage, no_routes
 
 PROGRAM = "search_many:advance_many"
@@ -94,8 +94,7 @@ def batch_arguments(lanes: Sequence[Lane], phase: SearchConfig) -> tuple[Any, ..
     columns = [programs.leaves(lanes[min(i, len(lanes) - 1)]) for i in range(LANES)]
     stacked = [np.stack(leaves) for leaves in zip(*columns, strict=True)]
     local, arrays, routes, noise = programs.rebuilt(lanes[0], stacked)
-    rates = (phase.rate, phase.final_rate, phase.noise, phase.ramp)
-    return local, arrays, routes, Schedule(np.int32(phase.steps), *(np.float32(rate) for rate in rates)), noise
+    return local, arrays, routes, schedule_of(phase), noise
 
 
 def prepare(stage: Stage, weights: Weights) -> None:

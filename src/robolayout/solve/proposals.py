@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import shapely
@@ -78,27 +79,33 @@ class Proposals:
                             mirrors.setdefault(problem.slot[ref.name], []).append(term)
         return cls(problem, frames, mirrors)
 
+    @cached_property
+    def _floor(self) -> Polygon:
+        floor = Polygon(self.problem.scene.room.vertices)
+        shapely.prepare(floor)
+        return floor
+
     def draw(self, slot: int, world: Floats, count: int, rng: np.random.Generator) -> Floats:
         """Return `count` poses (count, 4) for a slot, the other poses being `world` (n, 4)."""
-        placing = [t for t in self.frames.get(slot, []) if _places(t)]
+        rows = [t for t in self.frames.get(slot, []) if placing(t)]
         turning = [t for t in self.frames.get(slot, []) if t.heading is not None or t.look is not None]
         chance = rng.random(count)
         mirrored = (chance < 0.15) & bool(self.mirrors.get(slot))
-        placed = (chance < 0.75) & bool(placing) & ~mirrored
+        placed = (chance < 0.75) & bool(rows) & ~mirrored
         nearby = (chance < 0.85) & ~mirrored & ~placed
         found = np.empty((count, 4))
         found[nearby] = self._nearby(world[slot], int(nearby.sum()), rng)
         anywhere = ~(mirrored | placed | nearby)
         found[anywhere] = self._anywhere(slot, world, int(anywhere.sum()), rng)
         for i in np.flatnonzero(mirrored):
-            found[i] = self._mirrored(slot, world, rng)
-        if placing:
-            which = np.where(placed, rng.integers(len(placing), size=count), -1)
-            for k, term in enumerate(placing):
-                found[which == k] = self._placed(slot, term, world, int((which == k).sum()), rng)
+            found[i] = self.image(self.mirrors[slot][int(rng.integers(len(self.mirrors[slot])))], slot, world)
+        if rows:
+            which = np.where(placed, rng.integers(len(rows), size=count), -1)
+            for k, term in enumerate(rows):
+                found[which == k] = self.placed(slot, term, world, int((which == k).sum()), rng)
         return self._turned(turning, found, world, rng)
 
-    def _placed(self, slot: int, term: FrameTerm, world: Floats, count: int, rng: np.random.Generator) -> Floats:
+    def placed(self, slot: int, term: FrameTerm, world: Floats, count: int, rng: np.random.Generator) -> Floats:
         """Draw from the set that a row allows."""
         frame = frame_of(self.problem, term.b, world)
         yaw = _quarters(count, rng) if term.heading is None else np.full(count, term.heading)
@@ -155,12 +162,14 @@ class Proposals:
         x0, y0, x1, y1 = self.problem.scene.room.bounds
         return max(x1 - x0, y1 - y0) / 2
 
-    def _mirrored(self, slot: int, world: Floats, rng: np.random.Generator) -> Floats:
-        """Return the mirror image of a twin."""
-        terms = self.mirrors[slot]
-        term = terms[int(rng.integers(len(terms)))]
-        mine = AssetRef(self.problem.names[slot])
-        twin = term.b if term.a == mine else term.a
+    def twin(self, term: MirrorTerm, slot: int) -> int:
+        """Return the slot that a row makes the mirror image of another one."""
+        one, other = (self.problem.slot[ref.name] for ref in (term.a, term.b) if isinstance(ref, AssetRef))
+        return other if one == slot else one
+
+    def image(self, term: MirrorTerm, slot: int, world: Floats) -> Floats:
+        """Return the pose (4,) at which a row wants a slot: the mirror image of its twin."""
+        twin = AssetRef(self.problem.names[self.twin(term, slot)])
         frame = frame_of(self.problem, term.ref, world)
         if isinstance(term.ref, WallRef):
             frame = np.array([frame[0], frame[1], -frame[3], frame[2]])
@@ -183,7 +192,9 @@ class Proposals:
         x0, y0, x1, y1 = self.problem.scene.room.bounds
         spots = rng.uniform((x0, y0), (x1, y1), (count, 2))
         for _ in range(20):
-            outside = ~shapely.contains_xy(Polygon(self.problem.scene.room.vertices), *spots.T)
+            if self.problem.scene.room.fills_bounds:
+                break
+            outside = ~shapely.contains_xy(self._floor, *spots.T)
             if not outside.any():
                 break
             spots[outside] = rng.uniform((x0, y0), (x1, y1), (int(outside.sum()), 2))
@@ -225,7 +236,7 @@ def _quarters(count: int, rng: np.random.Generator) -> Floats:
     return rng.integers(4, size=count).astype(np.float64) * (math.pi / 2)
 
 
-def _places(term: FrameTerm) -> bool:
+def placing(term: FrameTerm) -> bool:
     """Return whether a row says more than a heading."""
     bounds = (term.along.low, term.along.high, term.across.low, term.across.high)
     return any(abs(bound) < FAR for bound in bounds) or term.distance != (0.0, FAR)

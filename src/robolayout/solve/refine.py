@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -86,6 +86,11 @@ class Solver:
         trace = self.runner.trace(self.problem) if self.config.trace else Trace()
         return conclude(self.problem.layout(best.world), best.verdict, trace)
 
+    @cached_property
+    def builder(self) -> Builder:
+        """Builds rooms anew."""
+        return Builder(self.problem, self.rng)
+
     def _survey(self) -> None:
         """Lay the grids on which routes are planned."""
         self.grounds = [
@@ -124,7 +129,7 @@ class Solver:
             return self._judged(world, number)
         best, run = self._started(stage, number)
         if number == 0 and best.verdict.hard and self.config.repair_rounds and self._fill() > FULL:
-            best = self._pack(stage, best)
+            best = self._pack(best)
         if number == 0 and self.config.route_rounds and best.verdict.access:
             best = self._route(stage, run, best)
         return best
@@ -135,7 +140,7 @@ class Solver:
         if best.verdict.ok:
             still = Run(stage.world[None], np.zeros(1), np.zeros(1))
             return best, self.runner.advance(stage, still.world, STILL, "guess") if self.config.trace else still
-        starts = Starts(self.problem, stage.world, stage.moving, self.rng)
+        starts = Starts(self.problem, stage.world, stage.moving, self.builder)
         quarter = max(self.config.starts // 4, 1)
         run = self.runner.advance(stage, starts.near(quarter), self.config.polish, "polish")
         best = self._best_of(run.ranked(), number, best)
@@ -145,14 +150,18 @@ class Solver:
             more = self.runner.advance(
                 stage, built, self.config.polish, "polish", routes=routes and partial(routes, built)
             )
-            best, run = self._best_of(more.ranked(), number, best), run.joined(more).best(self.config.kept)
+            best, run = self._with(more, number, best, run)
         if not best.verdict.ok and self.config.starts > 1:
             phase = self.config.tops if number else self.config.search
             far = starts.far(quarter * (3 if number else 1))
             more = self.runner.advance(stage, far, phase, "search", rng=self.rng)
             more = self.runner.advance(stage, more.world, self.config.polish, "polish")
-            best, run = self._best_of(more.ranked(), number, best), run.joined(more).best(self.config.kept)
+            best, run = self._with(more, number, best, run)
         return best, run
+
+    def _with(self, more: Run, number: int, best: _Best, run: Run) -> tuple[_Best, Run]:
+        """Return the best layout with what another run found, and the best starts of both runs."""
+        return self._best_of(more.ranked(), number, best), run.joined(more).best(self.config.kept)
 
     def _open(self, stage: Stage, worlds: Floats, part: slice) -> Routes:
         """Return what keeps ways to everything open in some layouts."""
@@ -164,13 +173,12 @@ class Solver:
         standing = [i for i, a in enumerate(self.problem.scene.assets) if self.problem.parent[i] < 0 and not a.is_flat]
         return float(4 * self.problem.half[standing].prod(axis=1).sum()) / self.problem.scene.room.area
 
-    def _pack(self, stage: Stage, best: _Best) -> _Best:
+    def _pack(self, best: _Best) -> _Best:
         """Fill the room from a corner, in several orders, where nothing else has found a place for everything."""
-        builder = Builder(self.problem, stage.moving, self.rng)
         for _ in range(PACKINGS):
             if not best.verdict.hard:
                 break
-            found = self._judged(builder.pack(best.world), 0, best)
+            found = self._judged(self.builder.pack(best.world), 0, best)
             if found.verdict.merit < best.verdict.merit:
                 best = found
         return best
@@ -249,7 +257,7 @@ class Solver:
         last = max(stages(self.problem))
         if last > 0 or self.lead is None:
             self.lead = best
-        repair = Repair(self.problem, self.runner, self.config, self.rng)
+        repair = Repair(self.problem, self.runner, self.config, self.builder)
         fruitless = 0
         for round_number in range(self.config.repair_rounds):
             if best.verdict.ok or fruitless == self.config.patience:

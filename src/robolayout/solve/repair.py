@@ -31,14 +31,15 @@ class Repair:
         problem: The problem.
         runner: Runs the compiled search.
         config: Constants.
-        rng: Source of randomness.
+        builder: Builds the room anew.
     """
 
-    def __init__(self, problem: Problem, runner: Runner, config: SolverConfig, rng: np.random.Generator) -> None:
+    def __init__(self, problem: Problem, runner: Runner, config: SolverConfig, builder: Builder) -> None:
         self.problem = problem
         self.runner = runner
         self.config = config
-        self.rng = rng
+        self.builder = builder
+        self.rng = builder.rng
         self.proposals = Proposals.of(problem)
         self.groups = _groups(problem)
 
@@ -66,11 +67,10 @@ class Repair:
         rebuilt = 1 + turned
         if number == 0:
             rebuilt = max(rebuilt, self.config.candidates // 2)
-            builder = Builder(self.problem, stage.moving, self.rng)
             colliding = set(named[: int(verdict.hard)]) & set(slots)
             for k in range(1 + turned, rebuilt):
                 ruined = self._ruined(slots, stage.moving, round_number)
-                batch[k] = builder.build(world, ruined | colliding if k % 2 else ruined)
+                batch[k] = self.builder.build(world, ruined | colliding if k % 2 else ruined)
         for k in range(rebuilt, self.config.candidates):
             for _ in range(1 + (self.rng.random() < 0.15 * (1 + round_number))):
                 self._move(batch[k], slots, stage.moving)
@@ -120,6 +120,9 @@ class Repair:
         if chance < 0.55:
             pose = self.proposals.draw(slot, world, 1, self.rng)[0]
             carry(self.problem, world, slot, pose, self._with(slot, self.rng.random() < 0.5))
+            for term in self.proposals.mirrors.get(slot, []):
+                if (twin := self.proposals.twin(term, slot)) in moving and self.rng.random() < 0.5:
+                    carry(self.problem, world, twin, self.proposals.image(term, twin, world))
         elif chance < 0.7:
             other = moving[int(self.rng.integers(len(moving)))]
             carry(self.problem, world, slot, world[other].copy())

@@ -202,11 +202,16 @@ def noise(stage: Stage, count: int, rng: np.random.Generator | None) -> Singles:
     return np.zeros(shape, np.float32) if rng is None else rng.standard_normal(shape, np.float32)
 
 
+def schedule_of(phase: SearchConfig) -> Schedule:
+    """Return a phase as the program takes it."""
+    rates = (phase.rate, phase.final_rate, phase.noise, phase.ramp)
+    return Schedule(np.int32(phase.steps), *(np.float32(rate) for rate in rates))
+
+
 def _arguments(stage: Stage, piece: Piece, phase: SearchConfig, shakes: Singles) -> tuple[Any, ...]:
     """Return what the program takes for one batch."""
     local, routes = filled(stage, piece, BATCH)
-    rates = (phase.rate, phase.final_rate, phase.noise, phase.ramp)
-    return local, stage.arrays, routes, Schedule(np.int32(phase.steps), *(np.float32(rate) for rate in rates)), shakes
+    return local, stage.arrays, routes, schedule_of(phase), shakes
 
 
 def warm_up(scene: Scene, config: SolverConfig | None = None) -> None:

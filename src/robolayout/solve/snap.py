@@ -7,7 +7,7 @@ import math
 from robolayout.constraints import AssetRef, FrameTerm, WallRef
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.proposals import carry, compose, frame_of
-from robolayout.solve.stage import relative, wall_terms
+from robolayout.solve.stage import relative
 
 NEAR = 0.4
 """Metres from its wall within which a thing is snapped to it."""
@@ -25,7 +25,7 @@ def snapped(problem: Problem, world: Floats, only: frozenset[str] | None = None)
         only: Names of the assets to snap; None snaps all.
     """
     result = world.copy()
-    for terms in (*problem.statement_terms, tuple(wall_terms(problem))):
+    for terms in (*problem.statement_terms, problem.wall_terms):
         for term in terms:
             if not isinstance(term, FrameTerm) or term.heading is None or term.moves == "b":
                 continue

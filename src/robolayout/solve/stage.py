@@ -119,7 +119,7 @@ def make_stage(problem: Problem, number: int, world: Floats) -> Stage:
     """
     count = len(problem.names)
     size = bucket(count, SLOT_BUCKETS)
-    moving = tuple(i for i in range(count) if problem.stage[i] == number and problem.names[i] not in problem.pinned)
+    moving = problem.movable(number)
     rows = _Rows(problem, set(moving))
     rows.collect(problem)
     anchor, carrier, limit = _frames(problem, number, world, size)
@@ -150,8 +150,7 @@ def _held(problem: Problem, slot: int) -> bool:
     """Return whether the rectangle around the room keeps a slot in it, whichever way it faces."""
     room = problem.scene.room
     x0, y0, x1, y1 = room.bounds
-    fills = math.isclose(room.area, (x1 - x0) * (y1 - y0))
-    return fills and 2 * float(np.hypot(*problem.half[slot])) <= min(x1 - x0, y1 - y0)
+    return room.fills_bounds and 2 * float(np.hypot(*problem.half[slot])) <= min(x1 - x0, y1 - y0)
 
 
 def _typed(value: NDArray[np.generic]) -> NDArray[np.generic]:
@@ -219,26 +218,6 @@ def _stay_terms(problem: Problem) -> Iterable[Term]:
             yield FrameTerm(AssetRef(name), top, along=Interval(u, u), across=Interval(v, v), weight=STAY)
 
 
-def wall_terms(problem: Problem) -> Iterable[FrameTerm]:
-    """Yield rows that hold wall things, which no statement puts on a wall, at the wall nearest to their guess."""
-    from robolayout.constraints.against_wall import wall_term
-
-    held = {
-        t.a for terms in problem.statement_terms for t in terms if isinstance(t, FrameTerm) and isinstance(t.b, WallRef)
-    }
-    walls = problem.scene.room.walls
-    for asset in problem.scene.assets:
-        ref, slot = AssetRef(asset.name), problem.slot[asset.name]
-        if not asset.on_wall or asset.on_floor or problem.parent[slot] >= 0 or ref in held:
-            continue
-        pose = problem.guess[asset.name]
-        wide = [w for w in walls if w.length >= asset.size[1]] or list(walls)
-        nearest = min(
-            wide, key=lambda w: abs((pose.x - w.start[0]) * w.normal[0] + (pose.y - w.start[1]) * w.normal[1])
-        )
-        yield wall_term(ref, WallRef(nearest.index), problem.scene, 2.0)
-
-
 class _Rows:
     """Collects the rows of a stage's kernels."""
 
@@ -280,7 +259,7 @@ class _Rows:
         yield from problem.implicit_terms
         for terms in problem.statement_terms:
             yield from terms
-        yield from wall_terms(problem)
+        yield from problem.wall_terms
         yield from _stay_terms(problem)
 
     def _at_hand(self, slots: list[int]) -> bool:

@@ -8,7 +8,6 @@ from shapely import Polygon
 
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.construct import Builder
-from robolayout.solve.proposals import Proposals
 
 
 class Starts:
@@ -18,11 +17,12 @@ class Starts:
         problem: The problem.
         world: (n, 4) the guess.
         moving: Slots that the stage moves.
-        rng: Source of randomness.
+        builder: Builds the room anew.
     """
 
-    def __init__(self, problem: Problem, world: Floats, moving: tuple[int, ...], rng: np.random.Generator) -> None:
-        self.problem, self.world, self.moving, self.rng = problem, world, moving, rng
+    def __init__(self, problem: Problem, world: Floats, moving: tuple[int, ...], builder: Builder) -> None:
+        self.problem, self.world, self.moving, self.builder = problem, world, moving, builder
+        self.rng = builder.rng
         self.scale = 0.1 if problem.parent[moving[0]] >= 0 else 1.0
 
     def near(self, count: int) -> Floats:
@@ -31,22 +31,21 @@ class Starts:
 
     def built(self, count: int) -> Floats:
         """Return rooms built one thing after the other (count, n, 4)."""
-        builder = Builder(self.problem, self.moving, self.rng)
-        starts = np.array([builder.build(self.world) for _ in range(count)])
+        starts = np.array([self.builder.build(self.world, self.moving) for _ in range(count)])
         _bring_in(self.problem, starts, self.moving)
         return starts
 
     def far(self, count: int) -> Floats:
         """Return wide jitter, and draws from the statements (count, n, 4), half of each."""
-        starts = self._jittered(np.linspace(0.65, 1.0, count), first=0)
-        proposals = Proposals.of(self.problem)
-        for start in starts[(count + 1) // 2 :]:
-            start[:] = self.world
+        jittered = self._jittered(np.linspace(0.65, 1.0, (count + 1) // 2), first=0)
+        drawn = np.repeat(self.world[None], count // 2, axis=0)
+        proposals = self.builder.proposals
+        for start in drawn:
             for slot in self.moving:
                 if slot == self.moving[0] or self.rng.random() < 0.7:
                     start[slot] = proposals.draw(slot, start, 1, self.rng)[0]
-        _bring_in(self.problem, starts, self.moving)
-        return starts
+        _bring_in(self.problem, drawn, self.moving)
+        return np.concatenate([jittered, drawn])
 
     def _jittered(self, sigmas: Floats, first: int) -> Floats:
         """Return the guess moved about, from the `first` on; sigmas in metres."""
