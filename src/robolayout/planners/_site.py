@@ -15,15 +15,13 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout.planners._cluster import Cluster
-from robolayout.planners._floor import Floor, Points, moved, rect_points
+from robolayout.planners._floor import Cells, Floor, Points, Shadow, placed, rect_points
 from robolayout.planners._member import Member, Rect, box_of, overlaps
 from robolayout.planners._reach import Standing, standing, turning_radius, use_cells
 from robolayout.planners._roles import Cast
 from robolayout.scene import Room, Scene, Wall
 
 Poses = NDArray[np.float64]
-Cells = tuple[NDArray[np.intp], NDArray[np.intp]]
-"""Indices of cells of the floor."""
 
 CLASH = 100.0
 """Cost of a square metre of clash."""
@@ -105,6 +103,21 @@ class Span:
     rect: Rect
 
 
+@dataclass(frozen=True, eq=False)
+class Claim:
+    """What a thing asks of the floor.
+
+    Attributes:
+        cells: Its own cells, to which an agent should get.
+        uses: The cells, by agent, from which it uses the thing; None where that is not asked of it.
+        shadow: What it takes of the floor, if it stands there.
+    """
+
+    cells: Cells
+    uses: tuple[Cells | None, ...]
+    shadow: Shadow | None
+
+
 @dataclass
 class Site:
     """The state of the search.
@@ -120,9 +133,9 @@ class Site:
         solids: Exact footprints of what stands on the floor, and the door landings.
         fixed: Exact footprints of what does not make way for an opening door.
         openings: Exact strips that doors and drawers open into.
-        cells: The cells, as two index arrays, of what an agent should get to.
-        uses: The cells, by agent, from which it uses a thing; None where that is not asked of it.
-        trial: Whether this is only to find out what is reached: what things want clear is not marked.
+        claims: What is asked of the floor by everything that an agent should get to.
+        known: What things in places that were settled before ask of it; shared by all copies.
+        trial: Whether this is only to find out what is reached: nothing else is recorded.
     """
 
     scene: Scene
@@ -135,8 +148,8 @@ class Site:
     solids: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
     fixed: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
     openings: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
-    cells: dict[str, Cells] = field(default_factory=dict[str, "Cells"])
-    uses: dict[str, tuple[Cells | None, ...]] = field(default_factory=dict[str, tuple["Cells | None", ...]])
+    claims: dict[str, Claim] = field(default_factory=dict[str, "Claim"])
+    known: dict[tuple[Member, str], Claim] = field(default_factory=dict[tuple[Member, str], "Claim"])
     trial: bool = False
 
     @staticmethod
@@ -149,7 +162,7 @@ class Site:
         return site
 
     def copy(self, *, trial: bool = False) -> Site:
-        """Return an independent copy; on one for a `trial` what things want clear is not marked."""
+        """Return an independent copy; one for a `trial` only tells what is reached."""
         return replace(
             self,
             trial=trial,
@@ -159,8 +172,7 @@ class Site:
             solids=list(self.solids),
             fixed=list(self.fixed),
             openings=list(self.openings),
-            cells=dict(self.cells),
-            uses=dict(self.uses),
+            claims=dict(self.claims),
         )
 
     @property
@@ -188,19 +200,31 @@ class Site:
     def unreached(self) -> list[str]:
         """Return the assets that some agent of the scene cannot get to or cannot use."""
         self.survey()
-        return [name for name, cells in self.cells.items() if not self.serves(cells, self.uses[name])]
+        return [name for name, claim in self.claims.items() if not self.serves(claim)]
 
-    def serves(self, cells: Cells, uses: Sequence[Cells | None]) -> bool:
-        """Whether every agent gets to these cells and stands on some of those from which it uses what is there."""
-        return all(
-            float(found.away[cells].min()) <= agent.reach - 0.03 and (use is None or found.stands_on(use))
-            for agent, found, use in zip(self.scene.agents, self.standings, uses, strict=True)
-        )
+    def serves(self, claim: Claim) -> bool:
+        """Whether every agent gets to a thing and stands on some of the cells from which it uses it."""
+        return all(found.serves(claim.cells, use) for found, use in zip(self.standings, claim.uses, strict=True))
 
-    def used_from(self, member: Member, *, carried: bool = False) -> tuple[Cells | None, ...]:
-        """Return the cells, by agent, from which it would use a thing there."""
-        asset = self.scene.by_name[member.name]
-        return tuple(use_cells(self.floor, asset, member, agent, carried=carried) for agent in self.scene.agents)
+    def claim(self, spot: Spot) -> Claim:
+        """Return what a thing would ask of the floor there."""
+        member = spot.member
+        found = self.known.get((member, spot.mode))
+        if found is None:
+            depth, width, _ = self.size(member.name)
+            points = rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.0)
+            asset, carried = self.scene.by_name[member.name], spot.mode == "join" and member.bottom > 0.01
+            found = Claim(
+                self.floor.flat(placed(points, member.x, member.y, member.yaw))[0],
+                tuple(use_cells(self.floor, asset, member, agent, carried=carried) for agent in self.scene.agents),
+                self.floor.shadow(corners_of(member, asset.size)) if self._takes_floor(spot) else None,
+            )
+            if not self.trial:
+                self.known[member, spot.mode] = found
+        return found
+
+    def _takes_floor(self, spot: Spot) -> bool:
+        return self.on_floor(spot.member) and spot.mode not in ("ceiling", "rug")
 
     def behind(self, member: Member) -> float:
         """Return the smallest x of a floor member in its cluster's frame, metres; 0 for what is on a top."""
@@ -214,7 +238,7 @@ class Site:
                 depth, width, _ = self.size(member.name)
                 step = 0.12 if depth * width < 1.0 else 0.2
                 rect = (-depth / 2, -width / 2, depth / 2, width / 2)
-                found.append((_placed(rect_points(rect, 0.022, step), member), depth * width))
+                found.append((_at(member, rect_points(rect, 0.022, step)), depth * width))
         return found
 
     def strips(self, cluster: Cluster) -> list[Strip]:
@@ -226,7 +250,7 @@ class Site:
                 continue
             for side, depth, group in self._wishes(self.cast[member.name]):
                 rect = _strip_rect(self.size(member.name), side, depth)
-                points = _placed(rect_points(rect, 0.04, 0.15), member)
+                points = _at(member, rect_points(rect, 0.04, 0.15))
                 own = np.zeros(len(points), np.bool_)
                 (left, bottom), (right, top) = points.min(0).tolist(), points.max(0).tolist()
                 for box in boxes:
@@ -313,7 +337,7 @@ class Site:
             return None
         left, bottom, right, top = _strip_rect(self.size(member.name), "front", item.category.open_depth)
         inner = np.array([(left + 0.01, bottom), (right, bottom), (right, top), (left + 0.01, top)])
-        return shapely.Polygon(_placed(inner, member))
+        return shapely.Polygon(_at(member, inner))
 
     def put(self, cluster: Cluster, pose: NDArray[np.float64], mode: str, wall: int | None, anchor: str | None) -> None:
         """Place a cluster: record its members and mark the floor, also what it wants clear unless this is a `trial`."""
@@ -326,47 +350,31 @@ class Site:
             spot = Spot(here, own if first else "join", wall if at_wall else None, anchor if first else item.anchor)
             self.settle(member.name, spot)
         for strip in () if self.trial else self.strips(cluster):
-            points = moved(strip.points, np.array([[x, y, yaw]]))[0]
-            i, j, on_grid = self.floor.look(points)
-            keep = on_grid & self.floor.inside[i, j]
-            self.floor.wanted[self._patch(i[keep], j[keep])] += 1.0 if strip.group[1] != "any" else 0.5
+            self.floor.want(placed(strip.points, x, y, yaw), 1.0 if strip.group[1] != "any" else 0.5)
 
     def settle(self, name: str, spot: Spot) -> None:
         """Record where one asset is, the floor that it takes and the walls that it covers."""
         self.spots[name] = spot
-        if self.on_floor(spot.member) and spot.mode not in ("ceiling", "rug"):
-            corners = corners_of(spot.member, self.size(name))
-            self.floor.take(corners)
-            self.solids.append(shapely.Polygon(corners))
+        if spot.mode not in ("ceiling", "rug"):
+            claim = self.claims[name] = self.claim(spot)
+            if claim.shadow is not None:
+                self.floor.take(claim.shadow)
+            if not self.trial:
+                self._record(name, spot)
+
+    def _record(self, name: str, spot: Spot) -> None:
+        """Record exactly what one asset fills and what it covers of the walls."""
+        if self._takes_floor(spot):
+            self.solids.append(shapely.Polygon(corners_of(spot.member, self.size(name))))
             if not self.cast[name].category.movable:
                 self.fixed.append(self.solids[-1])
             strip = self.opening(spot.member)
             self.openings += [strip] if strip is not None else []
-        if spot.mode in ("ceiling", "rug"):
-            return
-        depth, width, _ = self.size(name)
-        points = _placed(rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.0), spot.member)
-        self.cells[name] = self.floor.look(points)[:2]
-        self.uses[name] = self.used_from(spot.member, carried=spot.mode == "join" and spot.member.bottom > 0.01)
         for wall in self.room.walls:
             span = along_wall(spot.member, self.size(name), wall)
             if span is not None:
                 top = spot.member.bottom + self.size(name)[2]
                 self.spans.append(Span(name, wall.index, span[2], (span[0], spot.member.bottom, span[1], top)))
-
-    def _patch(self, i: NDArray[np.intp], j: NDArray[np.intp]) -> NDArray[np.bool_]:
-        """Return all cells around sample points 0.15 m apart, each once."""
-        reach = max(1, round(0.075 / self.floor.cell))
-        mask = np.zeros_like(self.floor.inside)
-        mask[i, j] = True
-        for _ in range(reach):
-            wide = mask.copy()
-            wide[1:] |= mask[:-1]
-            wide[:-1] |= mask[1:]
-            mask = wide.copy()
-            mask[:, 1:] |= wide[:, :-1]
-            mask[:, :-1] |= wide[:, 1:]
-        return mask
 
     def wall_takers(self, wall: Wall) -> list[tuple[Rect, str]]:
         """Return what covers a wall: (start, low, end, high) along it and up it, in metres, with a name each."""
@@ -407,7 +415,7 @@ def _grown(size: tuple[float, float, float]) -> tuple[float, float, float]:
 def corners_of(member: Member, size: tuple[float, float, float]) -> Points:
     """Return the four corners (4, 2) of a member's footprint, counter-clockwise."""
     hx, hy = size[0] / 2, size[1] / 2
-    return _placed(np.array([(hx, -hy), (hx, hy), (-hx, hy), (-hx, -hy)]), member)
+    return _at(member, np.array([(hx, -hy), (hx, hy), (-hx, hy), (-hx, -hy)]))
 
 
 def along_wall(member: Member, size: tuple[float, float, float], wall: Wall) -> tuple[float, float, float] | None:
@@ -424,8 +432,8 @@ def along_wall(member: Member, size: tuple[float, float, float], wall: Wall) -> 
     return (low, high, depth - half_depth)
 
 
-def _placed(points: Points, member: Member) -> Points:
-    return moved(points, np.array([[member.x, member.y, member.yaw]]))[0]
+def _at(member: Member, points: Points) -> Points:
+    return placed(points, member.x, member.y, member.yaw)
 
 
 def _within(points: Points, rect: Rect) -> NDArray[np.bool_]:
