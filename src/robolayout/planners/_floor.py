@@ -99,6 +99,7 @@ class Floor:
         landing: Cells of the door landings.
         clear: Cells to the nearest one that is taken or outside; above `near` only known to be above it.
         near: Cells up to which `clear` is exact.
+        middle: World point of the cell in the room that is nearest to its middle.
     """
 
     room: Room
@@ -110,6 +111,7 @@ class Floor:
     landing: NDArray[np.bool_]
     clear: NDArray[np.float64]
     near: float
+    middle: tuple[float, float]
     _maps: Maps | None = field(default=None, init=False, repr=False)
 
     @staticmethod
@@ -132,6 +134,7 @@ class Floor:
             np.zeros(shape, np.bool_),
             distance(np.pad(inside, 1), near)[1:-1, 1:-1],
             near,
+            _middle(inside, cell, (left, bottom)),
         )
         for door in room.doors:
             floor.landing[floor.cells(np.array(room.landing(door)))] = True
@@ -230,6 +233,12 @@ class Floor:
         barred = taken | np.pad(self.landing, 1)
         wanted = np.minimum(np.pad(self.wanted, 1), 2.0)
         return Maps(*(grid.ravel().astype(np.float32) for grid in (taken, barred, wanted)))
+
+
+def _middle(inside: NDArray[np.bool_], cell: float, origin: tuple[float, float]) -> tuple[float, float]:
+    i, j = np.nonzero(inside)
+    k = int(np.argmin((i - i.mean()) ** 2 + (j - j.mean()) ** 2))
+    return (origin[0] + cell * (float(i[k]) + 0.5), origin[1] + cell * (float(j[k]) + 0.5))
 
 
 def room_depth(room: Room) -> float:
