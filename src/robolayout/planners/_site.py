@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 import numpy as np
 import shapely
@@ -16,6 +17,7 @@ from numpy.typing import NDArray
 
 from robolayout.planners._cluster import Cluster
 from robolayout.planners._floor import Cells, Floor, Points, Shadow, placed, rect_points
+from robolayout.planners._form import Forms, at, side_rect
 from robolayout.planners._member import Member, Rect, box_of, overlaps
 from robolayout.planners._reach import Standing, standing, turning_radius, use_cells
 from robolayout.planners._roles import Cast
@@ -79,14 +81,6 @@ class GridPlan:
 
 
 @dataclass(frozen=True)
-class Strip:
-    """A strip before one side of a floor thing, as points in its cluster's frame; one strip of a `group` is enough."""
-
-    group: tuple[str, str]
-    points: Points
-
-
-@dataclass(frozen=True)
 class Span:
     """What a placed thing covers of a wall close to it.
 
@@ -126,6 +120,7 @@ class Site:
         scene: The scene.
         cast: Assets in their roles.
         floor: The grid.
+        forms: What clusters fill and want clear.
         corridor: Metres that the agent needs to pass.
         spots: What is placed, by name, in the order of placing.
         spans: What the placed things cover of the walls.
@@ -141,6 +136,7 @@ class Site:
     scene: Scene
     cast: Mapping[str, Cast]
     floor: Floor
+    forms: Forms
     corridor: float
     spots: dict[str, Spot] = field(default_factory=dict[str, Spot])
     spans: list[Span] = field(default_factory=list["Span"])
@@ -157,7 +153,7 @@ class Site:
         """Return the empty site of a scene."""
         corridor = max(0.6, 2 * max(agent.radius for agent in scene.agents) + 0.1)
         floor = Floor.of(scene.room, corridor, max(turning_radius(agent) for agent in scene.agents))
-        site = Site(scene, cast, floor, corridor)
+        site = Site(scene, cast, floor, Forms(scene, cast, corridor), corridor)
         site.solids += [shapely.Polygon(scene.room.landing(door)) for door in scene.room.doors]
         return site
 
@@ -183,10 +179,6 @@ class Site:
     def size(self, name: str) -> tuple[float, float, float]:
         """Return an asset's size."""
         return self.scene.by_name[name].size
-
-    def on_floor(self, member: Member) -> bool:
-        """Whether a member takes floor space."""
-        return member.bottom < 0.01 and not self.scene.by_name[member.name].is_flat
 
     @property
     def cut_off(self) -> float:
@@ -226,73 +218,39 @@ class Site:
     def _takes_floor(self, spot: Spot) -> bool:
         return self.on_floor(spot.member) and spot.mode not in ("ceiling", "rug")
 
+    def on_floor(self, member: Member) -> bool:
+        """Whether a member takes floor space."""
+        return self.forms.on_floor(member)
+
     def behind(self, member: Member) -> float:
         """Return the smallest x of a floor member in its cluster's frame, metres; 0 for what is on a top."""
         return box_of(member, self.size(member.name))[0] if self.on_floor(member) else 0.0
 
-    def bodies(self, cluster: Cluster) -> list[tuple[Points, float]]:
-        """Return the footprint points and area of every floor member, in the cluster's frame."""
-        found: list[tuple[Points, float]] = []
-        for member in cluster.members:
-            if self.on_floor(member):
-                depth, width, _ = self.size(member.name)
-                step = 0.12 if depth * width < 1.0 else 0.2
-                rect = (-depth / 2, -width / 2, depth / 2, width / 2)
-                found.append((_at(member, rect_points(rect, 0.022, step)), depth * width))
-        return found
+    def clash(self, cluster: Cluster, poses: Poses, limit: float = math.inf) -> NDArray[np.float64]:
+        """Return the cost (n,) of standing on other things, outside the room or in a landing.
 
-    def strips(self, cluster: Cluster) -> list[Strip]:
-        """Return the strips that the floor members want clear, less what the cluster itself fills."""
-        boxes = [box_of(member, self.size(member.name)) for member in cluster.members if self.on_floor(member)]
-        found: list[Strip] = []
-        for member in cluster.members:
-            if not self.on_floor(member):
-                continue
-            for side, depth, group in self._wishes(self.cast[member.name]):
-                rect = _strip_rect(self.size(member.name), side, depth)
-                points = _at(member, rect_points(rect, 0.04, 0.15))
-                own = np.zeros(len(points), np.bool_)
-                (left, bottom), (right, top) = points.min(0).tolist(), points.max(0).tolist()
-                for box in boxes:
-                    if overlaps(box, (left, bottom, right, top)):
-                        own |= _within(points, box)
-                if own.mean() < 0.6:
-                    found.append(Strip((member.name, group), points[~own]))
-        return found
-
-    def _wishes(self, item: Cast) -> list[tuple[str, float, str]]:
-        """Return the sides that an asset wants clear, each with its depth in metres and a group of which one is enough."""
-        role = item.role
-        if not role.clear:
-            sides = item.asset.use_sides or item.category.use_sides
-            front = max(item.category.open_depth, self.corridor)
-            return [(side, front if side == "front" else self.corridor, "any") for side in sides]
-        found: list[tuple[str, float, str]] = []
-        for side, value in role.clear.items():
-            depth = self.corridor if value <= 0 else value
-            group = "any" if role.prefer.get("any_side", 0) > 0 else side
-            found += [(one, depth, group) for one in (("left", "right") if side == "side" else (side,))]
-        return found
-
-    def clash(self, cluster: Cluster, poses: Poses) -> NDArray[np.float64]:
-        """Return the cost (n,) of standing on other things, outside the room or in a landing."""
-        barred, total = self.floor.maps().barred, np.zeros(len(poses))
-        for points, area in self.bodies(cluster):
-            total += CLASH * area * barred[self.floor.under(points, poses)].mean(axis=1)
+        Of places that clash more than `limit` only that is known.
+        """
+        barred, total, left = self.floor.maps().barred, np.zeros(len(poses)), np.arange(len(poses))
+        for points, area in self.forms.bodies(cluster):
+            total[left] += CLASH * area * barred[self.floor.under(points, poses[left])].mean(axis=1)
+            left = left[total[left] <= limit]
         return total
 
-    def base_cost(self, cluster: Cluster, poses: Poses) -> NDArray[np.float64]:
-        """Return the cost (n,) of clashes, of standing where others want room, and of having no room before it.
+    def base_cost(
+        self, cluster: Cluster, poses: Poses, clash: NDArray[np.float64] | None = None
+    ) -> NDArray[np.float64]:
+        """Return the cost (n,) of clashes (known already or not), of standing where others want room, and of having no room before it.
 
         Places that clash much more than the best one are given up early, at the price of their clash.
         """
-        total, maps = self.clash(cluster, poses), self.floor.maps()
+        total, maps = self.clash(cluster, poses) if clash is None else clash, self.floor.maps()
         good = total <= total.min() + 4.0
         cost, here = total[good], poses[good]
-        for points, area in self.bodies(cluster):
+        for points, area in self.forms.bodies(cluster):
             cost += 4.0 * math.sqrt(area) * maps.wanted[self.floor.under(points, here)].mean(axis=1)
         strips: dict[tuple[str, str], list[NDArray[np.float32]]] = {}
-        for strip in self.strips(cluster):
+        for strip in self.forms.strips(cluster):
             blocked = maps.taken[self.floor.under(strip.points, here)].mean(axis=1)
             strips.setdefault(strip.group, []).append(blocked)
         for values in strips.values():
@@ -313,8 +271,7 @@ class Site:
             return ""
         corners = np.array([corners_of(m.moved(x, y, yaw), _grown(self.size(m.name))) for m in members])
         bodies = np.asarray(shapely.polygons(corners))
-        room = shapely.Polygon(self.room.vertices).buffer(0.008, join_style="mitre")
-        if not shapely.covers(room, bodies).all():
+        if not shapely.covers(_walls_of(self.room), bodies).all():
             return "touches"
         if _touch(bodies, self.solids):
             return "touches"
@@ -327,17 +284,18 @@ class Site:
             return False
         x, y, yaw = (float(value) for value in pose)
         strips = [strip for m in members if (strip := self.opening(m.moved(x, y, yaw))) is not None]
-        room = shapely.Polygon(self.room.vertices).buffer(0.008, join_style="mitre")
-        return bool(shapely.covers(room, strips).all()) and not _touch(np.array(strips), [*self.fixed, *fixed])
+        return bool(shapely.covers(_walls_of(self.room), strips).all()) and not _touch(
+            np.array(strips), [*self.fixed, *fixed]
+        )
 
     def opening(self, member: Member) -> shapely.Polygon | None:
         """Return the strip that the doors or drawers of a floor thing open into, or None."""
         item = self.cast[member.name]
         if item.category.open_depth <= 0 or "front" not in (item.asset.use_sides or item.category.use_sides):
             return None
-        left, bottom, right, top = _strip_rect(self.size(member.name), "front", item.category.open_depth)
+        left, bottom, right, top = side_rect(self.size(member.name), "front", item.category.open_depth)
         inner = np.array([(left + 0.01, bottom), (right, bottom), (right, top), (left + 0.01, top)])
-        return shapely.Polygon(_at(member, inner))
+        return shapely.Polygon(at(member, inner))
 
     def put(self, cluster: Cluster, pose: NDArray[np.float64], mode: str, wall: int | None, anchor: str | None) -> None:
         """Place a cluster: record its members and mark the floor, also what it wants clear unless this is a `trial`."""
@@ -349,7 +307,7 @@ class Site:
             here, item = member.moved(x, y, yaw), self.cast[member.name]
             spot = Spot(here, own if first else "join", wall if at_wall else None, anchor if first else item.anchor)
             self.settle(member.name, spot)
-        for strip in () if self.trial else self.strips(cluster):
+        for strip in () if self.trial else self.forms.strips(cluster):
             self.floor.want(placed(strip.points, x, y, yaw), 1.0 if strip.group[1] != "any" else 0.5)
 
     def settle(self, name: str, spot: Spot) -> None:
@@ -400,6 +358,12 @@ class Site:
         return min(total, 1.0)
 
 
+@lru_cache(maxsize=16)
+def _walls_of(room: Room) -> shapely.Polygon:
+    """Return the floor of a room, 8 mm wider, so that rounding puts nothing outside."""
+    return shapely.Polygon(room.vertices).buffer(0.008, join_style="mitre")
+
+
 def _touch(bodies: NDArray[np.object_], others: Sequence[shapely.Polygon]) -> bool:
     """Whether any of these polygons shares more than a sliver with any of the others."""
     if not len(bodies) or not others:
@@ -415,7 +379,7 @@ def _grown(size: tuple[float, float, float]) -> tuple[float, float, float]:
 def corners_of(member: Member, size: tuple[float, float, float]) -> Points:
     """Return the four corners (4, 2) of a member's footprint, counter-clockwise."""
     hx, hy = size[0] / 2, size[1] / 2
-    return _at(member, np.array([(hx, -hy), (hx, hy), (-hx, hy), (-hx, -hy)]))
+    return at(member, np.array([(hx, -hy), (hx, hy), (-hx, hy), (-hx, -hy)]))
 
 
 def along_wall(member: Member, size: tuple[float, float, float], wall: Wall) -> tuple[float, float, float] | None:
@@ -430,22 +394,3 @@ def along_wall(member: Member, size: tuple[float, float, float], wall: Wall) -> 
     if not -0.3 <= depth - half_depth <= NEAR_WALL or high < 0 or low > wall.length:
         return None
     return (low, high, depth - half_depth)
-
-
-def _at(member: Member, points: Points) -> Points:
-    return placed(points, member.x, member.y, member.yaw)
-
-
-def _within(points: Points, rect: Rect) -> NDArray[np.bool_]:
-    x, y = points[:, 0], points[:, 1]
-    return (x > rect[0]) & (x < rect[2]) & (y > rect[1]) & (y < rect[3])
-
-
-def _strip_rect(size: tuple[float, float, float], side: str, depth: float) -> Rect:
-    hx, hy = size[0] / 2, size[1] / 2
-    return {
-        "front": (hx, -hy, hx + depth, hy),
-        "back": (-hx - depth, -hy, -hx, hy),
-        "left": (-hx, hy, hx, hy + depth),
-        "right": (-hx, -hy - depth, hx, -hy),
-    }[side]
