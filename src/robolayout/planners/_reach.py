@@ -18,6 +18,7 @@ from robolayout.assets import category_of
 from robolayout.planners._floor import Cells, Floor, Points, placed, rect_points
 from robolayout.planners._member import MARGIN, Member, Size
 from robolayout.scene import LANDING_DEPTH, Agent, Asset
+from robolayout.scene.agent import horizontal_reach
 
 Mask = NDArray[np.bool_]
 
@@ -139,7 +140,7 @@ def use_cells(floor: Floor, asset: Asset, member: Member, agent: Agent, *, carri
     if agent.reach_distance is None and not asset.on_floor:
         return None
     sides = tuple(category_of(asset).use_sides if asset.use_sides is None else asset.use_sides)
-    reach = reach_between(agent, member.bottom, member.bottom + asset.size[2])
+    reach = horizontal_reach(agent, member.bottom, member.bottom + asset.size[2])
     if reach is None or not sides:
         return None
     if carried or category_of(asset).movable:
@@ -147,18 +148,6 @@ def use_cells(floor: Floor, asset: Asset, member: Member, agent: Agent, *, carri
     local = _beside(asset.size, sides, round(reach, 3), max(SPACING, round(floor.cell, 3)))
     cells, on_grid = floor.flat(placed(local, member.x, member.y, member.yaw))
     return cells[on_grid]
-
-
-def reach_between(agent: Agent, bottom: float, top: float) -> float | None:
-    """Return the horizontal reach in metres to something between two heights, None if it is too high or too low."""
-    if agent.reach_distance is None:
-        return agent.reach
-    low, high = max(bottom, agent.reach_low), min(top, agent.reach_high)
-    if low > high:
-        return None
-    shoulder = agent.shoulder_height
-    height = 0.0 if shoulder is None else abs(min(max(shoulder, low), high) - shoulder)
-    return math.sqrt(agent.reach**2 - height**2) if height < agent.reach else None
 
 
 @lru_cache(maxsize=4096)
