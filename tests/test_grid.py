@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 from scipy import ndimage
 
-from robolayout._grid import components, distance, window_count
+from robolayout._grid import components, distance, window_count, within
 
 MASKS = arrays.arrays(np.bool_, st.tuples(st.integers(1, 20), st.integers(1, 20)))
 
@@ -63,3 +63,9 @@ def test_windows_erode_and_dilate_as_scipys(side: int, mask: np.ndarray) -> None
     assert np.array_equal(window_count(mask, side) == side**2, ndimage.binary_erosion(mask, square))
     if side % 2:
         assert np.array_equal(window_count(mask, side) > 0, ndimage.binary_dilation(mask, square))
+
+
+@given(MASKS, st.floats(0.0, 9.0))
+def test_what_is_within_is_not_farther_away(mask: np.ndarray, radius: float) -> None:
+    radius += 1e-6
+    assert np.array_equal(within(mask, radius), distance(~mask) <= radius)

@@ -18,7 +18,7 @@ CHECK = 4
 """Steps between two looks whether all distances are final."""
 
 
-def components(mask: Mask) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+def components(mask: Mask) -> tuple[NDArray[np.int32], NDArray[np.intp]]:
     """Return the 8-connected components of the cells where `mask` (m, n) holds.
 
     Returns:
@@ -26,22 +26,24 @@ def components(mask: Mask) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """
     rows, columns = mask.shape
     width = columns + 2  # a gap before and after each row keeps runs apart
-    line = np.zeros((rows, width), dtype=np.int8)
+    line = np.zeros((rows, width), dtype=np.bool_)
     line[:, 1:-1] = mask
-    steps = np.diff(line.ravel(), prepend=np.int8(0))
-    start, stop = np.flatnonzero(steps == 1), np.flatnonzero(steps == -1)
+    line = line.ravel()
+    edges = np.flatnonzero(line[1:] != line[:-1]) + 1
+    start, stop = edges[::2], edges[1::2]
     low = np.searchsorted(stop, start + width, side="left")  # runs of the next row that touch, corners included
     high = np.searchsorted(start, stop + width, side="right")
     count = np.maximum(high - low, 0)
     above = np.repeat(np.arange(len(start)), count)
     below = np.arange(len(above)) - np.repeat(np.cumsum(count) - count, count) + np.repeat(low, count)
     root = _joined(len(start), above, below)
-    _, number = np.unique(root, return_inverse=True)  # roots are first runs, so their order is row order
-    filled = np.zeros(rows * width + 1, dtype=np.intp)
-    filled[start] = number + 1
-    filled[stop] = -(number + 1)
-    labels = np.cumsum(filled[:-1]).reshape(rows, width)[:, 1:-1]
-    return labels, np.bincount(labels.ravel(), minlength=1)[1:]
+    first = root == np.arange(len(root))  # roots are first runs, so their order is row order
+    number = np.cumsum(first)[root]
+    numbers = np.zeros(2 * len(start) + 1, dtype=np.int32)  # of gaps and runs in turn
+    numbers[1::2] = number
+    labels = np.repeat(numbers, np.diff(edges, prepend=0, append=len(line)))
+    sizes = np.bincount(number, stop - start, minlength=1)[1:].astype(np.intp)
+    return labels.reshape(rows, width)[:, 1:-1], sizes
 
 
 def _joined(size: int, a: NDArray[np.intp], b: NDArray[np.intp]) -> NDArray[np.intp]:
@@ -78,6 +80,26 @@ def distance(mask: Mask, limit: float = math.inf) -> NDArray[np.float64]:
         np.minimum(best[:, step:], aside[:, :-step], out=best[:, step:])
         np.minimum(best[:, :-step], aside[:, step:], out=best[:, :-step])
     return np.where(best < far * far, np.sqrt(best, dtype=np.float64), np.inf)
+
+
+def within(mask: Mask, radius: float) -> Mask:
+    """Return the cells (m, n) at most `radius` cells away from one where `mask` holds, itself among them."""
+    (rows, columns), rim = mask.shape, int(radius)
+    width = columns + rim  # a gap after each row, so that a step aside never gets into another one
+    start, stop = rim * width, (rim + rows) * width
+    given = np.zeros((rows + 2 * rim) * width, np.bool_)
+    given[start:stop].reshape(rows, width)[:, :columns] = mask
+    column, found = given.copy(), np.zeros_like(given)
+    spread = 0
+    for aside in range(rim, -1, -1):
+        height = int(math.sqrt(max(radius**2 - aside**2, 0.0)))
+        for step in range((spread + 1) * width, (height + 1) * width, width):
+            column[start:stop] |= given[start - step : stop - step]
+            column[start:stop] |= given[start + step : stop + step]
+        spread = height
+        found[start:stop] |= column[start - aside : stop - aside]
+        found[start:stop] |= column[start + aside : stop + aside]
+    return found[start:stop].reshape(rows, width)[:, :columns]
 
 
 def window_count(mask: Mask, side: int) -> NDArray[np.intp]:

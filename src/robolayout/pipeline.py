@@ -12,6 +12,7 @@ from robolayout.attempt import Attempt, Clock, Progress
 from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict, vertical_span
+from robolayout.scene.agent import horizontal_reach
 from robolayout.solve import (
     Enough,
     Judge,
@@ -27,7 +28,6 @@ from robolayout.solve import (
     warm_up_samples,
 )
 from robolayout.verify import Report, judge_agent, kept_out, physics, verify
-from robolayout.verify.use import horizontal_reach
 
 if TYPE_CHECKING:
     from robolayout.grouped import Sample

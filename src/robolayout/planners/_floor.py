@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
 import numpy as np
@@ -19,6 +18,10 @@ CELLS = 40_000
 """Most cells of the grid; larger rooms get coarser ones."""
 
 Points = NDArray[np.float64]
+Cells = NDArray[np.intp]
+"""Numbers of cells of the grid, row by row."""
+Window = tuple[slice, slice]
+"""A part of the grid."""
 
 
 @lru_cache(maxsize=4096)
@@ -32,6 +35,15 @@ def rect_points(rect: Rect, shrink: float, step: float = 0.1) -> Points:
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 2)
     points.flags.writeable = False
     return points
+
+
+def placed(points: Points, x: float, y: float, yaw: float) -> Points:
+    """Return points (k, 2) of a frame that was put at (x, y, yaw)."""
+    c, s = np.cos(yaw), np.sin(yaw)
+    found = np.empty_like(points)
+    found[:, 0] = x + c * points[:, 0] - s * points[:, 1]
+    found[:, 1] = y + s * points[:, 0] + c * points[:, 1]
+    return found
 
 
 def moved(points: Points, poses: NDArray[np.float64]) -> Points:
@@ -48,14 +60,29 @@ class Maps:
     Attributes:
         taken: Outside or under a body.
         barred: The same or in a door's landing.
-        outside: Outside the room.
         wanted: How much others want the cell to stay free, at most 2.
     """
 
     taken: NDArray[np.float32]
     barred: NDArray[np.float32]
-    outside: NDArray[np.float32]
     wanted: NDArray[np.float32]
+
+
+@dataclass(frozen=True, eq=False)
+class Shadow:
+    """What a rectangle takes of the floor.
+
+    Attributes:
+        under: A part of the grid that holds it.
+        covered: Cells of that part under it.
+        around: A part that holds all from where it may count as the nearest thing.
+        near: Cells from those of that part to the nearest one that is taken.
+    """
+
+    under: Window
+    covered: NDArray[np.bool_]
+    around: Window
+    near: NDArray[np.float64]
 
 
 @dataclass
@@ -72,6 +99,7 @@ class Floor:
         landing: Cells of the door landings.
         clear: Cells to the nearest one that is taken or outside; above `near` only known to be above it.
         near: Cells up to which `clear` is exact.
+        middle: World point of the cell in the room that is nearest to its middle.
     """
 
     room: Room
@@ -83,6 +111,8 @@ class Floor:
     landing: NDArray[np.bool_]
     clear: NDArray[np.float64]
     near: float
+    middle: tuple[float, float]
+    _maps: Maps | None = field(default=None, init=False, repr=False)
 
     @staticmethod
     def of(room: Room, corridor: float, radius: float) -> Floor:
@@ -104,56 +134,83 @@ class Floor:
             np.zeros(shape, np.bool_),
             distance(np.pad(inside, 1), near)[1:-1, 1:-1],
             near,
+            _middle(inside, cell, (left, bottom)),
         )
         for door in room.doors:
-            floor.landing[floor.cells([np.array(room.landing(door))])] = True
+            floor.landing[floor.cells(np.array(room.landing(door)))] = True
             depth = max(corridor, room_depth(room))
-            floor.wanted[floor.cells([np.array(room.landing(door, depth))])] += 2.0
+            floor.wanted[floor.cells(np.array(room.landing(door, depth)))] += 2.0
         return floor
 
     def copy(self) -> Floor:
         """Return an independent copy."""
         return replace(self, body=self.body.copy(), wanted=self.wanted.copy(), clear=self.clear.copy())
 
-    def take(self, corners: Points) -> None:
-        """Mark the cells under a rectangle with these corners (4, 2) as taken."""
-        self.body[self.cells([corners])] += 1
+    def shadow(self, corners: Points) -> Shadow:
+        """Return what a rectangle with these corners (4, 2) takes of the floor."""
         local = (corners - np.asarray(self.origin)) / self.cell - 0.5
         center, sides = local.mean(axis=0), local[1:3] - local[0:2]
         lengths = np.hypot(sides[:, 0], sides[:, 1])
         low = np.maximum(np.floor(local.min(axis=0) - self.near - 1), 0).astype(int)
         high = np.maximum(np.ceil(local.max(axis=0) + self.near + 2), 0).astype(int)
-        window = self.clear[low[0] : high[0], low[1] : high[1]]
-        dx = np.arange(low[0], low[0] + window.shape[0])[:, None] - center[0]
-        dy = np.arange(low[1], low[1] + window.shape[1])[None] - center[1]
+        window = (slice(low[0], high[0]), slice(low[1], high[1]))
+        nx, ny = self.clear[window].shape
+        dx, dy = np.arange(low[0], low[0] + nx)[:, None] - center[0], np.arange(low[1], low[1] + ny)[None] - center[1]
         out = [
             np.maximum(np.abs(dx * side[0] + dy * side[1]) / length - length / 2, 0.0)
             for side, length in zip(sides, lengths, strict=True)
         ]
-        np.minimum(window, np.hypot(*out) + 0.5, out=window)  # half a cell: from the edge to a taken cell's centre
+        near = np.hypot(*out) + 0.5  # half a cell: from the edge to a taken cell's centre
+        return Shadow(*self._covered(corners), window, near)
 
-    def cells(self, corners: Iterable[Points]) -> NDArray[np.bool_]:
-        """Return the cells whose centres lie in any of the convex polygons (k, 2)."""
+    def take(self, shadow: Shadow) -> None:
+        """Mark what a rectangle takes."""
+        self.body[shadow.under] += shadow.covered
+        window = self.clear[shadow.around]
+        np.minimum(window, shadow.near, out=window)
+        self._maps = None
+
+    def want(self, points: Points, weight: float) -> None:
+        """Mark the cells in the room around points (k, 2) that are 0.15 m apart as wanted, each once."""
+        cells, on_grid = self.flat(points)
+        mask = np.zeros_like(self.inside)
+        mask.ravel()[cells[on_grid & self.inside.ravel()[cells]]] = True
+        for _ in range(max(1, round(0.075 / self.cell))):
+            wide = mask.copy()
+            wide[1:] |= mask[:-1]
+            wide[:-1] |= mask[1:]
+            mask = wide.copy()
+            mask[:, 1:] |= wide[:, :-1]
+            mask[:, :-1] |= wide[:, 1:]
+        self.wanted[mask] += weight
+        self._maps = None
+
+    def cells(self, polygon: Points) -> NDArray[np.bool_]:
+        """Return the cells whose centres lie in a convex polygon (k, 2)."""
         mask = np.zeros(self.inside.shape, np.bool_)
-        for polygon in corners:
-            low = np.floor((polygon.min(0) - self.origin) / self.cell).astype(int)
-            low = np.maximum(low, 0)
-            high = np.ceil((polygon.max(0) - self.origin) / self.cell).astype(int) + 1
-            nx, ny = mask[low[0] : high[0], low[1] : high[1]].shape
-            xs = self.origin[0] + self.cell * (low[0] + np.arange(nx) + 0.5)
-            ys = self.origin[1] + self.cell * (low[1] + np.arange(ny) + 0.5)
-            within = np.ones((nx, ny), np.bool_)
-            for (ax, ay), (bx, by) in zip(polygon, np.roll(polygon, -1, axis=0), strict=True):
-                within &= (bx - ax) * (ys[None, :] - ay) - (by - ay) * (xs[:, None] - ax) >= 0
-            mask[low[0] : high[0], low[1] : high[1]] |= within
+        window, covered = self._covered(polygon)
+        mask[window] = covered
         return mask
 
-    def look(self, points: Points) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.bool_]]:
-        """Return cell indices of points (..., 2), clipped to the grid, and whether each point is on it."""
+    def _covered(self, polygon: Points) -> tuple[Window, NDArray[np.bool_]]:
+        """Return a part of the grid and its cells whose centres lie in a convex polygon (k, 2)."""
+        low = np.maximum(np.floor((polygon.min(0) - self.origin) / self.cell).astype(int), 0)
+        high = np.maximum(np.ceil((polygon.max(0) - self.origin) / self.cell).astype(int) + 1, 0)
+        window = (slice(low[0], high[0]), slice(low[1], high[1]))
+        nx, ny = self.inside[window].shape
+        xs = (self.origin[0] + self.cell * (low[0] + np.arange(nx) + 0.5))[:, None]
+        ys = (self.origin[1] + self.cell * (low[1] + np.arange(ny) + 0.5))[None]
+        covered = np.ones((nx, ny), np.bool_)
+        corners = polygon.tolist()
+        for (ax, ay), (bx, by) in zip(corners, corners[1:] + corners[:1], strict=True):
+            covered &= (bx - ax) * (ys - ay) - (by - ay) * (xs - ax) >= 0
+        return window, covered
+
+    def flat(self, points: Points) -> tuple[Cells, NDArray[np.bool_]]:
+        """Return the cells of points (k, 2), clipped to the grid, and whether each point is on it."""
         raw = np.floor((points - np.asarray(self.origin)) / self.cell).astype(np.intp)
-        nx, ny = self.inside.shape
-        i, j = (np.minimum(np.maximum(raw[..., k], 0), n - 1) for k, n in enumerate((nx, ny)))
-        return i, j, (raw[..., 0] == i) & (raw[..., 1] == j)
+        held = np.minimum(np.maximum(raw, 0), np.array(self.inside.shape) - 1)
+        return held[:, 0] * self.inside.shape[1] + held[:, 1], (raw == held).all(axis=1)
 
     def under(self, points: Points, poses: NDArray[np.float64]) -> NDArray[np.intp]:
         """Return, for points (k, 2) in each of the frames (n, 3), flat indices (n, k) into the maps of `Maps`."""
@@ -167,11 +224,21 @@ class Floor:
 
     def maps(self) -> Maps:
         """Return the state of the floor as flat maps with a rim of one cell that is outside."""
+        if self._maps is None:
+            self._maps = self._drawn()
+        return self._maps
+
+    def _drawn(self) -> Maps:
         taken = np.pad(~self.inside | (self.body > 0), 1, constant_values=True)
         barred = taken | np.pad(self.landing, 1)
-        outside = np.pad(~self.inside, 1, constant_values=True)
         wanted = np.minimum(np.pad(self.wanted, 1), 2.0)
-        return Maps(*(grid.ravel().astype(np.float32) for grid in (taken, barred, outside, wanted)))
+        return Maps(*(grid.ravel().astype(np.float32) for grid in (taken, barred, wanted)))
+
+
+def _middle(inside: NDArray[np.bool_], cell: float, origin: tuple[float, float]) -> tuple[float, float]:
+    i, j = np.nonzero(inside)
+    k = int(np.argmin((i - i.mean()) ** 2 + (j - j.mean()) ** 2))
+    return (origin[0] + cell * (float(i[k]) + 0.5), origin[1] + cell * (float(j[k]) + 0.5))
 
 
 def room_depth(room: Room) -> float:

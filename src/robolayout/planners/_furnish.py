@@ -404,11 +404,12 @@ class _Attempt:
         """Put equal clusters into their best grid; False if none is good."""
         ranked: list[tuple[float, GridPlan, Batch, int]] = []
         for plan, batch in grid_batches(self.site, clusters):
-            clash = self.site.clash(batch.cluster, batch.poses)
-            if clash.min() > 1.0:
+            clash = self.site.clash(batch.cluster, batch.poses, limit=1.0)
+            free = clash <= 1.0
+            if not free.any():
                 continue
-            batch = replace(batch, poses=batch.poses[clash <= 1.0], walls=batch.walls[clash <= 1.0])
-            cost = self.site.base_cost(batch.cluster, batch.poses) / len(clusters)
+            batch = replace(batch, poses=batch.poses[free], walls=batch.walls[free])
+            cost = self.site.base_cost(batch.cluster, batch.poses, clash[free]) / len(clusters)
             last = last_cell(self.site, plan, batch)
             cost += 0.5 * (taste(self.site, batch, weights) + taste(self.site, last, weights))
             cost += TIGHT * plan.tight + 0.5 * (plan.rows * plan.columns - len(plan.names))

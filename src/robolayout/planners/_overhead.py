@@ -38,7 +38,7 @@ def hang(site: Site, name: str, rng: np.random.Generator) -> None:
     if best is not None:
         site.settle(name, best[2])
         if site.standings and _juts_out(site, best[2].member) > 0:
-            site.floor.take(corners_of(best[2].member, site.size(name)))
+            site.floor.take(site.floor.shadow(corners_of(best[2].member, site.size(name))))
             site.survey()
 
 
@@ -143,8 +143,7 @@ def _far(site: Site, name: str, member: Member) -> float:
     """Return a cost for hanging where some agent cannot reach or use it; nothing while the floor is still empty."""
     if not site.standings:
         return 0.0
-    i, j, _ = site.floor.look(corners_of(member, site.size(name)))
-    return 10.0 * (not site.serves((i, j), site.used_from(member)))
+    return 10.0 * (not site.serves(site.claim(Spot(member, "hang"))))
 
 
 def _door_cost(site: Site, member: Member) -> float:

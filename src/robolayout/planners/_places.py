@@ -55,7 +55,7 @@ def batches(site: Site, cluster: Cluster, modes: Sequence[str]) -> list[Batch]:
     return found
 
 
-Found = tuple[list[tuple[float, float, float]], list[int], list[str]]
+Found = tuple[Sequence[tuple[float, float, float]] | Poses, list[int], list[str]]
 
 
 def wall_yaw(wall: Wall) -> float:
@@ -83,26 +83,24 @@ def _offsets(site: Site, wall: Wall, width: float) -> list[float]:
 def _at_walls(site: Site, cluster: Cluster) -> Found:
     depth, width, _ = site.size(cluster.anchor)
     back = max(depth / 2, *(-site.behind(member) for member in cluster.members))
-    found: Found = ([], [], [])
+    poses, walls = list[tuple[float, float, float]](), list[int]()
     for wall in site.room.walls:
-        for t in _offsets(site, wall, width):
-            found[0].append((*wall.point(t, back + WALL_GAP), wall_yaw(wall)))
-            found[1].append(wall.index)
-            found[2].append("")
-    return found
+        yaw, offsets = wall_yaw(wall), _offsets(site, wall, width)
+        poses += [(*wall.point(t, back + WALL_GAP), yaw) for t in offsets]
+        walls += [wall.index] * len(offsets)
+    return poses, walls, [""] * len(poses)
 
 
 def _in_corners(site: Site, cluster: Cluster) -> Found:
     depth, width, _ = site.size(cluster.anchor)
-    found: Found = ([], [], [])
+    poses, walls = list[tuple[float, float, float]](), list[int]()
     corners, count = set(convex_corners(site.room)), len(site.room.walls)
     for wall in site.room.walls:
         for t, vertex in ((width / 2 + 0.04, wall.index), (wall.length - width / 2 - 0.04, (wall.index + 1) % count)):
             if width < wall.length and vertex in corners:
-                found[0].append((*wall.point(t, depth / 2 + 0.04), wall_yaw(wall)))
-                found[1].append(wall.index)
-                found[2].append("")
-    return found
+                poses.append((*wall.point(t, depth / 2 + 0.04), wall_yaw(wall)))
+                walls.append(wall.index)
+    return poses, walls, [""] * len(poses)
 
 
 def room_yaws(site: Site) -> list[float]:
@@ -120,18 +118,14 @@ def _in_the_middle(site: Site, cluster: Cluster) -> Found:
     grid = np.concatenate([grid, [centroid(site)]])
     frames = np.column_stack([grid, np.zeros(len(grid))])
     blocked = site.floor.maps().barred[site.floor.under(np.zeros((1, 2)), frames)][:, 0] > 0
-    found: Found = ([], [], [])
-    for yaw in room_yaws(site):
-        for x, y in grid[~blocked]:
-            found[0].append((float(x), float(y), yaw))
-            found[1].append(-1)
-            found[2].append("")
-    return found
+    free = grid[~blocked]
+    poses = np.concatenate([np.column_stack([free, np.full(len(free), yaw)]) for yaw in room_yaws(site)])
+    return poses, [-1] * len(poses), [""] * len(poses)
 
 
 def _before_what_it_faces(site: Site, cluster: Cluster) -> Found:
     face = site.cast[cluster.anchor].role.face
-    found: Found = ([], [], [])
+    poses, names = list[tuple[float, float, float]](), list[str]()
     for name in targets(site, cluster.anchor):
         target = site.spots[name].member
         if face is None:
@@ -141,10 +135,9 @@ def _before_what_it_faces(site: Site, cluster: Cluster) -> Found:
         for distance in np.arange(low, min(high, 8.0) + 0.01, 0.1):
             x = target.x + float(distance) * math.cos(target.yaw)
             y = target.y + float(distance) * math.sin(target.yaw)
-            found[0].append((x, y, target.yaw + turn))
-            found[1].append(-1)
-            found[2].append(name)
-    return found
+            poses.append((x, y, target.yaw + turn))
+            names.append(name)
+    return poses, [-1] * len(poses), names
 
 
 def targets(site: Site, name: str) -> list[str]:
@@ -159,10 +152,7 @@ def targets(site: Site, name: str) -> list[str]:
 
 def centroid(site: Site) -> tuple[float, float]:
     """Return the middle of the room's floor (inside it, for concave rooms: the inner cell nearest to it)."""
-    i, j = np.nonzero(site.floor.inside)
-    k = int(np.argmin((i - i.mean()) ** 2 + (j - j.mean()) ** 2))
-    cell, (left, bottom) = site.floor.cell, site.floor.origin
-    return (left + cell * (float(i[k]) + 0.5), bottom + cell * (float(j[k]) + 0.5))
+    return site.floor.middle
 
 
 _PLACES = {

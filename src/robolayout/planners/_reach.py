@@ -13,17 +13,17 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from robolayout._grid import components, distance
+from robolayout._grid import components, within
 from robolayout.assets import category_of
-from robolayout.planners._floor import Floor, Points, moved, rect_points
+from robolayout.planners._floor import Cells, Floor, Points, placed, rect_points
 from robolayout.planners._member import MARGIN, Member, Size
 from robolayout.scene import LANDING_DEPTH, Agent, Asset
+from robolayout.scene.agent import horizontal_reach
 
 Mask = NDArray[np.bool_]
 
-FAR_AWAY = 1e3
-"""Metres that stand for out of reach."""
-
+SHORT_OF = 0.03
+"""Metres that an agent gets nearer than its reach."""
 
 SPACING = 0.08
 """Least metres between the points from which a use is looked for."""
@@ -34,22 +34,24 @@ class Standing:
     """Where one agent gets to.
 
     Attributes:
-        away: Metres from each cell to where the agent gets to; beyond its reach only known to be beyond it.
+        near: Cells of which it gets within reach.
         cut_off: Share of the free floor that it cannot get to.
         easy: Cells on which its centre can stand to use something and turn right round.
         floor: The floor.
         agent: The body.
     """
 
-    away: NDArray[np.float64]
+    near: Mask
     cut_off: float
     easy: Mask
     floor: Floor
     agent: Agent
 
-    def stands_on(self, cells: tuple[NDArray[np.intp], NDArray[np.intp]]) -> bool:
-        """Whether its centre can stand on some of these cells to use something, whichever way round."""
-        return bool(self.easy[cells].any()) or bool(self.stand[cells].any())
+    def serves(self, cells: Cells, use: Cells | None) -> bool:
+        """Whether it gets within reach of some of these cells and stands, whichever way round, on some of those of a use."""
+        if not self.near.ravel()[cells].any():
+            return False
+        return use is None or bool(self.easy.ravel()[use].any()) or bool(self.stand.ravel()[use].any())
 
     @cached_property
     def stand(self) -> Mask:
@@ -69,13 +71,13 @@ def standing(floor: Floor, agent: Agent) -> Standing:
     labels, sizes = components(floor.clear >= agent.radius / floor.cell + 1.0)
     nowhere = np.zeros_like(floor.inside)
     if not len(sizes):
-        return Standing(np.full(floor.inside.shape, FAR_AWAY), 1.0, nowhere, floor, agent)
+        return Standing(nowhere, 1.0, nowhere, floor, agent)
     at_door = np.bincount(labels[floor.landing], minlength=len(sizes) + 1)[1:]
     if floor.room.doors and not at_door.any():
-        return Standing(np.full(floor.inside.shape, FAR_AWAY), 1.0, nowhere, floor, agent)
+        return Standing(nowhere, 1.0, nowhere, floor, agent)
     main = labels == 1 + int(np.argmax(at_door if at_door.any() else sizes))
-    away = distance(~main, agent.reach / floor.cell + 1.0) * floor.cell
-    return Standing(away, 1.0 - float(main.sum()) / float(sizes.sum()), _turning(floor, agent, main), floor, agent)
+    near = within(main, (agent.reach - SHORT_OF) / floor.cell + 1e-6)
+    return Standing(near, 1.0 - float(main.sum()) / float(sizes.sum()), _turning(floor, agent, main), floor, agent)
 
 
 def _turning(floor: Floor, agent: Agent, main: Mask) -> Mask:
@@ -95,12 +97,12 @@ def _either_way(floor: Floor, agent: Agent) -> Mask:
     room = floor.room
     normal = room.walls[room.doors[0].wall if room.doors else 0].normal
     along, across = (components(_fits(floor, agent, heading)) for heading in (normal, (-normal[1], normal[0])))
-    turns = floor.clear >= turning_radius(agent) / floor.cell + 1.0
+    turns = np.nonzero(floor.clear >= turning_radius(agent) / floor.cell + 1.0)
     wide = len(across[1]) + 1
     pairs = np.stack(np.divmod(np.flatnonzero(np.bincount(along[0][turns] * wide + across[0][turns])), wide), axis=1)
     if room.doors:
         depth = max(LANDING_DEPTH, agent.length or 0.0)
-        there = floor.cells([np.array(room.landing(room.doors[0], depth))])
+        there = floor.cells(np.array(room.landing(room.doors[0], depth)))
         count = np.bincount(along[0][there], minlength=len(along[1]) + 1)[1:]
     else:
         count = along[1]
@@ -120,58 +122,40 @@ def _either_way(floor: Floor, agent: Agent) -> Mask:
 
 def _fits(floor: Floor, agent: Agent, heading: tuple[float, float]) -> Mask:
     """Return the cells on which a rectangular body with a heading touches nothing."""
-    rim = math.ceil(agent.circumradius / floor.cell) + 2
+    (nx, ny), rim = floor.inside.shape, math.ceil(agent.circumradius / floor.cell) + 2
     blocked = np.pad(~floor.inside | (floor.body > 0), rim, constant_values=True)
+    width, blocked = ny + 2 * rim, blocked.ravel()
     for (dx, dy), extent in ((heading, agent.length or 0.0), ((-heading[1], heading[0]), agent.width or 0.0)):
-        blocked = _smeared(blocked, (dx, dy), extent / 2 / floor.cell + 0.5)
-    return ~blocked[rim:-rim, rim:-rim]
+        spread = blocked.copy()
+        for step in range(1, int(extent / 2 / floor.cell + 0.5) + 1):
+            shift = abs(round(step * dx) * width + round(step * dy))  # the rim keeps one row's steps out of the next
+            spread[shift:] |= blocked[:-shift]
+            spread[:-shift] |= blocked[shift:]
+        blocked = spread
+    return ~blocked.reshape(nx + 2 * rim, width)[rim:-rim, rim:-rim]
 
 
-def _smeared(mask: Mask, direction: tuple[float, float], half: float) -> Mask:
-    """Return a mask spread by so many cells along a direction, both ways."""
-    found, (nx, ny) = mask.copy(), mask.shape
-    for step in range(1, int(half) + 1):
-        i, j = round(step * direction[0]), round(step * direction[1])
-        low, high = (max(i, 0), max(j, 0)), (min(nx + i, nx), min(ny + j, ny))
-        there = (slice(low[0], high[0]), slice(low[1], high[1]))
-        back = (slice(low[0] - i, high[0] - i), slice(low[1] - j, high[1] - j))
-        found[there] |= mask[back]
-        found[back] |= mask[there]
-    return found
-
-
-def use_cells(
-    floor: Floor, asset: Asset, member: Member, agent: Agent, *, carried: bool
-) -> tuple[NDArray[np.intp], NDArray[np.intp]] | None:
+def use_cells(floor: Floor, asset: Asset, member: Member, agent: Agent, *, carried: bool) -> Cells | None:
     """Return the cells from which an agent uses a thing there; None if that is not asked of it or out of its height."""
     if agent.reach_distance is None and not asset.on_floor:
         return None
     sides = tuple(category_of(asset).use_sides if asset.use_sides is None else asset.use_sides)
-    reach = reach_between(agent, member.bottom, member.bottom + asset.size[2])
+    reach = horizontal_reach(agent, member.bottom, member.bottom + asset.size[2])
     if reach is None or not sides:
         return None
     if carried or category_of(asset).movable:
         sides = ("",)
-    local = np.concatenate(
-        [_within(asset.size, side, round(reach, 3), max(SPACING, round(floor.cell, 3))) for side in sides]
-    )
-    i, j, on_grid = floor.look(moved(local, np.array([[member.x, member.y, member.yaw]]))[0])
-    return i[on_grid], j[on_grid]
-
-
-def reach_between(agent: Agent, bottom: float, top: float) -> float | None:
-    """Return the horizontal reach in metres to something between two heights, None if it is too high or too low."""
-    if agent.reach_distance is None:
-        return agent.reach
-    low, high = max(bottom, agent.reach_low), min(top, agent.reach_high)
-    if low > high:
-        return None
-    shoulder = agent.shoulder_height
-    height = 0.0 if shoulder is None else abs(min(max(shoulder, low), high) - shoulder)
-    return math.sqrt(agent.reach**2 - height**2) if height < agent.reach else None
+    local = _beside(asset.size, sides, round(reach, 3), max(SPACING, round(floor.cell, 3)))
+    cells, on_grid = floor.flat(placed(local, member.x, member.y, member.yaw))
+    return cells[on_grid]
 
 
 @lru_cache(maxsize=4096)
+def _beside(size: Size, sides: tuple[str, ...], reach: float, step: float) -> Points:
+    """Return points (k, 2) from which some side of a box at the origin is within reach."""
+    return np.concatenate([_within(size, side, reach, step) for side in sides])
+
+
 def _within(size: Size, side: str, reach: float, step: float) -> Points:
     """Return points (k, 2) from which a side ("": any edge) of a box at the origin is within reach."""
     hx, hy = size[0] / 2, size[1] / 2

@@ -72,17 +72,9 @@ def cast_scene(scene: Scene, knowledge: Knowledge) -> dict[str, Cast]:
     taken: dict[tuple[str, str], int] = {}
     covered: dict[str, float] = {}
     for name in sorted(cast, key=lambda n: (cast[n].role.rank, -_footprint(cast[n].asset))):
-        handy, sideways = (
-            {
-                n
-                for n, other in cast.items()
-                if in_height(scene.agents, cast[name].asset, other.asset.size[2], narrow=way)
-            }
-            for way in (False, True)
-        )
         found = (
-            _anchor(cast[name], cast, taken, covered, handy)
-            or _anchor(cast[name], cast, taken, covered, sideways)
+            _anchor(cast[name], cast, taken, covered, _handy(name, cast, scene.agents))
+            or _anchor(cast[name], cast, taken, covered, _handy(name, cast, scene.agents, narrow=True))
             or _anchor(cast[name], cast, taken, covered, set(cast))
             or _any_top(cast[name], cast, covered)
         )
@@ -94,6 +86,16 @@ def cast_scene(scene: Scene, knowledge: Knowledge) -> dict[str, Cast]:
         if join.slot in ("on", "setting"):
             covered[anchor] = covered.get(anchor, 0.0) + _footprint(cast[name].asset)
     return cast
+
+
+def _handy(name: str, cast: Mapping[str, Cast], agents: Sequence[Agent], *, narrow: bool = False) -> set[str]:
+    """Return the assets on which a thing would be in every arm's reach; none for what joins no top."""
+    item = cast[name]
+    if not any(join.slot in ("on", "setting") for join in item.role.joins):
+        return set()
+    heights = {other.asset.size[2] for other in cast.values()}
+    within = {height for height in heights if in_height(agents, item.asset, height, narrow=narrow)}
+    return {other for other, there in cast.items() if there.asset.size[2] in within}
 
 
 def _footprint(asset: Asset) -> float:

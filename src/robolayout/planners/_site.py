@@ -9,21 +9,21 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
 from robolayout.planners._cluster import Cluster
-from robolayout.planners._floor import Floor, Points, moved, rect_points
+from robolayout.planners._floor import Cells, Floor, Points, Shadow, placed, rect_points
+from robolayout.planners._form import Forms, at, side_rect
 from robolayout.planners._member import Member, Rect, box_of, overlaps
 from robolayout.planners._reach import Standing, standing, turning_radius, use_cells
 from robolayout.planners._roles import Cast
 from robolayout.scene import Room, Scene, Wall
 
 Poses = NDArray[np.float64]
-Cells = tuple[NDArray[np.intp], NDArray[np.intp]]
-"""Indices of cells of the floor."""
 
 CLASH = 100.0
 """Cost of a square metre of clash."""
@@ -81,14 +81,6 @@ class GridPlan:
 
 
 @dataclass(frozen=True)
-class Strip:
-    """A strip before one side of a floor thing, as points in its cluster's frame; one strip of a `group` is enough."""
-
-    group: tuple[str, str]
-    points: Points
-
-
-@dataclass(frozen=True)
 class Span:
     """What a placed thing covers of a wall close to it.
 
@@ -105,6 +97,21 @@ class Span:
     rect: Rect
 
 
+@dataclass(frozen=True, eq=False)
+class Claim:
+    """What a thing asks of the floor.
+
+    Attributes:
+        cells: Its own cells, to which an agent should get.
+        uses: The cells, by agent, from which it uses the thing; None where that is not asked of it.
+        shadow: What it takes of the floor, if it stands there.
+    """
+
+    cells: Cells
+    uses: tuple[Cells | None, ...]
+    shadow: Shadow | None
+
+
 @dataclass
 class Site:
     """The state of the search.
@@ -113,6 +120,7 @@ class Site:
         scene: The scene.
         cast: Assets in their roles.
         floor: The grid.
+        forms: What clusters fill and want clear.
         corridor: Metres that the agent needs to pass.
         spots: What is placed, by name, in the order of placing.
         spans: What the placed things cover of the walls.
@@ -120,14 +128,15 @@ class Site:
         solids: Exact footprints of what stands on the floor, and the door landings.
         fixed: Exact footprints of what does not make way for an opening door.
         openings: Exact strips that doors and drawers open into.
-        cells: The cells, as two index arrays, of what an agent should get to.
-        uses: The cells, by agent, from which it uses a thing; None where that is not asked of it.
-        trial: Whether this is only to find out what is reached: what things want clear is not marked.
+        claims: What is asked of the floor by everything that an agent should get to.
+        known: What things in places that were settled before ask of it; shared by all copies.
+        trial: Whether this is only to find out what is reached: nothing else is recorded.
     """
 
     scene: Scene
     cast: Mapping[str, Cast]
     floor: Floor
+    forms: Forms
     corridor: float
     spots: dict[str, Spot] = field(default_factory=dict[str, Spot])
     spans: list[Span] = field(default_factory=list["Span"])
@@ -135,8 +144,8 @@ class Site:
     solids: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
     fixed: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
     openings: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
-    cells: dict[str, Cells] = field(default_factory=dict[str, "Cells"])
-    uses: dict[str, tuple[Cells | None, ...]] = field(default_factory=dict[str, tuple["Cells | None", ...]])
+    claims: dict[str, Claim] = field(default_factory=dict[str, "Claim"])
+    known: dict[tuple[Member, str], Claim] = field(default_factory=dict[tuple[Member, str], "Claim"])
     trial: bool = False
 
     @staticmethod
@@ -144,12 +153,12 @@ class Site:
         """Return the empty site of a scene."""
         corridor = max(0.6, 2 * max(agent.radius for agent in scene.agents) + 0.1)
         floor = Floor.of(scene.room, corridor, max(turning_radius(agent) for agent in scene.agents))
-        site = Site(scene, cast, floor, corridor)
+        site = Site(scene, cast, floor, Forms(scene, cast, corridor), corridor)
         site.solids += [shapely.Polygon(scene.room.landing(door)) for door in scene.room.doors]
         return site
 
     def copy(self, *, trial: bool = False) -> Site:
-        """Return an independent copy; on one for a `trial` what things want clear is not marked."""
+        """Return an independent copy; one for a `trial` only tells what is reached."""
         return replace(
             self,
             trial=trial,
@@ -159,8 +168,7 @@ class Site:
             solids=list(self.solids),
             fixed=list(self.fixed),
             openings=list(self.openings),
-            cells=dict(self.cells),
-            uses=dict(self.uses),
+            claims=dict(self.claims),
         )
 
     @property
@@ -171,10 +179,6 @@ class Site:
     def size(self, name: str) -> tuple[float, float, float]:
         """Return an asset's size."""
         return self.scene.by_name[name].size
-
-    def on_floor(self, member: Member) -> bool:
-        """Whether a member takes floor space."""
-        return member.bottom < 0.01 and not self.scene.by_name[member.name].is_flat
 
     @property
     def cut_off(self) -> float:
@@ -188,87 +192,65 @@ class Site:
     def unreached(self) -> list[str]:
         """Return the assets that some agent of the scene cannot get to or cannot use."""
         self.survey()
-        return [name for name, cells in self.cells.items() if not self.serves(cells, self.uses[name])]
+        return [name for name, claim in self.claims.items() if not self.serves(claim)]
 
-    def serves(self, cells: Cells, uses: Sequence[Cells | None]) -> bool:
-        """Whether every agent gets to these cells and stands on some of those from which it uses what is there."""
-        return all(
-            float(found.away[cells].min()) <= agent.reach - 0.03 and (use is None or found.stands_on(use))
-            for agent, found, use in zip(self.scene.agents, self.standings, uses, strict=True)
-        )
+    def serves(self, claim: Claim) -> bool:
+        """Whether every agent gets to a thing and stands on some of the cells from which it uses it."""
+        return all(found.serves(claim.cells, use) for found, use in zip(self.standings, claim.uses, strict=True))
 
-    def used_from(self, member: Member, *, carried: bool = False) -> tuple[Cells | None, ...]:
-        """Return the cells, by agent, from which it would use a thing there."""
-        asset = self.scene.by_name[member.name]
-        return tuple(use_cells(self.floor, asset, member, agent, carried=carried) for agent in self.scene.agents)
+    def claim(self, spot: Spot) -> Claim:
+        """Return what a thing would ask of the floor there."""
+        member = spot.member
+        found = self.known.get((member, spot.mode))
+        if found is None:
+            depth, width, _ = self.size(member.name)
+            points = rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.0)
+            asset, carried = self.scene.by_name[member.name], spot.mode == "join" and member.bottom > 0.01
+            found = Claim(
+                self.floor.flat(placed(points, member.x, member.y, member.yaw))[0],
+                tuple(use_cells(self.floor, asset, member, agent, carried=carried) for agent in self.scene.agents),
+                self.floor.shadow(corners_of(member, asset.size)) if self._takes_floor(spot) else None,
+            )
+            if not self.trial:
+                self.known[member, spot.mode] = found
+        return found
+
+    def _takes_floor(self, spot: Spot) -> bool:
+        return self.on_floor(spot.member) and spot.mode not in ("ceiling", "rug")
+
+    def on_floor(self, member: Member) -> bool:
+        """Whether a member takes floor space."""
+        return self.forms.on_floor(member)
 
     def behind(self, member: Member) -> float:
         """Return the smallest x of a floor member in its cluster's frame, metres; 0 for what is on a top."""
         return box_of(member, self.size(member.name))[0] if self.on_floor(member) else 0.0
 
-    def bodies(self, cluster: Cluster) -> list[tuple[Points, float]]:
-        """Return the footprint points and area of every floor member, in the cluster's frame."""
-        found: list[tuple[Points, float]] = []
-        for member in cluster.members:
-            if self.on_floor(member):
-                depth, width, _ = self.size(member.name)
-                step = 0.12 if depth * width < 1.0 else 0.2
-                rect = (-depth / 2, -width / 2, depth / 2, width / 2)
-                found.append((_placed(rect_points(rect, 0.022, step), member), depth * width))
-        return found
+    def clash(self, cluster: Cluster, poses: Poses, limit: float = math.inf) -> NDArray[np.float64]:
+        """Return the cost (n,) of standing on other things, outside the room or in a landing.
 
-    def strips(self, cluster: Cluster) -> list[Strip]:
-        """Return the strips that the floor members want clear, less what the cluster itself fills."""
-        boxes = [box_of(member, self.size(member.name)) for member in cluster.members if self.on_floor(member)]
-        found: list[Strip] = []
-        for member in cluster.members:
-            if not self.on_floor(member):
-                continue
-            for side, depth, group in self._wishes(self.cast[member.name]):
-                rect = _strip_rect(self.size(member.name), side, depth)
-                points = _placed(rect_points(rect, 0.04, 0.15), member)
-                own = np.zeros(len(points), np.bool_)
-                (left, bottom), (right, top) = points.min(0).tolist(), points.max(0).tolist()
-                for box in boxes:
-                    if overlaps(box, (left, bottom, right, top)):
-                        own |= _within(points, box)
-                if own.mean() < 0.6:
-                    found.append(Strip((member.name, group), points[~own]))
-        return found
-
-    def _wishes(self, item: Cast) -> list[tuple[str, float, str]]:
-        """Return the sides that an asset wants clear, each with its depth in metres and a group of which one is enough."""
-        role = item.role
-        if not role.clear:
-            sides = item.asset.use_sides or item.category.use_sides
-            front = max(item.category.open_depth, self.corridor)
-            return [(side, front if side == "front" else self.corridor, "any") for side in sides]
-        found: list[tuple[str, float, str]] = []
-        for side, value in role.clear.items():
-            depth = self.corridor if value <= 0 else value
-            group = "any" if role.prefer.get("any_side", 0) > 0 else side
-            found += [(one, depth, group) for one in (("left", "right") if side == "side" else (side,))]
-        return found
-
-    def clash(self, cluster: Cluster, poses: Poses) -> NDArray[np.float64]:
-        """Return the cost (n,) of standing on other things, outside the room or in a landing."""
-        barred, total = self.floor.maps().barred, np.zeros(len(poses))
-        for points, area in self.bodies(cluster):
-            total += CLASH * area * barred[self.floor.under(points, poses)].mean(axis=1)
+        Of places that clash more than `limit` only that is known.
+        """
+        barred, total, left = self.floor.maps().barred, np.zeros(len(poses)), np.arange(len(poses))
+        for points, area in self.forms.bodies(cluster):
+            total[left] += CLASH * area * barred[self.floor.under(points, poses[left])].mean(axis=1)
+            left = left[total[left] <= limit]
         return total
 
-    def base_cost(self, cluster: Cluster, poses: Poses) -> NDArray[np.float64]:
-        """Return the cost (n,) of clashes, of standing where others want room, and of having no room before it.
+    def base_cost(
+        self, cluster: Cluster, poses: Poses, clash: NDArray[np.float64] | None = None
+    ) -> NDArray[np.float64]:
+        """Return the cost (n,) of clashes (known already or not), of standing where others want room, and of having no room before it.
 
         Places that clash much more than the best one are given up early, at the price of their clash.
         """
-        total, maps = self.clash(cluster, poses), self.floor.maps()
+        total, maps = self.clash(cluster, poses) if clash is None else clash, self.floor.maps()
         good = total <= total.min() + 4.0
         cost, here = total[good], poses[good]
-        for points, area in self.bodies(cluster):
+        for points, area in self.forms.bodies(cluster):
             cost += 4.0 * math.sqrt(area) * maps.wanted[self.floor.under(points, here)].mean(axis=1)
         strips: dict[tuple[str, str], list[NDArray[np.float32]]] = {}
-        for strip in self.strips(cluster):
+        for strip in self.forms.strips(cluster):
             blocked = maps.taken[self.floor.under(strip.points, here)].mean(axis=1)
             strips.setdefault(strip.group, []).append(blocked)
         for values in strips.values():
@@ -289,8 +271,7 @@ class Site:
             return ""
         corners = np.array([corners_of(m.moved(x, y, yaw), _grown(self.size(m.name))) for m in members])
         bodies = np.asarray(shapely.polygons(corners))
-        room = shapely.Polygon(self.room.vertices).buffer(0.008, join_style="mitre")
-        if not shapely.covers(room, bodies).all():
+        if not shapely.covers(_walls_of(self.room), bodies).all():
             return "touches"
         if _touch(bodies, self.solids):
             return "touches"
@@ -303,17 +284,18 @@ class Site:
             return False
         x, y, yaw = (float(value) for value in pose)
         strips = [strip for m in members if (strip := self.opening(m.moved(x, y, yaw))) is not None]
-        room = shapely.Polygon(self.room.vertices).buffer(0.008, join_style="mitre")
-        return bool(shapely.covers(room, strips).all()) and not _touch(np.array(strips), [*self.fixed, *fixed])
+        return bool(shapely.covers(_walls_of(self.room), strips).all()) and not _touch(
+            np.array(strips), [*self.fixed, *fixed]
+        )
 
     def opening(self, member: Member) -> shapely.Polygon | None:
         """Return the strip that the doors or drawers of a floor thing open into, or None."""
         item = self.cast[member.name]
         if item.category.open_depth <= 0 or "front" not in (item.asset.use_sides or item.category.use_sides):
             return None
-        left, bottom, right, top = _strip_rect(self.size(member.name), "front", item.category.open_depth)
+        left, bottom, right, top = side_rect(self.size(member.name), "front", item.category.open_depth)
         inner = np.array([(left + 0.01, bottom), (right, bottom), (right, top), (left + 0.01, top)])
-        return shapely.Polygon(_placed(inner, member))
+        return shapely.Polygon(at(member, inner))
 
     def put(self, cluster: Cluster, pose: NDArray[np.float64], mode: str, wall: int | None, anchor: str | None) -> None:
         """Place a cluster: record its members and mark the floor, also what it wants clear unless this is a `trial`."""
@@ -325,48 +307,32 @@ class Site:
             here, item = member.moved(x, y, yaw), self.cast[member.name]
             spot = Spot(here, own if first else "join", wall if at_wall else None, anchor if first else item.anchor)
             self.settle(member.name, spot)
-        for strip in () if self.trial else self.strips(cluster):
-            points = moved(strip.points, np.array([[x, y, yaw]]))[0]
-            i, j, on_grid = self.floor.look(points)
-            keep = on_grid & self.floor.inside[i, j]
-            self.floor.wanted[self._patch(i[keep], j[keep])] += 1.0 if strip.group[1] != "any" else 0.5
+        for strip in () if self.trial else self.forms.strips(cluster):
+            self.floor.want(placed(strip.points, x, y, yaw), 1.0 if strip.group[1] != "any" else 0.5)
 
     def settle(self, name: str, spot: Spot) -> None:
         """Record where one asset is, the floor that it takes and the walls that it covers."""
         self.spots[name] = spot
-        if self.on_floor(spot.member) and spot.mode not in ("ceiling", "rug"):
-            corners = corners_of(spot.member, self.size(name))
-            self.floor.take(corners)
-            self.solids.append(shapely.Polygon(corners))
+        if spot.mode not in ("ceiling", "rug"):
+            claim = self.claims[name] = self.claim(spot)
+            if claim.shadow is not None:
+                self.floor.take(claim.shadow)
+            if not self.trial:
+                self._record(name, spot)
+
+    def _record(self, name: str, spot: Spot) -> None:
+        """Record exactly what one asset fills and what it covers of the walls."""
+        if self._takes_floor(spot):
+            self.solids.append(shapely.Polygon(corners_of(spot.member, self.size(name))))
             if not self.cast[name].category.movable:
                 self.fixed.append(self.solids[-1])
             strip = self.opening(spot.member)
             self.openings += [strip] if strip is not None else []
-        if spot.mode in ("ceiling", "rug"):
-            return
-        depth, width, _ = self.size(name)
-        points = _placed(rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.0), spot.member)
-        self.cells[name] = self.floor.look(points)[:2]
-        self.uses[name] = self.used_from(spot.member, carried=spot.mode == "join" and spot.member.bottom > 0.01)
         for wall in self.room.walls:
             span = along_wall(spot.member, self.size(name), wall)
             if span is not None:
                 top = spot.member.bottom + self.size(name)[2]
                 self.spans.append(Span(name, wall.index, span[2], (span[0], spot.member.bottom, span[1], top)))
-
-    def _patch(self, i: NDArray[np.intp], j: NDArray[np.intp]) -> NDArray[np.bool_]:
-        """Return all cells around sample points 0.15 m apart, each once."""
-        reach = max(1, round(0.075 / self.floor.cell))
-        mask = np.zeros_like(self.floor.inside)
-        mask[i, j] = True
-        for _ in range(reach):
-            wide = mask.copy()
-            wide[1:] |= mask[:-1]
-            wide[:-1] |= mask[1:]
-            mask = wide.copy()
-            mask[:, 1:] |= wide[:, :-1]
-            mask[:, :-1] |= wide[:, 1:]
-        return mask
 
     def wall_takers(self, wall: Wall) -> list[tuple[Rect, str]]:
         """Return what covers a wall: (start, low, end, high) along it and up it, in metres, with a name each."""
@@ -392,6 +358,12 @@ class Site:
         return min(total, 1.0)
 
 
+@lru_cache(maxsize=16)
+def _walls_of(room: Room) -> shapely.Polygon:
+    """Return the floor of a room, 8 mm wider, so that rounding puts nothing outside."""
+    return shapely.Polygon(room.vertices).buffer(0.008, join_style="mitre")
+
+
 def _touch(bodies: NDArray[np.object_], others: Sequence[shapely.Polygon]) -> bool:
     """Whether any of these polygons shares more than a sliver with any of the others."""
     if not len(bodies) or not others:
@@ -407,7 +379,7 @@ def _grown(size: tuple[float, float, float]) -> tuple[float, float, float]:
 def corners_of(member: Member, size: tuple[float, float, float]) -> Points:
     """Return the four corners (4, 2) of a member's footprint, counter-clockwise."""
     hx, hy = size[0] / 2, size[1] / 2
-    return _placed(np.array([(hx, -hy), (hx, hy), (-hx, hy), (-hx, -hy)]), member)
+    return at(member, np.array([(hx, -hy), (hx, hy), (-hx, hy), (-hx, -hy)]))
 
 
 def along_wall(member: Member, size: tuple[float, float, float], wall: Wall) -> tuple[float, float, float] | None:
@@ -422,22 +394,3 @@ def along_wall(member: Member, size: tuple[float, float, float], wall: Wall) -> 
     if not -0.3 <= depth - half_depth <= NEAR_WALL or high < 0 or low > wall.length:
         return None
     return (low, high, depth - half_depth)
-
-
-def _placed(points: Points, member: Member) -> Points:
-    return moved(points, np.array([[member.x, member.y, member.yaw]]))[0]
-
-
-def _within(points: Points, rect: Rect) -> NDArray[np.bool_]:
-    x, y = points[:, 0], points[:, 1]
-    return (x > rect[0]) & (x < rect[2]) & (y > rect[1]) & (y < rect[3])
-
-
-def _strip_rect(size: tuple[float, float, float], side: str, depth: float) -> Rect:
-    hx, hy = size[0] / 2, size[1] / 2
-    return {
-        "front": (hx, -hy, hx + depth, hy),
-        "back": (-hx - depth, -hy, -hx, hy),
-        "left": (-hx, hy, hx, hy + depth),
-        "right": (-hx, -hy - depth, hx, -hy),
-    }[side]

@@ -72,3 +72,23 @@ TOUCH = 0.10
 
 DEFAULT_AGENT = Agent(name="disc", radius=0.30, height=1.5, reach_distance=0.75, title="disc of radius 0.30 m")
 """The agent of a scene that names none."""
+
+SLACK = 1e-6
+"""Metres of rounding that a height may be beyond the reach."""
+
+
+def horizontal_reach(agent: Agent, bottom: float, top: float) -> float | None:
+    """Return the horizontal reach in metres to something between two heights; None if it is out of reach in height.
+
+    An agent without a reach distance only gets to things, whatever their height. With a shoulder height the reach is a
+    sphere around the shoulder, otherwise a cylinder between the lowest and the highest height it reaches.
+    """
+    if agent.reach_distance is None:
+        return agent.reach
+    low, high = max(bottom, agent.reach_low), min(top, agent.reach_high)
+    if low > high + SLACK:
+        return None
+    if agent.shoulder_height is None:
+        return agent.reach
+    height = abs(min(max(agent.shoulder_height, low), high) - agent.shoulder_height)
+    return math.sqrt(agent.reach**2 - height**2) if height <= agent.reach else None

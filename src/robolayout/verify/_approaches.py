@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -14,7 +13,7 @@ from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import category_of
 from robolayout.scene import Agent, Asset
-from robolayout.scene.agent import TOUCH
+from robolayout.scene.agent import TOUCH, horizontal_reach
 from robolayout.verify._boxes import Boxes
 from robolayout.verify._sides import SIDES, strips, within
 from robolayout.verify._space import QUAD_SEGS, REACH_SLACK
@@ -139,20 +138,3 @@ def needs_no_use(found: Boxes) -> NDArray[np.bool_]:
     """Return (n,) what nobody needs to get to: rugs, ceiling lamps, what is used from no side."""
     idle = np.array([not sides for sides in use_sides(found.assets)], dtype=bool)
     return found.flat | found.ceiling | idle
-
-
-def horizontal_reach(agent: Agent, bottom: float, top: float) -> float | None:
-    """Return the horizontal reach in metres to something between two heights; None if it is out of reach in height.
-
-    An agent without a reach distance only gets to things, whatever their height. With a shoulder height the reach is a
-    sphere around the shoulder, otherwise a cylinder between the lowest and the highest height it reaches.
-    """
-    if agent.reach_distance is None:
-        return agent.reach
-    low, high = max(bottom, agent.reach_low), min(top, agent.reach_high)
-    if low > high + REACH_SLACK:
-        return None
-    if agent.shoulder_height is None:
-        return agent.reach
-    height = abs(min(max(agent.shoulder_height, low), high) - agent.shoulder_height)
-    return math.sqrt(agent.reach**2 - height**2) if height <= agent.reach else None

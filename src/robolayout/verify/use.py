@@ -21,8 +21,8 @@ from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.scene import Agent, Layout, Point, Scene
-from robolayout.scene.agent import TOUCH
-from robolayout.verify._approaches import approaches, horizontal_reach, needs_no_use
+from robolayout.scene.agent import TOUCH, horizontal_reach
+from robolayout.verify._approaches import approaches, needs_no_use
 from robolayout.verify._boxes import AREA_TOLERANCE, room_polygon, share, shared_area
 from robolayout.verify._sides import side_edge, strip
 from robolayout.verify._stances import Stances
