@@ -10,15 +10,24 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import shapely
 from numpy.typing import NDArray
-from shapely import Polygon
 
 from robolayout._grid import components
-from robolayout.assets.obstacles import pieces, use_sides
-from robolayout.scene import Agent
 from robolayout.solve.arrays import Routes
 from robolayout.solve.compile import Floats, Problem
+from robolayout.solve.goals import cheapest, missed
+from robolayout.solve.ground import (
+    Cells,
+    Ground,
+    Obstacles,
+    box_distance,
+    boxes_of,
+    clearance,
+    make_ground,
+    obstacles_of,
+)
+
+__all__ = ["Ground", "Obstacles", "Plan", "clearance", "make_ground", "obstacles_of", "pack", "plan_routes"]
 
 PUSH_PRICE = 25.0
 """Cost of a metre walked per metre of clearance that is missing, against 1 for a free metre."""
@@ -29,126 +38,11 @@ MARGIN = 0.03
 SPACING = 0.10
 """Metres between the points of a route that become demands."""
 
-SPARE = 0.15
-"""Metres of clearance beyond what the body needs that are still told apart."""
-
-MOST_CELLS = 12_000
-"""Cells of a grid: 30 m2 at 5 cm, 120 m2 at 10 cm."""
+NEARBY = 0.30
+"""Metres beyond what is asked within which things are told to keep it."""
 
 POCKET = 0.05
 """Square metres of free space cut off from the door that get a route of their own."""
-
-
-@dataclass(frozen=True)
-class Ground:
-    """The empty room on a grid, for one agent.
-
-    Attributes:
-        xs: (nx,) cell centres in metres.
-        ys: (ny,) cell centres in metres.
-        wall_distance: (nx, ny) metres to the nearest wall; negative outside.
-        start: Cell where the agent comes in; None where no cell holds it.
-        agent: The body.
-        cell: Metres per cell.
-    """
-
-    xs: Floats
-    ys: Floats
-    wall_distance: Floats
-    start: tuple[int, int] | None
-    agent: Agent
-    cell: float
-
-    @property
-    def open(self) -> NDArray[np.bool_]:
-        """(nx, ny) whether the agent's centre could be there in the empty room."""
-        return self.wall_distance >= self.agent.radius
-
-
-def make_ground(problem: Problem, agent: Agent, cell: float) -> Ground:
-    """Return the empty room on a grid; large rooms get larger cells."""
-    x0, y0, x1, y1 = problem.scene.room.bounds
-    cell = max(cell, ((x1 - x0) * (y1 - y0) / MOST_CELLS) ** 0.5)
-    xs, ys = np.arange(x0 + cell / 2, x1, cell), np.arange(y0 + cell / 2, y1, cell)
-    room = Polygon(problem.scene.room.vertices)
-    points = np.asarray(shapely.points(*np.meshgrid(xs, ys, indexing="ij")))
-    shapely.prepare(room)
-    distance = shapely.distance(points, room.exterior)
-    distance = np.where(shapely.contains(room, points), distance, -distance)
-    return Ground(xs, ys, distance, _entry(problem, agent, points, distance), agent, cell)
-
-
-def _entry(problem: Problem, agent: Agent, points: Floats, distance: Floats) -> tuple[int, int] | None:
-    """Return the cell nearest to the first door that holds the agent's centre; the roomiest one without a door."""
-    open_cells = distance >= agent.radius
-    if not open_cells.any():
-        return None
-    if not problem.scene.room.doors:
-        flat = int(np.argmax(distance))
-    else:
-        door = problem.scene.room.doors[0]
-        wall = problem.scene.room.walls[door.wall]
-        far = shapely.distance(points, shapely.Point(wall.point(door.center, max(0.45, agent.radius + 0.05))))
-        flat = int(np.argmin(np.where(open_cells, far, np.inf)))
-    return tuple(int(i) for i in np.unravel_index(flat, distance.shape))  # type: ignore[return-value]
-
-
-@dataclass(frozen=True, eq=False)
-class Obstacles:
-    """What stands in one agent's way: boxes, or the parts of them that it cannot pass.
-
-    Attributes:
-        slot: (m,) slot that each rectangle belongs to.
-        offset: (m, 2) metres from the slot's middle to the rectangle's, ahead and to the left.
-        half: (m, 2) half its depth and half its width in metres.
-        shelter: Slots that the agent may come under or into.
-    """
-
-    slot: NDArray[np.intp]
-    offset: Floats
-    half: Floats
-    shelter: tuple[int, ...]
-
-    def poses(self, world: Floats) -> Floats:
-        """Return (m, 4) poses x, y, cos, sin of the rectangles."""
-        pose = world[self.slot].astype(float)
-        x, y, c, s = pose.T
-        ahead, left = self.offset.T
-        return np.stack([x + c * ahead - s * left, y + s * ahead + c * left, c, s], axis=1)
-
-
-def boxes_of(problem: Problem, slots: tuple[int, ...]) -> Obstacles:
-    """Return the whole boxes of some slots."""
-    index = np.array(slots, dtype=np.intp)
-    return Obstacles(index, np.zeros((len(slots), 2)), problem.half[index].reshape(-1, 2), ())
-
-
-def obstacles_of(problem: Problem, agent: Agent) -> Obstacles:
-    """Return what stands in this agent's way."""
-    found = [pieces(asset, problem.guess[asset.name].z, agent) for asset in problem.scene.assets]
-    rows = np.concatenate([np.empty((0, 4)), *(rectangles for rectangles, _ in found)])
-    slot = np.repeat(np.arange(len(found)), [len(rectangles) for rectangles, _ in found])
-    return Obstacles(slot, rows[:, :2], rows[:, 2:], tuple(i for i, (_, passable) in enumerate(found) if passable))
-
-
-def clearance(ground: Ground, world: Floats, obstacles: Obstacles) -> Floats:
-    """Return metres from every cell to the nearest obstacle, negative inside, capped a little above what the body needs."""
-    agent = ground.agent
-    cap = max(agent.radius, agent.circumradius, (agent.turning_diameter or 0.0) / 2) + SPARE
-    field = np.full((len(ground.xs), len(ground.ys)), cap)
-    for pose, half in zip(obstacles.poses(world), obstacles.half, strict=True):
-        here = _window(ground, pose, half, cap)
-        distance = _box_distance(ground.xs[here[0], None], ground.ys[None, here[1]], pose, half)
-        np.minimum(field[here], distance, out=field[here])
-    return field
-
-
-def _window(ground: Ground, pose: Floats, half: Floats, reach: float) -> tuple[slice, slice]:
-    """Return the cells within `reach` metres of a box's bounds, and some more."""
-    x, y, c, s = pose.tolist()
-    rx, ry = abs(c) * half[0] + abs(s) * half[1] + reach, abs(s) * half[0] + abs(c) * half[1] + reach
-    i, j = np.searchsorted(ground.xs, (x - rx, x + rx)), np.searchsorted(ground.ys, (y - ry, y + ry))
-    return slice(int(i[0]), int(i[1])), slice(int(j[0]), int(j[1]))
 
 
 @dataclass(frozen=True)
@@ -180,66 +74,43 @@ def plan_routes(
     """
     if ground.start is None:
         return Plan(np.empty((0, 4)), 0)
-    from skimage.graph import MCP_Geometric
-
-    need = ground.agent.radius + MARGIN
     field = clearance(ground, world, obstacles)
-    lacking = np.maximum(need - field, 0.0)
-    cost = np.where(ground.open, 1.0 + PUSH_PRICE * lacking, -1.0)
-    walk = MCP_Geometric(cost, fully_connected=True)
-    reach, _ = walk.find_costs([ground.start])
-    passable = ground.open & (field >= ground.agent.radius - ground.cell / 4)
+    passable = ground.passable(field)
     regions, _ = components(passable)
     here = int(regions[ground.start])
-    home = (regions == here) if here else np.zeros_like(passable)
-    goals = _goals(problem, ground, world, reach, np.zeros_like(home) if everywhere else home)
+    home = (regions == here) & (here > 0)
+    rows = missed(ground, world, obstacles, passable, np.zeros_like(home) if everywhere else home)
     sheltered = clearance(ground, world, boxes_of(problem, obstacles.shelter)) < 0.0
-    goals += _pockets(ground, np.where(sheltered, 0, regions), here, field)
-    points: set[tuple[int, int]] = set()
-    for goal in goals:
-        if np.isfinite(reach[goal]):
-            points.update(walk.traceback(goal))
-    demands, blockers = _demands(ground, world, obstacles, problem.half, sorted(points))
+    pockets = _pockets(ground, np.where(sheltered, 0, regions), here, field)
+    goals, points = _walks(ground, world, field, rows, pockets)
+    demands, blockers = _demands(ground, world, obstacles, problem.half, points)
     turning, turn_blockers = _turning(ground, world, obstacles, problem.half, np.where(home, field, -np.inf))
-    blocked = len(goals) + bool(len(turning))
+    blocked = goals + bool(len(turning))
     return Plan(np.concatenate([turning, demands]), blocked, (*blockers, *turn_blockers))
 
 
-def _goals(
-    problem: Problem, ground: Ground, world: Floats, reach: Floats, home: NDArray[np.bool_]
-) -> list[tuple[int, int]]:
-    """Return for each asset that is out of reach from `home` the cheapest cell from which it is within reach."""
-    goals: list[tuple[int, int]] = []
-    for slot, asset in enumerate(problem.scene.assets):
-        if asset.is_flat or (asset.on_ceiling and not asset.on_floor):
-            continue
-        pose, half = world[slot], problem.half[slot]
-        here = _window(ground, pose, half, ground.agent.reach)
-        xs, ys = ground.xs[here[0], None], ground.ys[None, here[1]]
-        near = _box_distance(xs, ys, pose, half) <= ground.agent.reach - ground.cell / 2
-        near &= _beyond_use_sides(problem, (xs, ys), pose, slot)
-        if (carrier := int(problem.parent[slot])) >= 0:
-            near &= _box_distance(xs, ys, world[carrier], problem.half[carrier]) >= 0.0
-        if (near & home[here]).any():
-            continue
-        costs = np.where(near & ground.open[here], reach[here], np.inf)
-        if np.isfinite(costs).any():
-            i, j = np.unravel_index(int(np.argmin(costs)), costs.shape)
-            goals.append((here[0].start + int(i), here[1].start + int(j)))
-    return goals
+def _walks(
+    ground: Ground, world: Floats, field: Floats, rows: Cells, pockets: list[tuple[int, int]]
+) -> tuple[int, Cells]:
+    """Return to how many goals there are cheapest ways, and the cells (m, 2) on them, in row order."""
+    if not len(rows) and not pockets:
+        return 0, np.empty((0, 2), dtype=np.intp)
+    from skimage.graph import MCP_Geometric
 
-
-def _beyond_use_sides(problem: Problem, cells: tuple[Floats, Floats], pose: Floats, slot: int) -> NDArray[np.bool_]:
-    """Return which cells lie beyond a side that a thing is used from; all of them where any side will do."""
-    sides = use_sides(problem.scene.assets[slot])
-    if problem.parent[slot] >= 0 or not sides or len(sides) == 4:
-        return np.ones((len(cells[0]), cells[1].shape[1]), dtype=bool)
-    x, y, c, s = pose
-    dx, dy = cells[0] - x, cells[1] - y
-    u, v = c * dx + s * dy, c * dy - s * dx
-    hx, hy = problem.half[slot]
-    beyond = {"front": u > hx, "back": u < -hx, "left": v > hy, "right": v < -hy}
-    return np.logical_or.reduce([beyond[side] for side in sides])
+    lacking = np.maximum(ground.agent.radius + MARGIN - field, 0.0)
+    walk = MCP_Geometric(np.where(ground.open, 1.0 + PUSH_PRICE * lacking, -1.0), fully_connected=True)
+    cost, step = walk.find_costs([ground.start])
+    goals = cheapest(ground, world, rows, cost) + pockets
+    ways = [goal for goal in goals if np.isfinite(cost[goal])]
+    offset = np.asarray(walk.offsets) @ (field.shape[1], 1)
+    before = (np.arange(field.size) - np.where(step < 0, 0, offset[step]).ravel()).tolist()
+    seen: set[int] = set()
+    for i, j in ways:
+        cell = i * field.shape[1] + j
+        while cell not in seen:
+            seen.add(cell)
+            cell = before[cell]
+    return len(goals), np.stack(np.divmod(sorted(seen), field.shape[1]), axis=1)
 
 
 def _pockets(ground: Ground, regions: NDArray[np.intp], here: int, field: Floats) -> list[tuple[int, int]]:
@@ -264,36 +135,33 @@ def _turning(
         return np.empty((0, 4)), ()
     best = np.unravel_index(int(np.argmax(room)), room.shape)
     px, py = ground.xs[best[0]], ground.ys[best[1]]
-    distance = _box_distance(px, py, obstacles.poses(world).T, obstacles.half.T)
-    near = np.flatnonzero(distance < need + 0.3)
+    distance = box_distance(px, py, obstacles.poses(world).T, obstacles.half.T)
+    near = np.flatnonzero(distance < need + NEARBY)
     points = np.full((len(near), 2), (px, py))
     blocking = dict.fromkeys(obstacles.slot[distance < need].tolist())
     return _rows(points, near, need + MARGIN, world, obstacles, boxes), tuple(blocking)
 
 
-def _box_distance(px: Floats, py: Floats, pose: Floats, half: Floats) -> Floats:
-    """Return the signed distance in metres of points to a box; negative inside."""
-    x, y, c, s = pose
-    u, v = np.abs(c * (px - x) + s * (py - y)) - half[0], np.abs(c * (py - y) - s * (px - x)) - half[1]
-    return np.hypot(np.maximum(u, 0.0), np.maximum(v, 0.0)) + np.minimum(np.maximum(u, v), 0.0)
-
-
 def _demands(
-    ground: Ground, world: Floats, obstacles: Obstacles, boxes: Floats, cells: list[tuple[int, int]]
+    ground: Ground, world: Floats, obstacles: Obstacles, boxes: Floats, cells: Cells
 ) -> tuple[Floats, tuple[int, ...]]:
     """Return (x, y, slot, metres) for every point and everything near it, and what lacks clearance, the worst first."""
-    if not cells or not len(obstacles.slot):
+    if not len(cells) or not len(obstacles.slot):
         return np.empty((0, 4)), ()
-    picked = np.array(cells)
     stride = max(1, round(SPACING / ground.cell))
-    spaced = picked[(picked.sum(axis=1) % stride) == 0]
-    picked = spaced if len(spaced) else picked
-    points = np.stack([ground.xs[picked[:, 0]], ground.ys[picked[:, 1]]], axis=1)
-    poses = obstacles.poses(world)
-    distance = _box_distance(points[:, :1], points[:, 1:], poses.T[:, None], obstacles.half.T[:, None])
-    need = ground.agent.radius + MARGIN
-    point, near = np.nonzero(distance < need + 0.3)
-    lacking = np.maximum(need - MARGIN - distance, 0.0).max(axis=0)
+    spaced = cells[(cells.sum(axis=1) % stride) == 0]
+    cells = spaced if len(spaced) else cells
+    points = np.stack([ground.xs[cells[:, 0]], ground.ys[cells[:, 1]]], axis=1)
+    poses, need = obstacles.poses(world), ground.agent.radius + MARGIN
+    far = np.hypot(*obstacles.half.T) + need + NEARBY
+    about = np.abs(points[:, :1] - poses[:, 0]) <= far
+    about &= np.abs(points[:, 1:] - poses[:, 1]) <= far
+    point, near = np.nonzero(about)
+    distance = box_distance(points[point, 0], points[point, 1], poses[near].T, obstacles.half[near].T)
+    close = distance < need + NEARBY
+    point, near, distance = point[close], near[close], distance[close]
+    lacking = np.zeros(len(poses))
+    np.maximum.at(lacking, near, need - MARGIN - distance)
     worst = np.argsort(-lacking, kind="stable")[: int((lacking > 0).sum())]
     blockers = dict.fromkeys(obstacles.slot[worst].tolist())
     return _rows(points[point], near, need, world, obstacles, boxes), tuple(blockers)

@@ -1,0 +1,77 @@
+"""Targets: what a body must get to, and what of it tells from where it is within reach, by the rules of the judge.
+
+A thing is used from beyond one of its sides, within reach at its height; what is carried or moved about, and what needs no use,
+counts from all around. The judge in `verify` works all this out for itself; a law test holds the two together.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.assets import category_of
+from robolayout.assets.obstacles import reach_across
+from robolayout.scene import Agent
+from robolayout.scene.agent import TOUCH
+from robolayout.scene.asset import FLAT_HEIGHT
+from robolayout.solve.compile import Floats, Problem
+
+SIDES = ("front", "left", "back", "right")
+"""Order of the sides of a target."""
+
+
+@dataclass(frozen=True, eq=False)
+class Targets:
+    """What a body must get to, the same in every layout of a problem.
+
+    Attributes:
+        slots: (k,) what.
+        reach: (k,) metres in plan within which the body's centre must come.
+        sides: (k, 4) beyond which sides; none where it counts from all around.
+        carrier: (k,) slot of what carries it higher than the body, so that nobody takes it from below; -1 where none.
+        chairs: (c,) slots that this body moves away from what they stand at.
+        parent: (n,) slot that carries each slot; -1 where none.
+        half: (n, 2) half depth and half width of each slot in metres.
+    """
+
+    slots: NDArray[np.intp]
+    reach: Floats
+    sides: NDArray[np.bool_]
+    carrier: NDArray[np.intp]
+    chairs: NDArray[np.intp]
+    parent: NDArray[np.intp]
+    half: Floats
+
+
+def targets_of(problem: Problem, agent: Agent) -> Targets:
+    """Return what a body must get to; rugs and what hangs from the ceiling need no reaching."""
+    assets, parent = problem.scene.assets, np.array(problem.parent, dtype=np.intp)
+    slots = np.array([i for i, a in enumerate(assets) if not (a.is_flat or a.on_ceiling)], dtype=np.intp)
+    reach, sides = np.full(len(slots), agent.reach), np.zeros((len(slots), len(SIDES)), dtype=np.bool_)
+    for row, slot in enumerate(slots.tolist()):
+        kind, own = category_of(assets[slot]), assets[slot].use_sides
+        asked = kind.use_sides if own is None else own
+        across = reach_across(assets[slot], float(problem.heights[slot]), agent) if asked else None
+        if across is not None:
+            reach[row] = max(across, agent.radius + TOUCH)  # nearer than that no disc is asked to come
+            if parent[slot] < 0 and not kind.movable:
+                sides[row] = [side in asked for side in SIDES]
+    top = problem.heights + np.array([asset.size[2] for asset in assets]) / 2
+    under = parent[slots]
+    carrier = np.where((under >= 0) & (top[under] > agent.height), under, -1)
+    return Targets(slots, reach, sides, carrier, _chairs(problem, agent), parent, problem.half)
+
+
+def _chairs(problem: Problem, agent: Agent) -> NDArray[np.intp]:
+    """Return what a body with an arm moves away: movable things that stand on the floor and carry nothing."""
+    if agent.reach_distance is None:
+        return np.empty(0, dtype=np.intp)
+    low = problem.heights - np.array([asset.size[2] / 2 for asset in problem.scene.assets]) <= FLAT_HEIGHT
+    found = [
+        slot
+        for slot, asset in enumerate(problem.scene.assets)
+        if low[slot] and not asset.is_flat and slot not in problem.parent and category_of(asset).movable
+    ]
+    return np.array(found, dtype=np.intp)
