@@ -19,7 +19,7 @@ from robolayout.assets.meshes import parts
 from robolayout.program import read_program
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, load_agent
 from robolayout.solve import compile_problem
-from robolayout.solve.routes import Obstacles, clearance, make_ground, obstacles_of
+from robolayout.solve.ground import Obstacles, clearance, make_ground, obstacles_of
 from robolayout.solve.routes import _rows as demand_rows
 from robolayout.verify import Navigation, judge_agent, navigation, verify
 from robolayout.verify._obstacles import part_rectangles

@@ -36,9 +36,10 @@ from robolayout.program import read_program, reconcile
 from robolayout.scene import Asset, Pose, Room, Scene, vertical_span
 from robolayout.solve import Solver, Verdict
 from robolayout.solve.construct import Builder
+from robolayout.solve.ground import make_ground, obstacles_of
 from robolayout.solve.refine import _Best
 from robolayout.solve.repair import Repair
-from robolayout.solve.routes import make_ground, obstacles_of, plan_routes
+from robolayout.solve.routes import plan_routes
 from robolayout.solve.runner import Runner
 from robolayout.verify import physics
 

@@ -5,7 +5,6 @@ The judge in `verify` works out for itself what stands in the way; a law test ho
 
 from __future__ import annotations
 
-import math
 from functools import cache, lru_cache
 from itertools import pairwise
 
@@ -38,25 +37,6 @@ def use_sides(asset: Asset) -> tuple[str, ...]:
         return tuple(asset.use_sides)
     category = category_of(asset)
     return () if category.movable else tuple(category.use_sides)
-
-
-def reach_across(asset: Asset, z: float, agent: Agent) -> float | None:
-    """Return from how many metres away, in plan, a body takes hold of a thing; None where it is too high or too low for it.
-
-    Args:
-        asset: The thing.
-        z: Height of its box's centre in metres.
-        agent: The body. One without an arm gets to things whatever their height.
-    """
-    if agent.reach_distance is None:
-        return agent.reach
-    low, high = max(z - asset.size[2] / 2, agent.reach_low), min(z + asset.size[2] / 2, agent.reach_high)
-    if low > high + TOUCHING:
-        return None
-    if agent.shoulder_height is None:
-        return agent.reach
-    up = min(max(agent.shoulder_height, low), high) - agent.shoulder_height
-    return math.sqrt(agent.reach**2 - up**2) if abs(up) <= agent.reach else None
 
 
 def blocks(asset: Asset, z: float, agent: Agent) -> bool:

@@ -14,9 +14,10 @@ from robolayout.solve.arrays import Routes
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.construct import Builder
+from robolayout.solve.ground import Ground, Obstacles, make_ground, obstacles_of
 from robolayout.solve.judge import Judge, Verdict
 from robolayout.solve.repair import Repair
-from robolayout.solve.routes import Ground, Obstacles, Plan, make_ground, obstacles_of, pack, plan_routes
+from robolayout.solve.routes import Plan, pack, plan_routes
 from robolayout.solve.runner import STILL, Run, Runner
 from robolayout.solve.snap import snapped
 from robolayout.solve.solution import Progress, Solution, conclude, silent

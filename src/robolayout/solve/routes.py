@@ -23,11 +23,7 @@ from robolayout.solve.ground import (
     box_distance,
     boxes_of,
     clearance,
-    make_ground,
-    obstacles_of,
 )
-
-__all__ = ["Ground", "Obstacles", "Plan", "clearance", "make_ground", "obstacles_of", "pack", "plan_routes"]
 
 PUSH_PRICE = 25.0
 """Cost of a metre walked per metre of clearance that is missing, against 1 for a free metre."""

@@ -12,9 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.assets import category_of
-from robolayout.assets.obstacles import reach_across
 from robolayout.scene import Agent
-from robolayout.scene.agent import TOUCH
+from robolayout.scene.agent import TOUCH, horizontal_reach
 from robolayout.scene.asset import FLAT_HEIGHT
 from robolayout.solve.compile import Floats, Problem
 
@@ -53,7 +52,8 @@ def targets_of(problem: Problem, agent: Agent) -> Targets:
     for row, slot in enumerate(slots.tolist()):
         kind, own = category_of(assets[slot]), assets[slot].use_sides
         asked = kind.use_sides if own is None else own
-        across = reach_across(assets[slot], float(problem.heights[slot]), agent) if asked else None
+        middle, high = float(problem.heights[slot]), assets[slot].size[2] / 2
+        across = horizontal_reach(agent, middle - high, middle + high) if asked else None
         if across is not None:
             reach[row] = max(across, agent.radius + TOUCH)  # nearer than that no disc is asked to come
             if parent[slot] < 0 and not kind.movable:

@@ -97,7 +97,7 @@ def _overlapping(found: Boxes, rows: NDArray[np.intp]) -> NDArray[np.bool_]:
 
 
 def _walkable(
-    room: Room, picture: Raster, numbered: NDArray[np.intp], counts: NDArray[np.intp], *, first_label: bool
+    room: Room, picture: Raster, numbered: NDArray[np.int32], counts: NDArray[np.intp], *, first_label: bool
 ) -> float:
     if not len(counts):
         return 0.0
@@ -114,7 +114,7 @@ def _walkable(
     return float(np.mean(shares))
 
 
-def _reach(masks: list[NDArray[np.bool_]], numbered: NDArray[np.intp], counts: NDArray[np.intp]) -> float:
+def _reach(masks: list[NDArray[np.bool_]], numbered: NDArray[np.int32], counts: NDArray[np.intp]) -> float:
     if not masks or not len(counts):
         return 0.0
     touched = np.zeros(len(counts) + 1)
