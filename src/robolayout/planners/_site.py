@@ -326,10 +326,13 @@ class Site:
             spot = Spot(here, own if first else "join", wall if at_wall else None, anchor if first else item.anchor)
             self.settle(member.name, spot)
         for strip in () if self.trial else self.strips(cluster):
-            points = moved(strip.points, np.array([[x, y, yaw]]))[0]
-            i, j, on_grid = self.floor.look(points)
-            keep = on_grid & self.floor.inside[i, j]
-            self.floor.wanted[self._patch(i[keep], j[keep])] += 1.0 if strip.group[1] != "any" else 0.5
+            self.want(moved(strip.points, np.array([[x, y, yaw]]))[0], 1.0 if strip.group[1] != "any" else 0.5)
+
+    def want(self, points: Points, amount: float) -> None:
+        """Mark the floor around points of the room as floor that others should leave free."""
+        i, j, on_grid = self.floor.look(points)
+        keep = on_grid & self.floor.inside[i, j]
+        self.floor.wanted[self._patch(i[keep], j[keep])] += amount
 
     def settle(self, name: str, spot: Spot) -> None:
         """Record where one asset is, the floor that it takes and the walls that it covers."""
