@@ -431,7 +431,8 @@ class _Attempt:
         if best is None or best[0] > HOPELESS:
             return False
         put = partial(put_grid, clusters=clusters, plan=best[1], frame=best[2].poses[best[3]])
-        self.steps.append(_Step(put, best[0] * len(clusters)))
+        # Less than as many single things cost: what stands in rows is worth more than each thing's own best place.
+        self.steps.append(_Step(put, best[0] * len(clusters) ** 0.5))
         put(self.site)
         return True
 
