@@ -8,17 +8,17 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from robolayout.planners._cluster import Cluster, ClusterBuilder
-from robolayout.planners._grid import cell_poses, grid_batches, last_cell
+from robolayout.planners._grid import grid_batches, last_cell, put_grid
 from robolayout.planners._member import Member
-from robolayout.planners._overhead import hang, lay_rugs, overhead
-from robolayout.planners._places import Batch, batches
+from robolayout.planners._overhead import hang, overhead
+from robolayout.planners._places import Batch, batches, centroid
 from robolayout.planners._roles import Cast
+from robolayout.planners._rugs import lay_rugs
 from robolayout.planners._site import GridPlan, Site, Spot
-from robolayout.planners._sorted import alike, by_manner
-from robolayout.planners._taste import looks, taste
+from robolayout.planners._sorted import alike, by_manner, given_up
+from robolayout.planners._taste import keep_sight, looks, taste
 from robolayout.scene import Layout, Scene
 
 UNREACHED = 8.0
@@ -80,6 +80,9 @@ SHARES = (1.0, 0.85, 0.7, 0.5)
 
 TIGHT = 1.2
 """Cost of a grid whose neighbours touch."""
+
+MUCH = 10.0
+"""Cost of a place above which a cluster rather comes apart."""
 
 MOOD = 0.5
 """Standard deviation of the logarithm by which wishes vary from one attempt to the next."""
@@ -146,15 +149,7 @@ def _put(site: Site, batch: Batch, row: int) -> None:
     wall = int(batch.walls[row])
     anchor = batch.anchors[row] if batch.anchors else ""
     site.put(batch.cluster, batch.poses[row], batch.mode, wall if wall >= 0 else None, anchor or None)
-
-
-def _put_grid(site: Site, clusters: Sequence[Cluster], plan: GridPlan, frame: NDArray[np.float64]) -> None:
-    """Put equal clusters into the cells of a grid whose first cell is at `frame`."""
-    x, y, yaw = frame.tolist()
-    for cluster, cell in zip(clusters, cell_poses(plan, site.size(plan.names[0])), strict=True):
-        pose = Member("", *cell).moved(x, y, yaw)
-        site.put(cluster, np.array([pose.x, pose.y, pose.yaw]), "grid", None, None)
-        site.spots[cluster.anchor] = replace(site.spots[cluster.anchor], grid=plan)
+    keep_sight(site, batch.cluster.anchor)
 
 
 def _close(batch: Batch, row: int, other: Batch, at: int, limit: float) -> bool:
@@ -328,7 +323,7 @@ class _Attempt:
         if limit is not None and cost > limit:
             self.missing = before
             return False
-        if cost > 10 and len(cluster.members) > 1 and limit is None and self._split(cluster, modes, weights):
+        if cost > MUCH and len(cluster.members) > 1 and limit is None and self._split(cluster, modes, weights):
             return True
         step = _Step(partial(_put, batch=batch, row=row), cost, cluster, tuple(modes), weights)
         step.put(self.site)
@@ -340,7 +335,7 @@ class _Attempt:
         choices: list[Choice] = []
         for batch in found:
             cost = self.site.base_cost(batch.cluster, batch.poses) + taste(self.site, batch, weights)
-            cost += 0.6 * list(modes).index(batch.mode)
+            cost += (0.6 + weights.get("first", 0.0)) * list(modes).index(batch.mode)
             cost += 0.0 if self.calm else self.rng.random(len(cost)) * 0.1
             best = np.argsort(cost, kind="stable")[:CHECKED]
             choices += [(float(cost[row]), batch, int(row)) for row in best]
@@ -373,13 +368,20 @@ class _Attempt:
         return chosen
 
     def _split(self, cluster: Cluster, modes: Sequence[str], weights: Mapping[str, float]) -> bool:
-        """Place a cluster that fits nowhere as a whole: floor things that can stand alone are placed on their own."""
-        loose = [m.name for m in cluster.members[1:] if self._stands_alone(m.name)]
-        if not loose:
+        """Place a cluster that fits nowhere as a whole: some floor things that can stand alone are placed on their own."""
+        loose = [m for m in cluster.members[1:] if self._stands_alone(m.name)]
+        out, rest = list[str](), cluster
+        for out in given_up(loose):
+            gone = {m.name for name in out for m in self.builder.build(name).members}
+            rest = replace(cluster, members=tuple(m for m in cluster.members if m.name not in gone))
+            if len(out) < len(loose):
+                found = self._ranked(batches(self.site, rest, modes), weights, modes)
+                if found and found[0][0] <= MUCH:
+                    break
+        if not out:
             return False
-        gone = {name for start in loose for name in (m.name for m in self.builder.build(start).members)}
-        self._place(replace(cluster, members=tuple(m for m in cluster.members if m.name not in gone)), modes, weights)
-        for name in loose:
+        self._place(rest, modes, weights)
+        for name in out:
             role = self.site.cast[name].role
             self._place(
                 self.builder.build(name), [m for m in role.stands if m in ("wall", "corner", "middle")], weights
@@ -393,8 +395,6 @@ class _Attempt:
 
     def _anywhere(self, cluster: Cluster) -> bool:
         """Put a cluster for which no place was found into the middle; the solver has to see."""
-        from robolayout.planners._places import centroid
-
         pose = np.array([*centroid(self.site), 0.0])
         self.steps.append(_Step(lambda site: site.put(cluster, pose, "middle", None, None), NOWHERE))
         self.steps[-1].put(self.site)
@@ -423,7 +423,7 @@ class _Attempt:
             if not self.site.fault(batch.cluster, batch.poses[row]):
                 tried += 1
                 trial = self.site.copy(trial=True)
-                _put_grid(trial, clusters, plan, batch.poses[row])
+                put_grid(trial, clusters, plan, batch.poses[row])
                 harm = (UNREACHED * max(0, len(trial.unreached()) - before) + CUT_OFF * trial.cut_off) / len(
                     clusters
                 ) ** 0.5
@@ -431,8 +431,9 @@ class _Attempt:
                     best = (cost + harm, plan, batch, row)
         if best is None or best[0] > HOPELESS:
             return False
-        put = partial(_put_grid, clusters=clusters, plan=best[1], frame=best[2].poses[best[3]])
-        self.steps.append(_Step(put, best[0] * len(clusters)))
+        put = partial(put_grid, clusters=clusters, plan=best[1], frame=best[2].poses[best[3]])
+        # Less than as many single things cost: what stands in rows is worth more than each thing's own best place.
+        self.steps.append(_Step(put, best[0] * len(clusters) ** 0.5))
         put(self.site)
         return True
 

@@ -7,9 +7,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from robolayout.planners._cluster import Cluster
-from robolayout.planners._member import Rect, box_of
+from robolayout.planners._member import Member, Rect, box_of
 from robolayout.planners._places import Batch, room_yaws, targets
 from robolayout.planners._site import GridPlan, Site
 
@@ -86,7 +87,16 @@ def last_cell(site: Site, plan: GridPlan, batch: Batch) -> Batch:
     return replace(batch, poses=np.stack([x, y, batch.poses[:, 2]], axis=1))
 
 
-def _poses(site: Site, cluster: Cluster) -> np.ndarray:  # type: ignore[type-arg]
+def put_grid(site: Site, clusters: Sequence[Cluster], plan: GridPlan, frame: NDArray[np.float64]) -> None:
+    """Put equal clusters into the cells of a grid whose first cell is at `frame`."""
+    x, y, yaw = frame.tolist()
+    for cluster, cell in zip(clusters, cell_poses(plan, site.size(plan.names[0])), strict=True):
+        pose = Member("", *cell).moved(x, y, yaw)
+        site.put(cluster, np.array([pose.x, pose.y, pose.yaw]), "grid", None, None)
+        site.spots[cluster.anchor] = replace(site.spots[cluster.anchor], grid=plan)
+
+
+def _poses(site: Site, cluster: Cluster) -> NDArray[np.float64]:
     """Return places (n, 3) of the first anchor such that the whole block lies within the room's bounds."""
     box = _extent(site, cluster)
     middle = ((box[0] + box[2]) / 2, (box[1] + box[3]) / 2)
@@ -96,17 +106,19 @@ def _poses(site: Site, cluster: Cluster) -> np.ndarray:  # type: ignore[type-arg
         c, s = math.cos(yaw), math.sin(yaw)
         hx = (abs(c) * (box[2] - box[0]) + abs(s) * (box[3] - box[1])) / 2
         hy = (abs(s) * (box[2] - box[0]) + abs(c) * (box[3] - box[1])) / 2
-        for x in _steps(left + hx, right - hx):
-            for y in _steps(bottom + hy, top - hy):
+        for x in _steps(left + hx, right - hx, site.corridor):
+            for y in _steps(bottom + hy, top - hy, site.corridor):
                 found.append((x - c * middle[0] + s * middle[1], y - s * middle[0] - c * middle[1], yaw))
     return np.array(found).reshape(-1, 3)
 
 
-def _steps(low: float, high: float) -> list[float]:
+def _steps(low: float, high: float, corridor: float) -> list[float]:
+    """Return places between two ends, and those that leave just a corridor between the block and either end."""
     if high < low:
         return []
     count = max(2, min(7, math.ceil((high - low) / 0.3) + 1))
-    return [float(v) for v in np.linspace(low, high, count)]
+    marks = [*np.linspace(low, high, count), low + corridor, high - corridor]
+    return sorted({round(float(v), 4) for v in marks if low <= v <= high})
 
 
 def _yaws(site: Site, anchor: str) -> list[float]:

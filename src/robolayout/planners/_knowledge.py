@@ -48,7 +48,7 @@ class Join:
         of: Roles of the thing it joins, best first.
         most: How many may join one such thing.
         gap: Metres between the two boxes.
-        at: Where in the slot ("back", "middle", "front" of a top; "left", "right" of a plate).
+        at: Where in the slot ("back", "middle", "front", "hand" (the right one, at a desk) of a top; "left", "right" of a plate).
         faces: "anchor", "same" or "away".
         say: Statements for each one.
         pair: Statements for two that flank the same thing.

@@ -1,4 +1,4 @@
-"""Things off the floor: on walls, under the ceiling, and the rugs under everything."""
+"""Things off the floor: on walls and under the ceiling."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import shapely
 from robolayout.assets.obstacles import use_sides
 from robolayout.planners._floor import rect_points
 from robolayout.planners._member import Member
-from robolayout.planners._places import WALL_GAP, centroid, targets, wall_yaw
+from robolayout.planners._places import WALL_GAP, targets, wall_yaw
 from robolayout.planners._site import Site, Spot, corners_of
 from robolayout.planners._taste import nearness
 from robolayout.scene import Wall
@@ -47,6 +47,9 @@ OUT_OF_REACH = 10.0
 
 APART = 0.01
 """Metres that a hung thing keeps from what stands or hangs beside it at the least."""
+
+CROWDED = 8.0
+"""Cost of hanging where all of the floor that it is used from is taken."""
 
 JUTS_OUT = 12.0
 """Cost of hanging in the way of a body."""
@@ -95,6 +98,7 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     outline = shapely.Polygon(corners_of(member, site.size(name)))
     cost += OUT_OF_REACH * bool(shapely.intersects(outline, site.openings).any())
     cost += _crowding(site, name, member) + _sight(site, name, member) + _far(site, name, member)
+    cost += CROWDED * _used_room(site, name, member)
     for key, weight in role.prefer.items():
         if key.startswith("near "):
             cost += weight * float(nearness(site, np.array([[member.x, member.y]]), key)[0])
@@ -118,8 +122,20 @@ def _below(site: Site, name: str, wall: Wall, t: float) -> tuple[str | None, flo
     return None, 0.0, top
 
 
+def _used_room(site: Site, name: str, member: Member) -> float:
+    """Return the share of the floor before a hung thing, as deep as its role wants it clear, that is taken."""
+    ahead, (depth, width, _) = site.cast[name].role.clear.get("front", 0.0), site.size(name)
+    if not ahead:
+        return 0.0
+    points = rect_points((depth / 2, -width / 2, depth / 2 + ahead, width / 2), 0.0)
+    pose = np.array([[member.x, member.y, member.yaw]])
+    return float(site.floor.maps().taken[site.floor.under(points, pose)].mean())
+
+
 def _crowding(site: Site, name: str, member: Member) -> float:
     """Return a cost for hanging close to others of its kind, so that pictures spread over the room."""
+    if any(key.startswith("near ") for key in site.cast[name].role.prefer):
+        return 0.0
     same = [s.member for n, s in site.spots.items() if site.cast[n].role is site.cast[name].role and s.mode == "hang"]
     return sum(max(0.0, 2.0 - math.hypot(m.x - member.x, m.y - member.y)) for m in same)
 
@@ -232,59 +248,3 @@ def _is_free_above(site: Site, name: str, point: tuple[float, float]) -> bool:
     return shapely.Polygon(site.room.vertices).covers(outline) and not any(
         outline.intersects(other) for other in others
     )
-
-
-def lay_rugs(site: Site, names: Sequence[str]) -> None:
-    """Lay each rug under what it belongs to, moved and turned so that it fits the room."""
-    used: set[str] = set()
-    for name in names:
-        owner = next(
-            (n for r in site.cast[name].role.above for n in site.spots if _is(site, n, r) and n not in used), None
-        )
-        if owner is None:
-            pose = _free_floor(site, name)
-        else:
-            used.add(owner)
-            there = site.spots[owner].member
-            ahead = site.size(owner)[0] * 0.3 if _is(site, owner, "bed") else 0.0
-            pose = there.x + ahead * math.cos(there.yaw), there.y + ahead * math.sin(there.yaw), there.yaw
-        site.settle(name, Spot(_fitted(site, name, pose), "rug", None, owner))
-
-
-def _free_floor(site: Site, name: str) -> tuple[float, float, float]:
-    """Return a place for a mat of its own: on free floor, off the other mats, near the middle."""
-    left, bottom, right, top = site.room.bounds
-    middle = centroid(site)
-    depth, width, _ = site.size(name)
-    grid = [
-        (x, y, yaw)
-        for x in np.arange(left, right, 0.2)
-        for y in np.arange(bottom, top, 0.2)
-        for yaw in (0.0, math.pi / 2)
-    ]
-    poses = np.array(grid)
-    points = rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.0, 0.15)
-    cost = 6.0 * site.floor.maps().barred[site.floor.under(points, poses)].mean(axis=1)
-    cost = cost + 0.3 * np.hypot(poses[:, 0] - middle[0], poses[:, 1] - middle[1])
-    apart = (max(depth, width) + min(depth, width)) / 2
-    for other in (spot.member for spot in site.spots.values() if spot.mode == "rug"):
-        cost += 4.0 * np.maximum(0.0, 1.0 - np.hypot(poses[:, 0] - other.x, poses[:, 1] - other.y) / apart)
-    x, y, yaw = poses[int(np.argmin(cost))]
-    return (float(x), float(y), float(yaw))
-
-
-def _fitted(site: Site, name: str, pose: tuple[float, float, float]) -> Member:
-    """Return the place nearest to `pose`, turned by a right angle if need be, at which a flat thing is inside the room."""
-    shifts = [0.1 * k for k in range(-8, 9)]
-    options = sorted(
-        (abs(dx) + abs(dy) + (0.3 if turn else 0.0), turn, dx, dy)
-        for turn in (0.0, math.pi / 2)
-        for dx in shifts
-        for dy in shifts
-    )
-    poses = np.array([(pose[0] + dx, pose[1] + dy, pose[2] + turn) for _, turn, dx, dy in options])
-    room = shapely.Polygon(site.room.vertices).buffer(0.005, join_style="mitre")
-    outlines = shapely.polygons([corners_of(Member(name, *pose), site.size(name)) for pose in poses.tolist()])
-    best = int(np.argmin(np.round(shapely.area(shapely.difference(outlines, room)), 4)))
-    x, y, yaw = poses[best].tolist()
-    return Member(name, x, y, yaw)

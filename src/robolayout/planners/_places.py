@@ -141,12 +141,11 @@ def _before_what_it_faces(site: Site, cluster: Cluster) -> Found:
 
 
 def targets(site: Site, name: str) -> list[str]:
-    """Return the placed assets that an asset should face, of the first kind that is there."""
+    """Return the placed assets that an asset should face, of the first kind that the room has."""
     face = site.cast[name].role.face
     for role in face.roles if face else ():
-        there = [other for other in site.spots if site.cast[other].role.name == role]
-        if there:
-            return there
+        if any(item.role.name == role for item in site.cast.values()):
+            return [other for other in site.spots if site.cast[other].role.name == role]
     return []
 
 

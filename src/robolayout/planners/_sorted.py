@@ -1,12 +1,16 @@
-"""Assets of one role, sorted before they are placed: by manner of standing, and into sets of the same make."""
+"""Assets sorted before they are placed: by manner of standing, into sets of the same make, and what a cluster gives up first."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from robolayout.planners._cluster import Cluster
+from robolayout.planners._member import Member
 from robolayout.planners._roles import Cast
 from robolayout.planners._site import Site
+
+SIDES = (("front",), ("left",), ("left", "front"), ("left", "right"))
+"""Sides whose things a cluster gives up, the fewest first; it is tried mirrored, too."""
 
 
 def by_manner(items: Sequence[Cast]) -> tuple[list[str], list[str], list[str], list[str]]:
@@ -36,3 +40,13 @@ def alike(site: Site, clusters: Sequence[Cluster]) -> list[list[Cluster]]:
         )
         sets.setdefault(key, []).append(cluster)
     return list(sets.values())
+
+
+def given_up(loose: Sequence[Member]) -> Iterator[list[str]]:
+    """Yield which things a cluster gives up that fits nowhere as a whole: those at some sides, at last all."""
+    for sides in SIDES:
+        names = [member.name for member in loose if member.side in sides]
+        if 0 < len(names) < len(loose):
+            yield names
+    if loose:
+        yield [member.name for member in loose]

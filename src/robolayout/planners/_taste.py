@@ -3,18 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 
 from robolayout.planners._places import Batch, centroid, targets
-from robolayout.planners._site import Site
+from robolayout.planners._site import Site, Spot, corners_of
 
 Cost = NDArray[np.float64]
 
 BLOCKED_WINDOW = 5.0
 """Cost of a tall thing that hides a whole window or a board."""
+
+HIDDEN = 0.75
+"""Cost of something in between a seat and its screen."""
+
+LOW = 0.65
+"""Metres of height of what one looks over."""
 
 
 def taste(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
@@ -92,20 +99,54 @@ def nearness(site: Site, xy: NDArray[np.float64], key: str) -> Cost:
 
 
 def _facing(site: Site, anchor: str, poses: NDArray[np.float64]) -> Cost:
-    """Return how badly places look at (or away from) what their role faces."""
-    face = site.cast[anchor].role.face
-    names = targets(site, anchor)
+    """Return how badly a thing, and the screen that stands on it, looks at (or away from) what it should face."""
+    carried = [item.name for item in site.cast.values() if item.anchor == anchor]
+    return sum((_looking(site, name, anchor, poses) for name in (anchor, *carried)), np.zeros(len(poses)))
+
+
+def _looking(site: Site, name: str, anchor: str, poses: NDArray[np.float64]) -> Cost:
+    """Return how badly a thing would face what its role faces, if its anchor were at these places."""
+    face = site.cast[name].role.face
+    names = targets(site, name)
     if face is None or not names:
         return np.zeros(len(poses))
     costs: list[Cost] = []
     low, high = face.distance
-    for name in names:
-        target = site.spots[name].member
+    for other in names:
+        target = site.spots[other].member
         dx, dy = target.x - poses[:, 0], target.y - poses[:, 1]
         away = np.hypot(dx, dy)
         turn = poses[:, 2] + (0.0 if face.how == "toward" else math.pi)
         ahead = (dx * np.cos(turn) + dy * np.sin(turn)) / np.maximum(away, 1e-6)
         seen = -(dx * math.cos(target.yaw) + dy * math.sin(target.yaw)) / np.maximum(away, 1e-6)
         outside = np.maximum(low - away, 0.0) + np.maximum(away - high, 0.0)
-        costs.append(1.5 * (1 - ahead) + 1.5 * (1 - seen) + 2.0 * np.minimum(outside, 2.0))
+        cost = 1.5 * (1 - ahead) + 1.5 * (1 - seen) + 2.0 * np.minimum(outside, 2.0)
+        if face.how == "toward":
+            cost += HIDDEN * _hidden(site, {anchor, name}, site.spots[other], poses)
+        costs.append(cost)
     return face.weight * np.min(costs, axis=0)
+
+
+def keep_sight(site: Site, name: str) -> None:
+    """Ask that nothing is put between a seat that was placed and the screen that it looks at."""
+    face, there = site.cast[name].role.face, targets(site, name)
+    if site.trial or face is None or face.how != "toward" or not there:
+        return
+    here, target = site.spots[name].member, site.spots[there[0]].member
+    away = math.hypot(target.x - here.x, target.y - here.y)
+    line = np.linspace((here.x, here.y), (target.x, target.y), 2 + int(away / 0.15))
+    site.floor.want(np.concatenate([line, line + np.array((0.2, 0.0)), line + np.array((0.0, 0.2))]), 1.0)
+
+
+def _hidden(site: Site, own: Collection[str], target: Spot, poses: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return whether something higher than a low table stands between places and what they look at."""
+    member = target.member
+    between = [
+        corners_of(spot.member, site.size(name))
+        for name, spot in site.spots.items()
+        if name not in own and name != member.name and site.on_floor(spot.member) and site.size(name)[2] >= LOW
+    ]
+    if not between:
+        return np.zeros(len(poses), np.bool_)
+    ends = np.stack([np.broadcast_to((member.x, member.y), (len(poses), 2)), poses[:, :2]], axis=1)
+    return np.asarray(shapely.intersects(shapely.linestrings(ends), shapely.union_all(shapely.polygons(between))))

@@ -10,6 +10,9 @@ from robolayout.planners._member import MARGIN, Member, Rect, Size, box_of, over
 STEP = 0.04
 """Metres between the places tried on a top."""
 
+HAND = 0.32
+"""Metres from the middle of a desk to where a right hand lies beside the keyboard, for who sits before its front."""
+
 
 class Top:
     """The top of one asset and what stands on it.
@@ -116,6 +119,8 @@ class Top:
             return (-rx if self.faced else max(-rx, rx - self.reach), y)
         if at == "front":
             return (max(0.0, rx - 0.03), y)
+        if at == "hand":
+            return (max(0.0, rx - 0.03), min(ry, HAND))
         if at == "side":
             return (0.0, ry * 0.85 if count == 1 else y)
         if self.seated:
