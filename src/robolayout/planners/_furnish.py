@@ -84,6 +84,9 @@ TIGHT = 1.2
 MUCH = 10.0
 """Cost of a place above which a cluster rather comes apart."""
 
+STRAY = 2.0
+"""Cost of each thing that is left over from its grid."""
+
 MOOD = 0.5
 """Standard deviation of the logarithm by which wishes vary from one attempt to the next."""
 
@@ -306,7 +309,7 @@ class _Attempt:
             left = [cluster for cluster in clusters if not self._place(cluster, ["wall"], weights, limit=BAD)]
         for equal in alike(self.site, left):
             for count in sorted({max(2, round(len(equal) * share)) for share in SHARES}, reverse=True):
-                if count <= len(equal) and self._place_grid(equal[:count], weights):
+                if count <= len(equal) and self._place_grid(equal[:count], weights, len(equal) - count):
                     left = [cluster for cluster in left if cluster not in equal[:count]]
                     break
         return left
@@ -400,8 +403,8 @@ class _Attempt:
         self.steps[-1].put(self.site)
         return True
 
-    def _place_grid(self, clusters: Sequence[Cluster], weights: Mapping[str, float]) -> bool:
-        """Put equal clusters into their best grid; False if none is good."""
+    def _place_grid(self, clusters: Sequence[Cluster], weights: Mapping[str, float], strays: int) -> bool:
+        """Put equal clusters into their best grid, so many others being left; False if none is good."""
         ranked: list[tuple[float, GridPlan, Batch, int]] = []
         for plan, batch in grid_batches(self.site, clusters):
             clash = self.site.clash(batch.cluster, batch.poses, limit=1.0)
@@ -424,16 +427,15 @@ class _Attempt:
                 tried += 1
                 trial = self.site.copy(trial=True)
                 put_grid(trial, clusters, plan, batch.poses[row])
-                harm = (UNREACHED * max(0, len(trial.unreached()) - before) + CUT_OFF * trial.cut_off) / len(
-                    clusters
-                ) ** 0.5
+                harm = UNREACHED * max(0, len(trial.unreached()) - before) + CUT_OFF * trial.cut_off
+                harm /= len(clusters) ** 0.5
                 if best is None or cost + harm < best[0]:
                     best = (cost + harm, plan, batch, row)
         if best is None or best[0] > HOPELESS:
             return False
         put = partial(put_grid, clusters=clusters, plan=best[1], frame=best[2].poses[best[3]])
-        # Less than as many single things cost: what stands in rows is worth more than each thing's own best place.
-        self.steps.append(_Step(put, best[0] * len(clusters) ** 0.5))
+        # Less than as many single things cost: rows are worth more than each thing's own best place.
+        self.steps.append(_Step(put, best[0] * len(clusters) ** 0.5 + STRAY * strays))
         put(self.site)
         return True
 
