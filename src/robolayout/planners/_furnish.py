@@ -85,7 +85,7 @@ MUCH = 10.0
 """Cost of a place above which a cluster rather comes apart."""
 
 STRAY = 2.0
-"""Cost of each thing that is left over from its grid."""
+"""Cost of each thing that is left over from its grid; rows are worth more than each thing's own best place."""
 
 MOOD = 0.5
 """Standard deviation of the logarithm by which wishes vary from one attempt to the next."""
@@ -434,7 +434,6 @@ class _Attempt:
         if best is None or best[0] > HOPELESS:
             return False
         put = partial(put_grid, clusters=clusters, plan=best[1], frame=best[2].poses[best[3]])
-        # Less than as many single things cost: rows are worth more than each thing's own best place.
         self.steps.append(_Step(put, best[0] * len(clusters) ** 0.5 + STRAY * strays))
         put(self.site)
         return True
