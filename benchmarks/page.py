@@ -26,7 +26,8 @@ def write(results: Path, target: Path) -> None:
     parts = [
         "# Benchmarks\n\nWritten by `python -m benchmarks` (`make bench`) from `benchmarks/results/`; do not edit. "
         "Shares are means; what they mean is on the page about [the report](report.md).\n"
-        "Each section is measured on its own and may be older than the last change of the code: the history of its file in `benchmarks/results/` tells, and `--fresh` measures it again.\n"
+        "Each section is measured on its own and may be older than the last change of the code: "
+        "the history of its file in `benchmarks/results/` tells, and `--fresh` measures it again.\n"
     ]
     for name, section in SECTIONS.items():
         file = results / f"{name}.json"
