@@ -202,7 +202,7 @@ class GroupedRun:
             placed = dict(best.solution.layout)
             traces.append(best.solution.trace)
         assert best is not None
-        if len(parts) > 1 or self.planner.mode == "no_constraint":
+        if len(parts) > 1 or self.planner.samples > 1 or self.planner.mode == "no_constraint":
             best = self._joint(best, parts, traces)
         done = tuple(replace(group, rationale=self._rationale(group)) for group in groups)
         return Planned(best, done, tuple(self._samples), self._taken_over, self._given_up)
@@ -212,9 +212,9 @@ class GroupedRun:
         return group.rationale + (" Planned by the offline planner in place of the model." if taken else "")
 
     def _joint(self, last: Attempt, parts: list[tuple[Group, Program]], traces: list[Trace]) -> Attempt:
-        """Return the whole program with its layout; if demands are unmet, solved once more with everything free to move."""
+        """Return the whole program with its layout; if demands are unmet, solved once more, alone and all free to move."""
         solution = last.solution
-        if not solution.verdict.ok and len(parts) > 1:
+        if not solution.verdict.ok and (len(parts) > 1 or self.planner.samples > 1):
             guesses = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in solution.layout.items()}
             (again,) = self.finish([replace(last.asked, guesses=guesses)], self.scene, {})
             if again.solution.verdict.merit < solution.verdict.merit:

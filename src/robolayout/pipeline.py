@@ -342,7 +342,8 @@ def _access(scene: Scene, layout: Layout, agent: Agent) -> tuple[float, list[str
     ]
     unreached = sum(not nav.reached[name] for name in fixable)
     cut_off = max(0.0, WALKABLE - nav.walkable_ratio) if nav.free.area > 0 else 0.0
-    return unreached + 0.5 * (len(fixable) - unreached) + cut_off, fixable
+    blamed = [*fixable, *nav.dividing] if cut_off else fixable
+    return unreached + 0.5 * (len(fixable) - unreached) + cut_off, blamed
 
 
 def _in_height(scene: Scene, layout: Layout, agent: Agent, name: str) -> bool:

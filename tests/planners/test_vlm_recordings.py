@@ -14,7 +14,7 @@ QUICK = ("game_room",)
 """Rooms that solve within seconds."""
 
 HARD = ("placed_share", "collision_free_share", "in_boundary_share", "supported_share", "door_clear")
-ACCESS = ("reachable_share", "usable_share")
+ACCESS = ("walkable_ratio", "reachable_share", "usable_share")
 
 
 def planner(room: str, mode: str, **options: int) -> ModelPlanner:
@@ -65,7 +65,6 @@ def ends_valid(result: Result) -> None:
     figures = result.report.figures
     assert {name: figures[name] for name in HARD} == dict.fromkeys(HARD, 1.0), result.report.violations
     assert all(figures[name] >= 0.98 for name in ACCESS), figures
-    assert figures["walkable_ratio"] >= 0.95, figures
     assert figures["statements_met_share"] >= 0.93, result.report.violations
     assert result.report.planner["taken_over"] == {}
 

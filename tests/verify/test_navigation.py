@@ -225,3 +225,8 @@ def test_forty_assets_take_milliseconds():
     for _ in range(5):
         navigation(scene, layout)
     assert (time.process_time() - started) / 5 < 0.03
+
+
+def test_what_divides_a_room_is_named_nearest_first_and_only_that():
+    assert navigation(*divided(0.59, behind())).dividing == ("shelf-0",)
+    assert navigation(*divided(0.61, behind())).dividing == ()

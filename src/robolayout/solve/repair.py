@@ -18,7 +18,7 @@ from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.construct import Builder
 from robolayout.solve.judge import Verdict
-from robolayout.solve.proposals import Proposals, carry, compose
+from robolayout.solve.proposals import carry, compose
 from robolayout.solve.routes import Plan, pack
 from robolayout.solve.runner import Runner
 from robolayout.solve.stage import make_stage
@@ -40,7 +40,7 @@ class Repair:
         self.config = config
         self.builder = builder
         self.rng = builder.rng
-        self.proposals = Proposals.of(problem)
+        self.proposals = builder.proposals
         self.groups = _groups(problem)
 
     def candidates(

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
+import shapely
 from shapely import MultiPolygon, Polygon
 
 from robolayout.scene import Agent, Layout, Point, Scene
@@ -21,6 +22,9 @@ from robolayout.verify._obstacles import Obstacles, obstacles
 from robolayout.verify._space import Space, disc_space, plan_distances, reached_rows
 from robolayout.verify.passages import Passage, find_passages
 from robolayout.verify.routes import Route, entry_point, find_routes
+
+TOUCH = 0.02
+"""Metres by which a body's centre may be further from an asset than its radius, and yet be said to touch it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,6 +83,18 @@ class Navigation:
     def obstacles(self) -> tuple[str, ...]:
         """Names of the assets that stand in this body's way."""
         return tuple(self.boxes.names[row] for row in np.unique(self.blocking.rows))
+
+    @cached_property
+    def dividing(self) -> tuple[str, ...]:
+        """Assets between the main component and free places that it does not hold, those nearest to both first."""
+        cut_off = MultiPolygon([part for part in self.free.geoms if not part.intersects(self.main)])
+        if cut_off.is_empty or self.main.is_empty:
+            return ()
+        shapes = self.blocking.shapes
+        gaps = np.maximum(shapely.distance(shapes, cut_off), shapely.distance(shapes, self.main))
+        touching = np.flatnonzero(gaps <= self.space.radius + TOUCH)
+        rows = self.blocking.rows[touching[np.argsort(gaps[touching], kind="stable")]]
+        return tuple(dict.fromkeys(self.boxes.names[row] for row in rows))
 
     @cached_property
     def entry(self) -> Point | None:
