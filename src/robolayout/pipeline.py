@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -37,6 +37,9 @@ AgentSpec = Agent | str | Path | Mapping[str, Any]
 WALKABLE = 0.98
 """Share of the free space that the solver wants connected to the door; the report demands 0.95."""
 
+AHEAD = 2
+"""Programs that are looked at before one is solved whose guess is not right: what the planner puts in order, the solver
+can only disarrange."""
 
 ATTEMPT_STRIDE = 1000
 """Added to the planner's seed for each further attempt."""
@@ -158,14 +161,17 @@ class _Run:
         """Plan all assets at once; while demands stay unmet ask again, and keep the best."""
         best: Attempt | None = None
         least = (math.inf, True)
-        for number in range(1 if program is not None else attempts):
-            with self.clock.station("plan"):
-                feedback = best.solution.message if best else ""
-                request = PlanRequest(self.scene, seed=self.seed + ATTEMPT_STRIDE * number, feedback=feedback)
-                text = planner.plan(request) if program is None else program
-            if best is not None and text == best.asked.text:
+        texts = iter([program]) if program is not None else self._texts(planner, attempts, lambda: best)
+        waiting: list[tuple[float, int, Program]] = []
+        for _ in range(attempts):
+            while len(waiting) < (1 if best else AHEAD) and not any(promise == 0.0 for promise, *_ in waiting):
+                if (text := next(texts, None)) is None:
+                    break
+                waiting.append(self._looked_at(text, len(waiting)))
+            if not waiting:
                 break
-            found = self._solved(text)
+            waiting.sort(key=lambda entry: entry[:2])
+            found = self.finished([waiting.pop(0)[2]], self.scene, {})[0]
             report = verify(self.scene, found.solution.layout, found.asked)
             # A thing that stands too high is nothing that the solver could move, but another program may put it lower.
             rank = (found.solution.verdict.merit, not report.ok)
@@ -177,6 +183,31 @@ class _Run:
                 break
         assert best is not None
         return best
+
+    def _texts(self, planner: Planner, attempts: int, best: Callable[[], Attempt | None]) -> Generator[str]:
+        """Yield what a planner answers to the same question with ever another seed, as long as it has new answers."""
+        known = set[str]()
+        for number in range(attempts):
+            with self.clock.station("plan"):
+                before = best()
+                feedback = before.solution.message if before else ""
+                text = planner.plan(
+                    PlanRequest(self.scene, seed=self.seed + ATTEMPT_STRIDE * number, feedback=feedback)
+                )
+            if text in known:
+                return
+            known.add(text)
+            yield text
+
+    def _looked_at(self, text: str, number: int) -> tuple[float, int, Program]:
+        """Read a program, and say how much is wrong with its guess."""
+        with self.clock.station("program"):
+            self.say("program")
+            asked = read_program(text, self.scene)
+            program = reconcile(asked, self.scene).program
+            guess = compile_problem(self.scene, program, seed=self.seed).guess
+        with self.clock.station("solve"):
+            return make_judge(self.scene, program)(guess).promise, number, asked
 
     def by_groups(self, planner: GroupPlanner, groups: tuple[Group, ...]) -> Result:
         """Plan with a model, group by group; the report says who planned."""
@@ -216,13 +247,6 @@ class _Run:
         """Warm up for solving so many programs of a scene."""
         if self.solver == "default":
             (warm_up if samples == 1 else warm_up_samples)(here, self.config)
-
-    def _solved(self, text: str) -> Attempt:
-        """Read, filter and solve a program for the whole scene."""
-        with self.clock.station("program"):
-            self.say("program")
-            asked = read_program(text, self.scene)
-        return self.finished([asked], self.scene, {})[0]
 
     def finished(self, asked: Sequence[Program], here: Scene, placed: Mapping[str, Pose]) -> list[Attempt]:
         """Filter and solve programs for a scene, together; the poses given stay."""

@@ -52,7 +52,7 @@ class SolverConfig:
     kept: int = 8
     """How many go on to routes, and from one round of repair to its polish."""
 
-    judged: int = 4
+    judged: int = 8
     """Layouts of each round of routes or repair that the exact verifier sees, the most promising first."""
 
     search: SearchConfig = SearchConfig(steps=220, rate=0.10, final_rate=0.01, noise=0.06, ramp=0.05)
@@ -70,7 +70,7 @@ class SolverConfig:
     route_rounds: int = 3
     """Most rounds of planning routes and moving furniture out of their way."""
 
-    repair_rounds: int = 16
+    repair_rounds: int = 32
     """Most rounds of remove-and-reinsert."""
 
     patience: int = 4

@@ -17,6 +17,7 @@ from robolayout.solve.construct import Builder
 from robolayout.solve.ground import Ground, Obstacles, make_ground, obstacles_of
 from robolayout.solve.judge import Judge, Verdict
 from robolayout.solve.repair import Repair
+from robolayout.solve.restore import restored
 from robolayout.solve.routes import Plan, pack, plan_routes
 from robolayout.solve.runner import STILL, Run, Runner
 from robolayout.solve.snap import snapped
@@ -33,6 +34,12 @@ FULL = 0.5
 
 PACKINGS = 24
 """Orders in which a room is packed before it is given up as too full."""
+
+URGENT = 0.5
+"""Assets in wrong places or out of reach from which on repair goes on for longer without success."""
+
+STUBBORN = 2
+"""How many times longer."""
 
 
 @dataclass
@@ -83,7 +90,7 @@ class Solver:
             best = self._stage(number, world)
             world = best.world
         assert best is not None
-        best = self._snap(self._repair(self._snap(best)))
+        best = self._snap(self._restored(self._repair(self._snap(best))))
         trace = self.runner.trace(self.problem) if self.config.trace else Trace()
         return conclude(self.problem.layout(best.world), best.verdict, trace)
 
@@ -253,6 +260,21 @@ class Solver:
                 best = found
         return best
 
+    def _restored(self, best: _Best) -> _Best:
+        """Put back where the program had it what was moved without need."""
+
+        def no_worse(world: Floats) -> bool:
+            nonlocal best
+            layout = self.problem.layout(world)
+            verdict = self.judge(layout, lambda found: found.merit > best.verdict.merit)
+            if verdict.merit > best.verdict.merit:
+                return False
+            best = _Best(world, verdict)
+            return True
+
+        restored(self.problem, best.world, no_worse)
+        return best
+
     def _repair(self, best: _Best) -> _Best:
         """Remove and reinsert what is to blame, while that helps."""
         last = max(stages(self.problem))
@@ -261,7 +283,8 @@ class Solver:
         repair = Repair(self.problem, self.runner, self.config, self.builder)
         fruitless = 0
         for round_number in range(self.config.repair_rounds):
-            if best.verdict.ok or fruitless == self.config.patience:
+            urgent = best.verdict.hard + best.verdict.access >= URGENT
+            if best.verdict.ok or fruitless == self.config.patience * (STUBBORN if urgent else 1):
                 break
             before = self._standing(best)
             self.progress("repair")

@@ -1,0 +1,73 @@
+"""Restore: what the search moved without need goes back to where the program had it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from robolayout.constraints import AssetRef, FrameTerm
+from robolayout.solve.compile import Floats, Problem
+
+TRIALS = 64
+"""Layouts that are judged, at most."""
+
+SAME = 1e-6
+"""Metres, or parts of a unit heading vector, below which a thing has not moved."""
+
+
+def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]) -> Floats:
+    """Return poses (n, 4) with as much as possible where the program's guess has it.
+
+    Everything that moved is put back at once, else half of it, and so on down to single things with what stands on them
+    and what goes by them (a desk with its chair), so that a row that had to give way in one place stays a row elsewhere.
+
+    Args:
+        problem: The problem.
+        world: (n, 4) poses.
+        no_worse: Whether other poses are no worse than those kept so far; asked at most `TRIALS` times.
+    """
+    target = problem.start
+    moved = np.abs(world - target).max(axis=1) > SAME
+    units = [unit for unit in _units(problem) if moved[unit].any()]
+    waiting = [units] if units else []
+    for _ in range(TRIALS):
+        if not waiting:
+            break
+        chunk = waiting.pop()
+        slots = [slot for unit in chunk for slot in unit]
+        trial = world.copy()
+        trial[slots] = target[slots]
+        if no_worse(trial):
+            world = trial
+        elif len(chunk) > 1:
+            half = len(chunk) // 2
+            waiting += [chunk[half:], chunk[:half]]
+    return world
+
+
+def _units(problem: Problem) -> list[list[int]]:
+    """Return the slots that the program places, each with what stands on it and what goes by it and leads nothing."""
+    leaders: dict[int, list[int]] = {}
+    for terms in problem.statement_terms:
+        for term in terms:
+            if isinstance(term, FrameTerm) and isinstance(term.a, AssetRef) and isinstance(term.b, AssetRef):
+                leaders.setdefault(problem.slot[term.a.name], []).append(problem.slot[term.b.name])
+    leading = {slot for found in leaders.values() for slot in found}
+
+    def root(slot: int) -> int:
+        while problem.parent[slot] >= 0:
+            slot = int(problem.parent[slot])
+        if slot in leading or slot not in leaders:
+            return slot
+        return min(
+            leaders[slot], key=lambda other: (math.dist(problem.start[slot, :2], problem.start[other, :2]), other)
+        )
+
+    units: dict[int, list[int]] = {}
+    for name in problem.guessed:
+        if name not in problem.pinned:
+            slot = problem.slot[name]
+            units.setdefault(root(slot), []).append(slot)
+    return [units[key] for key in sorted(units)]

@@ -1,0 +1,65 @@
+"""What the search moved without need goes back: never a worse layout, and all of it where nothing was wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+import robolayout as rl
+from robolayout.pipeline import make_judge
+from robolayout.planners import OfflinePlanner, PlanRequest
+from robolayout.program import read_program, reconcile
+from robolayout.solve.compile import Floats, Problem, compile_problem
+from robolayout.solve.restore import TRIALS, restored
+
+
+def planned(name: str) -> tuple[Problem, Callable[[Floats], float]]:
+    """Return a room with the offline planner's guess, and how bad poses in it are."""
+    scene = rl.load_scene(f"examples/{name}.json")
+    program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene)), scene), scene).program
+    problem = compile_problem(scene, program)
+    judge = make_judge(scene, program)
+    return problem, lambda world: judge(problem.layout(world)).merit
+
+
+@pytest.mark.parametrize("name", ["bedroom", "dining_room"])
+def test_a_room_that_was_shaken_for_nothing_is_as_it_was(name: str) -> None:
+    problem, merit = planned(name)
+    target = problem.start
+    assert merit(target) == 0.0
+    shaken = target.copy()
+    shaken[:, :2] += np.random.default_rng(0).normal(0.0, 0.3, shaken[:, :2].shape)
+    assert restored(problem, shaken, lambda world: merit(world) == 0.0) == pytest.approx(target)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_what_had_to_move_stays_and_the_rest_goes_back(seed: int) -> None:
+    problem, _ = planned("bedroom")
+    target = problem.start
+    rng = np.random.default_rng(seed)
+    forbidden = problem.slot[str(rng.choice([n for n in problem.guessed if problem.parent[problem.slot[n]] < 0]))]
+    shaken = target + rng.normal(0.0, 0.3, target.shape)
+    asked: list[Floats] = []
+
+    def no_worse(world: Floats) -> bool:
+        asked.append(world)
+        return not np.array_equal(world[forbidden], target[forbidden])
+
+    found = restored(problem, shaken, no_worse)
+    assert len(asked) <= TRIALS
+    assert np.array_equal(found[forbidden], shaken[forbidden])
+    still = [i for i in range(len(found)) if not np.array_equal(found[i], target[i])]
+    assert len(still) < len(target) / 2
+
+
+def test_nothing_is_asked_where_the_program_places_nothing() -> None:
+    scene = rl.load_scene("examples/bedroom.json")
+    problem = compile_problem(scene, read_program("", scene))
+    world = problem.start + 0.1
+
+    def never(_world: Floats) -> bool:
+        raise AssertionError
+
+    assert np.array_equal(restored(problem, world, never), world)
