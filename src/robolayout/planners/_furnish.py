@@ -87,6 +87,9 @@ MUCH = 10.0
 STRAY = 2.0
 """Cost of each thing that is left over from its grid; rows are worth more than each thing's own best place."""
 
+SHUFFLE = 1.5
+"""Standard deviation of the ranks of roles from one attempt to the next."""
+
 MOOD = 0.5
 """Standard deviation of the logarithm by which wishes vary from one attempt to the next."""
 
@@ -271,11 +274,8 @@ class _Attempt:
                 by_role.setdefault(item.role.name, []).append(item)
         for items in by_role.values():
             items.sort(key=lambda item: -item.asset.size[0] * item.asset.size[1])
-        return sorted(by_role.values(), key=lambda items: items[0].role.rank + (0.0 if self.calm else self._nudge()))
-
-    def _nudge(self) -> float:
-        """Return a small change of order between roles of similar rank."""
-        return float(self.rng.normal(0.0, 1.5))
+        nudge = 0.0 if self.calm else SHUFFLE
+        return sorted(by_role.values(), key=lambda items: items[0].role.rank + nudge * self.rng.normal())
 
     def _place_role(self, items: Sequence[Cast]) -> None:
         hung, high, flat, standing = by_manner(items)
@@ -283,7 +283,8 @@ class _Attempt:
             hang(self.site, name, self.rng)
         overhead(self.site, high)
         lay_rugs(self.site, flat)
-        self.steps += [_settled(name, self.site) for name in (*hung, *high, *flat) if name in self.site.spots]
+        there = [name for name in (*hung, *high, *flat) if name in self.site.spots]
+        self.steps += [_Step(partial(Site.settle, name=name, spot=self.site.spots[name])) for name in there]
         clusters = [self.builder.build(name) for name in standing]
         if not clusters:
             return
@@ -326,8 +327,11 @@ class _Attempt:
         if limit is not None and cost > limit:
             self.missing = before
             return False
-        if cost > MUCH and len(cluster.members) > 1 and limit is None and self._split(cluster, modes, weights):
+        if cost > MUCH and limit is None and len(cluster.members) > 1 and self._split(cluster, modes, weights):
             return True
+        if cost > MUCH and limit is None and "middle" not in modes:
+            self.missing = before
+            return self._place(cluster, [*modes, "middle"], weights)
         step = _Step(partial(_put, batch=batch, row=row), cost, cluster, tuple(modes), weights)
         step.put(self.site)
         self.steps.append(step)
@@ -421,7 +425,7 @@ class _Attempt:
         best: tuple[float, GridPlan, Batch, int] | None = None
         before, tried = len(self.site.unreached()), 0
         for cost, plan, batch, row in sorted(ranked, key=lambda entry: entry[0]):
-            if cost > BAD + 1.0 or tried >= 2 * TRIALS or (best is not None and cost > best[0]):
+            if cost > HOPELESS or tried >= 3 * TRIALS or (best is not None and cost > best[0]):
                 break
             if not self.site.fault(batch.cluster, batch.poses[row]):
                 tried += 1
@@ -442,9 +446,3 @@ class _Attempt:
 def _harm(site: Site) -> float:
     """Return the cost of what the agents do not get to or cannot use, and of the floor that is cut off."""
     return UNREACHED * len(site.unreached()) + CUT_OFF * site.cut_off
-
-
-def _settled(name: str, site: Site) -> _Step:
-    """Return a step that puts a thing where it is on a site."""
-    spot = site.spots[name]
-    return _Step(lambda other: other.settle(name, spot))

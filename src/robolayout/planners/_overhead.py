@@ -42,6 +42,9 @@ def hang(site: Site, name: str, rng: np.random.Generator) -> None:
             site.survey()
 
 
+COVERED = 80.0
+"""Cost of hanging where another thing already is; more than of all that a body may miss together."""
+
 OUT_OF_REACH = 10.0
 """Cost of hanging what is used higher than the shortest arm gets, or where a door or drawer opens."""
 
@@ -87,7 +90,7 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     yaw = wall_yaw(wall)
     member = Member(name, *wall.point(t, depth / 2 + WALL_GAP / 2), yaw, middle - height / 2)
     covered = site.wall_conflict(rect, takers, APART)
-    cost = 30.0 * (covered > 0.0) + 20.0 * covered
+    cost = COVERED * (covered > 0.0) + 20.0 * covered
     cost += OUT_OF_REACH * (used and middle - height / 2 > _reach_top(site) + TAKE_HOLD)
     cost += 1.2 * site.wall_conflict((rect[0] - 0.4, rect[1], rect[2] + 0.4, rect[3]), takers)
     cost += 0.8 * abs(t - wall.length / 2) / wall.length * (1 + role.prefer.get("centre", 0)) - bonus

@@ -7,15 +7,16 @@ stricter than the verifier, which knows more headings: a room that serves here s
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-from robolayout._grid import components, within
+from robolayout._grid import components, distance, within
 from robolayout.assets import category_of
-from robolayout.planners._floor import Cells, Floor, Points, placed, rect_points
+from robolayout.planners._floor import Cells, Floor, Points, Shadow, placed, rect_points
 from robolayout.planners._member import MARGIN, Member, Size
 from robolayout.scene import LANDING_DEPTH, Agent, Asset
 from robolayout.scene.agent import horizontal_reach
@@ -24,6 +25,9 @@ Mask = NDArray[np.bool_]
 
 SHORT_OF = 0.03
 """Metres that an agent gets nearer than its reach."""
+
+ONWARD = 0.6
+"""Metres about the places of a use in which a body may go on to it where chairs were."""
 
 SPACING = 0.08
 """Least metres between the points from which a use is looked for."""
@@ -56,9 +60,31 @@ class Standing:
     @cached_property
     def stand(self) -> Mask:
         """Cells on which its centre can stand to use something, one way round or the other."""
-        return (
-            self.easy if self.agent.length is None or self.agent.width is None else _either_way(self.floor, self.agent)
-        )
+        return np.logical_or.reduce(self.ways)
+
+    @cached_property
+    def ways(self) -> tuple[Mask, ...]:
+        """The same along and across the way in by the first door; a disc has one way round."""
+        return (self.easy,) if self.agent.length is None else _either_way(self.floor, self.agent)
+
+    def makes_way(self, use: Cells, chairs: Sequence[Shadow]) -> bool:
+        """Whether it gets on from where it stands to some cells of a use, once it has moved some chairs away."""
+        if self.agent.reach_distance is None or not chairs or not len(use):
+            return False
+        floor, body = self.floor, self.floor.body.copy()
+        for chair in chairs:
+            body[chair.under] -= chair.covered
+        rim = math.ceil((self.agent.circumradius + ONWARD) / floor.cell) + 2
+        x, y = np.divmod(use, body.shape[1])
+        window = tuple(slice(max(int(at.min()) - rim, 0), int(at.max()) + rim + 1) for at in (x, y))
+        taken = ~floor.inside[window] | (body[window] > 0)
+        wanted = np.zeros(body.shape, np.bool_)
+        wanted[x, y] = True
+        for way, free in zip(self.ways, _free(floor, taken, self.agent), strict=True):
+            labels = components(free)[0]
+            if np.intersect1d(labels[way[window] & free], labels[wanted[window] & free]).size:
+                return True
+        return False
 
 
 def turning_radius(agent: Agent) -> float:
@@ -92,11 +118,10 @@ def _turning(floor: Floor, agent: Agent, main: Mask) -> Mask:
     return labels == 1 + int(np.argmax(at_door)) if at_door.any() else np.zeros_like(main)
 
 
-def _either_way(floor: Floor, agent: Agent) -> Mask:
-    """Return where a rectangular body can stand along or across the door's direction, having come in straight."""
+def _either_way(floor: Floor, agent: Agent) -> tuple[Mask, Mask]:
+    """Return where a rectangular body can stand along and across the door's direction, having come in straight."""
     room = floor.room
-    normal = room.walls[room.doors[0].wall if room.doors else 0].normal
-    along, across = (components(_fits(floor, agent, heading)) for heading in (normal, (-normal[1], normal[0])))
+    along, across = (components(free) for free in _free(floor, ~floor.inside | (floor.body > 0), agent))
     turns = np.nonzero(floor.clear >= turning_radius(agent) / floor.cell + 1.0)
     wide = len(across[1]) + 1
     pairs = np.stack(np.divmod(np.flatnonzero(np.bincount(along[0][turns] * wide + across[0][turns])), wide), axis=1)
@@ -107,7 +132,7 @@ def _either_way(floor: Floor, agent: Agent) -> Mask:
     else:
         count = along[1]
     if not count.any():
-        return np.zeros_like(floor.inside)
+        return np.zeros_like(floor.inside), np.zeros_like(floor.inside)
     ways, turned = np.zeros(len(along[1]) + 1, np.bool_), np.zeros(len(across[1]) + 1, np.bool_)
     ways[1 + int(np.argmax(count))] = True
     for _ in range(len(pairs)):
@@ -117,17 +142,26 @@ def _either_way(floor: Floor, agent: Agent) -> Mask:
         if ways.sum() + turned.sum() == before:
             break
     ways[0] = turned[0] = False
-    return ways[along[0]] | turned[across[0]]
+    return ways[along[0]], turned[across[0]]
 
 
-def _fits(floor: Floor, agent: Agent, heading: tuple[float, float]) -> Mask:
+def _free(floor: Floor, taken: Mask, agent: Agent) -> tuple[Mask, ...]:
+    """Return where a body touches none of the cells taken, of the grid or a part of it: a disc; along and across the door."""
+    if agent.length is None:
+        limit = agent.radius / floor.cell + 1.0
+        return (distance(np.pad(~taken, 1), limit + 1.0)[1:-1, 1:-1] >= limit,)
+    nx, ny = floor.room.walls[floor.room.doors[0].wall if floor.room.doors else 0].normal
+    return _fits(floor.cell, taken, agent, (nx, ny)), _fits(floor.cell, taken, agent, (-ny, nx))
+
+
+def _fits(cell: float, taken: Mask, agent: Agent, heading: tuple[float, float]) -> Mask:
     """Return the cells on which a rectangular body with a heading touches nothing."""
-    (nx, ny), rim = floor.inside.shape, math.ceil(agent.circumradius / floor.cell) + 2
-    blocked = np.pad(~floor.inside | (floor.body > 0), rim, constant_values=True)
+    (nx, ny), rim = taken.shape, math.ceil(agent.circumradius / cell) + 2
+    blocked = np.pad(taken, rim, constant_values=True)
     width, blocked = ny + 2 * rim, blocked.ravel()
     for (dx, dy), extent in ((heading, agent.length or 0.0), ((-heading[1], heading[0]), agent.width or 0.0)):
         spread = blocked.copy()
-        for step in range(1, int(extent / 2 / floor.cell + 0.5) + 1):
+        for step in range(1, int(extent / 2 / cell + 0.5) + 1):
             shift = abs(round(step * dx) * width + round(step * dy))  # the rim keeps one row's steps out of the next
             spread[shift:] |= blocked[:-shift]
             spread[:-shift] |= blocked[shift:]

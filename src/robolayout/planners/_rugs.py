@@ -20,6 +20,9 @@ Pose = tuple[float, float, float]
 UNDER_BED = 0.25
 """Metres by which a rug beside a narrow bed lies under it."""
 
+LEAST_UNDER = 0.01
+"""Square metres of a rug that lie under its owner at the least."""
+
 BETWEEN = 0.4
 """Metres between two mats."""
 
@@ -41,7 +44,7 @@ def lay_rugs(site: Site, names: Sequence[str]) -> None:
             free.setdefault(site.size(name), []).append(name)
         else:
             used.add(owner)
-            site.settle(name, Spot(_fitted(site, name, _at_owner(site, name, owner)), "rug", None, owner))
+            site.settle(name, Spot(_fitted(site, name, _at_owner(site, name, owner), owner), "rug", None, owner))
     for equal in free.values():
         _lay_free(site, equal)
 
@@ -110,8 +113,11 @@ def _free_floor(site: Site, plan: GridPlan) -> tuple[float, Pose]:
     return float(cost[best]), _pose(first)
 
 
-def _fitted(site: Site, name: str, pose: Pose) -> Member:
-    """Return the place nearest to `pose`, turned by a right angle if need be, at which a flat thing is inside the room."""
+def _fitted(site: Site, name: str, pose: Pose, owner: str | None = None) -> Member:
+    """Return the place nearest to `pose`, turned by a right angle if need be, where a flat thing is inside the room.
+
+    Where it lies under an owner it stays under it.
+    """
     shifts = [0.1 * k for k in range(-8, 9)]
     options = sorted(
         (abs(dx) + abs(dy) + (0.3 if turn else 0.0), turn, dx, dy)
@@ -122,6 +128,10 @@ def _fitted(site: Site, name: str, pose: Pose) -> Member:
     poses = np.array([(pose[0] + dx, pose[1] + dy, pose[2] + turn) for _, turn, dx, dy in options])
     room = shapely.Polygon(site.room.vertices).buffer(0.005, join_style="mitre")
     outlines = shapely.polygons([corners_of(Member(name, *pose), site.size(name)) for pose in poses.tolist()])
-    best = int(np.argmin(np.round(shapely.area(shapely.difference(outlines, room)), 4)))
+    cost = np.round(shapely.area(shapely.difference(outlines, room)), 4)
+    if owner is not None:
+        above = shapely.Polygon(corners_of(site.spots[owner].member, site.size(owner)))
+        cost += shapely.area(outlines) * (shapely.area(shapely.intersection(outlines, above)) < LEAST_UNDER)
+    best = int(np.argmin(cost))
     x, y, yaw = poses[best].tolist()
     return Member(name, x, y, yaw)

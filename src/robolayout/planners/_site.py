@@ -57,6 +57,10 @@ class Spot:
     grid: GridPlan | None = None
 
 
+AT_CHAIR = 0.30
+"""Metres within which a chair stands at a table, as the verifier has it."""
+
+
 @dataclass(frozen=True)
 class GridPlan:
     """A block of equal clusters in rows.
@@ -190,13 +194,38 @@ class Site:
         self.standings = tuple(standing(self.floor, agent) for agent in self.scene.agents)
 
     def unreached(self) -> list[str]:
-        """Return the assets that some agent of the scene cannot get to or cannot use."""
+        """Return the assets that some agent of the scene cannot get to or cannot use, moving chairs away where it has an arm."""
         self.survey()
-        return [name for name, claim in self.claims.items() if not self.serves(claim)]
+        short = [name for name, claim in self.claims.items() if not self.serves(claim)]
+        chairs = [name for name in self.claims if self._is_chair(name)] if short else []
+        feet = np.array([self._foot(name) for name in chairs], dtype=object)
+        return [name for name in short if not self._makes_way(name, chairs, feet)]
 
     def serves(self, claim: Claim) -> bool:
         """Whether every agent gets to a thing and stands on some of the cells from which it uses it."""
         return all(found.serves(claim.cells, use) for found, use in zip(self.standings, claim.uses, strict=True))
+
+    def _makes_way(self, name: str, chairs: Sequence[str], feet: NDArray[np.object_]) -> bool:
+        """Whether every agent uses a thing once it has moved away the chairs that stand at it or at what carries it."""
+        if self._is_chair(name):
+            return False
+        claim, carrier = self.claims[name], self.spots[name].anchor
+        at = carrier if claim.shadow is None and carrier in self.spots else name
+        near = shapely.dwithin(feet, self._foot(at), AT_CHAIR)
+        moved = [self.claims[chair].shadow for chair, at_it in zip(chairs, near, strict=True) if at_it]
+        away = [shadow for shadow in moved if shadow is not None]
+        return all(
+            found.serves(claim.cells, use) or (use is not None and found.makes_way(use, away))
+            for found, use in zip(self.standings, claim.uses, strict=True)
+        )
+
+    def _is_chair(self, name: str) -> bool:
+        """Whether it stands on the floor and is moved aside in daily use."""
+        return self.cast[name].category.movable and self.claims[name].shadow is not None
+
+    def _foot(self, name: str) -> shapely.Polygon:
+        """Return the footprint of what has a place."""
+        return shapely.Polygon(corners_of(self.spots[name].member, self.size(name)))
 
     def claim(self, spot: Spot) -> Claim:
         """Return what a thing would ask of the floor there."""
@@ -273,9 +302,16 @@ class Site:
         bodies = np.asarray(shapely.polygons(corners))
         if not shapely.covers(_walls_of(self.room), bodies).all():
             return "touches"
-        if _touch(bodies, self.solids):
+        if _touch(bodies, self.solids) or any(
+            _touch(np.array([body]), self._hung_below(m.bottom + self.size(m.name)[2]))
+            for body, m in zip(bodies, members, strict=True)
+        ):
             return "touches"
         return "" if self._opens(members, bodies, pose) else "shut"
+
+    def _hung_below(self, height: float) -> list[shapely.Polygon]:
+        """Return the footprints of what hangs on the walls and begins below a height in metres."""
+        return [self._foot(n) for n, s in self.spots.items() if s.mode == "hang" and s.member.bottom < height]
 
     def _opens(self, members: Sequence[Member], bodies: NDArray[np.object_], pose: NDArray[np.float64]) -> bool:
         """Whether doors and drawers of floor members open, and those of what stands there already."""
