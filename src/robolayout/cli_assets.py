@@ -59,6 +59,10 @@ def _import(folder: Path | None, out: Path, front: str | None) -> None:
         sys.stderr.write(f"robolayout: skipped {entry['path']}: {entry['reason']}\n")
     if not catalogue["assets"]:
         raise AssetError(f"none of the {len(catalogue['skipped'])} meshes in {folder.name!r} can be used.")
+    meshes, home = folder.resolve(), out.resolve().parent
+    if meshes.is_relative_to(home):  # then a scene beside the catalogue finds the meshes by it
+        for entry in catalogue["assets"].values():
+            entry["path"] = (meshes.relative_to(home) / entry["path"]).as_posix()
     typer.echo(str(write_atomic(out, json.dumps(catalogue, indent=2, ensure_ascii=False) + "\n")))
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from robolayout._errors import SceneError
 from robolayout.scene import reference
+from robolayout.scene._catalogue import described, find_catalogue
 from robolayout.scene._schema import Checker, inside, is_file, misspelt, show
 from robolayout.scene.asset import Asset, variable_name
 
@@ -24,7 +25,7 @@ MAX_MESH_BYTES = 100_000_000
 
 _CHECK = Checker(SceneError)
 _FLAGS = ("onFloor", "onWall", "onCeiling", "onObject")
-_KNOWN = ("category", "description", "path", "useSides", "like", "assetMetadata", *_FLAGS)
+_KNOWN = ("category", "description", "path", "useSides", "like", "from", "assetMetadata", *_FLAGS)
 
 
 def read_assets(
@@ -41,8 +42,11 @@ def read_assets(
     entries = _CHECK.mapping(_CHECK.required(data, "assets", "the scene"), "assets")
     if not 0 < len(entries) <= MAX_ASSETS:
         raise SceneError(f"the scene has {len(entries)} assets; from 1 to {MAX_ASSETS} are allowed.")
-    named = _named({key: _CHECK.mapping(entry, f"asset {show(key)}") for key, entry in entries.items()}, asset_dir)
     folders = [folder for folder in (base, asset_dir) if folder is not None]
+    catalogue = find_catalogue(data.get("catalogue"), folders)
+    given = {key: _CHECK.mapping(entry, f"asset {show(key)}") for key, entry in entries.items()}
+    named = _named(described(given, catalogue), asset_dir)
+    folders += [catalogue.parent] if catalogue else []
     assets: dict[str, Asset] = {}
     for key, (given, entry) in named.items():
         name = _instance_name(given)
@@ -87,7 +91,7 @@ def _named(
     if unknown and asset_dir is None:
         raise SceneError(
             f"asset {show(unknown[0])} has no assetMetadata: give its boundingBox (x: depth, y: width, z: height, in "
-            "metres), or name the folder in which to look it up (--asset-dir)."
+            "metres), or name the catalogue (catalogue, from) or the folder (--asset-dir) in which to look it up."
         )
     found = reference.look_up(unknown, asset_dir) if asset_dir is not None and unknown else {}
     return {

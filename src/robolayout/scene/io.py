@@ -25,7 +25,7 @@ MAX_AGENTS = 16
 
 _SCENE = Checker(SceneError)
 _LAYOUT = Checker(LayoutError)
-_KEYS = ("task_description", "layout_criteria", "boundary", "doors", "windows", "agent", "assets")
+_KEYS = ("task_description", "layout_criteria", "boundary", "doors", "windows", "agent", "catalogue", "assets")
 _LEVEL = 1e-3
 """Degrees of roll or pitch that count as none."""
 
