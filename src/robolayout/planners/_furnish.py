@@ -78,8 +78,8 @@ OVERHEAD_RANK = 71
 SHARES = (1.0, 0.85, 0.7, 0.5)
 """Shares of a set of equal things for which a grid is tried; the rest stands where it can."""
 
-TIGHT = 1.2
-"""Cost of a grid whose neighbours touch."""
+TIGHT, RAGGED = 1.2, 1.0
+"""Cost of a grid whose neighbours touch, and of each place that its last row leaves empty."""
 
 MUCH = 10.0
 """Cost of a place above which a cluster rather comes apart."""
@@ -419,7 +419,7 @@ class _Attempt:
             cost = self.site.base_cost(batch.cluster, batch.poses, clash[free]) / len(clusters)
             last = last_cell(self.site, plan, batch)
             cost += 0.5 * (taste(self.site, batch, weights) + taste(self.site, last, weights))
-            cost += TIGHT * plan.tight + 0.5 * (plan.rows * plan.columns - len(plan.names))
+            cost += TIGHT * plan.tight + RAGGED * (plan.rows * plan.columns - len(plan.names))
             cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5
             ranked += [(float(cost[row]), plan, batch, int(row)) for row in np.argsort(cost, kind="stable")[:4]]
         best: tuple[float, GridPlan, Batch, int] | None = None
