@@ -51,6 +51,7 @@ def process(words: list[str], *, repeats: int = REPEATS, warm: bool = False) -> 
     """Return the median seconds of a process; `warm` runs it once before, so that what compiles is there."""
     with tempfile.TemporaryDirectory() as folder:
         environment = os.environ | {"ROBOLAYOUT_CACHE": str(Path(folder, "cache")), "PYTHONPATH": str(ROOT)}
+        environment.pop("PYTHONDONTWRITEBYTECODE", None)  # set here it would have every run compile all sources again
         walls: list[float] = []
         cpus: list[float] = []
         for i in range(repeats + warm):

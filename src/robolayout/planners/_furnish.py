@@ -98,8 +98,8 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
     """Return the best of several attempts; the very first one follows the knowledge to the letter.
 
     The floor is furnished in every attempt, walls and ceiling only in the best one. It is good enough after `PATIENCE`
-    attempts without one that is better by `WORTH`, or `HOPE` where it does not serve. Where something
-    is out of the way, single things are moved once more.
+    attempts without one that is better by `WORTH`, or `HOPE` where it does not serve. Where something is out of the way,
+    single things are moved once more; a room that serves then is good enough at once.
     """
     empty = Site.of(scene, cast)
     builder = ClusterBuilder(scene, cast)
@@ -114,6 +114,8 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
             best = (cost, attempt)
         if number >= PATIENCE and not best[1].serves and (number == PATIENCE or best[1] is attempt):
             best = (best[1].rearrange(), best[1])
+            if best[1].serves:
+                break
         if best[0] < leap[0] - WORTH:
             leap = (best[0], number)
         if number - leap[1] >= (PATIENCE if best[1].serves else HOPE):
