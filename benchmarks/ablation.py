@@ -19,12 +19,14 @@ CONFIGS: dict[str, SolverConfig] = {
     "default": DEFAULT,
     "no routes": replace(DEFAULT, route_rounds=0),
     "no repair": replace(DEFAULT, repair_rounds=0),
+    "overlap by IoU": replace(DEFAULT, weights=replace(DEFAULT.weights, iou=1000.0 / DEFAULT.weights.overlap)),
     "no noise": replace(DEFAULT, search=replace(DEFAULT.search, noise=0.0)),
     **{f"{n} starts": replace(DEFAULT, starts=n, kept=min(n, DEFAULT.kept)) for n in (1, 4, 64)},
     "gradients alone": replace(
         DEFAULT, route_rounds=0, repair_rounds=0, search=replace(DEFAULT.search, noise=0.0), starts=1, kept=1
     ),
 }
+CONFIGS["gradients alone, by IoU"] = replace(CONFIGS["gradients alone"], weights=CONFIGS["overlap by IoU"].weights)
 SEEDS = range(3)
 EXAMPLES = ("bedroom", "living_room")
 

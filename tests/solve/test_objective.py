@@ -31,18 +31,24 @@ solver.mounted_on(picture[0], walls[5])
 STARTS = 3
 
 
-def parts(poses: jax.Array, arrays: Arrays, routes: Routes) -> Losses:
+BY_IOU = Weights(iou=15.0)
+
+
+def parts(poses: jax.Array, arrays: Arrays, routes: Routes, weights: Weights = Weights()) -> Losses:  # noqa: B008
     x, y, yaw = (poses[..., i] for i in range(3))
     local = jnp.stack([x, y, jnp.cos(yaw), jnp.sin(yaw)], axis=-1)
-    return losses(local, arrays, routes, all_pairs(arrays), Weights())
+    return losses(local, arrays, routes, all_pairs(arrays), weights)
 
 
-def value(poses: jax.Array, arrays: Arrays, routes: Routes) -> jax.Array:
-    return jnp.sum(total(parts(poses, arrays, routes), jnp.float64(0.7), Weights()))
+def value(poses: jax.Array, arrays: Arrays, routes: Routes, weights: Weights) -> jax.Array:
+    return jnp.sum(total(parts(poses, arrays, routes, weights), jnp.float64(0.7), weights))
 
 
 _compiled = partial(jax.jit, compiler_options={"xla_backend_optimization_level": "0"})
-_gradient = _compiled(jax.value_and_grad(value))
+_gradients = {
+    weights: _compiled(jax.value_and_grad(partial(value, weights=weights))) for weights in (Weights(), BY_IOU)
+}
+_gradient = _gradients[Weights()]
 _parts = _compiled(parts)
 
 
@@ -75,8 +81,9 @@ def test_every_term_is_at_work(everything: tuple[np.ndarray, Arrays, Routes]) ->
     assert all((np.asarray(term) > 0).any() for term in found), found
 
 
+@pytest.mark.parametrize("weights", [Weights(), BY_IOU], ids=["penetration", "IoU"])
 def test_the_gradient_of_the_objective_is_that_of_finite_differences(
-    problem: Problem, everything: tuple[np.ndarray, Arrays, Routes]
+    problem: Problem, everything: tuple[np.ndarray, Arrays, Routes], weights: Weights
 ) -> None:
     """Of two things only one yields by rule; for differences to exist, here both do, and the mirror's axis is left out."""
     poses, arrays, routes = everything
@@ -85,13 +92,14 @@ def test_the_gradient_of_the_objective_is_that_of_finite_differences(
     arrays = arrays._replace(frame_row=np.stack(yielding, axis=-1))
     step = 1e-6
     with jax.enable_x64(True):
-        gradient = np.asarray(_gradient(poses, arrays, routes)[1])
+        slope = _gradients[weights]
+        gradient = np.asarray(slope(poses, arrays, routes)[1])
         for slot, name in enumerate(problem.names):
             for axis in range(3 if name != "bed-0" else 0):
                 up, down = poses.copy(), poses.copy()
                 up[0, slot, axis] += step
                 down[0, slot, axis] -= step
-                first, second = (float(_gradient(p, arrays, routes)[0]) for p in (up, down))
+                first, second = (float(slope(p, arrays, routes)[0]) for p in (up, down))
                 assert gradient[0, slot, axis] == pytest.approx((first - second) / (2 * step), rel=1e-4, abs=1e-5)
     assert not gradient[:, len(problem.names) :].any(), "padding is pulled"
 

@@ -12,6 +12,9 @@ class Weights:
     overlap: float = 60.0
     """No overlap: factor on p^2 + 0.02 p, p the penetration in metres plus margin."""
 
+    iou: float = 0.0
+    """Factor on the intersection over union, the paper's measure of overlap, in place of p^2 + 0.02 p; 0 takes that."""
+
     inside: float = 60.0
     """Inside the room: factor on d^2 + 0.02 d, d metres outside."""
 

@@ -12,6 +12,7 @@ from robolayout._geometry import (
     compose,
     corners,
     frame_residual,
+    intersection_over_union,
     mirror_residual,
     penetration,
     point_to_box,
@@ -79,6 +80,14 @@ def overlap_depths(body: Body, pairs: Array, weights: Weights) -> Array:
     return jnp.where(pairs[..., 0] == pairs[..., 1], 0.0, depth)
 
 
+def overlap_losses(body: Body, pairs: Array, weights: Weights) -> Array:
+    """Return the loss of each pair of slots by how deep they are in each other, or by their intersection over union."""
+    if not weights.iou:
+        return hard(overlap_depths(body, pairs, weights), weights)
+    shared = intersection_over_union(take(body, pairs[..., 0]), take(body, pairs[..., 1]))
+    return weights.iou * jnp.where(pairs[..., 0] == pairs[..., 1], 0.0, shared)
+
+
 def boundary_depths(slots: Body, arrays: Arrays) -> Array:
     """Return by how many metres each slot leaves the room (starts, A): corners outside, or inner corners inside it."""
     px, py = corners(slots)
@@ -131,7 +140,7 @@ def losses(local: Poses, arrays: Arrays, routes: Routes, near: Near, weights: We
     pull += jnp.sum(scale * jnp.log1p(mirrored / scale) * arrays.mirror_weight, axis=-1)
     clear = hard(clear_depths(body, arrays, near.clears, weights), weights)
     return Losses(
-        overlap=jnp.sum(hard(overlap_depths(body, near.pairs, weights), weights), axis=-1),
+        overlap=jnp.sum(overlap_losses(body, near.pairs, weights), axis=-1),
         boundary=_boundary(body, arrays, weights),
         clear=jnp.sum(clear * arrays.clear_weight[near.clears[..., 0], near.clears[..., 1]], axis=-1),
         statements=pull,
