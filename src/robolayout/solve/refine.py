@@ -35,6 +35,9 @@ FULL = 0.5
 PACKINGS = 24
 """Orders in which a room is packed before it is given up as too full."""
 
+BLIND = 0.25
+"""Share of the assets out of place or out of reach in a guess from which on it is not worth going back to."""
+
 URGENT = 0.5
 """Assets in wrong places or out of reach from which on repair goes on for longer without success."""
 
@@ -78,6 +81,7 @@ class Solver:
         self.runner = Runner(self.config)
         self.grounds: list[tuple[Ground, Obstacles]] = []
         self.lead: _Best | None = None
+        self.astray = 0.0
 
     def solve(self) -> Solution:
         """Return the best layout found."""
@@ -145,6 +149,7 @@ class Solver:
     def _started(self, stage: Stage, number: int) -> tuple[_Best, Run]:
         """Return the guess, or else the best that polishing it and, where that is not perfect, other starts lead to."""
         best = self._judged(stage.world, number)
+        self.astray = max(self.astray, best.verdict.hard + best.verdict.access)
         if best.verdict.ok:
             still = Run(stage.world[None], np.zeros(1), np.zeros(1))
             return best, self.runner.advance(stage, still.world, STILL, "guess") if self.config.trace else still
@@ -261,7 +266,9 @@ class Solver:
         return best
 
     def _restored(self, best: _Best) -> _Best:
-        """Put back where the program had it what was moved without need."""
+        """Put back where the program had it what was moved without need, unless the program had no idea."""
+        if self.astray > BLIND * len(self.problem.names):
+            return best
 
         def no_worse(world: Floats) -> bool:
             nonlocal best
