@@ -12,7 +12,7 @@ import numpy as np
 from robolayout.planners._cluster import Cluster, ClusterBuilder
 from robolayout.planners._grid import grid_batches, last_cell, put_grid
 from robolayout.planners._member import Member
-from robolayout.planners._overhead import hang, overhead
+from robolayout.planners._overhead import OVERHEAD_RANK, hang, overhead
 from robolayout.planners._places import Batch, batches, centroid
 from robolayout.planners._roles import Cast
 from robolayout.planners._rugs import lay_rugs
@@ -71,9 +71,6 @@ NOWHERE = 50.0
 
 BAD = 2.5
 """Cost above which a place counts as bad enough to try something else."""
-
-OVERHEAD_RANK = 71
-"""Rank from which on all floor things are placed."""
 
 SHARES = (1.0, 0.85, 0.7, 0.5)
 """Shares of a set of equal things for which a grid is tried; the rest stands where it can."""

@@ -27,20 +27,63 @@ CLEAR_ABOVE = 0.12
 
 
 def hang(site: Site, name: str, rng: np.random.Generator) -> None:
-    """Hang a thing where a wall is free: over what it belongs to, else where there is most room around it."""
-    best: tuple[float, float, Spot] | None = None
+    """Hang a thing where a wall is free: over what it belongs to, else where there is most room around it.
+
+    Where that is out of reach, another hung thing makes way if both hang within reach then.
+    """
+    places = _hung_places(site, name, rng)
+    if not places or (places[0][0] >= OUT_OF_REACH and site.standings and _with_another(site, name, rng)):
+        return
+    spot = places[0][1]
+    site.settle(name, spot)
+    if site.standings and _juts_out(site, spot.member) > 0:
+        site.floor.take(site.floor.shadow(corners_of(spot.member, site.size(name))))
+        site.survey()
+
+
+def _hung_places(site: Site, name: str, rng: np.random.Generator) -> list[tuple[float, Spot]]:
+    """Return the places to hang a thing with their costs, best first."""
+    found: list[tuple[float, float, Spot]] = []
     for wall in site.room.walls:
         for t in _hang_offsets(site, name, wall):
             cost, spot = _hang_cost(site, name, wall, t)
-            key = (cost + 0.2 * float(rng.random()), cost, spot)
-            if best is None or key[0] < best[0]:
-                best = key
-    if best is not None:
-        site.settle(name, best[2])
-        if site.standings and _juts_out(site, best[2].member) > 0:
-            site.floor.take(site.floor.shadow(corners_of(best[2].member, site.size(name))))
-            site.survey()
+            found.append((cost + 0.2 * float(rng.random()), cost, spot))
+    return [(cost, spot) for _, cost, spot in sorted(found, key=lambda entry: entry[0])]
 
+
+def _with_another(site: Site, name: str, rng: np.random.Generator) -> bool:
+    """Hang a thing together with another that hangs already and makes way for it, both within reach; False if none does."""
+    hung = [n for n, s in site.spots.items() if s.mode == "hang" and site.cast[n].role.rank >= OVERHEAD_RANK]
+    for other in [n for n in hung if site.size(n)[0] <= THIN][:MAKING_WAY]:
+        before = site.spots[other]
+        site.lift(other)
+        tried: list[Spot] = []
+        for cost, spot in _hung_places(site, name, rng):
+            if cost >= OUT_OF_REACH or len(tried) == PLACES:
+                break
+            if any(_near(spot, known) for known in tried):
+                continue
+            tried.append(spot)
+            site.settle(name, spot)
+            places = _hung_places(site, other, rng)
+            if places and places[0][0] < OUT_OF_REACH:
+                site.settle(other, places[0][1])
+                return True
+            site.lift(name)
+        site.settle(other, before)
+    return False
+
+
+def _near(spot: Spot, other: Spot) -> bool:
+    """Whether two places are all but the same."""
+    return math.dist((spot.member.x, spot.member.y), (other.member.x, other.member.y)) < APART_BY
+
+
+MAKING_WAY, PLACES, APART_BY = 3, 6, 0.25
+"""Hung things that are asked to make way for another, places that are tried for it each time, and metres between these."""
+
+OVERHEAD_RANK = 71
+"""Rank from which on all floor things are placed."""
 
 COVERED = 80.0
 """Cost of hanging where another thing already is; more than of all that a body may miss together."""

@@ -356,6 +356,11 @@ class Site:
             if not self.trial:
                 self._record(name, spot)
 
+    def lift(self, name: str) -> None:
+        """Take away what hangs and takes no floor."""
+        del self.spots[name], self.claims[name]
+        self.spans = [span for span in self.spans if span.name != name]
+
     def _record(self, name: str, spot: Spot) -> None:
         """Record exactly what one asset fills and what it covers of the walls."""
         if self._takes_floor(spot):

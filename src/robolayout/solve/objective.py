@@ -84,8 +84,12 @@ def overlap_losses(body: Body, pairs: Array, weights: Weights) -> Array:
     """Return the loss of each pair of slots by how deep they are in each other, or by their intersection over union."""
     if not weights.iou:
         return hard(overlap_depths(body, pairs, weights), weights)
-    shared = intersection_over_union(take(body, pairs[..., 0]), take(body, pairs[..., 1]))
-    return weights.iou * jnp.where(pairs[..., 0] == pairs[..., 1], 0.0, shared)
+    same = pairs[..., 0] == pairs[..., 1]
+    first, second = take(body, pairs[..., 0]), take(body, pairs[..., 1])
+    # A slot that is only there to fill a list has no size: its share of itself is 0 / 0, whose slope spoils all others.
+    sized = first._replace(hx=jnp.where(same, 1.0, first.hx), hy=jnp.where(same, 1.0, first.hy))
+    shared = intersection_over_union(sized, second)
+    return weights.iou * jnp.where(same, 0.0, shared)
 
 
 def boundary_depths(slots: Body, arrays: Arrays) -> Array:
