@@ -71,12 +71,15 @@ class Standing:
         """Whether it gets on from where it stands to some cells of a use, once it has moved some chairs away."""
         if self.agent.reach_distance is None or not chairs or not len(use):
             return False
-        floor, body = self.floor, self.floor.body.copy()
+        floor = self.floor
+        rim = math.ceil((self.agent.circumradius + ONWARD) / floor.cell) + 2
+        x, y = np.divmod(use, floor.body.shape[1])
+        window = tuple(slice(max(int(at.min()) - rim, 0), int(at.max()) + rim + 1) for at in (x, y))
+        if not any(way[window].any() for way in self.ways):
+            return False
+        body = floor.body.copy()
         for chair in chairs:
             body[chair.under] -= chair.covered
-        rim = math.ceil((self.agent.circumradius + ONWARD) / floor.cell) + 2
-        x, y = np.divmod(use, body.shape[1])
-        window = tuple(slice(max(int(at.min()) - rim, 0), int(at.max()) + rim + 1) for at in (x, y))
         taken = ~floor.inside[window] | (body[window] > 0)
         wanted = np.zeros(body.shape, np.bool_)
         wanted[x, y] = True
