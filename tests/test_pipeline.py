@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from dataclasses import replace
 
 import pytest
 
@@ -104,3 +105,8 @@ def test_another_program_is_asked_for_where_a_thing_stands_too_high_for_the_body
     result = rl.generate(TINY | {"assets": assets}, agent="child_6", planner=Two())
     assert len(told) == 2 and result.report.ok, result.report.violations
     assert result.layout["clock-0"].z < 1.0
+
+
+def test_a_scene_for_nobody_is_refused() -> None:
+    with pytest.raises(rl.RoboLayoutError, match="agents is empty; name at least one body"):
+        replace(rl.scene_from_dict(TINY), agents=())

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
+from robolayout._errors import SceneError
 from robolayout.scene.agent import DEFAULT_AGENT, Agent
 from robolayout.scene.agents_io import check_headroom
 from robolayout.scene.asset import Asset
@@ -32,6 +33,10 @@ class Scene:
     agents: tuple[Agent, ...] = (DEFAULT_AGENT,)
     name: str = "scene"
     warnings: tuple[str, ...] = field(default=(), compare=False)
+
+    def __post_init__(self) -> None:
+        if not self.agents:
+            raise SceneError("agents is empty; name at least one body or leave it out for a disc of radius 0.30 m.")
 
     @property
     def agent(self) -> Agent:
