@@ -76,7 +76,7 @@ class SolverConfig:
     repair_rounds: int = 32
     """Most rounds of remove-and-reinsert."""
 
-    patience: int = 4
+    patience: int = 3
     """Rounds of repair without success after which it gives up."""
 
     candidates: int = 64

@@ -38,10 +38,10 @@ PACKINGS = 24
 BLIND = 0.25
 """Share of the assets out of place or out of reach in a guess from which on it is not worth going back to."""
 
-URGENT = 0.5
-"""Assets in wrong places or out of reach from which on repair goes on for longer without success."""
+CLOSE, URGENT = 0.4, 0.5
+"""Share of the floor, and assets in wrong places or out of reach, from which on repair goes on for longer without success."""
 
-STUBBORN = 2
+STUBBORN = 3
 """How many times longer."""
 
 
@@ -290,7 +290,7 @@ class Solver:
         repair = Repair(self.problem, self.runner, self.config, self.builder)
         fruitless = 0
         for round_number in range(self.config.repair_rounds):
-            urgent = best.verdict.hard + best.verdict.access >= URGENT
+            urgent = self._fill() > CLOSE and best.verdict.hard + best.verdict.access >= URGENT
             if best.verdict.ok or fruitless == self.config.patience * (STUBBORN if urgent else 1):
                 break
             before = self._standing(best)
