@@ -202,7 +202,9 @@ class GroupedRun:
             placed = dict(best.solution.layout)
             traces.append(best.solution.trace)
         assert best is not None
-        if len(parts) > 1 or self.planner.samples > 1 or self.planner.mode == "no_constraint":
+        if not best.solution.verdict.ok and (len(parts) > 1 or self.planner.samples > 1):
+            best = self._once_more(best, traces)
+        if len(parts) > 1 or self.planner.mode == "no_constraint":
             best = self._joint(best, parts, traces)
         done = tuple(replace(group, rationale=self._rationale(group)) for group in groups)
         return Planned(best, done, tuple(self._samples), self._taken_over, self._given_up)
@@ -212,16 +214,18 @@ class GroupedRun:
         return group.rationale + (" Planned by the offline planner in place of the model." if taken else "")
 
     def _joint(self, last: Attempt, parts: list[tuple[Group, Program]], traces: list[Trace]) -> Attempt:
-        """Return the whole program with its layout; if demands are unmet, solved once more, alone and all free to move."""
-        solution = last.solution
-        if not solution.verdict.ok and (len(parts) > 1 or self.planner.samples > 1):
-            guesses = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in solution.layout.items()}
-            (again,) = self.finish([replace(last.asked, guesses=guesses)], self.scene, {})
-            if again.solution.verdict.merit < solution.verdict.merit:
-                solution = again.solution
-                traces.append(solution.trace)
+        """Return the whole program, in plain statements, with its layout."""
         whole = joined(parts)
-        return Attempt(whole, reconcile(whole, self.scene), replace(solution, trace=joined_traces(traces)))
+        return Attempt(whole, reconcile(whole, self.scene), replace(last.solution, trace=joined_traces(traces)))
+
+    def _once_more(self, last: Attempt, traces: list[Trace]) -> Attempt:
+        """Return the same program solved from where its things are, alone and with all free to move, if that is better."""
+        guesses = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in last.solution.layout.items()}
+        (again,) = self.finish([replace(last.asked, guesses=guesses)], self.scene, {})
+        if again.solution.verdict.merit >= last.solution.verdict.merit:
+            return last
+        traces.append(again.solution.trace)
+        return replace(last, solution=replace(again.solution, trace=joined_traces(traces)))
 
     def _group(self, question: _Question) -> Attempt:
         """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable."""

@@ -164,10 +164,12 @@ class _Run:
         texts = iter([program]) if program is not None else self._texts(planner, attempts, lambda: best)
         waiting: list[tuple[float, int, Program]] = []
         for _ in range(attempts):
-            while len(waiting) < (1 if best else AHEAD) and not any(promise == 0.0 for promise, *_ in waiting):
-                if (text := next(texts, None)) is None:
+            ahead = AHEAD if best is None and program is None and attempts > 1 else 1
+            while len(waiting) < ahead and (text := next(texts, None)) is not None:
+                asked = self._read(text)
+                waiting.append((self._amiss(asked) if ahead > 1 else 0.0, len(waiting), asked))
+                if waiting[-1][0] == 0.0:
                     break
-                waiting.append(self._looked_at(text, len(waiting)))
             if not waiting:
                 break
             waiting.sort(key=lambda entry: entry[:2])
@@ -199,15 +201,19 @@ class _Run:
             known.add(text)
             yield text
 
-    def _looked_at(self, text: str, number: int) -> tuple[float, int, Program]:
-        """Read a program, and say how much is wrong with its guess."""
+    def _read(self, text: str) -> Program:
+        """Read a program for the whole scene."""
         with self.clock.station("program"):
             self.say("program")
-            asked = read_program(text, self.scene)
+            return read_program(text, self.scene)
+
+    def _amiss(self, asked: Program) -> float:
+        """Return how much is wrong with a program's guess; nothing if it is right."""
+        with self.clock.station("program"):
             program = reconcile(asked, self.scene).program
             guess = compile_problem(self.scene, program, seed=self.seed).guess
         with self.clock.station("solve"):
-            return make_judge(self.scene, program)(guess).promise, number, asked
+            return make_judge(self.scene, program)(guess).promise
 
     def by_groups(self, planner: GroupPlanner, groups: tuple[Group, ...]) -> Result:
         """Plan with a model, group by group; the report says who planned."""

@@ -130,8 +130,8 @@ def _fitted(site: Site, name: str, pose: Pose, owner: str | None = None) -> Memb
     outlines = shapely.polygons([corners_of(Member(name, *pose), site.size(name)) for pose in poses.tolist()])
     cost = np.round(shapely.area(shapely.difference(outlines, room)), 4)
     if owner is not None:
-        above = shapely.Polygon(corners_of(site.spots[owner].member, site.size(owner)))
-        cost += shapely.area(outlines) * (shapely.area(shapely.intersection(outlines, above)) < LEAST_UNDER)
+        shared = shapely.area(shapely.intersection(outlines, site.foot(owner)))
+        cost += shapely.area(outlines) * (shared < LEAST_UNDER)
     best = int(np.argmin(cost))
     x, y, yaw = poses[best].tolist()
     return Member(name, x, y, yaw)

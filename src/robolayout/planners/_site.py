@@ -198,7 +198,7 @@ class Site:
         self.survey()
         short = [name for name, claim in self.claims.items() if not self.serves(claim)]
         chairs = [name for name in self.claims if self._is_chair(name)] if short else []
-        feet = np.array([self._foot(name) for name in chairs], dtype=object)
+        feet = np.array([self.foot(name) for name in chairs], dtype=object)
         return [name for name in short if not self._makes_way(name, chairs, feet)]
 
     def serves(self, claim: Claim) -> bool:
@@ -211,7 +211,7 @@ class Site:
             return False
         claim, carrier = self.claims[name], self.spots[name].anchor
         at = carrier if claim.shadow is None and carrier in self.spots else name
-        near = shapely.dwithin(feet, self._foot(at), AT_CHAIR)
+        near = shapely.dwithin(feet, self.foot(at), AT_CHAIR)
         moved = [self.claims[chair].shadow for chair, at_it in zip(chairs, near, strict=True) if at_it]
         away = [shadow for shadow in moved if shadow is not None]
         return all(
@@ -223,7 +223,7 @@ class Site:
         """Whether it stands on the floor and is moved aside in daily use."""
         return self.cast[name].category.movable and self.claims[name].shadow is not None
 
-    def _foot(self, name: str) -> shapely.Polygon:
+    def foot(self, name: str) -> shapely.Polygon:
         """Return the footprint of what has a place."""
         return shapely.Polygon(corners_of(self.spots[name].member, self.size(name)))
 
@@ -311,7 +311,7 @@ class Site:
 
     def _hung_below(self, height: float) -> list[shapely.Polygon]:
         """Return the footprints of what hangs on the walls and begins below a height in metres."""
-        return [self._foot(n) for n, s in self.spots.items() if s.mode == "hang" and s.member.bottom < height]
+        return [self.foot(n) for n, s in self.spots.items() if s.mode == "hang" and s.member.bottom < height]
 
     def _opens(self, members: Sequence[Member], bodies: NDArray[np.object_], pose: NDArray[np.float64]) -> bool:
         """Whether doors and drawers of floor members open, and those of what stands there already."""
@@ -364,7 +364,7 @@ class Site:
     def _record(self, name: str, spot: Spot) -> None:
         """Record exactly what one asset fills and what it covers of the walls."""
         if self._takes_floor(spot):
-            self.solids.append(shapely.Polygon(corners_of(spot.member, self.size(name))))
+            self.solids.append(self.foot(name))
             if not self.cast[name].category.movable:
                 self.fixed.append(self.solids[-1])
             strip = self.opening(spot.member)

@@ -288,9 +288,9 @@ class Solver:
         if last > 0 or self.lead is None:
             self.lead = best
         repair = Repair(self.problem, self.runner, self.config, self.builder)
-        fruitless = 0
+        fruitless, close = 0, self._fill() > CLOSE
         for round_number in range(self.config.repair_rounds):
-            urgent = self._fill() > CLOSE and best.verdict.hard + best.verdict.access >= URGENT
+            urgent = close and best.verdict.hard + best.verdict.access >= URGENT
             if best.verdict.ok or fruitless == self.config.patience * (STUBBORN if urgent else 1):
                 break
             before = self._standing(best)
