@@ -41,6 +41,9 @@ AHEAD = 2
 """Programs that are looked at before one is solved whose guess is not right: what the planner puts in order, the solver
 can only disarrange."""
 
+FORLORN = 0.25
+"""Share of the assets in wrong places or out of reach, after so many programs are solved, from which on no other is asked for."""
+
 ATTEMPT_STRIDE = 1000
 """Added to the planner's seed for each further attempt."""
 
@@ -163,7 +166,7 @@ class _Run:
         least = (math.inf, True)
         texts = iter([program]) if program is not None else self._texts(planner, attempts, lambda: best)
         waiting: list[tuple[float, int, Program]] = []
-        for _ in range(attempts):
+        for number in range(attempts):
             ahead = AHEAD if best is None and program is None and attempts > 1 else 1
             while len(waiting) < ahead and (text := next(texts, None)) is not None:
                 asked = self._read(text)
@@ -182,6 +185,9 @@ class _Run:
             verdict = found.solution.verdict
             served = report.ok and not verdict.access  # the judge asks for more free floor than the report demands
             if served or (verdict.ok and any(one.impossible for one in report.agents)):
+                break
+            lost = best.solution.verdict.hard + best.solution.verdict.access
+            if number + 1 >= AHEAD and lost > FORLORN * len(self.scene.assets):
                 break
         assert best is not None
         return best
