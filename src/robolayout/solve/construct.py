@@ -144,6 +144,14 @@ class Builder:
             site.walked.take(site.walked.cells(site.bodies[[slot]]))
         return best
 
+    def touched(self, slot: int, places: Floats, world: Floats) -> set[int]:
+        """Return the slots whose bounds overlap those of a slot at some places (m, 4), at heights at which they would collide."""
+        every = np.arange(len(world))
+        (low, high), bodies = self._spans.T, self._bodies(every, world)
+        level = self._solid & self._solid[slot] & (low < high[slot]) & (high > low[slot]) & (every != slot)
+        shared = _shared(self._bodies(slot, places), bodies).max(axis=0)
+        return set(np.flatnonzero(level & (shared > 0.0)).tolist())
+
     def pack(self, world: Floats) -> Floats:
         """Return a start (n, 4) that fills the room from one corner, each thing flush with its neighbours.
 

@@ -16,7 +16,7 @@ from robolayout.solve.config import SolverConfig
 from robolayout.solve.construct import Builder
 from robolayout.solve.ground import Ground, Obstacles, make_ground, obstacles_of
 from robolayout.solve.judge import Judge, Verdict
-from robolayout.solve.repair import Repair
+from robolayout.solve.repair import WAYS, Repair
 from robolayout.solve.restore import restored
 from robolayout.solve.routes import Plan, pack, plan_routes
 from robolayout.solve.runner import STILL, Run, Runner
@@ -41,7 +41,10 @@ BLIND = 0.25
 CLOSE, URGENT = 0.4, 0.5
 """Share of the floor, and assets in wrong places or out of reach, from which on repair goes on for longer without success."""
 
-STUBBORN = 3
+MENDINGS = 32
+"""Most layouts with one thing placed anew that are judged in a row."""
+
+STUBBORN = 2
 """How many times longer."""
 
 
@@ -103,6 +106,11 @@ class Solver:
         """Builds rooms anew."""
         return Builder(self.problem, self.rng)
 
+    @cached_property
+    def repairer(self) -> Repair:
+        """Makes better candidates."""
+        return Repair(self.problem, self.runner, self.config, self.builder)
+
     def _survey(self) -> None:
         """Lay the grids on which routes are planned."""
         self.grounds = [
@@ -155,16 +163,21 @@ class Solver:
             return best, self.runner.advance(stage, still.world, STILL, "guess") if self.config.trace else still
         starts = Starts(self.problem, stage.world, stage.moving, self.builder)
         quarter = max(self.config.starts // 4, 1)
-        run = self.runner.advance(stage, starts.near(quarter), self.config.polish, "polish")
-        best = self._best_of(run.ranked(), number, best)
-        if number == 0 and not best.verdict.ok and self.config.starts > 1:
-            routes = partial(self._open, stage) if self.config.route_rounds else None
-            built = starts.built(2 * quarter)
-            more = self.runner.advance(
-                stage, built, self.config.polish, "polish", routes=routes and partial(routes, built)
-            )
+        built = 2 * (number == 0 and self.config.starts > 1)
+        run: Run | None = None
+        if not built or not self._blind:
+            run = self.runner.advance(stage, starts.near(quarter), self.config.polish, "polish")
+            best = self._mended(self._best_of(run.ranked(), number, best), number)
+        for _ in range(built):
+            if best.verdict.ok:
+                break
+            worlds = starts.built(quarter)
+            routes = partial(self._open, stage, worlds) if self.config.route_rounds else None
+            more = self.runner.advance(stage, worlds, self.config.polish, "polish", routes=routes)
             best, run = self._with(more, number, best, run)
-        if not best.verdict.ok and self.config.starts > 1:
+            best = self._mended(best, number)
+        assert run is not None
+        if not best.verdict.ok and self.config.starts > 1 and not (built and self._blind):
             phase = self.config.tops if number else self.config.search
             far = starts.far(quarter * (3 if number else 1))
             more = self.runner.advance(stage, far, phase, "search", rng=self.rng)
@@ -172,9 +185,14 @@ class Solver:
             best, run = self._with(more, number, best, run)
         return best, run
 
-    def _with(self, more: Run, number: int, best: _Best, run: Run) -> tuple[_Best, Run]:
+    def _with(self, more: Run, number: int, best: _Best, run: Run | None) -> tuple[_Best, Run]:
         """Return the best layout with what another run found, and the best starts of both runs."""
-        return self._best_of(more.ranked(), number, best), run.joined(more).best(self.config.kept)
+        return self._best_of(more.ranked(), number, best), run.joined(more).best(self.config.kept) if run else more
+
+    @property
+    def _blind(self) -> bool:
+        """Whether the program had no idea where things go."""
+        return self.astray > BLIND * len(self.problem.names)
 
     def _open(self, stage: Stage, worlds: Floats, part: slice) -> Routes:
         """Return what keeps ways to everything open in some layouts."""
@@ -267,7 +285,7 @@ class Solver:
 
     def _restored(self, best: _Best) -> _Best:
         """Put back where the program had it what was moved without need, unless the program had no idea."""
-        if self.astray > BLIND * len(self.problem.names):
+        if self._blind:
             return best
 
         def no_worse(world: Floats) -> bool:
@@ -282,12 +300,26 @@ class Solver:
         restored(self.problem, best.world, no_worse)
         return best
 
+    def _mended(self, best: _Best, number: int) -> _Best:
+        """Place single things to blame anew while all else stays, in turn, as long as the judge likes that better."""
+        turn = 0
+        for _ in range(MENDINGS if self.config.repair_rounds else 0):
+            slots = [self.problem.slot[name] for name in best.verdict.culprits]
+            slots = [slot for slot in slots if slot in self.builder.moving]
+            if best.verdict.ok or not slots:
+                break
+            world = self.repairer.mended(best.world, slots[turn // WAYS % len(slots)], turn % WAYS)
+            found = self._judged(world, number, best)
+            turn += 1
+            if found.verdict.merit < best.verdict.merit:
+                best, turn = found, 0
+        return best
+
     def _repair(self, best: _Best) -> _Best:
         """Remove and reinsert what is to blame, while that helps."""
         last = max(stages(self.problem))
         if last > 0 or self.lead is None:
             self.lead = best
-        repair = Repair(self.problem, self.runner, self.config, self.builder)
         fruitless, close = 0, self._fill() > CLOSE
         for round_number in range(self.config.repair_rounds):
             urgent = close and best.verdict.hard + best.verdict.access >= URGENT
@@ -295,8 +327,11 @@ class Solver:
                 break
             before = self._standing(best)
             self.progress("repair")
+            best = self._mended(best, last)
+            if best.verdict.ok:
+                break
             lead = self.lead or best
-            made = repair.candidates(lead.world, lead.verdict, round_number, self._plan)
+            made = self.repairer.candidates(lead.world, lead.verdict, round_number, self._plan)
             best = self._best_of(made[: self.config.judged], last, best)
             fruitless = fruitless + 1 if self._standing(best) == before else 0
         return best

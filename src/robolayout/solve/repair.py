@@ -18,10 +18,16 @@ from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.construct import Builder
 from robolayout.solve.judge import Verdict
-from robolayout.solve.proposals import carry, compose
+from robolayout.solve.proposals import carry, compose, placing
 from robolayout.solve.routes import Plan, pack
 from robolayout.solve.runner import Runner
 from robolayout.solve.stage import make_stage
+
+WAYS = 3
+"""Ways to place one thing anew: where there is room; where it wants to be, others making way; once what nothing holds is out."""
+
+PLACES = 24
+"""Places of a thing about which others are taken out."""
 
 
 class Repair:
@@ -69,8 +75,11 @@ class Repair:
             rebuilt = max(rebuilt, self.config.candidates // 2)
             colliding = set(named[: int(verdict.hard)]) & set(slots)
             for k in range(1 + turned, rebuilt):
+                if k % 3 == 0:
+                    self._eject(batch[k], slots[min(int(self.rng.exponential(1.5)), len(slots) - 1)])
+                    continue
                 ruined = self._ruined(slots, stage.moving, round_number)
-                batch[k] = self.builder.build(world, ruined | colliding if k % 2 else ruined)
+                batch[k] = self.builder.build(world, ruined | colliding if k % 3 == 1 else ruined)
         for k in range(rebuilt, self.config.candidates):
             for _ in range(1 + (self.rng.random() < 0.15 * (1 + round_number))):
                 self._move(batch[k], slots, stage.moving)
@@ -95,6 +104,31 @@ class Repair:
         others = self.rng.choice(moving, min(count, len(moving)), replace=False).tolist()
         blamed = [slots[min(int(self.rng.exponential(1.5)), len(slots) - 1)] for _ in range(2)]
         return {*blamed, *others}
+
+    def mended(self, world: Floats, slot: int, way: int) -> Floats:
+        """Return a layout (n, 4) with one thing to blame placed anew, and what goes by it, in one of `WAYS`."""
+        if way == 1:
+            world = world.copy()
+            self._eject(world, slot)
+            return world
+        moved = {slot} | self.groups[slot]
+        if way == 2:
+            moved |= self._loose_about(slot, world)
+        return self.builder.build(world, moved & set(self.builder.moving))
+
+    def _eject(self, world: Floats, slot: int) -> None:
+        """Put a thing, in place, where its statements want it, and what stands there or goes by it somewhere else."""
+        carry(self.problem, world, slot, self.proposals.draw(slot, world, 1, self.rng)[0])
+        there = self.builder.touched(slot, world[[slot]], world)
+        moved = there | self.groups[slot].union(*(self.groups[other] for other in there))
+        world[:] = self.builder.build(world, (moved & set(self.builder.moving)) - {slot})
+
+    def _loose_about(self, slot: int, world: Floats) -> set[int]:
+        """Return what no statement holds and what stands where those of a slot would have it."""
+        rows = [term for term in self.proposals.frames.get(slot, []) if placing(term)]
+        places = [self.proposals.placed(slot, term, world, PLACES, self.rng) for term in rows]
+        there = self.builder.touched(slot, np.concatenate(places), world) if places else set[int]()
+        return {other for other in there if other not in self.proposals.frames and not self.groups[other]}
 
     def _with(self, slot: int, whole: bool) -> frozenset[int]:
         """Return what moves along with a slot: everything bound to it, or nothing."""
