@@ -14,7 +14,7 @@ from robolayout.solve import solver_names
 FILLS = (0.30, 0.45, 0.60)
 COUNTS = (10, 20, 40, 80, 120)
 SEEDS = range(10)
-BIG = 40
+BIG = 80
 """From this number of assets on only three seeds are run."""
 
 HUGE = 120

@@ -67,13 +67,13 @@ def test_every_program_gets_a_layout_that_its_own_judge_measured() -> None:
     assert solutions[1].verdict.merit > 0.0
 
 
-def test_four_programs_cost_less_than_twice_one() -> None:
+def test_four_programs_take_no_more_than_twice_the_steps_of_one() -> None:
     for config in (THOROUGH, SolverConfig()):
         with counted() as one:
             solve(ROOM, read(ROOM, GOOD)[0], config=config)
         with counted() as four:
             solve_many(ROOM, read(ROOM, *TEXTS), config=config)
-        assert four["steps"] < 2 * one["steps"]
+        assert four["steps"] <= 2 * one["steps"]  # one is done after a single batch of starts
         assert set(four) == {"steps", "search_many:advance_many"}
 
 

@@ -50,7 +50,10 @@ class SolverConfig:
     """The default search."""
 
     starts: int = 16
-    """Starts in all: a quarter near the guess; where none of these is perfect, half as many built, then a quarter far off."""
+    """Starts, at most: a quarter near the guess; where none of these is perfect twice a quarter built, then a quarter far off.
+
+    Where the guess is blind only those that are built: the others were measured to be worth nothing then.
+    """
 
     kept: int = 8
     """How many go on to routes, and from one round of repair to its polish."""

@@ -41,11 +41,14 @@ BLIND = 0.25
 CLOSE, URGENT = 0.4, 0.5
 """Share of the floor, and assets in wrong places or out of reach, from which on repair goes on for longer without success."""
 
-MENDINGS = 32
-"""Most layouts with one thing placed anew that are judged in a row."""
-
 STUBBORN = 2
 """How many times longer."""
+
+BUILT = 2
+"""Batches of starts that are built one thing after the other."""
+
+MENDINGS = 32
+"""Most layouts with one thing placed anew that are judged in a row; fewer in rounds of repair after fruitless ones."""
 
 
 @dataclass
@@ -162,27 +165,36 @@ class Solver:
             still = Run(stage.world[None], np.zeros(1), np.zeros(1))
             return best, self.runner.advance(stage, still.world, STILL, "guess") if self.config.trace else still
         starts = Starts(self.problem, stage.world, stage.moving, self.builder)
-        quarter = max(self.config.starts // 4, 1)
-        built = 2 * (number == 0 and self.config.starts > 1)
+        quarter, several = max(self.config.starts // 4, 1), self.config.starts > 1
+        blind = number == 0 and several and self._blind
         run: Run | None = None
-        if not built or not self._blind:
+        if not blind:
             run = self.runner.advance(stage, starts.near(quarter), self.config.polish, "polish")
-            best = self._mended(self._best_of(run.ranked(), number, best), number)
-        for _ in range(built):
-            if best.verdict.ok:
-                break
-            worlds = starts.built(quarter)
-            routes = partial(self._open, stage, worlds) if self.config.route_rounds else None
-            more = self.runner.advance(stage, worlds, self.config.polish, "polish", routes=routes)
-            best, run = self._with(more, number, best, run)
-            best = self._mended(best, number)
+            best = self._best_of(run.ranked(), number, best)
+        if number == 0:
+            best = best if blind else self._mended(best, number)
+            best, run = self._built(stage, starts, quarter if several else 0, best, run)
         assert run is not None
-        if not best.verdict.ok and self.config.starts > 1 and not (built and self._blind):
+        if several and not blind and not best.verdict.ok:
             phase = self.config.tops if number else self.config.search
             far = starts.far(quarter * (3 if number else 1))
             more = self.runner.advance(stage, far, phase, "search", rng=self.rng)
             more = self.runner.advance(stage, more.world, self.config.polish, "polish")
             best, run = self._with(more, number, best, run)
+        return best, run
+
+    def _built(
+        self, stage: Stage, starts: Starts, count: int, best: _Best, run: Run | None
+    ) -> tuple[_Best, Run | None]:
+        """Return the best after so many starts of each batch are built and polished, and single things mended."""
+        for _ in range(BUILT if count else 0):
+            if best.verdict.ok:
+                break
+            worlds = starts.built(count)
+            routes = partial(self._open, stage, worlds) if self.config.route_rounds else None
+            more = self.runner.advance(stage, worlds, self.config.polish, "polish", routes=routes)
+            best, run = self._with(more, 0, best, run)
+            best = self._mended(best, 0)
         return best, run
 
     def _with(self, more: Run, number: int, best: _Best, run: Run | None) -> tuple[_Best, Run]:
@@ -300,10 +312,10 @@ class Solver:
         restored(self.problem, best.world, no_worse)
         return best
 
-    def _mended(self, best: _Best, number: int) -> _Best:
+    def _mended(self, best: _Best, number: int, most: int = MENDINGS) -> _Best:
         """Place single things to blame anew while all else stays, in turn, as long as the judge likes that better."""
         turn = 0
-        for _ in range(MENDINGS if self.config.repair_rounds else 0):
+        for _ in range(most if self.config.repair_rounds else 0):
             slots = [self.problem.slot[name] for name in best.verdict.culprits]
             slots = [slot for slot in slots if slot in self.builder.moving]
             if best.verdict.ok or not slots:
@@ -327,7 +339,7 @@ class Solver:
                 break
             before = self._standing(best)
             self.progress("repair")
-            best = self._mended(best, last)
+            best = self._mended(best, last, MENDINGS // (1 + fruitless))
             if best.verdict.ok:
                 break
             lead = self.lead or best
