@@ -135,7 +135,9 @@ def opened(
     place = empty.intersection(shapely.union_all(grow(shapes, JOINT)))
     parts = components(place.difference(shapely.union_all(grow(near, 0.0))) if len(near) else place)
     pieces = shapely.get_parts(free)
-    waiting = np.concatenate([parts, pieces[~shapely.covers(main, pieces)]])
+    shapely.prepare(main)
+    beyond = ~shapely.intersects(main, shapely.point_on_surface(pieces))  # `main` consists of whole pieces
+    waiting = np.concatenate([parts, pieces[beyond]])
     found = np.array([main], dtype=object)
     last = found
     while len(last):

@@ -24,7 +24,7 @@ from robolayout.scene import Agent, Layout, Point, Scene
 from robolayout.scene.agent import TOUCH, horizontal_reach
 from robolayout.verify._approaches import approaches, needs_no_use
 from robolayout.verify._boxes import AREA_TOLERANCE, room_polygon, share, shared_area
-from robolayout.verify._sides import side_edge, strip
+from robolayout.verify._sides import side_edge, strips
 from robolayout.verify._stances import Stances
 from robolayout.verify.heading import HeadingSpace
 from robolayout.verify.navigation import Navigation, navigation
@@ -154,18 +154,29 @@ class _Judge:
 
     def opening_blockers(self, row: int, side: str) -> tuple[str, ...]:
         """Return what stands in the depth that an asset needs in front to be opened: names, or "the wall"."""
+        return self._in_front.get(row, ()) if side == "front" else ()
+
+    @cached_property
+    def _in_front(self) -> Mapping[int, tuple[str, ...]]:
+        """What keeps assets from being opened, by row."""
         found = self.found
-        if side != "front" or found.open_depth[row] <= 0:
-            return ()
-        zone = strip(side_edge(found.footprints[row], side), float(found.open_depth[row]))
-        names = ["the wall"] if zone.difference(self._room).area > AREA_TOLERANCE else []
-        shared = np.minimum(found.top, found.top[row]) - np.maximum(found.bottom, found.bottom[row]) > 0.01
-        rows = np.flatnonzero(
-            found.placed & ~found.flat & ~found.movable & shared & shapely.intersects(zone, found.footprints)
-        )
-        rows = rows[rows != row]
-        area = shared_area(found.footprints[rows], zone)
-        return (*names, *(found.names[other] for other in rows[area > AREA_TOLERANCE]))
+        rows = np.unique([row for row, side in self._each if side == "front" and found.open_depth[row] > 0]).astype(int)
+        corners = shapely.get_coordinates(found.footprints[rows]).reshape(-1, 5, 2)
+        zones = strips(corners[:, :2], found.open_depth[rows])
+        shapely.prepare((self._room, *zones))
+        blockers = {row: list[str]() for row in rows.tolist()}
+        for k in np.flatnonzero(~shapely.covers(self._room, zones)).tolist():
+            if zones[k].difference(self._room).area > AREA_TOLERANCE:
+                blockers[int(rows[k])].append("the wall")
+        others = np.flatnonzero(found.placed & ~found.flat & ~found.movable)
+        top, bottom = found.top[rows, None], found.bottom[rows, None]
+        near = np.minimum(found.top[others], top) - np.maximum(found.bottom[others], bottom) > 0.01
+        near &= shapely.intersects(zones[:, None], found.footprints[others]) & (others != rows[:, None])
+        at, what = np.nonzero(near)
+        inside = shared_area(found.footprints[others[what]], zones[at]) > AREA_TOLERANCE
+        for k, other in zip(at[inside].tolist(), others[what[inside]].tolist(), strict=True):
+            blockers[int(rows[k])].append(found.names[other])
+        return {row: tuple(names) for row, names in blockers.items()}
 
     def explain(self, row: int) -> Use:
         name = self.found.names[row]
