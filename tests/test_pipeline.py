@@ -107,6 +107,23 @@ def test_another_program_is_asked_for_where_a_thing_stands_too_high_for_the_body
     assert result.layout["clock-0"].z < 1.0
 
 
+def test_no_third_program_is_asked_for_where_two_are_hopeless() -> None:
+    size = {"boundingBox": {"x": 0.9, "y": 1.4, "z": 2.0}}
+    many = {f"wardrobe-{i}": {"category": "wardrobe", "onFloor": True, "assetMetadata": size} for i in range(8)}
+    asked: list[int] = []
+
+    class Ever(OfflinePlanner):
+        """Writes ever another program."""
+
+        def plan(self, request: PlanRequest) -> str:
+            asked.append(request.seed)
+            return f"solver.against_wall(wardrobe[{len(asked)}], walls[0])"
+
+    result = rl.generate(TINY | {"assets": many}, planner=Ever(), attempts=4)
+    assert len(asked) == 2
+    assert not result.report.ok and set(result.layout) == set(many)
+
+
 def test_a_scene_for_nobody_is_refused() -> None:
     with pytest.raises(rl.RoboLayoutError, match="agents is empty; name at least one body"):
         replace(rl.scene_from_dict(TINY), agents=())

@@ -87,7 +87,10 @@ def find_exporter(target: str | Path) -> Exporter:
     Raises:
         UnknownNameError: Neither is known; the message lists all.
     """
-    known, text = exporters(), str(target)
+    text = str(target)
+    if text in EXPORTERS:  # without a look at what else is installed, which takes time
+        return EXPORTERS[text]
+    known = exporters()
     if text in known:
         return known[text]
     fitting = [exporter for exporter in known.values() if f".{Path(text).name}".lower().endswith(exporter.suffix)]

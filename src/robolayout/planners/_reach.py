@@ -84,8 +84,10 @@ class Standing:
         wanted = np.zeros(body.shape, np.bool_)
         wanted[x, y] = True
         for way, free in zip(self.ways, _free(floor, taken, self.agent), strict=True):
-            labels = components(free)[0]
-            if np.intersect1d(labels[way[window] & free], labels[wanted[window] & free]).size:
+            labels, sizes = components(free)
+            here = np.zeros(len(sizes) + 1, np.bool_)
+            here[labels[way[window] & free]] = True
+            if here[labels[wanted[window] & free]].any():
                 return True
         return False
 

@@ -138,7 +138,7 @@ def part_rectangles(asset: Asset, low: float, high: float) -> Rectangles | None:
 
 def _outermost(rectangles: Rectangles) -> Rectangles:
     """Return the rectangles that lie in no other one."""
-    rectangles = np.unique(rectangles, axis=0)
+    rectangles = np.array(sorted(set(map(tuple, rectangles.tolist())))).reshape(-1, 4)
     inside = (rectangles[:, None, :2] >= rectangles[None, :, :2]) & (rectangles[:, None, 2:] <= rectangles[None, :, 2:])
     return rectangles[inside.all(axis=2).sum(axis=1) == 1]
 
@@ -160,7 +160,7 @@ def _pieces_between(
     _, label = connected_components(coo_array((np.ones(len(edges)), edges.T), shape=(size, size)), directed=False)
     piece = label[welded.reshape(-1)[cut[:, 0]]]
     found: list[tuple[float, ...]] = []
-    for number in np.unique(piece):
+    for number in sorted(set(piece.tolist())):
         points = _between(vertices[cut[piece == number]], low, high)
         found.append((*points.min(axis=0), *points.max(axis=0)))
     return found

@@ -82,7 +82,7 @@ class Navigation:
     @cached_property
     def obstacles(self) -> tuple[str, ...]:
         """Names of the assets that stand in this body's way."""
-        return tuple(self.boxes.names[row] for row in np.unique(self.blocking.rows))
+        return tuple(self.boxes.names[row] for row in sorted(set(self.blocking.rows.tolist())))
 
     @cached_property
     def dividing(self) -> tuple[str, ...]:

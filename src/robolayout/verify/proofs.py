@@ -183,7 +183,7 @@ class _Trials:
 
     def __init__(self, nav: Navigation) -> None:
         self._nav, self._found = nav, nav.boxes
-        self._rows = [int(row) for row in np.unique(nav.blocking.rows)]
+        self._rows = [int(row) for row in sorted(set(nav.blocking.rows.tolist()))]
         self._below = [_chain(nav.boxes, row) for row in range(len(nav.boxes.names))]
         self._tried: dict[tuple[int, ...], NDArray[np.bool_]] = {}
 

@@ -127,7 +127,7 @@ class _Judge:
                 stand(region, zones)
         for number, region in self.stances.everywhere if self._touches and len(waiting()) else ():
             stand(region, self._touching(number))
-        for row in np.unique(rows[waiting()]).tolist():
+        for row in sorted(set(rows[waiting()].tolist())):
             of_row = np.flatnonzero(able & (rows == row))
             for _, region in self.stances.opened(row)[1]:
                 usable[row] |= bool(shapely.intersects(region, zones[of_row]).any())
@@ -160,7 +160,8 @@ class _Judge:
     def _in_front(self) -> Mapping[int, tuple[str, ...]]:
         """What keeps assets from being opened, by row."""
         found = self.found
-        rows = np.unique([row for row, side in self._each if side == "front" and found.open_depth[row] > 0]).astype(int)
+        opening = {row for row, side in self._each if side == "front" and found.open_depth[row] > 0}
+        rows = np.array(sorted(opening), dtype=np.intp)
         corners = shapely.get_coordinates(found.footprints[rows]).reshape(-1, 5, 2)
         zones = strips(corners[:, :2], found.open_depth[rows])
         shapely.prepare((self._room, *zones))

@@ -119,5 +119,5 @@ def _reach(masks: list[NDArray[np.bool_]], numbered: NDArray[np.int32], counts: 
         return 0.0
     touched = np.zeros(len(counts) + 1)
     for mask in masks:
-        touched[np.unique(numbered[window_count(mask, 3) > 0])] += 1
+        touched += np.bincount(numbered[window_count(mask, 3) > 0], minlength=len(touched)) > 0
     return float((touched[1:] / len(masks) * counts / counts.sum()).sum())

@@ -60,7 +60,7 @@ def supported(scene: Scene, found: Boxes, row: int) -> bool:
 
 def _balanced(contacts: NDArray[np.float64], center: NDArray[np.float64]) -> bool:
     """Tell whether there are contacts enough and the centre lies within their hull."""
-    if len(contacts) < RESTING or len(np.unique(contacts, axis=0)) < 3:
+    if len(contacts) < RESTING or len(set(map(tuple, contacts.tolist()))) < 3:
         return False
     hull = MultiPoint(contacts).convex_hull
     return bool(hull.area > 0 and hull.intersects(Point(center)))
