@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import pickle
 import re
 
 import pytest
@@ -64,3 +65,21 @@ def test_a_missing_extra_says_how_to_get_it() -> None:
     error = MissingExtraError("the VLM planner", "vlm")
     assert str(error) == "the VLM planner needs the extra 'vlm': pip install 'robolayout[vlm]'."
     assert error.extra == "vlm"
+
+
+@pytest.mark.parametrize(
+    "error",
+    [
+        InputError("no"),
+        ProgramError("no such name", line=3, source="solver.x()", column=7),
+        ProgramLimitError("too long"),
+        UnknownNameError("agent", "robbot", ["robot", "cat"]),
+        MissingExtraError("USD", "usd"),
+        ModelError("refused"),
+    ],
+    ids=lambda error: type(error).__name__,
+)
+def test_an_error_comes_back_whole_from_another_process(error: RoboLayoutError) -> None:
+    again = pickle.loads(pickle.dumps(error))
+    assert type(again) is type(error)
+    assert (str(again), vars(again)) == (str(error), vars(error))

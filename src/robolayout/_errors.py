@@ -18,10 +18,21 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable
+from typing import Any
 
 
 class RoboLayoutError(Exception):
     """Base of every error that RoboLayout raises on purpose."""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Return how to make it again in another process; its own arguments are not those of `Exception`."""
+        return _again, (type(self), self.args, vars(self))
+
+
+def _again(kind: type[RoboLayoutError], args: tuple[Any, ...], attributes: dict[str, Any]) -> RoboLayoutError:
+    error = kind.__new__(kind, *args)
+    vars(error).update(attributes)
+    return error
 
 
 class InputError(RoboLayoutError):
