@@ -241,10 +241,8 @@ def crowded(rows: Rows, images: Path) -> str:
     groups: dict[str, list[Row]] = {}
     for key, row in rows.items():
         groups.setdefault(key.rpartition("/")[0], []).append(row)
-    heads = ["program / solver / room", "rooms", "hard demands met", "all demands met", *HEADS, "seconds"]
-    lines = [
-        [name.replace("/", ", "), *summary(found), f"{mean(found, 'wall'):.1f}"] for name, found in _sorted(groups)
-    ]
+    heads = ["program / solver / room", "rooms", "hard demands met", "all demands met", *HEADS, "CPU s"]
+    lines = [[name.replace("/", ", "), *summary(found), f"{mean(found, 'cpu'):.1f}"] for name, found in _sorted(groups)]
     intro = (
         "Rooms made by rule (`benchmarks/rooms.py`), default disc of 0.30 m. *program*: a program with blind guesses, "
         "walls asked without thinking; *planned*: the offline planner writes it. "

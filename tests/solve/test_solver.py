@@ -290,9 +290,19 @@ def test_the_order_of_layouts() -> None:
     assert merits == sorted(merits) and len(set(merits)) == 5
 
 
+def test_a_room_that_is_right_as_it_is_built_keeps_one_record() -> None:
+    solution = solve(room_of(BED), "", config=replace(QUICK, trace=True))
+    assert solution.verdict.ok and len(solution.trace.losses) == 1
+    assert {shot.stage for shot in solution.trace.snapshots} == {"built"}
+
+
 def test_the_trace_is_kept_when_asked_for() -> None:
-    solution = solve(room_of(BED), "", config=replace(QUICK, trace=True, repair_rounds=0, route_rounds=0))
-    steps = QUICK.polish.steps  # a bed alone is right after the first polish
+    text = (
+        "bed[0].position = [0.95, 1.2, 0.25]\ntable[0].position = [3, 2, 0.375]\n"
+        "night_stand[0].position = [0.5, 3.7, 0.25]\nnight_stand[1].position = [3.7, 3.7, 0.25]"
+    )
+    solution = solve(room_of(BED, TABLE, *STANDS), text, config=replace(QUICK, trace=True))
+    steps = QUICK.polish.steps  # a bed that is 5 cm in the wall is right after the first polish
     assert len(solution.trace.losses) == steps
     assert {"overlap", "boundary", "statements", "total"} <= set(solution.trace.losses[0])
     assert all(math.isfinite(v) for row in solution.trace.losses for v in row.values())

@@ -47,6 +47,9 @@ STUBBORN = 2
 BUILT = 2
 """Batches of starts that are built one thing after the other."""
 
+NEARLY = 3.0
+"""Promise of a built start up to which single things in it are placed anew before it is polished."""
+
 MENDINGS = 32
 """Most layouts with one thing placed anew that are judged in a row; fewer in rounds of repair after fruitless ones."""
 
@@ -162,8 +165,7 @@ class Solver:
         best = self._judged(stage.world, number)
         self.astray = max(self.astray, best.verdict.hard + best.verdict.access)
         if best.verdict.ok:
-            still = Run(stage.world[None], np.zeros(1), np.zeros(1))
-            return best, self.runner.advance(stage, still.world, STILL, "guess") if self.config.trace else still
+            return best, self._still(stage, best, "guess")
         starts = Starts(self.problem, stage.world, stage.moving, self.builder)
         quarter, several = max(self.config.starts // 4, 1), self.config.starts > 1
         blind = number == 0 and several and self._blind
@@ -191,11 +193,20 @@ class Solver:
             if best.verdict.ok:
                 break
             worlds = starts.built(count)
+            best = self._best_of(worlds, 0, best)
+            best = self._mended(best, 0) if best.verdict.promise <= NEARLY else best
+            if best.verdict.ok:
+                return best, self._still(stage, best, "built")
             routes = partial(self._open, stage, worlds) if self.config.route_rounds else None
             more = self.runner.advance(stage, worlds, self.config.polish, "polish", routes=routes)
             best, run = self._with(more, 0, best, run)
             best = self._mended(best, 0)
         return best, run
+
+    def _still(self, stage: Stage, best: _Best, label: str) -> Run:
+        """Return a layout as a run in which nothing moves; it is only run where a record is asked for."""
+        still = Run(best.world[None], np.zeros(1), np.zeros(1))
+        return self.runner.advance(stage, still.world, STILL, label) if self.config.trace else still
 
     def _with(self, more: Run, number: int, best: _Best, run: Run | None) -> tuple[_Best, Run]:
         """Return the best layout with what another run found, and the best starts of both runs."""
