@@ -203,7 +203,7 @@ class GroupedRun:
             traces.append(best.solution.trace)
         assert best is not None
         if not best.solution.verdict.ok and (len(parts) > 1 or self.planner.samples > 1):
-            best = self._once_more(best, traces)
+            best = self._once_more(best, traces, alone=len(parts) == 1)
         if len(parts) > 1 or self.planner.mode == "no_constraint":
             best = self._joint(best, parts, traces)
         done = tuple(replace(group, rationale=self._rationale(group)) for group in groups)
@@ -218,14 +218,20 @@ class GroupedRun:
         whole = joined(parts)
         return Attempt(whole, reconcile(whole, self.scene), replace(last.solution, trace=joined_traces(traces)))
 
-    def _once_more(self, last: Attempt, traces: list[Trace]) -> Attempt:
-        """Return the same program solved from where its things are, alone and with all free to move, if that is better."""
-        guesses = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in last.solution.layout.items()}
-        (again,) = self.finish([replace(last.asked, guesses=guesses)], self.scene, {})
-        if again.solution.verdict.merit >= last.solution.verdict.merit:
-            return last
-        traces.append(again.solution.trace)
-        return replace(last, solution=replace(again.solution, trace=joined_traces(traces)))
+    def _once_more(self, last: Attempt, traces: list[Trace], *, alone: bool) -> Attempt:
+        """Return the same program solved once more by itself, if that is better.
+
+        From where its things are, with all free to move; one that is `alone`, first as it would be without other samples.
+        """
+        there = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in last.solution.layout.items()}
+        for asked in (
+            (last.asked, replace(last.asked, guesses=there)) if alone else (replace(last.asked, guesses=there),)
+        ):
+            (again,) = self.finish([asked], self.scene, {})
+            if again.solution.verdict.merit < last.solution.verdict.merit:
+                traces.append(again.solution.trace)
+                return replace(last, solution=replace(again.solution, trace=joined_traces(traces)))
+        return last
 
     def _group(self, question: _Question) -> Attempt:
         """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable."""
