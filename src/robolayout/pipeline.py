@@ -137,7 +137,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         if isinstance(planner, OfflinePlanner):
             scene = planner.recognised(scene)
     if solver == "default":
-        warm_up(scene, config)
+        warm_up(scene, config, missing_only=program is None and attempts > 1)  # a right guess needs no search
     run = _Run(scene, seed, solver, config, clock, say)
     with clock.station("plan"):
         say("plan")
@@ -173,6 +173,7 @@ class _Run:
                 waiting.append((self._amiss(asked) if ahead > 1 else 0.0, len(waiting), asked))
                 if waiting[-1][0] == 0.0:
                     break
+                self.prepare(self.scene, 1)
             if not waiting:
                 break
             waiting.sort(key=lambda entry: entry[:2])

@@ -217,3 +217,12 @@ def test_an_unknown_runtime_leaves_the_work_to_jax(probe, folder):
     assert done.stdout.strip() == "[[0.0, 2.0, 4.0], [6.0, 8.0, 10.0]] True"
     assert list(folder.glob("*.xla")) == []
     assert any((folder / "jax").iterdir())
+
+
+@pytest.mark.parametrize("kept", [True, False])
+def test_what_is_kept_is_not_loaded_before_it_is_needed(monkeypatch: pytest.MonkeyPatch, kept: bool) -> None:
+    monkeypatch.setattr(programs, "_make", lambda *_, **__: lambda values: values)
+    monkeypatch.setattr(programs, "has_entry", lambda _: kept)
+    mine = programs.Programs()
+    mine.compile_missing("search:advance", (np.zeros(3),), {}).result()
+    assert bool(mine.keys()) != kept

@@ -145,6 +145,12 @@ def _unpacked(data: bytes) -> tuple[dict[str, Any], bytes] | None:
     return json.loads(head), code
 
 
+def has_entry(key: str) -> bool:
+    """Return whether there is an entry, without a look at it."""
+    folder = cache_folder()
+    return folder is not None and (folder / f"{key}.xla").is_file()
+
+
 def write_entry(key: str, about: dict[str, Any], code: bytes) -> None:
     """Keep a program for later processes; a folder that cannot be written to costs a warning, nothing more."""
     folder = cache_folder()

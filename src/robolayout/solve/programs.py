@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from robolayout.solve.cache import cache_folder, entry_key, read_entry, write_entry
+from robolayout.solve.cache import cache_folder, entry_key, has_entry, read_entry, write_entry
 
 Leaf = NDArray[Any]
 Run = Callable[[Sequence[Leaf]], list[Leaf]]
@@ -52,9 +52,19 @@ def call(target: str, *arguments: Any, **constants: Hashable) -> list[Leaf]:
     return programs().future(target, arguments, constants).result()(leaves(arguments))
 
 
-def prepare(target: str, *arguments: Any, **constants: Hashable) -> None:
-    """Load or compile in the background what `call` with arguments of these shapes will need."""
-    programs().future(target, arguments, constants)
+def prepare(target: str, *arguments: Any, missing_only: bool = False, **constants: Hashable) -> None:
+    """Load or compile in the background what `call` with arguments of these shapes will need.
+
+    Args:
+        target: As in `call`.
+        arguments: As in `call`.
+        missing_only: Whether to leave alone what is in the cache: loading it takes time from those who may not need it.
+        constants: As in `call`.
+    """
+    if missing_only:
+        programs().compile_missing(target, arguments, constants)
+    else:
+        programs().future(target, arguments, constants)
 
 
 class Programs:
@@ -67,12 +77,22 @@ class Programs:
 
     def future(self, target: str, arguments: tuple[Any, ...], constants: Mapping[str, Hashable]) -> Future[Run]:
         """Return the program for arguments of these shapes, to be waited for."""
-        shapes = tuple((leaf.shape, leaf.dtype.str) for leaf in leaves(arguments))
-        key = (target, shapes, tuple(sorted(constants.items())))
+        key = _key(target, arguments, constants)
         with self._lock:
             if key not in self._futures:
                 self._futures[key] = self._workers.submit(_make, target, arguments, constants, entry_parts=key)
             return self._futures[key]
+
+    def compile_missing(
+        self, target: str, arguments: tuple[Any, ...], constants: Mapping[str, Hashable]
+    ) -> Future[None]:
+        """Compile in the background what is not in the cache; return when it was looked for there."""
+
+        def look() -> None:
+            if not _native_runtime() or not has_entry(entry_key(*_key(target, arguments, constants), OPTIONS)):
+                self.future(target, arguments, constants)
+
+        return self._workers.submit(look)
 
     def keys(self) -> tuple[Hashable, ...]:
         """Return what was asked for so far: function, shapes and constants of each program."""
@@ -84,6 +104,12 @@ class Programs:
 def programs() -> Programs:
     """Return the programs of this process."""
     return Programs()
+
+
+def _key(target: str, arguments: tuple[Any, ...], constants: Mapping[str, Hashable]) -> tuple[Hashable, ...]:
+    """Return what tells a program from others: function, shapes and constants."""
+    shapes = tuple((leaf.shape, leaf.dtype.str) for leaf in leaves(arguments))
+    return target, shapes, tuple(sorted(constants.items()))
 
 
 def leaves(value: Any) -> list[Leaf]:

@@ -214,11 +214,18 @@ def _arguments(stage: Stage, piece: Piece, phase: SearchConfig, shakes: Singles)
     return local, stage.arrays, routes, schedule_of(phase), shakes
 
 
-def warm_up(scene: Scene, config: SolverConfig | None = None) -> None:
-    """Start to load or compile, in the background, the program that solving this scene will need."""
+def warm_up(scene: Scene, config: SolverConfig | None = None, *, missing_only: bool = False) -> None:
+    """Start to load or compile, in the background, the program that solving this scene will need.
+
+    Args:
+        scene: The scene.
+        config: Constants of the search.
+        missing_only: Whether only to compile what is not in the cache.
+    """
     if scene.assets:
         problem = compile_problem(scene)
         stage = make_stage(problem, 0, problem.start)
         weights = (config or SolverConfig()).weights
         piece = (problem.start[None], lambda: no_routes(1, 8 * stage.slots))
-        programs.prepare(PROGRAM, *_arguments(stage, piece, STILL, noise(stage, BATCH, None)), weights=weights)
+        arguments = _arguments(stage, piece, STILL, noise(stage, BATCH, None))
+        programs.prepare(PROGRAM, *arguments, missing_only=missing_only, weights=weights)
