@@ -223,10 +223,9 @@ class GroupedRun:
 
         From where its things are, with all free to move; one that is `alone`, first as it would be without other samples.
         """
-        there = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in last.solution.layout.items()}
-        for asked in (
-            (last.asked, replace(last.asked, guesses=there)) if alone else (replace(last.asked, guesses=there),)
-        ):
+        guesses = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in last.solution.layout.items()}
+        there = replace(last.asked, guesses=guesses)
+        for asked in (last.asked, there) if alone else (there,):
             (again,) = self.finish([asked], self.scene, {})
             if again.solution.verdict.merit < last.solution.verdict.merit:
                 traces.append(again.solution.trace)

@@ -173,7 +173,8 @@ class _Run:
                 waiting.append((self._amiss(asked) if ahead > 1 else 0.0, len(waiting), asked))
                 if waiting[-1][0] == 0.0:
                     break
-                self.prepare(self.scene, 1)
+                if len(waiting) == 1:
+                    self.prepare(self.scene, 1)
             if not waiting:
                 break
             waiting.sort(key=lambda entry: entry[:2])

@@ -146,11 +146,8 @@ class Builder:
 
     def touched(self, slot: int, places: Floats, world: Floats) -> set[int]:
         """Return the slots whose bounds overlap those of a slot at some places (m, 4), at heights at which they would collide."""
-        every = np.arange(len(world))
-        (low, high), bodies = self._spans.T, self._bodies(every, world)
-        level = self._solid & self._solid[slot] & (low < high[slot]) & (high > low[slot]) & (every != slot)
-        shared = _shared(self._bodies(slot, places), bodies).max(axis=0)
-        return set(np.flatnonzero(level & (shared > 0.0)).tolist())
+        shared = _shared(self._bodies(slot, places), self._bodies(np.arange(len(world)), world)).max(axis=0)
+        return set(np.flatnonzero(self._level(slot) & (shared > 0.0)).tolist()) - {slot}
 
     def pack(self, world: Floats) -> Floats:
         """Return a start (n, 4) that fills the room from one corner, each thing flush with its neighbours.
@@ -286,8 +283,12 @@ class Builder:
 
     def _beside(self, slot: int, site: _Site) -> NDArray[np.bool_]:
         """Return with which of the settled slots (n,) a slot could collide."""
+        return site.settled & self._level(slot)
+
+    def _level(self, slot: int) -> NDArray[np.bool_]:
+        """Return which slots (n,), itself among them, are solid at heights at which a slot would collide with them."""
         low, high = self._spans.T
-        return site.settled & self._solid & self._solid[slot] & (low < high[slot]) & (high > low[slot])
+        return self._solid & self._solid[slot] & (low < high[slot]) & (high > low[slot])
 
     def _bodies(self, slots: ArrayLike, poses: Floats) -> Rects:
         """Return the bounds of slots (m,), or of one slot, at their poses (m, 4)."""

@@ -28,7 +28,6 @@ from robolayout.solve.starts import Starts
 ROUTE_PATIENCE = 2
 """Rounds of routes without success after which repair has its turn."""
 
-
 FULL = 0.5
 """Share of the floor above which packing comes before repair; below it, a few collisions are cheaper to repair."""
 

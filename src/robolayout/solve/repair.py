@@ -76,7 +76,7 @@ class Repair:
             colliding = set(named[: int(verdict.hard)]) & set(slots)
             for k in range(1 + turned, rebuilt):
                 if k % 3 == 0:
-                    self._eject(batch[k], slots[min(int(self.rng.exponential(1.5)), len(slots) - 1)])
+                    self._eject(batch[k], self._pressing(slots))
                     continue
                 ruined = self._ruined(slots, stage.moving, round_number)
                 batch[k] = self.builder.build(world, ruined | colliding if k % 3 == 1 else ruined)
@@ -102,7 +102,7 @@ class Repair:
         """Return what to take out and place anew: one or two to blame and a few others, more of them in later rounds."""
         count = int(self.rng.integers(1, 3 + round_number))
         others = self.rng.choice(moving, min(count, len(moving)), replace=False).tolist()
-        blamed = [slots[min(int(self.rng.exponential(1.5)), len(slots) - 1)] for _ in range(2)]
+        blamed = [self._pressing(slots) for _ in range(2)]
         return {*blamed, *others}
 
     def mended(self, world: Floats, slot: int, way: int) -> Floats:
@@ -130,6 +130,10 @@ class Repair:
         there = self.builder.touched(slot, np.concatenate(places), world) if places else set[int]()
         return {other for other in there if other not in self.proposals.frames and not self.groups[other]}
 
+    def _pressing(self, slots: list[int]) -> int:
+        """Draw one of the slots to blame, those named first far more often."""
+        return slots[min(int(self.rng.exponential(1.5)), len(slots) - 1)]
+
     def _with(self, slot: int, whole: bool) -> frozenset[int]:
         """Return what moves along with a slot: everything bound to it, or nothing."""
         return frozenset(self.groups[slot]) if whole else frozenset()
@@ -148,7 +152,7 @@ class Repair:
 
     def _move(self, world: Floats, slots: list[int], moving: tuple[int, ...]) -> None:
         """Apply one random move in place."""
-        slot = slots[min(int(self.rng.exponential(1.5)), len(slots) - 1)]
+        slot = self._pressing(slots)
         chance = self.rng.random()
         before = world[slot].copy()
         if chance < 0.55:

@@ -160,10 +160,10 @@ class _Judge:
     def _in_front(self) -> Mapping[int, tuple[str, ...]]:
         """What keeps assets from being opened, by row."""
         found = self.found
-        opening = {row for row, side in self._each if side == "front" and found.open_depth[row] > 0}
-        rows = np.array(sorted(opening), dtype=np.intp)
-        corners = shapely.get_coordinates(found.footprints[rows]).reshape(-1, 5, 2)
-        zones = strips(corners[:, :2], found.open_depth[rows])
+        fronts = np.array([side == "front" for side in self.ways.sides], dtype=bool)
+        ways = np.flatnonzero(fronts & (found.open_depth[self.ways.rows] > 0))
+        rows = self.ways.rows[ways]
+        zones = strips(self.ways.edges[ways], found.open_depth[rows])
         shapely.prepare((self._room, *zones))
         blockers = {row: list[str]() for row in rows.tolist()}
         for k in np.flatnonzero(~shapely.covers(self._room, zones)).tolist():
