@@ -380,7 +380,8 @@ def _access(scene: Scene, layout: Layout, agent: Agent) -> tuple[float, list[str
     ]
     unreached = sum(not nav.reached[name] for name in fixable)
     cut_off = max(0.0, WALKABLE - nav.walkable_ratio) if nav.free.area > 0 else 0.0
-    blamed = [*fixable, *nav.dividing] if cut_off else fixable
+    blamed = [*fixable, *(other for name in fixable for other in found.usage.shutting(name))]
+    blamed += nav.dividing if cut_off else ()
     return unreached + 0.5 * (len(fixable) - unreached) + cut_off, blamed
 
 

@@ -45,7 +45,9 @@ STATEMENTS = [
 def every_kind(problem: Problem, world: np.ndarray, moving: tuple[int, ...], count: int) -> np.ndarray:
     """Return starts: a quarter near the guess, half built, a quarter far from it."""
     starts = Starts(problem, world, moving, Builder(problem, np.random.default_rng(0)))
-    return np.concatenate([starts.near(count // 4), starts.built(count // 2), starts.far(count // 4)])
+    return np.concatenate(
+        [starts.near(count // 4), [starts.built() for _ in range(count // 2)], starts.far(count // 4)]
+    )
 
 
 @ROOMS

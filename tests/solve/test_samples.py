@@ -31,7 +31,7 @@ solver.on_top_of(lamp[0], night_stand[0])
 OTHER = GOOD.replace("walls[2]", "walls[3]") + "solver.corner(table[0])\n"
 CONTRARY = (
     GOOD
-    + "solver.distance_constraint(night_stand[1], bed[0], 3.0)\nsolver.distance_constraint(table[0], bed[0], 3.0)\n"
+    + "solver.distance_constraint(night_stand[1], bed[0], 6.0)\nsolver.distance_constraint(table[0], bed[0], 6.0)\n"
 )
 TEXTS = (GOOD, CONTRARY, OTHER, "solver.corner(table[0])\nsolver.on_top_of(lamp[0], table[0])\n")
 THOROUGH = replace(QUICK, starts=16)

@@ -110,6 +110,7 @@ def test_doors_need_room_to_open():
         assert judged.usable["wardrobe-0"] is usable
         if not usable:
             assert judged.uses["wardrobe-0"].reason == "its front has no room to open: table-0 in the way"
+        assert judged.shutting("wardrobe-0") == (() if usable else ("table-0",))
     chair, rug = thing("chair-0", (0.5, 0.45, 0.9), "chair"), thing("rug-0", (1.5, 1.5, 0.02), "rug")
     for item in (chair, rug):
         scene, layout = furnished(square(6.0), wardrobe, (item, on_floor(item, 1.0, 2.9)))
@@ -119,6 +120,7 @@ def test_doors_need_room_to_open():
 def test_a_wall_in_front_leaves_no_room_to_open():
     scene, layout = furnished(square(), (WARDROBE, on_floor(WARDROBE, 3.3, 2.5)))
     assert usage(scene, layout).uses["wardrobe-0"].reason == "its front has no room to open: the wall in the way"
+    assert usage(scene, layout).shutting("wardrobe-0") == (), "nobody moves a wall"
 
 
 def test_a_chair_is_taken_from_any_side():

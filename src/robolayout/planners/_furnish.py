@@ -21,6 +21,10 @@ PATIENCE = 2
 HOPE = 4
 """The same while something is out of the way or does not open."""
 
+ENOUGH, FORLORN = 2, 0.5
+"""Attempts after which the search ends if more than this share of the things is out of reach in all of them: such a room is
+built anew by the solver."""
+
 WORTH = 1.0
 """Cost by which a room is clearly better."""
 
@@ -30,12 +34,12 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
 
     The floor is furnished in every attempt, walls and ceiling only in the best one. It is good enough after `PATIENCE`
     attempts without one that is better by `WORTH`, or `HOPE` where it does not serve. Where something is out of the way,
-    single things are moved once more; a room that serves then is good enough at once.
+    single things are moved once more; a room that serves then is good enough at once. A hopeless room gets `ENOUGH` attempts.
     """
     empty = Site.of(scene, cast)
     builder = ClusterBuilder(scene, cast)
     best: tuple[float, Attempt] | None = None
-    leap = (math.inf, 0)
+    leap, fewest = (math.inf, 0), len(scene.assets)
     for number in range(attempts(len(scene.assets))):
         site = empty.copy()
         _keep(site, builder, placed)
@@ -43,6 +47,9 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
         cost = attempt.furnish_floor()
         if best is None or cost < best[0]:
             best = (cost, attempt)
+        fewest = min(fewest, len(attempt.site.unreached()))
+        if number + 1 >= ENOUGH and fewest > FORLORN * len(scene.assets):
+            break
         if number >= PATIENCE and not best[1].serves and (number == PATIENCE or best[1] is attempt):
             best = (best[1].rearrange(), best[1])
             if best[1].serves:

@@ -1,4 +1,4 @@
-"""The floor that people can walk on while a room is built, on a grid: what a place takes of it, and whether it cuts it in two."""
+"""The floor that people can walk on while a room is built, on a grid: what a place takes of it, and what it cuts off."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from robolayout.solve.compile import Floats
 GRID = 0.1
 """Metres per cell."""
 
-CUT = 4.0
-"""Cost of cutting the floor in two, or of shutting a door."""
+CUT = 40.0
+"""Cost of cutting off all the floor, or of shutting a door."""
 
-CUTS = 24
-"""Places of a thing of which this is looked at, the cheapest first."""
+LOST = 4.0
+"""Cost of each thing that is out of reach from then on."""
 
 Cells = NDArray[np.intp]
 """(m, 4): low x, low y, high x, high y."""
 
 
 class Walked:
-    """The floor on which the centre of a disc can be.
+    """The floor on which the centre of a disc can be, as far as it gets there from the first door.
 
     Args:
         room: The room, empty.
@@ -60,48 +60,78 @@ class Walked:
         twin._free = self._free.copy()
         return twin
 
-    def cells(self, bodies: Floats) -> Cells:
-        """Return the cells (m, 4) that bodies with these bounds (m, 4) and the way around them take."""
-        found = np.empty(bodies.shape, np.intp)
-        found[:, :2] = np.floor((bodies[:, :2] - self._radius - self._origin) / GRID)
-        found[:, 2:] = np.ceil((bodies[:, 2:] + self._radius - self._origin) / GRID)
+    def cells(self, rects: Floats) -> Cells:
+        """Return the cells (m, 4) with their middle in rectangles (m, 4)."""
         rows, columns = self._free.shape
-        return np.minimum(np.maximum(found + 1, 1), (rows - 1, columns - 1, rows - 1, columns - 1))
+        found = np.empty(rects.shape, np.intp)
+        found[:, :2] = np.ceil((rects[:, :2] - self._origin) / GRID + 0.5)
+        found[:, 2:] = np.floor((rects[:, 2:] - self._origin) / GRID + 0.5) + 1
+        found = np.minimum(np.maximum(found, 1), (rows - 1, columns - 1, rows - 1, columns - 1))
+        found[:, 2:] = np.maximum(found[:, 2:], found[:, :2])
+        return found
+
+    def taken(self, bodies: Floats) -> Cells:
+        """Return the cells (m, 4) that bodies with these bounds (m, 4) and the way around them take."""
+        return self.cells(bodies + self._radius * np.array((-1.0, -1.0, 1.0, 1.0)))
 
     def take(self, cells: Cells) -> None:
-        """Take cells (m, 4) from those who walk."""
+        """Take cells (m, 4), and what they cut off, from those who walk."""
+        whole = len(cells) == 1 and _pieces(_ring(self._free, *cells[0].tolist())) <= 1
         for x0, y0, x1, y1 in cells.tolist():
             self._free[x0:x1, y0:y1] = False
+        if not whole:
+            self._free = self._main(self._free)
         self._sums = _sums(self._free)
 
     def share(self, cells: Cells) -> Floats:
         """Return which share of the cells (m, 4) of each place is floor to walk on now."""
         x0, y0, x1, y1 = cells.T
-        taken = self._sums[x1, y1] - self._sums[x0, y1] - self._sums[x1, y0] + self._sums[x0, y0]
-        return taken / np.maximum((x1 - x0) * (y1 - y0), 1)
+        return _count(self._sums, cells) / np.maximum((x1 - x0) * (y1 - y0), 1)
 
-    def cheapest(self, cells: Cells, cost: Floats) -> int:
-        """Return the cheapest place; one that cuts the floor in two or shuts a door costs more, which `cost` then tells."""
+    def left(self, near: Cells, cells: Cells) -> NDArray[np.int32]:
+        """Return how many cells to walk on are left of some (m, 4) when others (4,) or (m, 4) are taken."""
+        both = np.concatenate(
+            [np.maximum(near[:, :2], cells[..., :2]), np.minimum(near[:, 2:], cells[..., 2:])], axis=1
+        )
+        both[:, 2:] = np.maximum(both[:, 2:], both[:, :2])
+        return _count(self._sums, near) - _count(self._sums, both)
+
+    def cheapest(self, cells: Cells, cost: Floats, near: Cells, limit: float) -> int:
+        """Return the cheapest place by its cost and by what it puts out of reach and cuts off, which `cost` then tells.
+
+        Args:
+            cells: (m, 4) what each place takes.
+            cost: (m,) what else it costs; changed.
+            near: (n, 4) the cells from which things are within reach.
+            limit: Cost from which on no place is of any use.
+        """
+        near = near[_count(self._sums, near) > 0]
         looked_at: set[int] = set()
-        while True:
-            best = int(cost.argmin())
-            if best in looked_at or len(looked_at) == CUTS:
-                return best
+        while (best := int(cost.argmin())) not in looked_at and cost[best] < limit:
             looked_at.add(best)
-            if self._cuts(*cells[best].tolist()):
-                cost[best] += CUT
+            cost[best] += self._loss(cells[best], near)
+        return best
 
-    def _cuts(self, x0: int, y0: int, x1: int, y1: int) -> bool:
-        """Return whether taking cells cuts the floor in two or shuts a door."""
+    def _loss(self, cells: NDArray[np.intp], near: Cells) -> float:
+        """Return the cost of taking cells (4,): of what is out of reach then, of floor that is cut off, of shut doors."""
+        x0, y0, x1, y1 = cells.tolist()
         ex, ey = self._entries.T
-        if ((ex >= x0) & (ex < x1) & (ey >= y0) & (ey < y1)).any():
-            return True
+        shut = float(((ex >= x0) & (ex < x1) & (ey >= y0) & (ey < y1)).sum())
         if _pieces(_ring(self._free, x0, y0, x1, y1)) <= 1:
-            return False
-        left = self._free.copy()
-        left[x0:x1, y0:y1] = False
-        labels, _ = components(left)
-        return len(set(_ring(labels, x0, y0, x1, y1).tolist()) - {0}) > 1
+            return CUT * shut + LOST * float((self.left(near, cells) == 0).sum())
+        rest = self._free.copy()
+        rest[x0:x1, y0:y1] = False
+        main = self._main(rest)
+        cut_off = 1.0 - main.sum() / max(rest.sum(), 1)
+        return CUT * (shut + cut_off) + LOST * float((_count(_sums(main), near) == 0).sum())
+
+    def _main(self, free: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Return the piece of the floor that the first door leads to, or the largest if that is shut."""
+        labels, sizes = components(free)
+        if len(sizes) < 2:
+            return free
+        entered = int(labels[tuple(self._entries[0])]) if len(self._entries) else 0
+        return labels == (entered or int(sizes.argmax()) + 1)
 
 
 def _sums(free: NDArray[np.bool_]) -> NDArray[np.int32]:
@@ -111,6 +141,12 @@ def _sums(free: NDArray[np.bool_]) -> NDArray[np.int32]:
     np.cumsum(free, axis=0, dtype=np.int32, out=sums[1:, 1:])
     np.cumsum(sums[1:, 1:], axis=1, out=sums[1:, 1:])
     return sums
+
+
+def _count(sums: NDArray[np.int32], cells: Cells) -> NDArray[np.int32]:
+    """Return how many of the cells (m, 4) of each place hold."""
+    x0, y0, x1, y1 = cells.T
+    return sums[x1, y1] - sums[x0, y1] - sums[x1, y0] + sums[x0, y0]
 
 
 def _ring(grid: NDArray[Any], x0: int, y0: int, x1: int, y1: int) -> NDArray[Any]:

@@ -1,7 +1,8 @@
 """Starts built one thing after the other: each at the best of many places drawn from its statements.
 
 A start drawn blindly leaves the gradient search in a knot of things that block one another. Here each thing takes the place
-where it overlaps least with what stands already, with the floor that people need in front of it, and with the doors.
+where it overlaps nothing, keeps to its statements, and leaves to the others what they need: the floor in front of them, room
+to open, room for what goes by them, and a way from the door to all of them.
 """
 
 from __future__ import annotations
@@ -11,34 +12,44 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
-import shapely
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from robolayout.assets.obstacles import use_sides
-from robolayout.constraints import AssetRef
-from robolayout.scene import vertical_span
-from robolayout.solve._walked import Walked
+from robolayout.constraints import AssetRef, WallRef
+from robolayout.solve._walked import LOST, Walked
+from robolayout.solve._zones import Rects, Zones, area, shared
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.proposals import Proposals, carry, compose, placing
 
 CANDIDATES = 64
 """Places looked at for each thing."""
 
-LOOKS = 4
-"""Most times that it looks at so many."""
+LOOKS, AGAIN = 4, 1
+"""Most times that it looks at so many, and in a room in which only some things are placed anew."""
 
-GOOD = 1.5
+GOOD = 2.5
 """Cost of a place at which it looks no further."""
 
 CLOSEST = 0.02
 """Metres between a thing and the wall behind it."""
 
-OUTSIDE, BODY, STRIP, MISSED, AWAY = 20.0, 10.0, 2.0, 3.0, 0.02
-"""Costs: of lying outside the room and of overlap, whole; of blocked floor in front, whole; of a row missed by a metre or
-more; per metre from the guess."""
+HIT, SPECK = 100.0, 1e-4
+"""Cost of each overlap above so many square metres, and of lying outside by such a share: nothing else outweighs them."""
 
-WALKED = 1.0
+OUTSIDE, BODY, STRIP, MISSED, AWAY = 20.0, 10.0, 2.0, 3.0, 0.02
+"""Further costs: of lying outside the room and of overlap, whole; of blocked floor in front, whole; of a row missed by a metre
+or more; per metre from the guess."""
+
+OFF, SLACK = 2.0, 0.05
+"""Further cost of a row that is missed by more than so many metres."""
+
+SHUT = 4.0
+"""Cost of each thing that has no room to open."""
+
+WALKED = 2.0
 """Cost of taking only floor that people could walk on until then."""
+
+TIGHT = 0.1
+"""Cost of a metre left empty beside a thing at a wall."""
 
 NEEDS = 6
 """Places looked at for each thing that is yet to come and goes by the one that is placed."""
@@ -47,13 +58,10 @@ CORNER = 0.3
 """Cost of a metre from the corner that a packed room is filled from."""
 
 GRAIN = 0.002
-"""Metres between packed things."""
+"""Metres between things that stand side by side."""
 
 PACKED = 3000
 """Most places with one heading that packing looks at for a thing."""
-
-Rects = NDArray[np.float64]
-"""(n, 4): low x, low y, high x, high y in metres."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,12 +72,16 @@ class _Site:
         settled: (n,) which slots have their place.
         bodies: (n, 4) bounds of slots.
         ahead: (n, 4) bounds of the floor in front of them.
+        openings: (n, 4) bounds of what they need to be opened.
+        stands: (n, 4) bounds of where they are within reach.
         walked: The floor that is left to walk on.
     """
 
     settled: NDArray[np.bool_]
     bodies: Rects
     ahead: Rects
+    openings: Rects
+    stands: Rects
     walked: Walked
 
 
@@ -84,70 +96,90 @@ class Builder:
     def __init__(self, problem: Problem, rng: np.random.Generator) -> None:
         self.problem, self.moving, self.rng = problem, problem.movable(0), rng
         self.proposals = Proposals.of(problem)
-        self._floor = shapely.Polygon(problem.scene.room.vertices)
-        shapely.prepare(self._floor)
-        self._depth = min(2 * max(agent.radius for agent in problem.scene.agents) + 0.05, 1.0)
-        spans = [vertical_span(a, problem.guess[a.name]) for a in problem.scene.assets]
-        self._spans = np.array(spans).reshape(-1, 2)
-        self._solid = np.array([not asset.is_flat for asset in problem.scene.assets])
-        self._fronts = np.array(["front" in use_sides(a) for a in problem.scene.assets])
+        widest = max(problem.scene.agents, key=lambda agent: agent.radius)
+        self.zones = Zones(problem, widest)
+        self._walked = Walked(problem.scene.room, min(widest.radius, 0.5))
+        self._leaders = self._find_leaders()
         self._rank = self._ranks()
-        agent = max(problem.scene.agents, key=lambda a: a.radius)
-        low, high = self._spans.T
-        self._blocks = self._solid & (low < agent.height) & (high > agent.step)
         self._needs = self._followers()
-        self._walked = Walked(problem.scene.room, min(agent.radius, 0.5))
-        landings = [np.array(problem.scene.room.landing(door)) for door in problem.scene.room.doors]
-        self._landings = np.array([[*corners.min(axis=0), *corners.max(axis=0)] for corners in landings]).reshape(-1, 4)
+        frames = [self.proposals.frames.get(slot, []) for slot in range(len(problem.names))]
+        self._free = [not terms for terms in frames]
+        at_walls = [any(isinstance(term.b, WallRef) for term in terms) for terms in frames]
+        at_walls = [
+            at or bool(free and front) for at, free, front in zip(at_walls, self._free, self.zones.fronts, strict=True)
+        ]
+        self._pushes = [at and slot not in self._needs for slot, at in enumerate(at_walls)]
 
     def build(self, world: Floats, slots: Collection[int] | None = None) -> Floats:
         """Return one start (n, 4) with some slots placed anew, all that move by default; the others stay as in `world`."""
         slots = self.moving if slots is None else slots
+        looks = LOOKS if len(slots) == len(self.moving) else AGAIN
         world = world.copy()
-        area = self.problem.half.prod(axis=1) * self.rng.uniform(0.7, 1.4, len(world))
+        size = self.problem.half.prod(axis=1) * self.rng.uniform(0.7, 1.4, len(world))
         site = self._site(world, slots)
-        free = [not self.proposals.frames.get(s) for s in range(len(world))]
-        for slot in sorted(slots, key=lambda s: (self._rank[s], free[s], -area[s], s)):
-            carry(self.problem, world, slot, self._place(slot, world, site))
+        for slot in self._in_turn(sorted(slots, key=lambda s: (self._rank[s], self._free[s], -size[s], s))):
+            carry(self.problem, world, slot, self._place(slot, world, site, looks))
             site.settled[slot] = True
         return world
+
+    def _in_turn(self, slots: list[int]) -> list[int]:
+        """Return slots, what goes by others right after these, before its place is gone."""
+        left, found = dict.fromkeys(slots), list[int]()
+
+        def take(slot: int) -> None:
+            del left[slot]
+            found.append(slot)
+            for other in [one for one in left if slot in self._leaders[one]]:
+                if other in left and not self._leaders[other] & left.keys():
+                    take(other)
+
+        for slot in slots:
+            if slot in left:
+                take(slot)
+        return found
 
     def _site(self, world: Floats, slots: Collection[int]) -> _Site:
         """Return the room before slots are placed: what stands on the floor, at walls and at the ceiling beside them."""
         settled = np.array([parent < 0 for parent in self.problem.parent])
         settled[list(slots)] = False
-        every = np.arange(len(world))
-        site = _Site(settled, self._bodies(every, world), self._strips(every, world), self._walked.copy())
-        site.walked.take(site.walked.cells(site.bodies[settled & self._blocks]))
+        zones, every = self.zones, np.arange(len(world))
+        bodies, ahead, openings = (make(every, world) for make in (zones.bodies, zones.ahead, zones.openings))
+        site = _Site(settled, bodies, ahead, openings, zones.stands(every, world), self._walked.copy())
+        site.walked.take(site.walked.taken(site.bodies[settled & zones.blocks]))
         return site
 
-    def _place(self, slot: int, world: Floats, site: _Site) -> Floats:
+    def _place(self, slot: int, world: Floats, site: _Site, looks: int) -> Floats:
         """Return the best of many places of a slot, and take the floor that it needs; where all are bad, look again."""
         best, least = world[slot], math.inf
-        for _ in range(LOOKS):
-            places = self._places(slot, world)
-            bodies = self._bodies(slot, places)
-            cost = self._cost(slot, places, bodies, world, site)
-            if self._blocks[slot]:
-                cells = site.walked.cells(bodies)
-                cost += WALKED * site.walked.share(cells)
-                k = site.walked.cheapest(cells, cost)
-            else:
-                k = int(cost.argmin())
+        for _ in range(looks):
+            places, gaps = self._places(slot, world, site)
+            bodies = self.zones.bodies(slot, places)
+            cost = self._cost(slot, places, bodies, world, site) + TIGHT * gaps
+            k = self._cheapest(slot, places, cost, site, least) if self.zones.blocks[slot] else int(cost.argmin())
             if cost[k] < least:
                 best, least = places[k], float(cost[k])
                 site.bodies[slot] = bodies[k]
             if least < GOOD:
                 break
-        site.ahead[slot] = self._strips([slot], best[None])[0]
-        if self._blocks[slot]:
-            site.walked.take(site.walked.cells(site.bodies[[slot]]))
+        site.ahead[slot] = self.zones.ahead([slot], best[None])[0]
+        site.openings[slot] = self.zones.openings([slot], best[None])[0]
+        site.stands[slot] = self.zones.stands([slot], best[None])[0]
+        if self.zones.blocks[slot]:
+            site.walked.take(site.walked.taken(site.bodies[[slot]]))
         return best
+
+    def _cheapest(self, slot: int, places: Floats, cost: Floats, site: _Site, limit: float) -> int:
+        """Return the cheapest place (m, 4) of a slot by what it does to those who walk, too, which `cost` then tells."""
+        walked, cells = site.walked, site.walked.taken(self.zones.bodies(slot, places))
+        own = walked.cells(self.zones.stands(slot, places))
+        cost += WALKED * walked.share(cells) + LOST * (walked.left(own, cells) == 0)
+        return walked.cheapest(cells, cost, walked.cells(site.stands[site.settled]), limit)
 
     def touched(self, slot: int, places: Floats, world: Floats) -> set[int]:
         """Return the slots whose bounds overlap those of a slot at some places (m, 4), at heights at which they would collide."""
-        shared = _shared(self._bodies(slot, places), self._bodies(np.arange(len(world)), world)).max(axis=0)
-        return set(np.flatnonzero(self._level(slot) & (shared > 0.0)).tolist()) - {slot}
+        bodies = self.zones.bodies(np.arange(len(world)), world)
+        found = shared(self.zones.bodies(slot, places), bodies).max(axis=0)
+        return set(np.flatnonzero(self.zones.level(slot) & (found > 0.0)).tolist()) - {slot}
 
     def pack(self, world: Floats) -> Floats:
         """Return a start (n, 4) that fills the room from one corner, each thing flush with its neighbours.
@@ -157,11 +189,11 @@ class Builder:
         world = world.copy()
         x0, y0, x1, y1 = self.problem.scene.room.bounds
         corner = np.array([self.rng.choice((x0, x1)), self.rng.choice((y0, y1))])
-        area = self.problem.half.prod(axis=1) * self.rng.uniform(0.5, 2.0, len(world))
+        size = self.problem.half.prod(axis=1) * self.rng.uniform(0.5, 2.0, len(world))
         site = self._site(world, self.moving)
-        for slot in sorted(self.moving, key=lambda s: (-area[s], s)):
+        for slot in sorted(self.moving, key=lambda s: (-size[s], s)):
             places = self._flush(slot, site.bodies[site.settled])
-            bodies = self._bodies(slot, places)
+            bodies = self.zones.bodies(slot, places)
             cost = self._hard_cost(slot, bodies, site)
             for term in self.proposals.frames.get(slot, []):
                 cost += MISSED / 3 * np.minimum(self.proposals.misses(term, slot, places, world), 1.0)
@@ -174,7 +206,7 @@ class Builder:
     def _flush(self, slot: int, bodies: Rects) -> Floats:
         """Return places (m, 4) at which two sides of a slot touch something: walls, landings, what stands already."""
         outline = np.array(self.problem.scene.room.vertices)
-        rects = np.concatenate([self._landings, bodies])
+        rects = np.concatenate([self.zones.landings, bodies])
         edges = [np.unique(np.round(np.concatenate([outline[:, k], *rects[:, k::2].T]), 4)) for k in (0, 1)]
         quarters = self.rng.permutation(4) * (np.pi / 2)
         found: list[Floats] = []
@@ -188,8 +220,8 @@ class Builder:
             found.append(np.column_stack([grid, np.broadcast_to((c, s), grid.shape)]))
         return np.concatenate(found)
 
-    def _ranks(self) -> list[int]:
-        """Return how many things stand between a slot and what it is placed by: what others refer to comes first."""
+    def _find_leaders(self) -> list[set[int]]:
+        """Return what each slot is placed by."""
         ahead: list[set[int]] = [set() for _ in self.problem.names]
         for slot, terms in self.proposals.frames.items():
             ahead[slot] |= {self.problem.slot[t.b.name] for t in terms if isinstance(t.b, AssetRef)} - {slot}
@@ -198,9 +230,13 @@ class Builder:
             if slot not in self.proposals.frames:
                 twins = {self.proposals.twin(term, slot) for term in terms}
                 ahead[slot] |= {twin for twin in twins if twin in self.proposals.frames}
-        ranks = [0] * len(ahead)
+        return ahead
+
+    def _ranks(self) -> list[int]:
+        """Return how many things stand between a slot and what it is placed by: what others refer to comes first."""
+        ranks = [0] * len(self._leaders)
         for _ in range(4):
-            ranks = [max((ranks[b] + 1 for b in before), default=0) for before in ahead]
+            ranks = [max((ranks[b] + 1 for b in before), default=0) for before in self._leaders]
         return ranks
 
     def _followers(self) -> dict[int, list[tuple[int, Floats]]]:
@@ -224,16 +260,41 @@ class Builder:
         cost = np.zeros(len(places))
         for other, around in self._needs.get(slot, []):
             if not site.settled[other]:
-                bodies = self._bodies(other, compose(places[:, None], around).reshape(-1, 4))
-                cost += np.minimum(self._hard_cost(other, bodies, site).reshape(len(places), -1).min(axis=1), 1.0)
+                bodies = self.zones.bodies(other, compose(places[:, None], around).reshape(-1, 4))
+                each = self._hard_cost(other, bodies, site).reshape(len(places), -1)
+                cost += np.minimum(np.partition(each, 1, axis=1)[:, 1], 1.0)  # one place alone may fit by a hair
         return cost
 
-    def _places(self, slot: int, world: Floats) -> Floats:
-        """Return places (m, 4): drawn from its statements, and along the walls if nothing says where it goes."""
-        drawn = self.proposals.draw(slot, world, CANDIDATES, self.rng)
-        if self.proposals.frames.get(slot) or not self._fronts[slot]:
-            return drawn
-        return np.concatenate([drawn[: CANDIDATES // 4], self._along_walls(slot, CANDIDATES)])
+    def _places(self, slot: int, world: Floats, site: _Site) -> tuple[Floats, Floats | float]:
+        """Return places (m, 4) and the metres (m,) left empty beside them at walls.
+
+        They are drawn from the slot's statements, and along the walls if nothing says where it goes.
+        """
+        places = self.proposals.draw(slot, world, CANDIDATES, self.rng)
+        if self._free[slot] and self.zones.fronts[slot]:
+            places = np.concatenate([places[: CANDIDATES // 4], self._along_walls(slot, CANDIDATES)])
+        return self._pushed(slot, places, site) if self._pushes[slot] else (places, 0.0)
+
+    def _pushed(self, slot: int, places: Floats, site: _Site) -> tuple[Floats, Floats]:
+        """Return places (m, 4), every second one pushed sideways to what is next there, and metres (m,) left beside them."""
+        rows = np.arange(len(places))
+        side = (np.abs(places[:, 2]) >= np.abs(places[:, 3])).astype(np.intp)  # the axis to push along: x or y
+        bodies = self.zones.bodies(slot, places)
+        low, high = bodies[rows, side, None], bodies[rows, side + 2, None]
+        others = np.concatenate([self.zones.landings, site.bodies[self._beside(slot, site)]]).T
+        meets = (others[1 - side] < bodies[rows, 3 - side, None] - GRAIN) & (
+            others[3 - side] > bodies[rows, 1 - side, None] + GRAIN
+        )
+        before = others[side] + others[side + 2] < low + high
+        x0, y0, x1, y1 = self.problem.scene.room.bounds
+        left = np.where(meets & before, others[side + 2], -np.inf).max(axis=1, initial=-np.inf)
+        right = np.where(meets & ~before, others[side], np.inf).min(axis=1, initial=np.inf)
+        left = low[:, 0] - np.maximum(left, np.array((x0, y0))[side])
+        right = np.minimum(right, np.array((x1, y1))[side]) - high[:, 0]
+        push = np.where(left < right, GRAIN - left, right - GRAIN)
+        push[(rows % 2 == 0) | (left + right < 2 * GRAIN)] = 0.0
+        places[rows, side] += push
+        return places, np.clip(np.minimum(left + push, right - push), 0.0, 1.0)
 
     def _along_walls(self, slot: int, count: int) -> Floats:
         """Return places with the back to a wall."""
@@ -256,15 +317,22 @@ class Builder:
         cost += AWAY * np.hypot(*(places[:, :2] - world[slot, :2]).T)
         cost += MISSED * self._cramped(slot, places, site)
         beside = self._beside(slot, site)
-        ahead = site.ahead[beside & self._fronts]
-        cost += STRIP * (_shared(bodies, ahead) / _area(ahead)).sum(axis=1)
-        if self._fronts[slot]:
-            front = self._strips(np.full(len(places), slot), places)
-            cost += STRIP * np.minimum(_shared(front, site.bodies[beside]).sum(axis=1) / _area(front), 1.0)
-            cost += STRIP * self._outside(front)
+        ahead = site.ahead[beside & self.zones.fronts]
+        cost += STRIP * (shared(bodies, ahead) / area(ahead)).sum(axis=1)
+        if self.zones.fixed[slot]:
+            cost += SHUT * (shared(bodies, site.openings[beside & self.zones.opens]) > SPECK).sum(axis=1)
+        if self.zones.opens[slot]:
+            zone = self.zones.openings(slot, places)
+            cost += SHUT * (shared(zone, site.bodies[beside & self.zones.fixed]) > SPECK).sum(axis=1)
+            cost += SHUT * (self.zones.outside(zone) > SPECK)
+        if self.zones.fronts[slot]:
+            front = self.zones.ahead(slot, places)
+            cost += STRIP * np.minimum(shared(front, site.bodies[beside]).sum(axis=1) / area(front), 1.0)
+            cost += STRIP * self.zones.outside(front)
         for term in self.proposals.frames.get(slot, []):
             if not isinstance(term.b, AssetRef) or site.settled[self.problem.slot[term.b.name]]:
-                cost += MISSED * np.minimum(self.proposals.misses(term, slot, places, world), 1.0)
+                missed = self.proposals.misses(term, slot, places, world)
+                cost += MISSED * np.minimum(missed, 1.0) + OFF * (missed > SLACK)
         for term in self.proposals.mirrors.get(slot, []):
             if site.settled[self.proposals.twin(term, slot)]:
                 image = self.proposals.image(term, slot, world)
@@ -273,59 +341,17 @@ class Builder:
 
     def _hard_cost(self, slot: int, bodies: Rects, site: _Site) -> Floats:
         """Return what each place of a slot, given by its bounds (m, 4), costs by what it overlaps and leaves of the room."""
-        cost = OUTSIDE * self._outside(bodies)
-        area = float(4 * self.problem.half[slot].prod())
-        if self._solid[slot]:
-            cost += BODY / area * _shared(bodies, self._landings).sum(axis=1)
+        outside = self.zones.outside(bodies)
+        cost = OUTSIDE * outside + HIT * (outside > SPECK)
+        size = float(4 * self.problem.half[slot].prod())
+        if self.zones.solid[slot]:
+            shut = shared(bodies, self.zones.landings).sum(axis=1)
+            cost += BODY / size * shut + HIT * (shut > SPECK)
         beside = self._beside(slot, site)
-        least = np.minimum(area, 4 * self.problem.half[beside].prod(axis=1))
-        return cost + BODY * (_shared(bodies, site.bodies[beside]) / least).sum(axis=1)
+        least = np.minimum(size, 4 * self.problem.half[beside].prod(axis=1))
+        hit = shared(bodies, site.bodies[beside])
+        return cost + BODY * (hit / least).sum(axis=1) + HIT * (hit > SPECK).sum(axis=1)
 
     def _beside(self, slot: int, site: _Site) -> NDArray[np.bool_]:
         """Return with which of the settled slots (n,) a slot could collide."""
-        return site.settled & self._level(slot)
-
-    def _level(self, slot: int) -> NDArray[np.bool_]:
-        """Return which slots (n,), itself among them, are solid at heights at which a slot would collide with them."""
-        low, high = self._spans.T
-        return self._solid & self._solid[slot] & (low < high[slot]) & (high > low[slot])
-
-    def _bodies(self, slots: ArrayLike, poses: Floats) -> Rects:
-        """Return the bounds of slots (m,), or of one slot, at their poses (m, 4)."""
-        return _bounds(poses[:, :2], poses[:, 2:], *self.problem.half[np.asarray(slots, dtype=np.intp)].T)
-
-    def _outside(self, rects: Rects) -> Floats:
-        """Return which share of nine points of each rectangle (m, 4) is not on the floor."""
-        shares = np.linspace(0.002, 0.998, 3)
-        x = rects[:, 0, None] + shares * (rects[:, 2] - rects[:, 0])[:, None]
-        y = rects[:, 1, None] + shares * (rects[:, 3] - rects[:, 1])[:, None]
-        if self.problem.scene.room.fills_bounds:
-            x0, y0, x1, y1 = self.problem.scene.room.bounds
-            return 1.0 - ((x > x0) & (x < x1)).mean(axis=1) * ((y > y0) & (y < y1)).mean(axis=1)
-        points = np.broadcast_arrays(x[:, :, None], y[:, None, :])
-        return 1.0 - shapely.contains_xy(self._floor, *points).reshape(len(rects), -1).mean(axis=1)
-
-    def _strips(self, slots: ArrayLike, poses: Floats) -> Rects:
-        """Return the bounds of the floor in front of slots (m,) at their poses."""
-        index = np.asarray(slots, dtype=np.intp)
-        hx, hy = self.problem.half[index].T
-        middle = poses[:, :2] + (hx + self._depth / 2)[:, None] * poses[:, 2:]
-        return _bounds(middle, poses[:, 2:], self._depth / 2, hy)
-
-
-def _bounds(center: Floats, heading: Floats, hx: Floats | float, hy: Floats | float) -> Rects:
-    """Return the bounds of rectangles with these middles and unit headings (m, 2) and half sizes (m,)."""
-    c, s = np.abs(heading).T
-    reach = np.empty(center.shape)
-    reach[:, 0], reach[:, 1] = c * hx + s * hy, s * hx + c * hy
-    return np.concatenate([center - reach, center + reach], axis=1)
-
-
-def _shared(a: Rects, b: Rects) -> Floats:
-    """Return the areas (m, n) that rectangles (m, 4) and (n, 4) share."""
-    wide, long = (np.minimum(a[:, k + 2, None], b[:, k + 2]) - np.maximum(a[:, k, None], b[:, k]) for k in (0, 1))
-    return np.maximum(wide, 0.0) * np.maximum(long, 0.0)
-
-
-def _area(rects: Rects) -> Floats:
-    return np.maximum((rects[:, 2] - rects[:, 0]) * (rects[:, 3] - rects[:, 1]), 1e-9)
+        return site.settled & self.zones.level(slot)

@@ -191,11 +191,14 @@ class Solver:
         for _ in range(BUILT if count else 0):
             if best.verdict.ok:
                 break
-            worlds = starts.built(count)
-            best = self._best_of(worlds, 0, best)
+            made = list[Floats]()
+            while len(made) < count and not best.verdict.ok:
+                made.append(starts.built())
+                best = self._best_of(made[-1:], 0, best)
             best = self._mended(best, 0) if best.verdict.promise <= NEARLY else best
             if best.verdict.ok:
                 return best, self._still(stage, best, "built")
+            worlds = np.array(made)
             routes = partial(self._open, stage, worlds) if self.config.route_rounds else None
             more = self.runner.advance(stage, worlds, self.config.polish, "polish", routes=routes)
             best, run = self._with(more, 0, best, run)

@@ -23,11 +23,15 @@ from robolayout.solve.routes import Plan, pack
 from robolayout.solve.runner import Runner
 from robolayout.solve.stage import make_stage
 
-WAYS = 3
-"""Ways to place one thing anew: where there is room; where it wants to be, others making way; once what nothing holds is out."""
+WAYS = 4
+"""Ways to place one thing anew: where there is room; where it wants to be, others making way; once what nothing holds is out;
+together with what stands around it."""
 
 PLACES = 24
 """Places of a thing about which others are taken out."""
+
+FEW = (3, 9)
+"""How many of the things around one are placed anew with it: at least so many, fewer than so many."""
 
 
 class Repair:
@@ -114,6 +118,8 @@ class Repair:
         moved = {slot} | self.groups[slot]
         if way == 2:
             moved |= self._loose_about(slot, world)
+        if way == 3:
+            moved |= self._near(slot, world)
         return self.builder.build(world, moved & set(self.builder.moving))
 
     def _eject(self, world: Floats, slot: int) -> None:
@@ -129,6 +135,13 @@ class Repair:
         places = [self.proposals.placed(slot, term, world, PLACES, self.rng) for term in rows]
         there = self.builder.touched(slot, np.concatenate(places), world) if places else set[int]()
         return {other for other in there if other not in self.proposals.frames and not self.groups[other]}
+
+    def _near(self, slot: int, world: Floats) -> set[int]:
+        """Return the things that stand nearest to a slot, a few of them, with what goes by them."""
+        moving = np.array(self.builder.moving)
+        away = np.hypot(*(world[moving, :2] - world[slot, :2]).T)
+        near = moving[np.argsort(away, kind="stable")[: int(self.rng.integers(*FEW))]].tolist()
+        return set(near).union(*(self.groups[other] for other in near))
 
     def _pressing(self, slots: list[int]) -> int:
         """Draw one of the slots to blame, those named first far more often."""

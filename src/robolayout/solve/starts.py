@@ -29,11 +29,11 @@ class Starts:
         """Return the guess and slight jitter of it (count, n, 4)."""
         return self._jittered(0.05 + 0.3 * np.arange(count) / max(count, 1), first=1)
 
-    def built(self, count: int) -> Floats:
-        """Return rooms built one thing after the other (count, n, 4)."""
-        starts = np.array([self.builder.build(self.world, self.moving) for _ in range(count)])
-        _bring_in(self.problem, starts, self.moving)
-        return starts
+    def built(self) -> Floats:
+        """Return a room built one thing after the other (n, 4)."""
+        start = self.builder.build(self.world, self.moving)
+        _bring_in(self.problem, start[None], self.moving)
+        return start
 
     def far(self, count: int) -> Floats:
         """Return wide jitter, and draws from the statements (count, n, 4), half of each."""

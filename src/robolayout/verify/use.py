@@ -77,6 +77,13 @@ class Usage:
         """Where a rectangular body gets to and turns; None for a disc."""
         return self._judge.stances.space
 
+    def shutting(self, name: str) -> tuple[str, ...]:
+        """Return the assets that stand where a placed one needs room to open."""
+        judge = self._judge
+        row = judge.found.names.index(name)
+        found = [blocker for i in judge.ways.of(row) for blocker in judge.opening_blockers(row, judge.ways.sides[i])]
+        return tuple(blocker for blocker in dict.fromkeys(found) if blocker in self.usable)
+
     @cached_property
     def uses(self) -> Mapping[str, Use]:
         """How each placed asset is used, or why not."""
