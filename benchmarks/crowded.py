@@ -14,12 +14,6 @@ from robolayout.solve import solver_names
 FILLS = (0.30, 0.45, 0.60)
 COUNTS = (10, 20, 40, 80, 120)
 SEEDS = range(10)
-BIG = 80
-"""From this number of assets on only three seeds are run."""
-
-HUGE = 120
-"""From this number of assets on only one seed is run."""
-
 BASELINE_COUNTS = (10, 20)
 """Sizes on which the solvers made for comparison are run; they take minutes on larger ones."""
 
@@ -41,7 +35,7 @@ def crowds(quick: bool) -> Iterator[Crowd]:
     """Yield what is asked of the generator."""
     for count in COUNTS[:1] if quick else COUNTS:
         for fill in FILLS[1:2] if quick else FILLS:
-            for seed in SEEDS[: 1 if quick or count >= HUGE else 3 if count >= BIG else 10]:
+            for seed in SEEDS[: 1 if quick else 10]:
                 yield Crowd(count, fill, seed)
     for seed in SEEDS[: 1 if quick else 5]:
         yield Crowd(10 if quick else 20, 0.45, seed, concave=True)

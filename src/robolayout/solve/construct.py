@@ -102,13 +102,9 @@ class Builder:
         self._leaders = self._find_leaders()
         self._rank = self._ranks()
         self._needs = self._followers()
-        frames = [self.proposals.frames.get(slot, []) for slot in range(len(problem.names))]
-        self._free = [not terms for terms in frames]
-        at_walls = [any(isinstance(term.b, WallRef) for term in terms) for terms in frames]
-        at_walls = [
-            at or bool(free and front) for at, free, front in zip(at_walls, self._free, self.zones.fronts, strict=True)
-        ]
-        self._pushes = [at and slot not in self._needs for slot, at in enumerate(at_walls)]
+        every = range(len(problem.names))
+        self._free = [not self.proposals.frames.get(slot) for slot in every]
+        self._pushed = [slot not in self._needs and self._at_wall(slot) for slot in every]
 
     def build(self, world: Floats, slots: Collection[int] | None = None) -> Floats:
         """Return one start (n, 4) with some slots placed anew, all that move by default; the others stay as in `world`."""
@@ -121,6 +117,12 @@ class Builder:
             carry(self.problem, world, slot, self._place(slot, world, site, looks))
             site.settled[slot] = True
         return world
+
+    def _at_wall(self, slot: int) -> bool:
+        """Return whether a slot belongs at a wall, by its statements or because nothing says where it goes."""
+        if self._free[slot]:
+            return bool(self.zones.fronts[slot])
+        return any(isinstance(term.b, WallRef) for term in self.proposals.frames[slot])
 
     def _in_turn(self, slots: list[int]) -> list[int]:
         """Return slots, what goes by others right after these, before its place is gone."""
@@ -273,9 +275,9 @@ class Builder:
         places = self.proposals.draw(slot, world, CANDIDATES, self.rng)
         if self._free[slot] and self.zones.fronts[slot]:
             places = np.concatenate([places[: CANDIDATES // 4], self._along_walls(slot, CANDIDATES)])
-        return self._pushed(slot, places, site) if self._pushes[slot] else (places, 0.0)
+        return self._push(slot, places, site) if self._pushed[slot] else (places, 0.0)
 
-    def _pushed(self, slot: int, places: Floats, site: _Site) -> tuple[Floats, Floats]:
+    def _push(self, slot: int, places: Floats, site: _Site) -> tuple[Floats, Floats]:
         """Return places (m, 4), every second one pushed sideways to what is next there, and metres (m,) left beside them."""
         rows = np.arange(len(places))
         side = (np.abs(places[:, 2]) >= np.abs(places[:, 3])).astype(np.intp)  # the axis to push along: x or y
