@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import math
 from typing import Any
 
 import numpy as np
@@ -13,8 +14,8 @@ from robolayout._grid import components
 from robolayout.scene import Room
 from robolayout.solve.compile import Floats
 
-GRID = 0.1
-"""Metres per cell."""
+GRID, MOST_CELLS = 0.1, 60_000
+"""Metres per cell, in rooms that have no more cells than this; larger ones have coarser cells."""
 
 CUT = 40.0
 """Cost of cutting off all the floor, or of shutting a door."""
@@ -37,7 +38,8 @@ class Walked:
     def __init__(self, room: Room, radius: float) -> None:
         x0, y0, x1, y1 = room.bounds
         self._origin, self._radius = np.array((x0, y0)), radius
-        x, y = np.arange(x0 + GRID / 2, x1, GRID), np.arange(y0 + GRID / 2, y1, GRID)
+        self._cell = cell = max(GRID, math.sqrt((x1 - x0) * (y1 - y0) / MOST_CELLS))
+        x, y = np.arange(x0 + cell / 2, x1, cell), np.arange(y0 + cell / 2, y1, cell)
         inner = shapely.Polygon(room.vertices).buffer(-radius)
         shapely.prepare(inner)
         free = np.asarray(shapely.contains_xy(inner, *np.meshgrid(x, y, indexing="ij")))
@@ -51,7 +53,7 @@ class Walked:
         if not len(free) or not room.doors:
             return np.empty((0, 2), np.intp)
         middles = np.array([np.mean(room.landing(door), axis=0) for door in room.doors])
-        ways = (free[None] - 0.5) * GRID + self._origin - middles[:, None]
+        ways = (free[None] - 0.5) * self._cell + self._origin - middles[:, None]
         return free[np.hypot(*ways.T).argmin(axis=0)]
 
     def copy(self) -> Walked:
@@ -64,8 +66,8 @@ class Walked:
         """Return the cells (m, 4) with their middle in rectangles (m, 4)."""
         rows, columns = self._free.shape
         found = np.empty(rects.shape, np.intp)
-        found[:, :2] = np.ceil((rects[:, :2] - self._origin) / GRID + 0.5)
-        found[:, 2:] = np.floor((rects[:, 2:] - self._origin) / GRID + 0.5) + 1
+        found[:, :2] = np.ceil((rects[:, :2] - self._origin) / self._cell + 0.5)
+        found[:, 2:] = np.floor((rects[:, 2:] - self._origin) / self._cell + 0.5) + 1
         found = np.minimum(np.maximum(found, 1), (rows - 1, columns - 1, rows - 1, columns - 1))
         found[:, 2:] = np.maximum(found[:, 2:], found[:, :2])
         return found
