@@ -35,7 +35,6 @@ def test_no_layout_of_a_thousand_gets_worse(room: Room) -> None:
     better = 0
     for seed in range(500):
         solver = Solver(problem, judge, HASTY, seed=seed)
-        solver._survey()
         world = scattered(problem, rng)
         before = judge(problem.layout(world))
         for step in (solver._snap, solver._repair):

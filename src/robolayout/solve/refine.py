@@ -9,7 +9,7 @@ from functools import cached_property, partial
 
 import numpy as np
 
-from robolayout.scene import Agent, Layout, Trace
+from robolayout.scene import Layout, Trace
 from robolayout.solve.arrays import Routes
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
@@ -87,7 +87,6 @@ class Solver:
         self.rng = np.random.default_rng(seed)
         self.progress = progress or silent
         self.runner = Runner(self.config)
-        self.grounds: list[tuple[Ground, Obstacles]] = []
         self.lead: _Best | None = None
         self.astray = 0.0
 
@@ -95,7 +94,6 @@ class Solver:
         """Return the best layout found."""
         if not self.problem.names:
             return conclude(Layout({}), Verdict(0.0, 0.0, 0.0), Trace())
-        self._survey()
         world = self.problem.start.copy()
         best: _Best | None = None
         for number in stages(self.problem):
@@ -116,15 +114,11 @@ class Solver:
         """Makes better candidates."""
         return Repair(self.problem, self.runner, self.config, self.builder)
 
-    def _survey(self) -> None:
-        """Lay the grids on which routes are planned."""
-        self.grounds = [
-            (make_ground(self.problem, a, self.config.cell), obstacles_of(self.problem, a)) for a in self._bodies()
-        ]
-
-    def _bodies(self) -> tuple[Agent, ...]:
-        """Return the agents to plan for, widest first."""
-        return tuple(sorted(self.problem.scene.agents, key=lambda a: -a.radius))
+    @cached_property
+    def grounds(self) -> list[tuple[Ground, Obstacles]]:
+        """The grids on which routes are planned, one for each agent, widest first."""
+        bodies = sorted(self.problem.scene.agents, key=lambda agent: -agent.radius)
+        return [(make_ground(self.problem, a, self.config.cell), obstacles_of(self.problem, a)) for a in bodies]
 
     def _judged(self, world: Floats, number: int, best: _Best | None = None) -> _Best:
         """Judge a layout of everything placed up to a stage, as far as it may be better than what is best so far."""
