@@ -35,7 +35,7 @@ def crowds(quick: bool) -> Iterator[Crowd]:
     """Yield what is asked of the generator."""
     for count in COUNTS[:1] if quick else COUNTS:
         for fill in FILLS[1:2] if quick else FILLS:
-            for seed in SEEDS[: 1 if quick else 10]:
+            for seed in SEEDS[:1] if quick else SEEDS:
                 yield Crowd(count, fill, seed)
     for seed in SEEDS[: 1 if quick else 5]:
         yield Crowd(10 if quick else 20, 0.45, seed, concave=True)

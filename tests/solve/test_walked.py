@@ -60,9 +60,8 @@ def test_what_is_left_is_the_piece_behind_the_door(rects: list[tuple[float, floa
         one_by_one.take(one_by_one.taken(rect[None]))
     expected = main(free(taken))
     assert (filled(taken)._free[1:-1, 1:-1] == expected).all()
-    if expected[
-        tuple(one_by_one._entries[0] - 1)
-    ]:  # else it matters which piece was the largest when the door was shut
+    entry = tuple(one_by_one._entries[0] - 1)
+    if expected[entry]:  # else it matters which piece was the largest when the door was shut
         assert (one_by_one._free[1:-1, 1:-1] == expected).all()
 
 

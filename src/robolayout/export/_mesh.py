@@ -139,7 +139,7 @@ def as_box(part: Part, tolerance: float = 1e-6) -> Box | None:
     A box has eight distinct corners; the three edges at one corner are at right angles, and the corners that they
     span are exactly the part's.
     """
-    corners = np.unique(np.round(np.asarray(part.vertices, np.float64), 9), axis=0)
+    corners, _ = _unique_rows(np.round(np.asarray(part.vertices, np.float64), 9))
     if len(corners) != 8:
         return None
     center = corners.mean(axis=0)

@@ -39,7 +39,7 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
     empty = Site.of(scene, cast)
     builder = ClusterBuilder(scene, cast)
     best: tuple[float, Attempt] | None = None
-    leap, fewest = (math.inf, 0), len(scene.assets)
+    leap, forlorn = (math.inf, 0), True
     for number in range(attempts(len(scene.assets))):
         site = empty.copy()
         _keep(site, builder, placed)
@@ -47,8 +47,8 @@ def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed:
         cost = attempt.furnish_floor()
         if best is None or cost < best[0]:
             best = (cost, attempt)
-        fewest = min(fewest, len(attempt.site.unreached()))
-        if number + 1 >= ENOUGH and fewest > FORLORN * len(scene.assets):
+        forlorn = forlorn and len(attempt.site.unreached()) > FORLORN * len(scene.assets)
+        if forlorn and number + 1 >= ENOUGH:
             break
         if number >= PATIENCE and not best[1].serves and (number == PATIENCE or best[1] is attempt):
             best = (best[1].rearrange(), best[1])

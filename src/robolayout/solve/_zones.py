@@ -9,7 +9,7 @@ import shapely
 from numpy.typing import ArrayLike, NDArray
 
 from robolayout.assets import category_of
-from robolayout.assets.obstacles import use_sides
+from robolayout.assets.obstacles import blocks, use_sides
 from robolayout.scene import Agent, Room, vertical_span
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.targets import SIDES, targets_of
@@ -52,7 +52,7 @@ class Zones:
         spans = [vertical_span(asset, problem.guess[asset.name]) for asset in assets]
         self._low, self._high = np.array(spans).reshape(-1, 2).T
         self.solid = np.array([not asset.is_flat for asset in assets])
-        self.blocks = self.solid & (self._low < agent.height) & (self._high > agent.step)
+        self.blocks = np.array([blocks(asset, problem.guess[asset.name].z, agent) for asset in assets])
         self.fixed = np.array([not kind.movable for kind in kinds])
         self._opening = np.array([kind.open_depth for kind in kinds])
         self.opens = self._opening > 0
@@ -112,7 +112,7 @@ def _missing(room: Room) -> Rects | None:
     corners = np.array(room.vertices)
     if np.abs(corners - np.roll(corners, 1, axis=0)).min(axis=1).max() > SQUARE:
         return None
-    (x, y), floor = (np.unique(corners[:, k]) for k in (0, 1)), shapely.Polygon(corners)
+    (x, y), floor = (sorted(set(at)) for at in corners.T.tolist()), shapely.Polygon(corners)
     cells = np.array([(x0, y0, x1, y1) for x0, x1 in pairwise(x) for y0, y1 in pairwise(y)])
     return cells[~shapely.contains_xy(floor, *((cells[:, :2] + cells[:, 2:]) / 2).T)]
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.constraints import AssetRef, WallRef
-from robolayout.solve._walked import LOST, Walked
+from robolayout.solve._walked import LOST, Cells, Walked
 from robolayout.solve._zones import Rects, Zones, area, shared
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.proposals import Proposals, carry, compose, placing
@@ -73,7 +73,7 @@ class _Site:
         bodies: (n, 4) bounds of slots.
         ahead: (n, 4) bounds of the floor in front of them.
         openings: (n, 4) bounds of what they need to be opened.
-        stands: (n, 4) bounds of where they are within reach.
+        stands: (n, 4) cells of `walked` from which they are within reach.
         walked: The floor that is left to walk on.
     """
 
@@ -81,7 +81,7 @@ class _Site:
     bodies: Rects
     ahead: Rects
     openings: Rects
-    stands: Rects
+    stands: Cells
     walked: Walked
 
 
@@ -144,11 +144,10 @@ class Builder:
         """Return the room before slots are placed: what stands on the floor, at walls and at the ceiling beside them."""
         settled = np.array([parent < 0 for parent in self.problem.parent])
         settled[list(slots)] = False
-        zones, every = self.zones, np.arange(len(world))
+        zones, walked, every = self.zones, self._walked.copy(), np.arange(len(world))
         bodies, ahead, openings = (make(every, world) for make in (zones.bodies, zones.ahead, zones.openings))
-        site = _Site(settled, bodies, ahead, openings, zones.stands(every, world), self._walked.copy())
-        site.walked.take(site.walked.taken(site.bodies[settled & zones.blocks]))
-        return site
+        walked.take(walked.taken(bodies[settled & zones.blocks]))
+        return _Site(settled, bodies, ahead, openings, walked.cells(zones.stands(every, world)), walked)
 
     def _place(self, slot: int, world: Floats, site: _Site, looks: int) -> Floats:
         """Return the best of many places of a slot, and take the floor that it needs; where all are bad, look again."""
@@ -157,7 +156,8 @@ class Builder:
             places, gaps = self._places(slot, world, site)
             bodies = self.zones.bodies(slot, places)
             cost = self._cost(slot, places, bodies, world, site) + TIGHT * gaps
-            k = self._cheapest(slot, places, cost, site, least) if self.zones.blocks[slot] else int(cost.argmin())
+            blocks = self.zones.blocks[slot]
+            k = self._cheapest(slot, places, bodies, cost, site, least) if blocks else int(cost.argmin())
             if cost[k] < least:
                 best, least = places[k], float(cost[k])
                 site.bodies[slot] = bodies[k]
@@ -165,17 +165,17 @@ class Builder:
                 break
         site.ahead[slot] = self.zones.ahead([slot], best[None])[0]
         site.openings[slot] = self.zones.openings([slot], best[None])[0]
-        site.stands[slot] = self.zones.stands([slot], best[None])[0]
+        site.stands[slot] = site.walked.cells(self.zones.stands([slot], best[None]))[0]
         if self.zones.blocks[slot]:
             site.walked.take(site.walked.taken(site.bodies[[slot]]))
         return best
 
-    def _cheapest(self, slot: int, places: Floats, cost: Floats, site: _Site, limit: float) -> int:
+    def _cheapest(self, slot: int, places: Floats, bodies: Rects, cost: Floats, site: _Site, limit: float) -> int:
         """Return the cheapest place (m, 4) of a slot by what it does to those who walk, too, which `cost` then tells."""
-        walked, cells = site.walked, site.walked.taken(self.zones.bodies(slot, places))
+        walked, cells = site.walked, site.walked.taken(bodies)
         own = walked.cells(self.zones.stands(slot, places))
         cost += WALKED * walked.share(cells) + LOST * (walked.left(own, cells) == 0)
-        return walked.cheapest(cells, cost, walked.cells(site.stands[site.settled]), limit)
+        return walked.cheapest(cells, cost, site.stands[site.settled], limit)
 
     def touched(self, slot: int, places: Floats, world: Floats) -> set[int]:
         """Return the slots whose bounds overlap those of a slot at some places (m, 4), at heights at which they would collide."""

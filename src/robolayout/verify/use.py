@@ -79,10 +79,8 @@ class Usage:
 
     def shutting(self, name: str) -> tuple[str, ...]:
         """Return the assets that stand where a placed one needs room to open."""
-        judge = self._judge
-        row = judge.found.names.index(name)
-        found = [blocker for i in judge.ways.of(row) for blocker in judge.opening_blockers(row, judge.ways.sides[i])]
-        return tuple(blocker for blocker in dict.fromkeys(found) if blocker in self.usable)
+        found = self._judge.in_front.get(self._judge.found.names.index(name), ())
+        return tuple(blocker for blocker in found if blocker in self.usable)
 
     @cached_property
     def uses(self) -> Mapping[str, Use]:
@@ -161,10 +159,10 @@ class _Judge:
 
     def opening_blockers(self, row: int, side: str) -> tuple[str, ...]:
         """Return what stands in the depth that an asset needs in front to be opened: names, or "the wall"."""
-        return self._in_front.get(row, ()) if side == "front" else ()
+        return self.in_front.get(row, ()) if side == "front" else ()
 
     @cached_property
-    def _in_front(self) -> Mapping[int, tuple[str, ...]]:
+    def in_front(self) -> Mapping[int, tuple[str, ...]]:
         """What keeps assets from being opened, by row."""
         found = self.found
         fronts = np.array([side == "front" for side in self.ways.sides], dtype=bool)
@@ -208,8 +206,7 @@ class _Judge:
         if reach is None:
             return _height_reason(agent, bottom, top)
         numbers = self.ways.of(row)
-        blockers = [name for i in numbers for name in self.opening_blockers(row, self.ways.sides[i])]
-        if blockers:
+        if blockers := self.in_front.get(row):
             return f"its front has no room to open: {' and '.join(blockers)} in the way"
         sides = " or ".join(self.ways.sides[i] for i in numbers if self.ways.sides[i]) or "edge"
         away = min((self._nearest(row, i) for i in numbers), default=math.inf)
