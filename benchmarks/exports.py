@@ -20,7 +20,7 @@ from benchmarks.measures import watch
 from benchmarks.pictures import SHOPS, furnished
 from benchmarks.store import Row
 from robolayout.export import EXPORTERS, Options, drive, export_all, settle
-from robolayout.outputs import export_options
+from robolayout.run.outputs import export_options
 
 TOOLS = ROOT / "tests" / "tools"
 

@@ -12,9 +12,9 @@ import robolayout as rl
 from benchmarks.examples import ROOMS, ROOT
 from benchmarks.measures import watch
 from benchmarks.store import Row
-from robolayout.outputs import page_html, png
-from robolayout.plan_marks import plan_marks
+from robolayout.page.marks import plan_marks
 from robolayout.render import Studio, annotate, loss_png, plan_pdf, plan_svg, progress_gif, render_beauty, walk_gif
+from robolayout.run.outputs import page_html, png
 
 SHOPS = ("tasks/bookstore_medium", "tasks/florists_shop_medium")
 SIZE = 512

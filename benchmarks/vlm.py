@@ -69,7 +69,7 @@ def replayed(room: str, mode: Any, *, filtered: bool = True, samples: int = 1, r
 
 def measured(run: Callable[[], rl.Result], filtered: bool) -> Row:
     """Run twice; return figures, seconds of the solver when warm, and what became of the answers."""
-    with nullcontext() if filtered else patch("robolayout.pipeline.reconcile", unfiltered):
+    with nullcontext() if filtered else patch("robolayout.run.flow.reconcile", unfiltered):
         run()
         with watch() as spent:
             result = run()

@@ -11,9 +11,9 @@ from pathlib import Path
 
 import robolayout as rl
 from robolayout._files import write_atomic
-from robolayout.outputs import png
-from robolayout.plan_marks import plan_marks
+from robolayout.page.marks import plan_marks
 from robolayout.render import Studio, plan_svg
+from robolayout.run.outputs import png
 
 ROOT = Path(__file__).parents[1]
 FOLDER = ROOT / "docs" / "gallery"

@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import pytest
 
 import robolayout as rl
-from robolayout.plan_marks import plan_marks
+from robolayout.page.marks import plan_marks
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, layout_from_dict, load_agent
 from robolayout.verify import judge_agent, verify
 from running import ROOT, Ran

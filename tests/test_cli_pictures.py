@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from robolayout.cli_pictures import viewpoint
+from robolayout.cli.pictures import viewpoint
 from robolayout.render.camera import Camera
 from robolayout.scene import Pose, load_layout, load_scene
 from running import Furnished, Ran

@@ -21,12 +21,12 @@ from robolayout._version import __version__ as __version__
 if TYPE_CHECKING:
     from robolayout._errors import InputError, RoboLayoutError
     from robolayout.export import export
-    from robolayout.outputs import page_html, write_result
-    from robolayout.pipeline import Result, compare, generate, solve
     from robolayout.planners import scene_from_sentence
     from robolayout.program import Program, read_program, reconcile
     from robolayout.render import plan_svg
     from robolayout.render import render_view as render
+    from robolayout.run.flow import Result, compare, generate, solve
+    from robolayout.run.outputs import page_html, write_result
     from robolayout.scene import (
         Agent,
         Asset,
@@ -50,27 +50,27 @@ _HOMES = {
     "Pose": "scene",
     "Program": "program",
     "Report": "verify",
-    "Result": "pipeline",
+    "Result": "run.flow",
     "RoboLayoutError": "_errors",
     "Room": "scene",
     "Scene": "scene",
     "SolverConfig": "solve",
-    "compare": "pipeline",
+    "compare": "run.flow",
     "export": "export",
-    "generate": "pipeline",
+    "generate": "run.flow",
     "load_agent": "scene",
     "load_layout": "scene",
     "load_scene": "scene",
-    "page_html": "outputs",
+    "page_html": "run.outputs",
     "plan_svg": "render",
     "read_program": "program",
     "reconcile": "program",
     "render": "render",
     "scene_from_dict": "scene",
     "scene_from_sentence": "planners",
-    "solve": "pipeline",
+    "solve": "run.flow",
     "verify": "verify",
-    "write_result": "outputs",
+    "write_result": "run.outputs",
 }
 
 _NAMES = {"render": "render_view"}

@@ -12,8 +12,8 @@ import pytest
 from page_runs import HOSTILE, PLACES, PROGRAM, Opened, run_of
 
 from robolayout import load_scene, page_html
-from robolayout.pipeline import Result
 from robolayout.program import read_program
+from robolayout.run.flow import Result
 from robolayout.scene import Scene, load_agents
 from running import ROOT
 

@@ -6,8 +6,8 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
-from robolayout.pipeline import Result
 from robolayout.program import Program, reconcile
+from robolayout.run.flow import Result
 from robolayout.scene import Layout, Pose, Scene, Snapshot, Trace
 from robolayout.solve import Solution, Verdict
 from robolayout.verify import verify

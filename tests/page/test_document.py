@@ -14,8 +14,8 @@ import pytest
 from page_runs import HOSTILE, MOMENTS, PLACES, run_of
 
 from robolayout import page_html
-from robolayout.pipeline import Result
 from robolayout.program import read_program
+from robolayout.run.flow import Result
 from robolayout.scene import Asset, Room, Scene, Snapshot, Trace
 from robolayout.verify import exempt_from_reach
 from running import ROOT

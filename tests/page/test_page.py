@@ -13,7 +13,7 @@ from page_runs import HOSTILE, MOMENTS, Opened
 from PIL import Image
 
 from robolayout.assets import parts
-from robolayout.pipeline import Result
+from robolayout.run.flow import Result
 
 Open = Callable[..., Opened]
 GROUND = (0xF4, 0xF3, 0xEF)

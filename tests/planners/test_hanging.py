@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from robolayout.pipeline import make_judge
 from robolayout.planners import OfflinePlanner, PlanRequest
 from robolayout.planners.sentence import scene_from_sentence
 from robolayout.program import read_program, reconcile
+from robolayout.run.flow import make_judge
 from robolayout.solve import compile_problem
 
 SENTENCE = "a bedroom for two children with a bunk bed, desks and a reading corner, 4 x 5 m, for a wheelchair user"

@@ -14,7 +14,7 @@ from vlm_server import Reply, Seen, png, serving
 
 from robolayout._errors import InputError, MissingExtraError, ModelError, ProgramError, UnknownNameError
 from robolayout.planners import Group, ModelPlanner, PlanRequest
-from robolayout.planners._vlm_grouping import LEFT_OVER
+from robolayout.planners.model.grouping import LEFT_OVER
 from robolayout.program import Limits, read_program
 from robolayout.scene import Layout, Pose
 
@@ -388,7 +388,7 @@ def test_a_missing_key_names_its_variable() -> None:
 
 
 def test_a_missing_package_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    from robolayout.planners import _model_provider
+    from robolayout.planners.model import provider as _model_provider
 
     def without(provider: str) -> None:
         raise ImportError("Please install `anthropic`, you can use `pip install 'pydantic-ai-slim[anthropic]'`")

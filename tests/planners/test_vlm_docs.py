@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from robolayout.planners.vlm import MODES
+from robolayout.planners.model.planner import MODES
 
 ROOT = Path(__file__).parents[2]
 PAGES = ("docs/vlm.md", "docs/how-to/planner-model.md")

@@ -13,7 +13,7 @@ from vlm_server import Reply, Seen, png, serving
 
 from robolayout._errors import InputError, ModelError
 from robolayout.planners import Group, ModelPlanner, PlanRequest
-from robolayout.planners._model_exchange import NAME, read_exchanges, secrets
+from robolayout.planners.model.exchange import NAME, read_exchanges, secrets
 from robolayout.scene import Layout, Pose
 
 pytestmark = pytest.mark.usefixtures("ask_loopback")

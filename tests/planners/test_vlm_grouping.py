@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from vlm_rooms import small_room
 
-from robolayout.planners._vlm_grouping import LEFT_OVER, AnsweredGroup, Grouping, complaint, groups_of
+from robolayout.planners.model.grouping import LEFT_OVER, AnsweredGroup, Grouping, complaint, groups_of
 
 SCENE = small_room()
 NAMES = [asset.name for asset in SCENE.assets]

@@ -12,7 +12,7 @@ from vlm_rooms import asset, small_room
 
 from robolayout.constraints import RELATIONS
 from robolayout.planners import Group, PlanRequest
-from robolayout.planners._vlm_prompt import (
+from robolayout.planners.model.prompt import (
     PROMPT_VERSION,
     expressions,
     given_data,
@@ -21,7 +21,7 @@ from robolayout.planners._vlm_prompt import (
     request_text,
     state_text,
 )
-from robolayout.planners._vlm_vocabulary import entry, vocabulary
+from robolayout.planners.model.vocabulary import entry, vocabulary
 from robolayout.program import read_program
 from robolayout.scene import Layout, Pose, scene_from_dict
 from robolayout.verify import verify
@@ -31,7 +31,7 @@ BED = Group("sleeping", "The bed rules.", ("bed-0", "lamp-0"), ("lamp-0 beside b
 
 
 def test_changed_prompts_have_a_new_version() -> None:
-    folder = files("robolayout.planners") / "prompts"
+    folder = files("robolayout.planners.model") / "prompts"
     texts = [path.read_text() for path in sorted(folder.iterdir(), key=lambda p: p.name)]
     found = hashlib.sha256("\n".join(texts).encode()).hexdigest()[:16]
     assert PROMPTS[PROMPT_VERSION] == found, f"the prompts changed: raise PROMPT_VERSION and note {found!r} for it here"

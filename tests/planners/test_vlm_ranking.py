@@ -6,8 +6,8 @@ from hypothesis import strategies as st
 from vlm_rooms import small_room
 
 from robolayout.planners import rank_samples, score_samples
-from robolayout.planners._vlm_feedback import MOST_LINES, feedback_text
-from robolayout.planners._vlm_ranking import ACCESS, HARD, agreement
+from robolayout.planners.model.feedback import MOST_LINES, feedback_text
+from robolayout.planners.model.ranking import ACCESS, HARD, agreement
 from robolayout.program import Program, read_program
 
 SCENE = small_room()

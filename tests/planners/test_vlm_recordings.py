@@ -6,9 +6,9 @@ import pytest
 import vlm_recordings as recordings
 
 from robolayout._errors import ProgramError
-from robolayout.pipeline import Result, generate
 from robolayout.planners import ModelPlanner, PlanRequest
 from robolayout.program import read_program, reconcile
+from robolayout.run.flow import Result, generate
 
 QUICK = ("game_room",)
 """Rooms that solve within seconds."""

@@ -11,9 +11,9 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from robolayout.planners._model_exchange import FORMAT, read_exchanges
-from robolayout.planners._vlm_prompt import PROMPT_VERSION, digest, given_data
-from robolayout.planners.vlm import EVERYTHING
+from robolayout.planners.model.exchange import FORMAT, read_exchanges
+from robolayout.planners.model.planner import EVERYTHING
+from robolayout.planners.model.prompt import PROMPT_VERSION, digest, given_data
 from robolayout.scene import Scene, load_scene
 
 FOLDER = Path(__file__).parent / "recordings"
@@ -49,7 +49,7 @@ def exchange(scene: Scene, mode: str, slot: tuple[str, str, int, int], text: str
 
 def rekey(room: str, mode: str) -> None:
     """Write the keys of one recording again."""
-    from robolayout.planners._vlm_grouping import Grouping, groups_of
+    from robolayout.planners.model.grouping import Grouping, groups_of
 
     folder, scene = FOLDER / room / mode, scene_of(room)
     entries = read_exchanges(folder)

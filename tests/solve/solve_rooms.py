@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from robolayout.pipeline import solve
 from robolayout.program import read_program, reconcile
+from robolayout.run.flow import solve
 from robolayout.scene import Agent, Asset, Opening, Pose, Room, Scene
 from robolayout.solve import Problem, SearchConfig, Solution, SolverConfig, compile_problem
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from solve_rooms import BED, L_SHAPED, STANDS, TABLE, problem_of, room_of, scattered
 
-from robolayout.pipeline import make_judge
 from robolayout.program import read_program, reconcile
+from robolayout.run.flow import make_judge
 from robolayout.scene import Room
 from robolayout.solve import Solver, SolverConfig
 from robolayout.solve.config import SearchConfig

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from robolayout.scene import Agent, Asset
-from robolayout.solve.paper import (
+from robolayout.solve.paper.project import correction, footprint, into_room
+from robolayout.solve.paper.solver import (
     PAPER,
     Moments,
     adam,
@@ -20,7 +21,6 @@ from robolayout.solve.paper import (
     problematic,
     rates,
 )
-from robolayout.solve.project import correction, footprint, into_room
 from solve.paper_rooms import BOXES, PROGRAM, SQUARE, problem
 
 PAGE = (Path(__file__).parents[2] / "docs" / "derivations.md").read_text("utf-8")

@@ -15,7 +15,8 @@ from shapely import Polygon
 from robolayout._geometry import Body, intersection_over_union
 from robolayout.scene import Asset
 from robolayout.solve import Verdict, compile_problem
-from robolayout.solve.paper import (
+from robolayout.solve.paper.project import footprint, into_room, onto_carrier, outside, projected
+from robolayout.solve.paper.solver import (
     PAPER,
     Evaluation,
     PaperConfig,
@@ -27,7 +28,6 @@ from robolayout.solve.paper import (
     paper_loss,
     random_start,
 )
-from robolayout.solve.project import footprint, into_room, onto_carrier, outside, projected
 from solve.paper_rooms import L_SHAPED, PROGRAM, SQUARE, TRIANGLE, overlap_judge, problem
 
 SHORT = PaperConfig(steps=40, refine_steps=10)
@@ -79,7 +79,7 @@ def test_the_ratio_decides_on_a_step_and_on_the_radius(gain, verdict):
 
 
 def test_adam_steps_by_its_rate_against_a_steady_gradient():
-    from robolayout.solve.paper import Moments
+    from robolayout.solve.paper.solver import Moments
 
     gradient, moments = np.array([[3.0, -0.5, 0.0, 1e-3]]), Moments.zero(np.zeros((1, 4)))
     for _ in range(5):

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from solve_rooms import BED, QUICK, problem_of, room_of, scattered
 
-from robolayout.pipeline import make_judge
 from robolayout.program import read_program, reconcile
+from robolayout.run.flow import make_judge
 from robolayout.scene import Asset, Pose
 from robolayout.solve import Problem, Solver
 from robolayout.solve.construct import Builder

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import robolayout as rl
-from robolayout.pipeline import make_judge
 from robolayout.planners import OfflinePlanner, PlanRequest
 from robolayout.program import read_program, reconcile
+from robolayout.run.flow import make_judge
 from robolayout.solve.compile import Floats, Problem, compile_problem
 from robolayout.solve.restore import TRIALS, restored
 

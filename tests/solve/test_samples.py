@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 from solve_rooms import BED, LAMP, PICTURE, QUICK, STANDS, TABLE, room_of
 
-from robolayout.pipeline import make_judge, solve, solve_many
 from robolayout.program import Program, read_program, reconcile
+from robolayout.run.flow import make_judge, solve, solve_many
 from robolayout.scene import Layout, Pose, Scene
 from robolayout.solve import SolverConfig, Verdict, compile_problem, programs, solve_samples
 from robolayout.solve.lanes import LaneRunner, Request, run_together

@@ -10,8 +10,8 @@ import pytest
 from robolayout._errors import UnknownNameError
 from robolayout.scene import Scene
 from robolayout.solve import compile_problem, solve_with, solver_names
-from robolayout.solve.paper import paper_loss
-from robolayout.solve.scipy_solvers import ScipyConfig, ScipySolver
+from robolayout.solve.paper.scipy_solvers import ScipyConfig, ScipySolver
+from robolayout.solve.paper.solver import paper_loss
 from solve.paper_rooms import BOXES, PROGRAM, SQUARE, overlap_judge, problem
 
 QUICK = ScipyConfig(iterations=120, evaluations=400, rounds=20, polish=30)

@@ -31,8 +31,8 @@ from solve_rooms import (
     solved,
 )
 
-from robolayout.pipeline import make_judge, solve
 from robolayout.program import read_program, reconcile
+from robolayout.run.flow import make_judge, solve
 from robolayout.scene import Asset, Pose, Room, Scene, vertical_span
 from robolayout.solve import Solver, Verdict
 from robolayout.solve.construct import Builder

@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import numpy as np
 
 from robolayout._version import __version__
 from robolayout.page._agents import agent_content, listed, millimetres
+from robolayout.program import Program, Reconciled
 from robolayout.render import PlanMarks, palette
 from robolayout.render.curves import TOTAL, loss_terms
 from robolayout.render.plan import display_name
-from robolayout.scene import Asset, Trace
+from robolayout.scene import Asset, Layout, Scene, Trace
 from robolayout.verify import Report
-
-if TYPE_CHECKING:
-    from robolayout.pipeline import Result
 
 FRAMES = 120
 """Most moments of the search that the page holds."""
@@ -29,7 +27,41 @@ Row = tuple[str, str, bool | None]
 """What was looked at, what came out, and whether that is enough (None: nothing is asked)."""
 
 
-def content(result: Result, marks: Sequence[PlanMarks]) -> dict[str, Any]:
+class Shown(Protocol):
+    """What the page shows of a run."""
+
+    @property
+    def scene(self) -> Scene:
+        """What was given."""
+        ...
+
+    @property
+    def program(self) -> Program:
+        """What was asked."""
+        ...
+
+    @property
+    def reconciled(self) -> Reconciled:
+        """The same after the filter."""
+        ...
+
+    @property
+    def layout(self) -> Layout:
+        """Poses."""
+        ...
+
+    @property
+    def report(self) -> Report:
+        """What the verifier says."""
+        ...
+
+    @property
+    def trace(self) -> Trace:
+        """The record of the search."""
+        ...
+
+
+def content(result: Shown, marks: Sequence[PlanMarks]) -> dict[str, Any]:
     """Return everything that the page shows, the meshes aside.
 
     Args:
@@ -71,7 +103,7 @@ def _unmet(report: Report) -> Iterator[str]:
     return (item.complaint for item in report.statements if not item.met)
 
 
-def _assets(result: Result) -> Iterator[dict[str, Any]]:
+def _assets(result: Shown) -> Iterator[dict[str, Any]]:
     scene, layout = result.scene, result.layout
     about = {asset.name: list[int]() for asset in scene.assets}
     for i, statement in enumerate(result.program.statements):
@@ -117,7 +149,7 @@ def _physical(report: Report, name: str) -> list[Row]:
     return rows or [("Physics", "placed, collides with nothing, inside the room, held", True)]
 
 
-def _statements(result: Result) -> Iterator[dict[str, Any]]:
+def _statements(result: Shown) -> Iterator[dict[str, Any]]:
     decided = {decision.statement.number: decision for decision in result.reconciled.decisions}
     for item in result.report.statements:
         decision = decided.get(item.number)

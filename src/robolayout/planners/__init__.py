@@ -8,23 +8,23 @@ from typing import TYPE_CHECKING, Any
 from robolayout.planners._types import Critic, Group, GroupPlanner, Judgement, Planner, PlanRequest
 
 if TYPE_CHECKING:
-    from robolayout.planners._vlm_feedback import feedback_text
-    from robolayout.planners._vlm_ranking import Score, rank_samples, score_samples
     from robolayout.planners.file import FilePlanner
+    from robolayout.planners.model.feedback import feedback_text
+    from robolayout.planners.model.planner import ModelPlanner
+    from robolayout.planners.model.ranking import Score, rank_samples, score_samples
     from robolayout.planners.offline import OfflinePlanner
     from robolayout.planners.sentence import Understanding, scene_from_sentence
-    from robolayout.planners.vlm import ModelPlanner
 
 _LAZY = {
     "FilePlanner": "file",
-    "ModelPlanner": "vlm",
+    "ModelPlanner": "model.planner",
     "OfflinePlanner": "offline",
-    "Score": "_vlm_ranking",
+    "Score": "model.ranking",
     "Understanding": "sentence",
-    "feedback_text": "_vlm_feedback",
-    "rank_samples": "_vlm_ranking",
+    "feedback_text": "model.feedback",
+    "rank_samples": "model.ranking",
     "scene_from_sentence": "sentence",
-    "score_samples": "_vlm_ranking",
+    "score_samples": "model.ranking",
 }
 
 __all__ = [

@@ -112,7 +112,7 @@ def _processor() -> str:
 def _source_hash() -> str:
     """Return a hash of the code that programs are compiled from."""
     solve = Path(__file__).parent
-    files = sorted(solve.glob("*.py")) + sorted((solve.parent / "_geometry").glob("*.py"))
+    files = sorted(solve.rglob("*.py")) + sorted((solve.parent / "_geometry").glob("*.py"))
     return hashlib.sha256(b"\0".join(file.read_bytes() for file in files)).hexdigest()
 
 

@@ -30,7 +30,7 @@ def _default(
 def _paper(
     problem: Problem, judge: Judge, seed: int, _config: SolverConfig | None, progress: Progress | None
 ) -> Solution:
-    from robolayout.solve.paper import PaperSolver
+    from robolayout.solve.paper.solver import PaperSolver
 
     return PaperSolver(problem, judge, seed=seed, progress=progress).solve()
 
@@ -38,7 +38,7 @@ def _paper(
 def _trust_constr(
     problem: Problem, judge: Judge, seed: int, _config: SolverConfig | None, progress: Progress | None
 ) -> Solution:
-    from robolayout.solve.scipy_solvers import ScipySolver
+    from robolayout.solve.paper.scipy_solvers import ScipySolver
 
     return ScipySolver(problem, judge, seed=seed, progress=progress).trust_constr()
 
@@ -46,7 +46,7 @@ def _trust_constr(
 def _dual_annealing(
     problem: Problem, judge: Judge, seed: int, _config: SolverConfig | None, progress: Progress | None
 ) -> Solution:
-    from robolayout.solve.scipy_solvers import ScipySolver
+    from robolayout.solve.paper.scipy_solvers import ScipySolver
 
     return ScipySolver(problem, judge, seed=seed, progress=progress).dual_annealing()
 

@@ -29,7 +29,7 @@ def _marks(scene: Scene, layout: Layout, options: Options) -> PlanMarks | None:
     """Return what the agent can do in the layout; None without an agent."""
     if options.agent is None:
         return None
-    from robolayout.plan_marks import plan_marks
+    from robolayout.page.marks import plan_marks
     from robolayout.verify import judge_agent
 
     return plan_marks(judge_agent(scene, layout, options.agent))

@@ -8,9 +8,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from robolayout.attempt import Attempt, Clock, Progress
 from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
+from robolayout.run.attempt import Attempt, Clock, Progress
 from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict, vertical_span
 from robolayout.scene.agent import horizontal_reach
 from robolayout.solve import (
@@ -30,7 +30,7 @@ from robolayout.solve import (
 from robolayout.verify import Report, judge_agent, kept_out, physics, verify
 
 if TYPE_CHECKING:
-    from robolayout.grouped import Sample
+    from robolayout.run.groups import Sample
 
 AgentSpec = Agent | str | Path | Mapping[str, Any]
 
@@ -83,7 +83,7 @@ class Result:
 
     def _repr_html_(self) -> str:
         """Return the plan for the first agent beside the short report, for notebooks."""
-        from robolayout.plan_marks import plan_marks
+        from robolayout.page.marks import plan_marks
         from robolayout.render import plan_svg
 
         first = self.report.agents[0]
@@ -225,7 +225,7 @@ class _Run:
 
     def by_groups(self, planner: GroupPlanner, groups: tuple[Group, ...]) -> Result:
         """Plan with a model, group by group; the report says who planned."""
-        from robolayout.grouped import GroupedRun
+        from robolayout.run.groups import GroupedRun
 
         asking = GroupedRun(
             self.scene, planner, self.finished, prepare=self.prepare, seed=self.seed, clock=self.clock, say=self.say
@@ -233,7 +233,7 @@ class _Run:
         planned = asking.run(groups)
         best, parts = planned.attempt, [planned.to_dict()]
         if isinstance(planner, Critic) and planner.critic:
-            from robolayout.critic import CriticPass
+            from robolayout.run.critic import CriticPass
 
             best, said = CriticPass(self.scene, planner, self.finished, self.clock, self.say).run(best)
             parts.append(said.to_dict())
@@ -251,7 +251,7 @@ class _Run:
         layout = best.solution.layout
         report = verify(self.scene, layout, best.asked)
         if any(not item.met for item in report.statements):
-            from robolayout.conflicts import conflicts
+            from robolayout.run.conflicts import conflicts
 
             with self.clock.station("conflicts"):
                 report = report.with_conflicts(conflicts(self.scene, best.reconciled, layout, seed=self.seed))

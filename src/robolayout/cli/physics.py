@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from robolayout._errors import InputError
-from robolayout.cli_generate import AgentOption, AssetDirOption, JsonOption, QuietOption, read_scene
-from robolayout.cli_tables import table
+from robolayout.cli.generate import AgentOption, AssetDirOption, JsonOption, QuietOption, read_scene
+from robolayout.cli.tables import table
 
 if TYPE_CHECKING:
     from robolayout.export import Driven, Settled
@@ -56,7 +56,7 @@ def drive(
 ) -> None:
     """Drive the agent along its routes to every asset in MuJoCo and report contacts (extra `sim`)."""
     from robolayout.export import drive as run
-    from robolayout.outputs import export_options
+    from robolayout.run.outputs import export_options
     from robolayout.scene import load_layout
     from robolayout.verify import verify
 

@@ -16,7 +16,7 @@ from string import Template
 
 from robolayout.assets.obstacles import use_sides
 from robolayout.planners._types import Group, PlanRequest
-from robolayout.planners._vlm_vocabulary import vocabulary
+from robolayout.planners.model.vocabulary import vocabulary
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene
 
 PROMPT_VERSION = "2"
@@ -29,7 +29,7 @@ LONGEST_DESCRIPTION = 400
 @cache
 def prompt(name: str) -> str:
     """Return the text of one prompt file."""
-    text = files("robolayout.planners").joinpath("prompts", f"{name}.md").read_text(encoding="utf-8")
+    text = files("robolayout.planners.model").joinpath("prompts", f"{name}.md").read_text(encoding="utf-8")
     return Template(text).safe_substitute(vocabulary=vocabulary()) if "$vocabulary" in text else text
 
 

@@ -16,8 +16,8 @@ import numpy as np
 from robolayout.scene import Snapshot, Trace
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.judge import Judge
-from robolayout.solve.paper import TERMS, Evaluation, paper_loss, random_start
-from robolayout.solve.project import projected
+from robolayout.solve.paper.project import projected
+from robolayout.solve.paper.solver import TERMS, Evaluation, paper_loss, random_start
 from robolayout.solve.solution import Progress, Solution, conclude, silent
 
 

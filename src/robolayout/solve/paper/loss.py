@@ -13,7 +13,7 @@ from jaxtyping import Array, Float
 
 from robolayout._geometry import Body, FrameRow, frame_residual, intersection_over_union, mirror_residual
 from robolayout.constraints.reachable_pairwise import ALPHA
-from robolayout.solve._paper_table import Table
+from robolayout.solve.paper.table import Table
 
 OVERLAP = 1000.0
 """Scale of the overlap loss (the paper's table of constraints)."""

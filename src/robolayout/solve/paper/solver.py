@@ -17,10 +17,10 @@ from shapely import Polygon
 
 from robolayout.scene import Room, Snapshot, Trace
 from robolayout.solve import programs
-from robolayout.solve._paper_table import make_table, overlap_pairs
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.judge import Judge
-from robolayout.solve.project import footprint, into_room, outside, projected
+from robolayout.solve.paper.project import footprint, into_room, outside, projected
+from robolayout.solve.paper.table import make_table, overlap_pairs
 from robolayout.solve.solution import Progress, Solution, conclude, silent
 
 TERMS = ("overlap", "statements", "reachability")
@@ -117,7 +117,7 @@ def paper_loss(problem: Problem) -> Loss:
     def loss(world: Floats) -> Evaluation:
         poses = padding.copy()
         poses[: len(world)] = world
-        value, gradient, terms = programs.call("_paper_loss:value_and_gradient", poses, table)
+        value, gradient, terms = programs.call("paper.loss:value_and_gradient", poses, table)
         return Evaluation(float(value), gradient[: len(world)], terms)
 
     return loss

@@ -14,9 +14,9 @@ import typer
 
 from robolayout._errors import InputError, RoboLayoutError
 from robolayout._version import __version__
-from robolayout.cli_assets import assets
-from robolayout.cli_bodies import agents
-from robolayout.cli_generate import (
+from robolayout.cli.assets import assets
+from robolayout.cli.bodies import agents
+from robolayout.cli.generate import (
     AgentOption,
     AssetDirOption,
     JsonOption,
@@ -28,9 +28,9 @@ from robolayout.cli_generate import (
     progress,
     read_scene,
 )
-from robolayout.cli_physics import drive, settle
-from robolayout.cli_pictures import render
-from robolayout.cli_tables import show, table
+from robolayout.cli.physics import drive, settle
+from robolayout.cli.pictures import render
+from robolayout.cli.tables import show, table
 
 app = typer.Typer(
     help="Lay out a 3D room for a body, and prove that it can move through and use it.",
@@ -114,9 +114,9 @@ def compare(  # noqa: PLR0913 - one parameter per option
     quiet: QuietOption = False,
 ) -> None:
     """Lay out one room for several bodies, side by side in one picture."""
-    from robolayout import pipeline
     from robolayout._files import check_writable, write_atomic
-    from robolayout.outputs import comparison
+    from robolayout.run import flow
+    from robolayout.run.outputs import comparison
 
     if out.suffix not in (".png", ".svg"):
         raise InputError(f"a comparison cannot be written to {out}: name a file that ends in .png or .svg.")
@@ -124,7 +124,7 @@ def compare(  # noqa: PLR0913 - one parameter per option
     check_writable(out.parent)
     with progress(quiet) as say:
         planner = own_planner(knowledge)
-        results = pipeline.compare(given, given.agents, planner=planner, seed=seed, progress=say)
+        results = flow.compare(given, given.agents, planner=planner, seed=seed, progress=say)
     write_atomic(out, comparison(results, out.suffix, width=width))
     if not quiet:
         rows = zip(*(result.report.rows() for result in results), strict=True)
@@ -149,7 +149,7 @@ def export(
     """Write a layout for simulators and viewers."""
     from robolayout._files import check_writable
     from robolayout.export import export_all, exporters, find_exporter
-    from robolayout.outputs import export_options
+    from robolayout.run.outputs import export_options
     from robolayout.scene import load_layout
     from robolayout.verify import verify
 

@@ -21,7 +21,7 @@ from pydantic_ai.exceptions import (
 )
 
 from robolayout._errors import ModelError
-from robolayout.planners._model_provider import Spec, nearest_model
+from robolayout.planners.model.provider import Spec, nearest_model
 
 SEES = re.compile(r"image|vision|multi-?modal|picture|mmproj", re.IGNORECASE)
 """Words of a provider that says it does not take pictures."""

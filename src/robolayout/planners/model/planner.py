@@ -19,16 +19,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast, get_args
 
 from robolayout._errors import InputError, MissingExtraError, UnknownNameError
-from robolayout.planners import _vlm_prompt as texts
-from robolayout.planners._model_exchange import Question, Tape
 from robolayout.planners._types import Group, Pictures, PlanRequest
-from robolayout.planners._vlm_grouping import Grouping, Rating, complaint, groups_of
+from robolayout.planners.model import prompt as texts
+from robolayout.planners.model.exchange import Question, Tape
+from robolayout.planners.model.grouping import Grouping, Rating, complaint, groups_of
 from robolayout.scene import Layout, Scene
 
 if TYPE_CHECKING:
     from pydantic_ai.models import Model
 
-    from robolayout.planners._model_client import Client, Usage
+    from robolayout.planners.model.client import Client, Usage
 
 T = TypeVar("T")
 
@@ -231,8 +231,8 @@ def _client(
 ) -> Client:
     """Return the client; raises `MissingExtraError` without the model library."""
     try:
-        from robolayout.planners._model_client import Client
-        from robolayout.planners._model_provider import Spec, spec_of
+        from robolayout.planners.model.client import Client
+        from robolayout.planners.model.provider import Spec, spec_of
     except ImportError as error:
         if (error.name or "").partition(".")[0] not in ("pydantic_ai", "genai_prices", "httpx2", "openai"):
             raise

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from robolayout._errors import InputError
-from robolayout.cli_tables import table
+from robolayout.cli.tables import table
 
 if TYPE_CHECKING:
     from robolayout.scene import Agent
@@ -72,8 +72,8 @@ def _unsourced(body: Agent) -> list[tuple[str, float]]:
 
 def _drawn(body: Agent, suffix: str) -> bytes:
     """Return the drawing of a body in the form that a file's suffix names."""
-    from robolayout.outputs import png
     from robolayout.render import body_image, body_pdf, body_svg
+    from robolayout.run.outputs import png
 
     if suffix == ".svg":
         return body_svg(body).encode()

@@ -11,9 +11,9 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from robolayout._errors import ModelError, ProgramError
-from robolayout.attempt import Attempt, Clock, Progress, joined_traces
 from robolayout.planners import Group, GroupPlanner, OfflinePlanner, PlanRequest, Score, feedback_text, score_samples
 from robolayout.program import Guess, Program, Statement, read_program, reconcile
+from robolayout.run.attempt import Attempt, Clock, Progress, joined_traces
 from robolayout.scene import Layout, Pose, Scene, Trace
 from robolayout.verify import Report, verify
 

@@ -20,7 +20,7 @@ from typing import Any
 
 from robolayout._errors import InputError, ModelError
 from robolayout._files import write_atomic
-from robolayout.planners._vlm_prompt import PROMPT_VERSION, digest
+from robolayout.planners.model.prompt import PROMPT_VERSION, digest
 
 FORMAT = 1
 """Version of the exchange files."""

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from robolayout._errors import ModelError, ProgramError
-from robolayout.attempt import Attempt, Clock, Progress, joined_traces
 from robolayout.planners import Critic, Judgement, PlanRequest, Score, feedback_text, score_samples
 from robolayout.program import Guess, Program, read_program
+from robolayout.run.attempt import Attempt, Clock, Progress, joined_traces
 from robolayout.scene import Pose, Scene
 from robolayout.verify import Report, verify
 

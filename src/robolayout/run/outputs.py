@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from robolayout._files import write_atomic
 from robolayout.export import Options, export, find_exporter, to_bytes
-from robolayout.plan_marks import plan_marks
+from robolayout.page.marks import plan_marks
 from robolayout.render import PlanMarks
 from robolayout.scene import scene_to_dict
 from robolayout.verify import AgentReport, Report
@@ -19,7 +19,7 @@ from robolayout.verify import AgentReport, Report
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-    from robolayout.pipeline import Result
+    from robolayout.run.flow import Result
 
 PICTURE_SIZE = 900
 """Pixels of a side of `top.png` and `view.png`."""

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from pydantic import BaseModel, Field
 
 from robolayout.planners._types import Group
-from robolayout.planners._vlm_prompt import expressions
+from robolayout.planners.model.prompt import expressions
 from robolayout.scene import Scene
 
 LEFT_OVER = "left over"

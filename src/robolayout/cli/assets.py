@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from robolayout._errors import AssetError, InputError
-from robolayout.cli_tables import table
+from robolayout.cli.tables import table
 
 if TYPE_CHECKING:
     from robolayout.assets import Category
@@ -69,8 +69,8 @@ def _import(folder: Path | None, out: Path, front: str | None) -> None:
 def _draw(found: Sequence[Category], target: Path) -> None:
     """Draw categories in their typical sizes."""
     from robolayout._files import write_atomic
-    from robolayout.outputs import png
     from robolayout.render import asset_sheet
+    from robolayout.run.outputs import png
     from robolayout.scene import Asset, variable_name
 
     if target.suffix != ".png":

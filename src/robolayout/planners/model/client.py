@@ -39,9 +39,9 @@ from pydantic_ai.settings import ModelSettings
 from pydantic_ai.usage import RequestUsage
 
 from robolayout._errors import InputError, ModelError
-from robolayout.planners._model_errors import refuses_images, sentence
-from robolayout.planners._model_exchange import Question, Tape
-from robolayout.planners._model_provider import Spec, open_model
+from robolayout.planners.model.errors import refuses_images, sentence
+from robolayout.planners.model.exchange import Question, Tape
+from robolayout.planners.model.provider import Spec, open_model
 
 T = TypeVar("T")
 Check = Callable[[Any], str | None]

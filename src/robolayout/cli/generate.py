@@ -14,8 +14,8 @@ import typer
 from robolayout._errors import InputError
 
 if TYPE_CHECKING:
-    from robolayout.pipeline import Result
     from robolayout.planners import Planner
+    from robolayout.run.flow import Result
     from robolayout.scene import Scene
 
 SceneOrSentence = Annotated[
@@ -84,8 +84,8 @@ def generate(  # noqa: PLR0913 - one parameter per option
 ) -> None:
     """Lay out a scene, verify it, and write layout, report, pictures and GLB."""
     from robolayout._files import check_writable
-    from robolayout.outputs import write_result
-    from robolayout.pipeline import generate as run
+    from robolayout.run.flow import generate as run
+    from robolayout.run.outputs import write_result
     from robolayout.solve import SolverConfig
 
     formats = _checked(export, constraints, settle=settle)
@@ -152,7 +152,7 @@ def _settled(result: Result) -> Result:
 def _walk(result: Result, folder: Path) -> list[Path]:
     """Write walk.gif, or say why there is none."""
     from robolayout._files import write_atomic
-    from robolayout.plan_marks import plan_marks
+    from robolayout.page.marks import plan_marks
     from robolayout.render import walk_gif
 
     first = result.report.agents[0]
@@ -269,7 +269,7 @@ def progress(quiet: bool) -> Generator[Callable[[str], None]]:
 
 
 def _tell(result: Result, folder: Path, files: list[Path], *, quiet: bool, as_json: bool) -> None:
-    from robolayout.cli_tables import show
+    from robolayout.cli.tables import show
 
     who = result.report.planner
     for warning in who.get("warnings", ()):

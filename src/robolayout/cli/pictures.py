@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from robolayout._errors import InputError
-from robolayout.cli_generate import AgentOption, AssetDirOption, read_scene
+from robolayout.cli.generate import AgentOption, AssetDirOption, read_scene
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -113,7 +113,7 @@ def _check(wish: _Wish) -> None:
 
 def _files(scene: Scene, layout: Layout, wish: _Wish, target: Path) -> list[tuple[Path, bytes]]:
     """Return the files that were asked for and what is in them, all drawn before any is written."""
-    from robolayout.outputs import png
+    from robolayout.run.outputs import png
 
     if wish.view in SUFFIXES:
         return [(target, _drawn(scene, layout, wish, target.suffix.lower()))]
@@ -137,9 +137,9 @@ def _files(scene: Scene, layout: Layout, wish: _Wish, target: Path) -> list[tupl
 
 def _drawn(scene: Scene, layout: Layout, wish: _Wish, suffix: str) -> bytes:
     """Return the plan or the walk."""
-    from robolayout.outputs import png
-    from robolayout.plan_marks import plan_marks
+    from robolayout.page.marks import plan_marks
     from robolayout.render import plan_image, plan_pdf, plan_svg, walk_gif
+    from robolayout.run.outputs import png
     from robolayout.verify import judge_agent
 
     marks: PlanMarks = plan_marks(judge_agent(scene, layout, scene.agent))
@@ -183,7 +183,7 @@ def _measured(studio: Studio, wish: _Wish, target: Path, stand: Point | None) ->
     """Return the picture, which asset each pixel shows, how far it is, and what the numbers mean."""
     from PIL import Image
 
-    from robolayout.outputs import png
+    from robolayout.run.outputs import png
 
     inside = wish.view.startswith("eye:")
     buffers = studio.buffers(studio.camera(wish.view, (wish.size, wish.size), stand=stand), inside=inside)

@@ -1,0 +1,1 @@
+"""The flow: groups, attempts, critic, and the output folder of a run."""
