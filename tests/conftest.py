@@ -12,11 +12,15 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 from running import ROOT, Furnished, Ran, run_command
 
 CACHE = "ROBOLAYOUT_CACHE"
 _MADE = pytest.StashKey[str]()
+
+settings.register_profile("robolayout", deadline=None, derandomize=True, print_blob=True)
+settings.load_profile("robolayout")  # no test depends on speed, and a run tests what the run before it did
 
 
 def pytest_configure(config: pytest.Config) -> None:

