@@ -18,9 +18,12 @@ from typing import Any
 from benchmarks.examples import ROOMS, ROOT
 from benchmarks.measures import watch
 from benchmarks.store import Row
+from robolayout.solve import solver_names
 
 COUNTS = (10, 20, 40, 80)
 BUCKETS = (8, 16, 32, 64, 128)
+SOLVER_ROOMS = ("bedroom.json", "tasks/classroom_crowded.json")
+"""Examples with 14 and 79 assets on which the command's solvers are timed."""
 REPEATS = 5
 PUBLISHED_STEPS = 400
 
@@ -36,6 +39,10 @@ def cases(quick: bool) -> Iterator[tuple[str, Callable[[], Row]]]:
     yield "process/first generate, empty cache", partial(process, run, repeats=1)
     yield "process/later generate", partial(process, run, warm=True)
     yield "process/later generate, no pictures", partial(process, [*run, "--no-pictures"], warm=True)
+    for name in () if quick else solver_names():
+        for room in SOLVER_ROOMS:
+            solved = [*command, "generate", str(ROOT / "examples" / room), "--solver", name, "--no-pictures", "--quiet"]
+            yield f"process/{name}/{room}", partial(process, solved, repeats=1, warm=True)
     if not quick:
         demo = f"git clone -q {shlex.quote(str(ROOT))} demo && make -C demo demo"
         yield "process/make demo, clean clone, installation included", partial(process, ["sh", "-c", demo], repeats=1)

@@ -5,6 +5,7 @@ A table stands between `<!-- table: NAME -->` and `<!-- end of table -->`; `test
 
 from __future__ import annotations
 
+import json
 import re
 import sys
 from collections.abc import Callable, Mapping, Sequence
@@ -17,6 +18,7 @@ from robolayout._files import write_atomic
 from robolayout.constraints import IMPLICIT, RELATIONS
 from robolayout.planners import scene_from_sentence
 from robolayout.scene import agent_names, load_agent
+from robolayout.solve import solver_names
 
 ROOT = Path(__file__).parents[1]
 TABLE = re.compile(r"(?<=<!-- table: )(\w+)( -->\n).*?(?=<!-- end of table -->)", re.DOTALL)
@@ -122,12 +124,57 @@ def errors() -> str:
     return table(["error", "is a", "exit code", "meaning"], rows)
 
 
+RESULTS = ROOT / "benchmarks" / "results"
+
+
+def measured() -> str:
+    """Return one row per kind of room of this repository: how many runs of `make bench` meet all that is feasible."""
+    rows: list[list[str]] = []
+    for section, key, rooms, cases in (
+        ("examples", "", "4 examples", "4 bodies x 5 seeds"),
+        ("bodies", "shares/", "4 examples and a room 40 % full", "15 bodies x 5 seeds"),
+        ("tasks", "", "43 tasks, 9 to 79 assets", "disc, wheelchair, the room's own body x 3 seeds"),
+        (
+            "crowded",
+            "planned/default/",
+            "crowded rooms made by rule, 30 % of the floor taken",
+            "10 to 120 assets x 10 seeds",
+        ),
+        ("crowded", "planned/default/", "the same, 45 %", "10 to 120 assets x 10 seeds"),
+    ):
+        found = json.loads((RESULTS / f"{section}.json").read_text(encoding="utf-8"))["rows"]
+        fill = "/30%/" if "30 %" in rooms else "/45%/" if "45 %" in rooms else ""
+        runs = [row for name, row in found.items() if name.startswith(key) and fill in name and "concave" not in name]
+        hard = sum(bool(row["hard_ok"]) for row in runs)
+        proved = sum(row["impossible"] > 0 for row in runs)
+        met = f"{sum(bool(row['ok']) for row in runs) + proved} of {len(runs)}"
+        rows.append([rooms, cases, f"{hard} of {len(runs)}", met + (f", {proved} proved impossible" if proved else "")])
+    heads = ["rooms", "runs", "collision-free, inside, supported, doors clear", "all that is feasible"]
+    return table(heads, rows)
+
+
+def solver_times() -> str:
+    """Return one row per solver: CPU seconds of the command that a user gives, everything included."""
+    found = json.loads((RESULTS / "speed.json").read_text(encoding="utf-8"))["rows"]
+    rooms = ("bedroom.json", "tasks/classroom_crowded.json")
+    rows = [
+        [
+            f"`--solver {name}`",
+            *(f"{found[key]['cpu']:.1f}" if (key := f"process/{name}/{room}") in found else "-" for room in rooms),
+        ]
+        for name in solver_names()
+    ]
+    return table(["command", *(f"`generate examples/{room} --no-pictures`" for room in rooms)], rows)
+
+
 TABLES: dict[str, Callable[[], str]] = {
     "relations": relations,
     "statements": statements,
     "sentences": sentences,
     "agents": agents,
     "errors": errors,
+    "solver_times": solver_times,
+    "measured": measured,
 }
 
 
