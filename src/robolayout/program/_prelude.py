@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from robolayout.program._program import Limits
+from robolayout.program._source import MEANINGLESS
 from robolayout.scene import RESERVED_NAMES, Scene
 
 RESERVED = RESERVED_NAMES | {"AssetInstance"}
@@ -19,11 +20,11 @@ RESERVED = RESERVED_NAMES | {"AssetInstance"}
 RECORDER = """
 import json as _rl_json
 import math
-from math import degrees, pi, radians
+from math import acos, asin, atan, atan2, ceil, cos, degrees, exp, fabs, floor, hypot, pi, radians, sin, sqrt, tan, tau
 
 _rl_len, _rl_isinstance, _rl_type, _rl_str, _rl_float = len, isinstance, type, str, float
 _rl_lists, _rl_numbers = (list, tuple), (int, float)
-_rl_bool, _rl_text = bool, str
+_rl_bool, _rl_text, _rl_range = bool, str, range
 _rl_log, _rl_notes, _rl_used = [], [], {"items": 0, "printed": 0}
 
 
@@ -34,6 +35,24 @@ class AssetInstance:
 
 
 _rl_Point = AssetInstance
+
+
+class _rl_Numpy:
+    def __init__(self):
+        self.pi = pi
+        self.sin, self.cos, self.tan, self.sqrt, self.hypot, self.arctan2 = sin, cos, tan, sqrt, hypot, atan2
+        self.radians = self.deg2rad = radians
+        self.degrees = self.rad2deg = degrees
+        self.floor, self.ceil, self.abs, self.min, self.max, self.sum = floor, ceil, abs, min, max, sum
+
+    def array(self, values, **others):
+        return [value for value in values]
+
+    def linspace(self, start, stop, num=50):
+        return [start + (stop - start) * i / (num - 1 or 1) for i in _rl_range(num)]
+
+
+_rl_np = _rl_Numpy()
 
 
 class _rl_Asset:
@@ -100,6 +119,16 @@ def _rl_one(thing, attribute, site):
 
 def _rl_all(thing):
     return _rl_Group(thing) if _rl_isinstance(thing, _rl_lists) else thing
+
+
+def _rl_put(thing, site, value):
+    if _rl_isinstance(thing, _rl_Asset) and _rl_isinstance(value, _rl_Point):
+        if value.position is not None:
+            thing.position, thing._rl_sites["position"] = value.position, site
+        if value.rotation is not None:
+            thing.rotation, thing._rl_sites["rotation"] = value.rotation, site
+        return thing
+    return value
 
 
 def _rl_at(thing, site):
@@ -174,6 +203,9 @@ def prelude(scene: Scene, relations: Iterable[str]) -> str:
     for name in relations:
         lines.append(f"    def {name}(self, *args, **kwargs):")
         lines.append(f"        _rl_record(self.site, {name!r}, args, kwargs)")
+    for name in sorted(MEANINGLESS):
+        lines.append(f"    def {name}(self, *args, **kwargs):")
+        lines.append(f"        _rl_notes.append('solver.{name}() means nothing here and was ignored')")
     lines.append("solver = _rl_Solver()")
     lines.append("walls = [_rl_Wall(*wall) for wall in _rl_scene['walls']]")
     lines.append("room = _rl_Room(*_rl_scene['room'])")

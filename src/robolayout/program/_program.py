@@ -77,6 +77,7 @@ class Program:
         statements: What it states, in the order in which it ran.
         guesses: First poses by asset name, in the order of the scene.
         notes: Lines that it printed.
+        dropped: What could not be read and was left out, one message each with line and caret (`read_salvaged`).
         expressions: How each asset is written in program text, by name ("bed-0": "bed[0]").
     """
 
@@ -84,7 +85,13 @@ class Program:
     statements: tuple[Statement, ...] = ()
     guesses: Mapping[str, Guess] = field(default_factory=dict[str, Guess])
     notes: tuple[str, ...] = ()
+    dropped: tuple[str, ...] = ()
     expressions: Mapping[str, str] = field(default_factory=dict[str, str], compare=False, repr=False)
+
+    def forgotten(self) -> tuple[str, ...]:
+        """Return the things, as they are written in a program, that neither a guess nor a statement is about."""
+        said = {name for statement in self.statements for name in statement.relation.asset_names()} | set(self.guesses)
+        return tuple(written for name, written in self.expressions.items() if name not in said)
 
     def to_text(self) -> str:
         """Return normalised program text; reading it gives the same statements and guesses."""

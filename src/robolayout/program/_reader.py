@@ -5,16 +5,20 @@ from __future__ import annotations
 import ast
 import keyword
 import math
+from dataclasses import replace
 from typing import Any
 
-from robolayout._errors import ProgramError
+from robolayout._errors import ProgramError, ProgramLimitError
 from robolayout.constraints import RELATIONS
 from robolayout.program._arguments import ArgumentError, Recorded, build_relation, expressions
 from robolayout.program._prelude import RESERVED
 from robolayout.program._program import Guess, Limits, Program, Statement
 from robolayout.program._sandbox import run
-from robolayout.program._source import Site, Source, read_source
+from robolayout.program._source import Site, Source, read_source, without_line
 from robolayout.scene import Scene
+
+MOST_DROPPED = 40
+"""Statements of one answer that are left out before it counts as unreadable; each is one more run of a few hundredths of a second."""
 
 FARTHEST = 1e4
 """Metres from the origin beyond which a position is a mistake."""
@@ -44,7 +48,43 @@ def read_program(text: str, scene: Scene, limits: Limits | None = None) -> Progr
         for asset in scene.assets
         if (guess := _guess(written[asset.name], poses[asset.name], source)) is not None
     }
-    return Program(source.text, statements, guesses, tuple(recorded["notes"]), written)
+    return Program(source.text, statements, guesses, tuple(recorded["notes"]), expressions=written)
+
+
+def read_salvaged(text: str, scene: Scene, limits: Limits | None = None) -> Program:
+    """Return what can be read of a model's answer: a statement that cannot costs that statement, not the program.
+
+    The smallest Python statement that an error points at is left out and the rest read again, until all of it runs.
+
+    Args:
+        text: A model's answer.
+        scene: What the program is about.
+        limits: What the program may use.
+
+    Raises:
+        ProgramError: Nothing in it places or states anything, or more than `MOST_DROPPED` statements are wrong.
+    """
+    dropped: list[str] = []
+    rest, first = text, None
+    while True:
+        try:
+            program = read_program(rest, scene, limits)
+            break
+        except ProgramLimitError:
+            raise
+        except ProgramError as error:
+            first = first or error
+            shorter = without_line(rest, error.line) if error.line and len(dropped) < MOST_DROPPED else None
+            if shorter is None:
+                raise first from None
+            rest = shorter
+            dropped.append(str(error))
+    if not program.statements and not program.guesses:
+        raise first or ProgramError(
+            "the answer holds no program: it places nothing and states nothing. Write assignments such as "
+            "bed[0].position = [x, y, z] and statements such as solver.against_wall(bed[0], walls[0]) in one ```python block."
+        )
+    return replace(program, dropped=tuple(dropped))
 
 
 def _check_variables(scene: Scene) -> None:

@@ -9,9 +9,11 @@ from __future__ import annotations
 
 import ast
 import difflib
+import json
 import re
 import warnings
 from collections.abc import Collection, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 
 from robolayout._errors import ProgramError, ProgramLimitError
@@ -21,6 +23,12 @@ FENCE = re.compile(r"^(\s*)```+\s*([A-Za-z0-9_+-]*)")
 PYTHON = {"python", "py", "python3", "robolayout"}
 IMPORTS = {"math", "typing", "__future__"}
 """What may be imported: arithmetic, and names that only annotate."""
+NUMPY = "numpy"
+"""What may be imported under any one name; a few of its functions on plain numbers are there."""
+MEANINGLESS = frozenset({"solve", "optimize", "run", "render", "visualize", "export"})
+"""Calls of the solver that programs of LayoutVLM end with; here they are ignored with a note."""
+WRAPPED = ("program", "code", "arguments", "input")
+"""Fields of a JSON answer, or of a tool call, that hold the program."""
 FORBIDDEN = frozenset(
     {"eval", "exec", "compile", "open", "input", "getattr", "setattr", "delattr", "globals", "locals", "vars"}
 )
@@ -93,14 +101,64 @@ def read_source(text: str, relations: Collection[str], variables: Collection[str
         raise ProgramLimitError(
             f"the program has {len(text)} characters; at most {limits.text} are read. Use loops to say more with less."
         )
-    text = strip_fences(text.replace("\r\n", "\n").replace("\r", "\n"))
+    text = plain(text)
     lines = tuple(text.split("\n"))
     tree = _parse(text, lines)
     if refusal := min(_refusals(tree, relations, variables), default=None):
         line, column, message = refusal
         raise error_at(lines, message, line, characters(lines[line - 1], column))
-    sites, edits = _marks(tree, lines, relations)
+    sites, edits = _marks(tree, lines, relations, variables)
     return Source(text, lines, tree, _insert(lines, edits), sites, tuple((r, c, len(t)) for r, c, _, t in edits))
+
+
+def unwrapped(text: str) -> str:
+    """Return the program in a JSON answer or tool call; any other text as it is.
+
+    >>> unwrapped('{"name": "plan", "arguments": {"program": "x = 1"}}')
+    'x = 1'
+    """
+    inner = text.strip()
+    inner = re.sub(r"^```+json\s*\n(.*?)\n```+$", r"\1", inner, flags=re.DOTALL)
+    try:
+        found: object = json.loads(inner) if inner.startswith("{") else None
+    except (ValueError, RecursionError):
+        return text
+    for _ in WRAPPED:
+        if isinstance(found, str):
+            return unwrapped(found)
+        fields: dict[str, object] = found if isinstance(found, dict) else {}  # type: ignore[assignment]
+        found = next((fields[name] for name in WRAPPED if name in fields), None)
+    return text
+
+
+def without_line(text: str, line: int) -> str | None:
+    """Return an answer without the smallest Python statement that stands on a line; None if there is none.
+
+    Lines keep their numbers. Where the text is no Python, the line alone goes.
+    """
+    text = plain(text)
+    lines = text.split("\n")
+    first, last = line, line
+    with suppress(SyntaxError, ValueError, RecursionError):
+        around = [
+            node
+            for node in ast.walk(ast.parse(text))
+            if isinstance(node, ast.stmt) and node.lineno <= line <= (node.end_lineno or node.lineno)
+        ]
+        if around:
+            found = min(around, key=lambda node: (node.end_lineno or node.lineno) - node.lineno)
+            first, last = found.lineno, found.end_lineno or found.lineno
+    if not 1 <= first <= last <= len(lines) or not any(row.strip() for row in lines[first - 1 : last]):
+        return None
+    indent = lines[first - 1][: len(lines[first - 1]) - len(lines[first - 1].lstrip())]
+    lines[first - 1 : last] = [f"{indent}pass" if indent else "", *[""] * (last - first)]
+    return "\n".join(lines)
+
+
+def plain(text: str) -> str:
+    """Return the program in an answer: without byte order mark, JSON around it, and all that is not in its fences."""
+    text = text.removeprefix("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
+    return strip_fences(unwrapped(text))
 
 
 def strip_fences(text: str) -> str:
@@ -182,7 +240,11 @@ def _refusal(node: ast.AST, relations: Collection[str], variables: Collection[st
     if isinstance(node, ast.Attribute):
         if node.attr.startswith("_"):
             return f"{node.attr!r}: attributes that start with an underscore do not exist in programs"
-        if isinstance(node.value, ast.Name) and node.value.id == "solver" and node.attr not in relations:
+        if (
+            isinstance(node.value, ast.Name)
+            and node.value.id == "solver"
+            and node.attr not in {*relations, *MEANINGLESS}
+        ):
             return _unknown_relation(node.attr, relations)
     if isinstance(node, ast.Name) and node.id in FORBIDDEN and node.id not in variables:
         return f"{node.id!r} does not exist in programs; they only compute positions and state relations"
@@ -197,7 +259,7 @@ def _refusal(node: ast.AST, relations: Collection[str], variables: Collection[st
 def _refused_import(node: ast.Import | ast.ImportFrom) -> str | None:
     names = [node.module or "."] if isinstance(node, ast.ImportFrom) else [alias.name for alias in node.names]
     for name in names:
-        if name not in IMPORTS:
+        if name not in IMPORTS and not (name == NUMPY and isinstance(node, ast.Import) and len(names) == 1):
             return f"{name!r} cannot be imported; programs have only math (already there, with pi, radians and degrees)"
     return None
 
@@ -222,7 +284,9 @@ Edit = tuple[int, int, int, str]
 """Line, column in characters, a key that orders marks at one place, inserted text."""
 
 
-def _marks(tree: ast.Module, lines: tuple[str, ...], relations: Collection[str]) -> tuple[tuple[Site, ...], list[Edit]]:
+def _marks(
+    tree: ast.Module, lines: tuple[str, ...], relations: Collection[str], variables: Collection[str]
+) -> tuple[tuple[Site, ...], list[Edit]]:
     """Return the sites of the text and the marks to insert.
 
     `x.against_wall` becomes `_rl_at(x, site).against_wall`, `x.position` and `x.rotation` become
@@ -247,7 +311,32 @@ def _marks(tree: ast.Module, lines: tuple[str, ...], relations: Collection[str])
         sites.append(Site(node.lineno, start, call))
         edits.append((value.lineno, start, -(last * 1_000_000 + end), opening))
         edits.append((last, characters(lines[last - 1], end), 0, closing))
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import) and node.names[0].name == NUMPY:
+            known_as = node.names[0].asname or NUMPY
+            edits.append(
+                (node.lineno, characters(lines[node.lineno - 1], node.col_offset), 0, f"{known_as} = _rl_np #")
+            )
+        elif isinstance(node, ast.Assign) and _thing(target := node.targets[0], variables):
+            edits += _put(node.value, target, lines, len(sites))
+            sites.append(Site(node.lineno, characters(lines[node.lineno - 1], node.value.col_offset)))
     return tuple(sites), sorted(edits)
+
+
+def _thing(target: ast.expr, variables: Collection[str]) -> bool:
+    """Return whether an assignment is to one of the scene's things (`bed[0]`)."""
+    return isinstance(target, ast.Subscript) and isinstance(target.value, ast.Name) and target.value.id in variables
+
+
+def _put(value: ast.expr, target: ast.expr, lines: tuple[str, ...], site: int) -> list[Edit]:
+    """Return the marks by which `bed[0] = AssetInstance(...)` sets a guess instead of replacing the bed."""
+    start = (value.lineno, characters(lines[value.lineno - 1], value.col_offset))
+    last, end = value.end_lineno or value.lineno, value.end_col_offset or 0
+    before = -(last * 1_000_000 + end) - 1  # in front of the marks of the value itself
+    return [
+        (*start, before, f"_rl_put({ast.unparse(target)}, {site}, "),
+        (last, characters(lines[last - 1], end), 1, ")"),
+    ]
 
 
 def _attributes(tree: ast.Module) -> Iterator[ast.Attribute]:

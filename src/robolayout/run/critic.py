@@ -8,7 +8,7 @@ from typing import Any
 
 from robolayout._errors import ModelError, ProgramError
 from robolayout.planners import Critic, Judgement, PlanRequest, Score, feedback_text, score_samples
-from robolayout.program import Guess, Program, read_program
+from robolayout.program import Guess, Program, read_salvaged
 from robolayout.run.attempt import Attempt, Clock, Progress, joined_traces
 from robolayout.scene import Pose, Scene
 from robolayout.verify import Report, verify
@@ -83,7 +83,7 @@ class CriticPass:
         if first.score >= FULL_MARKS:
             return room, replace(said, outcome=f"{said.outcome} and had nothing to amend.")
         try:
-            asked = read_program(self._amended(room, report, reasons), self.scene)
+            asked = read_salvaged(self._amended(room, report, reasons), self.scene)
         except ModelError as error:
             return room, replace(said, outcome=f"{said.outcome} and was asked for an amendment in vain: {error}")
         except ProgramError as error:

@@ -12,7 +12,7 @@ from typing import Any
 
 from robolayout._errors import ModelError, ProgramError
 from robolayout.planners import Group, GroupPlanner, OfflinePlanner, PlanRequest, Score, feedback_text, score_samples
-from robolayout.program import Guess, Program, Statement, read_program, reconcile
+from robolayout.program import Guess, Program, Statement, read_program, read_salvaged, reconcile
 from robolayout.run.attempt import Attempt, Clock, Progress, joined_traces
 from robolayout.scene import Layout, Pose, Scene, Trace
 from robolayout.verify import Report, verify
@@ -31,7 +31,7 @@ class Sample:
         number: Which of the answers to that question, from 1.
         text: The answer.
         score: What it achieves; None if it could not be read.
-        error: Why it could not be read.
+        error: Why it, or what was left out of it, could not be read.
         layout: Where it puts the things of the group.
         kept: Whether this one was taken.
     """
@@ -69,6 +69,7 @@ class Planned:
         samples: All answers, in the order in which they were given.
         taken_over: Why the offline planner planned a group, by its label.
         given_up: Why a group was not asked for again though something was wrong, by its label.
+        left_out: What the kept answers say that could not be read, and what they say nothing about, in sentences.
     """
 
     attempt: Attempt
@@ -76,6 +77,7 @@ class Planned:
     samples: tuple[Sample, ...]
     taken_over: Mapping[str, str]
     given_up: Mapping[str, str]
+    left_out: tuple[str, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         """Return what the report says of it: what was taken over, and all of it in sentences."""
@@ -84,6 +86,7 @@ class Planned:
             f"{len(self.samples)} programs were given for {len(self.groups)} groups, {readable} of them could be read.",
             *(f"The offline planner took over group {label!r}: {why}" for label, why in self.taken_over.items()),
             *(f"Group {label!r} was not asked for again: {why}" for label, why in self.given_up.items()),
+            *self.left_out,
         ]
         return {"taken_over": dict(self.taken_over), "given_up": dict(self.given_up), "sentences": sentences}
 
@@ -102,14 +105,24 @@ class _Candidate:
     @property
     def done(self) -> bool:
         """Whether there is nothing to ask for again."""
-        return self.attempt.solution.verdict.ok and not self.forgotten
+        return self.attempt.solution.verdict.ok and not self.forgotten and not self.attempt.asked.dropped
+
+    def left_out(self) -> Iterator[str]:
+        """Yield what the report says of what it does not say, or says in vain."""
+        for message in self.attempt.asked.dropped:
+            yield f"Left out of the program: {' '.join(message.split())}"
+        if self.forgotten:
+            yield f"The program says nothing about {', '.join(self.forgotten)}; the solver found places for them."
 
     def feedback(self) -> str:
         """Return what to tell the model about it."""
         decisions = self.attempt.reconciled.decisions
         rejected = [d.sentence for d in decisions if d.verdict == "rejected" and d.statement.number in self.own]
         return feedback_text(
-            rejections=[*rejected, *self.strays], violations=self.report.violations, forgotten=self.forgotten
+            dropped=self.attempt.asked.dropped,
+            rejections=[*rejected, *self.strays],
+            violations=self.report.violations,
+            forgotten=self.forgotten,
         )
 
 
@@ -185,6 +198,7 @@ class GroupedRun:
         self._samples: list[Sample] = []
         self._taken_over: dict[str, str] = {}
         self._given_up: dict[str, str] = {}
+        self._left_out: list[str] = []
 
     def run(self, groups: tuple[Group, ...]) -> Planned:
         """Plan one group after the other; what is placed stays, and what is said stays said."""
@@ -207,7 +221,7 @@ class GroupedRun:
         if len(parts) > 1 or self.planner.mode == "no_constraint":
             best = self._joint(best, parts, traces)
         done = tuple(replace(group, rationale=self._rationale(group)) for group in groups)
-        return Planned(best, done, tuple(self._samples), self._taken_over, self._given_up)
+        return Planned(best, done, tuple(self._samples), self._taken_over, self._given_up, tuple(self._left_out))
 
     def _rationale(self, group: Group) -> str:
         taken = group.label in self._taken_over
@@ -256,7 +270,8 @@ class GroupedRun:
                 continue
             if best.done:
                 break
-            previous, feedback = best.attempt.asked.text, best.feedback()
+            asked = best.attempt.asked
+            previous, feedback = best.sample.text if asked.dropped else asked.text, best.feedback()
         best = question.best()
         self._samples += question.records()
         if best is None:
@@ -264,6 +279,7 @@ class GroupedRun:
             return self._offline(question)
         if failure:
             self._given_up[question.group.label] = failure
+        self._left_out += best.left_out()
         return best.attempt
 
     def _offline(self, question: _Question) -> Attempt:
@@ -286,9 +302,10 @@ class GroupedRun:
             try:
                 with self.clock.station("program"):
                     self.say("program")
-                    read = read_program(text, self.scene)
+                    read = read_salvaged(text, self.scene)
                 if self.planner.mode == "no_constraint":
                     read = replace(read, statements=())
+                sample = replace(sample, error="\n".join(read.dropped))
                 readable.append((sample, read, about(read, question.group, question.here, question.before)))
             except ProgramError as error:
                 sample = replace(sample, error=str(error))
@@ -359,7 +376,8 @@ def joined(parts: Sequence[tuple[Group, Program]]) -> Program:
     text = "".join(f"{line}\n" for line in lines)
     expressions = {name: text for _, part in parts for name, text in part.expressions.items()}
     notes = tuple(note for _, part in parts for note in part.notes)
-    return Program(text, tuple(statements), guesses, notes, expressions)
+    dropped = tuple(message for _, part in parts for message in part.dropped)
+    return Program(text, tuple(statements), guesses, notes, dropped, expressions)
 
 
 def _concerns(statement: Statement, mine: set[str], here: Scene) -> bool:

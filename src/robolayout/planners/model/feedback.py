@@ -13,6 +13,7 @@ MOST_LINES = 40
 def feedback_text(
     *,
     error: ProgramError | None = None,
+    dropped: Sequence[str] = (),
     rejections: Sequence[str] = (),
     violations: Sequence[str] = (),
     forgotten: Sequence[str] = (),
@@ -22,6 +23,7 @@ def feedback_text(
 
     Args:
         error: Why the program could not be read, with line and caret.
+        dropped: What could not be read and was left out of the program, with line and caret.
         rejections: Statements that the filter rejected, with reasons (`Reconciled.rejections`).
         wishes: What a critic of the finished room wants otherwise.
         forgotten: Things that the program says nothing about, as they are written in it.
@@ -30,6 +32,9 @@ def feedback_text(
     parts: list[str] = []
     if error is not None:
         parts.append(f"The program could not be read:\n\n{_indented(str(error))}")
+    if dropped:
+        told = "\n\n".join(_indented(message) for message in dropped[:MOST_LINES])
+        parts.append(f"These lines could not be read and were left out; all others were used:\n\n{told}")
     if wishes:
         parts.append("The critic who saw the finished room says:\n\n" + _bullets(wishes))
     if forgotten:
