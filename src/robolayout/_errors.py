@@ -12,6 +12,8 @@ RoboLayoutError
 │   ├── OutputError            the output cannot be written
 │   └── MissingExtraError      an optional dependency is not installed
 └── ModelError                 a model provider failed or its answers stayed unusable
+    ├── BudgetError            the money allowed for a model does not reach for its next answer
+    └── AnswerError            a model answered, but its answers stayed unusable
 """
 
 from __future__ import annotations
@@ -124,3 +126,11 @@ class MissingExtraError(InputError):
 
 class ModelError(RoboLayoutError):
     """A model provider failed, refused, or its answers stayed unusable."""
+
+
+class BudgetError(ModelError):
+    """The money allowed for a model does not reach for its next answer; a room is made all the same."""
+
+
+class AnswerError(ModelError):
+    """A model answered, but its answers stayed unusable (refused, cut off, no JSON); a room is made all the same."""

@@ -26,6 +26,8 @@ class Reply:
     wait: float = 0.0
     drip: float = 0.0
     tool: str = ""
+    untold: bool = False
+    finish: str = ""
 
 
 @dataclass
@@ -124,8 +126,10 @@ def _completion(reply: Reply, body: dict[str, Any]) -> dict[str, Any]:
         "object": "chat.completion",
         "created": int(time.time()),
         "model": body["model"],
-        "choices": [{"index": 0, "message": message, "finish_reason": "tool_calls" if reply.tool else "stop"}],
-        "usage": {"prompt_tokens": 1000, "completion_tokens": 200, "total_tokens": 1200},
+        "choices": [
+            {"index": 0, "message": message, "finish_reason": reply.finish or ("tool_calls" if reply.tool else "stop")}
+        ],
+        **({} if reply.untold else {"usage": {"prompt_tokens": 1000, "completion_tokens": 200, "total_tokens": 1200}}),
     }
 
 

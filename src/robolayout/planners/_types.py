@@ -128,6 +128,10 @@ class GroupPlanner(Planner, Protocol):
         """Return up to n answers to the same request."""
         ...
 
+    def cut_off(self, text: str) -> bool:
+        """Return whether an answer stopped because the model may not say more."""
+        ...
+
     def to_dict(self) -> dict[str, Any]:
         """Return who planned and what it took, for the report."""
         ...

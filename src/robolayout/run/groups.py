@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from robolayout._errors import ModelError, ProgramError
+from robolayout._errors import AnswerError, BudgetError, ModelError, ProgramError
 from robolayout.planners import Group, GroupPlanner, OfflinePlanner, PlanRequest, Score, feedback_text, score_samples
 from robolayout.program import Guess, Program, Statement, read_program, read_salvaged, reconcile
 from robolayout.run.attempt import Attempt, Clock, Progress, joined_traces
@@ -101,6 +101,7 @@ class _Candidate:
     forgotten: tuple[str, ...]
     strays: tuple[str, ...]
     own: frozenset[int]
+    cut: bool
 
     @property
     def done(self) -> bool:
@@ -119,6 +120,7 @@ class _Candidate:
         decisions = self.attempt.reconciled.decisions
         rejected = [d.sentence for d in decisions if d.verdict == "rejected" and d.statement.number in self.own]
         return feedback_text(
+            cut=self.cut,
             dropped=self.attempt.asked.dropped,
             rejections=[*rejected, *self.strays],
             violations=self.report.violations,
@@ -257,11 +259,15 @@ class GroupedRun:
                 with self.clock.station("plan"):
                     self.say("plan")
                     texts = self.planner.plan_many(request, self.planner.samples)
+            except AnswerError as error:
+                failure = str(error)
+                continue
             except ModelError as error:
-                if not self._answered:
+                if not (self._answered or failure or isinstance(error, BudgetError)):
                     raise
                 failure = str(error)
                 break
+            failure = ""
             self._answered = True
             wrong = self._try(question, texts, number)
             best = question.best()
@@ -309,7 +315,7 @@ class GroupedRun:
                 readable.append((sample, read, about(read, question.group, question.here, question.before)))
             except ProgramError as error:
                 sample = replace(sample, error=str(error))
-                wrong = (text, feedback_text(error=error))
+                wrong = (text, feedback_text(error=error, cut=self.planner.cut_off(text)))
             question.samples.append(sample)
         if readable:
             found = self.finish([asked for *_, asked in readable], question.here, question.placed)
@@ -331,6 +337,7 @@ class GroupedRun:
             tuple(read.expressions.get(name, name) for name in question.group.items if name not in said),
             tuple(_strays(read, question.group, question.here)),
             frozenset(statement.number for statement in own),
+            self.planner.cut_off(sample.text),
         )
 
     def _images(self, question: _Question) -> dict[str, bytes]:

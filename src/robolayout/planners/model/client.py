@@ -38,16 +38,20 @@ from pydantic_ai.models.wrapper import WrapperModel
 from pydantic_ai.settings import ModelSettings
 from pydantic_ai.usage import RequestUsage
 
-from robolayout._errors import InputError, ModelError
+from robolayout._errors import AnswerError, BudgetError, InputError, ModelError
+from robolayout.planners.model.budget import CHARACTERS_PER_TOKEN, Budget, tokens_of
 from robolayout.planners.model.errors import refuses_images, sentence
 from robolayout.planners.model.exchange import Question, Tape
-from robolayout.planners.model.provider import Spec, open_model
+from robolayout.planners.model.provider import Spec, open_model, price_of
 
 T = TypeVar("T")
 Check = Callable[[Any], str | None]
 
 MOST_CHARACTERS = 400_000
 """Characters of an answer beyond which it is refused."""
+
+FAILURES = {kind.__name__: kind for kind in (ModelError, BudgetError, AnswerError)}
+"""How a recorded question may have failed."""
 
 PATIENCE = 3.0
 """Times `timeout` that one question may take with all its tries."""
@@ -77,9 +81,9 @@ class Usage:
 class _Taped(WrapperModel):
     """Answers one question from the recording, or asks the wrapped model and records its answer."""
 
-    def __init__(self, wrapped: Model, tape: Tape, question: Question, spent: RunUsage) -> None:
+    def __init__(self, wrapped: Model, client: Client, question: Question) -> None:
         super().__init__(wrapped)
-        self._tape, self._question, self._spent = tape, question, spent
+        self._client, self._tape, self._question, self._spent = client, client.tape, question, client.spent
         self._turn, self._feedback = 0, ""
         self._answer: dict[str, Any] | None = None
 
@@ -93,11 +97,27 @@ class _Taped(WrapperModel):
         self._turn, self._feedback, self._answer = self._turn + 1, _feedback(messages), None
         if self._tape.replay:
             return self._recalled()
-        response = await self.wrapped.request(messages, model_settings, model_request_parameters)
-        length = sum(len(part.content) for part in response.parts if isinstance(part, TextPart))
+        budget, cost, received = self._client.budget, None, 0
+        reserved = budget.reserve(self._question, self._client.spec.name)
+        try:
+            response = await self.wrapped.request(messages, model_settings, model_request_parameters)
+            length = sum(len(part.content) for part in response.parts if isinstance(part, TextPart))
+            if not (response.usage.input_tokens or response.usage.output_tokens):
+                self._client.note(
+                    f"{self._client.spec.name} tells no token counts; they are estimated from characters."
+                )
+                response.usage = RequestUsage(
+                    input_tokens=tokens_of(self._question), output_tokens=length // CHARACTERS_PER_TOKEN
+                )
+            self._answer = to_answer(response, self._tape.scrub)
+            if response.finish_reason == "length":
+                self._client.cut |= {part["content"] for part in self._answer["parts"]}
+            told = self._answer["usage"]["cost"]
+            cost, received = None if told is None else Decimal(told), response.usage.output_tokens
+        finally:
+            budget.settle(reserved, cost, received)
         if length > MOST_CHARACTERS:
             raise UnexpectedModelBehavior(f"an answer of {length} characters, at most {MOST_CHARACTERS} are read")
-        self._answer = to_answer(response, self._tape.scrub)
         self._tape.write(self._question, self._turn, self._answer, self._feedback)
         return from_answer(self._answer)
 
@@ -109,9 +129,9 @@ class _Taped(WrapperModel):
         if entry["answer"]:
             self._spent.incr(RunUsage(requests=1))
             self._spent.incr(from_answer(entry["answer"]).usage)
-        raise ModelError(entry["failure"])
+        raise FAILURES.get(entry.get("failed_as", ""), ModelError)(entry["failure"])
 
-    def fail(self, failure: str) -> None:
+    def fail(self, failure: ModelError) -> None:
         """Record that the question failed, so that a replay fails alike."""
         if not self._tape.replay:
             self._tape.write(self._question, max(self._turn, 1), self._answer, self._feedback, failure)
@@ -124,19 +144,30 @@ class Client:
         spec: Which model, and where it is.
         tape: Where answers are recorded or come from.
         timeout: Seconds for one try.
-        max_cost: US dollars after which nothing more is asked; None is without limit.
+        max_cost: US dollars that may be spent; None is without limit.
     """
 
     def __init__(self, spec: Spec, tape: Tape, *, timeout: float = 60.0, max_cost: float | None = None) -> None:
-        self.spec, self.tape, self.timeout, self.max_cost = spec, tape, timeout, max_cost
+        self.spec, self.tape, self.timeout = spec, tape, timeout
+        self.budget = Budget(None if max_cost is None else Decimal(str(max_cost)), self._price)
         self.sees = True
         self.notes: list[str] = []
-        self._spent = RunUsage()
+        self.cut = set[str]()
+        self.spent = RunUsage()
+        self._model: Model | None = None
+
+    def note(self, sentence: str) -> None:
+        """Say once what did not go as asked."""
+        if sentence not in self.notes:
+            self.notes.append(sentence)
+
+    def _price(self, sent: int, received: int) -> Decimal | None:
+        return None if self._model is None else price_of(self._model, sent, received)
 
     @property
     def usage(self) -> Usage:
         """What was used so far."""
-        spent = self._spent
+        spent = self.spent
         cost = None if spent.cost is None else float(spent.cost)
         return Usage(spent.requests, spent.input_tokens, spent.output_tokens, cost)
 
@@ -155,7 +186,9 @@ class Client:
     async def _ask_all(
         self, questions: Sequence[Question], answer: type[T], check: Check | None
     ) -> list[T | InputError | ModelError]:
-        model = FunctionModel(_never) if self.tape.replay else open_model(self.spec, priced=self.max_cost is not None)
+        priced = self.budget.most is not None
+        model = FunctionModel(_never) if self.tape.replay else open_model(self.spec, priced=priced)
+        self._model = None if self.tape.replay else model
         async with model:
             asked = [self._settled(model, question, answer, check) for question in questions]
             return list(await asyncio.gather(*asked))
@@ -167,7 +200,7 @@ class Client:
         if question.images and not self._takes_pictures(model, question):
             self._blind()
             question = replace(question, images=())
-        taped = _Taped(model, self.tape, question, self._spent)
+        taped = _Taped(model, self, question)
         try:
             return await self._run_agent(taped, question, answer, check)
         except InputError as error:
@@ -178,8 +211,8 @@ class Client:
             if question.images and isinstance(error, ModelHTTPError) and refuses_images(error):
                 self._blind()
                 return await self._settled(model, question, answer, check)
-            failure = sentence(error, self.spec, self.timeout, self.tape.scrub, self.usage.cost, self.max_cost)
-        taped.fail(str(failure))
+            failure = sentence(error, self.spec, self.timeout, self.tape.scrub)
+        taped.fail(failure)
         return failure
 
     def _takes_pictures(self, model: Model, question: Question) -> bool:
@@ -211,8 +244,8 @@ class Client:
             result = await agent.run(
                 _content(question),
                 model_settings=self._settings(question),
-                usage=self._spent,
-                usage_limits=self._limits(),
+                usage=self.spent,
+                usage_limits=UsageLimits(request_limit=None),
             )
         return result.output
 
@@ -234,11 +267,6 @@ class Client:
         if self.spec.seeded:
             settings["seed"] = question.seed
         return settings
-
-    def _limits(self) -> UsageLimits:
-        return UsageLimits(
-            request_limit=None, cost_limit=None if self.max_cost is None else Decimal(str(self.max_cost))
-        )
 
 
 def to_answer(response: ModelResponse, scrub: Callable[[str], str]) -> dict[str, Any]:

@@ -17,10 +17,9 @@ from pydantic_ai.exceptions import (
     ModelRateLimitError,
     ModelRequestTimeout,
     ModelTimeoutError,
-    UsageLimitExceeded,
 )
 
-from robolayout._errors import ModelError
+from robolayout._errors import AnswerError, ModelError
 from robolayout.planners.model.provider import Spec, nearest_model
 
 SEES = re.compile(r"image|vision|multi-?modal|picture|mmproj", re.IGNORECASE)
@@ -40,15 +39,9 @@ def sentence(
     spec: Spec,
     timeout: float,
     scrub: Callable[[str], str],
-    cost: float | None,
-    max_cost: float | None,
 ) -> ModelError:
     """Return an error of the model client as one of ours."""
     name = spec.name
-    if isinstance(error, UsageLimitExceeded):
-        return ModelError(
-            f"stopped at the budget: {name} has cost ${cost or 0:.4f}, --max-cost allows ${max_cost or 0:.4f}. Raise it to go on."
-        )
     if isinstance(error, ModelTimeoutError | ModelRequestTimeout):
         return ModelError(f"{name} did not answer within {timeout:g} s. Raise --timeout, or choose a faster model.")
     if isinstance(error, ModelConnectionError):
@@ -56,7 +49,13 @@ def sentence(
             f"cannot connect to {spec.address} for {name}: {_first_line(str(_root(error)))}. Is the server running, and the address right?"
         )
     reason = scrub(_reason(error))[:LONGEST_REASON]
-    return ModelError(_http_sentence(error, name, reason) or f"{name} gave no usable answer: {reason}.")
+    failed = _http_sentence(error, name, reason)
+    return ModelError(failed) if failed else AnswerError(f"{name} gave no usable answer: {unquoted(reason)}.")
+
+
+def unquoted(reason: str) -> str:
+    """Return a reason without the raw JSON or page that a library quotes in it."""
+    return re.sub(r"\s*[:,]?\s*(body: )?[{\[<].*$", "", reason) or "it does not have the form asked for"
 
 
 def _http_sentence(error: AgentRunError, name: str, reason: str) -> str | None:

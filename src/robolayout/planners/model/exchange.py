@@ -144,7 +144,7 @@ class Tape:
         turn: int,
         answer: Mapping[str, Any] | None,
         feedback: str = "",
-        failure: str = "",
+        failure: ModelError | None = None,
     ) -> None:
         """Write one exchange, if exchanges are recorded; with `failure` one that came to nothing, and why."""
         entry: dict[str, Any] = {
@@ -168,7 +168,7 @@ class Tape:
                 "feedback": feedback,
             },
             "answer": answer,
-        } | ({"failure": failure} if failure else {})
+        } | ({"failure": str(failure), "failed_as": type(failure).__name__} if failure else {})
         self._put(question, turn, _scrubbed(entry, self.scrub))
 
     def _put(self, question: Question, turn: int, entry: Mapping[str, Any]) -> None:

@@ -13,6 +13,7 @@ MOST_LINES = 40
 def feedback_text(
     *,
     error: ProgramError | None = None,
+    cut: bool = False,
     dropped: Sequence[str] = (),
     rejections: Sequence[str] = (),
     violations: Sequence[str] = (),
@@ -23,6 +24,7 @@ def feedback_text(
 
     Args:
         error: Why the program could not be read, with line and caret.
+        cut: Whether the answer was cut off at its end.
         dropped: What could not be read and was left out of the program, with line and caret.
         rejections: Statements that the filter rejected, with reasons (`Reconciled.rejections`).
         wishes: What a critic of the finished room wants otherwise.
@@ -30,6 +32,8 @@ def feedback_text(
         violations: What the judge found, unmet statements with measured values included (`Report.violations`).
     """
     parts: list[str] = []
+    if cut:
+        parts.append("Your answer was cut off at its end, because it was too long. Write less: loops, and no comments.")
     if error is not None:
         parts.append(f"The program could not be read:\n\n{_indented(str(error))}")
     if dropped:

@@ -18,11 +18,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast, get_args
 
-from robolayout._errors import InputError, MissingExtraError, UnknownNameError
+from robolayout._errors import AnswerError, BudgetError, InputError, MissingExtraError, UnknownNameError
 from robolayout.planners._types import Group, Pictures, PlanRequest
 from robolayout.planners.model import prompt as texts
 from robolayout.planners.model.exchange import Question, Tape
 from robolayout.planners.model.grouping import Grouping, Rating, complaint, groups_of
+from robolayout.planners.offline import OfflinePlanner
 from robolayout.scene import Layout, Scene
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ class ModelPlanner:
         critic: Whether the model looks at the finished room and may amend its program once.
         retries: Further attempts that the pipeline may ask for per group.
         base_url: Address of an OpenAI-compatible server.
-        max_cost: US dollars after which nothing more is asked.
+        max_cost: US dollars that may be spent; what the next answer will most likely cost is set aside before it is asked for.
         exchanges: Folder to which every exchange is written, without secrets.
         replay: Folder of such exchanges to answer from, without any network.
         timeout: Seconds for one try of one question.
@@ -139,6 +140,9 @@ class ModelPlanner:
             scene, None, "group", instructions="group", parts=(texts.request_text(scene, None, names=True),)
         )
         (answer,) = self._client.ask([question], Grouping, lambda given: complaint(scene, given))
+        if isinstance(answer, BudgetError | AnswerError):
+            self._client.note(f"The offline planner's groups are asked for: {answer}")
+            return OfflinePlanner().group(scene)
         return groups_of(scene, _sound(answer))
 
     def plan(self, request: PlanRequest) -> str:
@@ -165,13 +169,21 @@ class ModelPlanner:
         free = 0.3 if n == 1 else 0.8
         seed = (self.seed + request.seed) * 1000 + first.attempt * 100
         questions = [replace(first, sample=i + 1, seed=seed + i, temperature=free) for i in range(n)]
-        answers = self._client.ask(questions, str)
+        ahead = 1 if self._client.budget.most is not None else n  # what one costs tells how many more fit
+        answers = [
+            answer for part in (questions[:ahead], questions[ahead:]) if part for answer in self._client.ask(part, str)
+        ]
         texts_ = tuple(answer for answer in answers if isinstance(answer, str))
         failures = [answer for answer in answers if not isinstance(answer, str)]
         if not texts_:
             raise failures[0]
-        self._client.notes += [f"one of {n} samples is missing: {failure}" for failure in failures]
+        for failure in failures:
+            self._client.note(f"one of {n} samples is missing: {failure}")
         return texts_
+
+    def cut_off(self, text: str) -> bool:
+        """Return whether an answer stopped because the model may not say more."""
+        return text in self._client.cut
 
     def rate(self, scene: Scene, layout: Layout, images: Mapping[str, bytes], report: str) -> Rating:
         """Return the model's own rating of a finished room.

@@ -7,6 +7,7 @@ import os
 import re
 from collections.abc import AsyncIterator
 from dataclasses import dataclass
+from decimal import Decimal
 from urllib.parse import urlsplit
 
 import httpx2
@@ -161,13 +162,20 @@ def _package_sentence(provider: str, error: ImportError) -> str:
     return f"{provider} models need a further package: pip install '{package}'."
 
 
-def _check_price(spec: Spec, model: Model) -> None:
+def price_of(model: Model, sent: int, received: int) -> Decimal | None:
+    """Return dollars for so many tokens by the price list that the client library brings; None for an unknown model."""
     try:
-        calc_price(Usage(input_tokens=1, output_tokens=1), model.model_name, provider_id=model.system)
+        tokens = Usage(input_tokens=sent, output_tokens=received)
+        return calc_price(tokens, model.model_name, provider_id=model.system).total_price
     except (LookupError, ValueError):
+        return None
+
+
+def _check_price(spec: Spec, model: Model) -> None:
+    if price_of(model, 1, 1) is None:
         raise InputError(
             f"no price is known for {spec.name}, so --max-cost cannot be kept. Leave it out, or name a model with a price."
-        ) from None
+        )
 
 
 def _capped_client() -> httpx2.AsyncClient:
