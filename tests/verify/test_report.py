@@ -9,8 +9,8 @@ import pytest
 from verify_rooms import DISC, furnished, on_floor, square, thing
 
 from robolayout.constraints import RELATIONS, AssetRef, WallRef
-from robolayout.scene import Layout, Scene
-from robolayout.verify import Report, verify
+from robolayout.scene import Layout, Scene, layout_digest, scene_digest
+from robolayout.verify import Demands, Report, verify
 
 KEYS = [
     "placed_share",
@@ -19,13 +19,17 @@ KEYS = [
     "in_boundary_share",
     "supported_share",
     "door_clear",
+    "doors_reached",
     "walkable_ratio",
     "reachable_share",
+    "reachable_share_chairs_aside",
     "usable_share",
     "statements_met_share",
     "statements",
+    "rules",
     "violations",
     "timing",
+    "hashes",
 ]
 SHELF = thing("bookshelf-0", (0.3, 1.0, 1.8), "bookshelf")
 ARM = replace(DISC, name="arm", reach_distance=0.6)
@@ -60,8 +64,9 @@ def test_a_good_layout_meets_every_demand():
     assert report.statements[0].sentence == "against_wall(bookshelf-0, walls[3])"
     data = report.to_dict()
     assert list(data)[: len(KEYS)] == KEYS
-    assert [data[key] for key in KEYS[:10]] == [1.0, 1.0, True, 1.0, 1.0, True, 1.0, 1.0, 1.0, 1.0]
+    assert [data[key] for key in KEYS[:12]] == [1.0, 1.0, True, 1.0, 1.0, True, True, 1.0, 1.0, 1.0, 1.0, 1.0]
     assert set(data["timing"]["verify"]) == {"wall", "cpu"}
+    assert data["hashes"] == {"scene": scene_digest(report.scene), "layout": layout_digest(report.layout)}
     assert set(data["statements"][0]) == {
         "number",
         "line",
@@ -180,7 +185,7 @@ def test_an_empty_layout_fails_everything():
     scene, _ = good()
     figures = verify(scene, Layout({})).figures
     assert figures["collision_free_scene"] is False
-    assert [figures[k] for k in KEYS[:10] if k.endswith("share")] == pytest.approx([0, 0, 0, 0, 0, 0, 1])
+    assert [figures[k] for k in KEYS[:12] if "share" in k] == pytest.approx([0, 0, 0, 0, 0, 0, 0, 1])
 
 
 def test_what_blocks_the_door_is_named_once():
@@ -199,3 +204,16 @@ def test_psa_style_is_what_is_met_and_nothing_unless_all_is_valid():
     assert verify(scene, layout, asked(1)).metrics["LayoutVLM"]["PSA_style"] == 0.0
     assert verify(scene, Layout({}), asked(3)).metrics["LayoutVLM"]["PSA_style"] == 0.0
     assert "PSA_style" not in verify(scene, layout).metrics["LayoutVLM"]
+
+
+def test_the_sentences_ask_for_what_is_demanded_and_no_more():
+    shelf = thing("shelf-0", (3.2, 0.4, 1.8), "bookshelf")
+    scene, layout = furnished(square(), (shelf, on_floor(shelf, 1.6, 2.0, 0)))
+    wide = replace(ARM, radius=0.43)
+    ratio = verify(scene, layout, agent=wide).figures["walkable_ratio"]
+    assert 0.4 < ratio < 0.6
+    strict, lax = (verify(scene, layout, agent=wide, demands=Demands(walkable_ratio=least)) for least in (0.95, 0.4))
+    assert [s for s in strict.violations if "free floor" in s]
+    assert not [s for s in lax.violations if "free floor" in s]
+    assert lax.ok
+    assert not strict.ok

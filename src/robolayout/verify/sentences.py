@@ -7,15 +7,17 @@ from collections.abc import Mapping
 import numpy as np
 import shapely
 
+from robolayout.verify.doors import ShutDoor
+from robolayout.verify.limits import Demands
 from robolayout.verify.navigation import Navigation
 from robolayout.verify.proofs import exempt_from_reach, impossible, kept_out
 from robolayout.verify.use import Usage
 
-WALKABLE = 0.95
-"""Walkable ratio below which the report says what is cut off."""
+NAMED = 3
+"""Things that a sentence names as standing in the way."""
 
 
-def agent_violations(nav: Navigation, usage: Usage, exempt: Mapping[str, str]) -> tuple[str, ...]:
+def agent_violations(nav: Navigation, usage: Usage, exempt: Mapping[str, str], demands: Demands) -> tuple[str, ...]:
     """Return what keeps an agent from entering, moving, reaching and using; nothing that is not asked of it."""
     agent = nav.agent.name
     found = list(impossible(nav.scene, nav.agent))
@@ -25,12 +27,13 @@ def agent_violations(nav: Navigation, usage: Usage, exempt: Mapping[str, str]) -
         found += [_blocked_sentence(nav)] if not kept_out(nav.scene, nav.agent) else []
         found += [f"{agent} reaches none of {', '.join(wanted)}."] if wanted else []
     else:
-        if nav.walkable_ratio < WALKABLE:
+        if nav.walkable_ratio < demands.walkable_ratio:
             parts = len(nav.free.geoms) - 1
             found.append(
                 f"{agent} can walk only {nav.walkable_ratio:.0%} of the free floor: {parts} further "
                 f"{'part is' if parts == 1 else 'parts are'} cut off."
             )
+        found += [_shut_sentence(nav, door) for door in nav.shut_doors]
         found += [unreached_sentence(nav, name) for name in wanted]
     found += [
         f"{name} cannot be used by {agent}: {use.reason}."
@@ -46,8 +49,25 @@ def _blocked_sentence(nav: Navigation) -> str:
     if zone is None:
         return f"{nav.agent.name} (a disc of {wide:.2f} m) has no place to stand: the furniture leaves none."
     near = nav.blocking.rows[shapely.distance(nav.blocking.shapes, zone) < nav.agent.radius]
-    names = " and ".join(nav.boxes.names[row] for row in np.unique(near)[:3])
+    names = " and ".join(nav.boxes.names[row] for row in np.unique(near)[:NAMED])
     return f"{nav.agent.name} (a disc of {wide:.2f} m) cannot come in: the landing of door 0 is blocked by {names}."
+
+
+def _shut_sentence(nav: Navigation, door: ShutDoor) -> str:
+    """Return which door is cut off, by what, and what lies beyond it."""
+    agent, passage, needed = nav.agent.name, nav.door_passages[door.number], 2 * nav.agent.radius
+    wall = nav.scene.room.doors[door.number].wall
+    width = (
+        "no way to it, not even for a disc of 1 cm" if passage.cut_off else f"narrowest passage {passage.width:.2f} m"
+    )
+    between = passage.sides or " and ".join(nav.shutting(door)[:NAMED])
+    found = f"Door {door.number} in wall {wall} cannot be reached by {agent}: {width}, needs {needed:.2f} m"
+    found += f", between {between}." if between else "."
+    if door.beyond.is_empty:
+        return f"{found} Its landing leaves {agent} no place to stand."
+    area = door.beyond.buffer(nav.agent.radius).area
+    only = ", ".join(nav.only_behind(door))
+    return f"{found} {area:.1f} m2 of floor{f' and {only}' if only else ''} can then be reached only from there."
 
 
 def unreached_sentence(nav: Navigation, name: str) -> str:
