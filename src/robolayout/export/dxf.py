@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
 from robolayout._errors import LayoutError
-from robolayout.export._exporter import Contents, Exporter, Options, placed
+from robolayout.export._exporter import Contents, Exporter, Options, placed, reader
 from robolayout.scene import Asset, Layout, Opening, Point, Pose, Room, Scene
 
 APPLICATION = "ROBOLAYOUT"
@@ -192,6 +192,7 @@ def _door(room: Room, door: Opening) -> list[Group]:
     return [*groups, (50, start % 360.0), (51, (start + 90.0) % 360.0)]
 
 
+@reader("DXF file")
 def read(data: bytes) -> Contents:
     """Return the names, poses and sizes of the inserts in a plan that this package wrote.
 

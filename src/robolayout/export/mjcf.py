@@ -15,9 +15,9 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from robolayout._errors import LayoutError
+from robolayout._reading.syntax import Unreadable, decoded, xml_root
 from robolayout.assets import Material, Part, category_of, parts, room_parts
-from robolayout.export._exporter import Contents, Exporter, Options, is_movable, is_trim, mass, placed
+from robolayout.export._exporter import Contents, Exporter, Options, is_movable, is_trim, mass, placed, reader
 from robolayout.export._mesh import Box, as_box, quaternion, volume
 from robolayout.scene import Agent, Asset, Layout, Pose, Scene, vertical_span
 
@@ -273,6 +273,7 @@ def _agent(model: _Model, agent: Agent, pose: Pose) -> None:
         ET.SubElement(actuators, "position", {"name": f"{AGENT}/{name}", "joint": f"{AGENT}/{name}", **gains})
 
 
+@reader("MJCF file")
 def read(data: bytes) -> Contents:
     """Return the names, poses and sizes in a model that this package wrote.
 
@@ -300,16 +301,11 @@ def parse_xml(data: bytes, root: str) -> ET.Element:
     """Return the root element of XML text that declares no document type (and so no entities).
 
     Raises:
-        LayoutError: It does, or it is no such XML.
+        Unreadable: It does, or it is no such XML.
     """
-    if b"<!DOCTYPE" in data or b"<!ENTITY" in data:
-        raise LayoutError(f"this <{root}> file declares a document type; remove it, it is never needed.")
-    try:
-        element = ET.fromstring(data)
-    except ET.ParseError as error:
-        raise LayoutError(f"this is no XML: {error}. Was the file written to its end?") from error
+    element = xml_root(decoded(data))
     if element.tag != root:
-        raise LayoutError(f"this XML must start with <{root}>, not <{element.tag}>.")
+        raise Unreadable(f"must start with <{root}>, not <{element.tag[:60]}>")
     return element
 
 

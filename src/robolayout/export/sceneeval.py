@@ -14,6 +14,7 @@ from typing import cast
 
 from robolayout._errors import LayoutError
 from robolayout._files import write_atomic
+from robolayout._reading.syntax import decoded, json_value
 from robolayout.export._exporter import (
     Contents,
     Exporter,
@@ -22,8 +23,8 @@ from robolayout.export._exporter import (
     dump_json,
     facts,
     is_movable,
-    parse_json,
     placed,
+    reader,
     supporter,
 )
 from robolayout.export.glb import asset_glb
@@ -139,9 +140,10 @@ def write_meshes(scene: Scene, folder: Path, *, seed: int = 0) -> Path:
     return folder
 
 
+@reader("scene state")
 def read(data: bytes) -> Contents:
     """Return the names, poses and sizes in a scene state that this package wrote."""
-    content = parse_json(data, "scene state")
+    content = cast(Json, json_value(decoded(data)))
     if content.get("format") != "sceneState":
         raise LayoutError(f'a scene state says "format": "sceneState", this one {content.get("format")!r}.')
     poses: dict[str, Pose] = {}

@@ -12,7 +12,7 @@ import xml.etree.ElementTree as ET
 import numpy as np
 
 from robolayout.assets import Material, Part, parts, room_parts
-from robolayout.export._exporter import Contents, Exporter, Options, is_movable, is_trim, mass, placed
+from robolayout.export._exporter import Contents, Exporter, Options, is_movable, is_trim, mass, placed, reader
 from robolayout.export._mesh import as_box
 from robolayout.export.mjcf import THINNEST, parse_xml
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
@@ -103,6 +103,7 @@ def _angles(rotation: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> tupl
     return (roll, pitch, math.atan2(float(rotation[1, 0]), float(rotation[0, 0])))
 
 
+@reader("URDF file")
 def read(data: bytes) -> Contents:
     """Return the names and poses in a description that this package wrote."""
     poses: dict[str, Pose] = {}

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from robolayout._errors import SceneError
+from robolayout._reading import MAX_MESH_BYTES, MESH_SUFFIXES, Checker, inside, is_file, misspelt, show
 from robolayout.scene import reference
 from robolayout.scene._catalogue import described, find_catalogue
-from robolayout.scene._schema import Checker, inside, is_file, misspelt, show
 from robolayout.scene.asset import Asset, variable_name
 
 MAX_ASSETS = 2000
@@ -18,10 +18,6 @@ SMALLEST, LARGEST = 1e-4, 100.0
 """Allowed side of an asset's box in metres."""
 SIDES = ("front", "back", "left", "right")
 """Sides that an asset can be used from."""
-MESHES = (".glb", ".obj", ".ply", ".stl")
-"""Suffixes of the mesh files that an asset may name."""
-MAX_MESH_BYTES = 100_000_000
-"""Largest mesh file."""
 
 _CHECK = Checker(SceneError)
 _FLAGS = ("onFloor", "onWall", "onCeiling", "onObject")
@@ -135,7 +131,7 @@ def _asset(name: str, entry: Mapping[str, object], folders: list[Path], warnings
         path=_mesh(entry.get("path"), where, folders),
         use_sides=_sides(entry.get("useSides"), where),
         like=_CHECK.text(entry.get("like", ""), f"{where}: like", most=200),
-        metadata={key: value for key, value in entry.items() if key not in _KNOWN},
+        metadata={key: _CHECK.plain(value, f"{where}: {key}") for key, value in entry.items() if key not in _KNOWN},
     )
 
 
@@ -167,8 +163,8 @@ def _mesh(value: object, where: str, folders: list[Path]) -> Path | None:
     if value is None or value == "":
         return None
     text = _CHECK.text(value, f"{where}: path", most=1000)
-    if not text.lower().endswith(MESHES) or "\0" in text:
-        known = ", ".join(MESHES)
+    if not text.lower().endswith(MESH_SUFFIXES) or "\0" in text:
+        known = ", ".join(MESH_SUFFIXES)
         raise SceneError(f"{where}: path {show(text)} is no mesh file ({known}); convert the mesh or leave path out.")
     places = [folder / text for folder in folders]
     allowed = [place for place in places if inside(place, folders)]

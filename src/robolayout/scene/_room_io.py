@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import combinations
 
 from robolayout._errors import SceneError
-from robolayout.scene._schema import MAX_LENGTH, Checker
+from robolayout._reading import MAX_LENGTH, Checker
 from robolayout.scene.room import Opening, Point, Room, Wall
 
 MAX_CORNERS = 200
