@@ -123,6 +123,13 @@ def is_movable(asset: Asset, scene: Scene, layout: Layout) -> bool:
     return category_of(asset).movable and not asset.is_flat and not hangs(asset, scene, layout)
 
 
+def free_name(word: str, scene: Scene) -> str:
+    """Return a name for something of our own ("room") that no asset has, nor the parts of one."""
+    while any(asset.name == word or asset.name.startswith(f"{word}/") for asset in scene.assets):
+        word += "_"
+    return word
+
+
 def facts(asset: Asset, *, movable: bool) -> Json:
     """Return what a file says about an asset beside its pose and shape."""
     return {
