@@ -30,6 +30,7 @@ LAYERS: dict[str, float] = {
     "_html": 0,
     "_geometry": 0,
     "_grid": 0,
+    "_reading": 0.5,
     "scene": 1,
     "assets": 2,
     "constraints": 3,

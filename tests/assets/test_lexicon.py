@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from robolayout.assets import CATALOGUE, category_of, find_category
+from robolayout.assets import CATALOGUE, category_of, find_category, unknown_kinds
 from robolayout.assets.lexicon import normalise, phrase_index
 from robolayout.scene import Asset
 
@@ -111,3 +111,16 @@ def test_any_text_lands_somewhere(text: str, description: str) -> None:
 
 def test_a_megabyte_of_text_is_cut() -> None:
     assert find_category("sofa " * 300_000).name == "sofa"
+
+
+def test_an_unknown_category_is_said_once_with_what_it_is_taken_for() -> None:
+    size = (0.5, 0.5, 0.9)
+    known = Asset("chair-0", "chair", size)
+    strange = [Asset(f"blorp-{i}", "blorp", size) for i in range(3)]
+    assert unknown_kinds([known, Asset("blorp-3", "blorp", size, like="stool")]) == ()
+    assert unknown_kinds([known, *strange, Asset("桌子-0", "桌子", (0.2, 0.2, 0.2), on_floor=False, on_wall=True)]) == (
+        "asset 'blorp-0' and 2 more: the category 'blorp' is not known; from its size and place it is taken for "
+        '\'unknown seat\'. Say in "like" what it is like, such as "chair".',
+        "asset '桌子-0': the category '桌子' is not known; from its size and place it is taken for "
+        '\'unknown wall decor\'. Say in "like" what it is like, such as "chair".',
+    )

@@ -9,6 +9,7 @@ import pytest
 import trimesh
 
 from robolayout._errors import AssetError
+from robolayout._reading import MAX_MESH_BYTES
 from robolayout.assets import import_folder, load_mesh_parts, own, parts
 from robolayout.scene import Asset
 
@@ -111,13 +112,15 @@ def test_a_missing_file_is_named(tmp_path: Path) -> None:
 def test_a_file_that_is_too_large_is_refused_unread(tmp_path: Path) -> None:
     path = tmp_path / "huge.stl"
     with path.open("wb") as file:
-        file.truncate(own.MAX_BYTES + 1)
+        file.truncate(MAX_MESH_BYTES + 1)
     with pytest.raises(AssetError, match="100 MB"):
         load_mesh_parts(path, SIZE)
 
 
 def test_a_glb_that_promises_too_much_is_refused_before_it_is_unpacked(tmp_path: Path) -> None:
-    header = json.dumps({"asset": {"version": "2.0"}, "accessors": [{"count": 10**12}]}).encode()
+    header = json.dumps(
+        {"asset": {"version": "2.0"}, "accessors": [{"componentType": 5126, "type": "VEC3", "count": 10**9}]}
+    ).encode()
     header += b" " * (-len(header) % 4)
     path = tmp_path / "bomb.glb"
     path.write_bytes(struct.pack("<4sIIII", b"glTF", 2, 20 + len(header), len(header), 0x4E4F534A) + header)

@@ -20,7 +20,7 @@ def test_it_answers_with_the_file(tmp_path: Path) -> None:
 
 
 def test_missing_binary_and_huge_files_are_refused(tmp_path: Path) -> None:
-    with pytest.raises(ProgramError, match=r"cannot read the program .*nothing\.py"):
+    with pytest.raises(ProgramError, match=r"the program .*nothing\.py does not exist; check the path"):
         FilePlanner(tmp_path / "nothing.py").plan(PlanRequest(SCENE))
     path = tmp_path / "program.py"
     path.write_bytes(b"\xff\xfe\x00")

@@ -14,7 +14,6 @@ from robolayout.constraints import RELATIONS
 from robolayout.planners import Group, PlanRequest
 from robolayout.planners.model.prompt import (
     PROMPT_VERSION,
-    expressions,
     given_data,
     prompt,
     quoted,
@@ -151,5 +150,5 @@ def test_a_long_description_is_cut() -> None:
 
 def test_variables_are_those_of_the_program() -> None:
     scene = small_room()
-    for name, written in expressions(scene).items():
+    for name, written in scene.expressions.items():
         assert read_program(f"{written}.position = [1, 1, 1]", scene).guesses.keys() == {name}

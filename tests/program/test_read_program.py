@@ -258,10 +258,25 @@ def test_a_mistake_is_answered_with_line_caret_and_what_would_work(scene, text, 
     assert caret.index("^") - 4 == caught.value.column == column
 
 
-def test_an_asset_named_like_a_word_of_the_language_is_refused(scene):
-    for name in ("walls-0", "lambda-0", "_rl_x-0"):
-        with pytest.raises(ProgramError, match=f"the asset name '{name}' cannot be written in a program.*rename"):
-            read_program("", Scene(scene.room, (Asset(name, "thing", (1, 1, 1)),)))
+def test_an_asset_named_like_a_word_of_the_language_has_a_variable_of_its_own(scene):
+    names = (
+        "walls-0",
+        "lambda-0",
+        "_rl_x-0",
+        "None-0",
+        "ValueError-0",
+        "print-0",
+        "桌子-0",
+        "cafe\u0301-0",
+        "caf\u00e9-0",
+    )
+    odd = Scene(scene.room, tuple(Asset(name, "thing", (1, 1, 1)) for name in names))
+    text = "".join(f"solver.corner({expression})\n" for expression in odd.expressions.values())
+    program = read_program(text, odd)
+    assert [statement.relation.a.name for statement in program.statements] == list(odd.expressions)
+    assert program.to_text() == text
+    with pytest.raises(ProgramError, match="has no position yet"):
+        read_program("x = ValueError[0].position", odd)
 
 
 def test_indices_need_not_start_at_zero(scene):

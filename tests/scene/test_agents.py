@@ -171,7 +171,10 @@ class _Mine(EntryPoint):
         ({"radius": -0.3, "height": 1}, "agent 'agent': radius (metres) must be above 0, but is -0.3."),
         ({"radius": math.nan, "height": 1}, "agent 'agent': radius (metres) must be a finite number, but is nan."),
         ({"radius": "wide", "height": 1}, "agent 'agent': radius (metres) must be a finite number, but is 'wide'."),
-        ({"radius": 30, "height": 170}, "agent 'agent': radius (metres) must be at most 20, but is 30."),
+        (
+            {"radius": 30, "height": 170},
+            "agent 'agent': radius (metres) must be at most 20, but is 30. Lengths are in metres: is it in centimetres? Then write 0.3.",
+        ),
         ({"radius": 0.3, "height": 0.02}, "agent 'agent': height 0.02 must be above its step 0.03."),
         (
             {"radius": 0.3, "height": 1, "reach_low": 1.2, "reach_high": 0.5},

@@ -62,7 +62,10 @@ def test_an_imported_folder_furnishes_a_scene_beside_its_catalogue(
         ({"assets": {"chair-0": {"from": "oak_chair-0"}}}, "is taken from a catalogue, but the scene names none"),
         ({"catalogue": "other.json", "assets": {"chair-0": {}}}, "catalogue 'other.json' is no file in the scene"),
         ({"catalogue": "../own.json", "assets": {"chair-0": {}}}, "catalogue '../own.json' is no file in the scene"),
-        ({"catalogue": "own\0.json", "assets": {"chair-0": {}}}, "is no file in the scene"),
+        (
+            {"catalogue": "own\0.json", "assets": {"chair-0": {}}},
+            "has a null character, which no text has, at catalogue.",
+        ),
         ({"catalogue": 3, "assets": {"chair-0": {}}}, "catalogue must be a text, but is 3"),
         (
             {"catalogue": "own.json", "assets": {"chair-0": {"from": "oak_chair"}}},

@@ -34,8 +34,10 @@ def test_missing_assets_are_unplaced_and_the_order_is_that_of_the_scene() -> Non
 
 
 def test_one_number_is_a_rotation_too() -> None:
-    data = {"bed-0": {"position": [1, 2, 0.25], "rotation": [-90], "scale": 1}}
+    data: dict[str, dict[str, object]] = {"bed-0": {"position": [1, 2, 0.25], "rotation": [-90], "scale": 1}}
     assert layout_from_dict(data)["bed-0"].yaw == pytest.approx(math.radians(270))
+    data["bed-0"]["rotation"] = 0
+    assert layout_from_dict(data)["bed-0"].yaw == 0.0
 
 
 @given(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import keyword
 import math
 from collections.abc import Callable
 from copy import deepcopy
@@ -14,7 +15,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from robolayout._errors import AgentError, InputError, SceneError, UnknownNameError
-from robolayout.scene import DEFAULT_AGENT, Scene, load_agent, load_scene, scene_from_dict, scene_to_dict
+from robolayout.scene import (
+    DEFAULT_AGENT,
+    Scene,
+    load_agent,
+    load_scene,
+    program_variable,
+    scene_from_dict,
+    scene_to_dict,
+)
 
 Data = dict[str, Any]
 
@@ -173,6 +182,14 @@ def test_a_repeated_last_corner_is_dropped() -> None:
     assert scene_from_dict(data) == scene_from_dict(bedroom())
 
 
+def test_the_unit_of_a_vast_room_is_asked_about() -> None:
+    assert scene_from_dict(corners((0, 0), (420, 0), (420, 310), (0, 310))).warnings[0] == (
+        "the room is 420 x 310 m: was it drawn in centimetres? Lengths are in metres; divide them by 100 for one of "
+        "4.2 x 3.1 m, or leave them if it is that large."
+    )
+    assert scene_from_dict(corners((0, 0), (90, 0), (90, 40), (0, 40))).warnings == ()
+
+
 def test_no_placement_flag_means_floor() -> None:
     scene = scene_from_dict(without("assets", "lamp-0", "onObject"))
     assert scene.by_name["lamp-0"].on_floor
@@ -180,29 +197,59 @@ def test_no_placement_flag_means_floor() -> None:
 
 
 @pytest.mark.parametrize(
-    ("given_name", "name"),
+    ("name", "expression"),
     [
-        ("night stand-0", "night_stand-0"),
-        ("Night-Stand-1", "night_stand-1"),
-        ("bed", "bed-0"),
-        ("bed-007", "bed-7"),
-        ("2 seater-0", "asset_2_seater-0"),
-        ("class-0", "asset_class-0"),
-        ("walls-0", "asset_walls-0"),
-        ("Range-0", "asset_range-0"),
-        ("Bücherregal-0", "b_cherregal-0"),
-        ("desk'; import os #-0", "desk_import_os-0"),
-        ("-0", "asset_-0"),
-        ("_rl_log-0", "rl_log-0"),
+        ("night stand-0", "night_stand[0]"),
+        ("Night-Stand-0", "night_stand[0]"),
+        ("bed", "bed[0]"),
+        ("bed-000", "bed[0]"),
+        ("2 seater-0", "asset_2_seater[0]"),
+        ("class-0", "asset_class[0]"),
+        ("map-0", "asset_map[0]"),
+        ("None-0", "none[0]"),
+        ("walls-0", "asset_walls[0]"),
+        ("Range-0", "asset_range[0]"),
+        ("Bücherregal-0", "bucherregal[0]"),
+        ("桌子-0", "u684c_u5b50[0]"),
+        ("desk'; import os #-0", "desk_import_os[0]"),
+        ("-0", "asset[0]"),
+        ("_rl_log-0", "rl_log[0]"),
     ],
 )
-def test_names_become_program_variables(given_name: str, name: str) -> None:
+def test_names_stay_and_get_a_program_variable(name: str, expression: str) -> None:
     data = bedroom()
-    data["assets"] = {given_name: data["assets"]["bed-0"]}
+    data["assets"] = {name: data["assets"]["bed-0"]}
     scene = scene_from_dict(data)
-    assert scene.assets[0].name == name
+    assert [asset.name for asset in scene.assets] == [name]
+    assert scene.expressions == {name: expression}
     assert scene.assets[0].variable.isidentifier()
-    assert any(warning.startswith(f"asset {given_name!r} is called {name!r}") for warning in scene.warnings)
+    assert scene.warnings == ()
+
+
+def test_names_that_come_to_one_variable_share_its_list_whatever_their_order() -> None:
+    names = ["bed", "bed-1", "bed-0", "BED-0", "Bed-0"]
+    for order in (names, names[::-1]):
+        data = bedroom()
+        data["assets"] = {name: data["assets"]["bed-0"] for name in order}
+        scene = scene_from_dict(data)
+        assert scene.expressions["bed-0"] == "bed[0]"
+        assert scene.expressions["bed"] == "bed[1]"
+        assert scene.expressions["bed-1"] == "bed[2]"
+        assert len(set(scene.expressions.values())) == 5
+        assert "bed stands for several names: in a program, bed[1] is bed." in scene.warnings
+
+
+@given(st.text(st.characters(exclude_categories=("Cs", "Cc", "Zl", "Zp")), min_size=1, max_size=200))
+def test_any_text_on_one_line_is_a_name(name: str) -> None:
+    variable = program_variable(name)
+    assert variable.isidentifier() and variable.isascii() and not keyword.iskeyword(variable)
+    assert not variable.startswith("_")
+    if name.strip() and not set(name) & {"\ufffe", "\uffff"}:
+        data = bedroom()
+        data["assets"] = {name: data["assets"]["bed-0"]}
+        scene = scene_from_dict(data)
+        assert [asset.name for asset in scene.assets] == [name]
+        assert scene_from_dict(json.loads(json.dumps(scene_to_dict(scene)))) == scene
 
 
 def test_capital_letters_of_a_variable_stay() -> None:
@@ -267,6 +314,11 @@ WRONG: list[tuple[Data | list[int], str]] = [
     (
         changed("boundary", "floor_vertices", 1, 0, to=4000),
         "boundary.floor_vertices[1] lies more than 1000 m from the origin; coordinates are in metres.",
+    ),
+    (
+        corners((0, 0), (620, 0), (620, 410), (0, 410)),
+        "the room is 620 x 410 m: was it drawn in centimetres? Lengths are in metres; divide them by 100 for one of "
+        "6.2 x 4.1 m. At most 500 m are read.",
     ),
     (corners((0, 0), (4, 0)), "boundary.floor_vertices has 2 different corners; a room needs at least 3."),
     (corners((0, 0), (4, 0), (0, 0)), "boundary.floor_vertices has 2 different corners; a room needs at least 3."),
@@ -361,8 +413,25 @@ WRONG: list[tuple[Data | list[int], str]] = [
     ),
     (changed("assets", "bed-0", to=3), "asset 'bed-0' must be an object with named values, but is 3."),
     (
-        changed("assets", "bed", to=bedroom()["assets"]["bed-0"]),
-        "two assets are called 'bed-0' (one of them is 'bed'); give each its own name.",
+        changed("assets", "bed\n-0", to=bedroom()["assets"]["bed-0"]),
+        "the asset name 'bed\\n-0' has the control character U+000A; any other text on one line is allowed.",
+    ),
+    (changed("assets", " ", to=bedroom()["assets"]["bed-0"]), "the asset name ' ' is empty; call the asset something."),
+    (
+        changed("assets", "bed\ud800", to=bedroom()["assets"]["bed-0"]),
+        "the asset name 'bed\\ud800' contains characters that are no text (a lone surrogate at 3).",
+    ),
+    (
+        changed("assets", "bed-0", "note", to={"a": [1, math.nan]}),
+        "asset 'bed-0': note has nan where only finite numbers are allowed at a[1].",
+    ),
+    (
+        changed("assets", "bed-0", "note", to={"\ud800": 1}),
+        "asset 'bed-0': note has a name with characters that are no text (a lone surrogate at 0).",
+    ),
+    (
+        changed("boundary", "wall_height", to=250),
+        "boundary.wall_height must be at most 100, but is 250. Lengths are in metres: is it in centimetres? Then write 2.5.",
     ),
     (changed("assets", "x" * 201, to=bedroom()["assets"]["bed-0"]), "has 201 characters; at most 200 are allowed."),
     (
@@ -488,7 +557,10 @@ def large(path: Path) -> None:
         (lambda path: path.write_bytes(b'{"a": "\xff"}'), "is not UTF-8 text (byte 7)."),
         (large, "is larger than 20 MB."),
         (lambda path: path.write_text("[" * 200_000), "is nested too deeply."),
-        (lambda path: path.write_text("[" + "9" * 5000 + "]"), "is not JSON: Exceeds the limit"),
+        (
+            lambda path: path.write_text("[" + "9" * 5000 + "]"),
+            "has a number of 5000 characters (999999999999...); at most 100 are read.",
+        ),
         (lambda path: path.mkdir(), "is a folder; name the file in it."),
         (lambda path: None, "does not exist; check the path."),
     ],
@@ -512,7 +584,10 @@ def test_duplicate_names_in_a_file(tmp_path: Path) -> None:
 def test_nan_in_a_file_names_the_asset(tmp_path: Path) -> None:
     path = tmp_path / "scene.json"
     path.write_text(json.dumps(changed("assets", "bed-0", "assetMetadata", to=box(math.nan, 1, 1))))
-    with pytest.raises(SceneError, match=r"asset 'bed-0': depth .* must be a finite number, but is nan"):
+    with pytest.raises(
+        SceneError,
+        match=r"has nan where only finite .* at assets\.bed-0\.assetMetadata\.boundingBox\.x\.",
+    ):
         load_scene(path)
 
 

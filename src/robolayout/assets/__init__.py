@@ -6,7 +6,7 @@ import importlib
 from typing import TYPE_CHECKING
 
 from robolayout.assets.category import CATALOGUE, Category, read_categories
-from robolayout.assets.lexicon import category_of, find_category
+from robolayout.assets.lexicon import category_of, find_category, unknown_kinds
 
 if TYPE_CHECKING:
     from robolayout.assets.folder import import_folder
@@ -30,6 +30,7 @@ __all__ = [
     "read_categories",
     "room_parts",
     "room_style",
+    "unknown_kinds",
 ]
 
 _LAZY = {

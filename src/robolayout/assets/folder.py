@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from collections.abc import Iterator, Mapping
@@ -13,9 +12,11 @@ from typing import Any
 import numpy as np
 
 from robolayout._errors import AssetError, UnknownNameError
+from robolayout._reading import MESH_SUFFIXES, Checker, is_file, regular_bytes
+from robolayout._reading.syntax import decoded, json_value
 from robolayout.assets.category import Category
 from robolayout.assets.lexicon import find_category
-from robolayout.assets.own import AXES, SUFFIXES, Size, extent, fits_y_up, orientation, read_pieces
+from robolayout.assets.own import AXES, Size, extent, fits_y_up, orientation, read_pieces
 from robolayout.scene import variable_name
 
 MAX_FILES = 5000
@@ -31,6 +32,8 @@ PLAUSIBLE = (0.02, 6.0)
 FLAGS = {"onFloor": "on_floor", "onWall": "on_wall", "onCeiling": "on_ceiling", "onObject": "on_object"}
 VIEWS = ("+z", "+x", "-z", "-x")
 """Front axis of a y-up mesh by objathor's `frontView`: a quarter turn each."""
+
+_CHECK = Checker(AssetError)
 
 
 @dataclass(frozen=True)
@@ -83,13 +86,15 @@ def import_folder(directory: Path, *, front: str | None = None, up: str | None =
             continue
         assets[_free(name, assets)] = entry
     if not assets and not skipped:
-        raise AssetError(f"asset folder {directory.name!r} holds no mesh; put {', '.join(SUFFIXES)} files into it.")
+        raise AssetError(
+            f"asset folder {directory.name!r} holds no mesh; put {', '.join(MESH_SUFFIXES)} files into it."
+        )
     return {"assets": assets, "skipped": skipped}
 
 
 def _mesh_files(directory: Path) -> Iterator[Path]:
     """Yield mesh files below a folder in the order of their names; links are not followed."""
-    found = (p for p in directory.rglob("*") if p.suffix.lower() in SUFFIXES and p.is_file() and not p.is_symlink())
+    found = (p for p in directory.rglob("*") if p.suffix.lower() in MESH_SUFFIXES and is_file(p) and not p.is_symlink())
     root = directory.resolve()
     inside = sorted(p for p in found if p.resolve().is_relative_to(root))
     if len(inside) > MAX_FILES:
@@ -159,11 +164,11 @@ def _unit(edges: Size, category: Category) -> tuple[str, float]:
 def _guess(path: Path) -> Guess:
     """Collect the words about a mesh: objathor's data.json, a JSON file beside it, else its file and folder names."""
     beside = path.with_name("data.json")
-    if beside.is_file() and path.stem == path.parent.name:
+    if is_file(beside) and path.stem == path.parent.name:
         return _objathor(path, _json(beside))
     words = _words(path.stem) or _words(path.parent.name)
     sidecar = path.with_suffix(".json")
-    if not sidecar.is_file():
+    if not is_file(sidecar):
         return Guess(words or "asset", words, {})
     data = _json(sidecar)
     flags = {key: bool(data[key]) for key in FLAGS if key in data}
@@ -178,17 +183,11 @@ def _words(name: str) -> str:
     return "" if looks_like_hash else " ".join(words)
 
 
-def _json(path: Path) -> dict[str, Any]:
+def _json(path: Path) -> Mapping[str, Any]:
     """Read a metadata file within bounds."""
-    try:
-        if path.stat().st_size > MAX_JSON:
-            raise AssetError(f"metadata {path.name} has more than {MAX_JSON // 1000} kB.")
-        data = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError) as error:
-        raise AssetError(f"metadata {path.parent.name}/{path.name} cannot be read: {error}.") from error
-    if not isinstance(data, dict):
-        raise AssetError(f"metadata {path.parent.name}/{path.name} must be a JSON object.")
-    return data
+    what = f"metadata {path.parent.name}/{path.name}"
+    text = _CHECK.parse(lambda file: decoded(regular_bytes(file, MAX_JSON)), path, what)
+    return _CHECK.mapping(_CHECK.parse(json_value, text, what), what)
 
 
 def _objathor(path: Path, data: Mapping[str, Any]) -> Guess:

@@ -11,7 +11,7 @@ import math
 import re
 import tomllib
 import unicodedata
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 
@@ -82,6 +82,20 @@ def category_of(asset: Asset) -> Category:
     """Return the category of an asset, from its category, description, placement flags and size."""
     words = asset.like or asset.category
     return find_category(words, description=asset.description, size=asset.size, place=place_of(asset))
+
+
+def unknown_kinds(assets: Iterable[Asset]) -> tuple[str, ...]:
+    """Return one sentence for each category that no word explains: an asset of it, and what it is taken for."""
+    groups: dict[tuple[str, str], list[str]] = {}
+    for asset in assets:
+        found = category_of(asset)
+        if found.group == "unknown":
+            groups.setdefault((asset.like or asset.category, found.name), []).append(asset.name)
+    return tuple(
+        f"asset {names[0]!r}{f' and {len(names) - 1} more' if len(names) > 1 else ''}: the category {words!r} is not known; "
+        f'from its size and place it is taken for {taken!r}. Say in "like" what it is like, such as "chair".'
+        for (words, taken), names in groups.items()
+    )
 
 
 def place_of(asset: Asset) -> str | None:

@@ -6,35 +6,26 @@ says otherwise. Nothing outside the given file is opened: materials and textures
 
 from __future__ import annotations
 
-import io
-import json
-import struct
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._errors import AssetError
+from robolayout._reading import MAX_MESH_BYTES, MESH_SUFFIXES, Checker, regular_bytes
 from robolayout.assets.part import Material, Part
 from robolayout.scene import Scene
 
 Array = NDArray[np.float64]
 Size = tuple[float, float, float]
 
-SUFFIXES = (".glb", ".obj", ".ply", ".stl")
-MAX_BYTES = 100_000_000
-"""Largest mesh file that is read."""
-MAX_RAW_TRIANGLES = 20_000_000
-"""More than this is refused before it is unpacked."""
 MAX_TRIANGLES = 20_000
 """An asset with more triangles is thinned out to at most this."""
 MAX_PARTS = 64
 """An asset with more pieces is merged into one."""
-MAX_NODES = 20_000
 PLAIN = Material("own mesh", (0.72, 0.70, 0.67), 0.8)
 AXES: dict[str, tuple[float, float, float]] = {
     sign + axis: tuple((1.0 if sign == "+" else -1.0) * (axis == other) for other in "xyz")  # type: ignore[misc]
@@ -42,11 +33,7 @@ AXES: dict[str, tuple[float, float, float]] = {
     for axis in "xyz"
 }
 """Unit vectors by name: "+x", "-y", ..."""
-PARSER_ERRORS = (
-    ArithmeticError, AssertionError, AttributeError, EOFError, ImportError, LookupError, MemoryError, OSError,
-    RuntimeError, TypeError, ValueError, struct.error,
-)  # fmt: skip
-"""What mesh parsers raise on broken files."""
+_CHECK = Checker(AssetError)
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,26 +122,18 @@ def read_pieces(path: Path) -> tuple[RawMesh, ...]:
     Raises:
         AssetError: The file is missing, too large, of an unknown format, broken or empty.
     """
+    from robolayout._reading.mesh import mesh_pieces
+
     suffix = path.suffix.lower()
-    if suffix not in SUFFIXES:
-        raise AssetError(f"mesh {path.name}: format {suffix!r} is not read; use one of {', '.join(SUFFIXES)}.")
-    try:
-        length = path.stat().st_size
-        if length > MAX_BYTES:
-            raise AssetError(
-                f"mesh {path.name} has {length / 1e6:.0f} MB; at most {MAX_BYTES // 1_000_000} MB are read."
-            )
-        data = path.read_bytes()
-    except OSError as error:
-        raise AssetError(f"mesh {path.name} cannot be read: {error.strerror or error}.") from error
-    _check_counts(path.name, suffix, data)
-    try:
-        pieces = tuple(_pieces(data, suffix[1:]))
-    except PARSER_ERRORS as error:
-        raise AssetError(f"mesh {path.name} is broken and cannot be used: {_short(error)}.") from error
-    if not pieces:
-        raise AssetError(f"mesh {path.name} holds no triangles; export it again as a triangle mesh.")
-    return pieces
+    if suffix not in MESH_SUFFIXES:
+        raise AssetError(f"mesh {path.name}: format {suffix!r} is not read; use one of {', '.join(MESH_SUFFIXES)}.")
+    data = _CHECK.parse(lambda file: regular_bytes(file, MAX_MESH_BYTES), path, f"mesh {path.name}")
+    pieces = _CHECK.parse(lambda content: mesh_pieces(content, suffix), data, f"mesh {path.name}")
+    return tuple(RawMesh(piece.name, piece.vertices, piece.faces, _material(piece.color)) for piece in pieces)
+
+
+def _material(color: tuple[float, float, float, float] | None) -> Material:
+    return PLAIN if color is None else Material("own mesh", color[:3], 0.8, 0.0, color[3])
 
 
 def check_meshes(scene: Scene) -> None:
@@ -185,104 +164,6 @@ def _thin_version(path: Path, changed: int) -> tuple[Size, tuple[RawMesh, ...]]:
     """Read one version of a file; `changed` tells versions apart."""
     pieces = read_pieces(path)
     return extent(pieces), tuple(_thinned(pieces))
-
-
-def _short(error: BaseException) -> str:
-    """Return one line about a parser's error."""
-    text = " ".join(str(error).split())[:120].rstrip(".")
-    return text or type(error).__name__
-
-
-def _check_counts(name: str, suffix: str, data: bytes) -> None:
-    """Refuse a file whose header promises more than is reasonable, before anything is unpacked."""
-    count = 0
-    if suffix == ".glb":
-        count = _glb_count(name, data)
-    elif suffix == ".ply":
-        head = data[:65_536].split(b"end_header")[0].splitlines()
-        counts = [line.split()[2] for line in head if line.startswith(b"element") and len(line.split()) == 3]
-        count = sum(int(word) for word in counts if word.isdigit())
-        if count > len(data):
-            raise AssetError(f"mesh {name} is broken and cannot be used: its header promises {count} elements.")
-    if count > 3 * MAX_RAW_TRIANGLES:
-        raise AssetError(f"mesh {name} promises {count} numbers; at most {3 * MAX_RAW_TRIANGLES} are read.")
-
-
-def _glb_count(name: str, data: bytes) -> int:
-    """Return how many elements a GLB's accessors promise; its node count is bounded too."""
-    try:
-        if len(data) < 20:
-            raise AssetError(f"mesh {name} is broken and cannot be used: it ends within its first 20 bytes.")
-        magic, version, _, size, kind = struct.unpack_from("<4sIIII", data)
-        if magic != b"glTF" or version != 2 or kind != 0x4E4F534A:
-            raise AssetError(f"mesh {name} is broken and cannot be used: it is no binary glTF 2.0 file.")
-        header: dict[str, Any] = json.loads(data[20 : 20 + size])
-        nodes = len(header.get("nodes", ()))
-        count = sum(int(entry["count"]) for entry in header.get("accessors", ()))
-    except PARSER_ERRORS as error:
-        raise AssetError(f"mesh {name} is broken and cannot be used: {_short(error)}.") from error
-    if nodes > MAX_NODES:
-        raise AssetError(
-            f"mesh {name} has {nodes} nodes; at most {MAX_NODES} are read. Merge its parts and export again."
-        )
-    return count
-
-
-def _pieces(data: bytes, kind: str) -> Iterator[RawMesh]:
-    """Yield the triangle pieces of a file, placed by its scene graph."""
-    import trimesh
-
-    scene = trimesh.load_scene(io.BytesIO(data), file_type=kind, process=False)
-    total = 0
-    for node in sorted(scene.graph.nodes_geometry):
-        matrix, key = scene.graph[node]
-        mesh = scene.geometry[key]
-        if not isinstance(mesh, trimesh.Trimesh) or len(mesh.faces) == 0:
-            continue
-        total += len(mesh.faces)
-        if total > MAX_RAW_TRIANGLES:
-            raise ValueError(f"it unfolds to more than {MAX_RAW_TRIANGLES} triangles")
-        piece = _cleaned(
-            str(key), np.asarray(mesh.vertices), np.asarray(mesh.faces), np.asarray(matrix), _material(mesh)
-        )
-        if piece is not None:
-            yield piece
-
-
-def _cleaned(name: str, points: Array, faces: NDArray[np.int64], matrix: Array, look: Material) -> RawMesh | None:
-    """Place a piece and drop triangles with unusable numbers; None where nothing is left."""
-    placed = points @ matrix[:3, :3].T + matrix[:3, 3]
-    usable = np.asarray((np.isfinite(placed) & (np.abs(placed) < 1e7)).all(axis=1))
-    inside = ((faces >= 0) & (faces < len(points))).all(axis=1)
-    faces = faces[inside]
-    faces = faces[usable[faces].all(axis=1)]
-    if len(faces) == 0:
-        return None
-    if np.linalg.det(matrix[:3, :3]) < 0:
-        faces = faces[:, ::-1]
-    used, index = np.unique(faces, return_inverse=True)
-    return RawMesh(name, placed[used], index.reshape(-1, 3), look)
-
-
-def _material(mesh: Any) -> Material:
-    """Return the plain colour of a mesh: its material's, times its texture's mean, or its mean vertex colour."""
-    visual = mesh.visual
-    if visual is None or not getattr(visual, "defined", False):
-        return PLAIN
-    color = np.asarray(visual.main_color, dtype=np.float64)[:4] / 255.0 if visual.kind != "texture" else None
-    if color is None:
-        surface = visual.material
-        surface = surface.to_pbr() if hasattr(surface, "to_pbr") else surface
-        factor = getattr(surface, "baseColorFactor", None)
-        color = np.ones(4) if factor is None else np.asarray(factor, dtype=np.float64)
-        color = color / 255.0 if color.max() > 1.0 else color
-        image = getattr(surface, "baseColorTexture", None)
-        if image is not None:
-            mean = np.asarray(image.convert("RGB").resize((16, 16)), dtype=np.float64).mean(axis=(0, 1)) / 255.0
-            color = np.append(color[:3] * mean, color[3] if len(color) > 3 else 1.0)
-    red, green, blue = (float(np.clip(channel, 0.0, 1.0)) for channel in color[:3])
-    opacity = float(np.clip(color[3], 0.05, 1.0)) if len(color) > 3 else 1.0
-    return Material("own mesh", (round(red, 4), round(green, 4), round(blue, 4)), 0.8, 0.0, round(opacity, 4))
 
 
 def _thinned(pieces: Sequence[RawMesh]) -> list[RawMesh]:

@@ -224,7 +224,7 @@ def _scenes(
 
     seed, variants = seed_variants
     if Path(text).suffix == ".json" or Path(text).exists() or " " not in text.strip():
-        scene = read_scene(text, agent, asset_dir)
+        scene = read_scene(text, agent, asset_dir, knowledge)
         yield scene, out or Path("out") / scene.name, ()
         return
     from robolayout._files import write_atomic
@@ -240,12 +240,15 @@ def _scenes(
         yield scene, folder, understood.sentences()
 
 
-def read_scene(path: str, agent: str | None, asset_dir: Path | None) -> Scene:
-    """Read a scene, for other agents if given, and show what was mended on reading."""
+def read_scene(path: str, agent: str | None, asset_dir: Path | None, knowledge: Sequence[Path] = ()) -> Scene:
+    """Read a scene, for other agents if given, and show what was mended on reading and what is of no known kind."""
+    from robolayout.assets import unknown_kinds
+    from robolayout.planners import OfflinePlanner
     from robolayout.scene import load_agents, load_scene
 
     scene = load_scene(path, asset_dir)
-    for warning in scene.warnings:
+    known = OfflinePlanner(knowledge).recognised(scene) if knowledge else scene
+    for warning in (*scene.warnings, *unknown_kinds(known.assets)):
         sys.stderr.write(f"robolayout: warning: {warning}\n")
     return scene if agent is None else scene.with_agents(*load_agents(agent))
 

@@ -6,18 +6,26 @@ import dataclasses
 import importlib.util
 import inspect
 import sys
+import traceback
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from types import MappingProxyType
 from typing import TypeVar
 
 from robolayout._errors import InputError
+from robolayout._reading import is_file
 from robolayout.constraints._relation import Relation
 
 _KNOWN: dict[str, type[Relation]] = {}
 
 RELATIONS: Mapping[str, type[Relation]] = MappingProxyType(_KNOWN)
 """All relations by the word that names them in a program."""
+
+_OWN_ERRORS = (
+    ArithmeticError, AssertionError, AttributeError, EOFError, ImportError, LookupError, MemoryError, NameError, OSError,
+    RuntimeError, SyntaxError, TypeError, ValueError,
+)  # fmt: skip
+"""What a file of one's own may raise when it runs."""
 
 AnyRelation = TypeVar("AnyRelation", bound=type[Relation])
 
@@ -52,10 +60,16 @@ def register_file(path: str | Path) -> tuple[type[Relation], ...]:
     path = Path(path)
     name = f"robolayout_relations_{path.stem}"
     spec = importlib.util.spec_from_file_location(name, path)
-    if not path.is_file() or spec is None or spec.loader is None:
+    if not is_file(path) or spec is None or spec.loader is None:
         raise InputError(f"{path} is no Python file; relations are read from a file such as my_relations.py.")
     module = sys.modules[name] = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
+    try:
+        spec.loader.exec_module(module)
+    except _OWN_ERRORS as error:
+        lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
+        line = error.lineno if isinstance(error, SyntaxError) else lines[-1] if lines else None
+        reason = " ".join(f"{type(error).__name__}: {error}".split())[:300]
+        raise InputError(f"{path} cannot be run (line {line}): {reason}. Correct the file.") from error
     found = [
         value
         for value in vars(module).values()

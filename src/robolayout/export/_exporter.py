@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 import math
+import struct
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import cast
+from functools import wraps
 
 from robolayout._errors import LayoutError
+from robolayout._reading import MAX_MESH_BYTES, Unreadable
 from robolayout.assets import Part, category_of
 from robolayout.scene import Agent, Asset, Layout, Point, Pose, Scene, vertical_span
 
@@ -19,6 +21,9 @@ Json = dict[str, object]
 
 STANDING = 0.02
 """Largest gap in metres between a thing and what it stands on (DESIGN section 4)."""
+
+_ASTRAY = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, struct.error)
+"""What a reader trips over in bytes of another form."""
 
 
 @dataclass(frozen=True)
@@ -49,6 +54,10 @@ class Contents:
     sizes: Mapping[str, tuple[float, float, float]] = field(default_factory=dict[str, tuple[float, float, float]])
 
 
+Read = Callable[[bytes], Contents]
+"""What reads a file's content back."""
+
+
 @dataclass(frozen=True)
 class Exporter:
     """One file format.
@@ -67,7 +76,7 @@ class Exporter:
     summary: str
     extra: str | None
     write: Callable[[Scene, Layout, Options], bytes]
-    read: Callable[[bytes], Contents] | None = None
+    read: Read | None = None
 
 
 def placed(scene: Scene, layout: Layout) -> tuple[tuple[Asset, Pose], ...]:
@@ -114,6 +123,13 @@ def is_movable(asset: Asset, scene: Scene, layout: Layout) -> bool:
     return category_of(asset).movable and not asset.is_flat and not hangs(asset, scene, layout)
 
 
+def free_name(word: str, scene: Scene) -> str:
+    """Return a name for something of our own ("room") that no asset has, nor the parts of one."""
+    while any(asset.name == word or asset.name.startswith(f"{word}/") for asset in scene.assets):
+        word += "_"
+    return word
+
+
 def facts(asset: Asset, *, movable: bool) -> Json:
     """Return what a file says about an asset beside its pose and shape."""
     return {
@@ -158,19 +174,34 @@ def dump_json(content: object) -> bytes:
     return (json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode()
 
 
-def parse_json(data: bytes, what: str) -> Json:
-    """Return the JSON object in a file's bytes.
+def reader(what: str) -> Callable[[Read], Read]:
+    """Return a decorator for the reader of a format: whatever it cannot read is one sentence about `what`.
 
-    Raises:
-        LayoutError: The bytes are no JSON object; the message says what was expected and where reading stopped.
+    The reader may raise `Unreadable`, or trip over what is missing in the bytes; poses must be finite.
     """
-    try:
-        content: object = json.loads(data)
-    except (ValueError, RecursionError) as error:
-        raise LayoutError(f"this {what} is no JSON: {error}. Was the file written to its end?") from error
-    if not isinstance(content, dict):
-        raise LayoutError(f"this {what} must be a JSON object, not {type(content).__name__}.")
-    return cast(Json, content)
+
+    def decorate(read: Read) -> Read:
+        @wraps(read)
+        def guarded(data: bytes) -> Contents:
+            if len(data) > MAX_MESH_BYTES:
+                raise LayoutError(f"this {what} is larger than {MAX_MESH_BYTES // 1_000_000} MB; export fewer things.")
+            try:
+                found = read(data)
+            except Unreadable as error:
+                raise LayoutError(f"this {what} {error}. Was the file written to its end?") from error
+            except _ASTRAY as error:
+                text = " ".join(f"{type(error).__name__} {error}".split())[:80]
+                raise LayoutError(
+                    f"this {what} is none that robolayout wrote ({text}); export the layout again."
+                ) from error
+            for name, pose in found.layout.items():
+                if not all(map(math.isfinite, (pose.x, pose.y, pose.z, pose.yaw))):
+                    raise LayoutError(f"this {what} gives {name!r} a pose that is not finite; export the layout again.")
+            return found
+
+        return guarded
+
+    return decorate
 
 
 def mass(asset: Asset) -> float:

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
 from robolayout._errors import LayoutError
-from robolayout.export._exporter import Contents, Exporter, Options, placed
+from robolayout.export._exporter import Contents, Exporter, Options, placed, reader
 from robolayout.scene import Asset, Layout, Opening, Point, Pose, Room, Scene
 
 APPLICATION = "ROBOLAYOUT"
@@ -70,11 +70,23 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
 
 
 def _text(value: object) -> str:
-    """Return a value as DXF text: floats with every digit, letters beyond ASCII as \\U+XXXX."""
+    """Return a value as DXF text: floats with every digit, letters beyond ASCII and backslashes as \\U+XXXX."""
     if isinstance(value, float):
         return repr(value + 0.0)
     flat = re.sub(r"[\r\n]+", " ", str(value))
-    return "".join(letter if 31 < ord(letter) < 127 else f"\\U+{min(ord(letter), 0xFFFF):04X}" for letter in flat)
+    return re.sub(r"[^ -\[\]-~]", lambda match: _escaped(match[0]), flat)
+
+
+def _escaped(letter: str) -> str:
+    """Return a letter beyond ASCII, or a backslash, as one or two UTF-16 units."""
+    units = letter.encode("utf-16-be", "surrogatepass").hex().upper()
+    return "".join(f"\\U+{units[i : i + 4]}" for i in range(0, len(units), 4))
+
+
+def _unescaped(text: str) -> str:
+    """Return text as it was before `_text`."""
+    plain = re.sub(r"\\U\+([0-9A-F]{4})", lambda match: chr(int(match[1], 16)), text)
+    return plain.encode("utf-16", "surrogatepass").decode("utf-16")
 
 
 def _extents(room: Room) -> list[Group]:
@@ -192,6 +204,7 @@ def _door(room: Room, door: Opening) -> list[Group]:
     return [*groups, (50, start % 360.0), (51, (start + 90.0) % 360.0)]
 
 
+@reader("DXF file")
 def read(data: bytes) -> Contents:
     """Return the names, poses and sizes of the inserts in a plan that this package wrote.
 
@@ -201,7 +214,7 @@ def read(data: bytes) -> Contents:
     lines = data.decode("ascii", errors="replace").splitlines()
     if len(lines) < 4 or lines[0].strip() != "0" or lines[-1].strip() != "EOF":
         raise LayoutError("this is no DXF text: it must begin with a section and end with EOF.")
-    pairs = [(int(code), value.strip()) for code, value in zip(lines[::2], lines[1::2], strict=False)]
+    pairs = [(int(code), value) for code, value in zip(lines[::2], lines[1::2], strict=False)]
     poses: dict[str, Pose] = {}
     sizes: dict[str, tuple[float, float, float]] = {}
     starts = [i for i, (code, _) in enumerate(pairs) if code == 0]
@@ -209,7 +222,7 @@ def read(data: bytes) -> Contents:
         if pairs[start][1] == "INSERT" and (1001, APPLICATION) in pairs[start:end]:
             entity = dict(pairs[start:end])
             depth, width, height, z = (float(value) for code, value in pairs[start:end] if code == 1040)
-            name = re.sub(r"\\U\+([0-9A-F]{4})", lambda match: chr(int(match[1], 16)), entity[1000])
+            name = _unescaped(entity[1000])
             poses[name] = Pose(float(entity[10]), float(entity[20]), z, math.radians(float(entity[50])))
             sizes[name] = (depth, width, height)
     return Contents(Layout(poses), sizes)

@@ -16,10 +16,10 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
-from robolayout._errors import LayoutError
+from robolayout._reading.syntax import Unreadable, decoded, json_value
 from robolayout._version import __version__
 from robolayout.assets import Material, Part, category_of, parts, room_parts
-from robolayout.export._exporter import Contents, Exporter, Json, Options, facts, is_movable, placed
+from robolayout.export._exporter import Contents, Exporter, Json, Options, facts, is_movable, placed, reader
 from robolayout.export._mesh import Surface, linear, merged
 from robolayout.scene import Asset, Layout, Pose, Scene
 
@@ -176,17 +176,15 @@ def document(data: bytes) -> Json:
     """Return the JSON chunk of a GLB file.
 
     Raises:
-        LayoutError: The bytes are no GLB file.
+        Unreadable: The bytes are no GLB file.
     """
     if len(data) < 20 or data[:4] != MAGIC or data[16:20] != b"JSON":
-        raise LayoutError("this is no GLB file: it must start with the four letters glTF and a JSON chunk.")
+        raise Unreadable("is no GLB: it must start with the four letters glTF and a JSON chunk")
     (length,) = struct.unpack("<I", data[12:16])
-    try:
-        return cast(Json, json.loads(data[20 : 20 + length]))
-    except ValueError as error:
-        raise LayoutError(f"the JSON chunk of this GLB file cannot be read: {error}.") from error
+    return cast(Json, json_value(decoded(data[20 : 20 + length])))
 
 
+@reader("GLB file")
 def read(data: bytes) -> Contents:
     """Return the names, poses and sizes in a GLB file that this package wrote."""
     poses: dict[str, Pose] = {}

@@ -15,9 +15,19 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from robolayout._errors import LayoutError
+from robolayout._reading.syntax import Unreadable, decoded, xml_root
 from robolayout.assets import Material, Part, category_of, parts, room_parts
-from robolayout.export._exporter import Contents, Exporter, Options, is_movable, is_trim, mass, placed
+from robolayout.export._exporter import (
+    Contents,
+    Exporter,
+    Options,
+    free_name,
+    is_movable,
+    is_trim,
+    mass,
+    placed,
+    reader,
+)
 from robolayout.export._mesh import Box, as_box, quaternion, volume
 from robolayout.scene import Agent, Asset, Layout, Pose, Scene, vertical_span
 
@@ -63,9 +73,10 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
 def build(scene: Scene, layout: Layout, options: Options, *, free: Free) -> bytes:
     """Return the model as XML, with free joints for the assets that `free` says yes to."""
     model = _start(scene)
-    room = ET.SubElement(model.world, "body", name="room")
+    own = free_name("room", scene)
+    room = ET.SubElement(model.world, "body", name=own)
     plane = {
-        "name": "room/floor",
+        "name": f"{own}/floor",
         "type": "plane",
         "size": "0 0 0.1",
         "rgba": "0 0 0 0",
@@ -75,7 +86,7 @@ def build(scene: Scene, layout: Layout, options: Options, *, free: Free) -> byte
     for number, part in enumerate(room_parts(scene.room, seed=options.seed)):
         if np.ptp(part.vertices[:, 2]) > THINNEST:
             kind = "look" if is_trim(part) or part.name == "floor" else "fixed"
-            _geom(model, room, part, {"name": f"room/{part.name}/{number}", "class": kind})
+            _geom(model, room, part, {"name": f"{own}/{part.name}/{number}", "class": kind})
     custom = ET.SubElement(model.root, "custom")
     for asset, pose in placed(scene, layout):
         _asset(model, asset, pose, seed=options.seed, free=free(asset, scene, layout))
@@ -87,7 +98,7 @@ def build(scene: Scene, layout: Layout, options: Options, *, free: Free) -> byte
         ET.SubElement(custom, "text", name=f"route/{name}", data=flat or "-")
     _rugs(model, scene, layout)
     if options.agent is not None:
-        _agent(model, options.agent, start(scene, options))
+        _agent(model, free_name(AGENT, scene), options.agent, start(scene, options))
     ET.indent(model.root)
     return ET.tostring(model.root, encoding="utf-8", xml_declaration=True) + b"\n"
 
@@ -227,11 +238,12 @@ def _rugs(model: _Model, scene: Scene, layout: Layout) -> None:
 
 def _pair(model: _Model, rug: Asset, asset: Asset) -> None:
     """Add contacts between all geoms of a rug and all of an asset."""
-    geoms = [str(geom.get("name")) for geom in model.world.iter("geom")]
-    for first in geoms:
-        for second in geoms:
-            if first.startswith(f"{rug.name}/") and second.startswith(f"{asset.name}/"):
-                ET.SubElement(model.contact, "pair", geom1=first, geom2=second, condim="4")
+    geoms = {
+        body.get("name"): [str(geom.get("name")) for geom in body.iter("geom")] for body in model.world.iter("body")
+    }
+    for first in geoms[rug.name]:
+        for second in geoms[asset.name]:
+            ET.SubElement(model.contact, "pair", geom1=first, geom2=second, condim="4")
 
 
 def start(scene: Scene, options: Options) -> Pose:
@@ -247,13 +259,13 @@ def start(scene: Scene, options: Options) -> Pose:
     return Pose((low_x + high_x) / 2, (low_y + high_y) / 2, 0.0, 0.0)
 
 
-def _agent(model: _Model, agent: Agent, pose: Pose) -> None:
+def _agent(model: _Model, own: str, agent: Agent, pose: Pose) -> None:
     """Add the planar base of an agent, above what it drives over, without friction: its joints carry it."""
     low = max(agent.step, 0.01)
     half = (agent.height - low) / 2
     half_yaw = pose.yaw / 2
     turn = f"{math.cos(half_yaw)!r} 0 0 {math.sin(half_yaw)!r}"
-    body = ET.SubElement(model.world, "body", name=AGENT, pos=f"{pose.x!r} {pose.y!r} 0", quat=turn)
+    body = ET.SubElement(model.world, "body", name=own, pos=f"{pose.x!r} {pose.y!r} 0", quat=turn)
     joints = {"x": ("slide", pose.x), "y": ("slide", pose.y), "yaw": ("hinge", pose.yaw)}
     axes = {
         "x": f"{math.cos(pose.yaw)!r} {-math.sin(pose.yaw)!r} 0",
@@ -261,18 +273,19 @@ def _agent(model: _Model, agent: Agent, pose: Pose) -> None:
     }
     for name, (kind, value) in joints.items():
         axis = axes.get(name, "0 0 1")
-        ET.SubElement(body, "joint", name=f"{AGENT}/{name}", type=kind, axis=axis, ref=repr(value))
+        ET.SubElement(body, "joint", name=f"{own}/{name}", type=kind, axis=axis, ref=repr(value))
     shape = {"type": "cylinder", "size": f"{agent.radius:.9g} {half:.9g}"}
     if agent.length is not None and agent.width is not None:
         shape = {"type": "box", "size": f"{agent.length / 2:.9g} {agent.width / 2:.9g} {half:.9g}"}
     look = {"rgba": "0.15 0.45 0.75 0.6", "friction": "0 0 0", "condim": "1", "mass": f"{AGENT_MASS:.6g}"}
-    ET.SubElement(body, "geom", {"name": f"{AGENT}/body", "pos": f"0 0 {low + half:.9g}", **shape, **look})
+    ET.SubElement(body, "geom", {"name": f"{own}/body", "pos": f"0 0 {low + half:.9g}", **shape, **look})
     actuators = ET.SubElement(model.root, "actuator")
     for name in joints:
         gains = {"kp": f"{STIFFNESS:.6g}", "kv": f"{DAMPING:.6g}"}
-        ET.SubElement(actuators, "position", {"name": f"{AGENT}/{name}", "joint": f"{AGENT}/{name}", **gains})
+        ET.SubElement(actuators, "position", {"name": f"{own}/{name}", "joint": f"{own}/{name}", **gains})
 
 
+@reader("MJCF file")
 def read(data: bytes) -> Contents:
     """Return the names, poses and sizes in a model that this package wrote.
 
@@ -300,16 +313,11 @@ def parse_xml(data: bytes, root: str) -> ET.Element:
     """Return the root element of XML text that declares no document type (and so no entities).
 
     Raises:
-        LayoutError: It does, or it is no such XML.
+        Unreadable: It does, or it is no such XML.
     """
-    if b"<!DOCTYPE" in data or b"<!ENTITY" in data:
-        raise LayoutError(f"this <{root}> file declares a document type; remove it, it is never needed.")
-    try:
-        element = ET.fromstring(data)
-    except ET.ParseError as error:
-        raise LayoutError(f"this is no XML: {error}. Was the file written to its end?") from error
+    element = xml_root(decoded(data))
     if element.tag != root:
-        raise LayoutError(f"this XML must start with <{root}>, not <{element.tag}>.")
+        raise Unreadable(f"must start with <{root}>, not <{element.tag[:60]}>")
     return element
 
 

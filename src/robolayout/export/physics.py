@@ -19,11 +19,14 @@ from numpy.typing import NDArray
 
 from robolayout._errors import MissingExtraError
 from robolayout.export._exporter import Options, Routes, check_layout, hangs
-from robolayout.export.mjcf import AGENT, AGENT_MASS, DAMPING, STIFFNESS, build
+from robolayout.export.mjcf import AGENT_MASS, DAMPING, STIFFNESS, build
 from robolayout.scene import Agent, Asset, Layout, Point, Scene
 
 STILL, UPRIGHT = 0.01, math.radians(2.0)
 """A stable asset moves by less than 1 cm and tilts by less than 2 degrees."""
+
+ROOM_BODY = 1
+"""The room's body in a model: the first after the world."""
 
 MARGIN = 0.01
 """Metres by which the driven collider is smaller than the body: what a controller may stray from the planned line."""
@@ -285,7 +288,7 @@ def _drive(model: Any, data: Any, line: Sequence[Point], speed: float, *, turns:
     push = np.gradient(rates, step, axis=0) * np.array([AGENT_MASS, AGENT_MASS, 0.0])
     controls = wanted + rates * (DAMPING / STIFFNESS) + push / STIFFNESS
     mujoco.mj_resetData(model, data)
-    places = [int(model.joint(f"{AGENT}/{axis}").qposadr[0]) for axis in ("x", "y", "yaw")]
+    places = [int(model.jnt_qposadr[joint]) for joint in model.actuator_trnid[:3, 0]]
     data.qpos[places] = wanted[0]
     touched: set[str] = set()
     error = 0.0
@@ -302,11 +305,11 @@ def _drive(model: Any, data: Any, line: Sequence[Point], speed: float, *, turns:
 def _touched(model: Any, data: Any) -> set[str]:
     """Return the names of what the base touches now."""
     names: set[str] = set()
-    for pair in data.contact.geom[: data.ncon]:
-        for geom in pair:
-            body, _, rest = str(model.geom(int(geom)).name).partition("/")
-            if body != AGENT:
-                names.add(rest.partition("/")[0] if body == "room" else body)
+    base = int(model.jnt_bodyid[model.actuator_trnid[0, 0]])
+    for geom in map(int, data.contact.geom[: data.ncon].flat):
+        body = int(model.geom_bodyid[geom])
+        if body != base:
+            names.add(str(model.geom(geom).name.split("/")[1] if body == ROOM_BODY else model.body(body).name))
     return names
 
 

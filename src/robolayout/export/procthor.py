@@ -14,6 +14,7 @@ from itertools import pairwise
 from typing import cast
 
 from robolayout._errors import LayoutError
+from robolayout._reading.syntax import decoded, json_value
 from robolayout.export._exporter import (
     Contents,
     Exporter,
@@ -21,8 +22,8 @@ from robolayout.export._exporter import (
     Options,
     dump_json,
     is_movable,
-    parse_json,
     placed,
+    reader,
     supporter,
 )
 from robolayout.export._thor import ThorAsset, nearest, nearest_of, thor_type
@@ -239,13 +240,14 @@ def _parameters(scene: Scene, layout: Layout) -> Json:
     }
 
 
+@reader("house")
 def read(data: bytes) -> Contents:
     """Return our names, poses and sizes in a house that this package wrote.
 
     Raises:
         LayoutError: The house carries no `metadata.robolayout`.
     """
-    house = parse_json(data, "house")
+    house = cast(Json, json_value(decoded(data)))
     notes = cast(Json, cast(Json, house.get("metadata", {})).get("robolayout", {}))
     if "assets" not in notes:
         raise LayoutError("this house was not written by robolayout: it has no metadata.robolayout.assets.")

@@ -1,19 +1,23 @@
 """Scene state JSON, which SceneEval loads (format `scene@1.0.2`, from its scene_state_template.json and GUIDE.md).
 
 SceneEval places each object's mesh by a column-major 4 x 4 matrix; meshes are glTF files, y up with the front along +z.
-Model ids are `robolayout.<name>`. `write_meshes` writes the meshes in the folder form of its LayoutVLM data set
+Model ids are `robolayout.<name>`, the name escaped where no file may have it.
+`write_meshes` writes the meshes in the folder form of its LayoutVLM data set
 (`<name>/<name>.glb`, `<name>/data.json`), so a data set entry with the prefix "robolayout" and that folder as its root
 is all that SceneEval needs.
 """
 
 from __future__ import annotations
 
+import hashlib
 import math
 from pathlib import Path
 from typing import cast
+from urllib.parse import quote
 
 from robolayout._errors import LayoutError
 from robolayout._files import write_atomic
+from robolayout._reading.syntax import decoded, json_value
 from robolayout.export._exporter import (
     Contents,
     Exporter,
@@ -22,8 +26,8 @@ from robolayout.export._exporter import (
     dump_json,
     facts,
     is_movable,
-    parse_json,
     placed,
+    reader,
     supporter,
 )
 from robolayout.export.glb import asset_glb
@@ -31,6 +35,8 @@ from robolayout.scene import Layout, Opening, Pose, Room, Scene
 
 PREFIX = "robolayout"
 ROOM = "room"
+LONGEST_NAME = 120
+"""Characters of a file's name, beyond which an asset's name is shortened."""
 THICKNESS = 0.1
 """Thickness of walls in metres, as in the files that SceneEval ships."""
 
@@ -46,7 +52,7 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
             {
                 "id": asset.name,
                 "index": index[asset.name],
-                "modelId": f"{PREFIX}.{asset.name}",
+                "modelId": f"{PREFIX}.{_file_name(asset.name)}",
                 "parentId": parent or "",
                 "parentIndex": -1 if parent is None else index[parent],
                 "transform": {"rows": 4, "cols": 4, "data": _matrix(pose)},
@@ -68,6 +74,14 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
             },
             "selected": [],
         }
+    )
+
+
+def _file_name(name: str) -> str:
+    """Return an asset's name as that of a file: as it is, unless it has a slash or the like, then escaped as in addresses."""
+    escaped = quote(name, safe=" ").replace(".", "%2E") if not name.strip(".") else quote(name, safe=" ")
+    return (
+        escaped if len(escaped) <= LONGEST_NAME else f"{escaped[:80]}-{hashlib.sha256(name.encode()).hexdigest()[:16]}"
     )
 
 
@@ -133,22 +147,23 @@ def write_meshes(scene: Scene, folder: Path, *, seed: int = 0) -> Path:
         notes |= {"onFloor": asset.on_floor, "onWall": asset.on_wall, "onCeiling": asset.on_ceiling}
         box: Json = {"boundingBox": {"x": width, "y": depth, "z": height}}
         content: Json = {"annotations": {**notes, "onObject": asset.on_object}, "assetMetadata": box}
-        name = Path(asset.name).name
+        name = _file_name(asset.name)
         write_atomic(folder / name / f"{name}.glb", asset_glb(asset, seed=seed))
         write_atomic(folder / name / "data.json", dump_json(content))
     return folder
 
 
+@reader("scene state")
 def read(data: bytes) -> Contents:
     """Return the names, poses and sizes in a scene state that this package wrote."""
-    content = parse_json(data, "scene state")
+    content = cast(Json, json_value(decoded(data)))
     if content.get("format") != "sceneState":
         raise LayoutError(f'a scene state says "format": "sceneState", this one {content.get("format")!r}.')
     poses: dict[str, Pose] = {}
     sizes: dict[str, tuple[float, float, float]] = {}
     for entry in cast(list[Json], cast(Json, content["scene"])["object"]):
         m = cast(list[float], cast(Json, entry["transform"])["data"])
-        name = str(entry["modelId"]).removeprefix(f"{PREFIX}.")
+        name = str(entry["id"])
         poses[name] = Pose(m[12], m[13], m[14], math.atan2(m[9], m[8]))
         depth, width, height = cast(list[float], cast(Json, entry["metadata"])["size"])
         sizes[name] = (depth, width, height)

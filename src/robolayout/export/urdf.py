@@ -12,12 +12,21 @@ import xml.etree.ElementTree as ET
 import numpy as np
 
 from robolayout.assets import Material, Part, parts, room_parts
-from robolayout.export._exporter import Contents, Exporter, Options, is_movable, is_trim, mass, placed
+from robolayout.export._exporter import (
+    Contents,
+    Exporter,
+    Options,
+    free_name,
+    is_movable,
+    is_trim,
+    mass,
+    placed,
+    reader,
+)
 from robolayout.export._mesh import as_box
 from robolayout.export.mjcf import THINNEST, parse_xml
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
-ROOM = "room"
 SLAB = 0.1
 """Thickness of the floor in metres."""
 
@@ -27,7 +36,8 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     robot = ET.Element("robot", name=scene.name)
     hints = ET.SubElement(robot, "mujoco")
     ET.SubElement(hints, "compiler", discardvisual="false", balanceinertia="true")
-    room = ET.SubElement(robot, "link", name=ROOM)
+    own = free_name("room", scene)
+    room = ET.SubElement(robot, "link", name=own)
     pieces = room_parts(scene.room, seed=options.seed)
     _floor(room, scene.room, next(part.material for part in pieces if part.name == "floor"))
     for part in pieces:
@@ -40,7 +50,7 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
             _shapes(link, part, f"{asset.name}/{part.name}")
         kind = "floating" if is_movable(asset, scene, layout) else "fixed"
         joint = ET.SubElement(robot, "joint", name=f"{asset.name}/joint", type=kind)
-        ET.SubElement(joint, "parent", link=ROOM)
+        ET.SubElement(joint, "parent", link=own)
         ET.SubElement(joint, "child", link=asset.name)
         ET.SubElement(joint, "origin", xyz=f"{pose.x!r} {pose.y!r} {pose.z!r}", rpy=f"0 0 {pose.yaw!r}")
     ET.indent(robot)
@@ -103,6 +113,7 @@ def _angles(rotation: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> tupl
     return (roll, pitch, math.atan2(float(rotation[1, 0]), float(rotation[0, 0])))
 
 
+@reader("URDF file")
 def read(data: bytes) -> Contents:
     """Return the names and poses in a description that this package wrote."""
     poses: dict[str, Pose] = {}

@@ -14,7 +14,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from robolayout._errors import LayoutError, MissingExtraError
-from robolayout.export._exporter import Contents, Exporter, Options
+from robolayout.export._exporter import Contents, Exporter, Options, reader
 from robolayout.scene import Layout, Pose, Scene
 
 EXTRA = "usd"
@@ -57,6 +57,7 @@ def write_package(scene: Scene, layout: Layout, options: Options) -> bytes:
     return package.getvalue()
 
 
+@reader("USD file")
 def read(data: bytes) -> Contents:
     """Return the names, poses and sizes in USD text or a USDZ package that this package wrote.
 

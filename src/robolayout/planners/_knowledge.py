@@ -8,7 +8,6 @@ meaning of every key is written in docs/planner.md.
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
@@ -17,12 +16,14 @@ from pathlib import Path
 from typing import Any
 
 from robolayout._errors import InputError, SceneError
+from robolayout._reading import Checker
+from robolayout._reading.syntax import toml_value
 from robolayout.assets import Category, find_category
 from robolayout.assets.lexicon import place_of
 from robolayout.constraints import RELATIONS
 from robolayout.planners._own import own_rooms, own_things
 from robolayout.planners._rooms import RoomType
-from robolayout.planners._shapes import among, build, tables
+from robolayout.planners._shapes import among, build, table, tables, texts
 from robolayout.scene import Asset
 
 SLOTS = ("beside", "front", "flank", "opposite", "behind", "around", "on", "setting", "near")
@@ -37,6 +38,9 @@ _VALUES = (
 )
 PLACEHOLDERS = frozenset(_VALUES.split(", "))
 """What a statement may name in braces."""
+MAX_BYTES = 1_000_000
+"""Largest knowledge file in bytes; the built-in ones have at most 12,000."""
+_CHECK = Checker(SceneError)
 
 
 @dataclass(frozen=True)
@@ -175,11 +179,7 @@ def load_knowledge(extra: Iterable[Path] = ()) -> Knowledge:
 
 
 def _read(path: Path) -> str:
-    try:
-        return path.read_text("utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "it is no UTF-8 text"
-        raise SceneError(f"the knowledge file {path} cannot be read ({reason}); name a TOML file.") from None
+    return _CHECK.read_text(path, "the knowledge file", MAX_BYTES)
 
 
 @cache
@@ -193,10 +193,9 @@ def _built_in() -> tuple[tuple[str, str], ...]:
 def _parse(texts: tuple[tuple[str, str], ...]) -> Knowledge:
     reading = _Reading()
     for name, text in texts:
+        data = _CHECK.parse(toml_value, text, f"the knowledge file {name}")
         try:
-            reading.add(tomllib.loads(text))
-        except tomllib.TOMLDecodeError as error:
-            raise SceneError(f"the knowledge file {name} is not TOML: {error}. Correct it or leave it out.") from None
+            reading.add(data)
         except InputError as error:
             raise SceneError(f"the knowledge file {name}: {error}") from None
     return reading.knowledge()
@@ -215,7 +214,9 @@ class _Reading:
     def add(self, data: Mapping[str, Any]) -> None:
         """Read one file."""
         among("key", data, TOP_KEYS)
-        self.slots.update(data.get("slots", {}))
+        for slot, entry in table(data.get("slots", {}), "slots").items():
+            self.slots[slot] = table(entry, f"slots.{slot}")
+            texts(self.slots[slot].get("say", ()), f"slots.{slot}: say")
         if set(data) == {"slots"}:
             return
         group = build(_Group, {key: data[key] for key in ("label", "order", "why") if key in data}, "its top")
@@ -237,7 +238,8 @@ class _Reading:
 def _role(entry: dict[str, Any], group: _Group, slots: Mapping[str, Any]) -> Role:
     where = f"the role {entry.get('name', 'without a name')!r}"
     stands = entry.get("stands", ["wall"])
-    said = {mode: tuple(slots.get(mode, {}).get("say", ())) for mode in STANDS} | entry.get("say", {})
+    said = {mode: tuple(slots.get(mode, {}).get("say", ())) for mode in STANDS}
+    said |= table(entry.get("say", {}), f"{where}: say")
     fixed: dict[str, Any] = {
         "group": group.label,
         "order": group.order,

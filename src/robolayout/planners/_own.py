@@ -9,9 +9,11 @@ from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.category import PLACES, SIDES
 from robolayout.planners._rooms import RoomType
-from robolayout.planners._shapes import among, build, tables
+from robolayout.planners._shapes import among, build, table, tables
 from robolayout.scene import agent_names
 
+MOST = 200
+"""Things of one kind that a room type may have."""
 OWN = "your own file"
 """Where the size of an own category comes from."""
 
@@ -73,15 +75,12 @@ def own_rooms(entries: object, things: Mapping[str, Category]) -> tuple[RoomType
         entries: Its `[rooms.NAME]` tables.
         things: The user's own categories by name.
     """
-    if not isinstance(entries, Mapping):
-        raise SceneError(f'rooms must be tables such as [rooms."music room"], but is {entries!r}.')
-    return tuple(_room(str(name), entry, things) for name, entry in entries.items())
+    given = table(entries, 'rooms (such as [rooms."music room"])')
+    return tuple(_room(name, table(entry, f"the room {name!r}"), things) for name, entry in given.items())
 
 
-def _room(name: str, entry: object, things: Mapping[str, Category]) -> RoomType:
+def _room(name: str, entry: Mapping[str, object], things: Mapping[str, Category]) -> RoomType:
     where = f"the room {name!r}"
-    if not isinstance(entry, Mapping):
-        raise SceneError(f"{where} must be a table, but is {entry!r}.")
     empty: dict[str, int] = {}
     room = build(RoomType, {"base": empty, "extras": empty, "words": [name], **entry, "name": name}, where)
     known = {*CATALOGUE, *things}
@@ -90,6 +89,7 @@ def _room(name: str, entry: object, things: Mapping[str, Category]) -> RoomType:
     among(f"body in {where}:", [room.agent] if room.agent else [], agent_names())
     if not all(1.0 <= side <= 100.0 for side in room.size):
         raise SceneError(f"{where}: size is {list(room.size)}; width and depth are metres, from 1 to 100.")
-    if min([1, *room.base.values(), *room.extras.values(), *room.person.values()]) < 0:
-        raise SceneError(f"{where}: a count is below 0; leave the thing out.")
+    for name, count in (*room.base.items(), *room.extras.items(), *room.person.items()):
+        if not 0 <= count <= MOST:
+            raise SceneError(f"{where}: it has {count:.3g} of {name!r}; a room holds from 0 to {MOST} of a kind.")
     return room

@@ -7,6 +7,7 @@ from dataclasses import MISSING, fields
 from typing import Any, TypeVar
 
 from robolayout._errors import SceneError, UnknownNameError
+from robolayout._reading import show
 
 Kind = TypeVar("Kind")
 
@@ -62,12 +63,12 @@ def build(kind: type[Kind], entry: Mapping[str, Any], where: str) -> Kind:
         SceneError: A key is missing, unknown, or holds a value of the wrong kind.
     """
     known = {field.name: field for field in fields(kind)}  # type: ignore[arg-type]
-    for key, value in entry.items():
+    for key, value in table(entry, where).items():
         if key not in known:
             raise UnknownNameError(f"key in {where}:", key, known)
         words, holds = SHAPES.get(str(known[key].type), ("", None))
         if holds is not None and not holds(value):
-            raise SceneError(f"{where}: {key} must be {words}, but is {value!r}.")
+            raise SceneError(f"{where}: {key} must be {words}, but is {show(value)}.")
     for name, field in known.items():
         if name not in entry and field.default is MISSING and field.default_factory is MISSING:
             raise SceneError(f'{where} lacks the key "{name}"; add it.')
@@ -81,8 +82,25 @@ def tables(value: object, where: str) -> list[dict[str, Any]]:
         SceneError: It is something else.
     """
     if not isinstance(value, list) or not all(isinstance(item, dict) for item in value):
-        raise SceneError(f"{where} must be a list of tables, but is {value!r}.")
+        raise SceneError(f"{where} must be a list of tables, but is {show(value)}.")
     return [dict(item) for item in value]
+
+
+def table(value: object, where: str) -> dict[str, Any]:
+    """Return a table as it is.
+
+    Raises:
+        SceneError: It is something else.
+    """
+    if not isinstance(value, Mapping):
+        raise SceneError(f"{where} must be a table, but is {show(value)}.")
+    return dict(value)
+
+
+def texts(value: object, where: str) -> None:
+    """Refuse what is no list of texts."""
+    if not _is_list(value, _is_text):
+        raise SceneError(f"{where} must be a list of texts, but is {show(value)}.")
 
 
 def among(kind: str, names: Iterable[str], known: Iterable[str]) -> None:

@@ -23,16 +23,10 @@ class Line:
     names: tuple[str, ...]
 
 
-def expression(scene: Scene, name: str) -> str:
-    """Return how a program names an asset: `night_stand[0]`."""
-    asset = scene.by_name[name]
-    return f"{asset.variable}[{scene.variables[asset.variable].index(asset)}]"
-
-
 def guess_lines(site: Site, name: str) -> list[str]:
     """Return the two lines that set an asset's initial place and heading."""
     member, height = site.spots[name].member, site.size(name)[2]
-    label = expression(site.scene, name)
+    label = site.scene.expressions[name]
     degrees = round(math.degrees(member.yaw) % 360.0, 1) % 360.0
     position = ", ".join(f"{round(value, 3):g}" for value in (member.x, member.y, member.bottom + height / 2))
     return [f"{label}.position = [{position}]", f"{label}.rotation = [{degrees:g}]"]
@@ -101,7 +95,7 @@ class StatementWriter:
         values = self._values(peers[0]) | {"items": self._list(peers)}
         yield from self._fill(item.join.all, values, *peers)
         for first, second in self._pairs(peers):
-            values = self._values(first) | {"a2": expression(self.site.scene, second)}
+            values = self._values(first) | {"a2": self.site.scene.expressions[second]}
             yield from self._fill(item.join.pair, values, first, second)
 
     def _pairs(self, peers: Sequence[str]) -> Iterator[tuple[str, str]]:
@@ -138,7 +132,7 @@ class StatementWriter:
             yield Line(f"solver.in_front_of({here}, {there}, {plan.aisle - 0.1:g}, {plan.aisle + 1:g})", names)
 
     def _name(self, name: str) -> str:
-        return expression(self.site.scene, name)
+        return self.site.scene.expressions[name]
 
     def _straight(self, name: str) -> str:
         """Return the longest wall and the angle to it, as the last two arguments of `align_with`."""
@@ -147,7 +141,7 @@ class StatementWriter:
         return f"walls[{wall.index}], {round(angle % 360.0, 1) % 360.0:g}"
 
     def _list(self, names: Sequence[str]) -> str:
-        return "[" + ", ".join(expression(self.site.scene, name) for name in names) + "]"
+        return "[" + ", ".join(self.site.scene.expressions[name] for name in names) + "]"
 
     def _fill(self, templates: Sequence[str], values: Mapping[str, str], *names: str) -> Iterator[Line]:
         """Yield the filled templates; one that needs a missing value is left out, "else" follows a left-out one."""
@@ -167,7 +161,7 @@ class StatementWriter:
         """Return everything that a template may name for an asset."""
         spot, item = self.site.spots[name], self.cast[name]
         values = {
-            "a": expression(self.site.scene, name),
+            "a": self.site.scene.expressions[name],
             "wall": "" if spot.wall is None else f"walls[{spot.wall}]",
             "side": f'"{spot.member.side}"' if spot.member.side in ("left", "right", "front", "back") else "",
             "height": f"{spot.member.bottom + self.site.size(name)[2] / 2:.2f}",
@@ -180,7 +174,7 @@ class StatementWriter:
             values |= self._about(name, anchor)
         seat = spot.member.side
         if seat in self.site.spots:
-            values |= {"seat": expression(self.site.scene, seat), "seat name": seat}
+            values |= {"seat": self.site.scene.expressions[seat], "seat name": seat}
         return values
 
     def _about(self, name: str, other: str) -> dict[str, str]:
@@ -191,7 +185,7 @@ class StatementWriter:
         gap = max(0.0, _edge_gap(here.member, self.site.size(name), there.member, self.site.size(other)))
         ahead = distance - (self.site.size(name)[0] + self.site.size(other)[0]) / 2
         return {
-            "b": expression(self.site.scene, other),
+            "b": self.site.scene.expressions[other],
             "b name": other,
             "bwall": "" if there.wall is None or not self._reaches(here, there.wall) else f"walls[{there.wall}]",
             "near": f"{max(0.0, distance - 0.15):.2f}",

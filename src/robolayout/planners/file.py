@@ -5,11 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 from robolayout._errors import ProgramError
+from robolayout._reading import Checker
 from robolayout.planners._types import Group, PlanRequest
 from robolayout.scene import Scene
 
 MAX_BYTES = 2_000_000
 """Largest program file in bytes that is read."""
+_CHECK = Checker(ProgramError)
 
 
 class FilePlanner:
@@ -28,16 +30,4 @@ class FilePlanner:
 
     def plan(self, request: PlanRequest) -> str:
         """Return the file's text."""
-        try:
-            with self.path.open("rb") as stream:
-                data = stream.read(MAX_BYTES + 1)
-        except OSError as error:
-            raise ProgramError(
-                f"cannot read the program {self.path}: {error.strerror}. Give a readable file."
-            ) from None
-        if len(data) > MAX_BYTES:
-            raise ProgramError(f"the program {self.path} is larger than {MAX_BYTES // 1_000_000} MB, the most allowed.")
-        try:
-            return data.decode("utf-8")
-        except UnicodeDecodeError:
-            raise ProgramError(f"the program {self.path} is not UTF-8 text. Save it as UTF-8.") from None
+        return _CHECK.read_text(self.path, "the program", MAX_BYTES)

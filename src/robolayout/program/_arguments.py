@@ -47,11 +47,6 @@ class ArgumentError(Exception):
         self.argument = argument
 
 
-def expressions(scene: Scene) -> dict[str, str]:
-    """Return how each asset is written in a program, by its name ("bed-0": "bed[0]"), grouped by variable."""
-    return {a.name: f"{variable}[{i}]" for variable, group in scene.variables.items() for i, a in enumerate(group)}
-
-
 def build_relation(name: str, given: list[Recorded], named: list[tuple[str, Recorded]], scene: Scene) -> Relation:
     """Return the relation that a recorded call states; raises `ArgumentError`."""
     relation = RELATIONS[name]
@@ -185,7 +180,7 @@ def _described(recorded: Recorded, scene: Scene) -> str:
     if kind == "list":
         return f"a list of {len(recorded[1])}"
     if kind == "asset":
-        return expressions(scene).get(str(value), "an asset")
+        return scene.expressions.get(str(value), "an asset")
     if kind == "wall":
         return f"walls[{value}]"
     if kind in ("number", "text"):

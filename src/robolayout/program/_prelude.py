@@ -12,10 +12,7 @@ from collections.abc import Iterable
 
 from robolayout.program._program import Limits
 from robolayout.program._source import MEANINGLESS
-from robolayout.scene import RESERVED_NAMES, Scene
-
-RESERVED = RESERVED_NAMES | {"AssetInstance"}
-"""Words of the program language that no asset variable may take."""
+from robolayout.scene import Scene
 
 RECORDER = """
 import json as _rl_json
@@ -25,6 +22,7 @@ from math import acos, asin, atan, atan2, ceil, cos, degrees, exp, fabs, floor, 
 _rl_len, _rl_isinstance, _rl_type, _rl_str, _rl_float = len, isinstance, type, str, float
 _rl_lists, _rl_numbers = (list, tuple), (int, float)
 _rl_bool, _rl_text, _rl_range = bool, str, range
+_rl_TypeError, _rl_ValueError, _rl_RuntimeError = TypeError, ValueError, RuntimeError
 _rl_log, _rl_notes, _rl_used = [], [], {"items": 0, "printed": 0}
 
 
@@ -101,7 +99,7 @@ class _rl_Room:
 
 def _rl_several(items, attribute):
     name = items[0].label.split("[")[0] if _rl_len(items) and _rl_isinstance(items[0], _rl_Asset) else "this"
-    raise TypeError(f"{name} is a list of {_rl_len(items)}; write {name}[0].{attribute}")
+    raise _rl_TypeError(f"{name} is a list of {_rl_len(items)}; write {name}[0].{attribute}")
 
 
 def _rl_one(thing, attribute, site):
@@ -113,7 +111,7 @@ def _rl_one(thing, attribute, site):
         if site is not None:
             thing._rl_sites[attribute] = site
         elif attribute == "position" and thing.position is None:
-            raise ValueError(f"{thing.label} has no position yet; assign {thing.label}.position first")
+            raise _rl_ValueError(f"{thing.label} has no position yet; assign {thing.label}.position first")
     return thing
 
 
@@ -144,7 +142,7 @@ def _rl_number(value):
 def _rl_encode(value, depth=0):
     _rl_used["items"] += 1
     if _rl_used["items"] > _rl_scene["items"]:
-        raise RuntimeError(f"_rl_limit the arguments name more than {_rl_scene['items']} things")
+        raise _rl_RuntimeError(f"_rl_limit the arguments name more than {_rl_scene['items']} things")
     if value is None:
         return ["none"]
     if _rl_isinstance(value, _rl_bool):
@@ -168,7 +166,7 @@ def _rl_encode(value, depth=0):
 
 def _rl_record(site, name, args, kwargs):
     if _rl_len(_rl_log) >= _rl_scene["statements"]:
-        raise RuntimeError(f"_rl_limit the program states more than {_rl_scene['statements']} relations")
+        raise _rl_RuntimeError(f"_rl_limit the program states more than {_rl_scene['statements']} relations")
     named = [[key, _rl_encode(kwargs[key])] for key in kwargs]
     _rl_log.append([site, name, [_rl_encode(value) for value in args], named])
 

@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
+from robolayout.scene import program_variable, split_name
 
 
 @dataclass(frozen=True)
@@ -116,8 +117,7 @@ class Program:
         return f"{relation.name}({', '.join(shown)})"
 
     def _asset(self, name: str) -> str:
-        variable, _, index = name.rpartition("-")
-        return self.expressions.get(name, f"{variable}[{index}]")
+        return self.expressions.get(name) or f"{program_variable(name)}[{split_name(name)[1]}]"
 
     def _value(self, value: object) -> str:
         match value:

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import ast
-import keyword
 import math
 from dataclasses import replace
 from typing import Any
 
 from robolayout._errors import ProgramError, ProgramLimitError
 from robolayout.constraints import RELATIONS
-from robolayout.program._arguments import ArgumentError, Recorded, build_relation, expressions
-from robolayout.program._prelude import RESERVED
+from robolayout.program._arguments import ArgumentError, Recorded, build_relation
 from robolayout.program._program import Guess, Limits, Program, Statement
 from robolayout.program._sandbox import run
 from robolayout.program._source import Site, Source, read_source, without_line
@@ -37,11 +35,10 @@ def read_program(text: str, scene: Scene, limits: Limits | None = None) -> Progr
         ProgramLimitError: Where it ran over a limit.
     """
     limits = limits or Limits()
-    _check_variables(scene)
     source = read_source(text, tuple(RELATIONS), scene.variables, limits)
     recorded = run(source, scene, tuple(RELATIONS), limits)
     statements = tuple(_statement(i, row, source, scene) for i, row in enumerate(recorded["log"], start=1))
-    written = expressions(scene)
+    written = scene.expressions
     poses = dict(zip(written, recorded["poses"], strict=True))
     guesses = {
         asset.name: guess
@@ -85,15 +82,6 @@ def read_salvaged(text: str, scene: Scene, limits: Limits | None = None) -> Prog
             "bed[0].position = [x, y, z] and statements such as solver.against_wall(bed[0], walls[0]) in one ```python block."
         )
     return replace(program, dropped=tuple(dropped))
-
-
-def _check_variables(scene: Scene) -> None:
-    for variable in scene.variables:
-        if not variable.isidentifier() or keyword.iskeyword(variable) or variable in RESERVED or variable[0] == "_":
-            raise ProgramError(
-                f"the asset name '{variable}-0' cannot be written in a program, because {variable!r} means something "
-                "else there; rename the asset in the scene file"
-            )
 
 
 def _statement(number: int, row: list[Any], source: Source, scene: Scene) -> Statement:

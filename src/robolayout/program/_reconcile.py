@@ -82,6 +82,7 @@ class Reconciled:
         counts = Counter(decision.verdict for decision in self.decisions)
         return {
             "counts": {verdict: counts[verdict] for verdict in ("accepted", "updated", "rejected")},
+            "expressions": dict(self.program.expressions),
             "statements": [decision.to_dict() for decision in self.decisions],
         }
 

@@ -113,9 +113,7 @@ def annotation_marks(scene: Scene, layout: Layout) -> tuple[Mark, ...]:
         asset = scene.by_name[name]
         c, s = pose.forward
         tip = (pose.x + ARROW * c, pose.y + ARROW * s, pose.z)
-        marks.append(
-            Mark("front", f"{asset.variable}[{asset.index}]", (pose.x, pose.y, pose.z), tip, max(asset.size[:2]) < 0.4)
-        )
+        marks.append(Mark("front", scene.expressions[name], (pose.x, pose.y, pose.z), tip, max(asset.size[:2]) < 0.4))
     for wall in room.walls:
         marks.append(Mark("wall", f"walls[{wall.index}]", (*wall.point(wall.length / 2, -WALL_OFFSET), 0.0)))
     for door in room.doors:

@@ -30,7 +30,7 @@ from robolayout.render.palette import (
     TURN,
     asset_colors,
 )
-from robolayout.scene import Agent, Asset, Layout, Pose, Scene, Wall, vertical_span
+from robolayout.scene import Agent, Asset, Layout, Pose, Scene, Wall, split_name, vertical_span
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -199,8 +199,12 @@ def draw_footprint(sheet: Drawing, asset: Asset, pose: Pose, place: Place, *, bl
 
 def display_name(scene: Scene, asset: Asset) -> str:
     """Return the asset's name for people: "bed", or "night stand 1" where there are several."""
-    words = asset.variable.replace("_", " ")
-    return f"{words} {asset.index}" if len(scene.variables[asset.variable]) > 1 else words
+    alike = scene.variables[asset.variable]
+    stems = {split_name(other.name)[0] for other in alike}
+    words = split_name(asset.name)[0].replace("_", " ").strip()
+    if len(stems) > 1 or not words:
+        return asset.name
+    return f"{words} {asset.index}" if len(alike) > 1 else words
 
 
 def has_arrow(asset: Asset) -> bool:

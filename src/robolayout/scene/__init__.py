@@ -2,7 +2,7 @@
 
 from robolayout.scene.agent import DEFAULT_AGENT, Agent, Source
 from robolayout.scene.agents_io import agent_from_dict, agent_names, agent_to_dict, load_agent, load_agents
-from robolayout.scene.asset import FLAT_HEIGHT, RESERVED_NAMES, Asset, variable_name
+from robolayout.scene.asset import FLAT_HEIGHT, Asset, program_variable, split_name, variable_name
 from robolayout.scene.digest import digest, layout_digest, scene_digest
 from robolayout.scene.io import layout_from_dict, load_layout, load_scene, scene_from_dict, scene_to_dict
 from robolayout.scene.layout import Layout, Pose, Snapshot, Trace, vertical_span
@@ -13,7 +13,6 @@ __all__ = [
     "DEFAULT_AGENT",
     "FLAT_HEIGHT",
     "LANDING_DEPTH",
-    "RESERVED_NAMES",
     "Agent",
     "Asset",
     "Layout",
@@ -36,9 +35,11 @@ __all__ = [
     "load_agents",
     "load_layout",
     "load_scene",
+    "program_variable",
     "scene_digest",
     "scene_from_dict",
     "scene_to_dict",
+    "split_name",
     "variable_name",
     "vertical_span",
 ]

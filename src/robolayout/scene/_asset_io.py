@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping
+import unicodedata
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from robolayout._errors import SceneError
+from robolayout._reading import MAX_MESH_BYTES, MESH_SUFFIXES, Checker, inside, is_file, misspelt, show
 from robolayout.scene import reference
 from robolayout.scene._catalogue import described, find_catalogue
-from robolayout.scene._schema import Checker, inside, is_file, misspelt, show
-from robolayout.scene.asset import Asset, variable_name
+from robolayout.scene.asset import Asset, by_variable, split_name
 
 MAX_ASSETS = 2000
 """Most assets of a scene."""
+MAX_NAME = 200
+"""Characters of an asset's name."""
+NO_TEXT = "\ufffe\uffff"
+"""Code points that are no characters, and that XML cannot hold."""
 SMALLEST, LARGEST = 1e-4, 100.0
 """Allowed side of an asset's box in metres."""
 SIDES = ("front", "back", "left", "right")
 """Sides that an asset can be used from."""
-MESHES = (".glb", ".obj", ".ply", ".stl")
-"""Suffixes of the mesh files that an asset may name."""
-MAX_MESH_BYTES = 100_000_000
-"""Largest mesh file."""
 
 _CHECK = Checker(SceneError)
 _FLAGS = ("onFloor", "onWall", "onCeiling", "onObject")
@@ -48,16 +48,12 @@ def read_assets(
     named = _named(described(given, catalogue), asset_dir)
     folders += [catalogue.parent] if catalogue else []
     assets: dict[str, Asset] = {}
-    for key, (given, entry) in named.items():
-        name = _instance_name(given)
-        if name != given:
-            warnings.append(
-                f"asset {show(given)} is called {name!r}: names are a program variable, a dash and a number."
-            )
+    for key, (name, entry) in named.items():
+        _check_name(name)
         if name in assets:
             raise SceneError(f"two assets are called {name!r} (one of them is {show(key)}); give each its own name.")
         assets[name] = _asset(name, entry, folders, warnings)
-    _warn_of_gaps(assets, warnings)
+    _warn_of_gaps(assets.values(), warnings)
     return tuple(assets.values())
 
 
@@ -100,21 +96,21 @@ def _named(
     }
 
 
-def _instance_name(key: str) -> str:
-    """Return `<variable>-<number>` for a name in a file: "night stand-01" becomes "night_stand-1"."""
-    if len(key) > 200:
-        raise SceneError(f"the asset name {show(key)} has {len(key)} characters; at most 200 are allowed.")
-    match = re.fullmatch(r"(.*)-(\d{1,6})", key, flags=re.ASCII | re.DOTALL)
-    stem, number = (match[1], int(match[2])) if match else (key, 0)
-    plain = re.fullmatch(r"[A-Za-z]\w*", stem, flags=re.ASCII)
-    variable = stem if plain and variable_name(stem) == stem.lower() else variable_name(stem)
-    return f"{variable}-{number}"
+def _check_name(name: str) -> None:
+    """Raise SceneError for a name that is no text on one line."""
+    where = f"the asset name {show(name)}"
+    _CHECK.text(name, where, most=MAX_NAME)
+    odd = next((c for c in name if unicodedata.category(c) in ("Cc", "Zl", "Zp") or c in NO_TEXT), None)
+    if odd is not None:
+        raise SceneError(f"{where} has the control character U+{ord(odd):04X}; any other text on one line is allowed.")
+    if not name.strip():
+        raise SceneError(f"{where} is empty; call the asset something.")
 
 
 def _asset(name: str, entry: Mapping[str, object], folders: list[Path], warnings: list[str]) -> Asset:
     where = f"asset {name!r}"
     warnings.extend(misspelt(entry, _KNOWN, where))
-    category = entry.get("category", name.rpartition("-")[0].replace("_", " "))
+    category = entry.get("category", split_name(name)[0].replace("_", " "))
     text = _CHECK.text(category, f"{where}: category", most=200)
     words = " ".join("".join(c if c.isprintable() else " " for c in text).split())
     if not words:
@@ -135,7 +131,7 @@ def _asset(name: str, entry: Mapping[str, object], folders: list[Path], warnings
         path=_mesh(entry.get("path"), where, folders),
         use_sides=_sides(entry.get("useSides"), where),
         like=_CHECK.text(entry.get("like", ""), f"{where}: like", most=200),
-        metadata={key: value for key, value in entry.items() if key not in _KNOWN},
+        metadata={key: _CHECK.plain(value, f"{where}: {key}") for key, value in entry.items() if key not in _KNOWN},
     )
 
 
@@ -167,8 +163,8 @@ def _mesh(value: object, where: str, folders: list[Path]) -> Path | None:
     if value is None or value == "":
         return None
     text = _CHECK.text(value, f"{where}: path", most=1000)
-    if not text.lower().endswith(MESHES) or "\0" in text:
-        known = ", ".join(MESHES)
+    if not text.lower().endswith(MESH_SUFFIXES) or "\0" in text:
+        known = ", ".join(MESH_SUFFIXES)
         raise SceneError(f"{where}: path {show(text)} is no mesh file ({known}); convert the mesh or leave path out.")
     places = [folder / text for folder in folders]
     allowed = [place for place in places if inside(place, folders)]
@@ -194,15 +190,11 @@ def _check_length(place: Path, text: str, where: str) -> None:
         )
 
 
-def _warn_of_gaps(assets: Mapping[str, Asset], warnings: list[str]) -> None:
-    """Warn where the numbers of a variable have a gap, since a program counts its list without gaps."""
-    groups: dict[str, list[int]] = {}
-    for asset in assets.values():
-        groups.setdefault(asset.variable, []).append(asset.index)
-    for variable, numbers in groups.items():
-        numbers.sort()
-        gap = next((i for i, number in enumerate(numbers) if i != number), None)
-        if gap is not None:
-            warnings.append(
-                f"there is no {variable}-{gap}: in a program, {variable}[{gap}] is {variable}-{numbers[gap]}."
-            )
+def _warn_of_gaps(assets: Iterable[Asset], warnings: list[str]) -> None:
+    """Warn where the numbers of a variable have a gap or stand twice, since a program counts its list without either."""
+    for variable, group in by_variable(assets).items():
+        odd = next((i for i, asset in enumerate(group) if asset.index != i), None)
+        if odd is not None:
+            place, name = f"{variable}[{odd}]", group[odd].name
+            gap = f"there is no {variable}-{odd}" if group[odd].index > odd else f"{variable} stands for several names"
+            warnings.append(f"{gap}: in a program, {place} is {name}.")

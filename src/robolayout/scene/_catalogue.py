@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from robolayout._errors import SceneError
-from robolayout.scene._schema import Checker, inside, is_file, show
+from robolayout._reading import Checker, inside, is_file, show
 
 Entry = Mapping[str, object]
 """One asset as a scene file gives it."""

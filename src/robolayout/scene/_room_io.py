@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import combinations
 
 from robolayout._errors import SceneError
-from robolayout.scene._schema import MAX_LENGTH, Checker
+from robolayout._reading import MAX_LENGTH, Checker
 from robolayout.scene.room import Opening, Point, Room, Wall
 
 MAX_CORNERS = 200
@@ -17,6 +17,8 @@ MAX_OPENINGS = 100
 """Most doors, and most windows, of a room."""
 MIN_AREA = 0.01
 """Smallest floor area in square metres that counts as a room."""
+VAST, MAX_SIDE = 100.0, 500.0
+"""Metres of a room's longer side beyond which its unit is asked about, and beyond which it is refused."""
 TOLERANCE = 1e-6
 """Metres below which two points are one, and by which an opening may overshoot through rounding."""
 DOOR_HEIGHT = 2.05
@@ -36,6 +38,7 @@ def read_room(data: Mapping[str, object], warnings: list[str]) -> Room:
     )
     room = Room(vertices, height)
     _check_shape(room)
+    _check_units(room, warnings)
     doors = _openings(data, "doors", room)
     windows = _openings(data, "windows", room)
     _check_overlaps([*doors, *windows])
@@ -94,6 +97,21 @@ def _check_shape(room: Room) -> None:
             )
     if abs(room.area) < MIN_AREA:
         raise SceneError(f"the room's area is {abs(room.area):.4f} m2; at least {MIN_AREA} m2 are needed (in metres).")
+
+
+def _check_units(room: Room, warnings: list[str]) -> None:
+    """Ask about a room that is so large that it was perhaps drawn in centimetres."""
+    low_x, low_y, high_x, high_y = room.bounds
+    width, depth = high_x - low_x, high_y - low_y
+    if max(width, depth) <= VAST:
+        return
+    asks = (
+        f"the room is {width:g} x {depth:g} m: was it drawn in centimetres? Lengths are in metres; "
+        f"divide them by 100 for one of {width / 100:g} x {depth / 100:g} m"
+    )
+    if max(width, depth) > MAX_SIDE:
+        raise SceneError(f"{asks}. At most {MAX_SIDE:g} m are read.")
+    warnings.append(f"{asks}, or leave them if it is that large.")
 
 
 def _height(wall: Wall, point: Point) -> float:

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from robolayout._errors import AgentError, UnknownNameError
-from robolayout.scene._schema import Checker, show
+from robolayout._reading import Checker, show
 from robolayout.scene.agent import Agent, Source
 from robolayout.scene.agents import BUILT_IN
 from robolayout.scene.room import Room
@@ -190,16 +190,7 @@ def _outside() -> dict[str, EntryPoint]:
 def _load_profile(path: Path) -> Agent:
     if path.suffix.lower() == ".json":
         return agent_from_dict(_CHECK.read_json(path, "agent file"), name=path.stem)
-    import tomllib
-
-    text = _CHECK.read_text(path, "agent file")
-    try:
-        data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise AgentError(f"agent file {path} is not TOML: {error}.") from None
-    except RecursionError:
-        raise AgentError(f"agent file {path} is nested too deeply.") from None
-    return agent_from_dict(data, name=path.stem)
+    return agent_from_dict(_CHECK.read_toml(path, "agent file"), name=path.stem)
 
 
 def _figure(value: object, where: str, key: str) -> tuple[float, Source | None]:

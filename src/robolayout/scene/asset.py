@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import keyword
 import re
+import unicodedata
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -15,7 +17,7 @@ class Asset:
     At zero rotation it faces +x, so x is its depth and y its width.
 
     Attributes:
-        name: Unique name in the scene, `<variable>-<index>` ("night_stand-0").
+        name: Unique name in the scene, byte for byte as in its file ("night_stand-0", "桌子", "map-0").
         category: What it is, in words ("night stand").
         size: Depth (x), width (y) and height (z) of its box in metres.
         description: Free words about this very asset; data, never code.
@@ -44,13 +46,13 @@ class Asset:
 
     @property
     def variable(self) -> str:
-        """The name of its list in a constraint program ("night_stand")."""
-        return self.name.rpartition("-")[0]
+        """The name of its list in a constraint program ("night_stand"), valid Python whatever its own name is."""
+        return program_variable(self.name)
 
     @property
     def index(self) -> int:
-        """Its place in that list."""
-        return int(self.name.rpartition("-")[2])
+        """The number at the end of its name; 0 without one."""
+        return split_name(self.name)[1]
 
     @property
     def is_flat(self) -> bool:
@@ -68,11 +70,56 @@ _LANGUAGE = (
 )
 
 RESERVED_NAMES = frozenset(_LANGUAGE.split(", "))
-"""Names that mean something else in a constraint program, so that no asset may take them."""
+"""Names that mean something else in a constraint program, so that no variable of an asset may take them."""
 
 
-def variable_name(category: str) -> str:
-    """Return the Python variable for a category: "night stand" becomes "night_stand", "range" "asset_range"."""
-    name = re.sub(r"\W+", "_", category.strip().lower(), flags=re.ASCII).strip("_")
-    taken = not name or name[0].isdigit() or name in RESERVED_NAMES or keyword.iskeyword(name)
-    return f"asset_{name}" if taken else name
+def variable_name(words: str) -> str:
+    """Return the Python variable for a name or category: "night stand" becomes "night_stand", "range" "asset_range".
+
+    Accents are dropped ("Bücherregal": "bucherregal"); letters without a Latin one are written as their code points
+    ("桌子": "u684c_u5b50").
+    """
+    latin = "".join(map(_latin, words.strip().lower()))
+    name = re.sub(r"\W+", "_", latin, flags=re.ASCII).strip("_")
+    if not name:
+        return "asset"
+    return f"asset_{name}" if name[0].isdigit() or _is_word(name) else name
+
+
+def by_variable(assets: Iterable[Asset]) -> dict[str, tuple[Asset, ...]]:
+    """Return assets by program variable, in the order of their numbers, whatever their order in the file.
+
+    Where two names come to one variable and number ("bed-0" and "bed"), that of the form `<variable>-<number>` is first.
+    """
+    groups: dict[str, list[Asset]] = {}
+    for asset in assets:
+        groups.setdefault(asset.variable, []).append(asset)
+    return {
+        variable: tuple(sorted(group, key=lambda a: (a.index, a.name != f"{variable}-{a.index}", a.name)))
+        for variable, group in groups.items()
+    }
+
+
+def program_variable(name: str) -> str:
+    """Return the Python variable for an asset's name: "night stand-1" becomes "night_stand", "map-0" "asset_map"."""
+    stem, _ = split_name(name)
+    plain = re.fullmatch(r"[A-Za-z]\w*", stem, flags=re.ASCII) and not _is_word(stem)
+    return stem if plain else variable_name(stem)
+
+
+def split_name(name: str) -> tuple[str, int]:
+    """Return an asset's name without its number, and the number: "night stand-1" is "night stand" and 1, "bed" "bed" and 0."""
+    match = re.fullmatch(r"(.*)-(\d{1,6})", name, flags=re.ASCII | re.DOTALL)
+    return (match[1], int(match[2])) if match else (name, 0)
+
+
+def _is_word(name: str) -> bool:
+    """Return whether a name means something else in a program, whatever its case."""
+    return keyword.iskeyword(name) or keyword.iskeyword(name.lower()) or name.lower() in RESERVED_NAMES
+
+
+def _latin(letter: str) -> str:
+    """Return one character in ASCII: itself, without its accent, or its code point between spaces."""
+    plain = "".join(part for part in unicodedata.normalize("NFKD", letter) if part.isascii())
+    kind = unicodedata.category(letter)[0]
+    return plain or ("" if kind == "M" else f" u{ord(letter):x} " if kind in "LNS" else " ")

@@ -12,9 +12,9 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from robolayout._errors import LayoutError, SceneError
+from robolayout._reading import Checker, misspelt, show
 from robolayout.scene._asset_io import MAX_ASSETS, read_assets, write_asset
 from robolayout.scene._room_io import read_room, write_room
-from robolayout.scene._schema import Checker, misspelt, show
 from robolayout.scene.agent import DEFAULT_AGENT, Agent
 from robolayout.scene.agents_io import agent_from_dict, agent_to_dict, built_in_agent, check_headroom, check_names
 from robolayout.scene.layout import Layout, Pose
@@ -126,7 +126,8 @@ def _pose(value: object, name: str) -> Pose:
     where = f"layout[{show(name)}]"
     data: Mapping[str, object] = _LAYOUT.mapping(value, where)
     x, y, z = _LAYOUT.numbers(_LAYOUT.required(data, "position", where), f"{where}.position", (3,))
-    turns = _LAYOUT.numbers(_LAYOUT.required(data, "rotation", where), f"{where}.rotation", (1, 3))
+    given = _LAYOUT.required(data, "rotation", where)
+    turns = _LAYOUT.numbers(given if isinstance(given, (list, tuple)) else [given], f"{where}.rotation", (1, 3))
     if any(abs(turn) > _LEVEL for turn in turns[:-1]):
         raise LayoutError(
             f"{where}.rotation is {[*turns]}: only the last number may differ from 0, degrees about the vertical."

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from robolayout._errors import AssetError
-from robolayout.scene._schema import Checker, inside, is_file, show
+from robolayout._reading import Checker, inside, is_file, show
 from robolayout.scene.asset import variable_name
 
 Entry = dict[str, object]

@@ -8,7 +8,7 @@ from functools import cached_property
 from robolayout._errors import SceneError
 from robolayout.scene.agent import DEFAULT_AGENT, Agent
 from robolayout.scene.agents_io import check_headroom
-from robolayout.scene.asset import Asset
+from robolayout.scene.asset import Asset, by_variable
 from robolayout.scene.room import Room
 
 
@@ -51,10 +51,12 @@ class Scene:
     @cached_property
     def variables(self) -> dict[str, tuple[Asset, ...]]:
         """Assets by program variable, in the order of their index."""
-        groups: dict[str, list[Asset]] = {}
-        for asset in self.assets:
-            groups.setdefault(asset.variable, []).append(asset)
-        return {name: tuple(sorted(group, key=lambda a: a.index)) for name, group in groups.items()}
+        return by_variable(self.assets)
+
+    @cached_property
+    def expressions(self) -> dict[str, str]:
+        """How a program writes each asset, by its name ("night_stand-0": "night_stand[0]"), grouped by variable."""
+        return {a.name: f"{variable}[{i}]" for variable, group in self.variables.items() for i, a in enumerate(group)}
 
     def with_agents(self, *agents: Agent) -> Scene:
         """Return the same scene for other agents, none of which may be higher than the room."""

@@ -7,18 +7,18 @@ is hostile: entities and document types are refused, and meshes are read only fr
 
 from __future__ import annotations
 
-import io
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from xml.etree import ElementTree
+from xml.etree.ElementTree import Element
 
 import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._errors import AgentError
-from robolayout.scene._schema import Checker, inside, is_file, show
+from robolayout._reading import Checker, inside, is_file, regular_bytes, show
+from robolayout._reading.syntax import xml_root
 from robolayout.scene.agent import Agent, Source
 
 MAX_PARTS = 2000
@@ -37,21 +37,9 @@ MESH_SUFFIXES = (".stl", ".obj", ".ply")
 """Kinds of mesh that are read."""
 
 Matrix = NDArray[np.float64]
-Element = ElementTree.Element
 
 _CHECK = Checker(AgentError)
 _CIRCLE = 64
-_BROKEN = (
-    ValueError,
-    LookupError,
-    TypeError,
-    AttributeError,
-    ArithmeticError,
-    AssertionError,
-    RuntimeError,
-    MemoryError,
-)
-"""What a mesh reader raises on a broken file."""
 
 
 @dataclass
@@ -101,12 +89,7 @@ def load_urdf(path: Path) -> Agent:
 def _robot(model: _Model) -> Element:
     """Return the root element, refusing whatever could expand or point elsewhere."""
     text = _CHECK.read_text(model.path, "agent file")
-    if "<!DOCTYPE" in text.upper() or "<!ENTITY" in text.upper():
-        raise model.fail("document types and entities are not allowed; remove them.")
-    try:
-        robot = ElementTree.fromstring(text)
-    except ElementTree.ParseError as error:
-        raise model.fail(f"is not XML: {error}.") from None
+    robot = _CHECK.parse(xml_root, text, f"agent file {model.path}")
     if robot.tag != "robot":
         raise model.fail(f"starts with <{show(robot.tag)}>, but a URDF starts with <robot>.")
     if "<xacro:" in text or "${" in text:
@@ -228,21 +211,15 @@ def _mesh(filename: str, model: _Model) -> Matrix:
 
 
 def _vertices(path: Path, model: _Model) -> Matrix:
-    import trimesh
+    from robolayout._reading.mesh import mesh_pieces
 
-    with path.open("rb") as file:
-        content = file.read(model.bytes_left + 1)
+    what = f"agent file {model.path}: mesh {path.name}"
+    content = _CHECK.parse(lambda file: regular_bytes(file, MAX_MESH_BYTES), path, what)
     model.bytes_left -= len(content)
     if model.bytes_left < 0:
         raise model.fail(f"its meshes are larger than {MAX_MESH_BYTES // 1_000_000} MB together; simplify them.")
-    try:
-        mesh = trimesh.load_scene(io.BytesIO(content), file_type=path.suffix[1:].lower(), process=False).to_mesh()
-    except _BROKEN as error:
-        raise model.fail(f"mesh {path.name} cannot be read: {show(str(error))}") from None
-    vertices = np.asarray(mesh.vertices, dtype=float).reshape(-1, 3)
-    if not len(vertices):
-        raise model.fail(f"mesh {path.name} has no vertices; it is empty or broken.")
-    return vertices
+    pieces = _CHECK.parse(lambda data: mesh_pieces(data, path.suffix.lower()), content, what)
+    return np.concatenate([piece.vertices for piece in pieces])
 
 
 def _find_mesh(filename: str, model: _Model) -> Path:

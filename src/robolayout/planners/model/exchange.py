@@ -20,6 +20,7 @@ from typing import Any
 
 from robolayout._errors import InputError, ModelError
 from robolayout._files import write_atomic
+from robolayout._reading import Checker, show
 from robolayout.planners.model.prompt import PROMPT_VERSION, digest
 
 FORMAT = 1
@@ -28,8 +29,16 @@ FORMAT = 1
 NAME = re.compile(r"(group|plan|rate|amend)-[a-z0-9-]*attempt\d+-sample\d+(-turn\d+)?\.json")
 """Names of exchange files."""
 
+COST = re.compile(r"\d{1,12}(\.\d{1,30})?(E[+-]?\d{1,2})?", re.ASCII)
+"""Dollars as a recording writes them."""
+
 MOST_FILES, MOST_BYTES = 10_000, 4_000_000
 """Exchange files that a recording may have, and bytes of one."""
+
+MOST_TOKENS = 10**12
+"""Largest count in a recording."""
+
+_CHECK = Checker(InputError)
 
 
 @dataclass(frozen=True)
@@ -225,25 +234,60 @@ def read_exchanges(folder: Path) -> dict[tuple[str, str, int, int, int], dict[st
         )
     found: dict[tuple[str, str, int, int, int], dict[str, Any]] = {}
     for path in paths[:MOST_FILES]:
-        if path.stat().st_size > MOST_BYTES:
-            raise InputError(f"{path} is larger than {MOST_BYTES // 1_000_000} MB, the most for a recorded exchange.")
         try:
-            entry = json.loads(path.read_text(encoding="utf-8"))
-            slot = (entry["kind"], entry["label"], entry["attempt"], entry["sample"], entry["turn"])
-            _check(entry)
-        except (ValueError, KeyError, TypeError, RecursionError):
-            raise InputError(f"{path} is no recorded exchange of format {FORMAT}. Record the job again.") from None
-        found[slot] = entry
+            entry = _checked(_CHECK.read_json(path, "the recorded exchange", MOST_BYTES))
+        except InputError as error:
+            raise InputError(
+                f"{path} is no recorded exchange of format {FORMAT}: {error} Record the job again."
+            ) from None
+        found[entry["kind"], entry["label"], entry["attempt"], entry["sample"], entry["turn"]] = entry
     return found
 
 
-def _check(entry: Mapping[str, Any]) -> None:
-    """Raise if an exchange lacks what a replay needs."""
-    parts = [] if entry.get("failure") and not entry["answer"] else entry["answer"]["parts"]
-    sound = all(isinstance(part["content"], str) and part["kind"] in ("text", "tool-call") for part in parts)
-    sound &= isinstance(entry.get("failure", ""), str) and isinstance(entry.get("request", {}), dict)
-    if entry["format"] != FORMAT or not sound or not isinstance(entry["key"] + entry["state"] + entry["model"], str):
-        raise ValueError(entry["format"])
+def _checked(value: object) -> dict[str, Any]:
+    """Return an exchange if it has what a replay needs."""
+    entry = dict(_CHECK.mapping(value, "it"))
+    if entry.get("format") != FORMAT:
+        raise InputError(f"format is {show(entry.get('format'))}.")
+    for key in ("kind", "label", "key", "state", "model"):
+        _CHECK.text(_CHECK.required(entry, key, "it"), key)
+    for key in ("attempt", "sample", "turn"):
+        _whole(_CHECK.required(entry, key, "it"), key, least=1)
+    if "request" in entry:
+        request = _CHECK.mapping(entry["request"], "request")
+        _CHECK.sequence(_CHECK.required(request, "images", "request"), "request.images", most=1000)
+    failure = _CHECK.text(entry.get("failure", ""), "failure", most=MOST_BYTES)
+    answer = _CHECK.required(entry, "answer", "it")
+    if answer is not None or not failure:
+        _check_answer(_CHECK.mapping(answer, "answer"))
+    return entry
+
+
+def _check_answer(answer: Mapping[str, object]) -> None:
+    """Raise if what a model said lacks what is made of it."""
+    parts = _CHECK.sequence(_CHECK.required(answer, "parts", "answer"), "answer.parts", most=1000)
+    for i, value in enumerate(parts):
+        where = f"answer.parts[{i}]"
+        part = _CHECK.mapping(value, where)
+        kind = _CHECK.required(part, "kind", where)
+        if kind not in ("text", "tool-call"):
+            raise InputError(f"{where}.kind is {show(kind)}; allowed are 'text' and 'tool-call'.")
+        for key in ("content", "tool") if kind == "tool-call" else ("content",):
+            _CHECK.text(_CHECK.required(part, key, where), f"{where}.{key}", most=MOST_BYTES)
+    for key in ("model", "finish_reason"):
+        if (said := _CHECK.required(answer, key, "answer")) is not None:
+            _CHECK.text(said, f"answer.{key}")
+    usage = _CHECK.mapping(_CHECK.required(answer, "usage", "answer"), "answer.usage")
+    for key in ("input_tokens", "output_tokens"):
+        _whole(_CHECK.required(usage, key, "answer.usage"), f"answer.usage.{key}", least=0)
+    cost = _CHECK.required(usage, "cost", "answer.usage")
+    if cost is not None and not COST.fullmatch(_CHECK.text(cost, "answer.usage.cost")):
+        raise InputError(f"answer.usage.cost is {show(cost)}, not dollars such as '0.0045'.")
+
+
+def _whole(value: object, where: str, least: int) -> None:
+    if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= MOST_TOKENS:
+        raise InputError(f"{where} is {show(value)}, not a whole number from {least} to {MOST_TOKENS}.")
 
 
 def _scrubbed(value: Any, scrub: Any) -> Any:

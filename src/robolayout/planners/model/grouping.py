@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from pydantic import BaseModel, Field
 
 from robolayout.planners._types import Group
-from robolayout.planners.model.prompt import expressions
 from robolayout.scene import Scene
 
 LEFT_OVER = "left over"
@@ -86,7 +85,7 @@ def groups_of(scene: Scene, grouping: Grouping) -> tuple[Group, ...]:
 
 def _names(scene: Scene) -> dict[str, str]:
     """Return every way in which an asset may be named: `bed-0`, `bed[0]`, and `bed` if there is one."""
-    names = {written: name for name, written in expressions(scene).items()}
+    names = {written: name for name, written in scene.expressions.items()}
     names |= {variable: assets[0].name for variable, assets in scene.variables.items() if len(assets) == 1}
     return names | {asset.name: asset.name for asset in scene.assets}
 

@@ -39,11 +39,6 @@ def quoted(value: object) -> str:
     return text if text.isprintable() else "".join(c if c.isprintable() else json.dumps(c)[1:-1] for c in text)
 
 
-def expressions(scene: Scene) -> dict[str, str]:
-    """Return how each asset is written in a program, by name: `night_stand[0]`."""
-    return {asset.name: f"{name}[{i}]" for name, group in scene.variables.items() for i, asset in enumerate(group)}
-
-
 def given_data(scene: Scene, group: Group | None, kind: str) -> dict[str, object]:
     """Return what a question rests on, as plain data: a recorded answer belongs to exactly this."""
     items = [scene.by_name[name] for name in group.items] if group else list(scene.assets)
@@ -73,7 +68,7 @@ def request_text(scene: Scene, group: Group | None, *, names: bool = False) -> s
         names: Show the things under their names ("bed-0") instead of their variables ("bed[0]").
     """
     assets = [scene.by_name[name] for name in group.items] if group else scene.assets
-    written = expressions(scene)
+    written = scene.expressions
     things = [{**asset_data(asset), **_used_from(asset)} for asset in assets]
     if not names:
         things = [{"variable": written[str(thing.pop("name"))], **thing} for thing in things]
@@ -97,7 +92,7 @@ def state_text(request: PlanRequest) -> str:
     """Return where things are, what comes later, and what was wrong before."""
     scene, placed = request.scene, request.placed or {}
     now = set(request.group.items) if request.group else {asset.name for asset in scene.assets}
-    written = expressions(scene)
+    written = scene.expressions
     there = Layout({name: pose for name, pose in placed.items() if name not in now})
     later = [
         f"{written[asset.name]} ({asset.size[0]:.2f} x {asset.size[1]:.2f})"
@@ -122,7 +117,7 @@ def amend_text(request: PlanRequest) -> str:
 
 def poses_text(scene: Scene, layout: Layout) -> str:
     """Return where things stand, one line each."""
-    written = expressions(scene)
+    written = scene.expressions
     rows = ({"variable": written[name], **placed_data(scene.by_name[name], pose)} for name, pose in layout.items())
     return "\n".join(quoted(row) for row in rows)
 

@@ -21,6 +21,8 @@ from pydantic_ai.providers.ollama import OllamaProvider
 from pydantic_ai.providers.openai import OpenAIProvider
 
 from robolayout._errors import InputError, ModelError, UnknownNameError
+from robolayout._reading import Checker
+from robolayout._reading.syntax import decoded, json_value
 
 OLLAMA_URL = "http://localhost:11434/v1"
 """Where Ollama listens unless told otherwise."""
@@ -194,6 +196,9 @@ async def _cap(response: httpx2.Response) -> None:
     stream = response.stream
     assert isinstance(stream, httpx2.AsyncByteStream)
     response.stream = _CappedStream(stream)
+    if response.is_success and "json" in response.headers.get("Content-Type", ""):
+        content = await response.aread()
+        Checker(ModelError).parse(lambda body: json_value(decoded(body)), content, "the server's answer")
 
 
 class _CappedStream(httpx2.AsyncByteStream):

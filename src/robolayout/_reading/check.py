@@ -6,22 +6,24 @@ Files are hostile until they have passed through here: sizes, counts, lengths an
 from __future__ import annotations
 
 import difflib
-import json
 import math
 import reprlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import cast
+from typing import TypeVar, cast
 
-from robolayout._errors import InputError
+from robolayout._errors import RoboLayoutError
+from robolayout._reading.files import MAX_FILE_BYTES, is_folder, regular_bytes
+from robolayout._reading.syntax import Unreadable, check_plain, decoded, json_value, toml_value
 
-MAX_FILE_BYTES = 20_000_000
-"""Largest scene, layout or asset file in bytes."""
 MAX_TEXT = 10_000
 """Longest text in a file, in characters."""
 MAX_LENGTH = 1000.0
 """Largest coordinate or length in metres."""
+
+Given = TypeVar("Given")
+Made = TypeVar("Made")
 
 
 def show(value: object) -> str:
@@ -35,7 +37,7 @@ def show(value: object) -> str:
 class Checker:
     """Checks values and raises `error` with a sentence that names the place, the value and what is allowed."""
 
-    error: type[InputError]
+    error: type[RoboLayoutError]
 
     def mapping(self, value: object, where: str) -> Mapping[str, object]:
         """Return `value` if it is an object with text keys."""
@@ -75,7 +77,7 @@ class Checker:
         if least is not None and value < least:
             raise self.error(f"{where} must be at least {least:g}, but is {show(value)}.")
         if value > most:
-            raise self.error(f"{where} must be at most {most:g}, but is {show(value)}.")
+            raise self.error(f"{where} must be at most {most:g}, but is {show(value)}.{_centimetres(value, most)}")
         return float(value) + 0.0
 
     def numbers(self, value: object, where: str, count: tuple[int, ...]) -> tuple[float, ...]:
@@ -108,44 +110,35 @@ class Checker:
             raise self.error(f"{where} must be true or false, but is {show(value)}.")
         return value
 
-    def read_json(self, path: Path, what: str) -> object:
+    def read_json(self, path: Path, what: str, most: int = MAX_FILE_BYTES) -> object:
         """Return the content of a JSON file; duplicate keys, deep nesting and large files are refused."""
-        text = self.read_text(path, what)
-        try:
-            return json.loads(text, object_pairs_hook=self._unique)
-        except json.JSONDecodeError as error:
-            message = f"{what} {path} is not JSON: {error.msg} at line {error.lineno}, column {error.colno}."
-            raise self.error(message) from None
-        except RecursionError:
-            raise self.error(f"{what} {path} is nested too deeply.") from None
-        except ValueError as error:
-            raise self.error(f"{what} {path} is not JSON: {error}.") from None
+        return self.parse(json_value, self.read_text(path, what, most), f"{what} {path}")
 
-    def read_text(self, path: Path, what: str) -> str:
-        """Return the text of a file of at most `MAX_FILE_BYTES`, in UTF-8."""
+    def read_toml(self, path: Path, what: str, most: int = MAX_FILE_BYTES) -> dict[str, object]:
+        """Return the tables of a TOML file."""
+        return self.parse(toml_value, self.read_text(path, what, most), f"{what} {path}")
+
+    def read_text(self, path: Path, what: str, most: int = MAX_FILE_BYTES) -> str:
+        """Return the text of a file of at most `most` bytes, in UTF-8."""
+        return self.parse(decoded, self.read_bytes(path, what, most), f"{what} {path}")
+
+    def read_bytes(self, path: Path, what: str, most: int = MAX_FILE_BYTES) -> bytes:
+        """Return the content of a regular file of at most `most` bytes."""
         if is_folder(path):
             raise self.error(f"{what} {path} is a folder; name the file in it{_such_as(path, what)}.")
-        if not is_file(path):
-            raise self.error(f"{what} {path} does not exist; check the path.")
-        try:
-            with path.open("rb") as file:
-                content = file.read(MAX_FILE_BYTES + 1)
-        except OSError as error:
-            raise self.error(f"{what} {path} cannot be read: {error.strerror}.") from None
-        if len(content) > MAX_FILE_BYTES:
-            raise self.error(f"{what} {path} is larger than {MAX_FILE_BYTES // 1_000_000} MB.")
-        try:
-            return content.decode("utf-8-sig")
-        except UnicodeDecodeError as error:
-            raise self.error(f"{what} {path} is not UTF-8 text (byte {error.start}).") from None
+        return self.parse(lambda place: regular_bytes(place, most), path, f"{what} {path}")
 
-    def _unique(self, pairs: list[tuple[str, object]]) -> dict[str, object]:
-        data = dict(pairs)
-        if len(data) < len(pairs):
-            seen: set[str] = set()
-            twice = next(key for key, _ in pairs if key in seen or seen.add(key))
-            raise self.error(f"the name {show(twice)} stands twice in one object; give each its own name.")
-        return data
+    def parse(self, read: Callable[[Given], Made], given: Given, what: str) -> Made:
+        """Return what a reader makes of something; what it cannot read is an error about `what`."""
+        try:
+            return read(given)
+        except Unreadable as error:
+            raise self.error(f"{what} {error}.") from None
+
+    def plain(self, value: object, where: str) -> object:
+        """Return a value that is kept as it is, once it is known that it can be written again."""
+        self.parse(check_plain, value, where)
+        return value
 
 
 def misspelt(keys: Iterable[str], known: Iterable[str], where: str) -> list[str]:
@@ -153,30 +146,6 @@ def misspelt(keys: Iterable[str], known: Iterable[str], where: str) -> list[str]
     names = list(known)
     pairs = ((key, difflib.get_close_matches(key[:40], names, n=1, cutoff=0.8)) for key in keys if key not in names)
     return [f"{where}: {show(key)} is not known; did you mean {near[0]!r}?" for key, near in pairs if near]
-
-
-def inside(path: Path, folders: Iterable[Path]) -> bool:
-    """Return whether `path`, links followed, lies in one of the folders."""
-    try:
-        return any(path.resolve().is_relative_to(folder.resolve()) for folder in folders)
-    except (OSError, ValueError, RuntimeError):  # too long, a null byte, a loop of links
-        return False
-
-
-def is_file(path: Path) -> bool:
-    """Return whether `path` is a file; a path that cannot exist is none."""
-    try:
-        return path.is_file()
-    except (OSError, ValueError):
-        return False
-
-
-def is_folder(path: Path) -> bool:
-    """Return whether `path` is a folder; a path that cannot exist is none."""
-    try:
-        return path.is_dir()
-    except (OSError, ValueError):
-        return False
 
 
 def _such_as(folder: Path, what: str) -> str:
@@ -188,3 +157,10 @@ def _such_as(folder: Path, what: str) -> str:
     likely = f"{what.split()[0]}.json"
     names = [likely] if likely in names else names[:1]
     return f", such as {folder / names[0]}" if names else ""
+
+
+def _centimetres(value: float, most: float) -> str:
+    """Return what to ask about a length that is too large: whether it was written in centimetres."""
+    if most > MAX_LENGTH or value > 100 * most:
+        return ""
+    return f" Lengths are in metres: is it in centimetres? Then write {value / 100:g}."

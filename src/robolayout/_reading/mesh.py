@@ -1,0 +1,171 @@
+"""Meshes: GLB, OBJ, PLY and STL from bytes, within bounds, as placed triangles with a colour each.
+
+What a file promises is counted before its parser makes room for it. Nothing outside the given bytes is opened: materials
+and textures in separate files are ignored.
+"""
+
+from __future__ import annotations
+
+import io
+import re
+import struct
+import zlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout._reading.glb import check_glb
+from robolayout._reading.syntax import Unreadable
+
+Array = NDArray[np.float64]
+
+MAX_TRIANGLES = 3_000_000
+"""Triangles of a file in all; reading one takes about 250 bytes of memory."""
+MAX_PIECES = 20_000
+"""Pieces of a file: nodes, groups, solids or changes of material."""
+FARTHEST = 1e7
+"""Coordinate, in the file's unit, beyond which a vertex is unusable."""
+PARSER_ERRORS = (
+    ArithmeticError, AssertionError, AttributeError, EOFError, ImportError, LookupError, MemoryError, OSError,
+    RuntimeError, SyntaxError, TypeError, ValueError, struct.error, zlib.error,
+)  # fmt: skip
+"""What mesh and image parsers raise on broken files."""
+_PIECES = {
+    ".obj": re.compile(rb"^[ \t]*(?:[og]|usemtl)\b", re.MULTILINE),
+    ".stl": re.compile(rb"^\s*solid", re.MULTILINE),
+}
+_FACES = {".obj": re.compile(rb"^[ \t]*f\b", re.MULTILINE), ".stl": re.compile(rb"^\s*facet\b", re.MULTILINE)}
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """One piece of a mesh file in the file's own axes and units.
+
+    Attributes:
+        name: Name in the file.
+        vertices: (n, 3) in file units, placed by the file's scene.
+        faces: (m, 3) vertex indices.
+        color: Red, green, blue and opacity from 0 to 1; None where the file says nothing.
+    """
+
+    name: str
+    vertices: Array
+    faces: NDArray[np.int64]
+    color: tuple[float, float, float, float] | None
+
+
+def mesh_pieces(data: bytes, suffix: str) -> tuple[Piece, ...]:
+    """Return the triangle pieces of a mesh file.
+
+    Args:
+        data: The file's content.
+        suffix: Its kind, one of `MESH_SUFFIXES`.
+
+    Raises:
+        Unreadable: The file is broken, promises more than is read, or holds no triangles.
+    """
+    try:
+        _check_promises(data, suffix)
+        pieces = tuple(_pieces(data, suffix[1:]))
+    except PARSER_ERRORS as error:
+        raise Unreadable(f"is broken and cannot be used: {_short(error)}") from None
+    if not pieces:
+        raise Unreadable("holds no triangles; export it again as a triangle mesh")
+    return pieces
+
+
+def _short(error: BaseException) -> str:
+    """Return one line about a parser's error."""
+    text = " ".join(str(error).split())[:120].rstrip(".")
+    return text or type(error).__name__
+
+
+def _check_promises(data: bytes, suffix: str) -> None:
+    """Refuse a file that promises more than is read, before anything is unpacked."""
+    if suffix == ".glb":
+        check_glb(data, most_nodes=MAX_PIECES, most_triangles=MAX_TRIANGLES)
+    elif suffix == ".ply":
+        _check_ply(data)
+    else:
+        for what, found, most in (("pieces", _PIECES, MAX_PIECES), ("triangles", _FACES, MAX_TRIANGLES)):
+            if (count := sum(1 for _ in found[suffix].finditer(data))) > most:
+                raise Unreadable(f"has {count} {what}; at most {most} are read. Simplify it and export it again")
+
+
+def _check_ply(data: bytes) -> None:
+    head = data[:65_536].split(b"end_header")[0]
+    rows = [line.split() for line in head.splitlines()]
+    counts = [row[2] for row in rows if len(row) == 3 and row[0] == b"element"]
+    if not all(count.isdigit() and len(count) < 16 for count in counts):
+        raise Unreadable("is broken and cannot be used: its header counts elements with what is no number")
+    count = sum(map(int, counts))
+    if count > len(data):
+        raise Unreadable(f"is broken and cannot be used: its header promises {count} elements")
+    if count > 3 * MAX_TRIANGLES:
+        raise Unreadable(f"has {count} elements; at most {3 * MAX_TRIANGLES} are read. Simplify it and export it again")
+
+
+def _pieces(data: bytes, kind: str) -> Iterator[Piece]:
+    """Yield the triangle pieces of a file, placed by its scene graph."""
+    import trimesh
+
+    scene = trimesh.load_scene(io.BytesIO(data), file_type=kind, process=False)
+    total = 0
+    for node in sorted(scene.graph.nodes_geometry):
+        matrix, key = scene.graph[node]
+        mesh = scene.geometry[key]
+        if not isinstance(mesh, trimesh.Trimesh) or len(mesh.faces) == 0:
+            continue
+        total += len(mesh.faces)
+        if total > MAX_TRIANGLES:
+            raise Unreadable(f"unfolds to more than {MAX_TRIANGLES} triangles. Simplify it and export it again")
+        piece = _cleaned(str(key), np.asarray(mesh.vertices), np.asarray(mesh.faces), np.asarray(matrix), _color(mesh))
+        if piece is not None:
+            yield piece
+
+
+def _cleaned(
+    name: str,
+    points: Array,
+    faces: NDArray[np.int64],
+    matrix: Array,
+    color: tuple[float, float, float, float] | None,
+) -> Piece | None:
+    """Place a piece and drop triangles with unusable numbers; None where nothing is left."""
+    with np.errstate(all="ignore"):
+        placed = points @ matrix[:3, :3].T + matrix[:3, 3]
+        usable = np.asarray((np.isfinite(placed) & (np.abs(placed) < FARTHEST)).all(axis=1))
+        mirrored = np.linalg.det(matrix[:3, :3]) < 0
+    inside = ((faces >= 0) & (faces < len(points))).all(axis=1)
+    faces = faces[inside]
+    faces = faces[usable[faces].all(axis=1)]
+    if len(faces) == 0:
+        return None
+    if mirrored:
+        faces = faces[:, ::-1]
+    used, index = np.unique(faces, return_inverse=True)
+    return Piece(name, placed[used], index.reshape(-1, 3), color)
+
+
+def _color(mesh: Any) -> tuple[float, float, float, float] | None:
+    """Return the plain colour of a mesh: its material's, times its texture's mean, or its mean vertex colour."""
+    visual = mesh.visual
+    if visual is None or not getattr(visual, "defined", False):
+        return None
+    color = np.asarray(visual.main_color, dtype=np.float64)[:4] / 255.0 if visual.kind != "texture" else None
+    if color is None:
+        surface = visual.material
+        surface = surface.to_pbr() if hasattr(surface, "to_pbr") else surface
+        factor = getattr(surface, "baseColorFactor", None)
+        color = np.ones(4) if factor is None else np.asarray(factor, dtype=np.float64)
+        color = color / 255.0 if color.max() > 1.0 else color
+        image = getattr(surface, "baseColorTexture", None)
+        if image is not None:
+            mean = np.asarray(image.convert("RGB").resize((16, 16)), dtype=np.float64).mean(axis=(0, 1)) / 255.0
+            color = np.append(color[:3] * mean, color[3] if len(color) > 3 else 1.0)
+    red, green, blue = (float(channel) for channel in np.clip(np.nan_to_num(color[:3]), 0.0, 1.0))
+    opacity = float(np.clip(np.nan_to_num(color[3], nan=1.0), 0.05, 1.0)) if len(color) > 3 else 1.0
+    return round(red, 4), round(green, 4), round(blue, 4), round(opacity, 4)

@@ -1,0 +1,172 @@
+"""JSON, TOML and XML: each bounded in depth, values and length of numbers before its parser sees it.
+
+The parsers of the standard library are exact but trusting: a megabyte of brackets ends their recursion, a number of 5,000
+digits is none of theirs, NaN and lone surrogates pass and break whoever writes them next. What leaves this module holds
+finite numbers and text that can be written, at most `MAX_DEPTH` deep.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from itertools import accumulate
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element
+
+MAX_DEPTH = 64
+"""Lists and objects inside each other; a scene has seven."""
+MAX_VALUES = 2_000_000
+"""Values in a file; the largest scene has about 50,000."""
+MAX_DIGITS = 100
+"""Characters of a number; a double needs at most 25."""
+MAX_ELEMENTS = 500_000
+"""Elements of an XML file."""
+
+_JSON_TEXT = re.compile(r'"[^"\\]*+(?:\\.[^"\\]*+)*+"?', re.DOTALL)
+_TOML_TEXT = re.compile(
+    r'"""(?:[^\\]|\\.)*?(?:"""|\Z)|\'\'\'.*?(?:\'\'\'|\Z)|"[^"\\\n]*+(?:\\.[^"\\\n]*+)*+"?|\'[^\'\n]*+\'?|#[^\n]*+',
+    re.DOTALL,
+)
+_LONG_NUMBER = re.compile(rf"[0-9A-Za-z_]{{{MAX_DIGITS + 1},}}")
+_LONG_KEY = re.compile(rf"(?<![\w-])(?:[\w-]*+[ \t]*+\.[ \t]*+){{{MAX_DEPTH}}}", re.ASCII)
+_STEPS = {ord("["): 1, ord("{"): 1, ord("]"): -1, ord("}"): -1}
+_NO_BRACKETS = bytes(set(range(256)) - set(_STEPS))
+_DECLARES = re.compile(r"<!(?:DOCTYPE|ENTITY)", re.IGNORECASE)
+
+
+class Unreadable(Exception):
+    """Something cannot be read; the message goes on where the thing's name stops ("is nested too deeply")."""
+
+
+def decoded(content: bytes) -> str:
+    """Return UTF-8 text without its byte-order mark."""
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise Unreadable(f"is not UTF-8 text (byte {error.start}). Save it as UTF-8") from None
+
+
+def json_value(text: str) -> object:
+    """Return the value of a JSON text; duplicate keys are refused."""
+    _bound(_JSON_TEXT.sub(" ", text))
+    try:
+        value = json.loads(text, object_pairs_hook=_unique)
+    except json.JSONDecodeError as error:
+        raise Unreadable(f"is not JSON: {error.msg} at line {error.lineno}, column {error.colno}") from None
+    except (RecursionError, ValueError) as error:
+        raise Unreadable(f"is not JSON: {error}") from None
+    check_plain(value)
+    return value
+
+
+def toml_value(text: str) -> dict[str, object]:
+    """Return the tables of a TOML text."""
+    import tomllib
+
+    bare = _TOML_TEXT.sub("s", text)
+    _bound(bare)
+    if _LONG_KEY.search(bare):
+        raise Unreadable(f"is nested too deeply. At most {MAX_DEPTH} levels are read")
+    try:
+        value = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise Unreadable(f"is not TOML: {error}") from None
+    except (RecursionError, ValueError) as error:
+        raise Unreadable(f"is not TOML: {error}") from None
+    check_plain(value)
+    return value
+
+
+def xml_root(text: str) -> Element:
+    """Return the root element of an XML text; document types and entities are refused."""
+    from xml.etree.ElementTree import Element, ParseError, XMLPullParser
+
+    if _DECLARES.search(text):
+        raise Unreadable("has a document type or entities, which are not allowed; remove them")
+    if text.count("<") > 2 * MAX_ELEMENTS:
+        raise Unreadable(f"has more than {MAX_ELEMENTS} elements; simplify it")
+    parser, depth, root = XMLPullParser(("start", "end")), 0, None
+    try:
+        for start in range(0, len(text), 65_536):
+            parser.feed(text[start : start + 65_536])
+            for event, element in parser.read_events():
+                depth += 1 if event == "start" else -1
+                root = element if root is None and isinstance(element, Element) else root
+                if depth > MAX_DEPTH:
+                    raise Unreadable(f"is nested too deeply. At most {MAX_DEPTH} levels are read")
+        parser.close()
+    except (ParseError, ValueError) as error:
+        raise Unreadable(f"is not XML: {error}") from None
+    if root is None:
+        raise Unreadable("is not XML: it has no element")
+    return root
+
+
+def check_plain(value: object) -> None:
+    """Raise `Unreadable` for the first value in lists and objects that could not be written again.
+
+    That is a number that is not finite or has more than `MAX_DIGITS` digits, a text with a lone surrogate or a null
+    character, and what is nested deeper than `MAX_DEPTH`.
+    """
+    waiting: list[tuple[object, tuple[str | int, ...]]] = [(value, ())]
+    while waiting:
+        item, path = waiting.pop()
+        if fault := _fault(item):
+            raise Unreadable(f"has {fault}{_place(path)}")
+        if not isinstance(item, (dict, list, tuple)):
+            continue
+        if len(path) >= MAX_DEPTH:
+            raise Unreadable(f"is nested too deeply. At most {MAX_DEPTH} levels are read")
+        if isinstance(item, dict):
+            for key, inner in item.items():  # pyright: ignore[reportUnknownVariableType]
+                if fault := _fault(key):
+                    raise Unreadable(f"has a name with {fault}{_place(path)}")
+                waiting.append((inner, (*path, str(key))))  # pyright: ignore[reportUnknownArgumentType]
+        else:
+            waiting += [(inner, (*path, i)) for i, inner in enumerate(item)]  # pyright: ignore[reportUnknownVariableType, reportUnknownArgumentType]
+
+
+def _fault(item: object) -> str:
+    """Return what keeps one value from being written again; empty for nothing."""
+    if isinstance(item, float) and not math.isfinite(item):
+        return f"{item} where only finite numbers are allowed"
+    if isinstance(item, int) and item.bit_length() > 3.33 * MAX_DIGITS:
+        return f"a whole number of {item.bit_length()} bits, longer than {MAX_DIGITS} digits,"
+    if isinstance(item, str) and not item.isascii():
+        try:
+            item.encode()
+        except UnicodeEncodeError as error:
+            return f"characters that are no text (a lone surrogate at {error.start})"
+    return "a null character, which no text has," if isinstance(item, str) and "\0" in item else ""
+
+
+def _place(path: tuple[str | int, ...]) -> str:
+    """Return " at assets.bed-0.size[2]" for the path of a value, shortened."""
+    text = "".join(f"[{step}]" if isinstance(step, int) else f".{step[:60]}" for step in path).lstrip(".")
+    shown = "".join(c if c.isprintable() else "?" for c in text)
+    return f" at {shown[:200]}" if shown else ""
+
+
+def _bound(bare: str) -> None:
+    """Raise for depth, count and length of numbers beyond the bounds; `bare` is the text without what is quoted."""
+    if number := _LONG_NUMBER.search(bare):
+        raise Unreadable(
+            f"has a number of {len(number[0])} characters ({number[0][:12]}...); at most {MAX_DIGITS} are read"
+        )
+    brackets = bare.encode("utf-8", "replace").translate(None, _NO_BRACKETS)
+    if bare.count(",") + len(brackets) // 2 > MAX_VALUES:
+        raise Unreadable(f"has more than {MAX_VALUES} values; split it or leave out what is not needed")
+    if len(brackets) > MAX_DEPTH and max(accumulate(map(_STEPS.__getitem__, brackets))) > MAX_DEPTH:
+        raise Unreadable(f"is nested too deeply. At most {MAX_DEPTH} levels are read")
+
+
+def _unique(pairs: list[tuple[str, object]]) -> dict[str, object]:
+    data = dict(pairs)
+    if len(data) < len(pairs):
+        seen: set[str] = set()
+        twice = next(key for key, _ in pairs if key in seen or seen.add(key))
+        raise Unreadable(f"is not usable: the name {twice[:60]!r} stands twice in one object; give each its own name")
+    return data
