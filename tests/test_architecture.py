@@ -26,8 +26,9 @@ STATIONS = ("planners", "solve", "verify", "render", "export")
 LAYERS: dict[str, float] = {
     "_errors": 0,
     "_version": 0,
-    "_files": 0,
-    "_html": 0,
+    "_text": 0,
+    "_files": 0.5,
+    "_html": 0.5,
     "_geometry": 0,
     "_grid": 0,
     "scene": 1,

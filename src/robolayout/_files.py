@@ -7,6 +7,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from robolayout._errors import OutputError
+from robolayout._text import utf8
 
 
 def check_writable(folder: Path) -> None:
@@ -38,7 +39,7 @@ def write_atomic(path: Path, data: bytes | str) -> Path:
     Raises:
         OutputError: The folder or file cannot be written; nothing is left half-written.
     """
-    content = data.encode() if isinstance(data, str) else data
+    content = utf8(data) if isinstance(data, str) else data
     temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -17,7 +17,7 @@ import numpy as np
 
 from robolayout._errors import LayoutError
 from robolayout.assets import Material, Part, category_of, parts, room_parts
-from robolayout.export._exporter import Contents, Exporter, Options, is_movable, is_trim, mass, placed
+from robolayout.export._exporter import Contents, Exporter, Options, dump_xml, is_movable, is_trim, mass, placed
 from robolayout.export._mesh import Box, as_box, quaternion, volume
 from robolayout.scene import Agent, Asset, Layout, Pose, Scene, vertical_span
 
@@ -88,8 +88,7 @@ def build(scene: Scene, layout: Layout, options: Options, *, free: Free) -> byte
     _rugs(model, scene, layout)
     if options.agent is not None:
         _agent(model, options.agent, start(scene, options))
-    ET.indent(model.root)
-    return ET.tostring(model.root, encoding="utf-8", xml_declaration=True) + b"\n"
+    return dump_xml(model.root)
 
 
 def _start(scene: Scene) -> _Model:

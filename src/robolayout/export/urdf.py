@@ -12,7 +12,7 @@ import xml.etree.ElementTree as ET
 import numpy as np
 
 from robolayout.assets import Material, Part, parts, room_parts
-from robolayout.export._exporter import Contents, Exporter, Options, is_movable, is_trim, mass, placed
+from robolayout.export._exporter import Contents, Exporter, Options, dump_xml, is_movable, is_trim, mass, placed
 from robolayout.export._mesh import as_box
 from robolayout.export.mjcf import THINNEST, parse_xml
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
@@ -43,8 +43,7 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
         ET.SubElement(joint, "parent", link=ROOM)
         ET.SubElement(joint, "child", link=asset.name)
         ET.SubElement(joint, "origin", xyz=f"{pose.x!r} {pose.y!r} {pose.z!r}", rpy=f"0 0 {pose.yaw!r}")
-    ET.indent(robot)
-    return ET.tostring(robot, encoding="utf-8", xml_declaration=True) + b"\n"
+    return dump_xml(robot)
 
 
 def _floor(link: ET.Element, room: Room, material: Material) -> None:

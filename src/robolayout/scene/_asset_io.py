@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from robolayout._errors import SceneError
+from robolayout._text import printable
 from robolayout.scene import reference
 from robolayout.scene._catalogue import described, find_catalogue
 from robolayout.scene._schema import Checker, inside, is_file, misspelt, show
@@ -116,7 +117,7 @@ def _asset(name: str, entry: Mapping[str, object], folders: list[Path], warnings
     warnings.extend(misspelt(entry, _KNOWN, where))
     category = entry.get("category", name.rpartition("-")[0].replace("_", " "))
     text = _CHECK.text(category, f"{where}: category", most=200)
-    words = " ".join("".join(c if c.isprintable() else " " for c in text).split())
+    words = " ".join(printable(text).split())
     if not words:
         raise SceneError(f"{where}: category is empty; say in a word or two what it is.")
     floor, wall, ceiling, thing = (_CHECK.flag(entry.get(key, False), f"{where}: {key}") for key in _FLAGS)

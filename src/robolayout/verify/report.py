@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
+from robolayout._text import markdown
 from robolayout.scene import Agent, Layout, Scene
 from robolayout.verify._boxes import share
 from robolayout.verify.drives import Drive, find_drives
@@ -293,20 +294,20 @@ class Report:
 
     def to_markdown(self) -> str:
         """Return the content of `report.md`: the table, what is wrong, and the way to each asset."""
-        lines = [f"# {self.scene.name}: {'all demands met' if self.ok else 'not all demands are met'}", ""]
+        lines = [f"# {markdown(self.scene.name)}: {'all demands met' if self.ok else 'not all demands are met'}", ""]
         lines += ["| check | result | |", "|---|---:|---|"]
         lines += [f"| {name} | {value} | {'ok' if met else '**short**'} |" for name, value, met in self.rows()]
         if self.violations:
-            lines += ["", "## What is wrong", "", *(f"- {sentence}" for sentence in self.violations)]
+            lines += ["", "## What is wrong", "", *_bullets(self.violations)]
         helps = [sentence for report in self.agents for sentence in report.remedies.sentences(report.agent)]
         if helps:
-            lines += ["", "## What would help", "", *(f"- {sentence}" for sentence in helps)]
+            lines += ["", "## What would help", "", *_bullets(helps)]
         if self.stability:
             lines += ["", "## In a simulator", "", *_stability(self.stability)]
         for report in self.agents:
-            lines += ["", f"## {report.agent.title or report.agent.name}", "", *_agent_table(report)]
+            lines += ["", f"## {markdown(report.agent.title or report.agent.name)}", "", *_agent_table(report)]
         if self.planner:
-            lines += ["", "## Who planned", "", *(f"- {sentence}" for sentence in self.planner.get("sentences", ()))]
+            lines += ["", "## Who planned", "", *_bullets(self.planner.get("sentences", ()))]
         return "\n".join(lines) + "\n"
 
     def to_frame(self) -> Any:
@@ -337,10 +338,14 @@ class Report:
         return f"Report({'ok' if self.ok else f'{len(self.violations)} violations'}: {shown})"
 
 
+def _bullets(sentences: Iterable[str]) -> list[str]:
+    return [f"- {markdown(sentence)}" for sentence in sentences]
+
+
 def _stability(found: Mapping[str, Any]) -> list[str]:
     """Return what gravity did, in a sentence and one for each asset that did not stay."""
     head = f"After {found['seconds']:g} s of gravity, {found['stable_share']:.2f} of the assets stay where they are."
-    return [head, *(f"- {sentence}" for sentence in found["violations"])]
+    return [head, *_bullets(found["violations"])]
 
 
 def _finite(value: float) -> float | None:
@@ -357,7 +362,7 @@ def _usable(use: Use) -> str:
     """Return whether an asset can be used, and what has to be moved for it."""
     if not use.usable:
         return "**no**"
-    return f"yes, {' and '.join(use.moved)} moved" if use.moved else "yes"
+    return f"yes, {markdown(' and '.join(use.moved))} moved" if use.moved else "yes"
 
 
 def _agent_table(report: AgentReport) -> list[str]:
@@ -365,7 +370,9 @@ def _agent_table(report: AgentReport) -> list[str]:
     shown = [f"{name.removesuffix('_share').replace('_', ' ')} {value:.2f}" for name, value in report.figures.items()]
     lines = [f"{', '.join(shown)}."]
     if not nav.scene.room.doors:
-        lines.append(f"The room has no door: {report.agent.name} starts in the largest free part of the floor.")
+        lines.append(
+            f"The room has no door: {markdown(report.agent.name)} starts in the largest free part of the floor."
+        )
     largest, needed = report.remedies.largest_disc, 2 * report.agent.radius
     if largest > 0:
         more = " or more" if largest >= WIDE - 1e-9 else ""
@@ -380,10 +387,10 @@ def _agent_table(report: AgentReport) -> list[str]:
     for name, passage in nav.passages.items():
         route = nav.routes.get(name)
         length = f"{route.length:.1f} m" if route else "-"
-        between = passage.sides or "-"
+        between = markdown(passage.sides) or "-"
         reached = "yes" if nav.reached[name] else "**no**"
         usable = _usable(report.usage.uses[name])
-        lines.append(f"| {name} | {reached} | {length} | {passage.shown} | {between} | {usable} |")
+        lines.append(f"| {markdown(name)} | {reached} | {length} | {passage.shown} | {between} | {usable} |")
     if report.exempt:
-        lines += ["", *(f"- not asked: {reason}." for reason in report.exempt.values())]
+        lines += ["", *_bullets(f"not asked: {reason}." for reason in report.exempt.values())]
     return lines
