@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import json
-import sys
-from collections.abc import Callable, Generator, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from robolayout._errors import InputError
+from robolayout.cli.terminal import progress, say, show, warn
 
 if TYPE_CHECKING:
     from robolayout.planners import Planner
@@ -92,7 +91,8 @@ def generate(  # noqa: PLR0913 - one parameter per option
     offline = own_planner(knowledge, program, model or base_url or replay)
     every_ok = True
     for given, folder, understood in _scenes(scene, agent, asset_dir, (seed, variants), out, knowledge or ()):
-        sys.stderr.write("" if quiet else "".join(f"robolayout: {line}\n" for line in understood))
+        for line in () if quiet else understood:
+            warn(line)
         check_writable(folder)
         _check_meshes(given)
         planner: Planner | None = offline
@@ -159,7 +159,7 @@ def _walk(result: Result, folder: Path) -> list[Path]:
     try:
         data = walk_gif(result.scene, result.layout, plan_marks(first), agent=first.agent)
     except InputError as error:
-        sys.stderr.write(f"robolayout: no walk.gif: {error}\n")
+        warn(f"no walk.gif: {error}")
         return []
     return [write_atomic(folder / "walk.gif", data)]
 
@@ -246,38 +246,18 @@ def read_scene(path: str, agent: str | None, asset_dir: Path | None) -> Scene:
 
     scene = load_scene(path, asset_dir)
     for warning in scene.warnings:
-        sys.stderr.write(f"robolayout: warning: {warning}\n")
+        warn(f"warning: {warning}")
     return scene if agent is None else scene.with_agents(*load_agents(agent))
 
 
-@contextmanager
-def progress(quiet: bool) -> Generator[Callable[[str], None]]:
-    """Show the running phase on a terminal; elsewhere nobody is told."""
-    if quiet or not sys.stderr.isatty():
-        from robolayout.solve import silent
-
-        yield silent
-        return
-    from rich.console import Console
-
-    with Console(stderr=True).status("starting") as status:
-
-        def say(phase: str) -> None:
-            status.update(f"{phase} ...")
-
-        yield say
-
-
 def _tell(result: Result, folder: Path, files: list[Path], *, quiet: bool, as_json: bool) -> None:
-    from robolayout.cli.tables import show
-
     who = result.report.planner
     for warning in who.get("warnings", ()):
-        sys.stderr.write(f"robolayout: warning: {warning}\n")
+        warn(f"warning: {warning}")
     if as_json:
-        typer.echo(json.dumps({"out": str(folder), **result.report.to_dict()}))
+        say(json.dumps({"out": str(folder), **result.report.to_dict()}))
     elif not quiet:
         show(result.report, files)
         for sentence in who.get("sentences", ()):
             if sentence not in who["warnings"]:
-                typer.echo(sentence)
+                say(sentence)
