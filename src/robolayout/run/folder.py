@@ -26,7 +26,7 @@ from robolayout._files import check_writable, exchange, locked, write_atomic
 from robolayout._version import __version__
 
 RUN = "run.json"
-"""The list of a run's files, each with the hash of its content."""
+"""The list of a run's files."""
 
 ANSWERS = "exchanges"
 """Folder of a model's answers, which are paid for: they outlive a run that fails."""
@@ -136,20 +136,27 @@ def _hidden(home: Path, kind: str, *, inside: bool) -> Path:
 
 def _seal(folder: Path) -> None:
     """Write the list of a run's files."""
-    paths = sorted(path for path in folder.rglob("*") if path.is_file())
-    hashes = {path.relative_to(folder).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest() for path in paths}
-    content = {"robolayout": __version__, "files": hashes}
+    names = sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
+    content = {"robolayout": __version__, "files": names}
     write_atomic(folder / RUN, json.dumps(content, indent=2, ensure_ascii=False) + "\n")
 
 
 def _saved(answers: Path, home: Path) -> Path | None:
     """Put a failed run's answers beside the folder that they were for, and return where they are."""
-    if not answers.is_dir():
+    if not any(map(_answered, answers.glob("*.json"))):
         return None
     folder = home.parent if _is_free(home.parent) else home
     with suppress(OSError):
         return folder / _move(answers.parent, ANSWERS, folder, f"{home.name}-{ANSWERS}")
     return None
+
+
+def _answered(exchange: Path) -> bool:
+    """Return whether a recorded exchange holds an answer, not only why there is none."""
+    try:
+        return bool(json.loads(exchange.read_bytes())["answer"])
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        return False
 
 
 def _recover(home: Path) -> None:
