@@ -6,6 +6,7 @@ import io
 import json
 import xml.etree.ElementTree as ElementTree
 from html.parser import HTMLParser
+from pathlib import Path
 from typing import Any
 
 import ezdxf
@@ -17,6 +18,7 @@ from robolayout.export import EXPORTERS, Options, to_bytes
 from robolayout.render import plan_svg
 from robolayout.scene import Agent, Asset, Layout, Pose, Room, Scene
 from robolayout.verify import verify
+from running import Ran, run_command
 
 HOSTILE = [
     "[/red]",
@@ -171,3 +173,59 @@ def test_json_brings_every_name_back_whole(name: str) -> None:
     assert list(json.loads(to_bytes(scene, layout, "layout"))) == [f"{name}-0"]
     read = EXPORTERS["glb"].read
     assert read is not None and list(read(to_bytes(scene, layout, "glb")).layout) == [f"{name}-0"]
+
+
+ENDS = ("\x1b", "\x00", "\u202e", "\r")
+
+
+def test_a_hostile_body_and_wish_go_through_a_whole_run(tmp_path: Path) -> None:
+    name = "[/red]\x1b[31m | </script><script>alert(1)</script> \u202e../x"
+    body = {"radius": 0.2, "height": 1.0}
+    scene = {
+        "task_description": name,
+        "boundary": {"floor_vertices": [[0, 0, 0], [3, 0, 0], [3, 3, 0], [0, 3, 0]], "wall_height": 2.5},
+        "agent": [{"name": name, "title": name, **body}, {"name": "../../" + name, **body}],
+        "assets": {
+            "desk-0": {
+                "category": name,
+                "description": name,
+                "onFloor": True,
+                "assetMetadata": {"boundingBox": {"x": 0.6, "y": 1.2, "z": 0.7}},
+            }
+        },
+    }
+    file = tmp_path / "[red]\x1b[31m.json"
+    file.write_text(json.dumps(scene))
+    out = tmp_path / "out"
+    for words in ((), ("--json",), ("--quiet",)):
+        ran = run_command("generate", file, "--out", out, "--export", "mjcf,urdf,dxf,usda,svg", "--starts", 1, *words)
+        assert ran.code in (0, 1), ran
+        printed = ran.out + ran.err
+        assert not any(end in printed for end in ENDS) and ("--quiet" not in words or printed == "")
+    written = {path.name for path in out.iterdir()}
+    assert all(name.isprintable() for name in written) and {"plan.svg", "report.html", "run.json"} < written
+    assert len([name for name in written if name.startswith("plan_2__.._[_red]")]) == 1
+    for path in out.iterdir():
+        data = path.read_bytes()
+        if path.suffix in (".svg", ".xml", ".urdf"):
+            assert not [e for e in ElementTree.fromstring(data).iter() if e.tag.endswith("script")]
+        elif path.suffix == ".json":
+            json.loads(data)
+        elif path.suffix in (".md", ".html"):
+            text = data.decode()
+            assert "</script><script>alert" not in text and not any(end in text for end in ENDS)
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted([file.name, "out"])
+    again = run_command("check", out / "scene.json", out / "layout.json", "--json")
+    assert next(iter(json.loads(again.out)["agents"])) == name
+
+
+def test_a_hostile_name_of_a_file_gives_a_folder_below(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    desk = {"onFloor": True, "assetMetadata": {"boundingBox": {"x": 0.6, "y": 1.2, "z": 0.7}}}
+    corners = [[0, 0, 0], [3, 0, 0], [3, 3, 0], [0, 3, 0]]
+    room = {"boundary": {"floor_vertices": corners, "wall_height": 2.5}, "assets": {"desk-0": desk}}
+    for name in ("...json", "a\nb.json"):
+        Path(name).write_text(json.dumps(room))
+        ran = run_command("generate", name, "--no-pictures", "--quiet")
+        assert ran == Ran(0, "", ""), ran
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["_", "a b"]
