@@ -24,7 +24,7 @@ class Ran:
 
 def run_command(*words: object) -> Ran:
     """Run `robolayout <words>` in this process, as its entry point does."""
-    from robolayout.cli.app import main
+    from robolayout.cli import main
 
     out, err = StringIO(), StringIO()
     with patch.object(sys, "argv", ["robolayout", *map(str, words)]), redirect_stdout(out), redirect_stderr(err):

@@ -26,8 +26,9 @@ STATIONS = ("planners", "solve", "verify", "render", "export")
 LAYERS: dict[str, float] = {
     "_errors": 0,
     "_version": 0,
-    "_files": 0,
-    "_html": 0,
+    "_text": 0,
+    "_files": 0.5,
+    "_html": 0.5,
     "_geometry": 0,
     "_grid": 0,
     "_reading": 0.5,
@@ -46,8 +47,9 @@ FORBIDDEN = {("verify", "_geometry"): "the judge shares no mathematics with the 
 MAX_FUNCTION, MAX_FILE = 60, 450
 BANNED_CALLS = ("print", "exec", "eval", "compile", "__import__", "breakpoint", "input")
 BROAD = ("Exception", "BaseException")
-EDGES = {"render/_gl.py": 1}
-"""Files that may catch everything, and how often: the GL loader raises plain Exception where there is no EGL."""
+EDGES = {"render/_gl.py": 1, "cli/guard.py": 1}
+"""Files that may catch everything, and how often: the GL loader raises plain Exception where there is no EGL; the
+command line ends whatever happens in one sentence."""
 
 
 @dataclass(frozen=True)

@@ -162,7 +162,16 @@ def test_good_rooms(furnished: Furnished) -> None:
 def test_the_output_folder_is_complete_and_whole(furnished: Furnished) -> None:
     folder = furnished.folder
     names = {path.name for path in folder.iterdir()}
-    texts = {"scene.json", "grouping.json", "program.py", "constraints.json", "layout.json", "report.json", "report.md"}
+    texts = {
+        "scene.json",
+        "grouping.json",
+        "program.py",
+        "constraints.json",
+        "layout.json",
+        "report.json",
+        "report.md",
+        "run.json",
+    }
     assert names == texts | {"plan.svg", "top.png", "view.png", "progress.gif", "loss.png", "scene.glb", "report.html"}
     for name in names:
         data = (folder / name).read_bytes()

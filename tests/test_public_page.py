@@ -9,7 +9,7 @@ import pytest
 
 import robolayout
 
-HELP = "\nfrom robolayout.cli.app import main\ntry:\n    main()\nexcept SystemExit:\n    pass"
+HELP = "\nfrom robolayout.cli import main\ntry:\n    main()\nexcept SystemExit:\n    pass"
 HEAVY = (
     "jax",
     "jaxlib",

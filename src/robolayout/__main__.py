@@ -1,6 +1,6 @@
 """`python -m robolayout` is the command line."""
 
-from robolayout.cli.app import main
+from robolayout.cli import main
 
 if __name__ == "__main__":
     main()

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from html import escape
+
+from robolayout._text import html
 
 
 def table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """Return a table; the first column is text, the others are figures."""
-    top = "".join(f"<th>{escape(head)}</th>" for head in heads)
+    top = "".join(f"<th>{html(head)}</th>" for head in heads)
     body = "".join(f"<tr>{''.join(_cell(text, k) for k, text in enumerate(row))}</tr>" for row in rows)
     return f"<table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>"
 
 
 def paragraph(text: str) -> str:
     """Return a paragraph in bold."""
-    return f"<p><b>{escape(text)}</b></p>"
+    return f"<p><b>{html(text)}</b></p>"
 
 
 def bullets(sentences: Sequence[str], most: int) -> str:
@@ -23,9 +24,9 @@ def bullets(sentences: Sequence[str], most: int) -> str:
     shown = list(sentences[:most])
     if len(sentences) > most:
         shown.append(f"and {len(sentences) - most} more")
-    return f"<ul>{''.join(f'<li>{escape(sentence)}</li>' for sentence in shown)}</ul>" if shown else ""
+    return f"<ul>{''.join(f'<li>{html(sentence)}</li>' for sentence in shown)}</ul>" if shown else ""
 
 
 def _cell(text: str, column: int) -> str:
     style = ' style="text-align:left"' if column == 0 else ""
-    return f"<td{style}>{escape(text)}</td>"
+    return f"<td{style}>{html(text)}</td>"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from dataclasses import dataclass
 
+from robolayout._text import utf8
 from robolayout.assets.part import Material
 
 Color = tuple[float, float, float]
@@ -203,7 +204,7 @@ class Piece:
 
     def rng(self) -> random.Random:
         """Return a fresh generator for the details of this very asset."""
-        return random.Random(self.key)
+        return random.Random(utf8(self.key))
 
     def thin(self, most: float, share: float = 0.12) -> float:
         """Return a thickness: `most` metres, but no more than `share` of the smallest edge."""
@@ -212,7 +213,7 @@ class Piece:
 
 def make_piece(kind: str, variable: str, name: str, size: tuple[float, float, float], seed: int) -> Piece:
     """Choose materials: the palette by seed, the rest by the asset's list, so that chairs of one list match."""
-    rng = random.Random(f"{seed}/{variable}")
+    rng = random.Random(utf8(f"{seed}/{variable}"))
     palette = PALETTES[seed % len(PALETTES)]
     fabric, accent, bedding = (rng.choice(row) for row in (palette.fabrics, palette.accents, palette.bedding))
     return Piece(*size, palette, fabric, accent, bedding, kind, rng.randrange(12), f"{seed}/{name}")

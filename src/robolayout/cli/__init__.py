@@ -1,5 +1,5 @@
 """The command line: arguments in, exit code out."""
 
-from robolayout.cli.app import main
+from robolayout.cli.guard import main
 
 __all__ = ["main"]

@@ -1,18 +1,15 @@
-"""The command line: arguments in, exit code out.
-
-Exit codes: 0 all demands met, 1 a layout was made but the report lists unmet demands, 2 the input is wrong.
-"""
+"""The commands: arguments in, exit code out (`robolayout.cli.guard` says which)."""
 
 from __future__ import annotations
 
 import json
-import sys
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
+from typer.core import TyperGroup
 
-from robolayout._errors import InputError, RoboLayoutError
+from robolayout._errors import InputError
 from robolayout._version import __version__
 from robolayout.cli.assets import assets
 from robolayout.cli.bodies import agents
@@ -25,14 +22,30 @@ from robolayout.cli.generate import (
     SeedOption,
     generate,
     own_planner,
-    progress,
     read_scene,
 )
+from robolayout.cli.guard import Unforeseen, main
 from robolayout.cli.physics import drive, settle
 from robolayout.cli.pictures import render
-from robolayout.cli.tables import show, table
+from robolayout.cli.terminal import progress, say, show, table
+
+__all__ = ["app", "main"]
+
+
+class Commands(TyperGroup):
+    """The group of all commands."""
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run a command."""
+        try:
+            return super().invoke(ctx)
+        except (OSError, EOFError) as error:
+            raise Unforeseen from error
+
 
 app = typer.Typer(
+    cls=Commands,
+    context_settings={"help_option_names": ["-h", "--help"]},
     help="Lay out a 3D room for a body, and prove that it can move through and use it.",
     no_args_is_help=True,
     add_completion=False,
@@ -44,18 +57,9 @@ SceneArgument = Annotated[str, typer.Argument(help="A scene file (JSON).")]
 LayoutArgument = Annotated[Path, typer.Argument(help="A layout file (JSON).")]
 
 
-def main() -> None:
-    """Run the command line; user errors become one sentence and exit code 2."""
-    try:
-        app()
-    except RoboLayoutError as error:
-        sys.stderr.write(f"robolayout: {error}\n")
-        raise SystemExit(2) from None
-
-
 def _version(value: bool) -> None:
     if value:
-        typer.echo(f"robolayout {__version__}")
+        say(f"robolayout {__version__}")
         raise typer.Exit
 
 
@@ -93,7 +97,7 @@ def check(
     asked = read_program(FilePlanner(program).plan(PlanRequest(given)), given) if program else None
     report = verify(given, load_layout(layout, given), asked)
     if as_json:
-        typer.echo(json.dumps(report.to_dict()))
+        say(json.dumps(report.to_dict()))
     elif not quiet:
         show(report, [])
     raise typer.Exit(0 if report.ok else 1)
@@ -122,15 +126,15 @@ def compare(  # noqa: PLR0913 - one parameter per option
         raise InputError(f"a comparison cannot be written to {out}: name a file that ends in .png or .svg.")
     given = read_scene(scene, bodies, asset_dir)
     check_writable(out.parent)
-    with progress(quiet) as say:
+    with progress(quiet) as tell:
         planner = own_planner(knowledge)
-        results = flow.compare(given, given.agents, planner=planner, seed=seed, progress=say)
+        results = flow.compare(given, given.agents, planner=planner, seed=seed, progress=tell)
     write_atomic(out, comparison(results, out.suffix, width=width))
     if not quiet:
         rows = zip(*(result.report.rows() for result in results), strict=True)
         heads = ["check", *(body.name for body in given.agents)]
         table(given.name, heads, [[row[0][0], *(value for _, value, _ in row)] for row in rows])
-        typer.echo(str(out))
+        say(str(out))
     raise typer.Exit(0 if all(result.report.ok for result in results) else 1)
 
 
@@ -163,7 +167,7 @@ def export(
     check_writable(out)
     options = export_options(verify(given, placed))
     for path in export_all(given, placed, names, folder=out, options=options, partial=partial):
-        typer.echo(str(path))
+        say(str(path))
 
 
 app.command()(agents)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from robolayout._errors import AssetError, InputError
-from robolayout.cli.tables import table
+from robolayout.cli.terminal import say, table, warn
 
 if TYPE_CHECKING:
     from robolayout.assets import Category
@@ -56,14 +55,14 @@ def _import(folder: Path | None, out: Path, front: str | None) -> None:
         raise InputError("import needs a folder: robolayout assets import FOLDER.")
     catalogue = import_folder(folder, front=front)
     for entry in catalogue["skipped"]:
-        sys.stderr.write(f"robolayout: skipped {entry['path']}: {entry['reason']}\n")
+        warn(f"skipped {entry['path']}: {entry['reason']}")
     if not catalogue["assets"]:
         raise AssetError(f"none of the {len(catalogue['skipped'])} meshes in {folder.name!r} can be used.")
     meshes, home = folder.resolve(), out.resolve().parent
     if meshes.is_relative_to(home):  # then a scene beside the catalogue finds the meshes by it
         for entry in catalogue["assets"].values():
             entry["path"] = (meshes.relative_to(home) / entry["path"]).as_posix()
-    typer.echo(str(write_atomic(out, json.dumps(catalogue, indent=2, ensure_ascii=False) + "\n")))
+    say(str(write_atomic(out, json.dumps(catalogue, indent=2, ensure_ascii=False) + "\n")))
 
 
 def _draw(found: Sequence[Category], target: Path) -> None:

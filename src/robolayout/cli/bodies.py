@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from robolayout._errors import InputError
-from robolayout.cli.tables import table
+from robolayout.cli.terminal import say, table
 
 if TYPE_CHECKING:
     from robolayout.scene import Agent
@@ -56,9 +56,9 @@ def _one(body: Agent, out: Path | None) -> None:
     figures += [[key, f"{value:g}", "-", "given without a source"] for key, value in _unsourced(body)]
     table(f"{body.title or body.name} (metres)", ["figure", "value", "verified", "source"], figures)
     if out is not None:
-        typer.echo(str(write_atomic(out, _drawn(body, out.suffix.lower()))))
+        say(str(write_atomic(out, _drawn(body, out.suffix.lower()))))
     elif (sys.stdout.encoding or "utf-8").lower().startswith("utf"):
-        typer.echo(body_text(body))
+        say(*body_text(body).splitlines())
 
 
 def _unsourced(body: Agent) -> list[tuple[str, float]]:

@@ -3,20 +3,27 @@
 from __future__ import annotations
 
 import json
-import sys
-from collections.abc import Callable, Generator, Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
+from shutil import copytree
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from robolayout._errors import InputError
+from robolayout._text import file_name
+from robolayout.cli.terminal import progress, say, show, warn
 
 if TYPE_CHECKING:
-    from robolayout.planners import Planner
+    from robolayout.planners import Planner, Understanding
     from robolayout.run.flow import Result
+    from robolayout.run.folder import RunFolder
     from robolayout.scene import Scene
+
+KEPT_SHOWN = 5
+"""Names of kept files that are said."""
 
 SceneOrSentence = Annotated[
     str, typer.Argument(metavar="SCENE", help="A scene file (JSON), or one sentence in quotes.")
@@ -35,7 +42,9 @@ QuietOption = Annotated[bool, typer.Option("--quiet", help="Print nothing but er
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines.")]
 StartsOption = Annotated[int, typer.Option("--starts", min=1, max=256, help="Starts of the search.")]
 SolverOption = Annotated[str, typer.Option("--solver", help="default, paper, trust-constr or dual-annealing.")]
-VariantsOption = Annotated[int, typer.Option("--variants", min=1, max=64, help="Different rooms for one sentence.")]
+VariantsOption = Annotated[
+    int, typer.Option("--variants", min=1, max=64, help="Different rooms for one sentence or scene file.")
+]
 ModelOption = Annotated[str | None, typer.Option("--model", help="Let a model plan: openai:gpt-4o, ollama:llava, ...")]
 ModeOption = Annotated[str, typer.Option("--mode", help="grouped, one_shot, no_image or no_constraint (with --model).")]
 SamplesOption = Annotated[int, typer.Option("--samples", min=1, max=16, help="Programs asked for at once.")]
@@ -83,36 +92,72 @@ def generate(  # noqa: PLR0913 - one parameter per option
     as_json: JsonOption = False,
 ) -> None:
     """Lay out a scene, verify it, and write layout, report, pictures and GLB."""
-    from robolayout._files import check_writable
-    from robolayout.run.flow import generate as run
-    from robolayout.run.outputs import write_result
+    from robolayout.run.flow import generate as arrange
+    from robolayout.run.outputs import write_files
     from robolayout.solve import SolverConfig
 
     formats = _checked(export, constraints, settle=settle)
     offline = own_planner(knowledge, program, model or base_url or replay)
+    other = _not_offline(program, model or base_url or replay)
+    config = SolverConfig(starts=starts, trace=pictures)
     every_ok = True
-    for given, folder, understood in _scenes(scene, agent, asset_dir, (seed, variants), out, knowledge or ()):
-        sys.stderr.write("" if quiet else "".join(f"robolayout: {line}\n" for line in understood))
-        check_writable(folder)
-        _check_meshes(given)
-        planner: Planner | None = offline
-        if _not_offline(program, model or base_url or replay):
-            limits = (base_url, max_cost, timeout, replay)
-            planner = _model_or_file(
-                program, (model, mode, samples, retries, critic), limits, folder / "exchanges", seed
-            )
-        with progress(quiet or as_json) as say:
-            config = SolverConfig(starts=starts, trace=pictures)
-            result = run(given, planner=planner, seed=seed, config=config, solver=solver, progress=say)
+    for job in _jobs(scene, agent, asset_dir, (seed, variants), out, knowledge or ()):
+        _check_meshes(job.scene)
+        for line in () if quiet or job.understood is None else job.understood.sentences():
+            warn(line)
+        with _output(job.folder) as run, progress(quiet or as_json) as tell:
+            how, limits = (model, mode, samples, retries, critic), (base_url, max_cost, timeout, replay)
+            planner = _model_or_file(program, how, limits, run, job.seed) if other else offline
+            result = arrange(job.scene, planner=planner, seed=job.seed, config=config, solver=solver, progress=tell)
             if settle:
-                say("settle")
+                tell("settle")
                 result = _settled(result)
-            say("write")
-            files = write_result(result, folder, pictures=pictures, formats=formats)
-            files += _walk(result, folder) if walk else []
-        _tell(result, folder, files, quiet=quiet, as_json=as_json)
+            tell("write")
+            job.write(run.path)
+            files = write_files(result, run, pictures=pictures, formats=formats)
+            files += _walk(result, run.path) if walk else []
+        _tell(result, run, files, quiet=quiet, as_json=as_json)
         every_ok &= result.report.ok
     raise typer.Exit(0 if every_ok else 1)
+
+
+@dataclass(frozen=True)
+class _Job:
+    """One room to lay out.
+
+    Attributes:
+        scene: The room.
+        folder: Its output folder.
+        seed: Settles every choice.
+        understood: What was understood of a sentence; None for a scene file.
+    """
+
+    scene: Scene
+    folder: Path
+    seed: int
+    understood: Understanding | None = None
+
+    def write(self, folder: Path) -> None:
+        """Write what was understood of a sentence."""
+        from robolayout._files import write_atomic
+
+        if self.understood is not None:
+            text = json.dumps(self.understood.to_dict(), indent=2, ensure_ascii=False) + "\n"
+            write_atomic(folder / "understood.json", text)
+
+
+@contextmanager
+def _output(folder: Path) -> Generator[RunFolder]:
+    """Open the output folder, and say where a model's answers are if the run fails."""
+    from robolayout.run.folder import open_folder
+
+    run: RunFolder | None = None
+    try:
+        with open_folder(folder) as run:
+            yield run
+    finally:
+        if run is not None and run.answers is not None:
+            warn(f"the answers so far are in {run.answers}.")
 
 
 def _check_meshes(scene: Scene) -> None:
@@ -159,7 +204,7 @@ def _walk(result: Result, folder: Path) -> list[Path]:
     try:
         data = walk_gif(result.scene, result.layout, plan_marks(first), agent=first.agent)
     except InputError as error:
-        sys.stderr.write(f"robolayout: no walk.gif: {error}\n")
+        warn(f"no walk.gif: {error}")
         return []
     return [write_atomic(folder / "walk.gif", data)]
 
@@ -186,16 +231,20 @@ def _model_or_file(
     program: Path | None,
     how: tuple[str | None, str, int, int, bool],
     limits: tuple[str | None, float | None, float, Path | None],
-    exchanges: Path,
+    run: RunFolder,
     seed: int,
 ) -> Planner:
     from robolayout.planners import FilePlanner, ModelPlanner
+    from robolayout.run.folder import ANSWERS
 
     if program is not None:
         return FilePlanner(program)
     model, mode, samples, retries, critic = how
     base_url, max_cost, timeout, replay = limits
-    again = replay is not None and replay.resolve() == exchanges.resolve()
+    exchanges = run.path / ANSWERS
+    again = replay is not None and replay.resolve() == (run.target / ANSWERS).resolve()
+    if again and replay is not None and replay.is_dir():
+        copytree(replay, exchanges)
     return ModelPlanner(
         model,
         mode=mode,  # type: ignore[arg-type]
@@ -211,33 +260,34 @@ def _model_or_file(
     )
 
 
-def _scenes(
+def _jobs(
     text: str,
     agent: str | None,
     asset_dir: Path | None,
     seed_variants: tuple[int, int],
     out: Path | None,
     knowledge: Sequence[Path],
-) -> Iterator[tuple[Scene, Path, tuple[str, ...]]]:
-    """Yield the scene of a file, or the variants of a sentence, each with its output folder and what was understood."""
+) -> Iterator[_Job]:
+    """Yield the variants of a scene file (by seed) or of a sentence (by what it leaves open), each with its output folder."""
+    from robolayout.planners import scene_from_sentence
     from robolayout.scene import load_agents
 
     seed, variants = seed_variants
+
+    def folder(scene: Scene, variant: int) -> Path:
+        whole = out or Path("out") / file_name(scene.name)
+        return whole if variants == 1 else whole / f"variant-{variant}"
+
     if Path(text).suffix == ".json" or Path(text).exists() or " " not in text.strip():
         scene = read_scene(text, agent, asset_dir, knowledge)
-        yield scene, out or Path("out") / scene.name, ()
+        for variant in range(variants):
+            yield _Job(scene, folder(scene, variant), seed + variant)
         return
-    from robolayout._files import write_atomic
-    from robolayout.planners import scene_from_sentence
-
     for variant in range(variants):
         scene, understood = scene_from_sentence(text, seed=seed, variant=variant, knowledge=knowledge)
         if agent is not None:
             scene = scene.with_agents(*load_agents(agent))
-        folder = out or Path("out") / scene.name
-        folder = folder if variants == 1 else folder / f"variant-{variant}"
-        write_atomic(folder / "understood.json", json.dumps(understood.to_dict(), indent=2, ensure_ascii=False) + "\n")
-        yield scene, folder, understood.sentences()
+        yield _Job(scene, folder(scene, variant), seed, understood)
 
 
 def read_scene(path: str, agent: str | None, asset_dir: Path | None, knowledge: Sequence[Path] = ()) -> Scene:
@@ -249,38 +299,20 @@ def read_scene(path: str, agent: str | None, asset_dir: Path | None, knowledge: 
     scene = load_scene(path, asset_dir)
     known = OfflinePlanner(knowledge).recognised(scene) if knowledge else scene
     for warning in (*scene.warnings, *unknown_kinds(known.assets)):
-        sys.stderr.write(f"robolayout: warning: {warning}\n")
+        warn(f"warning: {warning}")
     return scene if agent is None else scene.with_agents(*load_agents(agent))
 
 
-@contextmanager
-def progress(quiet: bool) -> Generator[Callable[[str], None]]:
-    """Show the running phase on a terminal; elsewhere nobody is told."""
-    if quiet or not sys.stderr.isatty():
-        from robolayout.solve import silent
-
-        yield silent
-        return
-    from rich.console import Console
-
-    with Console(stderr=True).status("starting") as status:
-
-        def say(phase: str) -> None:
-            status.update(f"{phase} ...")
-
-        yield say
-
-
-def _tell(result: Result, folder: Path, files: list[Path], *, quiet: bool, as_json: bool) -> None:
-    from robolayout.cli.tables import show
-
+def _tell(result: Result, run: RunFolder, files: list[Path], *, quiet: bool, as_json: bool) -> None:
     who = result.report.planner
-    for warning in who.get("warnings", ()):
-        sys.stderr.write(f"robolayout: warning: {warning}\n")
+    warn_of = [f"warning: {warning}" for warning in who.get("warnings", ())]
+    if run.kept and not quiet:
+        more = f" and {len(run.kept) - KEPT_SHOWN} more" if len(run.kept) > KEPT_SHOWN else ""
+        warn_of.append(f"kept in {run.target} what no run wrote: {', '.join(run.kept[:KEPT_SHOWN])}{more}.")
+    for line in warn_of:
+        warn(line)
     if as_json:
-        typer.echo(json.dumps({"out": str(folder), **result.report.to_dict()}))
+        say(json.dumps({"out": str(run.target), **result.report.to_dict()}))
     elif not quiet:
-        show(result.report, files)
-        for sentence in who.get("sentences", ()):
-            if sentence not in who["warnings"]:
-                typer.echo(sentence)
+        show(result.report, [run.place(path) for path in files])
+        say(*(sentence for sentence in who.get("sentences", ()) if sentence not in who["warnings"]))

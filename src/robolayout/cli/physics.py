@@ -11,7 +11,7 @@ import typer
 
 from robolayout._errors import InputError
 from robolayout.cli.generate import AgentOption, AssetDirOption, JsonOption, QuietOption, read_scene
-from robolayout.cli.tables import table
+from robolayout.cli.terminal import say, table
 
 if TYPE_CHECKING:
     from robolayout.export import Driven, Settled
@@ -39,7 +39,7 @@ def settle(
     found = run(given, load_layout(layout, given), seconds)
     _write(report, found)
     if as_json:
-        typer.echo(json.dumps(found.to_dict()))
+        say(json.dumps(found.to_dict()))
     elif not quiet:
         _show_settled(found, given.name)
     raise typer.Exit(1 if found.violations else 0)
@@ -66,11 +66,11 @@ def drive(
     found = run(given, placed, given.agent, export_options(verify(given, placed)).routes)
     _write(report, found)
     if as_json:
-        typer.echo(json.dumps(found.to_dict()))
+        say(json.dumps(found.to_dict()))
     elif not quiet:
-        typer.echo(f"{len(found.contacts)} contacts with furniture on all routes of {given.agent.name}")
+        say(f"{len(found.contacts)} contacts with furniture on all routes of {given.agent.name}")
         for sentence in found.violations:
-            typer.echo(f"- {sentence}")
+            say(f"- {sentence}")
     raise typer.Exit(1 if found.violations else 0)
 
 
@@ -105,6 +105,6 @@ def _show_settled(found: Settled, name: str) -> None:
         for asset, motion in sorted(found.motions.items(), key=lambda pair: -pair[1].displacement)
     ]
     table(f"{name} after {found.seconds:g} s of gravity", ["asset", "moved", "tilt (degrees)", "stays"], rows)
-    typer.echo(f"{found.stable_share:.2f} of the assets stay within 1 cm and 2 degrees")
+    say(f"{found.stable_share:.2f} of the assets stay within 1 cm and 2 degrees")
     for sentence in found.violations:
-        typer.echo(f"- {sentence}")
+        say(f"- {sentence}")

@@ -14,6 +14,7 @@ import typer
 
 from robolayout._errors import InputError
 from robolayout.cli.generate import AgentOption, AssetDirOption, read_scene
+from robolayout.cli.terminal import say
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -86,7 +87,7 @@ def render(  # noqa: PLR0913 - one parameter per option
         )
     check_writable(target.absolute().parent)
     for path, data in _files(given, placed, wish, target):
-        typer.echo(str(write_atomic(path, data)))
+        say(str(write_atomic(path, data)))
 
 
 def _renderer(name: str) -> str:

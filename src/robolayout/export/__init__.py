@@ -18,6 +18,7 @@ from types import MappingProxyType
 
 from robolayout._errors import UnknownNameError
 from robolayout._files import write_atomic
+from robolayout._text import file_name
 from robolayout.export._exporter import Contents, Exporter, Options, Routes, check_layout
 from robolayout.export.dxf import DXF
 from robolayout.export.glb import GLB
@@ -153,6 +154,6 @@ def export_all(
     for target in targets:
         exporter = find_exporter(target)
         data = to_bytes(scene, layout, exporter.name, options=options, partial=partial)
-        name = Path(f"{scene.name}{exporter.suffix}").name if str(target) in exporters() else target
+        name = f"{file_name(scene.name)}{exporter.suffix}" if str(target) in exporters() else target
         made.append((Path(folder) / name, data))
     return [write_atomic(path, data) for path, data in made]

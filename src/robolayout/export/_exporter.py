@@ -5,12 +5,14 @@ from __future__ import annotations
 import json
 import math
 import struct
+import xml.etree.ElementTree as ET
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import wraps
 
 from robolayout._errors import LayoutError
 from robolayout._reading import MAX_MESH_BYTES, Unreadable
+from robolayout._text import utf8, xml
 from robolayout.assets import Part, category_of
 from robolayout.scene import Agent, Asset, Layout, Point, Pose, Scene, vertical_span
 
@@ -171,7 +173,16 @@ def _covers(place: Pose, other: Asset, pose: Pose) -> bool:
 
 def dump_json(content: object) -> bytes:
     """Return JSON text, indented, with a newline at its end; numbers keep every digit."""
-    return (json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode()
+    return utf8(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False) + "\n")
+
+
+def dump_xml(root: ET.Element) -> bytes:
+    """Return an XML file, indented, with a newline at its end; what XML cannot hold is replaced."""
+    for element in root.iter():
+        for key, value in element.attrib.items():
+            element.set(key, xml(value))
+    ET.indent(root)
+    return ET.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n"
 
 
 def reader(what: str) -> Callable[[Read], Read]:

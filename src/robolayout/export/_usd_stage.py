@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from pxr import Gf, Kind, Sdf, Tf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdShade, Vt
 
+from robolayout._text import xml
 from robolayout.assets import Material, Part, category_of, parts, room_parts
 from robolayout.export._exporter import Options, is_movable, is_trim, mass, placed
 from robolayout.export._mesh import linear, welded
@@ -69,19 +70,20 @@ class _Builder:
 
     def asset(self, asset: Asset, pose: Pose, *, movable: bool, seed: int) -> None:
         """Add one asset: its place, its facts, its physics and its parts."""
-        form = UsdGeom.Xform.Define(self.stage, self.path(ASSETS, asset.name))
+        name, words = xml(asset.name), xml(asset.category)
+        form = UsdGeom.Xform.Define(self.stage, self.path(ASSETS, name))
         prim = form.GetPrim()
         form.AddTranslateOp().Set(Gf.Vec3d(pose.x, pose.y, pose.z))
         form.AddRotateZOp(UsdGeom.XformOp.PrecisionDouble).Set(math.degrees(pose.yaw))
         Usd.ModelAPI(prim).SetKind(Kind.Tokens.component)
-        prim.SetDisplayName(asset.name)
-        prim.SetDocumentation(asset.description or asset.category)
-        _custom(prim, "name", Sdf.ValueTypeNames.String, asset.name)
-        _custom(prim, "category", Sdf.ValueTypeNames.String, asset.category)
+        prim.SetDisplayName(name)
+        prim.SetDocumentation(xml(asset.description) or words)
+        _custom(prim, "name", Sdf.ValueTypeNames.String, name)
+        _custom(prim, "category", Sdf.ValueTypeNames.String, words)
         _custom(prim, "size", Sdf.ValueTypeNames.Double3, Gf.Vec3d(*asset.size))
         _custom(prim, "movable", Sdf.ValueTypeNames.Bool, movable)
-        UsdSemantics.LabelsAPI.Apply(prim, "class").CreateLabelsAttr([category_of(asset).name, asset.category])
-        UsdSemantics.LabelsAPI.Apply(prim, "instance").CreateLabelsAttr([asset.name])
+        UsdSemantics.LabelsAPI.Apply(prim, "class").CreateLabelsAttr([category_of(asset).name, words])
+        UsdSemantics.LabelsAPI.Apply(prim, "instance").CreateLabelsAttr([name])
         if movable:
             UsdPhysics.RigidBodyAPI.Apply(prim)
             UsdPhysics.MassAPI.Apply(prim).CreateMassAttr(mass(asset))
@@ -165,12 +167,12 @@ def _routes(stage: Any, options: Options) -> None:
         return
     scope = UsdGeom.Scope.Define(stage, ROUTES).GetPrim()
     if options.agent is not None:
-        _custom(scope, "agent", Sdf.ValueTypeNames.String, options.agent.name)
+        _custom(scope, "agent", Sdf.ValueTypeNames.String, xml(options.agent.name))
     taken = _Builder(stage)
     for name, line in options.routes.items():
         if len(line) < 2:
             continue
-        curve = UsdGeom.BasisCurves.Define(stage, taken.path(ROUTES, name))
+        curve = UsdGeom.BasisCurves.Define(stage, taken.path(ROUTES, xml(name)))
         points = Vt.Vec3fArray([Gf.Vec3f(float(x), float(y), 0.0) for x, y in line])
         curve.CreateTypeAttr(UsdGeom.Tokens.linear)
         curve.CreatePointsAttr(points)
@@ -179,7 +181,7 @@ def _routes(stage: Any, options: Options) -> None:
         curve.SetWidthsInterpolation(UsdGeom.Tokens.constant)
         curve.CreateExtentAttr(UsdGeom.Curves.ComputeExtent(points, Vt.FloatArray([ROUTE_WIDTH])))
         curve.CreatePurposeAttr(UsdGeom.Tokens.guide)
-        _custom(curve.GetPrim(), "name", Sdf.ValueTypeNames.String, name)
+        _custom(curve.GetPrim(), "name", Sdf.ValueTypeNames.String, xml(name))
 
 
 def assets_of(path: Path) -> list[Row]:

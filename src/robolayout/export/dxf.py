@@ -12,6 +12,7 @@ from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
 from robolayout._errors import LayoutError
+from robolayout._text import printable
 from robolayout.export._exporter import Contents, Exporter, Options, placed, reader
 from robolayout.scene import Asset, Layout, Opening, Point, Pose, Room, Scene
 
@@ -36,6 +37,9 @@ WALL = 0.1
 
 LETTER = (0.03, 0.1)
 """Smallest and largest height of letters in metres."""
+
+PLAIN = frozenset(range(32, 127)) - frozenset(b"%^\\")
+"""Codes of the letters that stand for themselves in a text: `%%d`, `^J` and `\\U+` stand for others."""
 
 Group = tuple[int, object]
 """One line pair of a DXF file: group code and value."""
@@ -70,23 +74,17 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
 
 
 def _text(value: object) -> str:
-    """Return a value as DXF text: floats with every digit, letters beyond ASCII and backslashes as \\U+XXXX."""
+    """Return a value as DXF text: floats with every digit, all that is not plain as \\U+XXXX, in units of UTF-16."""
     if isinstance(value, float):
         return repr(value + 0.0)
-    flat = re.sub(r"[\r\n]+", " ", str(value))
-    return re.sub(r"[^ -\[\]-~]", lambda match: _escaped(match[0]), flat)
+    units = printable(str(value)).encode("utf-16-be").hex(" ", 2).upper().split()
+    return "".join(chr(int(unit, 16)) if int(unit, 16) in PLAIN else f"\\U+{unit}" for unit in units)
 
 
-def _escaped(letter: str) -> str:
-    """Return a letter beyond ASCII, or a backslash, as one or two UTF-16 units."""
-    units = letter.encode("utf-16-be", "surrogatepass").hex().upper()
-    return "".join(f"\\U+{units[i : i + 4]}" for i in range(0, len(units), 4))
-
-
-def _unescaped(text: str) -> str:
-    """Return text as it was before `_text`."""
-    plain = re.sub(r"\\U\+([0-9A-F]{4})", lambda match: chr(int(match[1], 16)), text)
-    return plain.encode("utf-16", "surrogatepass").decode("utf-16")
+def _plain(text: str) -> str:
+    """Return what `_text` was made from."""
+    whole = re.sub(r"\\U\+([0-9A-F]{4})", lambda found: chr(int(found[1], 16)), text)
+    return whole.encode("utf-16-be", "surrogatepass").decode("utf-16-be", "replace")
 
 
 def _extents(room: Room) -> list[Group]:
@@ -222,7 +220,7 @@ def read(data: bytes) -> Contents:
         if pairs[start][1] == "INSERT" and (1001, APPLICATION) in pairs[start:end]:
             entity = dict(pairs[start:end])
             depth, width, height, z = (float(value) for code, value in pairs[start:end] if code == 1040)
-            name = _unescaped(entity[1000])
+            name = _plain(entity[1000])
             poses[name] = Pose(float(entity[10]), float(entity[20]), z, math.radians(float(entity[50])))
             sizes[name] = (depth, width, height)
     return Contents(Layout(poses), sizes)

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._reading.syntax import Unreadable, decoded, json_value
+from robolayout._text import utf8
 from robolayout._version import __version__
 from robolayout.assets import Material, Part, category_of, parts, room_parts
 from robolayout.export._exporter import Contents, Exporter, Json, Options, facts, is_movable, placed, reader
@@ -165,7 +166,7 @@ def asset_glb(asset: Asset, *, seed: int = 0) -> bytes:
 
 def _packed(document: Json, blob: bytes) -> bytes:
     """Return the two chunks of a GLB file, each padded to four bytes."""
-    text = json.dumps(document, separators=(",", ":"), ensure_ascii=False, allow_nan=False).encode()
+    text = utf8(json.dumps(document, separators=(",", ":"), ensure_ascii=False, allow_nan=False))
     chunks = struct.pack("<II", len(text) + -len(text) % 4, 0x4E4F534A) + text + b" " * (-len(text) % 4)
     if blob:
         chunks += struct.pack("<II", len(blob) + -len(blob) % 4, 0x004E4942) + blob + b"\0" * (-len(blob) % 4)

@@ -21,6 +21,7 @@ from robolayout.export._exporter import (
     Contents,
     Exporter,
     Options,
+    dump_xml,
     free_name,
     is_movable,
     is_trim,
@@ -99,8 +100,7 @@ def build(scene: Scene, layout: Layout, options: Options, *, free: Free) -> byte
     _rugs(model, scene, layout)
     if options.agent is not None:
         _agent(model, free_name(AGENT, scene), options.agent, start(scene, options))
-    ET.indent(model.root)
-    return ET.tostring(model.root, encoding="utf-8", xml_declaration=True) + b"\n"
+    return dump_xml(model.root)
 
 
 def _start(scene: Scene) -> _Model:

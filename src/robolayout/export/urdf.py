@@ -16,6 +16,7 @@ from robolayout.export._exporter import (
     Contents,
     Exporter,
     Options,
+    dump_xml,
     free_name,
     is_movable,
     is_trim,
@@ -53,8 +54,7 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
         ET.SubElement(joint, "parent", link=own)
         ET.SubElement(joint, "child", link=asset.name)
         ET.SubElement(joint, "origin", xyz=f"{pose.x!r} {pose.y!r} {pose.z!r}", rpy=f"0 0 {pose.yaw!r}")
-    ET.indent(robot)
-    return ET.tostring(robot, encoding="utf-8", xml_declaration=True) + b"\n"
+    return dump_xml(robot)
 
 
 def _floor(link: ET.Element, room: Room, material: Material) -> None:

@@ -12,6 +12,8 @@ from functools import lru_cache
 from itertools import pairwise
 from typing import TYPE_CHECKING, Literal
 
+from robolayout._text import html, printable
+
 if TYPE_CHECKING:
     from PIL.Image import Image
     from PIL.ImageFont import FreeTypeFont
@@ -146,13 +148,11 @@ def is_latin(text: str) -> bool:
 @lru_cache(maxsize=4096)
 def text_width(text: str, size: float) -> float:
     """Return the width of a line of text for a font size, in the unit of the size."""
-    return font(100, is_latin(text)).getlength(text) / 100 * size
+    return font(100, is_latin(text)).getlength(printable(text)) / 100 * size
 
 
 def draw_svg(drawing: Drawing) -> str:
     """Return the drawing as SVG text, to scale in millimetres."""
-    from xml.sax.saxutils import escape, quoteattr
-
     w, h = _number(drawing.width), _number(drawing.height)
     rows = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{w}mm" height="{h}mm" viewBox="0 0 {w} {h}"'
@@ -172,8 +172,8 @@ def draw_svg(drawing: Drawing) -> str:
             width = text_width(item.text, item.size)
             fit = f' textLength="{_number(width)}" lengthAdjust="spacingAndGlyphs"' if len(item.text) > 2 else ""
             rows.append(
-                f'<text x="{x}" y="{y}" dy="0.35em" font-size="{_number(item.size)}" fill={quoteattr(item.color)}{anchor}{fit}{turn}{halo}>'
-                f"{escape(_printable(item.text))}</text>"
+                f'<text x="{x}" y="{y}" dy="0.35em" font-size="{_number(item.size)}" fill="{item.color}"{anchor}{fit}{turn}{halo}>'
+                f"{html(item.text)}</text>"
             )
             continue
         path = "".join(
@@ -185,7 +185,7 @@ def draw_svg(drawing: Drawing) -> str:
         if item.stroke:
             style += f' stroke="{item.stroke}" stroke-width="{_number(item.width)}" stroke-linejoin="round" stroke-linecap="round"'
             style += f' stroke-dasharray="{_number(item.dash[0])} {_number(item.dash[1])}"' if item.dash else ""
-        end = f"><title>{escape(_printable(item.title))}</title></path>" if item.title else "/>"
+        end = f"><title>{html(item.title)}</title></path>" if item.title else "/>"
         rows.append(f'<path d="{path}" {style}{end}')
     return "\n".join([*rows, "</svg>", ""])
 
@@ -246,7 +246,7 @@ def _paint_text(image: Image, item: Text, scale: float) -> None:
     """Paint one line of text, turned if need be."""
     from PIL import Image, ImageDraw
 
-    text = _printable(item.text)
+    text = printable(item.text)
     pixels = max(4, round(item.size * scale))
     face = font(pixels, is_latin(text))
     edge = round(0.14 * pixels) if item.halo else 0
@@ -309,8 +309,3 @@ def _rgb(color: str) -> tuple[int, int, int]:
 def _number(value: float) -> str:
     """Return a number with at most three decimals and no trailing zeros."""
     return f"{round(value, 3) + 0.0:.3f}".rstrip("0").rstrip(".")
-
-
-def _printable(text: str) -> str:
-    """Return the text without control characters, which XML and fonts do not take."""
-    return "".join(c if c.isprintable() else " " for c in text)

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from robolayout._errors import AnswerError, BudgetError, ModelError, ProgramError
+from robolayout._text import printable
 from robolayout.planners import Group, GroupPlanner, OfflinePlanner, PlanRequest, Score, feedback_text, score_samples
 from robolayout.program import Guess, Program, Statement, read_program, read_salvaged, reconcile
 from robolayout.run.attempt import Attempt, Clock, Progress, joined_traces
@@ -373,7 +374,7 @@ def joined(parts: Sequence[tuple[Group, Program]]) -> Program:
     statements: list[Statement] = []
     guesses: dict[str, Guess] = {}
     for group, part in parts:
-        heading = "".join(char if char.isprintable() else " " for char in f"{group.label}: {group.rationale}")
+        heading = printable(f"{group.label}: {group.rationale}")
         lines.append(f"# {heading.strip(': ')}")
         lines += part.to_text().splitlines()
         for i, statement in enumerate(part.statements):

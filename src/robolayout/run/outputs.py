@@ -1,18 +1,20 @@
-"""The output folder of a run: every file of it, written whole or not at all."""
+"""The files of a run: what is in each of them."""
 
 from __future__ import annotations
 
+import hashlib
 import io
 import json
-import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from robolayout._files import write_atomic
+from robolayout._text import file_name, utf8
 from robolayout.export import Options, export, find_exporter, to_bytes
 from robolayout.page.marks import plan_marks
 from robolayout.render import PlanMarks
+from robolayout.run.folder import RunFolder, open_folder
 from robolayout.scene import scene_to_dict
 from robolayout.verify import AgentReport, Report
 
@@ -28,7 +30,10 @@ PICTURE_SIZE = 900
 def write_result(
     result: Result, folder: str | Path, *, pictures: bool = True, formats: Sequence[str] = ()
 ) -> list[Path]:
-    """Write everything that a run made.
+    """Write everything that a run made: all of it takes the place of what an older run wrote, or nothing does.
+
+    What is in the folder and was not written by an older run stays; if it has the name of one of our files, it gets `.kept`
+    at its end.
 
     Args:
         result: The run.
@@ -41,12 +46,18 @@ def write_result(
 
     Raises:
         UnknownNameError: A format is not known (before anything is written).
-        OutputError: A file cannot be written.
+        OutputError: A file cannot be written, or another run writes to the folder.
     """
-    folder = Path(folder)
     for name in formats:
         find_exporter(name)
-    written = [write_atomic(folder / name, data) for name, data in _texts(result, folder)]
+    with open_folder(Path(folder)) as run:
+        return [run.place(path) for path in write_files(result, run, pictures=pictures, formats=formats)]
+
+
+def write_files(result: Result, run: RunFolder, *, pictures: bool, formats: Sequence[str]) -> list[Path]:
+    """Write the files of a run to where they are made (see `write_result`)."""
+    folder = run.path
+    written = [write_atomic(folder / name, data) for name, data in _texts(result, run.target)]
     glb = to_bytes(result.scene, result.layout, "glb", partial=True)
     written.append(write_atomic(folder / "scene.glb", glb))
     options = export_options(result.report)
@@ -77,14 +88,21 @@ def export_options(report: Report) -> Options:
 
 
 def _texts(result: Result, folder: Path) -> Iterator[tuple[str, str]]:
-    yield "scene.json", _json(scene_to_dict(result.scene, base=folder.resolve()))
+    scene = _json(scene_to_dict(result.scene, base=folder.resolve()))
+    layout = _json(result.layout.to_dict())
+    hashes = {
+        "hashes": {
+            name: hashlib.sha256(utf8(text)).hexdigest() for name, text in (("scene", scene), ("layout", layout))
+        }
+    }
+    yield "scene.json", scene
     yield "grouping.json", _json([group.to_dict() for group in result.groups])
     if result.samples:
         yield "samples.json", _json([sample.to_dict() for sample in result.samples])
     yield "program.py", result.program.text
     yield "constraints.json", _json(result.reconciled.to_dict())
-    yield "layout.json", _json(result.layout.to_dict())
-    yield "report.json", _json(result.report.to_dict())
+    yield "layout.json", layout
+    yield "report.json", _json(result.report.to_dict() | hashes)
     yield "report.md", result.report.to_markdown()
 
 
@@ -94,7 +112,7 @@ def _pictures(result: Result, glb: bytes) -> Iterator[tuple[str, str | bytes]]:
     marks = [plan_marks(body) for body in result.report.agents]
     yield "report.html", _page(result, glb, marks)
     for number, body in enumerate(result.report.agents, 1):
-        file = "plan.svg" if number == 1 else f"plan_{number}_{re.sub(r'[^A-Za-z0-9]+', '_', body.agent.name)}.svg"
+        file = "plan.svg" if number == 1 else f"plan_{number}_{file_name(body.agent.name)}.svg"
         yield file, plan_svg(result.scene, result.layout, navigation=marks[number - 1], agent=body.agent)
     studio = Studio(result.scene, result.layout)
     yield "top.png", png(studio.view("top", size=PICTURE_SIZE))

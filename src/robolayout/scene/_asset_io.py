@@ -8,6 +8,7 @@ from pathlib import Path
 
 from robolayout._errors import SceneError
 from robolayout._reading import MAX_MESH_BYTES, MESH_SUFFIXES, Checker, inside, is_file, misspelt, show
+from robolayout._text import printable
 from robolayout.scene import reference
 from robolayout.scene._catalogue import described, find_catalogue
 from robolayout.scene.asset import Asset, by_variable, split_name
@@ -112,7 +113,7 @@ def _asset(name: str, entry: Mapping[str, object], folders: list[Path], warnings
     warnings.extend(misspelt(entry, _KNOWN, where))
     category = entry.get("category", split_name(name)[0].replace("_", " "))
     text = _CHECK.text(category, f"{where}: category", most=200)
-    words = " ".join("".join(c if c.isprintable() else " " for c in text).split())
+    words = " ".join(printable(text).split())
     if not words:
         raise SceneError(f"{where}: category is empty; say in a word or two what it is.")
     floor, wall, ceiling, thing = (_CHECK.flag(entry.get(key, False), f"{where}: {key}") for key in _FLAGS)

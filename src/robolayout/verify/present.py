@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from robolayout._html import bullets, paragraph, table
+from robolayout._text import markdown as plain
 from robolayout.verify.agent_report import AgentReport
 from robolayout.verify.passages import WIDE
 from robolayout.verify.use import Use
@@ -50,7 +51,7 @@ def rule_rows(report: Report) -> list[list[str]]:
 
 def markdown(report: Report) -> str:
     """Return the content of `report.md`: the table, what is wrong, and the way to each asset."""
-    lines = [f"# {report.scene.name}: {'all demands met' if report.ok else 'not all demands are met'}", ""]
+    lines = [f"# {plain(report.scene.name)}: {'all demands met' if report.ok else 'not all demands are met'}", ""]
     lines += ["| check | result | |", "|---|---:|---|"]
     lines += [f"| {name} | {value} | {'ok' if met else '**short**'} |" for name, value, met in report.rows()]
     figures = report.figures
@@ -60,20 +61,20 @@ def markdown(report: Report) -> str:
             "As it stands, no chair is moved; demanded is what is reached once the chairs at a thing are moved aside.",
         ]
     if report.violations:
-        lines += ["", "## What is wrong", "", *(f"- {sentence}" for sentence in report.violations)]
+        lines += ["", "## What is wrong", "", *_listed(report.violations)]
     if report.rules:
         lines += ["", "## Rules of accessibility", "", RULES_ARE, ""]
         lines += ["| rule | asks | measured | | source |", "|---|---|---|---|---|"]
-        lines += [f"| {' | '.join(row)} |" for row in rule_rows(report)]
+        lines += [f"| {' | '.join(map(plain, row))} |" for row in rule_rows(report)]
     helps = [sentence for body in report.agents for sentence in body.remedies.sentences(body.agent)]
     if helps:
-        lines += ["", "## What would help", "", *(f"- {sentence}" for sentence in helps)]
+        lines += ["", "## What would help", "", *_listed(helps)]
     if report.stability:
         lines += ["", "## In a simulator", "", *_stability(report.stability)]
     for body in report.agents:
-        lines += ["", f"## {body.agent.title or body.agent.name}", "", *_agent_table(body)]
+        lines += ["", f"## {plain(body.agent.title or body.agent.name)}", "", *_agent_table(body)]
     if report.planner:
-        lines += ["", "## Who planned", "", *(f"- {sentence}" for sentence in report.planner.get("sentences", ()))]
+        lines += ["", "## Who planned", "", *_listed(report.planner.get("sentences", ()))]
     return "\n".join(lines) + "\n"
 
 
@@ -87,17 +88,21 @@ def html(report: Report) -> str:
     return head + table(["check", "result", ""], rows) + bullets(report.violations, SHOWN) + rules
 
 
+def _listed(sentences: Iterable[str]) -> list[str]:
+    return [f"- {plain(sentence)}" for sentence in sentences]
+
+
 def _stability(found: Mapping[str, Any]) -> list[str]:
     """Return what gravity did, in a sentence and one for each asset that did not stay."""
     head = f"After {found['seconds']:g} s of gravity, {found['stable_share']:.2f} of the assets stay where they are."
-    return [head, *(f"- {sentence}" for sentence in found["violations"])]
+    return [head, *_listed(found["violations"])]
 
 
 def _usable(use: Use) -> str:
     """Return whether an asset can be used, and what has to be moved for it."""
     if not use.usable:
         return "**no**"
-    return f"yes, {' and '.join(use.moved)} moved" if use.moved else "yes"
+    return f"yes, {plain(' and '.join(use.moved))} moved" if use.moved else "yes"
 
 
 def _agent_table(report: AgentReport) -> list[str]:
@@ -105,7 +110,7 @@ def _agent_table(report: AgentReport) -> list[str]:
     shown = [f"{label(name)} {value:.2f}" for name, value in report.figures.items()]
     lines = [f"{', '.join(shown)}."]
     if not nav.scene.room.doors:
-        lines.append(f"The room has no door: {report.agent.name} starts in the largest free part of the floor.")
+        lines.append(f"The room has no door: {plain(report.agent.name)} starts in the largest free part of the floor.")
     largest, needed = report.remedies.largest_disc, 2 * report.agent.radius
     if largest > 0:
         more = " or more" if largest >= WIDE - 1e-9 else ""
@@ -120,10 +125,10 @@ def _agent_table(report: AgentReport) -> list[str]:
     for name, passage in nav.passages.items():
         route = nav.routes.get(name)
         length = f"{route.length:.1f} m" if route else "-"
-        between = passage.sides or "-"
+        between = plain(passage.sides) or "-"
         reached = "yes" if nav.reached[name] else "**no**"
         usable = _usable(report.usage.uses[name])
-        lines.append(f"| {name} | {reached} | {length} | {passage.shown} | {between} | {usable} |")
+        lines.append(f"| {plain(name)} | {reached} | {length} | {passage.shown} | {between} | {usable} |")
     if report.exempt:
-        lines += ["", *(f"- not asked: {reason}." for reason in report.exempt.values())]
+        lines += ["", *_listed(f"not asked: {reason}." for reason in report.exempt.values())]
     return lines

@@ -1,0 +1,61 @@
+"""Text that is not ours (of files, models, names) made harmless for the place where it goes.
+
+Whatever shows a name, a description, a path or a message uses one of these: in JSON the escapes are those of the format.
+"""
+
+from __future__ import annotations
+
+import re
+from html import escape
+
+JOINERS = "\u200c\u200d"
+"""Characters that change nothing but how letters join: Persian and Indian words and pictured people are written with them."""
+
+_ACTIVE = re.compile(r"[|*`]|(?<!\w)_|_(?!\w)|<(?=[\w/!?])|&(?=[\w#])|\](?=[(\[:])|~~|\\(?=[!-/:-@\[-`{-~])")
+"""What Markdown acts on in the middle of a line; `against_wall(bed[0], walls[2])` and 0.6 < 0.9 stay as they are."""
+
+_LEADING = re.compile(r"^(\d*)(?=[#>=+~-]|(?<=\d)[.)](?:\s|$))")
+"""What Markdown acts on at the start of a line."""
+
+_NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+"""Characters that XML 1.0 cannot hold, escaped or not; USD does not want them either."""
+
+_NOT_IN_A_FILE_NAME = re.compile(r'[<>:"/\\|?*]|\s+')
+"""Characters that some system gives a meaning in names of files; blanks are kept, but one at a time."""
+
+LONGEST_NAME = 100
+"""Bytes of UTF-8 that a text gives to the name of a file, a third of what file systems take."""
+
+
+def printable(text: str) -> str:
+    """Return one line without control characters, terminal sequences, changes of direction and halves of characters.
+
+    Each becomes a blank, so words stay apart; letters of every script stay.
+    """
+    return "".join(c if c.isprintable() or c in JOINERS else " " for c in text)
+
+
+def markdown(text: str) -> str:
+    """Return text that Markdown shows as it is, also in a table: no link, tag, emphasis, heading or further column."""
+    return _LEADING.sub(r"\1\\", _ACTIVE.sub(lambda found: "\\" + found[0], printable(text)))
+
+
+def html(text: str) -> str:
+    """Return text for HTML and SVG, within an element or a quoted attribute."""
+    return escape(printable(text))
+
+
+def xml(text: str) -> str:
+    """Return text as XML can hold it, not yet escaped: what it cannot hold becomes U+FFFD, all else stays."""
+    return _NOT_XML.sub("\ufffd", text)
+
+
+def utf8(text: str) -> bytes:
+    """Return text as UTF-8; half a character becomes its escape, as JSON and Python write it."""
+    return text.encode("utf-8", "backslashreplace")
+
+
+def file_name(text: str) -> str:
+    """Return the stem of a file's name: never a path, never hidden, never too long, the same on every system."""
+    stem = _NOT_IN_A_FILE_NAME.sub(lambda found: " " if found[0].isspace() else "_", printable(text)).strip(" .-")
+    return stem.encode()[:LONGEST_NAME].decode(errors="ignore").rstrip(" .") or "_"

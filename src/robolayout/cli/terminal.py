@@ -1,0 +1,90 @@
+"""Everything that the command line says: lines and tables on standard output, sentences on standard error.
+
+Names and messages come from files that anybody may have written: each line is made printable, and nothing in it is markup.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Generator, Sequence
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import TYPE_CHECKING, TextIO
+
+from robolayout._text import printable
+
+if TYPE_CHECKING:
+    from robolayout.verify import Report
+
+SHOWN = 12
+"""Violations that are printed; the report holds all."""
+
+WIDTH = 140
+"""Columns of a table that goes to a file or another program."""
+
+
+def say(*lines: str) -> None:
+    """Print lines on standard output."""
+    _write(sys.stdout, [printable(line) for line in lines])
+
+
+def warn(*lines: str) -> None:
+    """Print lines on standard error, the first after the name of the program; where nobody can read them, nowhere."""
+    with suppress(OSError):
+        _write(sys.stderr, [f"robolayout: {printable(lines[0])}", *map(printable, lines[1:])])
+
+
+def _write(stream: TextIO, lines: Sequence[str]) -> None:
+    stream.write("".join(f"{line}\n" for line in lines))
+    stream.flush()
+
+
+def table(title: str, heads: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+    """Print a table."""
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    drawn = Table(title=Text(printable(title)), title_justify="left")
+    for head in heads:
+        drawn.add_column(Text(printable(head)), overflow="fold")
+    for row in rows:
+        drawn.add_row(*(Text(printable(cell)) for cell in row))
+    console = Console(width=None if sys.stdout.isatty() else WIDTH)
+    with console.capture() as captured:
+        console.print(drawn)
+    sys.stdout.write(captured.get())
+
+
+def show(report: Report, files: Sequence[Path]) -> None:
+    """Print the short report, what is wrong, and where the files are."""
+    rows = [[name, value, "ok" if met else "SHORT"] for name, value, met in report.rows()]
+    table(f"{report.scene.name} for {', '.join(a.agent.name for a in report.agents)}", ["check", "result", ""], rows)
+    if report.rules:
+        rules = [
+            [r.rule.name.replace("_", " "), r.measured.text, "met" if r.met else "NOT MET", r.rule.source]
+            for r in report.rules
+        ]
+        table("rules of accessibility, beside the demands", ["rule", "measured", "", "source"], rules)
+    say(*(f"- {sentence}" for sentence in report.violations[:SHOWN]))
+    if len(report.violations) > SHOWN:
+        say(f"- and {len(report.violations) - SHOWN} more in the report")
+    say(*map(str, files))
+
+
+@contextmanager
+def progress(quiet: bool) -> Generator[Callable[[str], None]]:
+    """Show the running phase on a terminal; elsewhere nobody is told."""
+    if quiet or not sys.stderr.isatty():
+        from robolayout.solve import silent
+
+        yield silent
+        return
+    from rich.console import Console
+
+    with Console(stderr=True, markup=False).status("starting") as status:
+
+        def tell(phase: str) -> None:
+            status.update(f"{printable(phase)} ...")
+
+        yield tell
