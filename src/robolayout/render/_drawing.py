@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import pairwise
 from typing import TYPE_CHECKING, Literal
+from unicodedata import east_asian_width
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -21,6 +22,9 @@ Anchor = Literal["start", "middle", "end"]
 
 SAMPLES = 3
 """Supersampling of the Pillow form along each side."""
+
+BEYOND_ASCII = "\u00a9\u00ab\u00b0\u00b1\u00b4\u00b7\u00bb\u2018\u2019\u201c\u201d\u2026\u2039\u203a\u2044\u2122"
+"""Characters of Pillow's own font beside ASCII."""
 
 
 @dataclass(frozen=True)
@@ -123,7 +127,7 @@ def _rings(rings: Iterable[Iterable[Point]]) -> tuple[tuple[Point, ...], ...]:
 
 @lru_cache(maxsize=64)
 def font(pixels: int, latin: bool = True) -> FreeTypeFont:
-    """Return the text font: Pillow's own for Latin text, DejaVu Sans (from Matplotlib) for everything else."""
+    """Return the text font: Pillow's own for plain text, DejaVu Sans (from Matplotlib) for everything else."""
     from PIL import ImageFont
 
     if not latin:
@@ -140,13 +144,15 @@ def font(pixels: int, latin: bool = True) -> FreeTypeFont:
 
 def is_latin(text: str) -> bool:
     """Return whether the built-in font has every character."""
-    return all(c < "\u0180" or c in "\u2013\u2014\u2019\u2026" for c in text)
+    return all(c < "\u007f" or c in BEYOND_ASCII for c in text)
 
 
 @lru_cache(maxsize=4096)
 def text_width(text: str, size: float) -> float:
-    """Return the width of a line of text for a font size, in the unit of the size."""
-    return font(100, is_latin(text)).getlength(text) / 100 * size
+    """Return the width of a line of text for a font size, in the unit of the size; ideographs are as wide as high."""
+    wide = [c for c in text if c > "\u1100" and east_asian_width(c) in "WF"]
+    narrow = "".join(c for c in text if c not in wide) if wide else text
+    return (font(100, is_latin(narrow)).getlength(narrow) / 100 + len(wide)) * size
 
 
 def draw_svg(drawing: Drawing) -> str:
@@ -173,7 +179,7 @@ def draw_svg(drawing: Drawing) -> str:
             fit = f' textLength="{_number(width)}" lengthAdjust="spacingAndGlyphs"' if len(item.text) > 2 else ""
             rows.append(
                 f'<text x="{x}" y="{y}" dy="0.35em" font-size="{_number(item.size)}" fill={quoteattr(item.color)}{anchor}{fit}{turn}{halo}>'
-                f"{escape(_printable(item.text))}</text>"
+                f"{escape(printable(item.text))}</text>"
             )
             continue
         path = "".join(
@@ -185,7 +191,7 @@ def draw_svg(drawing: Drawing) -> str:
         if item.stroke:
             style += f' stroke="{item.stroke}" stroke-width="{_number(item.width)}" stroke-linejoin="round" stroke-linecap="round"'
             style += f' stroke-dasharray="{_number(item.dash[0])} {_number(item.dash[1])}"' if item.dash else ""
-        end = f"><title>{escape(_printable(item.title))}</title></path>" if item.title else "/>"
+        end = f"><title>{escape(printable(item.title))}</title></path>" if item.title else "/>"
         rows.append(f'<path d="{path}" {style}{end}')
     return "\n".join([*rows, "</svg>", ""])
 
@@ -246,7 +252,7 @@ def _paint_text(image: Image, item: Text, scale: float) -> None:
     """Paint one line of text, turned if need be."""
     from PIL import Image, ImageDraw
 
-    text = _printable(item.text)
+    text = printable(item.text)
     pixels = max(4, round(item.size * scale))
     face = font(pixels, is_latin(text))
     edge = round(0.14 * pixels) if item.halo else 0
@@ -311,6 +317,6 @@ def _number(value: float) -> str:
     return f"{round(value, 3) + 0.0:.3f}".rstrip("0").rstrip(".")
 
 
-def _printable(text: str) -> str:
+def printable(text: str) -> str:
     """Return the text without control characters, which XML and fonts do not take."""
     return "".join(c if c.isprintable() else " " for c in text)

@@ -12,9 +12,9 @@ import numpy as np
 from robolayout._errors import InputError
 from robolayout.render._architecture import THICKNESS, draw_floor, draw_walls
 from robolayout.render._drawing import Drawing, Item, Point, Text, paint, text_width
+from robolayout.render.contents import display_name, draw_footprint
 from robolayout.render.curves import NO_SEARCH, TOTAL, Frame, draw_panel, is_still, loss_terms
 from robolayout.render.palette import INK, QUIET, ROUTE
-from robolayout.render.plan import display_name, draw_footprint
 from robolayout.scene import Asset, Layout, Pose, Room, Scene, Snapshot, Trace
 
 if TYPE_CHECKING:

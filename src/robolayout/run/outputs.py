@@ -96,6 +96,7 @@ def _pictures(result: Result, glb: bytes) -> Iterator[tuple[str, str | bytes]]:
     for number, body in enumerate(result.report.agents, 1):
         file = "plan.svg" if number == 1 else f"plan_{number}_{re.sub(r'[^A-Za-z0-9]+', '_', body.agent.name)}.svg"
         yield file, plan_svg(result.scene, result.layout, navigation=marks[number - 1], agent=body.agent)
+    yield "sheet.pdf", sheet(result.report)
     studio = Studio(result.scene, result.layout)
     yield "top.png", png(studio.view("top", size=PICTURE_SIZE))
     yield "view.png", png(studio.view("side", size=PICTURE_SIZE))
@@ -121,6 +122,29 @@ def comparison(results: Sequence[Result], suffix: str = ".png", *, width: int = 
     if suffix == ".svg":
         return compare_svg(panels).encode()
     return png(compare_image(panels, width=width).quantize(256))
+
+
+def sheet(report: Report, suffix: str = ".pdf", *, date: str = "", width: int = 1600) -> bytes:
+    """Return the sheet to print for the first body of a report.
+
+    Args:
+        report: What the judge says of a layout.
+        suffix: ".pdf", ".svg" or ".png".
+        date: What the title block gives as the date; nothing leaves it out.
+        width: Pixels of the PNG's width.
+    """
+    from robolayout.page.marks import sheet_marks
+    from robolayout.page.notes import sheet_notes
+    from robolayout.render import sheet_image, sheet_pdf, sheet_svg
+
+    first = report.agents[0]
+    given = (report.scene, report.layout, sheet_notes(report, date))
+    marks, agent = sheet_marks(first), first.agent
+    if suffix == ".pdf":
+        return sheet_pdf(*given, marks=marks, agent=agent)
+    if suffix == ".svg":
+        return sheet_svg(*given, marks=marks, agent=agent).encode()
+    return png(sheet_image(*given, marks=marks, agent=agent, width=width))
 
 
 def _body(report: AgentReport) -> str:
