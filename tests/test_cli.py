@@ -163,7 +163,8 @@ def test_the_output_folder_is_complete_and_whole(furnished: Furnished) -> None:
     folder = furnished.folder
     names = {path.name for path in folder.iterdir()}
     texts = {"scene.json", "grouping.json", "program.py", "constraints.json", "layout.json", "report.json", "report.md"}
-    assert names == texts | {"plan.svg", "top.png", "view.png", "progress.gif", "loss.png", "scene.glb", "report.html"}
+    drawn = {"plan.svg", "sheet.pdf", "top.png", "view.png", "progress.gif", "loss.png", "report.html"}
+    assert names == texts | drawn | {"scene.glb"}
     for name in names:
         data = (folder / name).read_bytes()
         if name.endswith(".json"):

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 SceneArgument = Annotated[str, typer.Argument(help="A scene file (JSON).")]
 LayoutArgument = Annotated[Path, typer.Argument(help="A layout file (JSON).")]
+DateOption = Annotated[str, typer.Option("--date", help="What the sheet to print gives as the date.")]
 
 SUFFIXES = {"plan": (".png", ".svg", ".pdf"), "sheet": (".pdf", ".svg", ".png"), "walk": (".gif",)}
 """Endings of the files of drawings, the first by default; everything else is a PNG."""
@@ -72,7 +73,7 @@ def render(  # noqa: PLR0913 - one parameter per option
     ] = False,
     ids: Annotated[bool, typer.Option("--ids", help="Also write which asset each pixel shows.")] = False,
     depth: Annotated[bool, typer.Option("--depth", help="Also write each pixel's depth, in millimetres.")] = False,
-    date: Annotated[str, typer.Option("--date", help="What the sheet's title block gives as the date.")] = "",
+    date: DateOption = "",
     agent: AgentOption = None,
     asset_dir: AssetDirOption = None,
 ) -> None:

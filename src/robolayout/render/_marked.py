@@ -17,6 +17,9 @@ from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import INK, NARROW, PAPER, QUIET, REACH, ROUTE, TIGHT, TURN
 from robolayout.scene import Agent, Layout, Pose, Scene, Wall, vertical_span
 
+ARROW = 1.8
+"""Length of an arrow's head, millimetres."""
+
 WIDTH_TEXT = 2.1
 """Font size of the width of a passage, millimetres."""
 
@@ -57,9 +60,34 @@ def draw_marks(sheet: Drawing, marks: PlanMarks, agent: Agent | None, place: Pla
         sheet.line(points, ROUTE, width=0.32)
     for points in lines:
         sheet.polygon([_circle(points[-1], 0.55)], ROUTE, stroke=PAPER, width=0.15)
+    _draw_changes(sheet, marks, place)
     if marks.agent_at is not None and agent is not None:
         at = place(*marks.agent_at)
         sheet.polygon([_circle(at, agent.radius * k)], ROUTE, opacity=0.22, stroke=ROUTE, width=0.3)
+
+
+def _draw_changes(sheet: Drawing, marks: PlanMarks, place: Place) -> None:
+    """Draw where things stood before, what is new and what is gone, and arrows from then to now."""
+    for outline in marks.ghosts:
+        sheet.polygon([[place(*p) for p in outline]], QUIET, opacity=0.1, stroke=QUIET, width=0.25, dash=(0.9, 0.6))
+    for outline in marks.gone:
+        corners = [place(*p) for p in outline]
+        sheet.polygon([corners], None, stroke=TIGHT, width=0.3, dash=(0.9, 0.6))
+        for a, b in zip(corners[:2], corners[2:], strict=False):
+            sheet.line([a, b], TIGHT, width=0.2, dash=(0.9, 0.6))
+    for outline in marks.added:
+        sheet.polygon([[place(*p) for p in outline]], None, stroke=NARROW, width=0.6)
+    for start, end in marks.arrows:
+        (ax, ay), (bx, by) = place(*start), place(*end)
+        length = math.dist((ax, ay), (bx, by))
+        head = min(ARROW, 0.6 * length)
+        ux, uy = (bx - ax) / length, (by - ay) / length
+        neck = (bx - head * ux, by - head * uy)
+        sides = [(neck[0] - 0.4 * head * s * uy, neck[1] + 0.4 * head * s * ux) for s in (1, -1)]
+        sheet.line([(ax, ay), neck], PAPER, width=0.9)
+        sheet.line([(ax, ay), neck], ROUTE, width=0.4)
+        sheet.polygon([[(bx, by), *sides]], ROUTE)
+        sheet.polygon([_circle((ax, ay), 0.5)], PAPER, stroke=ROUTE, width=0.25)
 
 
 def _draw_passages(sheet: Drawing, marks: PlanMarks, agent: Agent | None, place: Place, at: Sequence[Point]) -> None:
@@ -128,7 +156,7 @@ def draw_labels(
     k = millimetres(place)
     lines = [[place(*p) for p in line] for line in marks.routes.values() if len(line) > 1]
     lines += [_circle(place(*center), diameter / 2 * k, 72) for center, diameter in marks.circles]
-    lines += [[place(*p) for p in line] for line in naming.lines]
+    lines += [[place(*p) for p in line] for line in (*naming.lines, *marks.arrows)]
     spots = passage_spots(marks, place, lines, obstacles)
     _draw_passages(sheet, marks, agent, place, spots)
     for (a, b, metres), (x, y) in zip(sorted(marks.passages), spots, strict=True):

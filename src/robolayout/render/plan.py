@@ -12,7 +12,7 @@ from robolayout.render._drawing import Drawing, Point, draw_image, draw_svg, tex
 from robolayout.render._marked import Naming, draw_labels, draw_marks
 from robolayout.render.contents import draw_contents
 from robolayout.render.marks import PlanMarks
-from robolayout.render.palette import BLOCKED, FREE, INK, ISLAND, NARROW, PAPER, QUIET, REACH, ROUTE, TURN
+from robolayout.render.palette import BLOCKED, FREE, INK, ISLAND, NARROW, PAPER, QUIET, REACH, ROUTE, TIGHT, TURN
 from robolayout.scene import Agent, Layout, Scene
 
 if TYPE_CHECKING:
@@ -179,6 +179,10 @@ def draw_legend(sheet: Drawing, marks: PlanMarks, at: Point, width: float) -> No
     rows += [("dash", TURN, "turning circle")] if marks.circles else []
     rows += [("line", REACH, "reach")] if marks.arcs else []
     rows += [("cross", BLOCKED, "out of reach")] if marks.blocked else []
+    rows += [("dash", QUIET, "stood before")] if marks.ghosts else []
+    rows += [("line", ROUTE, "moved")] if marks.arrows else []
+    rows += [("line", NARROW, "new")] if marks.added else []
+    rows += [("cross", TIGHT, "gone")] if marks.gone else []
     total = sum(6.0 + text_width(words, size) for *_, words in rows)
     size *= min(1.0, width / max(total, 1))
     for kind, color, words in rows:

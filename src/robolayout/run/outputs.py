@@ -19,22 +19,30 @@ from robolayout.verify import AgentReport, Report
 if TYPE_CHECKING:
     from PIL.Image import Image
 
+    from robolayout.run.diff import Difference
     from robolayout.run.flow import Result
+    from robolayout.run.judged import Judged
 
 PICTURE_SIZE = 900
 """Pixels of a side of `top.png` and `view.png`."""
 
 
 def write_result(
-    result: Result, folder: str | Path, *, pictures: bool = True, formats: Sequence[str] = ()
+    result: Result | Judged,
+    folder: str | Path,
+    *,
+    pictures: bool = True,
+    formats: Sequence[str] = (),
+    date: str = "",
 ) -> list[Path]:
-    """Write everything that a run made.
+    """Write everything that a run made, or all that can be said of a layout that somebody else made.
 
     Args:
-        result: The run.
+        result: The run, or the judged layout.
         folder: Where to write; made if missing.
         pictures: Whether to draw.
         formats: Export formats beside GLB ("usda", "mjcf"); see `robolayout.export.EXPORTERS`.
+        date: What the sheet to print gives as the date; nothing leaves it out.
 
     Returns:
         The files, in the order of writing.
@@ -54,17 +62,17 @@ def write_result(
         if name not in ("glb", "layout"):
             written.append(export(result.scene, result.layout, name, folder=folder, options=options, partial=True))
     if pictures:
-        written += [write_atomic(folder / name, data) for name, data in _pictures(result, glb)]
+        written += [write_atomic(folder / name, data) for name, data in _pictures(result, glb, date)]
     return written
 
 
-def page_html(result: Result) -> str:
+def page_html(result: Result | Judged) -> str:
     """Return the run as one page to look at in a browser: the room in 3D, verdicts and figures; it needs no network."""
     glb = to_bytes(result.scene, result.layout, "glb", partial=True)
     return _page(result, glb, [plan_marks(agent) for agent in result.report.agents])
 
 
-def _page(result: Result, glb: bytes, marks: Sequence[PlanMarks]) -> str:
+def _page(result: Result | Judged, glb: bytes, marks: Sequence[PlanMarks]) -> str:
     from robolayout.page import content, document
 
     return document(content(result, marks), glb)
@@ -76,19 +84,24 @@ def export_options(report: Report) -> Options:
     return Options(agent=first.agent, routes={name: route.points for name, route in first.navigation.routes.items()})
 
 
-def _texts(result: Result, folder: Path) -> Iterator[tuple[str, str]]:
+def _texts(result: Result | Judged, folder: Path) -> Iterator[tuple[str, str]]:
+    from robolayout.run.judged import Judged
+
     yield "scene.json", _json(scene_to_dict(result.scene, base=folder.resolve()))
-    yield "grouping.json", _json([group.to_dict() for group in result.groups])
-    if result.samples:
-        yield "samples.json", _json([sample.to_dict() for sample in result.samples])
-    yield "program.py", result.program.text
-    yield "constraints.json", _json(result.reconciled.to_dict())
+    planned = not isinstance(result, Judged)
+    if planned:
+        yield "grouping.json", _json([group.to_dict() for group in result.groups])
+        if result.samples:
+            yield "samples.json", _json([sample.to_dict() for sample in result.samples])
+    if planned or result.program.text:
+        yield "program.py", result.program.text
+        yield "constraints.json", _json(result.reconciled.to_dict())
     yield "layout.json", _json(result.layout.to_dict())
     yield "report.json", _json(result.report.to_dict())
     yield "report.md", result.report.to_markdown()
 
 
-def _pictures(result: Result, glb: bytes) -> Iterator[tuple[str, str | bytes]]:
+def _pictures(result: Result | Judged, glb: bytes, date: str) -> Iterator[tuple[str, str | bytes]]:
     from robolayout.render import Studio, loss_png, plan_svg, progress_gif
 
     marks = [plan_marks(body) for body in result.report.agents]
@@ -96,7 +109,7 @@ def _pictures(result: Result, glb: bytes) -> Iterator[tuple[str, str | bytes]]:
     for number, body in enumerate(result.report.agents, 1):
         file = "plan.svg" if number == 1 else f"plan_{number}_{re.sub(r'[^A-Za-z0-9]+', '_', body.agent.name)}.svg"
         yield file, plan_svg(result.scene, result.layout, navigation=marks[number - 1], agent=body.agent)
-    yield "sheet.pdf", sheet(result.report)
+    yield "sheet.pdf", sheet(result.report, date=date)
     studio = Studio(result.scene, result.layout)
     yield "top.png", png(studio.view("top", size=PICTURE_SIZE))
     yield "view.png", png(studio.view("side", size=PICTURE_SIZE))
@@ -122,6 +135,28 @@ def comparison(results: Sequence[Result], suffix: str = ".png", *, width: int = 
     if suffix == ".svg":
         return compare_svg(panels).encode()
     return png(compare_image(panels, width=width).quantize(256))
+
+
+def difference_picture(found: Difference, suffix: str = ".png", *, width: int = 1400) -> bytes:
+    """Return two layouts in one plan, with arrows from then to now; side by side if they are of different rooms.
+
+    Args:
+        found: What differs.
+        suffix: ".png" or ".svg".
+        width: Pixels of the PNG's width.
+    """
+    from robolayout.render import compare_image, compare_svg, plan_image, plan_svg
+
+    before, after = found.before, found.after
+    if before.scene.room == after.scene.room:
+        if suffix == ".svg":
+            return plan_svg(after.scene, after.layout, navigation=found.marks()).encode()
+        return png(plan_image(after.scene, after.layout, navigation=found.marks(), width=width))
+    panels = [
+        (when, side.scene, side.layout, plan_marks(side.report.agents[0]))
+        for when, side in (("before", before), ("after", after))
+    ]
+    return compare_svg(panels).encode() if suffix == ".svg" else png(compare_image(panels, width=width))
 
 
 def sheet(report: Report, suffix: str = ".pdf", *, date: str = "", width: int = 1600) -> bytes:
