@@ -210,6 +210,18 @@ def test_gap_ends_lie_on_the_two_things(bedroom, layout):
     assert gap_ends(bedroom, layout, (2.8, 2.6), ("bed-0", "wall 99")) is None
 
 
+def test_what_hangs_from_the_ceiling_is_an_outline_with_its_cord(bedroom, layout):
+    title = "ceiling_lamp-0"
+    items = draw_plan(bedroom, layout).items
+    at = next(k for k, item in enumerate(items) if isinstance(item, Shape) and item.title == title)
+    assert items[at].fill is None and items[at].dash is not None
+    middle = [sum(values) / 4 for values in zip(*items[at].rings[0], strict=True)]
+    for line in items[at + 1 : at + 3]:
+        assert not line.closed and [sum(values) / 2 for values in zip(*line.rings[0], strict=True)] == pytest.approx(
+            middle
+        )
+
+
 def test_wide_doors_have_two_leaves():
     room = Room(((0, 0), (4, 0), (4, 4), (0, 4)), 2.6, doors=(Opening(0, 1.0, 1.6, 2.05),))
     one = Room(((0, 0), (4, 0), (4, 4), (0, 4)), 2.6, doors=(Opening(0, 1.0, 0.9, 2.05),))

@@ -8,6 +8,9 @@ from robolayout.render.marks import PlanMarks, Rings
 from robolayout.render.palette import BLOCKED, FREE, ISLAND, QUIET, asset_colors
 from robolayout.scene import Asset, Layout, Pose, Scene, vertical_span
 
+CORD = 0.9
+"""Half the sides of the cross that shows where the cord of what hangs from the ceiling is fixed, millimetres."""
+
 
 def draw_contents(sheet: Drawing, scene: Scene, layout: Layout, marks: PlanMarks, place: Place) -> None:
     """Draw rugs, free space, then every footprint from the floor up; what hangs from the ceiling is dashed."""
@@ -41,6 +44,9 @@ def draw_footprint(sheet: Drawing, asset: Asset, pose: Pose, place: Place, *, bl
     corners = [place(*corner) for corner in pose.corners(asset.size)]
     if asset.on_ceiling:
         sheet.polygon([corners], None, stroke=line, width=0.2, dash=(0.9, 0.6), title=asset.name)
+        x, y = place(pose.x, pose.y)
+        for dx, dy in ((CORD, CORD), (CORD, -CORD)):
+            sheet.line([(x - dx, y - dy), (x + dx, y + dy)], line, width=0.2)
         return
     if asset.is_flat:
         sheet.polygon([corners], fill, stroke=line, width=0.14, opacity=0.55, dash=(0.5, 0.4), title=asset.name)
