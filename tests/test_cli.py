@@ -172,7 +172,8 @@ def test_the_output_folder_is_complete_and_whole(furnished: Furnished) -> None:
         "report.md",
         "run.json",
     }
-    assert names == texts | {"plan.svg", "top.png", "view.png", "progress.gif", "loss.png", "scene.glb", "report.html"}
+    drawn = {"plan.svg", "sheet.pdf", "top.png", "view.png", "progress.gif", "loss.png", "report.html"}
+    assert names == texts | drawn | {"scene.glb"}
     for name in names:
         data = (folder / name).read_bytes()
         if name.endswith(".json"):

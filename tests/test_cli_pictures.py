@@ -103,7 +103,12 @@ def test_the_plan_and_the_walk_by_the_ending_of_the_file(
         (("--renderer", "vulkan"), "--renderer 'vulkan' is not known: choose auto, gl or ray."),
         (("--view", "walk", "--out", "walk.png"), "name a file that ends in .gif"),
         (("--view", "top", "--out", "top.jpg"), "name a file that ends in .png"),
-        (("--view", "eye:sofa-9"), "unknown view 'eye:sofa-9'"),
+        (("--view", "eye:sofa-9"), "unknown view 'eye:sofa-9'. Known: eye:armchair-0, "),
+        (("--view", "shet"), "Did you mean 'sheet'?"),
+        (("--view", "eye:wardrob-0"), "Did you mean 'eye:wardrobe-0'?"),
+        (("--view", "front"), "plan, potted_plant-0, rug-0, sheet, side, "),
+        (("--view", "plan", "--date", "today"), "--date does not go with --view plan: use it with sheet."),
+        (("--view", "sheet", "--out", "sheet.gif"), "name a file that ends in .pdf or .svg or .png"),
     ],
 )
 def test_options_that_do_not_go_together(
@@ -113,6 +118,20 @@ def test_options_that_do_not_go_together(
     ran = command("render", *given, *words)
     assert ran.code == 2 and said in ran.err and "Traceback" not in ran.err, ran
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_sheet_to_print_has_the_users_date(command: Command, given: tuple[Path, Path], tmp_path: Path) -> None:
+    for name in ("a.pdf", "a.svg", "a.png"):
+        words = ("--view", "sheet", "--date", "1 May 2031", "--size", 400, "--out", tmp_path / name)
+        ran = command("render", *given, *words)
+        assert ran.code == 0 and ran.out.strip() == str(tmp_path / name), ran
+    sheet = ElementTree.fromstring((tmp_path / "a.svg").read_bytes())
+    assert sheet.get("width") in ("210mm", "297mm")
+    assert {"Date", "1 May 2031", "1 : 50"} <= set(sheet.itertext())
+    assert command("render", *given, "--view", "sheet", "--out", tmp_path / "b.pdf").code == 0
+    assert (tmp_path / "b.pdf").read_bytes() != (tmp_path / "a.pdf").read_bytes()
+    helped = " ".join(command("render", "--help").out.split())
+    assert all(f"{view}" in helped for view in ("top", "side", "plan", "sheet", "walk", "eye:ASSET"))
 
 
 def test_the_plan_is_a_format_like_others(command: Command, given: tuple[Path, Path], tmp_path: Path) -> None:

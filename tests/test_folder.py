@@ -228,13 +228,17 @@ def test_a_disk_that_is_full_at_any_file_leaves_the_old_set(
         assert os.listdir(tmp_path) == ["room"]
 
 
+def canonical_hash(file: Path) -> str:
+    """Return the SHA-256 of a JSON file's content: sorted keys, no blanks, ASCII."""
+    content = json.dumps(json.loads(file.read_text(encoding="utf-8")), sort_keys=True, separators=(",", ":"))
+    return hashlib.sha256(content.encode()).hexdigest()
+
+
 def test_reports_carry_the_hashes_of_what_they_are_about(result: rl.Result, tmp_path: Path, command: Command) -> None:
     home = tmp_path / "room"
     rl.write_result(result, home, pictures=False)
     hashes = json.loads((home / "report.json").read_text())["hashes"]
-    assert hashes == {
-        name: hashlib.sha256((home / f"{name}.json").read_bytes()).hexdigest() for name in ("scene", "layout")
-    }
+    assert hashes == {name: canonical_hash(home / f"{name}.json") for name in ("scene", "layout")}
     listed = json.loads((home / "run.json").read_text())["files"]
     assert listed == sorted(path.name for path in home.iterdir() if path.name != "run.json")
     assert command("check", home / "scene.json", home / "layout.json", "--quiet").code in (0, 1)
@@ -269,6 +273,6 @@ def test_the_command_killed_while_it_writes(command: Command, tmp_path: Path, st
     assert done.returncode == -signal.SIGKILL, done.stderr
     report = json.loads((home / "report.json").read_text())
     layout = (home / "layout.json").read_bytes()
-    assert report["hashes"]["layout"] == hashlib.sha256(layout).hexdigest()
+    assert report["hashes"]["layout"] == canonical_hash(home / "layout.json")
     assert (layout == before) == (step < EXCHANGED)
     assert command("check", home / "scene.json", home / "layout.json", "--quiet").code == 0

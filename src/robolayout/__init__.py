@@ -25,7 +25,9 @@ if TYPE_CHECKING:
     from robolayout.program import Program, read_program, reconcile
     from robolayout.render import plan_svg
     from robolayout.render import render_view as render
+    from robolayout.run.diff import diff
     from robolayout.run.flow import Result, compare, generate, solve
+    from robolayout.run.judged import judge
     from robolayout.run.outputs import page_html, write_result
     from robolayout.scene import (
         Agent,
@@ -56,8 +58,10 @@ _HOMES = {
     "Scene": "scene",
     "SolverConfig": "solve",
     "compare": "run.flow",
+    "diff": "run.diff",
     "export": "export",
     "generate": "run.flow",
+    "judge": "run.judged",
     "load_agent": "scene",
     "load_layout": "scene",
     "load_scene": "scene",
@@ -90,8 +94,10 @@ __all__ = [
     "SolverConfig",
     "__version__",
     "compare",
+    "diff",
     "export",
     "generate",
+    "judge",
     "load_agent",
     "load_layout",
     "load_scene",

@@ -6,14 +6,17 @@ import colorsys
 import io
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from page_runs import HOSTILE, MOMENTS, Opened
+from page_runs import HOSTILE, MOMENTS, Opened, run_of
 from PIL import Image
 
 from robolayout.assets import parts
+from robolayout.program import read_program
 from robolayout.run.flow import Result
+from robolayout.scene import Scene
 
 Open = Callable[..., Opened]
 GROUND = (0xF4, 0xF3, 0xEF)
@@ -138,6 +141,53 @@ def test_another_body_has_other_figures(opened: Open, run: Result) -> None:
     page.keyboard.press("ArrowRight")
     assert page.locator("[data-agent='1']").get_attribute("aria-checked") == "true"
     assert focused(page) == "BUTTON"
+
+
+def from_above(page) -> None:
+    page.locator("[data-camera=top]").click()
+    page.mouse.move(440, 780)
+    page.wait_for_timeout(700)  # the flight of the eye
+
+
+def test_the_legend_covers_no_furniture(opened: Open, run: Result) -> None:
+    page = opened(run).page
+    page.locator("[data-layer=reach]").click()
+    page.locator("#assets button").first.click()
+    for seen_from in (lambda page: None, from_above):
+        seen_from(page)
+        box, view = page.locator("#legend").bounding_box(), page.locator("#canvas").bounding_box()
+        assert page.locator("#legend li").count() >= 3 and box["width"] > 200
+        page.evaluate("() => (document.getElementById('legend').style.visibility = 'hidden')")
+        left, top = box["x"] - view["x"], box["y"] - view["y"]
+        behind = canvas_of(page).crop((left, top, left + box["width"], top + box["height"]))
+        assert behind.getcolors() == [(behind.width * behind.height, GROUND)]
+        page.evaluate("() => (document.getElementById('legend').style.visibility = '')")
+
+
+def test_lamps_are_ghosts_from_above(opened: Open, run: Result) -> None:
+    page = opened(run).page
+    for layer in ("free", "routes", "labels"):
+        page.locator(f"[data-layer={layer}]").click()
+    from_above(page)
+    picture = canvas_of(page)
+    x, y = page.evaluate("name => robolayout.project(name)", "ceiling_lamp-0")
+    lamp = np.asarray(picture.crop((round(x) - 12, round(y) - 12, round(x) + 12, round(y) + 12)), np.int16)
+    colorful = (lamp.max(axis=-1) - lamp.min(axis=-1) > 25).mean()
+    assert colorful > 0.5, "floor and rug shine through the white lamp"
+
+
+def test_the_layers_of_a_rug_do_not_fight_in_a_large_room(opened: Open, bedroom: Scene) -> None:
+    room = replace(bedroom.room, vertices=((0, 0), (14, 0), (14, 12), (0, 12)), windows=())
+    rug = replace(bedroom.by_name["rug-0"], description="")
+    scene = replace(bedroom, room=room, assets=(rug,))
+    page = opened(run_of(scene, {"rug-0": (7, 6, 0.005, 0)}, read_program("", scene))).page
+    for layer in ("free", "routes", "labels"):
+        page.locator(f"[data-layer={layer}]").click()
+    from_above(page)
+    picture = canvas_of(page)
+    x, y = page.evaluate("name => robolayout.project(name)", "rug-0")
+    picture = picture.crop((round(x) - 30, round(y) - 40, round(x) + 30, round(y) + 40))
+    assert changed(picture, picture.transpose(Image.Transpose.ROTATE_180)) < 0.06, "a rug looks alike from both ends"
 
 
 def test_the_search_can_be_stepped_through_and_played(opened: Open, run: Result) -> None:

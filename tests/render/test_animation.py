@@ -7,7 +7,7 @@ from PIL import Image
 
 from robolayout._errors import InputError
 from robolayout.render import progress_gif
-from robolayout.scene import Trace
+from robolayout.scene import Snapshot, Trace
 
 
 def test_progress_is_short_and_holds_the_result(bedroom, layout, trace):
@@ -29,6 +29,14 @@ def test_a_trace_without_losses_or_snapshots_still_shows_the_layout(bedroom, lay
     assert len(frames(progress_gif(bedroom, Trace(), layout=layout, size=200))) == 1
     with pytest.raises(InputError, match="progress_gif has nothing to show"):
         progress_gif(bedroom, Trace())
+
+
+def test_a_room_that_needed_no_search_is_shown_once_with_a_sentence(bedroom, layout):
+    poses = {name: (p.x, p.y, p.yaw) for name, p in layout.items()}
+    trace = Trace(({"total": 0.04}, {"total": 0.0}), (Snapshot(0, "guess", poses), Snapshot(1, "guess", poses)))
+    (only,) = frames(progress_gif(bedroom, trace, layout=layout, size=300))
+    strip = only[0][-40:]
+    assert (strip < 128).any(), "the sentence is written below the plan"
 
 
 def test_the_last_frame_looks_as_it_did(bedroom, layout, trace, golden):

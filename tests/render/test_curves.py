@@ -13,7 +13,7 @@ from PIL import Image
 from robolayout.render import loss_image, loss_png
 from robolayout.render._drawing import Shape, Text
 from robolayout.render.curves import draw_losses, loss_terms, nice_ticks
-from robolayout.scene import Trace
+from robolayout.scene import Snapshot, Trace
 
 
 def test_absent_terms_are_gaps(trace):
@@ -70,3 +70,11 @@ def test_long_runs_keep_their_peaks():
 @pytest.mark.parametrize("steps", [1, 2])
 def test_short_runs(steps):
     assert loss_image(Trace(({"total": 0.5},) * steps), width=200).width == 200
+
+
+def test_a_room_that_needed_no_search_says_so():
+    trace = Trace(({"total": 0.04}, {"total": 0.0}), (Snapshot(0, "guess", {"bed-0": (1.0, 2.0, 0.0)}),) * 2)
+    (only,) = draw_losses(trace).items
+    assert only.text == "This room needed no search: what was planned was right at once."
+    moved = Trace(trace.losses, (*trace.snapshots, Snapshot(1, "search", {"bed-0": (1.0, 2.1, 0.0)})))
+    assert "loss" in {i.text for i in draw_losses(moved).items if isinstance(i, Text)}

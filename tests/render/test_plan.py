@@ -2,6 +2,7 @@
 
 import re
 import xml.etree.ElementTree as ElementTree
+import zlib
 
 import numpy as np
 import pytest
@@ -14,8 +15,10 @@ from robolayout._errors import InputError
 from robolayout.render import PlanMarks, compare_image, compare_svg, draw_plan, gap_ends, plan_image, plan_pdf, plan_svg
 from robolayout.render._drawing import Drawing, Shape, Text, draw_image, draw_svg
 from robolayout.render._labels import Tag, place_labels
+from robolayout.render._marked import passage_spots
+from robolayout.render._pdf import draw_pdf
 from robolayout.render.palette import BLOCKED, FREE, NARROW, ROUTE, TIGHT
-from robolayout.render.plan import passage_spots, plan_scale
+from robolayout.render.plan import plan_scale
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -132,7 +135,39 @@ def test_pdf_has_a_sound_table_of_objects(bedroom, layout, marks):
     length = int(re.search(rb"/Length (\d+)", data)[1])
     body = data.index(b"stream\n") + 7
     assert data[body + length :].startswith(b"\nendstream")
-    assert rb"(a \(b\) \\ " + "ü".encode("cp1252") + b") Tj" in data
+    assert written(data) >= {"a (b) \\ ü", "bed", "wardrobe"}
+
+
+def test_pdf_writes_what_its_fonts_lack_in_the_readers_own():
+    drawing = Drawing(20, 10)
+    drawing.words((10, 5), "стол 桌子", 3)
+    data = draw_pdf(drawing)
+    codes = "桌子".encode("utf-16-be").hex().encode()
+    assert written(data) == {"стол "} and b"<" + codes + b"> Tj" in streams(data)[0]
+    assert b"/STSong-Light" in data and b"/HYSMyeongJo" not in data
+
+
+def streams(data):
+    """Return the contents of all streams of a PDF."""
+    found = re.finditer(rb"/Length (\d+) /Filter /FlateDecode >>\nstream\n", data)
+    return [zlib.decompress(data[m.end() : m.end() + int(m[1])]) for m in found]
+
+
+def written(data):
+    """Return all texts of a PDF, decoded by the maps of its own fonts."""
+    content = streams(data)[0]
+    names = re.findall(rb"/(\w+) (\d+) 0 R", re.search(rb"/Font << (.*?) >>", data)[1])
+    objects = dict(re.findall(rb"(\d+) 0 obj\n(.*?)\nendobj", data, re.DOTALL))
+    maps = {}
+    for name, number in names:
+        found = re.search(rb"/ToUnicode (\d+) 0 R", objects[number])
+        if found:
+            text = streams(objects[found[1]])[0]
+            maps[name] = {
+                a: bytes.fromhex(b.decode()).decode("utf-16-be") for a, b in re.findall(rb"<(\w{4})> <(\w+)>", text)
+            }
+    runs = re.findall(rb"/(\w+) [\d.]+ Tf <(\w+)> Tj", content)
+    return {"".join(maps[n].get(code[k : k + 4], "?") for k in range(0, len(code), 4)) for n, code in runs if n in maps}
 
 
 def test_the_three_forms_draw_the_same_lines():
@@ -173,6 +208,18 @@ def test_gap_ends_lie_on_the_two_things(bedroom, layout):
     assert ends == ((pytest.approx(2.15), pytest.approx(2.6)), (pytest.approx(3.38), pytest.approx(2.6)))
     assert gap_ends(bedroom, layout, (3.0, 0.7), ("bed-0", "wall 0"))[1] == (3.0, pytest.approx(0.0))
     assert gap_ends(bedroom, layout, (2.8, 2.6), ("bed-0", "wall 99")) is None
+
+
+def test_what_hangs_from_the_ceiling_is_an_outline_with_its_cord(bedroom, layout):
+    title = "ceiling_lamp-0"
+    items = draw_plan(bedroom, layout).items
+    at = next(k for k, item in enumerate(items) if isinstance(item, Shape) and item.title == title)
+    assert items[at].fill is None and items[at].dash is not None
+    middle = [sum(values) / 4 for values in zip(*items[at].rings[0], strict=True)]
+    for line in items[at + 1 : at + 3]:
+        assert not line.closed and [sum(values) / 2 for values in zip(*line.rings[0], strict=True)] == pytest.approx(
+            middle
+        )
 
 
 def test_wide_doors_have_two_leaves():

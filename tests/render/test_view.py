@@ -12,7 +12,7 @@ from robolayout.render._cutaway import hidden_parts, near_walls
 from robolayout.render._mesh import parts_mesh
 from robolayout.render.camera import room_points
 from robolayout.render.view import make_renderer
-from robolayout.scene import Layout, Pose, Room
+from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
 needs_egl = pytest.mark.skipif(_gl.why_unavailable() is not None, reason="no EGL on this machine")
 both = pytest.mark.parametrize("renderer", [pytest.param("gl", marks=needs_egl), "rays"])
@@ -135,6 +135,30 @@ def test_the_side_view_looks_at_fronts(bedroom, layout):
     azimuth = Studio(bedroom, to_wardrobe, renderer="rays").side_azimuth
     assert math.cos(azimuth) < 0
     assert studio.side_azimuth == studio.side_azimuth
+
+
+@both
+def test_a_lamp_does_not_hide_what_is_below_it_from_above(bedroom, layout, studios, renderer):
+    studio = studios(renderer)
+    without = Studio(bedroom, Layout({n: p for n, p in layout.items() if n != "ceiling_lamp-0"}), renderer=renderer)
+    camera = studio.camera("top", (240, 240))
+    buffers, bare = studio.buffers(camera), without.buffers(camera).color.astype(int)
+    lamp = buffers.ids == 8
+    assert lamp.sum() > 30, "a machine still finds the lamp"
+    change = np.abs(buffers.color.astype(int) - bare).max(axis=2)[lamp].mean()
+    assert 2 < change < 60, "it is seen, and what is below it too"
+
+
+@needs_egl
+def test_the_layers_of_a_rug_do_not_fight_in_a_hall():
+    room = Room(((0, 0), (60, 0), (60, 60), (0, 60)), 3.0)
+    scene = Scene(room, (Asset("rug-0", "rug", (8.0, 12.0, 0.01)),))
+    layout = Layout({"rug-0": Pose(30, 30, 0.005, 0)})
+    fast, slow = (
+        np.asarray(Studio(scene, layout, renderer=r).view("top", size=400), dtype=int)[150:250, 150:250]
+        for r in ("gl", "rays")
+    )
+    assert (np.abs(fast - slow).max(axis=2) > 24).mean() < 0.02
 
 
 def test_a_close_up_looks_around_what_stands_before(bedroom, layout):

@@ -1,8 +1,14 @@
 /** The furnished room: assets by index, and walls that step aside when they stand between eye and room. */
-import { BufferGeometry, Float32BufferAttribute, Mesh, Vector3 } from "three";
+import { Box3, BufferGeometry, Float32BufferAttribute, FrontSide, Mesh, Vector3 } from "three";
 import { paint } from "./shapes.js";
 
 const THICKNESS = 0.1;
+
+/** Opacity of what hangs from the ceiling, seen from above. */
+const GHOSTLY = 0.35;
+
+/** Order of drawing of what hangs from the ceiling: after all that lies on the floor. */
+const ABOVE = 1000;
 
 /** Return everything of the GLB that is drawn, sorted by what it is. */
 export function sortRoom(root, data) {
@@ -19,7 +25,27 @@ export function sortRoom(root, data) {
     node.receiveShadow = true;
   });
   for (const wall of walls) root.add(wall.cap, wall.foot);
-  return { assets, walls };
+  const hung = assets.flatMap((node, index) => (node && data.assets[index].level === "ceiling" ? meshesOf(node) : []));
+  return { assets, walls, hung };
+}
+
+/** Return the meshes of an asset, each with its material and the same as thin as glass. */
+function meshesOf(asset) {
+  const found = [];
+  asset.traverse((mesh) => {
+    if (!mesh.isMesh) return;
+    const thin = mesh.material.clone();
+    // The highest part is drawn first and hides the others: of a lamp, one layer is seen.
+    Object.assign(thin, { transparent: true, opacity: thin.opacity * GHOSTLY, depthWrite: true, side: FrontSide });
+    mesh.renderOrder = ABOVE - new Box3().setFromObject(mesh).max.y;
+    found.push({ mesh, solid: mesh.material, thin });
+  });
+  return found;
+}
+
+/** Show what hangs from the ceiling as ghosts, or as it is. */
+export function ghost(hung, thin) {
+  for (const part of hung) part.mesh.material = thin ? part.thin : part.solid;
 }
 
 function isRoom(node) {

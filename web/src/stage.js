@@ -10,7 +10,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { calm } from "./dom.js";
-import { cutAway, roomCorners } from "./room.js";
+import { cutAway, ghost, roomCorners } from "./room.js";
 
 const EYE_TIME = 450;
 const TURN = 0.12;
@@ -22,8 +22,14 @@ const VIEWS = { corner: 32, top: 9, door: 64 };
 /** Share of the room's height that counts at its near side, where the walls are cut away. */
 const NEAR_HEIGHT = 0.5;
 
-/** Pixels above and below the room that the bars cover. */
-const COVERED = { top: 62, bottom: 74 };
+/** Pixels above and below the room that the bars and the legend cover. */
+const COVERED = { top: 62, bottom: 102 };
+
+/** Nearest and farthest that the eye sees around the room, metres beyond it: what the reach of a body draws outside. */
+const BEYOND = 3;
+
+/** A view that looks down more steeply than this (the sine of the angle) shows what hangs from the ceiling as ghosts. */
+const STEEP = 0.9;
 
 /** Return the stage; throws where the browser cannot draw in 3D. */
 export function makeStage(canvas, root, room, data) {
@@ -57,6 +63,8 @@ export function makeStage(canvas, root, room, data) {
       waiting = false;
       if (controls.update()) stage.changed();
       cutAway(room.walls, stage.toRoom(camera.position));
+      ghost(room.hung, isSteep(camera.position, controls.target));
+      closeIn(stage);
       renderer.render(scene, camera);
       for (const step of stage.after) step();
     });
@@ -78,6 +86,19 @@ export function makeStage(canvas, root, room, data) {
     await new Promise((drawn) => requestAnimationFrame(() => setTimeout(drawn)));
   };
   return stage;
+}
+
+function isSteep(eye, target) {
+  return eye.y - target.y > STEEP * eye.distanceTo(target);
+}
+
+/** Count depth only from where the room begins to where it ends: the layers of a rug lie a millimetre apart. */
+function closeIn({ camera, corners, center, toWorld }) {
+  const radius = corners[0].distanceTo(corners[7]) + BEYOND;
+  const distance = camera.position.distanceTo(toWorld(center.x, center.y, center.z));
+  camera.near = Math.max(0.05, distance - radius);
+  camera.far = distance + radius;
+  camera.updateProjectionMatrix();
 }
 
 /** Light the room: a sun that throws shadows, a lamp at the eye for the walls it looks at, and the sky. */

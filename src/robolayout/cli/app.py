@@ -13,6 +13,7 @@ from robolayout._errors import InputError
 from robolayout._version import __version__
 from robolayout.cli.assets import assets
 from robolayout.cli.bodies import agents
+from robolayout.cli.diff import diff
 from robolayout.cli.generate import (
     AgentOption,
     AssetDirOption,
@@ -26,7 +27,7 @@ from robolayout.cli.generate import (
 )
 from robolayout.cli.guard import Unforeseen, main
 from robolayout.cli.physics import drive, settle
-from robolayout.cli.pictures import render
+from robolayout.cli.pictures import DateOption, render
 from robolayout.cli.terminal import progress, say, show, table
 
 __all__ = ["app", "main"]
@@ -76,7 +77,7 @@ app.command()(generate)
 
 
 @app.command()
-def check(
+def check(  # noqa: PLR0913 - one parameter per option
     scene: SceneArgument,
     layout: LayoutArgument,
     agent: AgentOption = None,
@@ -84,26 +85,39 @@ def check(
         Path | None, typer.Option("--program", help="Also measure the statements of this program.")
     ] = None,
     asset_dir: AssetDirOption = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", help="Also write report, page, plan, pictures and GLB to this folder.")
+    ] = None,
+    pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw page, plan and views.")] = True,
+    date: DateOption = "",
     quiet: QuietOption = False,
     as_json: JsonOption = False,
 ) -> None:
     """Verify a layout, whoever made it."""
-    from robolayout.planners import FilePlanner, PlanRequest
-    from robolayout.program import read_program
+    from robolayout._files import check_writable
+    from robolayout.run.judged import judge
+    from robolayout.run.outputs import write_result
     from robolayout.scene import load_layout
-    from robolayout.verify import verify
 
+    if date and (out is None or not pictures):
+        raise InputError(
+            "--date is for the sheet to print, which is not drawn: give --out, and leave --no-pictures out."
+        )
     given = read_scene(scene, agent, asset_dir)
-    asked = read_program(FilePlanner(program).plan(PlanRequest(given)), given) if program else None
-    report = verify(given, load_layout(layout, given), asked)
+    placed = load_layout(layout, given)
+    if out is not None:
+        check_writable(out)
+    judged = judge(given, placed, program)
+    files = [] if out is None else write_result(judged, out, pictures=pictures, date=date)
     if as_json:
-        say(json.dumps(report.to_dict()))
+        say(json.dumps(judged.report.to_dict()))
     elif not quiet:
-        show(report, [])
-    raise typer.Exit(0 if report.ok else 1)
+        show(judged.report, files)
+    raise typer.Exit(0 if judged.report.ok else 1)
 
 
 app.command()(render)
+app.command()(diff)
 
 
 @app.command()

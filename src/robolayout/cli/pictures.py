@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from robolayout._errors import InputError
+from robolayout._errors import InputError, UnknownNameError
 from robolayout.cli.generate import AgentOption, AssetDirOption, read_scene
 from robolayout.cli.terminal import say
 
@@ -24,9 +24,13 @@ if TYPE_CHECKING:
 
 SceneArgument = Annotated[str, typer.Argument(help="A scene file (JSON).")]
 LayoutArgument = Annotated[Path, typer.Argument(help="A layout file (JSON).")]
+DateOption = Annotated[str, typer.Option("--date", help="What the sheet to print gives as the date.")]
 
-SUFFIXES = {"plan": (".png", ".svg", ".pdf"), "walk": (".gif",)}
+SUFFIXES = {"plan": (".png", ".svg", ".pdf"), "sheet": (".pdf", ".svg", ".png"), "walk": (".gif",)}
 """Endings of the files of drawings, the first by default; everything else is a PNG."""
+
+VIEWS = ("top", "side", *SUFFIXES)
+"""Views that every room has; the others are an asset's name and eye:ASSET."""
 
 RENDERERS = {"auto": "auto", "gl": "gl", "ray": "rays", "rays": "rays"}
 """Names on the command line and in Python."""
@@ -49,17 +53,19 @@ class _Wish:
     annotated: bool
     ids: bool
     depth: bool
+    date: str
 
 
 def render(  # noqa: PLR0913 - one parameter per option
     scene: SceneArgument,
     layout: LayoutArgument,
     view: Annotated[
-        str, typer.Option("--view", help="top, side, plan, walk (GIF), an asset's name, or eye:ASSET.")
+        str,
+        typer.Option("--view", help="top, side, plan, sheet (to print), walk (GIF), an asset's name, or eye:ASSET."),
     ] = "side",
     size: Annotated[int, typer.Option("--size", min=64, max=4096, help="Pixels of a side.")] = 1024,
     out: Annotated[
-        Path | None, typer.Option("--out", help="Picture file; <view>.png if not given (plan: also .svg, .pdf).")
+        Path | None, typer.Option("--out", help="Picture file; <view>.png if not given (plan, sheet: also .svg, .pdf).")
     ] = None,
     renderer: Annotated[str, typer.Option("--renderer", help="auto, gl (OpenGL) or ray (ray casting).")] = "auto",
     beauty: Annotated[bool, typer.Option("--beauty", help="Trace paths of light (extra `beauty`).")] = False,
@@ -68,6 +74,7 @@ def render(  # noqa: PLR0913 - one parameter per option
     ] = False,
     ids: Annotated[bool, typer.Option("--ids", help="Also write which asset each pixel shows.")] = False,
     depth: Annotated[bool, typer.Option("--depth", help="Also write each pixel's depth, in millimetres.")] = False,
+    date: DateOption = "",
     agent: AgentOption = None,
     asset_dir: AssetDirOption = None,
 ) -> None:
@@ -75,10 +82,13 @@ def render(  # noqa: PLR0913 - one parameter per option
     from robolayout._files import check_writable, write_atomic
     from robolayout.scene import load_layout
 
-    wish = _Wish(view, size, _renderer(renderer), beauty, annotated, ids, depth)
+    wish = _Wish(view, size, _renderer(renderer), beauty, annotated, ids, depth, date)
     _check(wish)
     given = read_scene(scene, agent, asset_dir)
     placed = load_layout(layout, given)
+    if view not in VIEWS and view.removeprefix("eye:") not in placed:
+        eyes = [f"eye:{name}" for name in placed]
+        raise UnknownNameError("view", view, eyes if view.startswith("eye:") else [*VIEWS, *placed, "eye:ASSET"])
     target = out or Path(f"{view.replace(':', '_')}{SUFFIXES.get(view, ('.png',))[0]}")
     allowed = SUFFIXES.get(view, (".png",))
     if target.suffix.lower() not in allowed:
@@ -106,6 +116,8 @@ def _check(wish: _Wish) -> None:
         raise InputError(
             f"--{found[0]} does not go with --view {wish.view}: use it with top, side, an asset or eye:ASSET."
         )
+    if wish.date and wish.view != "sheet":
+        raise InputError(f"--date does not go with --view {wish.view}: use it with sheet.")
     if wish.annotated and wish.view not in ("top", "side"):
         raise InputError(f"--annotated does not go with --view {wish.view}: use it with top or side.")
     if len({"beauty", "annotated"} & set(chosen)) and len(chosen) > 1:
@@ -137,12 +149,14 @@ def _files(scene: Scene, layout: Layout, wish: _Wish, target: Path) -> list[tupl
 
 
 def _drawn(scene: Scene, layout: Layout, wish: _Wish, suffix: str) -> bytes:
-    """Return the plan or the walk."""
+    """Return the plan, the sheet or the walk."""
     from robolayout.page.marks import plan_marks
     from robolayout.render import plan_image, plan_pdf, plan_svg, walk_gif
-    from robolayout.run.outputs import png
-    from robolayout.verify import judge_agent
+    from robolayout.run.outputs import png, sheet
+    from robolayout.verify import judge_agent, verify
 
+    if wish.view == "sheet":
+        return sheet(verify(scene, layout), suffix, date=wish.date, width=wish.size)
     marks: PlanMarks = plan_marks(judge_agent(scene, layout, scene.agent))
     agent = scene.agent
     made: dict[str, Callable[[], bytes]] = {

@@ -12,8 +12,8 @@ from robolayout._version import __version__
 from robolayout.page._agents import agent_content, listed, millimetres
 from robolayout.program import Program, Reconciled
 from robolayout.render import PlanMarks, palette
+from robolayout.render.contents import display_name
 from robolayout.render.curves import TOTAL, loss_terms
-from robolayout.render.plan import display_name
 from robolayout.scene import Asset, Layout, Scene, Trace
 from robolayout.verify import Report
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from robolayout.render import PlanMarks
@@ -19,6 +20,8 @@ APART = 0.4
 """Metres between the places to stand that the plan shows."""
 CIRCLES = 3
 """Turning circles that the plan shows: the roomiest places."""
+PASSAGES = 8
+"""Most passages that a sheet shows: the narrowest."""
 Rings = tuple[tuple[Point, ...], ...]
 
 
@@ -27,13 +30,11 @@ def plan_marks(report: AgentReport) -> PlanMarks:
     nav = report.navigation
     aside = exempt_from_reach(nav.scene, report.agent)
     routes = {name: route.points for name, route in nav.routes.items() if name not in aside}
-    ways = [p for name, p in nav.passages.items() if name not in aside]
-    narrow = sorted((p for p in ways if p.point is not None and p.between), key=lambda p: p.width)
     return PlanMarks(
         free=_rings(nav.main),
         islands=tuple(rings for rings in _rings(nav.free) if rings not in _rings(nav.main)),
         routes=routes,
-        passages=tuple(_span(passage) for passage in narrow[:1]),
+        passages=tuple(_span(passage) for passage in _narrow(report)[:1]),
         blocked=report.short,
         agent_at=nav.entry,
         under=_under(nav),
@@ -41,6 +42,22 @@ def plan_marks(report: AgentReport) -> PlanMarks:
         circles=_circles(report),
         arcs=_arcs(report),
     )
+
+
+def sheet_marks(report: AgentReport) -> PlanMarks:
+    """Return the same for a sheet to print: not one passage but the narrow ones, one between two things."""
+    widths: dict[frozenset[str], Passage] = {}
+    for passage in _narrow(report):
+        widths.setdefault(frozenset(passage.between), passage)
+    shown = list(widths.values())[:PASSAGES]
+    return replace(plan_marks(report), passages=tuple(_span(passage) for passage in shown))
+
+
+def _narrow(report: AgentReport) -> list[Passage]:
+    """Return the passages on the ways to what the agent is asked to reach that have a place, narrowest first."""
+    aside = exempt_from_reach(report.navigation.scene, report.agent)
+    ways = [p for name, p in report.navigation.passages.items() if name not in aside]
+    return sorted((p for p in ways if p.point is not None and p.between), key=lambda p: p.width)
 
 
 def _under(nav: Navigation) -> tuple[Rings, ...]:

@@ -8,6 +8,7 @@
 | `asset_sheet(assets)` | many assets, each with its name |
 | `annotate(scene, layout, view=...)` | a view with grid, fronts, names and walls written into it, for a model |
 | `plan_svg`, `plan_image`, `plan_pdf` | the plan to scale, with what the agent can do (`PlanMarks`) |
+| `sheet_svg`, `sheet_image`, `sheet_pdf` | the plan as a sheet to print: dimensions, furniture list, findings (`SheetNotes`) |
 | `body_svg`, `body_image`, `body_pdf`, `body_text` | one body to scale, with its reach and what it steps over |
 | `compare_image`, `compare_svg` | several plans side by side |
 | `progress_gif`, `walk_gif` | the optimisation, and the agent on its round through the room |
@@ -29,12 +30,13 @@ if TYPE_CHECKING:
     from robolayout.render.beauty import render_beauty
     from robolayout.render.body import body_image, body_pdf, body_svg, body_text
     from robolayout.render.camera import Camera, eye_camera, fitted_camera, spherical_camera
+    from robolayout.render.catalogue import asset_sheet
     from robolayout.render.compare import compare_image, compare_svg
     from robolayout.render.curves import loss_image, loss_png
     from robolayout.render.marks import PlanMarks, gap_ends
     from robolayout.render.pictures import png_bytes, run_pictures
     from robolayout.render.plan import draw_plan, plan_image, plan_pdf, plan_svg
-    from robolayout.render.sheet import asset_sheet
+    from robolayout.render.sheet import SheetNotes, draw_sheet, sheet_image, sheet_pdf, sheet_svg
     from robolayout.render.view import Buffers, Studio, render_asset, render_view
     from robolayout.render.walk import walk_gif
 
@@ -43,11 +45,12 @@ _HOMES = {
     "Camera": "camera",
     "Mark": "annotation",
     "PlanMarks": "marks",
+    "SheetNotes": "sheet",
     "Studio": "view",
     "annotate": "annotation",
     "annotation_camera": "annotation",
     "annotation_marks": "annotation",
-    "asset_sheet": "sheet",
+    "asset_sheet": "catalogue",
     "body_image": "body",
     "body_pdf": "body",
     "body_svg": "body",
@@ -55,6 +58,7 @@ _HOMES = {
     "compare_image": "compare",
     "compare_svg": "compare",
     "draw_plan": "plan",
+    "draw_sheet": "sheet",
     "eye_camera": "camera",
     "fitted_camera": "camera",
     "gap_ends": "marks",
@@ -69,6 +73,9 @@ _HOMES = {
     "render_beauty": "beauty",
     "render_view": "view",
     "run_pictures": "pictures",
+    "sheet_image": "sheet",
+    "sheet_pdf": "sheet",
+    "sheet_svg": "sheet",
     "spherical_camera": "camera",
     "walk_gif": "walk",
 }
@@ -79,6 +86,7 @@ __all__ = [
     "Camera",
     "Mark",
     "PlanMarks",
+    "SheetNotes",
     "Studio",
     "annotate",
     "annotation_camera",
@@ -91,6 +99,7 @@ __all__ = [
     "compare_image",
     "compare_svg",
     "draw_plan",
+    "draw_sheet",
     "eye_camera",
     "fitted_camera",
     "gap_ends",
@@ -105,6 +114,9 @@ __all__ = [
     "render_beauty",
     "render_view",
     "run_pictures",
+    "sheet_image",
+    "sheet_pdf",
+    "sheet_svg",
     "spherical_camera",
     "walk_gif",
 ]

@@ -9,7 +9,7 @@ import shapely
 
 from robolayout.render._drawing import Drawing, Point
 from robolayout.render.palette import FLOOR, PAPER, QUIET, WALL
-from robolayout.scene import Opening, Room
+from robolayout.scene import Opening, Room, Wall
 
 THICKNESS = 0.12
 """Drawn thickness of walls, metres."""
@@ -74,13 +74,31 @@ def _draw_door(sheet: Drawing, room: Room, door: Opening, place: Place) -> None:
         sheet.line(
             [place(*wall.point(start, depth)), place(*wall.point(end, depth))], QUIET, width=0.1, dash=(0.6, 0.5)
         )
-    leaves = [(start, 1, door.width / 2), (end, -1, door.width / 2)]
-    if door.width <= 1.2:
-        at_start = door.offset < wall.length - end
-        leaves = [(start, 1, door.width)] if at_start else [(end, -1, door.width)]
-    for hinge, sign, radius in leaves:
-        angles = [math.pi / 2 * k / 16 for k in range(17)]
-        arc = [wall.point(hinge + sign * radius * math.cos(a), radius * math.sin(a)) for a in angles]
-        sheet.line([place(*p) for p in arc], QUIET, width=0.13)
+    for hinge, sign, radius in _leaves(room, door):
+        sheet.line([place(*p) for p in _swing(wall, hinge, sign, radius)], QUIET, width=0.13)
         leaf = [(hinge, 0), (hinge + sign * 0.04, 0), (hinge + sign * 0.04, radius), (hinge, radius)]
         sheet.polygon([[place(*wall.point(s, d)) for s, d in leaf]], PAPER, stroke=WALL, width=0.16)
+
+
+def swings(room: Room) -> tuple[tuple[Point, ...], ...]:
+    """Return the open leaf of each door and the arc of its edge as one line, metres."""
+    return tuple(
+        (room.walls[door.wall].point(hinge), *reversed(_swing(room.walls[door.wall], hinge, sign, radius)))
+        for door in room.doors
+        for hinge, sign, radius in _leaves(room, door)
+    )
+
+
+def _leaves(room: Room, door: Opening) -> list[tuple[float, int, float]]:
+    """Return for each leaf of a door its hinge along the wall, which way it opens from there, and its width, metres."""
+    start, end = door.offset, door.offset + door.width
+    if door.width > 1.2:
+        return [(start, 1, door.width / 2), (end, -1, door.width / 2)]
+    at_start = door.offset < room.walls[door.wall].length - end
+    return [(start, 1, door.width)] if at_start else [(end, -1, door.width)]
+
+
+def _swing(wall: Wall, hinge: float, sign: int, radius: float) -> list[Point]:
+    """Return the arc of a leaf's edge, from the wall to where it stands open, metres."""
+    angles = [math.pi / 2 * k / 16 for k in range(17)]
+    return [wall.point(hinge + sign * radius * math.cos(a), radius * math.sin(a)) for a in angles]

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import pairwise
 from typing import TYPE_CHECKING, Literal
+from unicodedata import east_asian_width
 
 from robolayout._text import html, printable
 
@@ -23,6 +24,9 @@ Anchor = Literal["start", "middle", "end"]
 
 SAMPLES = 3
 """Supersampling of the Pillow form along each side."""
+
+BEYOND_ASCII = "\u00a9\u00ab\u00b0\u00b1\u00b4\u00b7\u00bb\u2018\u2019\u201c\u201d\u2026\u2039\u203a\u2044\u2122"
+"""Characters of Pillow's own font beside ASCII."""
 
 
 @dataclass(frozen=True)
@@ -125,7 +129,7 @@ def _rings(rings: Iterable[Iterable[Point]]) -> tuple[tuple[Point, ...], ...]:
 
 @lru_cache(maxsize=64)
 def font(pixels: int, latin: bool = True) -> FreeTypeFont:
-    """Return the text font: Pillow's own for Latin text, DejaVu Sans (from Matplotlib) for everything else."""
+    """Return the text font: Pillow's own for plain text, DejaVu Sans (from Matplotlib) for everything else."""
     from PIL import ImageFont
 
     if not latin:
@@ -142,13 +146,16 @@ def font(pixels: int, latin: bool = True) -> FreeTypeFont:
 
 def is_latin(text: str) -> bool:
     """Return whether the built-in font has every character."""
-    return all(c < "\u0180" or c in "\u2013\u2014\u2019\u2026" for c in text)
+    return all(c < "\u007f" or c in BEYOND_ASCII for c in text)
 
 
 @lru_cache(maxsize=4096)
 def text_width(text: str, size: float) -> float:
-    """Return the width of a line of text for a font size, in the unit of the size."""
-    return font(100, is_latin(text)).getlength(printable(text)) / 100 * size
+    """Return the width of a line of text for a font size, in the unit of the size; ideographs are as wide as high."""
+    text = printable(text)
+    wide = [c for c in text if c > "\u1100" and east_asian_width(c) in "WF"]
+    narrow = "".join(c for c in text if c not in wide) if wide else text
+    return (font(100, is_latin(narrow)).getlength(narrow) / 100 + len(wide)) * size
 
 
 def draw_svg(drawing: Drawing) -> str:

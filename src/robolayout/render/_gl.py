@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from robolayout.render import _light
 from robolayout.render._mesh import Mesh
 from robolayout.render._rays import Lit, lit_by_sky
-from robolayout.render.camera import Camera
+from robolayout.render.camera import NEAR, Camera
 
 SUN_TILE, SUN_COLUMNS = 768, 3
 """Pixels along a side of a light's depth map, and maps along a side of the atlas."""
@@ -254,7 +254,7 @@ class GLRenderer:
         if not len(which):
             return
         program = self._program[name]
-        program["camera"].write(np.ascontiguousarray(camera.matrix(self._far(camera)).T).tobytes())
+        program["camera"].write(np.ascontiguousarray(camera.matrix(*self._depths(camera)).T).tobytes())
         program["eye"].value = camera.position
         content = [(self._buffers[name], kind, name) for kind, name, _ in self._columns if name in program]
         order = self._buffer(self._places[which].astype(np.int32))
@@ -263,11 +263,14 @@ class GLRenderer:
         array.release()
         order.release()
 
-    def _far(self, camera: Camera) -> float:
-        """Return metres to a plane behind everything: depth is linear, so the corners of the bounds say it."""
+    def _depths(self, camera: Camera) -> tuple[float, float]:
+        """Return metres to a plane behind everything and to one before it, close together: layers of a rug lie 1 mm apart.
+
+        Depth is linear, so the corners of the bounds say it.
+        """
         low, high = self._bounds
         _, depth = camera.project(np.array(list(product(*zip(low, high, strict=True)))))
-        return max(float(depth.max()) * 1.01, 1.0)
+        return max(float(depth.max()) * 1.01, 1.0), max(float(depth.min()) * 0.99, NEAR)
 
     def _light_up(self, program: Any, atlas: Any, matrices: NDArray[np.float32], toward: NDArray[np.float32]) -> None:
         atlas.use(0)

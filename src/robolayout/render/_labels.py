@@ -19,6 +19,9 @@ LINE = 1.12
 SQUARISH = 1.6
 """Below this ratio of its sides, a footprint's name stands level aside rather than turned in the middle."""
 
+SIZES = (2.3, 2.0, 1.7, 1.4, 1.15)
+"""Font sizes that are tried for a name, millimetres."""
+
 EAGER = 3
 """Font sizes that are tried for a place where no line is crossed, before the name may cross one."""
 
@@ -39,6 +42,7 @@ class Tag:
         halo: Whether the name needs a light edge, because lines run under it.
         quiet: Whether it is written in grey, since the thing hangs above.
         shuns: Corners of what hangs above the footprint; the name keeps off their edges if it can.
+        short: What is written where the name finds no place, or nothing.
     """
 
     text: str
@@ -49,6 +53,7 @@ class Tag:
     halo: bool = False
     quiet: bool = False
     shuns: tuple[tuple[Point, ...], ...] = ()
+    short: str = ""
 
 
 @dataclass(frozen=True)
@@ -101,7 +106,7 @@ def place_labels(
     tags: Sequence[Tag],
     obstacles: Sequence[Sequence[Point]],
     sheet: Box,
-    sizes: Sequence[float] = (2.3, 2.0, 1.7, 1.4, 1.15),
+    sizes: Sequence[float] = SIZES,
     lines: Sequence[Sequence[Point]] = (),
 ) -> list[Label]:
     """Return the labels that find a place, biggest footprints first; a name without a place is left out.
@@ -115,15 +120,18 @@ def place_labels(
     solids = np.array([shapely.Polygon(o) for o in obstacles], dtype=object)
     placed: list[Label] = []
     taken: list[Box] = []
-    for k in order:
-        tag = tags[k]
+    for tag in (tags[k] for k in order):
         soft = _soft(tag, strokes)
-        label = _first_inside(tag, taken, sizes[:EAGER], soft) if len(soft) else None
-        label = label or _first_inside(replace(tag, halo=tag.halo or len(soft) > 0), taken, sizes)
+        label = None
+        for text in (tag.text, tag.short) if tag.short else (tag.text,):
+            named = replace(tag, text=text)
+            label = label or (_first_inside(named, taken, sizes[:EAGER], soft) if len(soft) else None)
+            label = label or _first_inside(replace(named, halo=tag.halo or len(soft) > 0), taken, sizes)
         if label is None and tag.beside:
+            beside = replace(tag, text=tag.short or tag.text)
             clear = np.concatenate([solids, strokes])
-            label = _first_beside(tag, taken, clear, sheet, sizes[-2])
-            label = label or _first_beside(tag, taken, solids, sheet, sizes[-2])
+            label = _first_beside(beside, taken, clear, sheet, sizes[-2])
+            label = label or _first_beside(beside, taken, solids, sheet, sizes[-2])
         if label is not None:
             placed.append(label)
             taken.append(label.box)

@@ -12,9 +12,9 @@ import numpy as np
 from robolayout._errors import InputError
 from robolayout.render._architecture import THICKNESS, draw_floor, draw_walls
 from robolayout.render._drawing import Drawing, Item, Point, Text, paint, text_width
-from robolayout.render.curves import TOTAL, Frame, draw_panel, loss_terms
+from robolayout.render.contents import display_name, draw_footprint
+from robolayout.render.curves import NO_SEARCH, TOTAL, Frame, draw_panel, is_still, loss_terms
 from robolayout.render.palette import INK, QUIET, ROUTE
-from robolayout.render.plan import display_name, draw_footprint
 from robolayout.scene import Asset, Layout, Pose, Room, Scene, Snapshot, Trace
 
 if TYPE_CHECKING:
@@ -43,12 +43,15 @@ def progress_gif(
 
     Args:
         scene: The scene.
-        trace: Losses and snapshots of the run; an empty one shows the final layout alone.
+        trace: Losses and snapshots of the run; one in which nothing moved shows the final layout alone and says so.
         layout: The final layout, added as the last frame and held.
         size: Pixels of the longer side.
         frames: Most frames.
         pause: Milliseconds per frame.
     """
+    still = bool(trace.losses) and is_still(trace)
+    if still and layout is not None:
+        trace = Trace(trace.losses)
     chosen = [trace.snapshots[k] for k in _spread(len(trace.snapshots), frames - 1)]
     if layout is not None:
         last = max((s.step for s in trace.snapshots), default=0)
@@ -58,10 +61,13 @@ def progress_gif(
         raise InputError("progress_gif has nothing to show: the trace has no snapshots and no layout was given.")
     stage = Stage(scene.room, STRIP if trace.losses else 8.0)
     frame = Frame(13.0, stage.sheet.height - STRIP + 5.0, SHEET - 4.0, stage.sheet.height - 6.5)
-    if trace.losses:
+    if still:
+        stage.sheet.words((SHEET / 2, (frame.top + frame.bottom) / 2), NO_SEARCH, 3.2, color=INK)
+    elif trace.losses:
         _draw_curve(stage.sheet, frame, trace)
     order = sorted(scene.assets, key=_level)
-    painted = [_progress_items(scene, order, snapshot, stage, (frame, len(trace.losses))) for snapshot in chosen]
+    curve = (frame, 0 if still else len(trace.losses))
+    painted = [_progress_items(scene, order, snapshot, stage, curve) for snapshot in chosen]
     return _gif(stage.sheet, painted, size, [*[pause] * (len(chosen) - 1), HOLD])
 
 

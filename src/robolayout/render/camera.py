@@ -80,15 +80,15 @@ class Camera:
         local = np.concatenate([plane, np.ones((*plane.shape[:-1], 1))], axis=-1)
         return local @ self.axes
 
-    def matrix(self, far: float) -> NDArray[np.float32]:
-        """Return the (4, 4) world-to-clip matrix of OpenGL, row-major, for depths from NEAR to `far`."""
+    def matrix(self, far: float, near: float = NEAR) -> NDArray[np.float32]:
+        """Return the (4, 4) world-to-clip matrix of OpenGL, row-major, for depths from `near` to `far`."""
         view = np.eye(4)
         view[:3, :3] = self.axes * [[1], [-1], [-1]]
         view[:3, 3] = -view[:3, :3] @ np.asarray(self.position)
         f = 1 / math.tan(self.fov / 2)
         clip = np.zeros((4, 4))
         clip[0, 0], clip[1, 1] = f * self.height / self.width, f
-        clip[2, 2:] = -(far + NEAR) / (far - NEAR), -2 * far * NEAR / (far - NEAR)
+        clip[2, 2:] = -(far + near) / (far - near), -2 * far * near / (far - near)
         clip[3, 2] = -1.0
         return (clip @ view).astype(np.float32)
 

@@ -32,6 +32,9 @@ POINTS = 400
 
 GRID = "#e4e1db"
 
+NO_SEARCH = "This room needed no search: what was planned was right at once."
+"""Said instead of curves where nothing moved."""
+
 
 @dataclass(frozen=True)
 class Frame:
@@ -53,7 +56,8 @@ def loss_png(trace: Trace, *, width: int = 1200) -> bytes:
 def loss_image(trace: Trace, *, width: int = 1200) -> Image:
     """Return two panels side by side: the terms of the loss, linear, and log10 of their absolute values.
 
-    Terms may be absent from any step; a line has a gap there. An empty trace gives empty axes that say so.
+    Terms may be absent from any step; a line has a gap there. An empty trace gives empty axes that say so, and one in which
+    nothing moved a sentence instead of axes.
     """
     return draw_image(draw_losses(trace), width)
 
@@ -62,6 +66,9 @@ def draw_losses(trace: Trace) -> Drawing:
     """Return the drawing behind `loss_image`, 240 x 92 mm."""
     sheet = Drawing(240.0, 92.0)
     terms = loss_terms(trace)
+    if terms and is_still(trace):
+        sheet.words((sheet.width / 2, sheet.height / 2), NO_SEARCH, 4.0, color=INK)
+        return sheet
     frames = (Frame(16, 12, 116, 74), Frame(136, 12, 236, 74))
     for frame, logarithmic in zip(frames, (False, True), strict=True):
         draw_panel(sheet, frame, terms, logarithmic=logarithmic, stages=_stages(trace), caption="step")
@@ -76,6 +83,13 @@ def draw_losses(trace: Trace) -> Drawing:
         sheet.words((x + 6.2, 86.5), name, 3.0, anchor="start")
         x += 11.0 + text_width(name, 3.0)
     return sheet
+
+
+def is_still(trace: Trace) -> bool:
+    """Return whether nothing moved: every moment of the record shows each thing at the same place."""
+    seen: dict[str, tuple[float, float, float]] = {}
+    kept = (seen.setdefault(name, pose) == pose for shot in trace.snapshots for name, pose in shot.poses.items())
+    return bool(trace.snapshots) and all(kept)
 
 
 def loss_terms(trace: Trace) -> dict[str, NDArray[np.float64]]:

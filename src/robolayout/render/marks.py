@@ -26,6 +26,10 @@ class PlanMarks:
         parts: Outlines of the parts of such furniture that are in the agent's way (the legs of a table).
         circles: Turning circles: centre, and diameter in metres.
         arcs: How far the agent reaches: where it stands to use something, then an arc as a polyline.
+        ghosts: Outlines of things where they stood before.
+        arrows: From where a thing stood before to where it stands now.
+        added: Outlines of things that were not there before.
+        gone: Outlines of things that are not there any more.
     """
 
     free: tuple[Rings, ...] = ()
@@ -38,6 +42,10 @@ class PlanMarks:
     parts: tuple[tuple[Point, ...], ...] = ()
     circles: tuple[tuple[Point, float], ...] = ()
     arcs: tuple[tuple[Point, ...], ...] = ()
+    ghosts: tuple[tuple[Point, ...], ...] = ()
+    arrows: tuple[tuple[Point, Point], ...] = ()
+    added: tuple[tuple[Point, ...], ...] = ()
+    gone: tuple[tuple[Point, ...], ...] = ()
 
 
 def gap_ends(scene: Scene, layout: Layout, middle: Point, between: Sequence[str]) -> tuple[Point, Point] | None:

@@ -1,40 +1,332 @@
-"""Many assets in one picture, each with its name: what the catalogue looks like."""
+"""A plan to print: one sheet of paper with the room to scale, its dimensions, a furniture list and what was found.
+
+Paper (A4, else A3), direction, scale and size of the lists are those of the first arrangement that holds everything:
+`draw_sheet` makes the drawing, `sheet_svg`, `sheet_pdf` and `sheet_image` are its forms. A millimetre of the drawing is
+a millimetre of paper, so that lengths can be measured with a ruler.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from robolayout.render._drawing import font, is_latin
-from robolayout.render.view import render_asset
-from robolayout.scene import Asset
+from robolayout.render._architecture import THICKNESS, Place, swings
+from robolayout.render._dimensions import Outline, draw_chains, margin, upright
+from robolayout.render._drawing import Drawing, Point, draw_image, draw_svg, text_width
+from robolayout.render._furniture import Furniture, furniture
+from robolayout.render._labels import Label
+from robolayout.render._marked import Naming
+from robolayout.render._schedule import GAP, Block, Line, Row, columns, draw_columns, shortened, wrapped
+from robolayout.render.marks import PlanMarks
+from robolayout.render.palette import INK, QUIET
+from robolayout.render.plan import draw_legend, draw_room, draw_scale_bar
+from robolayout.scene import Agent, Layout, Opening, Scene, Wall
 
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-PAPER, INK = (246, 245, 241), (40, 40, 40)
-MOST_COLUMNS = 10
+PAPERS = {"A4": (210.0, 297.0), "A3": (297.0, 420.0)}
+"""Width and height of the papers, millimetres."""
+
+EDGE = 8.0
+"""Millimetres at the paper's edges that stay white: printers do not reach them."""
+
+INSET = 5.0
+"""Millimetres between the frame and what is drawn in it."""
+
+TITLE = 22.0
+"""Height of the title block, millimetres."""
+
+LEGEND = 6.0
+"""Height of the legend below the plan, millimetres."""
+
+NAMES = (2.4, 2.1, 1.8, 1.6)
+"""Font sizes of names and numbers in the room, millimetres."""
+
+TEXTS = (2.5, 2.25, 2.0, 1.8)
+"""Font sizes of the lists, millimetres."""
+
+COLUMN, WIDEST = 30.0, 36.0
+"""Least and largest width of a column, in font sizes."""
+
+SCALES = (
+    *(("A4", scale) for scale in (20, 25, 50)),
+    *(("A3", scale) for scale in (20, 25, 50)),
+    *((paper, scale) for scale in (100, 200, 500, 1000, 2000, 5000) for paper in PAPERS),
+)
+"""Papers and scales in the order in which they are tried: what a home printer takes, before small drawings."""
 
 
-def asset_sheet(assets: Sequence[Asset], *, tile: int = 200, seed: int = 0) -> Image:
-    """Return a sheet with a picture of every asset, row by row, its category below it.
+@dataclass(frozen=True)
+class SheetNotes:
+    """What a sheet says beside the drawing.
+
+    Attributes:
+        date: What the title block gives as the date, as the user wrote it; nothing leaves it out.
+        areas: What is measured of the room, and the figure with its unit.
+        verdict: Whether all demands are met, in a few words.
+        findings: What is wrong and what would help, in sentences.
+        rules: Named rules, with what was measured, and whether each is met.
+    """
+
+    date: str = ""
+    areas: tuple[tuple[str, str], ...] = ()
+    verdict: str = ""
+    findings: tuple[str, ...] = ()
+    rules: tuple[tuple[str, str, bool], ...] = ()
+
+
+@dataclass(frozen=True)
+class _Given:
+    """What is drawn."""
+
+    scene: Scene
+    layout: Layout
+    notes: SheetNotes
+    marks: PlanMarks
+    agent: Agent
+    things: Furniture
+
+
+@dataclass(frozen=True)
+class _Arranged:
+    """Where everything stands on the paper, millimetres."""
+
+    paper: str
+    size: Point
+    scale: int
+    plan: Point
+    lists: Point
+    text: float
+    width: float
+    lines: list[list[Line]]
+
+
+def sheet_svg(scene: Scene, layout: Layout, notes: SheetNotes, *, marks: PlanMarks, agent: Agent) -> str:
+    """Return the sheet as SVG text, in true millimetres (see `draw_sheet`)."""
+    return draw_svg(draw_sheet(scene, layout, notes, marks=marks, agent=agent))
+
+
+def sheet_pdf(scene: Scene, layout: Layout, notes: SheetNotes, *, marks: PlanMarks, agent: Agent) -> bytes:
+    """Return the sheet as a PDF page of A4 or A3, in true millimetres (see `draw_sheet`)."""
+    from robolayout.render._pdf import draw_pdf
+
+    return draw_pdf(draw_sheet(scene, layout, notes, marks=marks, agent=agent))
+
+
+def sheet_image(
+    scene: Scene, layout: Layout, notes: SheetNotes, *, marks: PlanMarks, agent: Agent, width: int = 1600
+) -> Image:
+    """Return the sheet as an RGB picture `width` pixels wide (see `draw_sheet`)."""
+    return draw_image(draw_sheet(scene, layout, notes, marks=marks, agent=agent), width)
+
+
+def draw_sheet(scene: Scene, layout: Layout, notes: SheetNotes, *, marks: PlanMarks, agent: Agent) -> Drawing:
+    """Return the sheet as a drawing in paper millimetres.
 
     Args:
-        assets: What to draw, in this order.
-        tile: Pixels of each picture's sides.
-        seed: Settles the colours.
+        scene: The scene.
+        layout: Poses; assets without one are listed as not placed.
+        notes: What it says beside the drawing.
+        marks: What the agent can do; the free space, passages and turning circles are drawn.
+        agent: The body that the room is planned for.
     """
-    from PIL import Image, ImageDraw
-
-    columns = min(MOST_COLUMNS, math.ceil(math.sqrt(len(assets))))
-    label = tile // 8
-    size = (columns * tile, math.ceil(len(assets) / columns) * (tile + label))
-    sheet = Image.new("RGB", size, PAPER)
-    draw = ImageDraw.Draw(sheet)
-    for number, asset in enumerate(assets):
-        x, y = number % columns * tile, number // columns * (tile + label)
-        sheet.paste(render_asset(asset, size=tile, seed=seed), (x, y))
-        face = font(max(8, label // 2), is_latin(asset.category))
-        draw.text((x + tile / 2, y + tile + label / 2), asset.category, INK, face, anchor="mm")
+    given = _Given(
+        scene, layout, notes, replace(marks, routes={}, arcs=(), agent_at=None), agent, furniture(scene, layout)
+    )
+    at = _arranged(scene, _blocks(given))
+    sheet = Drawing(*at.size)
+    _draw_frame(sheet)
+    _draw_plan(sheet, given, at)
+    draw_columns(sheet, at.lines, at.lists, at.text, at.width)
+    _draw_title(sheet, given, at)
     return sheet
+
+
+def _arranged(scene: Scene, blocks: Sequence[Block]) -> _Arranged:
+    """Return the first arrangement that holds the plan and the lists; if none does, the lists are cut."""
+    for paper, scale in SCALES:
+        for text in TEXTS:
+            for found, count, height in _places(scene, paper, scale, text):
+                lines = columns(blocks, text, found.width, count, height)
+                if lines is not None:
+                    return replace(found, lines=lines)
+    fallbacks = (place for paper, scale in SCALES for place in _places(scene, paper, scale, TEXTS[-1]) if paper == "A3")
+    found, count, height = next(fallbacks)
+    return replace(found, lines=shortened(blocks, found.text, found.width, count, height))
+
+
+def _places(scene: Scene, paper: str, scale: int, text: float) -> Iterator[tuple[_Arranged, int, float]]:
+    """Yield where plan and lists can stand, with the number and the height of the lists' columns."""
+    width, height = _plan_size(scene, scale)
+    for size in (PAPERS[paper][::-1], PAPERS[paper]):
+        inner = (size[0] - 2 * (EDGE + INSET), size[1] - 2 * EDGE - TITLE - 2 * INSET)
+        if width > inner[0] or height + LEGEND > inner[1]:
+            continue
+        corner = EDGE + INSET
+        right = inner[0] - width - GAP
+        if (count := int((right + GAP) / (COLUMN * text + GAP))) > 0:
+            column = min((right - (count - 1) * GAP) / count, WIDEST * text)
+            taken = count * (column + GAP)
+            left = (inner[0] - taken - width) / 2
+            plan = (corner + left, corner + (inner[1] - height - LEGEND) / 2)
+            lists = (corner + inner[0] - taken + GAP, corner)
+            yield _Arranged(paper, size, scale, plan, lists, text, column, []), count, inner[1]
+        below = inner[1] - height - LEGEND - GAP
+        count = max(1, int((inner[0] + GAP) / (COLUMN * text + GAP)))
+        if below > 10 * text:
+            column = (inner[0] - (count - 1) * GAP) / count
+            plan = (corner + (inner[0] - width) / 2, corner)
+            lists = (corner, corner + height + LEGEND + GAP)
+            yield _Arranged(paper, size, scale, plan, lists, text, column, []), count, below
+
+
+def _plan_size(scene: Scene, scale: int) -> Point:
+    """Return width and height of the plan with its dimension lines, millimetres."""
+    x0, y0, x1, y1 = scene.room.bounds
+    k = 1000 / scale
+    around = 2 * (THICKNESS * k + margin(scene.room))
+    return ((x1 - x0) * k + around, (y1 - y0) * k + around)
+
+
+def _draw_frame(sheet: Drawing) -> None:
+    right, bottom = sheet.width - EDGE, sheet.height - EDGE
+    sheet.polygon([[(EDGE, EDGE), (right, EDGE), (right, bottom), (EDGE, bottom)]], None, stroke=INK, width=0.4)
+    sheet.line([(EDGE, bottom - TITLE), (right, bottom - TITLE)], INK, width=0.4)
+
+
+def _draw_plan(sheet: Drawing, given: _Given, at: _Arranged) -> None:
+    """Draw room, dimension lines, numbers and legend."""
+    scene = given.scene
+    x0, _, _, y1 = scene.room.bounds
+    k = 1000 / at.scale
+    around = THICKNESS * k + margin(scene.room)
+
+    def place(x: float, y: float) -> Point:
+        return (at.plan[0] + around + (x - x0) * k, at.plan[1] + around + (y1 - y) * k)
+
+    width, height = _plan_size(scene, at.scale)
+    written = draw_chains(sheet, scene.room, place, k, _draw_names(sheet, given, place, k))
+    numbers = given.things.numbers.items()
+    texts = {name: (f"{number} {scene.by_name[name].category}".strip(), str(number)) for name, number in numbers}
+    box = (at.plan[0], at.plan[1], at.plan[0] + width, at.plan[1] + height)
+    naming = Naming(box, texts, NAMES, tuple(written), swings(scene.room))
+    draw_room(sheet, scene, given.layout, place, given.marks, given.agent, naming)
+    draw_legend(sheet, given.marks, (at.plan[0] + around, at.plan[1] + height + LEGEND / 2), width - 2 * around)
+
+
+def _named_openings(scene: Scene) -> list[tuple[str, Opening]]:
+    """Return doors and windows with the names that the sheet gives them."""
+    doors = [(f"D{number}", door) for number, door in enumerate(scene.room.doors, 1)]
+    return doors + [(f"W{number}", window) for number, window in enumerate(scene.room.windows, 1)]
+
+
+def _draw_names(sheet: Drawing, given: _Given, place: Place, k: float) -> list[Outline]:
+    """Write the names of doors and windows, and of walls that are spoken of, outside them; return their outlines."""
+    scene, walls = given.scene, given.scene.room.walls
+    spoken = sorted({int(number) for text in given.notes.findings for number in re.findall(r"\bwall (\d+)", text)})
+    named = [(name, walls[opening.wall], opening.center) for name, opening in _named_openings(scene)]
+    named += [(f"wall {i}", walls[i], _bare_middle(scene, walls[i])) for i in spoken if i < len(walls)]
+    outlines: list[Outline] = []
+    for name, wall, along in named:
+        at = place(*wall.point(along, -THICKNESS - 2.2 / k))
+        quiet = name.startswith("wall")
+        (ax, ay), (bx, by) = place(*wall.start), place(*wall.end)
+        angle = upright(math.degrees(math.atan2(ay - by, bx - ax))) if quiet else 0.0
+        label = Label((name,), at, 1.8 if quiet else 2.1, angle)
+        sheet.words(at, name, label.size, color=QUIET if quiet else INK, angle=angle)
+        outlines.append(label.corners)
+    return outlines
+
+
+def _bare_middle(scene: Scene, wall: Wall) -> float:
+    """Return the middle of a wall's longest stretch without opening, metres from its start."""
+    openings = [o for o in (*scene.room.doors, *scene.room.windows) if o.wall == wall.index]
+    ends = sorted([0.0, wall.length, *(x for o in openings for x in (o.offset, o.offset + o.width))])
+    a, b = max(zip(ends[::2], ends[1::2], strict=True), key=lambda pair: pair[1] - pair[0])
+    return (a + b) / 2
+
+
+def _blocks(given: _Given) -> list[Block]:
+    """Return the lists of the sheet."""
+    scene, notes = given.scene, given.notes
+    areas = [Row(words, value=value) for words, value in notes.areas]
+    sizes = [Row(f"{name} {_kind(name)}", value=_size(opening)) for name, opening in _named_openings(scene)]
+    findings = [Row(_numbered(sentence, scene, given.things), "-") for sentence in notes.findings]
+    rules = [Row(f"{name}: {measured}", "ok" if met else "no") for name, measured, met in notes.rules]
+    blocks = [
+        Block("Room", tuple(areas)),
+        Block("Doors and windows, m", tuple(sizes)),
+        Block("Furniture, cm: width x depth x height", given.things.rows, 4.2),
+        Block("Rules", tuple(rules), 1.8),
+    ]
+    told = Block(f"Findings: {notes.verdict}".removesuffix(": "), tuple(findings), 1.0)
+    return [*(block for block in blocks if block.rows), told]
+
+
+def _kind(name: str) -> str:
+    return "door" if name.startswith("D") else "window"
+
+
+def _size(opening: Opening) -> str:
+    sill = f", sill {opening.sill:.2f}" if opening.sill else ""
+    return f"{opening.width:.2f} x {opening.height:.2f}{sill}"
+
+
+def _numbered(sentence: str, scene: Scene, things: Furniture) -> str:
+    """Return a sentence with the things' numbers in place of their keys, and the sheet's names of the doors."""
+    sentence = re.sub(r"\bdoor (\d+)", lambda match: f"door D{int(match[1]) + 1}", sentence)
+    names = sorted(scene.by_name, key=len, reverse=True)
+    if not names:
+        return sentence
+
+    def shown(match: re.Match[str]) -> str:
+        name = match[0]
+        words = scene.by_name[name].category or name
+        if name in things.numbers:
+            return f"{words} ({things.numbers[name]})"
+        return f"{words} (on {things.numbers[things.carriers[name]]})" if name in things.carriers else words
+
+    return re.sub(rf"(?<![\w-])(?:{'|'.join(map(re.escape, names))})(?![\w-])", shown, sentence)
+
+
+def _draw_title(sheet: Drawing, given: _Given, at: _Arranged) -> None:
+    """Draw the title block: what it is, for whom, at what scale, and when."""
+    scene, notes, agent = given.scene, given.notes, given.agent
+    top, bottom = sheet.height - EDGE - TITLE, sheet.height - EDGE
+    right = sheet.width - EDGE
+    cells = [("Date", 30.0)] if notes.date else []
+    cells = [*cells, ("Scale", 44.0), ("For", 46.0)]
+    left = {}
+    for caption, width in cells:
+        right -= width
+        left[caption] = right
+        sheet.line([(right, top), (right, bottom)], INK, width=0.2)
+        sheet.words((right + 2.0, top + 3.0), caption, 1.8, anchor="start", color=QUIET)
+    if notes.date:
+        _write(sheet, (left["Date"] + 2.0, top + 9.0), notes.date, 3.2, 26.0)
+    x = left["Scale"] + 2.0
+    sheet.words((x, top + 8.5), f"1 : {at.scale}", 4.2, anchor="start", color=INK)
+    sheet.words((x, top + 13.0), f"on {at.paper}, printed at 100 %", 1.8, anchor="start", color=QUIET)
+    draw_scale_bar(sheet, (x + 0.5, top + 17.0), at.scale, 36.0)
+    _write(sheet, (left["For"] + 2.0, top + 8.5), agent.title or agent.name, 3.0, 42.0)
+    needs = f"needs {2 * agent.radius:.2f} m to pass"
+    turns = f", {agent.turning_diameter:.2f} m to turn" if agent.turning_diameter else ""
+    _write(sheet, (left["For"] + 2.0, top + 13.0), needs + turns, 1.8, 42.0, QUIET)
+    room = left["For"] - EDGE - 4.0
+    _write(sheet, (EDGE + 2.0, top + 5.5), scene.name.replace("_", " "), 5.0, room)
+    lines = wrapped(scene.task_description, 2.2, room)
+    kept = lines if len(lines) <= 3 else (*lines[:2], f"{lines[2]} ...")
+    for number, line in enumerate(kept):
+        _write(sheet, (EDGE + 2.0, top + 11.5 + 3.4 * number), line, 2.2, room, QUIET)
+
+
+def _write(sheet: Drawing, at: Point, words: str, size: float, width: float, color: str = INK) -> None:
+    """Write a line that keeps within a width: smaller if need be, and cut where that would be too small."""
+    least = 0.6 * size
+    if text_width(words, least) > width:
+        words = f"{wrapped(words, least, width - text_width(' ...', least))[0]} ..."
+    sheet.words(at, words, min(size, size * width / max(text_width(words, size), 0.1)), anchor="start", color=color)

@@ -7,7 +7,7 @@ forms. Walls that hide the floor are cut away, so that every view looks into the
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal, Protocol
 
@@ -48,6 +48,15 @@ CLOSE, CLOSE_LEAST = 0.75, 0.6
 CLOSE_TURNS = tuple(math.radians(a) for a in (-30, 30, -55, 55, 0))
 CLOSE_POLARS = (math.radians(58), math.radians(40))
 """Directions that a close-up chooses from, from the asset's front and from the vertical; the first wins a tie."""
+
+GHOST = "/ghost "
+"""Before the name of what hangs from the ceiling where it is drawn as a ghost; no asset's name has a slash."""
+
+GHOSTLY = 0.35
+"""Opacity of a ghost."""
+
+STEEP = 0.9
+"""A view that looks down by more than this (sine of the angle) shows what hangs from the ceiling as ghosts."""
 
 LARGEST = 8192
 """Most pixels along a side of a picture."""
@@ -94,7 +103,7 @@ class Studio:
         check_layout(scene, layout)
         self.scene, self.layout = scene, layout
         self._mesh = dress(scene_mesh(scene, layout, seed), scene.room)
-        self._mesh = merge(self._mesh, ceiling_mesh(scene.room))
+        self._mesh = merge(merge(self._mesh, ceiling_mesh(scene.room)), self._ghosts())
         self._renderer: _Draws = make_renderer(self._mesh, *self._blockers(), renderer)
 
     @cached_property
@@ -171,11 +180,23 @@ class Studio:
         keep = self._keep(camera, inside) & np.array([not n.startswith(FLOOR_STRIP) for n in self._mesh.names])
         return self._mesh.take(keep[self._mesh.groups])
 
+    def _ghosts(self) -> Mesh:
+        """Return what hangs from the ceiling once more, as thin as glass, for views from above."""
+        names = [asset.name for asset in self.scene.assets if asset.on_ceiling]
+        ghosts = self._mesh.take(self._mesh.named(names) & (self._mesh.ids != ROOM))
+        colors = ghosts.colors.copy()
+        colors[:, 3] *= GHOSTLY
+        return replace(ghosts, colors=colors, names=tuple(f"{GHOST}{name}" for name in ghosts.names))
+
     def _keep(self, camera: Camera, inside: bool) -> NDArray[np.bool_]:
         """Return which parts are drawn."""
-        hidden = set() if inside else hidden_parts(self.scene, self.layout, camera)
-        unseen = FLOOR_STRIP if inside else CEILING
-        return np.array([n not in hidden and not n.startswith(unseen) for n in self._mesh.names], dtype=np.bool_)
+        hidden = set[str]() if inside else hidden_parts(self.scene, self.layout, camera)
+        unseen = [FLOOR_STRIP if inside else CEILING]
+        if camera.axes[2][2] < -STEEP:
+            hidden |= {asset.name for asset in self.scene.assets if asset.on_ceiling}
+        else:
+            unseen.append(GHOST)
+        return np.array([n not in hidden and not n.startswith(tuple(unseen)) for n in self._mesh.names], dtype=np.bool_)
 
     def _blockers(self) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         """Return which triangles take the sky's light away (not: ceiling, strips, things on walls), and the sun's.
@@ -184,7 +205,7 @@ class Studio:
         """
         hung = {asset.name for asset in self.scene.assets if asset.on_wall}
         above = {asset.name for asset in self.scene.assets if asset.on_ceiling}
-        added = {name for name in self._mesh.names if name.startswith((CEILING, FLOOR_STRIP))}
+        added = {name for name in self._mesh.names if name.startswith((CEILING, FLOOR_STRIP, GHOST))}
         solid = self._mesh.opaque
         sun = solid & (self._mesh.ids != ROOM) & ~self._mesh.named(above)
         return solid & ~self._mesh.named(hung | above | added), sun

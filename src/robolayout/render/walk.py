@@ -16,9 +16,9 @@ from robolayout.assets.obstacles import pieces
 from robolayout.render._drawing import Drawing, Item, paint
 from robolayout.render._tour import Leg, tour
 from robolayout.render.animation import HOLD, SHEET, Stage, draw_names, save_gif
+from robolayout.render.contents import display_name, draw_contents
 from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import INK, PAPER, ROUTE
-from robolayout.render.plan import display_name, draw_contents
 from robolayout.scene import Agent, Layout, Point, Pose, Scene
 
 if TYPE_CHECKING:

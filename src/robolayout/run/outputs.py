@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import io
 import json
 from collections.abc import Iterator, Sequence
@@ -10,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from robolayout._files import write_atomic
-from robolayout._text import file_name, utf8
+from robolayout._text import file_name
 from robolayout.export import Options, export, find_exporter, to_bytes
 from robolayout.page.marks import plan_marks
 from robolayout.render import PlanMarks
@@ -21,25 +20,33 @@ from robolayout.verify import AgentReport, Report
 if TYPE_CHECKING:
     from PIL.Image import Image
 
+    from robolayout.run.diff import Difference
     from robolayout.run.flow import Result
+    from robolayout.run.judged import Judged
 
 PICTURE_SIZE = 900
 """Pixels of a side of `top.png` and `view.png`."""
 
 
 def write_result(
-    result: Result, folder: str | Path, *, pictures: bool = True, formats: Sequence[str] = ()
+    result: Result | Judged,
+    folder: str | Path,
+    *,
+    pictures: bool = True,
+    formats: Sequence[str] = (),
+    date: str = "",
 ) -> list[Path]:
-    """Write everything that a run made: all of it takes the place of what an older run wrote, or nothing does.
+    """Write everything that a run made, or all that can be said of a layout that somebody else made.
 
-    What is in the folder and was not written by an older run stays; if it has the name of one of our files, it gets `.kept`
-    at its end.
+    All of it takes the place of what an older run wrote, or nothing does. What is in the folder and was not written by an older
+    run stays; if it has the name of one of our files, it gets `.kept` at its end.
 
     Args:
-        result: The run.
+        result: The run, or the judged layout.
         folder: Where to write; made if missing.
         pictures: Whether to draw.
         formats: Export formats beside GLB ("usda", "mjcf"); see `robolayout.export.EXPORTERS`.
+        date: What the sheet to print gives as the date; nothing leaves it out.
 
     Returns:
         The files, in the order of writing.
@@ -51,10 +58,12 @@ def write_result(
     for name in formats:
         find_exporter(name)
     with open_folder(Path(folder)) as run:
-        return [run.place(path) for path in write_files(result, run, pictures=pictures, formats=formats)]
+        return [run.place(path) for path in write_files(result, run, pictures=pictures, formats=formats, date=date)]
 
 
-def write_files(result: Result, run: RunFolder, *, pictures: bool, formats: Sequence[str]) -> list[Path]:
+def write_files(
+    result: Result | Judged, run: RunFolder, *, pictures: bool, formats: Sequence[str], date: str = ""
+) -> list[Path]:
     """Write the files of a run to where they are made (see `write_result`)."""
     folder = run.path
     written = [write_atomic(folder / name, data) for name, data in _texts(result, run.target)]
@@ -65,17 +74,17 @@ def write_files(result: Result, run: RunFolder, *, pictures: bool, formats: Sequ
         if name not in ("glb", "layout"):
             written.append(export(result.scene, result.layout, name, folder=folder, options=options, partial=True))
     if pictures:
-        written += [write_atomic(folder / name, data) for name, data in _pictures(result, glb)]
+        written += [write_atomic(folder / name, data) for name, data in _pictures(result, glb, date)]
     return written
 
 
-def page_html(result: Result) -> str:
+def page_html(result: Result | Judged) -> str:
     """Return the run as one page to look at in a browser: the room in 3D, verdicts and figures; it needs no network."""
     glb = to_bytes(result.scene, result.layout, "glb", partial=True)
     return _page(result, glb, [plan_marks(agent) for agent in result.report.agents])
 
 
-def _page(result: Result, glb: bytes, marks: Sequence[PlanMarks]) -> str:
+def _page(result: Result | Judged, glb: bytes, marks: Sequence[PlanMarks]) -> str:
     from robolayout.page import content, document
 
     return document(content(result, marks), glb)
@@ -87,26 +96,24 @@ def export_options(report: Report) -> Options:
     return Options(agent=first.agent, routes={name: route.points for name, route in first.navigation.routes.items()})
 
 
-def _texts(result: Result, folder: Path) -> Iterator[tuple[str, str]]:
-    scene = _json(scene_to_dict(result.scene, base=folder.resolve()))
-    layout = _json(result.layout.to_dict())
-    hashes = {
-        "hashes": {
-            name: hashlib.sha256(utf8(text)).hexdigest() for name, text in (("scene", scene), ("layout", layout))
-        }
-    }
-    yield "scene.json", scene
-    yield "grouping.json", _json([group.to_dict() for group in result.groups])
-    if result.samples:
-        yield "samples.json", _json([sample.to_dict() for sample in result.samples])
-    yield "program.py", result.program.text
-    yield "constraints.json", _json(result.reconciled.to_dict())
-    yield "layout.json", layout
-    yield "report.json", _json(result.report.to_dict() | hashes)
+def _texts(result: Result | Judged, folder: Path) -> Iterator[tuple[str, str]]:
+    from robolayout.run.judged import Judged
+
+    yield "scene.json", _json(scene_to_dict(result.scene, base=folder.resolve()))
+    planned = not isinstance(result, Judged)
+    if planned:
+        yield "grouping.json", _json([group.to_dict() for group in result.groups])
+        if result.samples:
+            yield "samples.json", _json([sample.to_dict() for sample in result.samples])
+    if planned or result.program.text:
+        yield "program.py", result.program.text
+        yield "constraints.json", _json(result.reconciled.to_dict())
+    yield "layout.json", _json(result.layout.to_dict())
+    yield "report.json", _json(result.report.to_dict())
     yield "report.md", result.report.to_markdown()
 
 
-def _pictures(result: Result, glb: bytes) -> Iterator[tuple[str, str | bytes]]:
+def _pictures(result: Result | Judged, glb: bytes, date: str) -> Iterator[tuple[str, str | bytes]]:
     from robolayout.render import Studio, loss_png, plan_svg, progress_gif
 
     marks = [plan_marks(body) for body in result.report.agents]
@@ -114,6 +121,7 @@ def _pictures(result: Result, glb: bytes) -> Iterator[tuple[str, str | bytes]]:
     for number, body in enumerate(result.report.agents, 1):
         file = "plan.svg" if number == 1 else f"plan_{number}_{file_name(body.agent.name)}.svg"
         yield file, plan_svg(result.scene, result.layout, navigation=marks[number - 1], agent=body.agent)
+    yield "sheet.pdf", sheet(result.report, date=date)
     studio = Studio(result.scene, result.layout)
     yield "top.png", png(studio.view("top", size=PICTURE_SIZE))
     yield "view.png", png(studio.view("side", size=PICTURE_SIZE))
@@ -139,6 +147,51 @@ def comparison(results: Sequence[Result], suffix: str = ".png", *, width: int = 
     if suffix == ".svg":
         return compare_svg(panels).encode()
     return png(compare_image(panels, width=width).quantize(256))
+
+
+def difference_picture(found: Difference, suffix: str = ".png", *, width: int = 1400) -> bytes:
+    """Return two layouts in one plan, with arrows from then to now; side by side if they are of different rooms.
+
+    Args:
+        found: What differs.
+        suffix: ".png" or ".svg".
+        width: Pixels of the PNG's width.
+    """
+    from robolayout.render import compare_image, compare_svg, plan_image, plan_svg
+
+    before, after = found.before, found.after
+    if before.scene.room == after.scene.room:
+        if suffix == ".svg":
+            return plan_svg(after.scene, after.layout, navigation=found.marks()).encode()
+        return png(plan_image(after.scene, after.layout, navigation=found.marks(), width=width))
+    panels = [
+        (when, side.scene, side.layout, plan_marks(side.report.agents[0]))
+        for when, side in (("before", before), ("after", after))
+    ]
+    return compare_svg(panels).encode() if suffix == ".svg" else png(compare_image(panels, width=width))
+
+
+def sheet(report: Report, suffix: str = ".pdf", *, date: str = "", width: int = 1600) -> bytes:
+    """Return the sheet to print for the first body of a report.
+
+    Args:
+        report: What the judge says of a layout.
+        suffix: ".pdf", ".svg" or ".png".
+        date: What the title block gives as the date; nothing leaves it out.
+        width: Pixels of the PNG's width.
+    """
+    from robolayout.page.marks import sheet_marks
+    from robolayout.page.notes import sheet_notes
+    from robolayout.render import sheet_image, sheet_pdf, sheet_svg
+
+    first = report.agents[0]
+    given = (report.scene, report.layout, sheet_notes(report, date))
+    marks, agent = sheet_marks(first), first.agent
+    if suffix == ".pdf":
+        return sheet_pdf(*given, marks=marks, agent=agent)
+    if suffix == ".svg":
+        return sheet_svg(*given, marks=marks, agent=agent).encode()
+    return png(sheet_image(*given, marks=marks, agent=agent, width=width))
 
 
 def _body(report: AgentReport) -> str:

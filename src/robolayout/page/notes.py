@@ -1,0 +1,44 @@
+"""What a sheet to print says beside its drawing, taken from a report."""
+
+from __future__ import annotations
+
+from robolayout.render import SheetNotes
+from robolayout.scene import vertical_span
+from robolayout.verify import AgentReport, Report
+
+STANDS = 0.05
+"""Metres above the floor up to which a thing stands on it."""
+
+
+def sheet_notes(report: Report, date: str = "") -> SheetNotes:
+    """Return areas and findings for the first body of a report.
+
+    Args:
+        report: What the judge says.
+        date: What the title block gives as the date; nothing leaves it out.
+    """
+    first = report.agents[0]
+    verdict = "all demands are met" if report.ok else "not all demands are met"
+    helps = first.remedies.sentences(first.agent)
+    return SheetNotes(date, _areas(first), verdict, (*first.impossible, *report.violations, *helps))
+
+
+def _areas(first: AgentReport) -> tuple[tuple[str, str], ...]:
+    """Return the areas of a room, and how much of it is furnished and free."""
+    from shapely import Polygon, union_all
+
+    nav = first.navigation
+    room = Polygon(nav.scene.room.vertices)
+    standing = [
+        Polygon(pose.corners(asset.size))
+        for asset, pose in ((nav.scene.by_name[name], pose) for name, pose in nav.layout.items())
+        if not asset.is_flat and vertical_span(asset, pose)[0] < STANDS
+    ]
+    furnished = union_all(standing).intersection(room).area
+    return (
+        ("Floor", f"{room.area:.2f} m2"),
+        ("under furniture", f"{furnished:.2f} m2"),
+        ("free floor", f"{room.area - furnished:.2f} m2"),
+        ("where the body's centre gets to", f"{nav.main.area:.2f} m2"),
+        ("Height of the walls", f"{nav.scene.room.wall_height:.2f} m"),
+    )

@@ -1,0 +1,235 @@
+"""What is marked on a plan: routes, reach, passages with their widths, and the names of things."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import product
+
+import numpy as np
+
+from robolayout.render._architecture import THICKNESS, Place
+from robolayout.render._drawing import Drawing, Point, text_width
+from robolayout.render._labels import LINE, SIZES, Box, Label, Tag, place_labels
+from robolayout.render.contents import display_name, front, has_arrow
+from robolayout.render.marks import PlanMarks
+from robolayout.render.palette import INK, NARROW, PAPER, QUIET, REACH, ROUTE, TIGHT, TURN
+from robolayout.scene import Agent, Layout, Pose, Scene, Wall, vertical_span
+
+ARROW = 1.8
+"""Length of an arrow's head, millimetres."""
+
+WIDTH_TEXT = 2.1
+"""Font size of the width of a passage, millimetres."""
+
+
+@dataclass(frozen=True)
+class Naming:
+    """How the names on a plan are written.
+
+    Attributes:
+        box: Left, upper, right and lower edge that they keep within, millimetres.
+        texts: For each asset that is named, what is written, and what where that finds no place; None is the names of all.
+        sizes: Font sizes that are tried, millimetres.
+        obstacles: Outlines that names keep off, besides things and walls.
+        lines: Lines in metres that names and widths keep off if they can: doors and how they swing.
+    """
+
+    box: Box
+    texts: Mapping[str, tuple[str, str]] | None = None
+    sizes: tuple[float, ...] = SIZES
+    obstacles: tuple[tuple[Point, ...], ...] = ()
+    lines: tuple[tuple[Point, ...], ...] = ()
+
+
+def draw_marks(sheet: Drawing, marks: PlanMarks, agent: Agent | None, place: Place) -> None:
+    """Draw turning circles, reach, routes with a dot at their end, and the agent's disc."""
+    k = millimetres(place)
+    for center, diameter in marks.circles:
+        sheet.polygon([_circle(place(*center), diameter / 2 * k, 72)], None, stroke=TURN, width=0.3, dash=(1.4, 0.8))
+    for points in marks.arcs:
+        fan = [place(*p) for p in points]
+        sheet.polygon([fan], REACH, opacity=0.09)
+        sheet.line(fan[1:], REACH, width=0.25)
+        sheet.polygon([_circle(fan[0], 0.45)], PAPER, stroke=REACH, width=0.2)
+    lines = [[place(*p) for p in points] for _, points in sorted(marks.routes.items()) if len(points) > 1]
+    for points in lines:
+        sheet.line(points, PAPER, width=0.75)
+    for points in lines:
+        sheet.line(points, ROUTE, width=0.32)
+    for points in lines:
+        sheet.polygon([_circle(points[-1], 0.55)], ROUTE, stroke=PAPER, width=0.15)
+    _draw_changes(sheet, marks, place)
+    if marks.agent_at is not None and agent is not None:
+        at = place(*marks.agent_at)
+        sheet.polygon([_circle(at, agent.radius * k)], ROUTE, opacity=0.22, stroke=ROUTE, width=0.3)
+
+
+def _draw_changes(sheet: Drawing, marks: PlanMarks, place: Place) -> None:
+    """Draw where things stood before, what is new and what is gone, and arrows from then to now."""
+    for outline in marks.ghosts:
+        sheet.polygon([[place(*p) for p in outline]], QUIET, opacity=0.1, stroke=QUIET, width=0.25, dash=(0.9, 0.6))
+    for outline in marks.gone:
+        corners = [place(*p) for p in outline]
+        sheet.polygon([corners], None, stroke=TIGHT, width=0.3, dash=(0.9, 0.6))
+        for a, b in zip(corners[:2], corners[2:], strict=False):
+            sheet.line([a, b], TIGHT, width=0.2, dash=(0.9, 0.6))
+    for outline in marks.added:
+        sheet.polygon([[place(*p) for p in outline]], None, stroke=NARROW, width=0.6)
+    for start, end in marks.arrows:
+        (ax, ay), (bx, by) = place(*start), place(*end)
+        length = math.dist((ax, ay), (bx, by))
+        head = min(ARROW, 0.6 * length)
+        ux, uy = (bx - ax) / length, (by - ay) / length
+        neck = (bx - head * ux, by - head * uy)
+        sides = [(neck[0] - 0.4 * head * s * uy, neck[1] + 0.4 * head * s * ux) for s in (1, -1)]
+        sheet.line([(ax, ay), neck], PAPER, width=0.9)
+        sheet.line([(ax, ay), neck], ROUTE, width=0.4)
+        sheet.polygon([[(bx, by), *sides]], ROUTE)
+        sheet.polygon([_circle((ax, ay), 0.5)], PAPER, stroke=ROUTE, width=0.25)
+
+
+def _draw_passages(sheet: Drawing, marks: PlanMarks, agent: Agent | None, place: Place, at: Sequence[Point]) -> None:
+    """Draw each narrowest passage as a measured line, with its width at the places `at`."""
+    needed = 2 * agent.radius if agent is not None else 0.0
+    for (a, b, metres), spot in zip(sorted(marks.passages), at, strict=True):
+        color = TIGHT if metres < needed - 1e-6 else NARROW
+        (ax, ay), (bx, by) = place(*a), place(*b)
+        length = max(((bx - ax) ** 2 + (by - ay) ** 2) ** 0.5, 1e-6)
+        tick = ((by - ay) / length * 0.9, -(bx - ax) / length * 0.9)
+        for color_, width in ((PAPER, 1.1), (color, 0.5)):
+            sheet.line([(ax, ay), (bx, by)], color_, width=width)
+            for x, y in ((ax, ay), (bx, by)):
+                sheet.line([(x - tick[0], y - tick[1]), (x + tick[0], y + tick[1])], color_, width=width)
+        sheet.words(spot, f"{metres:.2f} m", WIDTH_TEXT, color=color, halo=PAPER)
+
+
+def passage_spots(
+    marks: PlanMarks, place: Place, lines: Sequence[Sequence[Point]], solids: Sequence[Sequence[Point]]
+) -> list[Point]:
+    """Return where the width of each passage is written: beside its line, where it covers least."""
+    import shapely
+
+    passages = sorted(marks.passages)
+    strokes = [shapely.LineString(line) for line in lines]
+    strokes += [shapely.LineString([place(*a), place(*b)]) for a, b, _ in passages]
+    paths = np.array(strokes, dtype=object)
+    blocks = [shapely.Polygon(outline) for outline in solids]
+    spots: list[Point] = []
+    for number, (a, b, metres) in enumerate(passages):
+        (ax, ay), (bx, by) = place(*a), place(*b)
+        length = max(math.dist((ax, ay), (bx, by)), 1e-6)
+        nx, ny = (by - ay) / length, (ax - bx) / length
+        half = (text_width(f"{metres:.2f} m", WIDTH_TEXT) / 2, 0.45 * WIDTH_TEXT)
+        away = 0.7 + abs(nx) * half[0] + abs(ny) * half[1]
+        others = np.delete(paths, len(lines) + number)
+        solid = np.array(blocks, dtype=object)
+        found: list[tuple[float, int, Point]] = []
+        for t, side in product((0.5, 0.35, 0.65, 0.2, 0.8), (1, -1)):
+            x, y = ax + t * (bx - ax) + side * away * nx, ay + t * (by - ay) + side * away * ny
+            box = shapely.box(x - half[0], y - half[1], x + half[0], y + half[1])
+            crossed = shapely.length(shapely.intersection(others, box)).sum()
+            found.append((float(crossed + 4.0 * shapely.intersects(solid, box).sum()), len(found), (x, y)))
+        x, y = min(found)[2]
+        spots.append((x, y))
+        blocks.append(shapely.box(x - half[0], y - half[1], x + half[0], y + half[1]))
+    return spots
+
+
+def draw_labels(
+    sheet: Drawing,
+    scene: Scene,
+    layout: Layout,
+    place: Place,
+    marks: PlanMarks,
+    agent: Agent | None,
+    naming: Naming,
+) -> None:
+    """Draw the passages and write the names."""
+    outlines = {n: tuple(place(*c) for c in layout[n].corners(scene.by_name[n].size)) for n in layout}
+    solid = [n for n in layout if not scene.by_name[n].is_flat and not scene.by_name[n].on_ceiling]
+    obstacles = [outlines[n] for n in solid] + list(naming.obstacles)
+    for wall in scene.room.walls:
+        corners = [(0.0, 0.0), (wall.length, 0.0), (wall.length, -THICKNESS), (0.0, -THICKNESS)]
+        obstacles.append(tuple(place(*wall.point(s, d)) for s, d in corners))
+    k = millimetres(place)
+    lines = [[place(*p) for p in line] for line in marks.routes.values() if len(line) > 1]
+    lines += [_circle(place(*center), diameter / 2 * k, 72) for center, diameter in marks.circles]
+    lines += [[place(*p) for p in line] for line in (*naming.lines, *marks.arrows)]
+    spots = passage_spots(marks, place, lines, obstacles)
+    _draw_passages(sheet, marks, agent, place, spots)
+    for (a, b, metres), (x, y) in zip(sorted(marks.passages), spots, strict=True):
+        half = text_width(f"{metres:.2f} m", WIDTH_TEXT) / 2 + 0.5
+        obstacles.append(((x - half, y - 1.4), (x + half, y - 1.4), (x + half, y + 1.4), (x - half, y + 1.4)))
+        lines.append([place(*a), place(*b)])
+    lines += [[place(*p) for p in arc[1:]] for arc in marks.arcs]
+    tags = _tags(scene, layout, place, marks, outlines)
+    if naming.texts is not None:
+        texts = naming.texts
+        named = zip((asset.name for asset in scene.assets if asset.name in layout), tags, strict=True)
+        tags = [replace(tag, text=texts[n][0], short=texts[n][1]) for n, tag in named if n in texts]
+    for label in place_labels(tags, obstacles, naming.box, naming.sizes, lines):
+        _draw_label(sheet, label)
+
+
+def _tags(
+    scene: Scene, layout: Layout, place: Place, marks: PlanMarks, outlines: Mapping[str, tuple[Point, ...]]
+) -> list[Tag]:
+    """Return the names and where they may stand."""
+    spans = {n: vertical_span(scene.by_name[n], layout[n]) for n in layout}
+    solid = [n for n in layout if not scene.by_name[n].is_flat and not scene.by_name[n].on_ceiling]
+    hanging = {n: outlines[n] for n in layout if scene.by_name[n].on_ceiling}
+    tags: list[Tag] = []
+    for name in (asset.name for asset in scene.assets if asset.name in layout):
+        asset = scene.by_name[name]
+        above = solid if asset.is_flat else [n for n in solid if n != name and spans[n][0] > spans[name][0] + 0.05]
+        beside = not asset.on_object and (asset.on_floor or asset.on_wall or asset.on_ceiling)
+        covers = [outlines[n] for n in above]
+        if has_arrow(asset):
+            covers.append(tuple(place(*p) for p in front(asset, layout[name])))
+        tags.append(
+            Tag(
+                display_name(scene, asset),
+                outlines[name],
+                beside,
+                tuple(covers),
+                _outward(scene, layout[name]) if asset.on_wall else None,
+                halo=name in marks.blocked,
+                quiet=asset.on_ceiling,
+                shuns=tuple(corners for other, corners in hanging.items() if other != name),
+            )
+        )
+    return tags
+
+
+def _outward(scene: Scene, pose: Pose) -> Point:
+    """Return the direction on the sheet out of the room through the nearest wall, along the sheet's sides."""
+
+    def away(wall: Wall) -> float:
+        return abs((pose.x - wall.start[0]) * wall.normal[0] + (pose.y - wall.start[1]) * wall.normal[1])
+
+    nx, ny = min(scene.room.walls, key=away).normal
+    return (-math.copysign(1, nx), 0.0) if abs(nx) > abs(ny) else (0.0, math.copysign(1, ny))
+
+
+def _draw_label(sheet: Drawing, label: Label) -> None:
+    """Write one name."""
+    if label.leader is not None:
+        sheet.line([label.leader, label.at], QUIET, width=0.1)
+    pitch = label.size * LINE
+    for number, line in enumerate(label.lines):
+        at = label.point(0.0, (number - (len(label.lines) - 1) / 2) * pitch)
+        color = QUIET if label.quiet else INK
+        sheet.words(at, line, label.size, color=color, angle=label.angle, halo=PAPER if label.halo else None)
+
+
+def _circle(center: Point, radius: float, sides: int = 40) -> list[Point]:
+    """Return a circle as a polygon."""
+    angles = [2 * math.pi * i / sides for i in range(sides)]
+    return [(center[0] + radius * math.cos(a), center[1] + radius * math.sin(a)) for a in angles]
+
+
+def millimetres(place: Place) -> float:
+    """Return how many millimetres of paper a metre takes."""
+    return math.dist(place(0.0, 0.0), place(1.0, 0.0))

@@ -1,0 +1,214 @@
+"""What differs between two layouts: what moved, turned, came and went, and what became better or worse."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Protocol
+
+from robolayout._errors import InputError
+from robolayout.render import PlanMarks
+from robolayout.run.judged import Judged, judge
+from robolayout.scene import Asset, Layout, Pose, Scene, load_layout
+from robolayout.verify import Report
+
+MOVED, TURNED = 0.001, 0.1
+"""Metres and degrees from which on a thing counts as moved, as turned: files round to less."""
+
+CHANGED = 1e-4
+"""Difference of a figure from which on it counts as changed."""
+
+
+class Laid(Protocol):
+    """A layout with its report: a `Result` of a run, or what `judge` returns."""
+
+    @property
+    def scene(self) -> Scene:
+        """What was given."""
+        ...
+
+    @property
+    def layout(self) -> Layout:
+        """Poses."""
+        ...
+
+    @property
+    def report(self) -> Report:
+        """What the verifier says."""
+        ...
+
+
+@dataclass(frozen=True)
+class Change:
+    """One thing that differs.
+
+    Attributes:
+        kind: "thing", "figure", "violation" or "statement".
+        name: Of the asset or the figure; of a violation or statement its sentence.
+        verdict: "better", "worse", or nothing where it is neither.
+        text: What differs, in words.
+        metres: How far a thing moved.
+        degrees: How far it turned, at most 180.
+    """
+
+    kind: str
+    name: str
+    verdict: str
+    text: str
+    metres: float = 0.0
+    degrees: float = 0.0
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain data."""
+        return dict(vars(self))
+
+
+@dataclass(frozen=True)
+class Difference:
+    """What differs between two layouts.
+
+    Attributes:
+        before: The first one.
+        after: The second one.
+        changes: Things, the farthest moved first; then figures, violations and statements, the worse ones first.
+    """
+
+    before: Laid
+    after: Laid
+    changes: tuple[Change, ...]
+
+    @property
+    def worse(self) -> tuple[Change, ...]:
+        """What became worse."""
+        return tuple(change for change in self.changes if change.verdict == "worse")
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain data: all changes, and whether anything became worse."""
+        return {"worse": bool(self.worse), "changes": [change.to_dict() for change in self.changes]}
+
+    def marks(self) -> PlanMarks:
+        """Return, as shapes for the plan of the second layout, where its things stood in the first one."""
+        (old, old_sizes), (new, new_sizes) = ((one.layout, one.scene.by_name) for one in (self.before, self.after))
+        changed = {change.name for change in self.changes if change.kind == "thing"}
+        kept = [name for name in new if name in old and name in changed]
+        return PlanMarks(
+            ghosts=tuple(old[name].corners(old_sizes[name].size) for name in kept),
+            arrows=tuple(
+                ((old[n].x, old[n].y), (new[n].x, new[n].y)) for n in kept if _metres(old[n], new[n]) >= MOVED
+            ),
+            added=tuple(new[name].corners(new_sizes[name].size) for name in new if name not in old),
+            gone=tuple(old[name].corners(old_sizes[name].size) for name in old if name not in new),
+        )
+
+
+def diff(before: Laid, after: Laid) -> Difference:
+    """Return what differs between two layouts, each with its report.
+
+    Args:
+        before: A `Result`, or what `judge` returns.
+        after: The same; the scenes may differ.
+    """
+    things = sorted(_things(before, after), key=lambda change: (-change.metres, -change.degrees))
+    judged = [*_figures(before.report, after.report), *_violations(before.report, after.report)]
+    judged += _statements(before.report, after.report)
+    judged.sort(key=lambda change: ("worse", "better", "").index(change.verdict))
+    return Difference(before, after, (*things, *judged))
+
+
+def load_judged(
+    path: Path, scene: Scene | None, read_scene: Callable[[str], Scene], program: Path | None = None
+) -> Judged:
+    """Judge the layout of a run's folder, or a layout file for a scene that is given.
+
+    Args:
+        path: A folder with `scene.json` and `layout.json`, or a layout file.
+        scene: The scene of the layout; None takes the folder's own.
+        read_scene: Reads a scene file.
+        program: File of the program whose statements are measured; None takes the folder's own, if there is one.
+
+    Raises:
+        InputError: There is no layout, or nothing says which scene it belongs to.
+    """
+    folder = path if path.is_dir() else None
+    if scene is None:
+        if folder is None or not (folder / "scene.json").exists():
+            raise InputError(
+                f"{path} is not the folder of a run (it has no scene.json): name one, or give the scene with --scene."
+            )
+        scene = read_scene(str(folder / "scene.json"))
+        own = folder / "program.py"
+        program = program or (own if own.exists() else None)
+    return judge(scene, load_layout(path if folder is None else folder / "layout.json", scene), program)
+
+
+def _things(before: Laid, after: Laid) -> Iterator[Change]:
+    """Yield what happened to each thing; what came or went last, since it went no distance."""
+    old, new = before.layout, after.layout
+    for name in dict.fromkeys([*(a.name for a in after.scene.assets), *(a.name for a in before.scene.assets)]):
+        if name in old and name in new:
+            yield from _moved(before.scene.by_name[name], after.scene.by_name[name], old[name], new[name])
+        elif name in new:
+            yield Change("thing", name, "", "came")
+        elif name in old:
+            yield Change("thing", name, "", "went")
+
+
+def _moved(old: Asset, new: Asset, start: Pose, end: Pose) -> Iterator[Change]:
+    """Yield how far a thing moved and turned and whether it has another size, if any of that is so."""
+    metres = _metres(start, end)
+    turn = math.degrees(end.yaw - start.yaw) % 360.0
+    degrees = min(turn, 360.0 - turn)
+    parts = [f"moved {metres:.2f} m"] if metres >= MOVED else []
+    parts += [f"turned {degrees:.0f} degrees"] if degrees >= TURNED else []
+    if math.dist(old.size, new.size) >= MOVED:
+        sizes = (" x ".join(f"{length:.2f}" for length in size) for size in (old.size, new.size))
+        parts.append("is {1} m instead of {0} m".format(*sizes))
+    if parts:
+        yield Change("thing", new.name, "", ", ".join(parts), metres * (metres >= MOVED), degrees * (degrees >= TURNED))
+
+
+def _metres(start: Pose, end: Pose) -> float:
+    return math.dist((start.x, start.y, start.z), (end.x, end.y, end.z))
+
+
+def _figures(before: Report, after: Report) -> Iterator[Change]:
+    """Yield the figures of the reports that differ."""
+    shown = ({name: text for name, (_, text, _) in zip(r.figures, r.rows(), strict=True)} for r in (before, after))
+    old_text, new_text = shown
+    for name, value in after.figures.items():
+        gain = float(value) - float(before.figures.get(name, value))
+        if abs(gain) >= CHANGED:
+            verdict = "better" if gain > 0 else "worse"
+            words = name.removesuffix("_share").replace("_", " ")
+            yield Change("figure", words, verdict, f"{old_text[name]} -> {new_text[name]}")
+
+
+def _violations(before: Report, after: Report) -> Iterator[Change]:
+    """Yield violations that came, went, or have other figures now."""
+    old, new = _sentences(before), _sentences(after)
+    for key, text in new.items():
+        if key not in old:
+            yield Change("violation", text, "worse", "is new")
+        elif old[key] != text:
+            yield Change("violation", text, "", f"was: {old[key]}")
+    for key, text in old.items():
+        if key not in new:
+            yield Change("violation", text, "better", "is gone")
+
+
+def _sentences(report: Report) -> Mapping[str, str]:
+    """Return what is wrong besides statements, each sentence under itself without its decimal figures."""
+    stated = {item.complaint for item in report.statements}
+    return {re.sub(r"\d+\.\d+", "#", text): text for text in report.violations if text not in stated}
+
+
+def _statements(before: Report, after: Report) -> Iterator[Change]:
+    """Yield statements of both programs that are met in one layout only."""
+    old = {item.sentence: item for item in before.statements}
+    for item in after.statements:
+        if item.sentence in old and old[item.sentence].met != item.met:
+            verdict, met = ("better", "met now") if item.met else ("worse", "not met any more")
+            yield Change("statement", item.sentence, verdict, f"{met}: {item.text}")
