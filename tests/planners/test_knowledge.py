@@ -1,11 +1,10 @@
 """The knowledge files are consistent, and a user's own file is read with clear errors."""
 
-import tomllib
 from pathlib import Path
 
 import pytest
 
-from robolayout.assets import CATALOGUE
+from robolayout.assets import CATALOGUE, find_category
 from robolayout.constraints import RELATIONS
 from robolayout.planners import OfflinePlanner, PlanRequest
 from robolayout.planners._knowledge import load_knowledge
@@ -14,17 +13,29 @@ from robolayout.planners._rooms import read_rooms
 from robolayout.scene import Asset, agent_names, scene_from_dict
 
 KNOWLEDGE = load_knowledge()
-FOLDER = Path(__file__).parents[2] / "src" / "robolayout" / "planners" / "knowledge"
 
 
-def test_every_category_has_one_role() -> None:
+def test_every_word_has_one_role() -> None:
     owners: dict[str, str] = {}
-    for path in sorted(FOLDER.glob("*.toml")):
-        for role in tomllib.loads(path.read_text("utf-8")).get("role", []):
-            for name in role.get("names", []):
-                assert name not in owners, f"{name!r} is in {owners.get(name)} and {path.name}"
-                owners[name] = path.name
+    for role in KNOWLEDGE.roles.values():
+        for name in role.names:
+            assert name not in owners, f"{name!r} plays {owners.get(name)} and {role.name}"
+            owners[name] = role.name
+    assert {category.name: category.role for category in CATALOGUE.values() if category.role}.items() <= owners.items()
     assert len(owners) > 400
+
+
+def test_what_a_record_says_is_not_said_again_by_its_role() -> None:
+    for role in KNOWLEDGE.roles.values():
+        again = [name for name in role.names if name not in CATALOGUE and role.name == _role_of(name)]
+        assert again == [], f"{role.name}: records say so already"
+
+
+def _role_of(word: str) -> str:
+    """Return the role of the category that has a word as a synonym and is meant by it whatever its size."""
+    found = [category for category in CATALOGUE.values() if word in category.synonyms]
+    sure = len(found) == 1 and find_category(word, size=(9.0, 9.0, 9.0)) is find_category(word, size=(0.1, 0.1, 0.1))
+    return found[0].role if sure else ""
 
 
 def test_roles_name_only_known_roles() -> None:

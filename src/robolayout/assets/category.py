@@ -15,6 +15,14 @@ DATA = Path(__file__).parent / "data"
 ESTIMATE = "typical of common goods (estimate)"
 PLACES = ("floor", "wall", "ceiling", "object")
 SIDES = ("front", "back", "left", "right")
+HEADS = ("group", "role")
+"""Tables of a data file that are no records: what the planner calls its group, and roles."""
+NEEDED = ("size", "place", "use_sides", "synonyms")
+FURTHER: Mapping[str, tuple[type, ...]] = {
+    "open_depth": (float, int), "movable": (bool,), "mass": (float, int), "friction": (float, int), "role": (str,),
+    "source": (str,), "parts": (str,),
+}  # fmt: skip
+"""What else a record may say, and the kinds of value."""
 
 
 @dataclass(frozen=True)
@@ -37,6 +45,9 @@ class Category:
         group: Functional group ("sleeping").
         source: Where the size comes from.
         like: Name of the built-in category that one of a user's own is drawn, opened and moved like.
+        role: What it is for in a room, by name; empty where size and placement decide.
+        parts: What it is made of, one row a part (docs/assets.md), or the name of the category that is drawn alike; empty
+            where a function draws it.
     """
 
     name: str
@@ -54,6 +65,8 @@ class Category:
     group: str = "unknown"
     source: str = ESTIMATE
     like: str = ""
+    role: str = ""
+    parts: str = ""
 
     @property
     def places(self) -> tuple[str, ...]:
@@ -63,44 +76,71 @@ class Category:
 
 
 def read_categories(path: Path) -> tuple[Category, ...]:
-    """Read one catalogue file; its stem is the functional group.
+    """Read the records of one data file; its stem is the functional group.
 
     Raises:
-        AssetError: The file is not TOML, or an entry lacks a key or holds an impossible value.
+        AssetError: A record lacks something, or says what cannot be; the message names group, record and field.
     """
+    return _categories(_data(path), path.stem)
+
+
+def _data(path: Path) -> Mapping[str, Any]:
+    """Read one file: its group, roles and records."""
     try:
-        table = tomllib.loads(path.read_text(encoding="utf-8"))
+        return tomllib.loads(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise AssetError(f"catalogue {path.name} cannot be read: {error}.") from error
-    return tuple(_category(name, entry, path.stem) for name, entry in table.items())
+
+
+def _categories(data: Mapping[str, Any], group: str) -> tuple[Category, ...]:
+    return tuple(_category(name, entry, group) for name, entry in data.items() if name not in HEADS)
 
 
 def _category(name: str, entry: Any, group: str) -> Category:
-    """Build one category from its table, naming what is wrong with it."""
+    """Build one category from its record, naming what is wrong with it."""
+    where = f"category {name!r} in group {group!r}"
     try:
         depth, width, height = (float(value) for value in entry["size"])
         place, sides = tuple(entry["place"]), tuple(entry["use_sides"])
         synonyms = tuple(str(word) for word in entry.get("synonyms", ()))
-        rest = {key: entry[key] for key in ("open_depth", "movable", "mass", "friction", "source") if key in entry}
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise AssetError(
-            f"category {name!r} in group {group!r} is incomplete: it needs size = [depth, width, height], place and "
-            f"use_sides ({error!r})."
+            f"{where} is incomplete: it needs size = [depth, width, height], place and use_sides ({error!r})."
         ) from error
     if min(depth, width, height) <= 0 or not set(place) <= set(PLACES) or not set(sides) <= set(SIDES):
         raise AssetError(
-            f"category {name!r} in group {group!r}: sizes must be positive, place some of {', '.join(PLACES)}, "
-            f"use_sides some of {', '.join(SIDES)}."
+            f"{where}: sizes must be positive, place some of {', '.join(PLACES)}, use_sides some of {', '.join(SIDES)}."
         )
+    rest = {key: value for key, value in entry.items() if key not in NEEDED}
+    for key, value in rest.items():
+        if type(value) not in FURTHER.get(key, ()):
+            raise AssetError(f"{where}: {key} = {value!r} is not understood; besides {', '.join(NEEDED)} it may say "
+                             f"{', '.join(FURTHER)}.")  # fmt: skip
     flags = {f"on_{kind}": kind in place for kind in PLACES}
     return Category(name, synonyms, (depth, width, height), use_sides=sides, group=group, **flags, **rest)
 
 
 @cache
+def built_in_data() -> Mapping[str, Mapping[str, Any]]:
+    """Read all built-in data files by their stems, in alphabetical order: groups, roles and records."""
+    return {path.stem: _data(path) for path in sorted((DATA / "things").glob("*.toml"))}
+
+
+@cache
 def built_in_categories() -> Mapping[str, Category]:
-    """Read all built-in categories by name, in the order of the files and their entries."""
-    files = sorted((DATA / "categories").glob("*.toml"))
-    return {category.name: category for path in files for category in read_categories(path)}
+    """Return all built-in categories by name, in the order of the files and their records.
+
+    Raises:
+        AssetError: Two records have one name.
+    """
+    found: dict[str, Category] = {}
+    for group, data in built_in_data().items():
+        for category in _categories(data, group):
+            if category.name in found:
+                raise AssetError(f"category {category.name!r} is in group {found[category.name].group!r} and in group "
+                                 f"{group!r}; give one of them another name.")  # fmt: skip
+            found[category.name] = category
+    return found
 
 
 class Catalogue(Mapping[str, Category]):

@@ -7,10 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from robolayout.assets.furniture import builder_for
+from robolayout.assets.category import CATALOGUE, Category
+from robolayout.assets.furniture import BUILDERS, Builder
 from robolayout.assets.lexicon import category_of
 from robolayout.assets.palette import make_piece
 from robolayout.assets.part import Part
+from robolayout.assets.rows import read_rows
 from robolayout.scene import Asset
 
 
@@ -36,6 +38,15 @@ def parts(asset: Asset, seed: int = 0) -> tuple[Part, ...]:
     category = category_of(asset)
     piece = make_piece(category.name, asset.variable or asset.name, asset.name, asset.size, seed)
     return fit(builder_for(category)(piece), asset.size)
+
+
+def builder_for(category: Category) -> Builder:
+    """Return what draws a category: the rows of its record, those of the record that it names, or a function."""
+    if category.parts in CATALOGUE:
+        return builder_for(CATALOGUE[category.parts])
+    if category.parts:
+        return read_rows(category.parts, f"{category.name!r} in group {category.group!r}")
+    return BUILDERS[category.like or category.name]
 
 
 def fit(pieces: Iterable[Part], size: tuple[float, float, float]) -> tuple[Part, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from robolayout._text import utf8
@@ -209,6 +210,41 @@ class Piece:
     def thin(self, most: float, share: float = 0.12) -> float:
         """Return a thickness: `most` metres, but no more than `share` of the smallest edge."""
         return min(most, share * min(self.d, self.w, self.h))
+
+
+def _shared() -> dict[str, Callable[[Piece], Material]]:
+    """Return what chooses a material that depends on the room or on the thing itself, by name."""
+    return {
+        "wood": lambda p: p.wood,
+        "dark": lambda p: p.dark,
+        "front": lambda p: p.front,
+        "metal": lambda p: p.metal,
+        "fabric": lambda p: p.fabric,
+        "accent": lambda p: p.accent,
+        "bedding": lambda p: p.bedding,
+        "fabric0": lambda p: p.palette.fabrics[0],
+        "accent0": lambda p: p.palette.accents[0],
+        "accent1": lambda p: p.palette.accents[1],
+        "accent2": lambda p: p.palette.accents[2],
+        "cloth": lambda p: p.rng().choice(SPINES),
+    }
+
+
+def _always(it: Material) -> Callable[[Piece], Material]:
+    """Return what chooses the same material for every thing."""
+    return lambda _: it
+
+
+MATERIALS: dict[str, Callable[[Piece], Material]] = (
+    {
+        ("anthracite" if key == "DARK" else key.lower().replace("_", "-")): _always(value)
+        for key, value in tuple(globals().items())
+        if isinstance(value, Material)
+    }
+    | {cloth.name.replace(" ", "-"): _always(cloth) for cloth in SPINES}
+    | _shared()
+)
+"""What rows may name: what is the same everywhere, and what the room or the thing chooses."""
 
 
 def make_piece(kind: str, variable: str, name: str, size: tuple[float, float, float], seed: int) -> Piece:

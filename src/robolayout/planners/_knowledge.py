@@ -1,15 +1,16 @@
-"""What the offline planner knows about rooms, read from the files in `knowledge/`.
+"""What the offline planner knows about rooms, read from the records of things (`assets/data/things/`).
 
-Each file is one functional group and lists roles: which categories play the role, where such a thing stands by itself
-(`stands`), what it joins if that is there (`joins`), what it prefers (`prefer`), and which statements follow (`say`). The
-meaning of every key is written in docs/planner.md.
+Each file is one functional group and lists roles beside its records: where such a thing stands by itself (`stands`), what it
+joins if that is there (`joins`), what it prefers (`prefer`), and which statements follow (`say`); a record names the role that
+it plays. The meaning of every key is written in docs/planner.md.
 """
 
 from __future__ import annotations
 
 import re
+import tomllib
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -18,20 +19,23 @@ from typing import Any
 from robolayout._errors import InputError, SceneError
 from robolayout._reading import Checker
 from robolayout._reading.syntax import toml_value
-from robolayout.assets import Category, find_category
+from robolayout.assets import CATALOGUE, Category, find_category
+from robolayout.assets.category import HEADS, built_in_data
 from robolayout.assets.lexicon import place_of
 from robolayout.constraints import RELATIONS
 from robolayout.planners._own import own_rooms, own_things
 from robolayout.planners._rooms import RoomType
-from robolayout.planners._shapes import among, build, table, tables, texts
+from robolayout.planners._shapes import among, build, table, tables
 from robolayout.scene import Asset
 
 SLOTS = ("beside", "front", "flank", "opposite", "behind", "around", "on", "setting", "near")
 """Ways of standing at something else."""
 STANDS = ("wall", "corner", "middle", "facing", "grid", "hang", "ceiling", "rug")
 """Ways of standing by itself."""
-TOP_KEYS = ("label", "order", "why", "role", "thing", "rooms", "slots")
-"""What a file may hold at its top."""
+GROUP_KEYS = ("label", "order", "why")
+"""What the head of a file says."""
+TOP_KEYS = (*HEADS, *GROUP_KEYS, "thing", "rooms")
+"""What a file may hold at its top, beside records; `label`, `order`, `why` and `thing` are the older form."""
 _VALUES = (
     "a, a2, b, wall, bwall, side, gap, least, most, near, far, angle, height, seat, straight, vertex, depth, items, "
     "ahead low, ahead high"
@@ -102,7 +106,7 @@ class Role:
         group: Label of its functional group ("sleeping").
         order: Place of the group, structural first.
         rank: When it is placed; low first.
-        names: Categories that play it.
+        names: What plays it: the categories whose records say so, and other words for things.
         words: Words in an asset's category that also give it this role.
         stands: Ways of standing by itself, best first.
         joins: Ways of joining something else, tried first.
@@ -175,7 +179,7 @@ def load_knowledge(extra: Iterable[Path] = ()) -> Knowledge:
     Raises:
         SceneError: A file is missing, broken, or says what cannot be.
     """
-    return _parse((*_built_in(), *((str(path), _read(path)) for path in extra)))
+    return _parse(tuple((str(path), _read(path)) for path in extra))
 
 
 def _read(path: Path) -> str:
@@ -183,15 +187,14 @@ def _read(path: Path) -> str:
 
 
 @cache
-def _built_in() -> tuple[tuple[str, str], ...]:
-    folder = files("robolayout.planners") / "knowledge"
-    found = sorted((item for item in folder.iterdir() if item.name.endswith(".toml")), key=lambda item: item.name)
-    return tuple((item.name, item.read_text("utf-8")) for item in found if item.name != "_rooms.toml")
-
-
-@cache
 def _parse(texts: tuple[tuple[str, str], ...]) -> Knowledge:
-    reading = _Reading()
+    slots = (files("robolayout.planners") / "knowledge" / "_slots.toml").read_text("utf-8")
+    reading = _Reading(tomllib.loads(slots)["slots"])
+    for data in built_in_data().values():
+        if "group" in data:
+            reading.add({key: data[key] for key in HEADS if key in data})
+    for category in CATALOGUE.values():
+        reading.cast(category)
     for name, text in texts:
         data = _CHECK.parse(toml_value, text, f"the knowledge file {name}")
         try:
@@ -204,26 +207,33 @@ def _parse(texts: tuple[tuple[str, str], ...]) -> Knowledge:
 class _Reading:
     """Collects what one file after the other says; later ones replace earlier ones."""
 
-    def __init__(self) -> None:
+    def __init__(self, slots: Mapping[str, Any]) -> None:
         self.roles: dict[str, Role] = {}
         self.groups: dict[str, _Group] = {}
         self.things: dict[str, Category] = {}
         self.rooms: dict[str, RoomType] = {}
-        self.slots: dict[str, Any] = {}
+        self.slots = slots
+
+    def cast(self, thing: Category) -> None:
+        """Let a thing play the role that its record names."""
+        if thing.role:
+            among(f"role of {thing.name!r}:", [thing.role], self.roles)
+            role = self.roles[thing.role]
+            self.roles[thing.role] = replace(role, names=(*role.names, thing.name))
 
     def add(self, data: Mapping[str, Any]) -> None:
         """Read one file."""
-        among("key", data, TOP_KEYS)
-        for slot, entry in table(data.get("slots", {}), "slots").items():
-            self.slots[slot] = table(entry, f"slots.{slot}")
-            texts(self.slots[slot].get("say", ()), f"slots.{slot}: say")
-        if set(data) == {"slots"}:
-            return
-        group = build(_Group, {key: data[key] for key in ("label", "order", "why") if key in data}, "its top")
+        records = {key: value for key, value in data.items() if key not in TOP_KEYS and isinstance(value, Mapping)}
+        among("key", [key for key in data if key not in records], TOP_KEYS)
+        head = data.get("group", {key: data[key] for key in GROUP_KEYS if key in data})
+        group = build(_Group, head, "its group" if "group" in data else "its top")
         self.groups[group.label] = group
-        found = [_role(entry, group, self.slots) for entry in tables(data.get("role", []), "role")]
+        found = [_role(entry, group, self.slots) for entry in _named(data.get("role", []), "role")]
         self.roles |= {role.name: role for role in found}
-        self.things |= {thing.name: thing for thing in own_things(data.get("thing", []), group.label)}
+        entries = [*_named(data.get("thing", []), "thing"), *_named(records, "thing")]
+        for thing in own_things(entries, group.label):
+            self.things[thing.name] = thing
+            self.cast(thing)
         self.rooms |= {room.name: room for room in own_rooms(data.get("rooms", {}), self.things)}
 
     def knowledge(self) -> Knowledge:
@@ -233,6 +243,15 @@ class _Reading:
         reasons = {label: group.why for label, group in self.groups.items()}
         orders = {label: group.order for label, group in self.groups.items()}
         return Knowledge(self.roles, reasons, orders, tuple(self.things.values()), tuple(self.rooms.values()))
+
+
+def _named(entries: object, where: str) -> list[dict[str, Any]]:
+    """Return tables that say their names, from such ("[[role]]") or from a table of tables ("[role.bed]")."""
+    if isinstance(entries, Mapping):
+        return [
+            {"name": name, **entry} for name, entry in zip(entries, tables([*entries.values()], where), strict=True)
+        ]
+    return tables(entries, where)
 
 
 def _role(entry: dict[str, Any], group: _Group, slots: Mapping[str, Any]) -> Role:

@@ -20,10 +20,12 @@ OWN = "your own file"
 
 @dataclass(frozen=True)
 class _Thing:
-    """One entry of `[[thing]]`; what it does not say is as in the category that it is like."""
+    """One record of an own file; what it does not say is as in the category that it is like."""
 
     name: str
     like: str
+    role: str = ""
+    synonyms: tuple[str, ...] = ()
     words: tuple[str, ...] = ()
     size: tuple[float, float, float] = (0.0, 0.0, 0.0)
     place: tuple[str, ...] = ()
@@ -34,7 +36,7 @@ def own_things(entries: object, group: str) -> tuple[Category, ...]:
     """Return the categories of a file.
 
     Args:
-        entries: Its `[[thing]]` tables.
+        entries: Its records, each with its name.
         group: The label of its group.
     """
     return tuple(_category(entry, group) for entry in tables(entries, "thing"))
@@ -53,12 +55,13 @@ def _category(entry: Mapping[str, object], group: str) -> Category:
     return replace(
         base,
         name=thing.name,
-        synonyms=thing.words,
+        synonyms=(*thing.synonyms, *thing.words),
         size=thing.size if "size" in entry else base.size,
         use_sides=thing.use_sides if "use_sides" in entry else base.use_sides,
         group=group,
         source=OWN if "size" in entry else base.source,
         like=base.name,
+        role=thing.role,
         **placed,
     )
 

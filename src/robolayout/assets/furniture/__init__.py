@@ -1,73 +1,13 @@
-"""The parametric furniture: one file per functional group, one function per kind of thing."""
+"""The furniture that no rows can say: books and goods by chance, leaves, cloth, cycles; one function a kind of thing."""
 
 from __future__ import annotations
 
-from robolayout.assets.category import Category
-from robolayout.assets.furniture import (
-    bathroom,
-    care,
-    chairs,
-    checkout,
-    classroom,
-    decoration,
-    entrance,
-    games,
-    gym,
-    hospitality,
-    kitchen,
-    lighting,
-    media,
-    plain,
-    plants,
-    play,
-    retail,
-    seating,
-    sleeping,
-    storage,
-    structure,
-    tables,
-    tableware,
-    textiles,
-    wall,
-    warehouse,
-    work,
-    workshop,
-)
+from robolayout.assets.furniture import home, plants, shelves, shops, warehouse
 from robolayout.assets.furniture._common import Builder
 
-GROUPS = (
-    bathroom,
-    care,
-    chairs,
-    checkout,
-    classroom,
-    decoration,
-    entrance,
-    games,
-    gym,
-    hospitality,
-    kitchen,
-    lighting,
-    media,
-    plants,
-    play,
-    retail,
-    seating,
-    sleeping,
-    storage,
-    structure,
-    tables,
-    tableware,
-    textiles,
-    wall,
-    warehouse,
-    work,
-    workshop,
-)
-BUILDERS: dict[str, Builder] = {name: build for group in GROUPS for name, build in group.BUILDERS.items()}
-"""Builders by category name."""
+__all__ = ["BUILDERS", "Builder"]
 
-
-def builder_for(category: Category) -> Builder:
-    """Return the builder of a category; a plain one by its placement where it has none of its own."""
-    return BUILDERS.get(category.name) or plain.plain_for(category)
+BUILDERS: dict[str, Builder] = {
+    name: build for group in (home, plants, shelves, shops, warehouse) for name, build in group.BUILDERS.items()
+}
+"""Builders by category name, for the categories whose record has no `parts`."""

@@ -1,21 +1,15 @@
-"""What many pieces share: legs, doors, drawers, handles, rows of books."""
+"""What several builders share: legs, open cases, books."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
+from robolayout.assets.fronts import DOOR, KNOB
 from robolayout.assets.palette import SPINES, Piece
 from robolayout.assets.part import Material, Part
-from robolayout.assets.shapes import Range, box, cylinder, slab
+from robolayout.assets.shapes import Range, box, cylinder
 
 Builder = Callable[[Piece], Iterable[Part]]
-
-GAP = 0.004
-"""Metres between neighbouring fronts."""
-DOOR = 0.018
-"""Thickness of a front in metres."""
-KNOB = 0.022
-"""How far handles stand out, metres."""
 
 
 def four(
@@ -36,39 +30,6 @@ def plinth(p: Piece, material: Material, height: float, *, inset: float = 0.03) 
     """Return a base that is set back on all sides."""
     i = min(inset, 0.1 * p.d, 0.1 * p.w)
     return box("plinth", material, (p.x[0] + i, p.x[1] - i - DOOR), (p.y[0] + i, p.y[1] - i), (0.0, height))
-
-
-def spread(span: Range, count: int, gap: float = GAP) -> list[Range]:
-    """Return `count` equal ranges inside `span`, `gap` apart and from the ends."""
-    step = (span[1] - span[0] - gap) / count
-    return [(span[0] + gap + i * step, span[0] + (i + 1) * step) for i in range(count)]
-
-
-def doors(p: Piece, front: Material, y: Range, z: Range, *, count: int = 2) -> Iterator[Part]:
-    """Yield a row of doors with bar handles; their faces lie `KNOB` behind the box's front."""
-    face = p.x[1] - KNOB
-    for i, (y0, y1) in enumerate(spread(y, count)):
-        yield box("door", front, (face - DOOR, face), (y0, y1), (z[0] + GAP, z[1] - GAP))
-        at = y1 - 0.045 if i % 2 == 0 and count > 1 else y0 + 0.045
-        middle, half = (z[0] + z[1]) / 2, min(0.12, 0.2 * (z[1] - z[0]))
-        yield box("handle", p.metal, (face, p.x[1]), (at - 0.007, at + 0.007), (middle - half, middle + half))
-
-
-def drawers(
-    p: Piece, front: Material, y: Range, z: Range, *, rows: int = 3, columns: int = 1, knobs: bool = False
-) -> Iterator[Part]:
-    """Yield a grid of drawer fronts with handles or knobs."""
-    face = p.x[1] - KNOB
-    for y0, y1 in spread(y, columns):
-        for z0, z1 in spread(z, rows):
-            yield box("drawer", front, (face - DOOR, face), (y0, y1), (z0, z1))
-            middle, level, half = (y0 + y1) / 2, (z0 + z1) / 2, min(0.07, 0.2 * (y1 - y0))
-            if knobs:
-                yield cylinder("knob", p.metal, (middle, level), (0.008, 0.013), (face, p.x[1]), axis="x", sides=8)
-            else:
-                yield box(
-                    "handle", p.metal, (face, p.x[1]), (middle - half, middle + half), (level - 0.006, level + 0.006)
-                )
 
 
 def carcass(p: Piece, material: Material, z: Range, *, y: Range | None = None) -> Part:
@@ -111,16 +72,3 @@ def books(p: Piece, y: Range, floor: float, room: float, *, x: Range | None = No
                 "books", rng.choice(SPINES), (back, back + depth), (at, at + width - 0.003), (floor, floor + tall)
             )
         at += width
-
-
-def stretched(parts: Iterable[Part], z: float) -> list[Part]:
-    """Lift parts by `z` metres."""
-    out = list(parts)
-    for part in out:
-        part.vertices[:, 2] += z
-    return out
-
-
-def top_slab(p: Piece, material: Material, thick: float) -> Part:
-    """Return a table top with a slightly bevelled lower edge."""
-    return slab("top", material, p.x, p.y, (p.h - thick, p.h), top=(1.0, 1.0))

@@ -1,4 +1,4 @@
-"""Plants and flowers."""
+"""Leaves and piles: what grows or lies around a middle."""
 
 from __future__ import annotations
 
@@ -7,7 +7,6 @@ from collections.abc import Iterator
 
 from robolayout.assets.furniture._common import Builder
 from robolayout.assets.palette import (
-    BRIGHT,
     CERAMIC,
     GREEN,
     LEAF,
@@ -15,18 +14,52 @@ from robolayout.assets.palette import (
     LEAF_LIGHT,
     LINEN,
     ORANGE,
+    PAPER,
     PINK,
     SOIL,
+    SPINES,
     STEEL,
     TERRACOTTA,
     WHITE,
     YELLOW,
     Piece,
-)  # fmt: skip
+)
 from robolayout.assets.part import Material, Part
-from robolayout.assets.shapes import ball, box, cylinder, oval, prism
+from robolayout.assets.shapes import ball, box, cylinder, moved, oval, prism
 
 Span = tuple[float, float]
+
+
+def book(p: Piece) -> Iterator[Part]:
+    """Yield a closed book; its spine is at the back."""
+    cover = p.rng().choice(SPINES)
+    t = 0.12 * p.h
+    yield box("cover", cover, p.x, p.y, (0.0, t))
+    yield box("pages", PAPER, (p.x[0] + 0.004, p.x[1] - 0.004), (p.y[0] + 0.004, p.y[1] - 0.004), (t, p.h - t))
+    yield box("cover", cover, p.x, p.y, (p.h - t, p.h))
+
+
+def book_stack(p: Piece) -> Iterator[Part]:
+    """Yield a pile of books, each turned a little."""
+    rng = p.rng()
+    count = max(2, round(p.h / 0.032))
+    for i in range(count):
+        shrink = rng.uniform(0.8, 0.96) if i else 1.0
+        z = i * p.h / count
+        one = Piece(
+            shrink * p.d * 0.95,
+            shrink * p.w * 0.95,
+            p.h / count,
+            p.palette,
+            p.fabric,
+            p.accent,
+            p.bedding,
+            p.kind,
+            i,
+            f"{p.key}/{i}",
+        )
+        turn = rng.uniform(-0.12, 0.12) if i else 0.0
+        yield from (moved(part, turn=turn, offset=(0.0, 0.0, z)) for part in book(one))
 
 
 def vase(p: Piece) -> Iterator[Part]:
@@ -76,29 +109,6 @@ def bunch(p: Piece, low: float, tones: tuple[Material, ...]) -> Iterator[Part]:
         rings=3,
         sides=8,
     )
-
-
-def christmas_tree(p: Piece) -> Iterator[Part]:
-    """Yield a fir with balls and a star."""
-    yield cylinder("pot", p.accent, (0.0, 0.0), (0.14 * p.d, 0.18 * p.d), (0.0, 0.12 * p.h), sides=14)
-    yield cylinder("trunk", p.dark, (0.0, 0.0), 0.03, (0.12 * p.h, 0.2 * p.h), sides=8)
-    for i, (low, high, r) in enumerate(((0.17, 0.52, 0.5), (0.38, 0.72, 0.38), (0.6, 0.95, 0.26))):
-        rows = ((r * p.d, r * p.w), (0.02, 0.02))
-        yield oval("branches", (LEAF_DARK, GREEN, LEAF_DARK)[i], (0.0, 0.0), rows, (low * p.h, high * p.h), sides=16)
-        for j in range(6):
-            turn = 2 * math.pi * j / 6 + i
-            x, y = 0.8 * r * p.d * math.cos(turn), 0.8 * r * p.w * math.sin(turn)
-            z = (low + 0.07) * p.h
-            yield ball(
-                "bauble",
-                BRIGHT[(i + j) % 3],
-                (x - 0.03, x + 0.03),
-                (y - 0.03, y + 0.03),
-                (z - 0.03, z + 0.03),
-                rings=3,
-                sides=8,
-            )
-    yield ball("star", YELLOW, (-0.04, 0.04), (-0.05, 0.05), (0.94 * p.h, p.h), rings=1, sides=5)
 
 
 def plant(p: Piece) -> Iterator[Part]:
@@ -177,36 +187,6 @@ def potted_plant(p: Piece) -> Iterator[Part]:
         z = pot + (p.h - pot) * (0.2 + 0.7 * rise)
         yield leaf((LEAF, LEAF_LIGHT, LEAF_DARK)[i % 3], (x, y, z), turn, size, droop=-0.7 * rise)
     yield cylinder("stem", LEAF_DARK, (0.0, 0.0), 0.06 * p.d, (pot + 0.001, p.h - 0.1 * p.h), sides=7)
-
-
-def tree(p: Piece) -> Iterator[Part]:
-    """Yield a small tree with a round crown in a large pot."""
-    pot = 0.2 * p.h
-    r = 0.22 * min(p.d, p.w)
-    yield cylinder(
-        "pot", (p.accent, TERRACOTTA, CERAMIC)[p.variant % 3], (0.0, 0.0), (0.8 * r, r), (0.0, pot), sides=20
-    )
-    yield cylinder("soil", SOIL, (0.0, 0.0), 0.9 * r, (pot, pot + 0.01), sides=20)
-    yield cylinder("trunk", p.dark, (0.0, 0.0), (0.04, 0.025), (pot + 0.002, 0.6 * p.h), sides=8)
-    for i, (x, y, z, s) in enumerate(
-        (
-            (0.0, 0.0, 0.78, 0.3),
-            (0.18, 0.12, 0.66, 0.24),
-            (-0.2, 0.1, 0.64, 0.24),
-            (0.02, -0.22, 0.66, 0.24),
-            (0.0, 0.04, 0.58, 0.28),
-        )
-    ):
-        span = ((x - s) * p.d, (x + s) * p.d), ((y - s) * p.w, (y + s) * p.w)
-        tall = 0.2 if i == 0 else 0.14
-        yield ball(
-            "crown",
-            (LEAF, LEAF_DARK, LEAF_LIGHT)[i % 3],
-            *span,
-            ((z - tall) * p.h, min(z + tall, 1.0) * p.h),
-            rings=4,
-            sides=10,
-        )
 
 
 def hanging_plant(p: Piece) -> Iterator[Part]:
@@ -294,25 +274,6 @@ def flower_bucket(p: Piece) -> Iterator[Part]:
     yield from bunch(p, top, tones[start:] + tones[:start][:1])
 
 
-def wreath(p: Piece) -> Iterator[Part]:
-    """Yield a ring of leaves with berries."""
-    for i in range(16):
-        turn = 2 * math.pi * i / 16
-        y, z = 0.4 * p.w * math.cos(turn), p.h / 2 + 0.4 * p.h * math.sin(turn)
-        r = 0.1 * min(p.w, p.h)
-        yield ball("tuft", (LEAF, LEAF_DARK)[i % 2], p.x, (y - r, y + r), (z - r, z + r), rings=3, sides=8)
-        if i % 4 == 0:
-            yield ball(
-                "berry",
-                BRIGHT[0],
-                (0.2 * p.d, p.x[1] + 0.1 * p.d),
-                (y - 0.3 * r, y + 0.3 * r),
-                (z - 0.3 * r, z + 0.3 * r),
-                rings=2,
-                sides=6,
-            )
-
-
 def green_wall(p: Piece) -> Iterator[Part]:
     """Yield a panel covered with tufts of leaves."""
     yield box("panel", p.dark, (p.x[0], p.x[0] + 0.3 * p.d), p.y, p.z)
@@ -334,16 +295,14 @@ def green_wall(p: Piece) -> Iterator[Part]:
 
 
 BUILDERS: dict[str, Builder] = {
+    "book stack": book_stack,
     "vase": vase,
     "unknown decor": vase,
-    "christmas tree": christmas_tree,
     "plant": plant,
     "potted plant": potted_plant,
-    "indoor tree": tree,
     "hanging plant": hanging_plant,
     "planter": planter,
     "plant stand": plant_stand,
     "flower bucket": flower_bucket,
-    "wreath": wreath,
     "green wall": green_wall,
 }

@@ -1,11 +1,10 @@
-"""Warehouses: pallets, racks, carts and machines."""
+"""Racks, loads and machines: rows whose number follows the size."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from robolayout.assets.furniture._common import Builder, four
-from robolayout.assets.furniture.care import castors
 from robolayout.assets.palette import (
     BLACK,
     BLUE,
@@ -21,14 +20,49 @@ from robolayout.assets.palette import (
     RED,
     RUBBER,
     STEEL,
-    WHITE,
     YELLOW,
     Piece,
-)  # fmt: skip
-from robolayout.assets.part import Part
-from robolayout.assets.shapes import box, cylinder, sheared, slab, soft
+)
+from robolayout.assets.part import Material, Part
+from robolayout.assets.shapes import box, cylinder, sheared, soft
 
 Span = tuple[float, float]
+
+
+def castors(p: Piece, r: float, *, inset: float = 0.04) -> Iterator[Part]:
+    """Yield four wheels of radius `r` under the corners."""
+    for x in (p.x[0] + r + inset, p.x[1] - r - inset):
+        for y in (p.y[0] + inset, p.y[1] - inset):
+            yield cylinder("castor", RUBBER, (r, x), r, (y - 0.018, y + 0.018), axis="y", sides=12)
+
+
+def wheel(p: Piece, x: float, y: float, r: float, *, wide: float = 0.03) -> Iterator[Part]:
+    """Yield a large spoked wheel: tyre disc, lighter inside, hub."""
+    yield cylinder("tyre", RUBBER, (r, x), r, (y - wide / 2, y + wide / 2), axis="y", sides=24)
+    yield cylinder(
+        "spokes", LIGHT_GREY, (r, x), 0.86 * r, (y - wide / 2 - 0.002, y + wide / 2 + 0.002), axis="y", sides=24
+    )
+    yield cylinder("hub", DARK, (r, x), 0.2 * r, (y - wide / 2 - 0.006, y + wide / 2 + 0.006), axis="y", sides=12)
+
+
+def dumbbell_rack(p: Piece) -> Iterator[Part]:
+    """Yield two or three shelves of dumbbells."""
+    rows = max(2, round(p.h / 0.4))
+    for y0 in (p.y[0], p.y[1] - 0.05):
+        yield box("side", DARK, (p.x[0], p.x[0] + 0.06), (y0, y0 + 0.05), (0.05, p.h))
+        yield box("foot", DARK, p.x, (y0, y0 + 0.05), (0.0, 0.05))
+    for i in range(rows):
+        z = 0.2 * p.h + i * 0.7 * p.h / rows
+        x = (p.x[0] + 0.02 + 0.0, p.x[1] - 0.12 * i)
+        shelf = box("shelf", GREY, (x[0] + 0.04, x[1]), (p.y[0] + 0.05, p.y[1] - 0.05), (z - 0.02, z))
+        yield shelf
+        count = max(3, round(p.w / 0.16))
+        for j in range(count):
+            y = p.y[0] + 0.05 + (j + 0.5) * (p.w - 0.1) / count
+            r = 0.045 + 0.02 * j / count
+            yield cylinder("grip", STEEL, (y, z + r), 0.018, (x[0] + 0.12, x[1] - 0.1), axis="x", sides=8)
+            for a in ((x[0] + 0.06, x[0] + 0.15), (x[1] - 0.13, x[1] - 0.03)):
+                yield cylinder("head", (DARK, p.accent)[j % 2], (y, z + r), r, a, axis="x", sides=8)
 
 
 def pallet_at(x: Span, y: Span, low: float, tall: float = 0.144) -> Iterator[Part]:
@@ -61,11 +95,6 @@ def stack(p: Piece, x: Span, y: Span, z: Span, salt: int) -> Iterator[Part]:
                 b = (y[0] + j * (y[1] - y[0]) / columns + 0.004, y[0] + (j + 1) * (y[1] - y[0]) / columns - 0.004)
                 c = (z[0] + k * (z[1] - z[0]) / layers, z[0] + (k + 1) * (z[1] - z[0]) / layers - 0.003)
                 yield box("carton", CARDBOARD if rng.random() < 0.75 else PINE, a, b, c)
-
-
-def pallet(p: Piece) -> Iterator[Part]:
-    """Yield an empty pallet."""
-    yield from pallet_at(p.x, p.y, 0.0, p.h)
 
 
 def loaded_pallet(p: Piece) -> Iterator[Part]:
@@ -107,13 +136,6 @@ def pallet_rack(p: Piece) -> Iterator[Part]:
             )
 
 
-def cardboard_box(p: Piece) -> Iterator[Part]:
-    """Yield a closed carton with tape and a label."""
-    yield box("carton", CARDBOARD, (p.x[0], p.x[1] - 0.002), p.y, (0.0, p.h - 0.002))
-    yield box("tape", PINE, (0.97 * p.x[0], 0.97 * p.x[1]), (-0.03 * p.w - 0.01, 0.03 * p.w + 0.01), (p.h - 0.002, p.h))
-    yield box("label", WHITE, (p.x[1] - 0.002, p.x[1]), (0.1 * p.w, 0.36 * p.w), (0.5 * p.h, 0.8 * p.h))
-
-
 def crate(p: Piece) -> Iterator[Part]:
     """Yield a wooden crate of slats with corner posts."""
     t = min(0.03, 0.08 * min(p.d, p.w))
@@ -127,60 +149,6 @@ def crate(p: Piece) -> Iterator[Part]:
             yield box("slat", PINE, (p.x[0] + t, p.x[1] - t), (y0, y0 + t), z)
 
 
-def storage_bin(p: Piece) -> Iterator[Part]:
-    """Yield a plastic container with a rim and grips."""
-    tone = (BLUE, GREY, GREEN, RED)[p.variant % 4]
-    yield slab(
-        "bin", tone, (0.9 * p.x[0], 0.9 * p.x[1]), (0.93 * p.y[0], 0.93 * p.y[1]), (0.0, 0.88 * p.h), top=(1.05, 1.03)
-    )
-    yield box("rim", tone, p.x, p.y, (0.88 * p.h, 0.96 * p.h))
-    yield box("content", DARK, (0.86 * p.x[0], 0.86 * p.x[1]), (0.9 * p.y[0], 0.9 * p.y[1]), (0.96 * p.h, p.h))
-
-
-def barrel(p: Piece) -> Iterator[Part]:
-    """Yield a barrel: wooden with hoops, or a steel drum."""
-    r = min(p.d, p.w) / 2
-    wood = p.variant % 2
-    tone, ring = (p.wood, IRON) if wood else (BLUE, DARK)
-    yield cylinder("staves", tone, (0.0, 0.0), (0.82 * r if wood else 0.96 * r, 0.97 * r), (0.0, 0.5 * p.h), sides=20)
-    yield cylinder(
-        "staves", tone, (0.0, 0.0), (0.97 * r, 0.82 * r if wood else 0.96 * r), (0.5 * p.h, 0.97 * p.h), sides=20
-    )
-    for z, share in ((0.3, 0.94), (0.66, 0.95)):
-        yield cylinder("hoop", ring, (0.0, 0.0), (share + 0.05) * r, (z * p.h, (z + 0.04) * p.h), sides=20)
-    yield cylinder("lid", p.dark if wood else DARK, (0.0, 0.0), 0.76 * r, (0.97 * p.h, p.h), sides=20)
-
-
-def hand_truck(p: Piece) -> Iterator[Part]:
-    """Yield a sack truck with a toe plate."""
-    r = 0.1 * p.h
-    for side in (-1, 1):
-        yield cylinder(
-            "wheel",
-            RUBBER,
-            (r, p.x[0] + r),
-            r,
-            (side * 0.42 * p.w - 0.03, side * 0.42 * p.w + 0.03),
-            axis="y",
-            sides=16,
-        )
-        y = side * 0.28 * p.w
-        yield sheared("rail", RED, (-0.02, 0.02), (y - 0.016, y + 0.016), (0.02, p.h - 0.03), lean=(-0.24 * p.d, 0.0))
-    for i in range(4):
-        z = (0.25 + 0.18 * i) * p.h
-        x = -0.24 * p.d * z / p.h
-        yield box("rung", RED, (x - 0.014, x + 0.014), (-0.25 * p.w, 0.25 * p.w), (z, z + 0.03))
-    yield box("toe plate", STEEL, (0.0, p.x[1]), (-0.44 * p.w, 0.44 * p.w), (0.0, 0.02))
-    yield box("handle", BLACK, (-0.3 * p.d, -0.18 * p.d), (-0.4 * p.w, 0.4 * p.w), (p.h - 0.04, p.h))
-    yield box(
-        "axle",
-        STEEL,
-        (p.x[0] + r - 0.012, p.x[0] + r + 0.012),
-        (-0.42 * p.w + 0.03, 0.42 * p.w - 0.03),
-        (r - 0.012, r + 0.012),
-    )
-
-
 def platform_cart(p: Piece) -> Iterator[Part]:
     """Yield a flat cart with cartons; it is pushed at its left end."""
     yield from castors(p, 0.07, inset=0.05)
@@ -189,76 +157,6 @@ def platform_cart(p: Piece) -> Iterator[Part]:
         yield box("post", STEEL, (x, x + 0.03), (p.y[0] + 0.02, p.y[0] + 0.05), (0.2, p.h - 0.03))
     yield box("handle", STEEL, (0.9 * p.x[0], 0.9 * p.x[1]), (p.y[0] + 0.019, p.y[0] + 0.051), (p.h - 0.03, p.h))
     yield from stack(p, (0.8 * p.x[0], 0.8 * p.x[1]), (-0.3 * p.w, 0.44 * p.w), (0.2, 0.62 * p.h), 3)
-
-
-def pallet_jack(p: Piece) -> Iterator[Part]:
-    """Yield a pallet truck; its forks point to +x."""
-    for y in (-0.3 * p.w, 0.3 * p.w):
-        yield box("fork", YELLOW, (-0.22 * p.d, p.x[1]), (y - 0.08, y + 0.08), (0.06, 0.11))
-        yield cylinder("roller", RUBBER, (0.04, p.x[1] - 0.12), 0.04, (y - 0.05, y + 0.05), axis="y", sides=12)
-    yield box("body", YELLOW, (-0.34 * p.d, -0.22 * p.d - 0.001), p.y, (0.06, 0.34 * p.h))
-    yield cylinder("wheel", RUBBER, (0.1, -0.4 * p.d), 0.1, (-0.06, 0.06), axis="y", sides=16)
-    yield cylinder("pump", DARK, (-0.38 * p.d, 0.0), 0.07, (0.2, 0.4 * p.h), sides=12)
-    yield sheared(
-        "tiller", YELLOW, (-0.39 * p.d, -0.36 * p.d), (-0.025, 0.025), (0.4 * p.h, 0.92 * p.h), lean=(-0.09 * p.d, 0.0)
-    )
-    yield box("grip", BLACK, (p.x[0], -0.42 * p.d), (-0.3 * p.w, 0.3 * p.w), (0.92 * p.h, p.h))
-
-
-def forklift(p: Piece) -> Iterator[Part]:
-    """Yield a forklift truck; its forks point to +x."""
-    for x in (-0.32 * p.d, 0.14 * p.d):
-        for side in (-1, 1):
-            yield cylinder(
-                "wheel",
-                RUBBER,
-                (0.22, x),
-                0.22,
-                (side * 0.42 * p.w - 0.08, side * 0.42 * p.w + 0.08),
-                axis="y",
-                sides=18,
-            )
-    yield soft(
-        "counterweight", YELLOW, (p.x[0], -0.2 * p.d), (0.84 * p.y[0], 0.84 * p.y[1]), (0.14, 0.5 * p.h), bevel=0.06
-    )
-    yield box("chassis", DARK, (-0.2 * p.d, 0.2 * p.d), (0.7 * p.y[0], 0.7 * p.y[1]), (0.14, 0.3 * p.h))
-    yield soft("seat", BLACK, (-0.18 * p.d, 0.0), (-0.25, 0.25), (0.5 * p.h, 0.56 * p.h), bevel=0.03)
-    yield box("seat box", YELLOW, (-0.19 * p.d, 0.0), (0.6 * p.y[0], 0.6 * p.y[1]), (0.3 * p.h, 0.5 * p.h))
-    for x, lean in ((-0.22 * p.d, 0.04), (0.14 * p.d, -0.03)):
-        for y in (-0.36 * p.w, 0.36 * p.w):
-            yield sheared(
-                "guard post",
-                DARK,
-                (x, x + 0.05),
-                (y - 0.025, y + 0.025),
-                (0.3 * p.h, 0.97 * p.h),
-                lean=(lean * p.d, 0.0),
-            )
-    yield box("roof", DARK, (-0.2 * p.d, 0.15 * p.d), (-0.4 * p.w, 0.4 * p.w), (0.97 * p.h, p.h))
-    for y in (-0.28 * p.w, 0.28 * p.w):
-        yield box("mast", GREY, (0.2 * p.d + 0.001, 0.24 * p.d), (y - 0.04, y + 0.04), (0.06, 0.98 * p.h))
-        yield box("fork", STEEL, (0.24 * p.d + 0.03, p.x[1]), (y - 0.06, y + 0.06), (0.0, 0.05))
-    yield box("carriage", GREY, (0.24 * p.d, 0.24 * p.d + 0.03), (-0.42 * p.w, 0.42 * p.w), (0.02, 0.24 * p.h))
-    yield sheared(
-        "wheel post", BLACK, (0.1 * p.d, 0.12 * p.d), (-0.02, 0.02), (0.3 * p.h, 0.56 * p.h), lean=(-0.04 * p.d, 0.0)
-    )
-    yield cylinder("steering wheel", BLACK, (0.07 * p.d, 0.0), 0.16, (0.56 * p.h, 0.575 * p.h), sides=16)
-
-
-def conveyor(p: Piece) -> Iterator[Part]:
-    """Yield a belt on legs with parcels; it runs along its width."""
-    top = p.h - 0.22 if p.h > 0.6 else 0.7 * p.h
-    for x0 in (p.x[0], p.x[1] - 0.05):
-        yield box("rail", YELLOW, (x0, x0 + 0.05), p.y, (top - 0.12, top + 0.03))
-    yield box("belt", BLACK, (p.x[0] + 0.05, p.x[1] - 0.05), p.y, (top - 0.06, top))
-    for i in range(n := max(2, round(p.w / 1.2))):
-        y = p.y[0] + 0.1 + i * (p.w - 0.2) / (n - 1)
-        for x in (0.84 * p.x[0], 0.72 * p.x[1]):
-            yield box("leg", GREY, (x, x + 0.05), (y - 0.03, y + 0.03), (0.0, top - 0.06))
-    for i in range(3):
-        y = (-0.32 + 0.3 * i) * p.w
-        tall = (0.22, 0.14, 0.18)[i] if top < p.h - 0.2 else 0.2 * p.h
-        yield box("parcel", CARDBOARD, (-0.22 * p.d, 0.22 * p.d), (y - 0.16, y + 0.16), (top, top + tall))
 
 
 def packing_table(p: Piece) -> Iterator[Part]:
@@ -301,112 +199,121 @@ def roll_cage(p: Piece) -> Iterator[Part]:
     yield from stack(p, (0.86 * p.x[0], 0.86 * p.x[1]), (0.88 * p.y[0], 0.88 * p.y[1]), (0.17, 0.72 * p.h), 2)
 
 
-def ladder(p: Piece) -> Iterator[Part]:
-    """Yield a step ladder; its steps face +x."""
-    for side in (-1, 1):
-        y = side * (p.w / 2 - 0.02)
-        yield sheared(
-            "rail",
-            STEEL,
-            (p.x[1] - 0.05, p.x[1]),
-            (y - 0.018, y + 0.018),
-            (0.0, p.h - 0.05),
-            lean=(-0.52 * p.d, -side * 0.12 * p.w),
-        )
-        yield sheared(
-            "rear leg",
-            STEEL,
-            (p.x[0], p.x[0] + 0.03),
-            (y - 0.016, y + 0.016),
-            (0.0, p.h - 0.06),
-            lean=(0.32 * p.d, -side * 0.12 * p.w),
-        )
-    count = max(2, round(p.h / 0.26)) - 1
+def server_rack(p: Piece) -> Iterator[Part]:
+    """Yield a rack of servers with lights."""
+    yield box("cabinet", BLACK, (p.x[0], p.x[1] - 0.04), p.y, p.z)
+    count = max(4, min(20, round(p.h / 0.11)))
     for i in range(count):
-        z = (i + 1) * (p.h - 0.04) / (count + 1)
-        x = p.x[1] - 0.03 - 0.52 * p.d * z / p.h
-        half = (0.46 - 0.12 * z / p.h) * p.w
-        yield box("step", p.accent, (x - 0.06, x + 0.03), (-half, half), (z - 0.015, z + 0.012))
-    yield box("platform", DARK, (-0.2 * p.d, 0.02 * p.d), (-0.38 * p.w, 0.38 * p.w), (p.h - 0.05, p.h))
+        z = (0.06 + i * (p.h - 0.1) / count, 0.05 + (i + 1) * (p.h - 0.1) / count)
+        yield box(
+            "server", DARK if i % 4 else LIGHT_GREY, (p.x[1] - 0.04, p.x[1] - 0.01), (0.84 * p.y[0], 0.84 * p.y[1]), z
+        )
+        for j in range(3):
+            y = 0.5 * p.y[1] + 0.03 * j
+            yield box(
+                "light",
+                (GREEN, GLOW, YELLOW)[(i + j) % 3],
+                (p.x[1] - 0.01, p.x[1]),
+                (y, y + 0.012),
+                (z[0] + 0.02, z[0] + 0.032),
+            )
 
 
-def step_stool(p: Piece) -> Iterator[Part]:
-    """Yield two steps."""
-    for y0 in (p.y[0], p.y[1] - 0.025):
-        yield box("side", p.wood, (p.x[0], 0.0), (y0, y0 + 0.025), (0.0, p.h - 0.02))
-        yield box("side", p.wood, (0.0, p.x[1]), (y0, y0 + 0.025), (0.0, 0.5 * p.h - 0.02))
-    yield box("step", p.accent, (p.x[0], 0.0), p.y, (p.h - 0.02, p.h))
-    yield box("step", p.accent, (0.001, p.x[1]), p.y, (0.5 * p.h - 0.02, 0.5 * p.h))
+def pegboard(p: Piece) -> Iterator[Part]:
+    """Yield a wall board with hanging tools."""
+    face = p.x[0] + 0.3 * p.d
+    yield box("board", p.wood, (p.x[0], face), p.y, p.z)
+    rng = p.rng()
+    columns = max(3, round(p.w / 0.17))
+    for i in range(columns):
+        y = p.y[0] + (i + 0.5) * p.w / columns
+        for row, top in enumerate((0.92, 0.48)):
+            long = rng.uniform(0.18, 0.32) * p.h
+            z = top * p.h
+            yield box(
+                "grip",
+                (RED, YELLOW, BLUE, BLACK)[(i + row) % 4],
+                (face, p.x[1]),
+                (y - 0.018, y + 0.018),
+                (z - long, z - 0.5 * long),
+            )
+            if (i + row) % 3:
+                yield box("blade", STEEL, (face, face + 0.3 * p.d), (y - 0.01, y + 0.01), (z - 0.5 * long, z))
+            else:
+                yield box(
+                    "head", IRON, (face, face + 0.5 * p.d), (y - 0.05, y + 0.05), (z - 0.5 * long, z - 0.35 * long)
+                )
 
 
-def cabinet_machine(p: Piece) -> Iterator[Part]:
-    """Yield a steel cabinet with a panel, lights and vents: chargers, controls, unknown machines."""
-    yield box("plinth", DARK, (p.x[0], p.x[1] - 0.03), (0.94 * p.y[0], 0.94 * p.y[1]), (0.0, 0.06))
-    yield soft("body", LIGHT_GREY, (p.x[0], p.x[1] - 0.02), p.y, (0.06, p.h), bevel=0.015)
-    face = (p.x[1] - 0.02, p.x[1] - 0.012)
-    yield box("door", p.accent, face, (0.88 * p.y[0], 0.88 * p.y[1]), (0.12, 0.6 * p.h))
-    yield box("panel", DARK, face, (0.7 * p.y[0], 0.7 * p.y[1]), (0.68 * p.h, 0.92 * p.h))
-    yield box("screen", GLOW, (p.x[1] - 0.012, p.x[1] - 0.008), (0.6 * p.y[0], 0.1 * p.y[1]), (0.74 * p.h, 0.88 * p.h))
-    for i, tone in enumerate((GREEN, YELLOW, RED)):
-        yield cylinder(
-            "button",
-            tone,
-            (0.48 * p.y[1], (0.73 + 0.07 * i) * p.h),
-            min(0.02, 0.08 * p.w),
-            (p.x[1] - 0.012, p.x[1]),
-            axis="x",
-            sides=10,
+def lumber_rack(p: Piece) -> Iterator[Part]:
+    """Yield a cantilever rack with planks; its lowest arms are its feet."""
+    for i in range(n := max(2, round(p.w / 0.9))):
+        y = p.y[0] + 0.06 + i * (p.w - 0.12) / (n - 1)
+        yield box("post", BLUE, (p.x[0], p.x[0] + 0.08), (y - 0.04, y + 0.04), (0.0, p.h))
+        for k in range(4):
+            z = (0.06 + 0.25 * k) * p.h
+            low = z - 0.04 if k else 0.0
+            yield box("arm" if k else "foot", BLUE, (p.x[0] + 0.08, p.x[1]), (y - 0.03, y + 0.03), (low, z))
+    for k in range(4):
+        z = (0.06 + 0.25 * k) * p.h
+        for i in range(3):
+            x = p.x[0] + 0.1 + i * (p.d - 0.12) / 3
+            for layer in range(1 + (i + k) % 3):
+                yield box(
+                    "plank",
+                    (PINE, p.wood, p.dark)[(i + k) % 3],
+                    (x, x + 0.26 * p.d),
+                    p.y,
+                    (z + 0.032 * layer, z + 0.032 * layer + 0.03),
+                )
+
+
+def bicycle(p: Piece) -> Iterator[Part]:
+    """Yield a bicycle that faces +x."""
+    r = 0.32 * p.h
+    rear, front = p.x[0] + r, p.x[1] - r
+    for x in (rear, front):
+        yield from wheel(p, x, 0.0, r, wide=0.035)
+    frame = p.accent
+    yield sheared(
+        "seat tube", frame, (-0.13 * p.d, -0.1 * p.d), (-0.016, 0.016), (0.3 * p.h, 0.82 * p.h), lean=(-0.06 * p.d, 0.0)
+    )
+    yield sheared("fork", frame, (front - 0.02, front + 0.02), (-0.03, 0.03), (r, 0.84 * p.h), lean=(-0.1 * p.d, 0.0))
+    yield bar(frame, (-0.15 * p.d, 0.24 * p.d), (0.7 * p.h, 0.74 * p.h), 0.017)
+    yield bar(frame, (-0.12 * p.d, 0.26 * p.d), (0.32 * p.h, 0.68 * p.h), 0.014)
+    yield bar(frame, (rear, -0.12 * p.d), (r, 0.32 * p.h), 0.010)
+    yield bar(frame, (rear + 0.005, -0.17 * p.d), (r, 0.7 * p.h), 0.0125)
+    yield soft("saddle", BLACK, (-0.25 * p.d, -0.1 * p.d), (-0.07, 0.07), (0.82 * p.h, 0.88 * p.h), bevel=0.02)
+    yield box("stem", STEEL, (front - 0.12 * p.d, front - 0.09 * p.d), (-0.02, 0.02), (0.84 * p.h, 0.96 * p.h))
+    yield cylinder("handle bar", BLACK, (0.98 * p.h, front - 0.11 * p.d), 0.02 * p.h, p.y, axis="y", sides=8)
+    yield cylinder("chain ring", STEEL, (0.3 * p.h, -0.11 * p.d), 0.09 * p.h, (-0.05, -0.04), axis="y", sides=16)
+    for side in (-1, 1):
+        yield box(
+            "pedal",
+            DARK,
+            (-0.11 * p.d - 0.05, -0.11 * p.d + 0.05),
+            (side * 0.11 - 0.05, side * 0.11 + 0.05),
+            (0.3 * p.h + side * 0.13, 0.3 * p.h + side * 0.13 + 0.02),
         )
 
 
-def fire_extinguisher(p: Piece) -> Iterator[Part]:
-    """Yield a red extinguisher with a hose."""
-    r = 0.42 * min(p.d, p.w)
-    yield cylinder("body", RED, (0.0, 0.0), r, (0.0, 0.7 * p.h), sides=18)
-    yield cylinder("shoulder", RED, (0.0, 0.0), (r, 0.3 * r), (0.7 * p.h, 0.82 * p.h), sides=18)
-    yield cylinder("label", WHITE, (0.0, 0.0), r + 0.002, (0.3 * p.h, 0.5 * p.h), sides=18)
-    yield box("valve", BLACK, (-0.2 * r, 0.2 * r), (-0.2 * r, 0.2 * r), (0.82 * p.h, 0.92 * p.h))
-    yield box("lever", BLACK, (-0.16 * p.d, p.x[1]), (-0.02, 0.02), (0.92 * p.h, p.h))
-    yield box("hose", BLACK, (-0.015, 0.015), (r + 0.002, p.y[1]), (0.2 * p.h, 0.86 * p.h))
-    yield box("hose", BLACK, (-0.014, 0.014), (0.2 * r, r + 0.002), (0.83 * p.h, 0.86 * p.h))
-    yield box("bracket", DARK, (p.x[0] - 0.004, -0.9 * r), (-0.06, 0.06), (0.26 * p.h, 0.6 * p.h))
-
-
-def bollard(p: Piece) -> Iterator[Part]:
-    """Yield a striped post on a plate."""
-    r = 0.36 * min(p.d, p.w)
-    yield box("plate", DARK, p.x, p.y, (0.0, 0.015))
-    for i in range(5):
-        yield cylinder(
-            "stripe",
-            (YELLOW, BLACK)[i % 2],
-            (0.0, 0.0),
-            r,
-            (0.015 + i * (p.h - 0.04) / 5, 0.015 + (i + 1) * (p.h - 0.04) / 5),
-            sides=14,
-        )
-    yield cylinder("cap", BLACK, (0.0, 0.0), (r, 0.6 * r), (p.h - 0.025, p.h), sides=14)
+def bar(tone: Material, x: Span, z: Span, half: float = 0.015) -> Part:
+    """Return a slim tube of a frame from (x[0], z[0]) to (x[1], z[1]), `half` as wide."""
+    part = box("tube", tone, x, (-half, half), (-0.016, 0.016))
+    part.vertices[:, 2] += z[0] + (part.vertices[:, 0] - x[0]) / (x[1] - x[0]) * (z[1] - z[0])
+    return part
 
 
 BUILDERS: dict[str, Builder] = {
-    "pallet": pallet,
+    "dumbbell rack": dumbbell_rack,
     "loaded pallet": loaded_pallet,
     "pallet rack": pallet_rack,
-    "cardboard box": cardboard_box,
     "crate": crate,
-    "storage bin": storage_bin,
-    "barrel": barrel,
-    "hand truck": hand_truck,
     "platform cart": platform_cart,
-    "pallet jack": pallet_jack,
-    "forklift": forklift,
-    "conveyor belt": conveyor,
     "packing table": packing_table,
     "roll cage": roll_cage,
-    "ladder": ladder,
-    "step stool": step_stool,
-    "charging station": cabinet_machine,
-    "strapping machine": cabinet_machine,
-    "fire extinguisher": fire_extinguisher,
-    "safety bollard": bollard,
+    "server rack": server_rack,
+    "pegboard": pegboard,
+    "lumber rack": lumber_rack,
+    "bicycle": bicycle,
 }

@@ -1,0 +1,229 @@
+"""Furniture drawn from the rows of its record: where each part lies for a given size, and the parts themselves."""
+
+from __future__ import annotations
+
+import ast
+import math
+import operator
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.assets.fronts import doors, drawers
+from robolayout.assets.palette import MATERIALS, Piece
+from robolayout.assets.part import Material, Part
+from robolayout.assets.shapes import ball, box, moved, oval, prism, slab, soft
+
+Place = dict[str, list[float]]
+"""What a row says for one size, by field: the two ends along an axis, radii, how it leans; metres."""
+
+RELATIONS: dict[str, Callable[[float, float], bool]] = {
+    "<=": operator.le, ">=": operator.ge, "<": operator.lt, ">": operator.gt,
+}  # fmt: skip
+"""How a row may compare two lengths."""
+SUMS: dict[type[ast.operator], Callable[[float, float], float]] = {
+    ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv,
+}  # fmt: skip
+CALLS: dict[str, Callable[..., float]] = {"min": min, "max": max, "round": round, "abs": abs}
+"""What a `let` may compute, beside sums and products."""
+BASIS = ("", "m", "d", "w", "h")
+"""What an extent is a sum of, before the names of `let`: plain numbers, metres, depth, width, height."""
+CROSS = {"z": "xy", "x": "yz", "y": "zx"}
+"""The two axes across one, in the order that shapes take them."""
+
+
+@dataclass(frozen=True)
+class Repeat:
+    """How a row is drawn several times.
+
+    Attributes:
+        count: Which value is the number of times.
+        steps: By field, which values are added each time.
+    """
+
+    count: int
+    steps: Mapping[str, slice]
+
+
+@dataclass(frozen=True)
+class Test:
+    """When a row is drawn.
+
+    Attributes:
+        styles: (remainders, divisor) that the thing's style must have.
+        limits: (value, relation to 0) that its size must have.
+    """
+
+    styles: tuple[tuple[frozenset[int], int], ...]
+    limits: tuple[tuple[int, str], ...]
+
+    def holds(self, variant: int, values: list[float]) -> bool:
+        """Return whether a thing of this style and these values is meant."""
+        fits = all(variant % by in some for some, by in self.styles)
+        return fits and all(RELATIONS[relation](values[index], 0.0) for index, relation in self.limits)
+
+
+@dataclass(frozen=True)
+class Row:
+    """One part, or several alike.
+
+    Attributes:
+        name: Name of the part.
+        shape: One of `MAKERS`.
+        materials: Names of its materials, which take turns where the row is repeated, for each style.
+        fields: By field, which values it has.
+        repeats: How it is drawn several times.
+        mirror: Axes about which all of them are drawn once more.
+        tests: It is drawn where one of them holds, or where there is none.
+    """
+
+    name: str
+    shape: str
+    materials: tuple[tuple[str, ...], ...]
+    fields: Mapping[str, slice]
+    repeats: tuple[Repeat, ...] = ()
+    mirror: str = ""
+    tests: tuple[Test, ...] = ()
+
+    def holds(self, variant: int, values: list[float]) -> bool:
+        """Return whether a thing of this style and these values has the part."""
+        return not self.tests or any(test.holds(variant, values) for test in self.tests)
+
+    def places(self, values: list[float]) -> list[Place]:
+        """Return where the part is drawn."""
+        places: list[Place] = [{key: values[span] for key, span in self.fields.items()}]
+        for repeat in self.repeats:
+            steps = {key: values[span] for key, span in repeat.steps.items()}
+            count = round(values[repeat.count])
+            places = [_shifted(place, steps, i) for i in range(count) for place in places]
+        for axis in self.mirror:
+            places += [_mirrored(place, axis) for place in places]
+        return places
+
+
+@dataclass(frozen=True, eq=False)
+class Drawing:
+    """The rows of a record, read.
+
+    Attributes:
+        lets: What each `let` computes, by its name, from what is known before it.
+        matrix: (values, basis and lets): every value of every row.
+        rows: The rows.
+    """
+
+    lets: Mapping[str, ast.expr]
+    matrix: NDArray[np.float64]
+    rows: tuple[Row, ...]
+
+    def __call__(self, p: Piece) -> Iterator[Part]:
+        """Yield the parts of a piece."""
+        known = dict(zip(BASIS, (1.0, 1.0, p.d, p.w, p.h), strict=True))
+        for name, expression in self.lets.items():
+            known[name] = _computed(expression, known)
+        values: list[float] = (self.matrix @ np.array(list(known.values()))).tolist()
+        for row in self.rows:
+            if row.holds(p.variant, values):
+                turns = [MATERIALS[name](p) for name in row.materials[p.variant % len(row.materials)]]
+                for i, place in enumerate(row.places(values)):
+                    yield from _made(p, row, turns[i % len(turns)], place)
+
+
+def _computed(node: ast.expr, known: Mapping[str, float]) -> float:
+    """Return the value of a `let`, whose kinds of nodes the reader has checked."""
+    if isinstance(node, ast.Name):
+        return known[node.id]
+    if isinstance(node, ast.BinOp):
+        return SUMS[type(node.op)](_computed(node.left, known), _computed(node.right, known))
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+        return float(CALLS[node.func.id](*(_computed(item, known) for item in node.args)))
+    return float(ast.literal_eval(node))
+
+
+def _shifted(place: Place, steps: Place, times: int) -> Place:
+    """Return a place after some steps; a single step moves both ends of an extent."""
+    out = dict(place)
+    for key, step in steps.items():
+        ends = place.get(key, [0.0])
+        full = step * len(ends) if len(step) == 1 else step
+        out[key] = [end + times * more for end, more in zip(ends, full, strict=True)]
+    return out
+
+
+def _mirrored(place: Place, axis: str) -> Place:
+    """Return a place on the other side of the middle."""
+    out = dict(place)
+    for key, ends in place.items():
+        if key == axis:
+            out[key] = [-end for end in reversed(ends)]
+        elif key.startswith(f"{axis}/"):
+            out[key] = [-end for end in ends]
+        elif key.endswith(f"/{axis}"):
+            out[key] = ends[::-1]
+    return out
+
+
+def _made(p: Piece, row: Row, material: Material, place: Place) -> Iterable[Part]:
+    """Return the parts of one place."""
+    if row.shape not in MAKERS:
+        (y0, y1), (z0, z1) = place["y"], place["z"]
+        numbers = {key: round(place[key][0]) for key in ("count", "rows", "columns", "knobs") if key in place}
+        return FRONTS[row.shape](p, material, (y0, y1), (z0, z1), **numbers)
+    part = MAKERS[row.shape](row.name, material, place)
+    for key, (low, high) in ((key, ends) for key, ends in place.items() if "/" in key):
+        moves, along = ("xyz".index(axis) for axis in key.split("/"))
+        ends = part.vertices[:, along].min(), part.vertices[:, along].max()
+        part.vertices[:, moves] += low + (high - low) * (part.vertices[:, along] - ends[0]) / (ends[1] - ends[0])
+    return [moved(part, turn=math.radians(place["turn"][0])) if "turn" in place else part]
+
+
+def _box(name: str, material: Material, place: Place) -> Part:
+    x, y, z = _ranges(place)
+    if "top" not in place:
+        return box(name, material, x, y, z)
+    return slab(name, material, x, y, z, top=(place["top"][0], place["top"][1]))
+
+
+def _soft(name: str, material: Material, place: Place) -> Part:
+    x, y, z = _ranges(place)
+    return soft(name, material, x, y, z, bevel=place["bevel"][0]) if "bevel" in place else soft(name, material, x, y, z)
+
+
+def _ball(name: str, material: Material, place: Place) -> Part:
+    x, y, z = _ranges(place)
+    return ball(name, material, x, y, z, **{key: round(place[key][0]) for key in ("rings", "sides") if key in place})
+
+
+def _cylinder(name: str, material: Material, place: Place) -> Part:
+    axis = span_axis(place)
+    u, v = (place[across][0] for across in CROSS[axis])
+    a, b, c, d = place["r"]
+    low, high = place[axis]
+    sides = round(place["sides"][0]) if "sides" in place else 16
+    return oval(name, material, (u, v), ((a, b), (c, d)), (low, high), axis=axis, sides=sides)
+
+
+def _prism(name: str, material: Material, place: Place) -> Part:
+    axis = span_axis(place)
+    outline = list(zip(place["at"][::2], place["at"][1::2], strict=True))
+    low, high = place[axis]
+    return prism(name, material, outline, (low, high), axis=axis)
+
+
+def _ranges(place: Place) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
+    (a, b), (c, d), (e, f) = (place[axis] for axis in "xyz")
+    return (a, b), (c, d), (e, f)
+
+
+def span_axis(place: Mapping[str, list[float]]) -> str:
+    """Return the axis along which something round or drawn out lies: that with two ends."""
+    return next(axis for axis in "xyz" if len(place.get(axis, ())) == 2)
+
+
+MAKERS: dict[str, Callable[[str, Material, Place], Part]] = {
+    "box": _box, "soft": _soft, "ball": _ball, "cylinder": _cylinder, "prism": _prism,
+}  # fmt: skip
+"""What draws one part of each shape."""
+FRONTS: dict[str, Callable[..., Iterator[Part]]] = {"doors": doors, "drawers": drawers}
+"""What draws several parts at once."""

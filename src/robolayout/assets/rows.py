@@ -1,0 +1,242 @@
+"""Reads the rows in which a record says what a thing is made of: one part a row.
+
+    let t = min(.03m, .1h)
+    top: box wood x 0:1 y 0:1 z 1-t:1
+    leg: box dark x .02m:.06m y .02m:.06m z 0:1-t mirror xy
+
+A number alone is a share of the thing's own depth (x, from the back), width (y, from the right) or height (z, from the
+floor); `.03m` are metres; `.1d`, `.1w`, `.1h` are shares of depth, width, height; `t` is what a `let` says. The language
+is described in docs/assets.md.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Callable, Iterable
+from functools import lru_cache
+from typing import NoReturn
+
+import numpy as np
+
+from robolayout._errors import AssetError
+from robolayout.assets.drawing import BASIS, CALLS, CROSS, RELATIONS, SUMS, Drawing, Repeat, Row, Test
+from robolayout.assets.palette import MATERIALS
+
+LENGTHS = {"x": 2, "y": 3, "z": 4}
+"""Where in `BASIS` the length along an axis stands."""
+LEANS = tuple(f"{a}/{b}" for a in "xyz" for b in "xyz" if a != b)
+"""Fields that move a part along one axis as it goes along another: `x/z 0:-.05m` leans its top back."""
+FIELDS: dict[str, tuple[tuple[str, ...], tuple[str, ...], int]] = {
+    "box": (("x", "y", "z"), ("top",), 3),
+    "soft": (("x", "y", "z"), ("bevel",), 3),
+    "ball": (("x", "y", "z"), ("rings", "sides"), 3),
+    "cylinder": (("x", "y", "z", "r"), ("sides",), 1),
+    "prism": (("at",), ("x", "y", "z"), 1),
+    "doors": (("y", "z", "count"), (), 2),
+    "drawers": (("y", "z", "rows"), ("columns", "knobs"), 2),
+}
+"""What each shape must say, what it may say, and along how many axes it has two ends."""
+HOW = "write mirror x|y|xy, repeat N FIELD STEP, if TEST"
+_TERM = re.compile(r"([+-]?)(\d+\.?\d*|\.\d+)?([a-z][a-z0-9_]*)?")
+
+Value = list[float]
+"""Factors of the basis and of the lets."""
+
+
+@lru_cache(maxsize=512)
+def read_rows(text: str, where: str) -> Drawing:
+    """Read the rows of a record.
+
+    Args:
+        text: Its `parts`.
+        where: Whose they are, for messages ("night stand in sleeping.toml").
+
+    Raises:
+        AssetError: A row cannot be read; the message names the record, the part, the field and what is allowed.
+    """
+    reading = _Reading(where)
+    lines = [line for raw in text.splitlines() if (line := raw.split("#")[0].strip())]
+    for line in (line for line in lines if line.startswith("let ")):
+        reading.let(line)
+    rows = tuple(reading.row(line) for line in lines if not line.startswith("let "))
+    if not rows:
+        reading.refuse("there is no row", "write one such as 'top: box wood x 0:1 y 0:1 z 0:1'")
+    return Drawing(reading.lets, np.array(reading.values), rows)
+
+
+class _Reading:
+    """Reads rows one after the other and collects their values."""
+
+    def __init__(self, where: str) -> None:
+        self.where = where
+        self.part = ""
+        self.names: dict[str, int] = {name: i for i, name in enumerate(BASIS)}
+        self.lets: dict[str, ast.expr] = {}
+        self.values: list[Value] = []
+
+    def refuse(self, what: str, allowed: str) -> NoReturn:
+        """Say what is wrong where, and what is allowed."""
+        part = f", part {self.part!r}" if self.part else ""
+        raise AssetError(f"parts of {self.where}{part}: {what}; {allowed}.")
+
+    def let(self, line: str) -> None:
+        """Read a line that names an expression."""
+        match = re.fullmatch(r"let ([a-z][a-z0-9_]*) = (.+)", line)
+        if match is None or match[1] in self.names:
+            self.refuse(
+                f"{line!r} cannot be read", "write 'let NAME = EXPRESSION', in small letters, a new name each time"
+            )
+        try:
+            node = ast.parse(re.sub(r"(\d)([a-z])", r"\1*\2", match[2]), mode="eval").body
+        except SyntaxError:
+            self.refuse(f"{match[2]!r} cannot be read", "write sums and products of lengths")
+        for inner in ast.walk(node):
+            if not self._allowed(inner):
+                self.refuse(
+                    f"{match[2]!r} holds {ast.unparse(inner)!r}", f"use {', '.join([*self.names, *CALLS][1:])}, + - * /"
+                )
+        self.lets[match[1]] = node
+        self.names[match[1]] = len(self.names)
+
+    def _allowed(self, node: ast.AST) -> bool:
+        """Return whether a `let` may hold a node."""
+        if isinstance(node, ast.Name):
+            return node.id in self.names or node.id in CALLS
+        if isinstance(node, ast.BinOp):
+            return type(node.op) in SUMS
+        return isinstance(node, ast.Constant | ast.Call | ast.operator | ast.expr_context)
+
+    def row(self, line: str) -> Row:
+        """Read a row."""
+        self.part, _, rest = (item.strip() for item in line.partition(": "))
+        words = rest.split()
+        if len(words) < 2:
+            self.refuse(f"{line!r} cannot be read", "write 'NAME: SHAPE MATERIAL x .. y .. z ..'")
+        shape, materials = words[0], tuple(tuple(style.split("/")) for style in words[1].split("|"))
+        self._among("shape", [shape], FIELDS)
+        self._among("material", [name for style in materials for name in style], MATERIALS)
+        body, *tails = _split(words[2:])
+        fields = self._fields(shape, body)
+        repeats, mirror = [], ""
+        tests: list[Test] = []
+        for word, *rest_of in tails:
+            if word == "repeat" and rest_of:
+                repeats.append(Repeat(self._add(self._sum(rest_of[0])).start, self._steps(rest_of[1:])))
+            elif word == "mirror" and rest_of in (["x"], ["y"], ["xy"]):
+                mirror = rest_of[0]
+            elif word == "if" and len(rest_of) == 1:
+                tests += [self._test(clauses) for clauses in rest_of[0].split("|")]
+            else:
+                self.refuse(f"{' '.join([word, *rest_of])!r} cannot be read", HOW)
+        return Row(self.part, shape, materials, fields, tuple(repeats), mirror, tuple(tests))
+
+    def _among(self, kind: str, names: Iterable[str], known: Iterable[str]) -> None:
+        for name in names:
+            if name not in known:
+                self.refuse(f"unknown {kind} {name!r}", f"known: {', '.join(known)}")
+
+    def _pairs(self, words: list[str], known: Iterable[str]) -> dict[str, str]:
+        if len(words) % 2:
+            self.refuse(f"{words[-1]!r} has no value", "write a value after each field")
+        self._among("field", words[::2], known)
+        return dict(zip(words[::2], words[1::2], strict=True))
+
+    def _fields(self, shape: str, words: list[str]) -> dict[str, slice]:
+        """Read the fields of a row and see that none is missing and that it has its ends."""
+        must, may, spans = FIELDS[shape]
+        said = self._pairs(words, (*must, *may, *LEANS, "turn"))
+        for key in must:
+            if key not in said:
+                self.refuse(f"{key} is missing", f"a {shape} needs {', '.join(must)}")
+        ends = [axis for axis in LENGTHS if axis in said and (":" in said[axis] or "~" in said[axis])]
+        if len(ends) != spans:
+            self.refuse(
+                f"it has two ends along {', '.join(ends) or 'no axis'}", f"a {shape} has them along {spans} of x, y, z"
+            )
+        across = CROSS[ends[0]]
+        return {key: self._add(*self._values(key, text, across)) for key, text in said.items()}
+
+    def _values(self, key: str, text: str, across: str) -> list[Value]:
+        """Return the values of one field."""
+        if key in LENGTHS:
+            return self._ends(text, lambda item: self._place(item, key))
+        if key == "at":
+            points = (zip(across, point.split(","), strict=True) for point in text.split(";"))
+            return [self._place(item, axis) for point in points for axis, item in point]
+        if key == "r":
+            rings = [[self._length(item) for item in ring.split(",")] for ring in text.split(":")]
+            return [value for ring in (rings[0], rings[-1]) for value in (ring[0], ring[-1])]
+        if key in LEANS or key == "bevel":
+            return self._ends(text, self._length)
+        return [self._sum(item) for item in text.split(",")]
+
+    def _steps(self, words: list[str]) -> dict[str, slice]:
+        """Read what is added to each field when a row is repeated."""
+        said = self._pairs(words, (*LENGTHS, *LEANS, "r", "bevel", "turn"))
+        return {
+            key: self._add(*([self._sum(text)] if key == "turn" else self._ends(text, self._length)))
+            for key, text in said.items()
+        }
+
+    def _ends(self, text: str, read: Callable[[str], Value]) -> list[Value]:
+        if "~" not in text:
+            return [read(item) for item in text.split(":")]
+        middle, half = text.split("~", 1)
+        m, h = read(middle), self._length(half)
+        return [[a - b for a, b in zip(m, h, strict=True)], [a + b for a, b in zip(m, h, strict=True)]]
+
+    def _place(self, text: str, axis: str) -> Value:
+        value = self._sum(text)
+        value[LENGTHS[axis]] += value[0] - (0.0 if axis == "z" else 0.5)
+        value[0] = 0.0
+        return value
+
+    def _length(self, text: str) -> Value:
+        value = self._sum(text)
+        if value[0]:
+            self.refuse(f"{text!r} is no length", "write metres (.03m) or a share of an edge (.1d, .1w, .1h)")
+        return value
+
+    def _sum(self, text: str) -> Value:
+        value, at = [0.0] * len(self.names), 0
+        while at < len(text) or not text:
+            match = _TERM.match(text, at)
+            if match is None or match.end() == at or (match[3] or "") not in self.names:
+                self.refuse(
+                    f"{text!r} cannot be read", f"write a sum such as 1-.03m+.1w of {', '.join(self.names)[2:]}"
+                )
+            value[self.names[match[3] or ""]] += (-1.0 if match[1] == "-" else 1.0) * float(match[2] or 1.0)
+            at = match.end()
+        return value
+
+    def _test(self, clauses: str) -> Test:
+        """Read conditions that must all hold."""
+        styles: list[tuple[frozenset[int], int]] = []
+        limits: list[tuple[int, str]] = []
+        for clause in clauses.split("&"):
+            style = re.fullmatch(r"style=(\d+(?:,\d+)*)/(\d+)", clause)
+            relation = next((sign for sign in RELATIONS if sign in clause), "")
+            if style:
+                styles.append((frozenset(int(item) for item in style[1].split(",")), int(style[2])))
+            elif relation:
+                low, high = (self._length(side) for side in clause.split(relation, 1))
+                limits.append((self._add([a - b for a, b in zip(low, high, strict=True)]).start, relation))
+            else:
+                self.refuse(f"{clause!r} cannot be read", "write w>1.2m or style=0,2/4")
+        return Test(tuple(styles), tuple(limits))
+
+    def _add(self, *values: Value) -> slice:
+        start = len(self.values)
+        self.values += values
+        return slice(start, len(self.values))
+
+
+def _split(words: list[str]) -> list[list[str]]:
+    """Split a row's words before each modifier."""
+    out: list[list[str]] = [[]]
+    for word in words:
+        if word in ("mirror", "repeat", "if"):
+            out.append([])
+        out[-1].append(word)
+    return out
