@@ -100,8 +100,9 @@ def _shape(known: Turned, ref: Ref) -> BaseGeometry:
     if isinstance(ref, WallRef):
         wall = known.scene.room.walls[ref.index]
         return LineString([wall.start, wall.end])
+    place = _place(known, ref)
     radius = inner_radius(known.scene.by_name[ref.name]) if isinstance(ref, AssetRef) else 0.0
-    return Point(_place(known, ref)).buffer(radius)
+    return Point(place).buffer(radius) if place else Point()
 
 
 def _place(known: Turned, ref: Ref) -> tuple[float, float] | None:
