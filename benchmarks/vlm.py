@@ -88,6 +88,6 @@ def measured(run: Callable[[], rl.Result], filtered: bool) -> Row:
     }
 
 
-def unfiltered(program: Program, scene: rl.Scene) -> Reconciled:
+def unfiltered(program: Program, scene: rl.Scene, *, paper: bool = False) -> Reconciled:
     """Stand in for the filter: accept every statement."""
     return Reconciled(program, tuple(Decision(s, "accepted", "not filtered") for s in program.statements))

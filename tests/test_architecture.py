@@ -34,6 +34,7 @@ LAYERS: dict[str, float] = {
     "_reading": 0.5,
     "scene": 1,
     "assets": 2,
+    "floor": 3,
     "constraints": 3,
     "program": 4,
     **dict.fromkeys(STATIONS, 5),
@@ -43,7 +44,9 @@ LAYERS: dict[str, float] = {
     "cli": 9,
     "__main__": 10,
 }
-FORBIDDEN = {("verify", "_geometry"): "the judge shares no mathematics with the solver"}
+FORBIDDEN = dict.fromkeys(
+    [("verify", "_geometry"), ("verify", "floor")], "the judge shares no mathematics with the solver"
+)
 MAX_FUNCTION, MAX_FILE = 60, 450
 BANNED_CALLS = ("print", "exec", "eval", "compile", "__import__", "breakpoint", "input")
 BROAD = ("Exception", "BaseException")

@@ -127,3 +127,15 @@ def test_no_third_program_is_asked_for_where_two_are_hopeless() -> None:
 def test_a_scene_for_nobody_is_refused() -> None:
     with pytest.raises(rl.RoboLayoutError, match="agents is empty; name at least one body"):
         replace(rl.scene_from_dict(TINY), agents=())
+
+
+@pytest.mark.parametrize(
+    ("solver", "wall"), [("paper", "walls[1]"), ("default", "walls[0]"), ("trust-constr", "walls[0]")]
+)
+def test_only_the_papers_solver_filters_as_the_paper_does(solver, wall):
+    room = {"floor_vertices": [[0, 0, 0], [3, 0, 0], [3, 3, 0], [0, 3, 0]], "wall_height": 2.5}
+    box = {"category": "dresser", "onFloor": True, "assetMetadata": {"boundingBox": {"x": 0.5, "y": 0.9, "z": 0.8}}}
+    program = "dresser[0].position = [2.6, 1.6, 0.4]\nsolver.against_wall(dresser[0], walls[0])\n"
+    result = rl.generate({"boundary": room, "assets": {"dresser-0": box}}, program=program, solver=solver)
+    assert [s.relation.sentence() for s in result.reconciled.program.statements] == [f"against_wall(dresser-0, {wall})"]
+    assert result.report.statements[0].sentence.startswith("against_wall(dresser-0, walls[0])"), "judged as asked"

@@ -101,7 +101,10 @@ def test_point_towards() -> None:
     assert not check(said("point_towards", A, B), (1, 1, 0.0), (4, 2.0, 0.0))
     assert check(said("point_towards", A, B), (1, 1, math.radians(9.9)), (4, 1, NORTH)), "within 10 degrees"
     assert not check(said("point_towards", A, B), (1, 1, math.pi), (4, 1, 0.0)), "it looks away"
-    assert check(said("point_towards", A, B, 90.0), (1, 1, -NORTH), (4, 1, 0.0))
+    assert check(said("point_towards", A, B, 90.0), (1, 1, NORTH), (4, 1, 0.0)), (
+        "turned to the left of what it looks at"
+    )
+    assert not check(said("point_towards", A, B, 90.0), (1, 1, -NORTH), (4, 1, 0.0))
     assert check(said("point_towards", A, PointRef(1, 4)), (1, 1, NORTH))
     assert check(said("point_towards", A, WallRef(2)), (1, 1, NORTH))
 

@@ -16,11 +16,11 @@ from hypothesis import strategies as st
 from robolayout._grid import components
 from robolayout.assets import category_of
 from robolayout.assets.meshes import parts
+from robolayout.floor.ground import Obstacles, clearance, make_ground, obstacles_of
+from robolayout.floor.routes import _rows as demand_rows
 from robolayout.program import read_program
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, load_agent
 from robolayout.solve import compile_problem
-from robolayout.solve.ground import Obstacles, clearance, make_ground, obstacles_of
-from robolayout.solve.routes import _rows as demand_rows
 from robolayout.verify import Navigation, judge_agent, navigation, verify
 from robolayout.verify._obstacles import part_rectangles
 from robolayout.verify.heading import rectangle as footprint_of
@@ -237,8 +237,8 @@ def grid(scene: Scene, layout: Layout, agent: Agent):
     """The solver's view: its grid, its distance field, its obstacles."""
     problem = compile_problem(scene, read_program("", scene))
     world = np.array([(p.x, p.y, math.cos(p.yaw), math.sin(p.yaw)) for p in (layout[n] for n in problem.names)])
-    ground = make_ground(problem, agent, 0.05)
-    things = obstacles_of(problem, agent)
+    ground = make_ground(problem.contents, agent, 0.05)
+    things = obstacles_of(problem.contents, agent)
     return problem, ground, world, things
 
 

@@ -13,11 +13,11 @@ from hypothesis import strategies as st
 from test_use_laws import dining
 
 from robolayout._grid import components
+from robolayout.floor.goals import missed
+from robolayout.floor.ground import Ground, clearance, make_ground, obstacles_of
 from robolayout.scene import Agent, Layout, Scene, load_agent, vertical_span
 from robolayout.scene.agent import TOUCH
 from robolayout.solve import compile_problem
-from robolayout.solve.goals import missed
-from robolayout.solve.ground import Ground, clearance, make_ground, obstacles_of
 from robolayout.verify import navigation, usage
 from robolayout.verify._boxes import boxes
 from robolayout.verify.use import horizontal_reach
@@ -55,7 +55,7 @@ def missing(scene: Scene, layout: Layout, agent: Agent) -> tuple[set[str], Groun
     parent = tuple(boxes(scene, layout).carriers.tolist())
     problem = replace(compile_problem(scene), guess=layout, parent=parent)
     world = np.array([(p.x, p.y, math.cos(p.yaw), math.sin(p.yaw)) for p in (layout[n] for n in problem.names)])
-    ground, things = make_ground(problem, agent, CELL), obstacles_of(problem, agent)
+    ground, things = make_ground(problem.contents, agent, CELL), obstacles_of(problem.contents, agent)
     passable = ground.passable(clearance(ground, world, things))
     regions, _ = components(passable)
     home = (regions == regions[ground.start]) & passable
@@ -97,5 +97,5 @@ def test_the_solvers_goals_are_what_the_judge_does_not_grant(body: str, seed: in
 
 
 def test_nobody_without_an_arm_moves_chairs():
-    assert not len(make_ground(compile_problem(dining(3)[0]), load_agent("spot"), CELL).targets.chairs)
-    assert len(make_ground(compile_problem(dining(3)[0]), load_agent("wheelchair"), CELL).targets.chairs)
+    assert not len(make_ground(compile_problem(dining(3)[0]).contents, load_agent("spot"), CELL).targets.chairs)
+    assert len(make_ground(compile_problem(dining(3)[0]).contents, load_agent("wheelchair"), CELL).targets.chairs)

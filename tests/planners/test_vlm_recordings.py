@@ -58,7 +58,7 @@ def test_the_recordings_have_the_faults_of_models() -> None:
         scene, asked = recordings.scene_of(room), planner(room, "one_shot")
         for text in asked.plan_many(PlanRequest(scene, asked.group(scene)[0]), 4):
             rejected += len(reconcile(read_program(text, scene), scene).rejections)
-    assert rejected >= 6
+    assert rejected >= 3, "second headings that agree with the first are no fault"
 
 
 def ends_valid(result: Result) -> None:

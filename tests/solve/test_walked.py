@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import ndimage
 
+from robolayout.floor.walked import CUT, GRID, LOST, MOST_CELLS, Walked
 from robolayout.scene import Opening, Room
-from robolayout.solve._walked import CUT, GRID, LOST, MOST_CELLS, Walked
 
 RADIUS = 0.2
 SQUARE = Room(((0, 0), (4, 0), (4, 3), (0, 3)), 2.5, doors=(Opening(0, 1.0, 0.9, 2.05),))

@@ -8,6 +8,7 @@ from robolayout._geometry.boxes import (
     penetration,
     point_to_box,
     separation,
+    yielding,
 )
 from robolayout._geometry.intersection import intersection_area, intersection_over_union
 from robolayout._geometry.polygon import signed_distance
@@ -28,4 +29,5 @@ __all__ = [
     "separation",
     "signed_distance",
     "soft_abs",
+    "yielding",
 ]

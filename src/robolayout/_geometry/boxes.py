@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import jax.numpy as jnp
+from jax.lax import stop_gradient
 from jaxtyping import Array, Float
 
 TINY = 1.0e-12
@@ -35,6 +36,16 @@ class Body(NamedTuple):
     hx: Float[Array, "*batch"]
     hy: Float[Array, "*batch"]
     core: Float[Array, "*batch"]
+
+
+def yielding(box: Body, move: Float[Array, "*#batch"]) -> Body:
+    """Return the same boxes, with the gradient along their pose scaled by `move`: 0 holds them, 1 changes nothing."""
+
+    def scaled(value: Array) -> Array:
+        still = stop_gradient(value)
+        return still + move * (value - still)
+
+    return box._replace(x=scaled(box.x), y=scaled(box.y), c=scaled(box.c), s=scaled(box.s))
 
 
 def compose(outer: Float[Array, "*batch 4"], inner: Float[Array, "*batch 4"]) -> Float[Array, "*batch 4"]:

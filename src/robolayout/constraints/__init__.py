@@ -2,6 +2,7 @@
 
 from importlib.metadata import entry_points
 
+from robolayout.constraints._exact import ANGLE_TOLERANCE
 from robolayout.constraints._refs import AssetRef, PointRef, Ref, WallRef
 from robolayout.constraints._registry import RELATIONS, register, register_file
 from robolayout.constraints._relation import Outcome, Relation, argument
@@ -78,6 +79,7 @@ for _relation in (*_BUILT_IN, *(point.load() for point in entry_points(group="ro
     register(_relation)
 
 __all__ = [
+    "ANGLE_TOLERANCE",
     "FAR",
     "IMPLICIT",
     "RELATIONS",

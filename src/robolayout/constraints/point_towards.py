@@ -15,7 +15,11 @@ from robolayout.scene import Layout, Scene
 
 @dataclass(frozen=True)
 class PointTowards(Relation):
-    """The front of `a`, turned by `angle` degrees (counter-clockwise), points at `b`."""
+    """`a` is turned by `angle` degrees (counter-clockwise) from looking at `b`; at 0 its front points at `b`.
+
+    The published function's convention: with f the front of a and R(-angle) the turn by minus angle, the ray along
+    R(-angle) f hits b's footprint, else 1 - cos between R(-angle) f and the direction from a to b's centre counts.
+    """
 
     name: ClassVar[str] = "point_towards"
     orients: ClassVar[bool] = True
@@ -27,9 +31,9 @@ class PointTowards(Relation):
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row that sets where the front looks."""
-        return (FrameTerm(self.a, self.b, look=math.radians(self.angle)),)
+        return (FrameTerm(self.a, self.b, look=-math.radians(self.angle)),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """The ray along the turned front hits b's footprint, or is within 10 degrees of its centre."""
-        off = facing_error(scene, layout, self.a, self.b, math.radians(self.angle))
+        """The ray along the front, turned back by `angle`, hits b's footprint, or is within 10 degrees of its centre."""
+        off = facing_error(scene, layout, self.a, self.b, -math.radians(self.angle))
         return Outcome(off <= ANGLE_TOLERANCE, off, ANGLE_TOLERANCE, "deg", f"front {off:.0f} deg off {self.b}")

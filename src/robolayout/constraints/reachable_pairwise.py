@@ -18,7 +18,7 @@ ALPHA = 0.01
 
 @dataclass(frozen=True)
 class ReachablePairwise(Relation):
-    """Every two floor things leave room for the agent's disc between them: d >= e_i + e_j + 2 r, e half the smaller side."""
+    """Every two floor things leave room for the agent's disc between them: d >= e_i + e_j + 2 r, e half the smaller side; rugs aside."""
 
     name: ClassVar[str] = "reachable_pairwise"
     implicit: ClassVar[bool] = True
@@ -43,7 +43,7 @@ class ReachablePairwise(Relation):
         radius = scene.agent.radius
         if radius <= 0:
             return []
-        floor = [a for a in scene.assets if a.on_floor and not (a.on_wall or a.on_ceiling or a.on_object)]
+        floor = [a for a in scene.assets if a.on_floor and not (a.is_flat or a.on_wall or a.on_ceiling or a.on_object)]
         return [
             (a.name, b.name, min(a.size[:2]) / 2 + min(b.size[:2]) / 2 + 2 * radius) for a, b in combinations(floor, 2)
         ]

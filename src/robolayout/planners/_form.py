@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout.floor import Points, placed, rect_points
 from robolayout.planners._cluster import Cluster
-from robolayout.planners._floor import Points, placed, rect_points
 from robolayout.planners._member import Member, Rect, Size, box_of, overlaps
 from robolayout.planners._roles import Cast
 from robolayout.scene import Scene

@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 
 from robolayout.assets.obstacles import use_sides
-from robolayout.planners._floor import rect_points
+from robolayout.floor import rect_points
 from robolayout.planners._member import Member
 from robolayout.planners._places import WALL_GAP, targets, wall_yaw
 from robolayout.planners._site import Site, Spot, corners_of

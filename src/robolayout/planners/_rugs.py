@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import shapely
 
-from robolayout.planners._floor import rect_points
+from robolayout.floor import rect_points
 from robolayout.planners._grid import cell_poses
 from robolayout.planners._member import Member
 from robolayout.planners._places import centroid, room_yaws

@@ -15,11 +15,21 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from robolayout.floor import (
+    Cells,
+    Floor,
+    Points,
+    Shadow,
+    Standing,
+    placed,
+    rect_points,
+    standing,
+    turning_radius,
+    use_cells,
+)
 from robolayout.planners._cluster import Cluster
-from robolayout.planners._floor import Cells, Floor, Points, Shadow, placed, rect_points
 from robolayout.planners._form import Forms, at, side_rect
 from robolayout.planners._member import Member, Rect, box_of, overlaps
-from robolayout.planners._reach import Standing, standing, turning_radius, use_cells
 from robolayout.planners._roles import Cast
 from robolayout.scene import Room, Scene, Wall
 
@@ -235,9 +245,11 @@ class Site:
             depth, width, _ = self.size(member.name)
             points = rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.0)
             asset, carried = self.scene.by_name[member.name], spot.mode == "join" and member.bottom > 0.01
+            place = (member.x, member.y, member.yaw)
+            uses = [use_cells(self.floor, asset, a, place, member.bottom, carried=carried) for a in self.scene.agents]
             found = Claim(
-                self.floor.flat(placed(points, member.x, member.y, member.yaw))[0],
-                tuple(use_cells(self.floor, asset, member, agent, carried=carried) for agent in self.scene.agents),
+                self.floor.flat(placed(points, *place))[0],
+                tuple(uses),
                 self.floor.shadow(corners_of(member, asset.size)) if self._takes_floor(spot) else None,
             )
             if not self.trial:

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
+from robolayout.constraints import ANGLE_TOLERANCE, AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
 from robolayout.constraints.ceiling_above import CeilingAbove
@@ -25,6 +25,7 @@ from robolayout.constraints.point_towards import PointTowards
 from robolayout.constraints.row import Row
 from robolayout.constraints.symmetric_pair import SymmetricPair
 from robolayout.constraints.under import Under
+from robolayout.program._headings import heading_gap
 from robolayout.program._possible import (
     distance_range,
     free_intervals,
@@ -226,7 +227,7 @@ def one_wall(so_far: Accepted, relation: Relation) -> Answer:
 
 
 def one_heading(so_far: Accepted, relation: Relation) -> Answer:
-    """Reject a second heading for the same thing; of two that should face each other, let the free one turn.
+    """Reject a second heading that may contradict the first; of two that should face each other, let the free one turn.
 
     Free rows and grids only say how their things stand to each other, so one of them may be aligned with something else.
     """
@@ -243,7 +244,12 @@ def one_heading(so_far: Accepted, relation: Relation) -> Answer:
         free = relation.b if relation.a.name == turned[0] else relation.a
         change = PointTowards(free, AssetRef(turned[0]))
         return Change(change, f"{turned[0]} is already turned by {where(earlier)}, so only {free} turns")
-    return f"{turned[0]} is already turned by {where(earlier)}; the first one counts"
+    for name in turned:
+        gap = heading_gap(so_far, relation, name)
+        if gap is None or gap > ANGLE_TOLERANCE:
+            away = "" if gap is None else f", {gap:.0f} degrees away"
+            return f"{name} is already turned by {where(so_far.headings[name])}{away}; the first one counts"
+    return None
 
 
 def _is_turned(so_far: Accepted, name: str, relation: Relation) -> bool:

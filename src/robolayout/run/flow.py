@@ -15,6 +15,7 @@ from robolayout.run.attempt import Attempt, Clock, Progress
 from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict, vertical_span
 from robolayout.scene.agent import horizontal_reach
 from robolayout.solve import (
+    PAPER,
     Enough,
     Judge,
     Solution,
@@ -224,7 +225,7 @@ class _Run:
     def _amiss(self, asked: Program) -> float:
         """Return how much is wrong with a program's guess; nothing if it is right."""
         with self.clock.station("program"):
-            program = reconcile(asked, self.scene).program
+            program = self.filtered(asked, self.scene).program
             guess = compile_problem(self.scene, program, seed=self.seed).guess
         with self.clock.station("solve"):
             return make_judge(self.scene, program)(guess).promise
@@ -233,9 +234,7 @@ class _Run:
         """Plan with a model, group by group; the report says who planned."""
         from robolayout.run.groups import GroupedRun
 
-        asking = GroupedRun(
-            self.scene, planner, self.finished, prepare=self.prepare, seed=self.seed, clock=self.clock, say=self.say
-        )
+        asking = GroupedRun(self.scene, planner, self, seed=self.seed, clock=self.clock, say=self.say)
         planned = asking.run(groups)
         best, parts = planned.attempt, [planned.to_dict()]
         if isinstance(planner, Critic) and planner.critic:
@@ -268,10 +267,14 @@ class _Run:
         if self.solver == "default":
             (warm_up if samples == 1 else warm_up_samples)(here, self.config)
 
+    def filtered(self, asked: Program, here: Scene) -> Reconciled:
+        """Filter a program for a scene, as the solver wants it."""
+        return reconcile(asked, here, paper=self.solver == PAPER)
+
     def finished(self, asked: Sequence[Program], here: Scene, placed: Mapping[str, Pose]) -> list[Attempt]:
         """Filter and solve programs for a scene, together; the poses given stay."""
         with self.clock.station("program"):
-            reconciled = [reconcile(program, here) for program in asked]
+            reconciled = [self.filtered(program, here) for program in asked]
         with self.clock.station("solve"):
             solutions = solve_many(
                 here,
@@ -307,7 +310,7 @@ def solve(
         progress: Called with the name of each phase.
     """
     if isinstance(program, str):
-        program = reconcile(read_program(program, scene), scene).program
+        program = reconcile(read_program(program, scene), scene, paper=solver == PAPER).program
     problem = compile_problem(scene, program, seed=seed, pinned=pinned)
     judge = make_judge(scene, program)
     return solve_with(solver, problem, judge, seed=seed, config=config, progress=progress)

@@ -6,20 +6,17 @@ was rejected, was forgotten, or is not met goes back to the model. The best veri
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 from robolayout._errors import AnswerError, BudgetError, ModelError, ProgramError
 from robolayout._text import printable
 from robolayout.planners import Group, GroupPlanner, OfflinePlanner, PlanRequest, Score, feedback_text, score_samples
-from robolayout.program import Guess, Program, Statement, read_program, read_salvaged, reconcile
-from robolayout.run.attempt import Attempt, Clock, Progress, joined_traces
+from robolayout.program import Guess, Program, Statement, read_program, read_salvaged
+from robolayout.run.attempt import Attempt, Clock, Finisher, Progress, joined_traces
 from robolayout.scene import Layout, Pose, Scene, Trace
 from robolayout.verify import Report, verify
-
-Finish = Callable[[Sequence[Program], Scene, Mapping[str, Pose]], list[Attempt]]
-"""Filters and solves programs for a scene, together; the poses given stay."""
 
 
 @dataclass(frozen=True)
@@ -177,8 +174,7 @@ class GroupedRun:
     Args:
         scene: What is given.
         planner: Who is asked.
-        finish: Filters and solves programs.
-        prepare: Told the scene of the next group, to warm up for it.
+        finisher: Filters and solves programs.
         seed: Settles every choice.
         clock: Where seconds are counted.
         say: Told the name of each phase.
@@ -188,14 +184,13 @@ class GroupedRun:
         self,
         scene: Scene,
         planner: GroupPlanner,
-        finish: Finish,
+        finisher: Finisher,
         *,
-        prepare: Callable[[Scene, int], None],
         seed: int,
         clock: Clock,
         say: Progress,
     ) -> None:
-        self.scene, self.planner, self.finish, self.prepare = scene, planner, finish, prepare
+        self.scene, self.planner, self.finisher = scene, planner, finisher
         self.seed, self.clock, self.say = seed, clock, say
         self._answered = False
         self._samples: list[Sample] = []
@@ -233,7 +228,9 @@ class GroupedRun:
     def _joint(self, last: Attempt, parts: list[tuple[Group, Program]], traces: list[Trace]) -> Attempt:
         """Return the whole program, in plain statements, with its layout."""
         whole = joined(parts)
-        return Attempt(whole, reconcile(whole, self.scene), replace(last.solution, trace=joined_traces(traces)))
+        return Attempt(
+            whole, self.finisher.filtered(whole, self.scene), replace(last.solution, trace=joined_traces(traces))
+        )
 
     def _once_more(self, last: Attempt, traces: list[Trace], *, alone: bool) -> Attempt:
         """Return the same program solved once more by itself, if that is better.
@@ -243,7 +240,7 @@ class GroupedRun:
         guesses = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in last.solution.layout.items()}
         there = replace(last.asked, guesses=guesses)
         for asked in (last.asked, there) if alone else (there,):
-            (again,) = self.finish([asked], self.scene, {})
+            (again,) = self.finisher.finished([asked], self.scene, {})
             if again.solution.verdict.merit < last.solution.verdict.merit:
                 traces.append(again.solution.trace)
                 return replace(last, solution=replace(again.solution, trace=joined_traces(traces)))
@@ -251,7 +248,7 @@ class GroupedRun:
 
     def _group(self, question: _Question) -> Attempt:
         """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable."""
-        self.prepare(question.here, self.planner.samples)
+        self.finisher.prepare(question.here, self.planner.samples)
         feedback, previous, failure = "", "", ""
         question.images = self._images(question)
         for number in range(1, 2 + self.planner.retries):
@@ -293,7 +290,7 @@ class GroupedRun:
         """Plan a group by rules."""
         text = OfflinePlanner().plan(PlanRequest(self.scene, question.group, Layout(question.placed), seed=self.seed))
         asked = about(read_program(text, self.scene), question.group, question.here, question.before)
-        return self.finish([asked], question.here, question.placed)[0]
+        return self.finisher.finished([asked], question.here, question.placed)[0]
 
     def _request(self, question: _Question, feedback: str, previous: str) -> PlanRequest:
         return PlanRequest(
@@ -319,7 +316,7 @@ class GroupedRun:
                 wrong = (text, feedback_text(error=error, cut=self.planner.cut_off(text)))
             question.samples.append(sample)
         if readable:
-            found = self.finish([asked for *_, asked in readable], question.here, question.placed)
+            found = self.finisher.finished([asked for *_, asked in readable], question.here, question.placed)
             question.candidates += [
                 self._candidate(question, sample, read, attempt)
                 for (sample, read, _), attempt in zip(readable, found, strict=True)

@@ -3,7 +3,7 @@
 from robolayout.solve.compile import Problem, compile_problem
 from robolayout.solve.config import SearchConfig, SolverConfig, Weights
 from robolayout.solve.judge import Enough, Judge, Verdict, never
-from robolayout.solve.profiles import solve_with, solver_names
+from robolayout.solve.profiles import PAPER, solve_with, solver_names
 from robolayout.solve.proposals import Proposals, carry
 from robolayout.solve.refine import Solver
 from robolayout.solve.runner import warm_up
@@ -11,6 +11,7 @@ from robolayout.solve.samples import solve_samples, warm_up_samples
 from robolayout.solve.solution import Solution, silent
 
 __all__ = [
+    "PAPER",
     "Enough",
     "Judge",
     "Problem",

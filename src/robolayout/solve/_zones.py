@@ -10,9 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from robolayout.assets import category_of
 from robolayout.assets.obstacles import blocks, use_sides
+from robolayout.floor import SIDES, targets_of
 from robolayout.scene import Agent, Room, vertical_span
 from robolayout.solve.compile import Floats, Problem
-from robolayout.solve.targets import SIDES, targets_of
 
 ARM = 0.9
 """Share of the reach within which people are said to stand, so that corners are no matter."""
@@ -57,7 +57,7 @@ class Zones:
         self._opening = np.array([kind.open_depth for kind in kinds])
         self.opens = self._opening > 0
         self._depth = min(2 * agent.radius + 0.05, DEEPEST)
-        targets = targets_of(problem, agent)
+        targets = targets_of(problem.contents, agent)
         sides, self._reach = np.zeros((len(assets), len(SIDES)), np.bool_), np.zeros(len(assets))
         sides[targets.slots], self._reach[targets.slots] = targets.sides, ARM * targets.reach
         self.fronts = np.array(["front" in use_sides(asset) for asset in assets])

@@ -18,6 +18,7 @@ from robolayout.constraints import IMPLICIT, AssetRef, FrameTerm, Relation, Term
 from robolayout.constraints.against_wall import wall_term
 from robolayout.constraints.mounted_on import MountedOn
 from robolayout.constraints.on_top_of import OnTopOf
+from robolayout.floor import Contents
 from robolayout.program import Guess, Program
 from robolayout.scene import Asset, Layout, Pose, Scene
 
@@ -68,6 +69,11 @@ class Problem:
     def heights(self) -> Floats:
         """(n,) height of each box's centre in metres."""
         return np.array([self.guess[name].z for name in self.names])
+
+    @cached_property
+    def contents(self) -> Contents:
+        """What the room holds, for the floor that it leaves to bodies."""
+        return Contents(self.scene, self.parent, self.heights, self.half)
 
     @cached_property
     def statement_terms(self) -> tuple[tuple[Term, ...], ...]:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.constraints import AssetRef, WallRef
-from robolayout.solve._walked import LOST, Cells, Walked
+from robolayout.floor import LOST, Blocks, Walked
 from robolayout.solve._zones import Rects, Zones, area, shared
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.proposals import Proposals, carry, compose, placing
@@ -81,7 +81,7 @@ class _Site:
     bodies: Rects
     ahead: Rects
     openings: Rects
-    stands: Cells
+    stands: Blocks
     walked: Walked
 
 

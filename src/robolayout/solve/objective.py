@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import jax.numpy as jnp
-from jax.lax import cond, stop_gradient
+from jax.lax import cond
 from jaxtyping import Array, Float
 
 from robolayout._geometry import (
@@ -17,6 +17,7 @@ from robolayout._geometry import (
     penetration,
     point_to_box,
     signed_distance,
+    yielding,
 )
 from robolayout.solve.arrays import Arrays, Losses, Near, Routes
 from robolayout.solve.config import Weights
@@ -49,16 +50,6 @@ def take(body: Body, index: Array) -> Body:
     return Body(*(field[rows, index] for field in body))
 
 
-def _yielding(body: Body, move: Float[Array, " rows"]) -> Body:
-    """Return the same bodies, with the gradient of their pose scaled by `move`."""
-
-    def scaled(value: Array) -> Array:
-        still = stop_gradient(value)
-        return still + move * (value - still)
-
-    return body._replace(x=scaled(body.x), y=scaled(body.y), c=scaled(body.c), s=scaled(body.s))
-
-
 def hard(depth: Array, weights: Weights) -> Array:
     """Return d^2 + hinge d for a depth of violation in metres."""
     return depth * depth + weights.hinge * depth
@@ -67,10 +58,10 @@ def hard(depth: Array, weights: Weights) -> Array:
 def statement_residuals(body: Body, arrays: Arrays) -> tuple[Array, Array]:
     """Return the residuals of all frame rows (starts, R) and mirror rows (starts, M), unweighted."""
     row = FrameRow(*(arrays.frame_row[:, i] for i in range(arrays.frame_row.shape[1])))
-    a = _yielding(take(body, arrays.frame_index[:, 0]), row.move_a)
-    b = _yielding(take(body, arrays.frame_index[:, 1]), row.move_b)
+    a = yielding(take(body, arrays.frame_index[:, 0]), row.move_a)
+    b = yielding(take(body, arrays.frame_index[:, 1]), row.move_b)
     left, right = take(body, arrays.mirror_index[:, 0]), take(body, arrays.mirror_index[:, 1])
-    axis = _yielding(take(body, arrays.mirror_index[:, 2]), jnp.zeros_like(arrays.mirror_weight))
+    axis = yielding(take(body, arrays.mirror_index[:, 2]), jnp.zeros_like(arrays.mirror_weight))
     return frame_residual(a, b, row), mirror_residual(left, right, axis, arrays.mirror_normal)
 
 

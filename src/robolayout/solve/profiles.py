@@ -15,6 +15,9 @@ from robolayout.solve.solution import Progress, Solution, conclude
 DEFAULT = "default"
 """The solver that is meant when nobody names one."""
 
+PAPER = "paper"
+"""The solver that is the paper's algorithm; programs are filtered for it as the paper does."""
+
 Profile = Callable[[Problem, Judge, int, SolverConfig | None, Progress | None], Solution]
 """Problem, judge, seed, constants of the default search, progress."""
 
@@ -52,7 +55,7 @@ def _dual_annealing(
 
 
 PROFILES: Mapping[str, Profile] = MappingProxyType(
-    {DEFAULT: _default, "paper": _paper, "trust-constr": _trust_constr, "dual-annealing": _dual_annealing}
+    {DEFAULT: _default, PAPER: _paper, "trust-constr": _trust_constr, "dual-annealing": _dual_annealing}
 )
 """All solvers by name."""
 

@@ -9,16 +9,16 @@ from functools import cached_property, partial
 
 import numpy as np
 
+from robolayout.floor import Ground, Obstacles, Plan, make_ground, obstacles_of, plan_routes
 from robolayout.scene import Layout, Trace
 from robolayout.solve.arrays import Routes
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.construct import Builder
-from robolayout.solve.ground import Ground, Obstacles, make_ground, obstacles_of
 from robolayout.solve.judge import Judge, Verdict
 from robolayout.solve.repair import WAYS, Repair
 from robolayout.solve.restore import restored
-from robolayout.solve.routes import Plan, pack, plan_routes
+from robolayout.solve.routes import pack
 from robolayout.solve.runner import STILL, Run, Runner
 from robolayout.solve.snap import snapped
 from robolayout.solve.solution import Progress, Solution, conclude, silent
@@ -117,8 +117,8 @@ class Solver:
     @cached_property
     def grounds(self) -> list[tuple[Ground, Obstacles]]:
         """The grids on which routes are planned, one for each agent, widest first."""
-        bodies = sorted(self.problem.scene.agents, key=lambda agent: -agent.radius)
-        return [(make_ground(self.problem, a, self.config.cell), obstacles_of(self.problem, a)) for a in bodies]
+        bodies, held = sorted(self.problem.scene.agents, key=lambda agent: -agent.radius), self.problem.contents
+        return [(make_ground(held, a, self.config.cell), obstacles_of(held, a)) for a in bodies]
 
     def _judged(self, world: Floats, number: int, best: _Best | None = None) -> _Best:
         """Judge a layout of everything placed up to a stage, as far as it may be better than what is best so far."""
@@ -278,9 +278,7 @@ class Solver:
 
     def _planned(self, world: Floats, kept: list[Floats], *, everywhere: bool = False) -> Plan:
         """Plan for every agent; demands of the two rounds before stay, so that furniture does not swing back."""
-        plans = [
-            plan_routes(self.problem, ground, world, things, everywhere=everywhere) for ground, things in self.grounds
-        ]
+        plans = [plan_routes(ground, world, things, everywhere=everywhere) for ground, things in self.grounds]
         demands = np.concatenate([plan.demands for plan in plans])
         kept.append(demands)
         del kept[:-3]

@@ -13,13 +13,14 @@ from collections.abc import Callable
 import numpy as np
 
 from robolayout.constraints import AssetRef, FrameTerm, MirrorTerm
+from robolayout.floor import Plan
 from robolayout.solve.arrays import Routes
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.construct import Builder
 from robolayout.solve.judge import Verdict
 from robolayout.solve.proposals import carry, compose, placing
-from robolayout.solve.routes import Plan, pack
+from robolayout.solve.routes import pack
 from robolayout.solve.runner import Runner
 from robolayout.solve.stage import make_stage
 

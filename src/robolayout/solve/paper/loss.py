@@ -3,6 +3,9 @@
     L_total = 1000 sum IoU(i, j) - sum IoU(upper, lower) + sum w r(statement) + 0.01 sum max(0, R_ij - D_ij)
 
 over the pairs that must not overlap, the stacks, the rows of the statements, and the pairs that must let the agent pass.
+
+What a statement refers to does not come to meet it: in the paper's solver the gradient of a statement goes to what it moves, that
+is its first argument, of `symmetric_pair` both things. Without `table.held` it is the plain gradient of L, as SciPy needs it.
 """
 
 from __future__ import annotations
@@ -11,7 +14,7 @@ import jax
 import jax.numpy as jnp
 from jaxtyping import Array, Float
 
-from robolayout._geometry import Body, FrameRow, frame_residual, intersection_over_union, mirror_residual
+from robolayout._geometry import Body, FrameRow, frame_residual, intersection_over_union, mirror_residual, yielding
 from robolayout.constraints.reachable_pairwise import ALPHA
 from robolayout.solve.paper.table import Table
 
@@ -54,11 +57,14 @@ def loss_terms(poses: Float[Array, "slots 4"], table: Table) -> Float[Array, " t
     overlap = OVERLAP * jnp.sum(table.pair_weight * intersection_over_union(first, second))
     squared = (first.x - second.x) ** 2 + (first.y - second.y) ** 2
     reach = ALPHA * jnp.sum(jnp.maximum(table.required**2 - squared, 0.0))
-    covered = intersection_over_union(take(table.stacks[:, 0]), take(table.stacks[:, 1]))
+    loose = 1.0 - table.held
+    covered = intersection_over_union(take(table.stacks[:, 0]), yielding(take(table.stacks[:, 1]), loose))
     row = FrameRow(*table.frame_row.T)
-    framed = frame_residual(take(table.frame_index[:, 0]), take(table.frame_index[:, 1]), row)
+    a = yielding(take(table.frame_index[:, 0]), jnp.maximum(row.move_a, loose))
+    b = yielding(take(table.frame_index[:, 1]), jnp.maximum(row.move_b, loose))
+    framed = frame_residual(a, b, row)
     left, right, axis = (take(table.mirror_index[:, i]) for i in range(3))
-    mirrored = mirror_residual(left, right, axis, table.mirror_normal)
+    mirrored = mirror_residual(left, right, yielding(axis, loose), table.mirror_normal)
     statements = (
         jnp.sum(row.weight * framed) + jnp.sum(table.mirror_weight * mirrored) - jnp.sum(table.stack_weight * covered)
     )

@@ -109,9 +109,14 @@ class Evaluation(NamedTuple):
 Loss = Callable[[Floats], Evaluation]
 
 
-def paper_loss(problem: Problem) -> Loss:
-    """Return the paper's loss of world poses (n, 4)."""
-    table = make_table(problem)
+def paper_loss(problem: Problem, *, held: bool = False) -> Loss:
+    """Return the paper's loss of world poses (n, 4).
+
+    Args:
+        problem: The problem.
+        held: Whether the gradient of a statement leaves alone what it refers to, as in the paper's algorithm.
+    """
+    table = make_table(problem, held=held)
     padding = np.tile([0.0, 0.0, 1.0, 0.0], (len(table.half), 1))
 
     def loss(world: Floats) -> Evaluation:
@@ -249,7 +254,7 @@ class PaperSolver:
         self.config = config
         self.rng = np.random.default_rng(seed)
         self.progress = progress or silent
-        self.loss = paper_loss(problem)
+        self.loss = paper_loss(problem, held=True)
         self.losses: list[dict[str, float]] = []
         self.shots: list[Snapshot] = []
         free = [name not in problem.pinned for name in problem.names]

@@ -41,6 +41,7 @@ class Table(NamedTuple):
         mirror_index: (M, 3) bodies a, b and axis.
         mirror_weight: (M,) weight of each mirror row.
         mirror_normal: (M,) 1 where the axis is a wall.
+        held: 1 if statements only move what they are about, 0 if also what they refer to.
     """
 
     half: Array
@@ -55,10 +56,16 @@ class Table(NamedTuple):
     mirror_index: Array
     mirror_weight: Array
     mirror_normal: Array
+    held: Array
 
 
-def make_table(problem: Problem) -> Table:
-    """Return the paper's loss of a problem: its statements, overlaps and the pairwise reach, but no term of our own."""
+def make_table(problem: Problem, *, held: bool) -> Table:
+    """Return the paper's loss of a problem: its statements, overlaps and the pairwise reach, but no term of our own.
+
+    Args:
+        problem: The problem.
+        held: Whether statements leave alone what they refer to.
+    """
     size = bucket(len(problem.names), SLOT_BUCKETS)
     half = np.ones((size, 2))
     half[: len(problem.names)] = problem.half
@@ -87,6 +94,7 @@ def make_table(problem: Problem) -> Table:
         mirror_index=_padded(mirror_index, mirror_rows, [size, size, size], np.int32),
         mirror_weight=_padded([t.weight for t in mirrors], mirror_rows, 0.0),
         mirror_normal=_padded([float(isinstance(t.ref, WallRef)) for t in mirrors], mirror_rows, 0.0),
+        held=np.float64(held),
     )
 
 

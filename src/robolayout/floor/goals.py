@@ -13,9 +13,8 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout._grid import components
-from robolayout.solve.compile import Floats
-from robolayout.solve.ground import Cells, Ground, Obstacles, Patch, box_distance, clearance, patches
-from robolayout.solve.targets import Targets
+from robolayout.floor.ground import Cells, Ground, Obstacles, Patch, box_distance, clearance, patches
+from robolayout.floor.targets import Floats, Targets
 
 AT = 0.30
 """Metres within which a chair stands at a thing."""

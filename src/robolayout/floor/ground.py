@@ -12,9 +12,8 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from robolayout.assets.obstacles import pieces
+from robolayout.floor.targets import Contents, Floats, Targets, targets_of
 from robolayout.scene import Agent
-from robolayout.solve.compile import Floats, Problem
-from robolayout.solve.targets import Targets, targets_of
 
 SPARE = 0.15
 """Metres of clearance beyond what the body needs that are still told apart."""
@@ -70,30 +69,30 @@ class Ground:
         return replace(self, xs=self.xs[here[0]], ys=self.ys[here[1]], wall_distance=self.wall_distance[here]), here
 
 
-def make_ground(problem: Problem, agent: Agent, cell: float) -> Ground:
+def make_ground(contents: Contents, agent: Agent, cell: float) -> Ground:
     """Return the empty room on a grid; large rooms get larger cells."""
-    x0, y0, x1, y1 = problem.scene.room.bounds
+    x0, y0, x1, y1 = contents.scene.room.bounds
     cell = max(cell, ((x1 - x0) * (y1 - y0) / MOST_CELLS) ** 0.5)
     xs, ys = np.arange(x0 + cell / 2, x1, cell), np.arange(y0 + cell / 2, y1, cell)
-    room = Polygon(problem.scene.room.vertices)
+    room = Polygon(contents.scene.room.vertices)
     points = np.asarray(shapely.points(*np.meshgrid(xs, ys, indexing="ij")))
     shapely.prepare(room)
     distance = shapely.distance(points, room.exterior)
     distance = np.where(shapely.contains(room, points), distance, -distance)
-    start = _entry(problem, agent, points, distance)
-    return Ground(xs, ys, distance, start, agent, cell, targets_of(problem, agent))
+    start = _entry(contents, agent, points, distance)
+    return Ground(xs, ys, distance, start, agent, cell, targets_of(contents, agent))
 
 
-def _entry(problem: Problem, agent: Agent, points: Floats, distance: Floats) -> tuple[int, int] | None:
+def _entry(contents: Contents, agent: Agent, points: Floats, distance: Floats) -> tuple[int, int] | None:
     """Return the cell nearest to the first door that holds the agent's centre; the roomiest one without a door."""
     open_cells = distance >= agent.radius
     if not open_cells.any():
         return None
-    if not problem.scene.room.doors:
+    if not contents.scene.room.doors:
         flat = int(np.argmax(distance))
     else:
-        door = problem.scene.room.doors[0]
-        wall = problem.scene.room.walls[door.wall]
+        door = contents.scene.room.doors[0]
+        wall = contents.scene.room.walls[door.wall]
         far = shapely.distance(points, shapely.Point(wall.point(door.center, max(0.45, agent.radius + 0.05))))
         flat = int(np.argmin(np.where(open_cells, far, np.inf)))
     return tuple(int(i) for i in np.unravel_index(flat, distance.shape))  # type: ignore[return-value]
@@ -128,15 +127,16 @@ class Obstacles:
         return Obstacles(self.slot[kept], self.offset[kept], self.half[kept], self.shelter)
 
 
-def boxes_of(problem: Problem, slots: tuple[int, ...]) -> Obstacles:
-    """Return the whole boxes of some slots."""
+def boxes_of(half: Floats, slots: tuple[int, ...]) -> Obstacles:
+    """Return the whole boxes of some slots, given half the sizes (n, 2) of all."""
     index = np.array(slots, dtype=np.intp)
-    return Obstacles(index, np.zeros((len(slots), 2)), problem.half[index].reshape(-1, 2), ())
+    return Obstacles(index, np.zeros((len(slots), 2)), half[index].reshape(-1, 2), ())
 
 
-def obstacles_of(problem: Problem, agent: Agent) -> Obstacles:
+def obstacles_of(contents: Contents, agent: Agent) -> Obstacles:
     """Return what stands in this agent's way."""
-    found = [pieces(asset, problem.guess[asset.name].z, agent) for asset in problem.scene.assets]
+    heights = contents.heights.tolist()
+    found = [pieces(asset, z, agent) for asset, z in zip(contents.scene.assets, heights, strict=True)]
     rows = np.concatenate([np.empty((0, 4)), *(rectangles for rectangles, _ in found)])
     slot = np.repeat(np.arange(len(found)), [len(rectangles) for rectangles, _ in found])
     return Obstacles(slot, rows[:, :2], rows[:, 2:], tuple(i for i, (_, passable) in enumerate(found) if passable))

@@ -16,12 +16,16 @@ from numpy.typing import NDArray
 
 from robolayout._grid import components, distance, within
 from robolayout.assets import category_of
-from robolayout.planners._floor import Cells, Floor, Points, Shadow, placed, rect_points
-from robolayout.planners._member import MARGIN, Member, Size
+from robolayout.floor.furnished import Cells, Floor, Points, Shadow, placed, rect_points
 from robolayout.scene import LANDING_DEPTH, Agent, Asset
 from robolayout.scene.agent import horizontal_reach
 
 Mask = NDArray[np.bool_]
+
+Size = tuple[float, float, float]
+
+MARGIN = 0.02
+"""Metres by which a use is asked to be nearer than the reach, so that rounding never puts it beyond."""
 
 SHORT_OF = 0.03
 """Metres that an agent gets nearer than its reach."""
@@ -174,18 +178,29 @@ def _fits(cell: float, taken: Mask, agent: Agent, heading: tuple[float, float]) 
     return ~blocked.reshape(nx + 2 * rim, width)[rim:-rim, rim:-rim]
 
 
-def use_cells(floor: Floor, asset: Asset, member: Member, agent: Agent, *, carried: bool) -> Cells | None:
-    """Return the cells from which an agent uses a thing there; None if that is not asked of it or out of its height."""
+def use_cells(
+    floor: Floor, asset: Asset, agent: Agent, place: tuple[float, float, float], bottom: float, *, carried: bool
+) -> Cells | None:
+    """Return the cells from which an agent uses a thing; None if that is not asked of it or out of its height.
+
+    Args:
+        floor: The floor.
+        asset: The thing.
+        agent: The body.
+        place: Its middle in metres and its yaw.
+        bottom: Metres above the floor at which it begins.
+        carried: Whether it stands on something.
+    """
     if agent.reach_distance is None and not asset.on_floor:
         return None
     sides = tuple(category_of(asset).use_sides if asset.use_sides is None else asset.use_sides)
-    reach = horizontal_reach(agent, member.bottom, member.bottom + asset.size[2])
+    reach = horizontal_reach(agent, bottom, bottom + asset.size[2])
     if reach is None or not sides:
         return None
     if carried or category_of(asset).movable:
         sides = ("",)
     local = _beside(asset.size, sides, round(reach, 3), max(SPACING, round(floor.cell, 3)))
-    cells, on_grid = floor.flat(placed(local, member.x, member.y, member.yaw))
+    cells, on_grid = floor.flat(placed(local, *place))
     return cells[on_grid]
 
 

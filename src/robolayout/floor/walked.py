@@ -11,8 +11,8 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout._grid import components
+from robolayout.floor.targets import Floats
 from robolayout.scene import Room
-from robolayout.solve.compile import Floats
 
 GRID, MOST_CELLS = 0.1, 60_000
 """Metres per cell, in rooms that have no more cells than this; larger ones have coarser cells."""
@@ -23,7 +23,7 @@ CUT = 40.0
 LOST = 4.0
 """Cost of each thing that is out of reach from then on."""
 
-Cells = NDArray[np.intp]
+Blocks = NDArray[np.intp]
 """(m, 4): low x, low y, high x, high y."""
 
 
@@ -62,7 +62,7 @@ class Walked:
         twin._free = self._free.copy()
         return twin
 
-    def cells(self, rects: Floats) -> Cells:
+    def cells(self, rects: Floats) -> Blocks:
         """Return the cells (m, 4) with their middle in rectangles (m, 4)."""
         rows, columns = self._free.shape
         found = np.empty(rects.shape, np.intp)
@@ -72,11 +72,11 @@ class Walked:
         found[:, 2:] = np.maximum(found[:, 2:], found[:, :2])
         return found
 
-    def taken(self, bodies: Floats) -> Cells:
+    def taken(self, bodies: Floats) -> Blocks:
         """Return the cells (m, 4) that bodies with these bounds (m, 4) and the way around them take."""
         return self.cells(bodies + self._radius * np.array((-1.0, -1.0, 1.0, 1.0)))
 
-    def take(self, cells: Cells) -> None:
+    def take(self, cells: Blocks) -> None:
         """Take cells (m, 4), and what they cut off, from those who walk."""
         whole = len(cells) == 1 and _pieces(_ring(self._free, *cells[0].tolist())) <= 1
         for x0, y0, x1, y1 in cells.tolist():
@@ -85,12 +85,12 @@ class Walked:
             self._free = self._main(self._free)
         self._sums = _sums(self._free)
 
-    def share(self, cells: Cells) -> Floats:
+    def share(self, cells: Blocks) -> Floats:
         """Return which share of the cells (m, 4) of each place is floor to walk on now."""
         x0, y0, x1, y1 = cells.T
         return _count(self._sums, cells) / np.maximum((x1 - x0) * (y1 - y0), 1)
 
-    def left(self, near: Cells, cells: Cells) -> NDArray[np.int32]:
+    def left(self, near: Blocks, cells: Blocks) -> NDArray[np.int32]:
         """Return how many cells to walk on are left of some (m, 4) when others (4,) or (m, 4) are taken."""
         both = np.concatenate(
             [np.maximum(near[:, :2], cells[..., :2]), np.minimum(near[:, 2:], cells[..., 2:])], axis=1
@@ -98,7 +98,7 @@ class Walked:
         both[:, 2:] = np.maximum(both[:, 2:], both[:, :2])
         return _count(self._sums, near) - _count(self._sums, both)
 
-    def cheapest(self, cells: Cells, cost: Floats, near: Cells, limit: float) -> int:
+    def cheapest(self, cells: Blocks, cost: Floats, near: Blocks, limit: float) -> int:
         """Return the cheapest place by its cost and by what it puts out of reach and cuts off, which `cost` then tells.
 
         Args:
@@ -114,7 +114,7 @@ class Walked:
             cost[best] += self._loss(cells[best], near)
         return best
 
-    def _loss(self, cells: NDArray[np.intp], near: Cells) -> float:
+    def _loss(self, cells: NDArray[np.intp], near: Blocks) -> float:
         """Return the cost of taking cells (4,): of what is out of reach then, of floor that is cut off, of shut doors."""
         x0, y0, x1, y1 = cells.tolist()
         ex, ey = self._entries.T
@@ -145,7 +145,7 @@ def _sums(free: NDArray[np.bool_]) -> NDArray[np.int32]:
     return sums
 
 
-def _count(sums: NDArray[np.int32], cells: Cells) -> NDArray[np.int32]:
+def _count(sums: NDArray[np.int32], cells: Blocks) -> NDArray[np.int32]:
     """Return how many of the cells (m, 4) of each place hold."""
     x0, y0, x1, y1 = cells.T
     return sums[x1, y1] - sums[x0, y1] - sums[x1, y0] + sums[x0, y0]

@@ -12,13 +12,31 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.assets import category_of
-from robolayout.scene import Agent
+from robolayout.scene import Agent, Scene
 from robolayout.scene.agent import TOUCH, horizontal_reach
 from robolayout.scene.asset import FLAT_HEIGHT
-from robolayout.solve.compile import Floats, Problem
+
+Floats = NDArray[np.float64]
 
 SIDES = ("front", "left", "back", "right")
 """Order of the sides of a target."""
+
+
+@dataclass(frozen=True, eq=False)
+class Contents:
+    """What a room holds, but not where: the same in every layout of a problem.
+
+    Attributes:
+        scene: The room, its things and its bodies.
+        parent: Index of what carries each thing; -1 where it is the room.
+        heights: (n,) height of each box's centre in metres.
+        half: (n, 2) half depth and half width in metres.
+    """
+
+    scene: Scene
+    parent: tuple[int, ...]
+    heights: Floats
+    half: Floats
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,34 +62,34 @@ class Targets:
     half: Floats
 
 
-def targets_of(problem: Problem, agent: Agent) -> Targets:
+def targets_of(contents: Contents, agent: Agent) -> Targets:
     """Return what a body must get to; rugs and what hangs from the ceiling need no reaching."""
-    assets, parent = problem.scene.assets, np.array(problem.parent, dtype=np.intp)
+    assets, parent = contents.scene.assets, np.array(contents.parent, dtype=np.intp)
     slots = np.array([i for i, a in enumerate(assets) if not (a.is_flat or a.on_ceiling)], dtype=np.intp)
     reach, sides = np.full(len(slots), agent.reach), np.zeros((len(slots), len(SIDES)), dtype=np.bool_)
     for row, slot in enumerate(slots.tolist()):
         kind, own = category_of(assets[slot]), assets[slot].use_sides
         asked = kind.use_sides if own is None else own
-        middle, high = float(problem.heights[slot]), assets[slot].size[2] / 2
+        middle, high = float(contents.heights[slot]), assets[slot].size[2] / 2
         across = horizontal_reach(agent, middle - high, middle + high) if asked else None
         if across is not None:
             reach[row] = max(across, agent.radius + TOUCH)  # nearer than that no disc is asked to come
             if parent[slot] < 0 and not kind.movable:
                 sides[row] = [side in asked for side in SIDES]
-    top = problem.heights + np.array([asset.size[2] for asset in assets]) / 2
+    top = contents.heights + np.array([asset.size[2] for asset in assets]) / 2
     under = parent[slots]
     carrier = np.where((under >= 0) & (top[under] > agent.height), under, -1)
-    return Targets(slots, reach, sides, carrier, _chairs(problem, agent), parent, problem.half)
+    return Targets(slots, reach, sides, carrier, _chairs(contents, agent), parent, contents.half)
 
 
-def _chairs(problem: Problem, agent: Agent) -> NDArray[np.intp]:
+def _chairs(contents: Contents, agent: Agent) -> NDArray[np.intp]:
     """Return what a body with an arm moves away: movable things that stand on the floor and carry nothing."""
     if agent.reach_distance is None:
         return np.empty(0, dtype=np.intp)
-    low = problem.heights - np.array([asset.size[2] / 2 for asset in problem.scene.assets]) <= FLAT_HEIGHT
+    low = contents.heights - np.array([asset.size[2] / 2 for asset in contents.scene.assets]) <= FLAT_HEIGHT
     found = [
         slot
-        for slot, asset in enumerate(problem.scene.assets)
-        if low[slot] and not asset.is_flat and slot not in problem.parent and category_of(asset).movable
+        for slot, asset in enumerate(contents.scene.assets)
+        if low[slot] and not asset.is_flat and slot not in contents.parent and category_of(asset).movable
     ]
     return np.array(found, dtype=np.intp)

@@ -11,12 +11,13 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout._grid import distance
-from robolayout.planners._member import Rect
 from robolayout.scene import Room
 
 CELLS = 40_000
 """Most cells of the grid; larger rooms get coarser ones."""
 
+Rect = tuple[float, float, float, float]
+"""Smallest x, smallest y, largest x, largest y in metres."""
 Points = NDArray[np.float64]
 Cells = NDArray[np.intp]
 """Numbers of cells of the grid, row by row."""
