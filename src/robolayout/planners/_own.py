@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.category import PLACES, SIDES
-from robolayout.planners._rooms import RoomType
+from robolayout.words.rooms import RoomType
 from robolayout.planners._shapes import among, build, tables
 from robolayout.scene import agent_names
 

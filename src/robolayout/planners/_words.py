@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category, find_category
 from robolayout.assets.lexicon import singular
-from robolayout.planners._rooms import Rooms, RoomType
+from robolayout.words.rooms import Rooms, RoomType
 
 LONGEST = 2000
 """Characters of a sentence that are read."""

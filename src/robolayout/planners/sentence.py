@@ -17,7 +17,7 @@ from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
 from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._own import own_sides
-from robolayout.planners._rooms import Rooms, RoomType, read_rooms
+from robolayout.words.rooms import Rooms, RoomType, read_rooms
 from robolayout.planners._words import Wish, Wishes, read_wishes
 from robolayout.scene import Scene, scene_from_dict, variable_name
 

@@ -1,0 +1,617 @@
+"""From chunks to what they say: things with counts, and relations between them.
+
+A relation belongs to the thing before it; after "is", "are", "stands" to the subject of the clause; after a comma or "and" to
+what the last relation was about; at the head of a clause to what follows ("on the desk is a lamp"). "It" is the subject of the
+clause before, or what stands before "with". A noun with "the" that was named before is that thing; other nouns are new ones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from robolayout.assets import CATALOGUE
+from robolayout.words._chunks import YOUNG, Chunk
+from robolayout.words._lexicon import Noun
+from robolayout.words._tokens import NUMBERS
+
+REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on"}
+"""Relations that are said from the other side."""
+
+ALONE = frozenset(("next", "row", "pairs", "mutual", "abreast", "middle", "flank", "left", "right", "front", "near", "under"))
+"""Relations that may stand without an object."""
+
+
+@dataclass(eq=False)
+class Thing:
+    """One kind of thing that is named, and how many of it.
+
+    Attributes:
+        noun: What it is.
+        number: Its count, if one is said.
+        bound: "", "least", "most", "more" or "vague".
+        plural: Whether it is named in the plural.
+        adjectives: Words that were said of it.
+        spans: Token spans in which it is named.
+        times: How many times over it is asked for ("each with").
+        rows: Rows that it stands in, 0 if none are said.
+        definite: Whether it was first named with "the".
+        people: Seats that its words promise ("for six").
+    """
+
+    noun: Noun
+    number: int | None = None
+    bound: str = ""
+    plural: bool = False
+    adjectives: tuple[str, ...] = ()
+    spans: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
+    times: int = 1
+    rows: int = 0
+    definite: bool = False
+    people: int = 0
+
+    @property
+    def count(self) -> int:
+        """How many are asked for: as said, else two for a plural, else one; twice "each with two" is four."""
+        usual = 2 if self.plural else 1
+        one = usual if self.number is None else self.number + (self.bound == "more")
+        return one * self.times
+
+
+@dataclass(frozen=True, eq=False)
+class Mention:
+    """A thing where it is named.
+
+    Attributes:
+        thing: The thing.
+        pick: Which one of several; None is all of them.
+        det: The article.
+    """
+
+    thing: Thing
+    pick: int | None = None
+    det: str = ""
+
+
+@dataclass(frozen=True)
+class Place:
+    """A place of the room where it is named: a wall, a corner, a window, a door, the middle.
+
+    Attributes:
+        name: Which kind of place.
+        words: Words that say which one.
+        number: How many, if said.
+        plural: Whether several are meant.
+        det: The article.
+        by: For a wall: the mention or place that says which one ("opposite the door"), with the relation.
+    """
+
+    name: str
+    words: tuple[str, ...] = ()
+    number: int | None = None
+    plural: bool = False
+    det: str = ""
+    by: tuple[str, Mention | Place] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Link:
+    """A relation that is asked for.
+
+    Attributes:
+        relation: Its name in the word list.
+        subjects: What stands so.
+        objects: What it stands to.
+        start: First token.
+        end: Token after the last one.
+    """
+
+    relation: str
+    subjects: tuple[Mention, ...]
+    objects: tuple[Mention | Place, ...]
+    start: int
+    end: int
+
+
+@dataclass(eq=False)
+class Parsed:
+    """Everything that a text says.
+
+    Attributes:
+        things: In the order in which they are named.
+        links: Relations, in order.
+        refused: Nouns that must not be there, with their spans.
+        openings: Doors and windows that are asked for: kind, count, wall words, span.
+        facts: Rooms, bodies, people, measures, styles ... as chunks.
+        missed: Chunks that nothing is made of.
+        only: Whether nothing but what is named is wanted.
+    """
+
+    things: list[Thing] = field(default_factory=list[Thing])
+    links: list[Link] = field(default_factory=list[Link])
+    refused: list[tuple[Noun, tuple[int, int]]] = field(default_factory=list[tuple[Noun, tuple[int, int]]])
+    openings: list[tuple[Place, tuple[int, int]]] = field(default_factory=list[tuple[Place, tuple[int, int]]])
+    facts: list[Chunk] = field(default_factory=list[Chunk])
+    missed: list[Chunk] = field(default_factory=list[Chunk])
+
+
+class Parser:
+    """Reads chunks from left to right.
+
+    Args:
+        chunks: The chunks of a text.
+        given: Things that are there already (those of a scene file).
+    """
+
+    def __init__(self, chunks: Sequence[Chunk], given: Sequence[Thing] = ()) -> None:
+        self.chunks = list(chunks)
+        self.said = Parsed()
+        self.given = list(given)
+        self.at = 0
+        self._new_sentence()
+        self.before: list[Mention] = []
+        self.pending: list[Mention] = []
+
+    def parse(self) -> Parsed:
+        """Return what the chunks say."""
+        while self.at < len(self.chunks):
+            chunk = self.chunks[self.at]
+            self.at += 1
+            handler = getattr(self, f"_on_{chunk.kind}", None)
+            if handler is not None:
+                handler(chunk)
+            elif chunk.kind == "other":
+                self.said.missed.append(chunk)
+            elif chunk.kind in ("room", "body", "people", "measure", "style", "function", "corner"):
+                self._fact(chunk)
+        return self.said
+
+    def _new_sentence(self) -> None:
+        self.group: list[Mention] = []
+        self.subject: list[Mention] = []
+        self.acted: list[Mention] = []
+        self.holder: list[Mention] = []
+        self.fronted: tuple[Chunk, list[Mention | Place]] | None = None
+        self.refusing = False
+        self.verb = False
+        self.relative = False
+        self.broken = False
+        self.recent: list[Mention] = []
+        self.target: Mention | None = None
+
+    def _fact(self, chunk: Chunk) -> None:
+        self.said.facts.append(chunk)
+        if chunk.kind == "people" and self.group and chunk.number and self._previous(chunk) == "for":
+            self.group[-1].thing.people = chunk.number
+        self.broken = True
+
+    def _previous(self, chunk: Chunk) -> str:
+        """Return the value of the chunk before this one."""
+        index = self.chunks.index(chunk)
+        return self.chunks[index - 1].value if index else ""
+
+    def _on_stop(self, chunk: Chunk) -> None:
+        self.before = self.subject or self.group or self.before
+        self._new_sentence()
+
+    def _on_colon(self, chunk: Chunk) -> None:
+        self.broken = True
+
+    def _on_comma(self, chunk: Chunk) -> None:
+        self.refusing = False
+        self.verb = self.relative = False
+        self.broken = True
+
+    def _on_and(self, chunk: Chunk) -> None:
+        self.refusing = self.refusing and chunk.value in ("or", "nor")
+        self.verb = self.relative = False
+        self.broken = True
+
+    def _on_verb(self, chunk: Chunk) -> None:
+        self.verb = True
+
+    def _on_not(self, chunk: Chunk) -> None:
+        self.refusing = True
+
+    def _on_filler(self, chunk: Chunk) -> None:
+        if chunk.value in ("that", "which"):
+            self.relative = True
+        if chunk.value == "for" and self.group and self.at < len(self.chunks):
+            following = self.chunks[self.at]
+            if following.kind == "filler":
+                self.group[-1].thing.people = count_of(following.value)
+
+    def _on_with(self, chunk: Chunk) -> None:
+        self.refusing = False
+        if self.acted and not self.broken:
+            self.holder = self.acted
+        elif self.group:
+            self.holder = [self.group[-1]]
+        self.verb = False
+        self.broken = True
+
+    def _on_each(self, chunk: Chunk) -> None:
+        """After a thing it multiplies ("four chairs each"); before "with" it says that each one has them."""
+        if self.at < len(self.chunks) and self.chunks[self.at].kind == "with":
+            self.at += 1
+            holder = self.group[-1:] or self.subject[-1:]
+            self.holder = holder
+            self._each_has(holder)
+        elif self.group and self.holder and self.group[-1].thing is not self.holder[0].thing:
+            self.group[-1].thing.times = self.holder[0].thing.count
+
+    def _each_has(self, holder: list[Mention]) -> None:
+        """Read what each of some things has, up to the end of the clause."""
+        if not holder:
+            return
+        first = len(self.said.things)
+        while self.at < len(self.chunks) and self.chunks[self.at].kind in ("thing", "and", "comma", "filler", "style"):
+            chunk = self.chunks[self.at]
+            following = self.chunks[self.at + 1 : self.at + 2]
+            if chunk.kind == "comma" and first < len(self.said.things):
+                break
+            if chunk.kind == "and" and following and following[0].kind != "thing":
+                break
+            self.at += 1
+            if chunk.kind == "thing":
+                mention = self._mention(chunk)
+                if mention.thing in self.said.things[first:]:
+                    mention.thing.times = holder[0].thing.count
+                    self.group = [mention]
+                    self.said.links.append(Link("with", (mention,), tuple(holder), chunk.start, chunk.end))
+
+    def _on_pron(self, chunk: Chunk) -> None:
+        if chunk.value in ("that", "which"):
+            self.relative = True
+            return
+        if chunk.value in ("each", "each of them", "all of them", "both") and self.at < len(self.chunks):
+            if chunk.value.startswith("each") and self.chunks[self.at].kind == "with":
+                self._on_each(chunk)
+                return
+            if chunk.value == "each" and self.group and self.holder:
+                self._on_each(chunk)
+                return
+        if self.before and not self.group:
+            self.subject = list(self.before)
+            self.group = list(self.before)
+
+    def _on_thing(self, chunk: Chunk) -> None:
+        if self.refusing or chunk.refused:
+            if chunk.noun is not None:
+                self.said.refused.append((chunk.noun, (chunk.start, chunk.end)))
+            return
+        mention = self._mention(chunk)
+        self.recent.append(mention)
+        if chunk.det == "each" and self.group and self._previous(chunk) == "for":
+            self.group[-1].thing.times = mention.thing.count
+            self._link(Chunk("rel", chunk.start, chunk.end, "with"), self.group[-1:], [mention])
+            return
+        if self.fronted is not None:
+            self._link(self.fronted[0], [mention], self.fronted[1])
+            self.group = [*self.group, mention] if self.group and not self.broken else [mention]
+            self.acted = [mention]
+            self.broken = False
+            return
+        if self.verb and not self.group and not self.subject:
+            self.subject = []
+        joined = self._joined()
+        if self.holder and topped(mention) and not topped(self.holder[0]):
+            self.said.links.append(Link("with", (mention,), tuple(self.holder), chunk.start, chunk.end))
+        self.group = [*self.group, mention] if joined else [mention]
+        if not self.subject or (not joined and not self.verb and not self.holder):
+            self.subject = self.group
+        self.acted = []
+        self.verb = self.relative = self.broken = False
+
+    def _joined(self) -> bool:
+        """Return whether the last chunk only joins this thing to those before it."""
+        index = self.at - 2
+        seen = False
+        while index >= 0 and self.chunks[index].kind in ("and", "comma", "filler", "style"):
+            seen = seen or self.chunks[index].kind in ("and", "comma")
+            index -= 1
+        return seen and index >= 0 and self.chunks[index].kind == "thing" and bool(self.group) and not self.acted
+
+    def _on_part(self, chunk: Chunk) -> None:
+        """A place of the room that no relation leads to: doors and windows that are asked for."""
+        if chunk.value in ("window", "door") and (self.holder or chunk.number or chunk.det == "a"):
+            place = _place(chunk)
+            walls = self._opening_walls()
+            self.said.openings.append((Place(place.name, walls, chunk.number, chunk.plural, chunk.det), (chunk.start, chunk.end)))
+        elif chunk.value in ("window", "door"):
+            walls = self._opening_walls()
+            if walls:
+                self.said.openings.append((Place(chunk.value, walls, chunk.number, chunk.plural, chunk.det), (chunk.start, chunk.end)))
+        self.broken = True
+
+    def _opening_walls(self) -> tuple[str, ...]:
+        """Return the words of a wall that follows: "in the south wall"."""
+        index = self.at
+        while index < len(self.chunks) and self.chunks[index].kind in ("verb", "filler"):
+            index += 1
+        if index + 1 < len(self.chunks) and self.chunks[index].kind == "rel" and self.chunks[index + 1].value == "wall":
+            self.at = index + 2
+            return self.chunks[index + 1].adjectives
+        return ()
+
+    def _on_rel(self, chunk: Chunk) -> None:
+        """A relation: find what it is about, then what it leads to."""
+        subjects = self._subjects(chunk.value)
+        first = self.at
+        objects = self._objects(chunk)
+        if not objects and chunk.value not in ALONE:
+            if chunk.value not in ("in", "by"):
+                self.said.missed.append(chunk)
+            return
+        if objects and self._is_room(chunk, objects):
+            self.broken = True
+            return
+        if chunk.value in REVERSED:
+            self._reversed(chunk, subjects, objects)
+            return
+        if not subjects or self._turned_round(first, objects):
+            self.fronted = (chunk, objects)
+            self.group = []
+            return
+        self._link(chunk, subjects, objects)
+        self.acted = subjects
+        self.verb = False
+
+    def _is_room(self, chunk: Chunk, objects: Sequence[Mention | Place]) -> bool:
+        """Return whether a relation only says that a thing is in the room."""
+        place = objects[0]
+        return isinstance(place, Place) and (place.name in ("room", "floor") and chunk.value in ("in", "on", "by", "around"))
+
+    def _turned_round(self, first: int, objects: Sequence[Mention | Place]) -> bool:
+        """Return whether what follows the object is what the relation is about: "and on it stands a lamp"."""
+        if not objects or self.at >= len(self.chunks):
+            return False
+        index, verb = self.at, False
+        while index < len(self.chunks) and self.chunks[index].kind in ("verb", "filler", "style", "pron"):
+            verb = verb or self.chunks[index].kind == "verb"
+            index += 1
+        if index >= len(self.chunks) or self.chunks[index].kind != "thing":
+            return False
+        starts = self.chunks[first - 2].kind in ("and", "comma", "stop", "colon") if first >= 2 else True
+        return starts and (verb or index == self.at) and self.chunks[index].det != "the"
+
+    def _reversed(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
+        """Link what is said from the other side: "flanked by two lamps"."""
+        moved = [item for item in objects if isinstance(item, Mention)]
+        while chunk.value == "holds" and self._another():
+            following = self.chunks[self.at + 1]
+            self.at += 2
+            moved.append(self._mention(following))
+        if moved and subjects:
+            named = Chunk("rel", chunk.start, chunk.end, REVERSED[chunk.value])
+            for mention in moved:
+                if chunk.value == "holds" and len(subjects) == 1 and subjects[0].det == "each":
+                    mention.thing.times = subjects[0].thing.count
+            self._link(named, moved, list(subjects))
+            self.group, self.acted = moved, moved
+
+    def _another(self) -> bool:
+        kinds = [chunk.kind for chunk in self.chunks[self.at : self.at + 2]]
+        return kinds == ["and", "thing"]
+
+    def _nearest(self, relation: str) -> list[Mention]:
+        """Return what a relation right after a noun is about: small things "on" something all together, else the noun."""
+        if self.target is not None and relation in ("by", "next", "near") and self.acted:
+            return [self.target]
+        last = self.group[-1:] or list(self.subject)
+        if relation == "on" and last and topped(last[0]) and len(self.group) > 1:
+            linked = {m for link in self.said.links if link.relation != "with" for m in link.subjects}
+            return [m for m in self.group if topped(m) and m not in linked]
+        return last
+
+    def _subjects(self, relation: str) -> list[Mention]:
+        """Return what a relation here is about."""
+        previous = next((c for c in reversed(self.chunks[: self.at - 1]) if c.kind not in ("filler", "style")), None)
+        if previous is None or previous.kind == "stop":
+            return []
+        if self.fronted is not None and previous.kind in ("and", "comma"):
+            self.fronted = None
+            return []
+        if previous.kind == "verb" or self.verb:
+            return self.group[-1:] if self.relative else list(self.subject or self.group)
+        if previous.kind == "thing":
+            return self._nearest(relation)
+        if previous.kind == "pron" and not self.relative:
+            return list(self.before or self.subject) if not self.group else list(self.group)
+        if self.relative:
+            return self.group[-1:]
+        return list(self.acted or self.group[-1:] or self.subject)
+
+    def _objects(self, chunk: Chunk) -> list[Mention | Place]:
+        """Return what a relation leads to; "between" takes two, and a wall may be told by what it is opposite to."""
+        found: list[Mention | Place] = []
+        self.target = None
+        while self.at < len(self.chunks):
+            self._skip()
+            item = self._object(chunk)
+            if item is None:
+                break
+            found += [item, *self.pending]
+            self.pending = []
+            wants = chunk.value == "amid" and len(found) < 2 and not _several(item)
+            both = chunk.value in ("amid", "facing", "under", "around", "near", "next", "on")
+            if not (wants or (both and self._plain_pair(found))):
+                break
+            self.at += 1
+        if found and isinstance(found[-1], Place) and found[-1].name == "wall":
+            found[-1] = self._which_wall(found[-1])
+        self.target = found[-1] if found and isinstance(found[-1], Mention) else None
+        return found
+
+    def _plain_pair(self, found: Sequence[Mention | Place]) -> bool:
+        """Return whether "and the ..." goes on with the same relation."""
+        following = self.chunks[self.at : self.at + 3]
+        if len(following) < 2 or following[0].kind != "and" or following[1].kind != "thing" or following[1].det != "the":
+            return False
+        third = following[2].kind if len(following) > 2 else "stop"
+        return third in ("stop", "comma", "with") and isinstance(found[-1], Mention)
+
+    def _skip(self) -> None:
+        while self.at < len(self.chunks) and self.chunks[self.at].kind in ("filler", "style"):
+            self.at += 1
+
+    def _object(self, chunk: Chunk) -> Mention | Place | None:
+        """Return the thing or place at the head of what follows, and go past it."""
+        if self.at >= len(self.chunks):
+            return None
+        following = self.chunks[self.at]
+        if following.kind == "thing":
+            self.at += 1
+            return self._mention(following, target=True)
+        if following.kind == "part":
+            self.at += 1
+            return self._place_of(following)
+        if following.kind in ("room", "function"):
+            self.at += 1
+            if following.kind == "room":
+                self.said.facts.append(following)
+            return Place("room")
+        if following.kind == "pron" and following.value not in ("that", "which", "both"):
+            self.at += 1
+            meant = self._meant(following.value)
+            if len(meant) > 1:
+                self.pending = meant[1:]
+            return meant[0] if meant else None
+        return None
+
+    def _place_of(self, chunk: Chunk) -> Mention | Place:
+        """Return a place of the room, or the thing whose side it is ("the foot of the bed")."""
+        following = self.chunks[self.at : self.at + 2]
+        if chunk.value in ("side", "middle") and len(following) == 2 and following[0].value == "of":
+            if following[1].kind == "thing":
+                self.at += 2
+                return self._mention(following[1], target=True)
+            if following[1].kind in ("part", "room"):
+                self.at += 2
+                if following[1].kind == "room":
+                    self.said.facts.append(following[1])
+        return _place(chunk)
+
+    def _which_wall(self, wall: Place) -> Place:
+        """Return a wall with what tells it from the others."""
+        following = self.chunks[self.at : self.at + 2]
+        if len(following) < 2 or following[1].kind not in ("part", "thing"):
+            return wall
+        joins = following[0].value in ("opposite", "facing", "behind", "by") if following[0].kind == "rel" else following[0].kind == "with"
+        if not joins:
+            return wall
+        self.at += 2
+        by = _place(following[1]) if following[1].kind == "part" else self._mention(following[1], target=True)
+        how = "with" if following[0].kind == "with" else following[0].value
+        return Place(wall.name, wall.words, wall.number, wall.plural, wall.det, (how, by))
+
+    def _meant(self, word: str) -> list[Mention]:
+        """Return what a pronoun stands for: what stands before "with", what was named last before, the subject before."""
+        if word in ("each other", "one another"):
+            return []
+        own = {m.thing for m in self.group[-1:]}
+        if self.holder and self.holder[0].thing not in own:
+            return self.holder
+        earlier = [m for m in self.recent if m.thing not in own]
+        if word in ("them", "they", "both", "the two", "these", "those"):
+            several = [m for m in earlier if m.thing.count > 1]
+            return several[-1:] if several and earlier[-1:] == several[-1:] else earlier[-2:] or self.before
+        return earlier[-1:] or self.before[:1] or self.group[:1]
+
+    def _mention(self, chunk: Chunk, *, target: bool = False) -> Mention:
+        """Return the thing that a noun phrase names: one named before, or a new one."""
+        assert chunk.noun is not None
+        pick = 0 if "left" in chunk.adjectives or chunk.det in ("first", "one") else 1 if "right" in chunk.adjectives else None
+        pick = 1 if chunk.det == "other" and not chunk.plural else pick
+        pick = 0 if target and chunk.number == 1 and not chunk.plural else pick
+        known = self._known(chunk, target=target)
+        if known is not None:
+            known.spans.append((chunk.start, chunk.end))
+            one = pick is not None and known.count > 1
+            return Mention(known, pick if one else None, chunk.det)
+        number = 1 if chunk.number is None and chunk.det in ("a", "new", "one") and not chunk.plural else chunk.number
+        if chunk.det == "both" and number is None:
+            number = 2
+        if number is None and chunk.plural and self._joined() and self.group[-1].thing.number and not target:
+            number = self.group[-1].thing.number
+        definite = chunk.det in ("the", "each", "all")
+        made = Thing(chunk.noun, number, chunk.bound, chunk.plural, chunk.adjectives, [(chunk.start, chunk.end)], 1, chunk.rows, definite)
+        self.said.things.append(made)
+        return Mention(made, None, chunk.det)
+
+    def _known(self, chunk: Chunk, *, target: bool) -> Thing | None:
+        """Return the thing named before that a noun phrase means; the one named last where several fit."""
+        one = target and chunk.number == 1 and chunk.det == ""
+        new = chunk.det == "new" or (chunk.number is not None and not one and chunk.det not in ("the", "all", "both", "one", "each"))
+        fits = [t for t in [*self.given, *self.said.things] if _same(t, chunk)]
+        if not fits or chunk.noun is None:
+            return None
+        if fits[-1] in self.given and chunk.det != "new":
+            return fits[-1]
+        if one and fits[-1].count > 1:
+            return fits[-1]
+        bare = not chunk.det and chunk.number is None
+        if bare and not chunk.plural and not target:
+            return None
+        if chunk.det == "a" and not (target and _same_words(fits[-1], chunk)):
+            return None
+        return None if new else fits[-1]
+
+    def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
+        """Note a relation; what stands at each of several things is as many times there."""
+        for item in objects:
+            several = item.det == "each" if isinstance(item, (Mention, Place)) else False
+            if several and len(subjects) == 1 and subjects[0].thing.times == 1:
+                count = item.thing.count if isinstance(item, Mention) else {"corner": 4}.get(item.name, 1)
+                owned = isinstance(item, Mention) and item.thing is subjects[0].thing
+                subjects[0].thing.times = 1 if owned or self._given(subjects[0]) else count
+        if chunk.value == "flank" and len(subjects) == 1 and not self._given(subjects[0]):
+            thing = subjects[0].thing
+            if thing.number == 1 and thing.times == 1:
+                around = objects[0] if objects else None
+                thing.times = 2 * (around.thing.count if isinstance(around, Mention) and around.det in ("each", "all") else 1)
+        objects = objects or (self.holder if chunk.value in ("flank", "left", "right", "front", "near", "under") else [])
+        self.said.links.append(Link(chunk.value, tuple(subjects), tuple(objects), chunk.start, chunk.end))
+
+    def _given(self, mention: Mention) -> bool:
+        return mention.thing in self.given
+
+
+def _several(item: Mention | Place) -> bool:
+    return isinstance(item, Mention) and item.thing.count > 1 and item.pick is None
+
+
+def _place(chunk: Chunk) -> Place:
+    return Place(chunk.value, chunk.adjectives, chunk.number, chunk.plural, chunk.det)
+
+
+def _same(thing: Thing, chunk: Chunk) -> bool:
+    """Return whether a noun phrase may mean a thing named before."""
+    if chunk.noun is None:
+        return False
+    old, new = thing.noun.said.split(), chunk.noun.said.split()
+    if _same_words(thing, chunk):
+        return True
+    if old[-1] == new[-1] or old[-1].endswith(new[-1]):
+        return len(new) == 1 or len(old) == 1
+    return thing.noun.kind == chunk.noun.kind
+
+
+def _same_words(thing: Thing, chunk: Chunk) -> bool:
+    return chunk.noun is not None and thing.noun.said == chunk.noun.said
+
+
+def topped(mention: Mention) -> bool:
+    """Return whether a thing can stand nowhere but on another."""
+    kind = CATALOGUE.get(mention.thing.noun.kind)
+    return kind is not None and kind.on_object and not kind.on_floor and not kind.on_wall and not kind.on_ceiling
+
+
+def count_of(word: str) -> int:
+    """Return the number that a word says, 0 if none."""
+    return int(word) if word.isdecimal() else NUMBERS.get(word, 0)
+
+
+def children(parsed: Parsed) -> bool:
+    """Return whether the people that are named are children."""
+    return any(chunk.kind == "people" and chunk.value in YOUNG for chunk in parsed.facts)
