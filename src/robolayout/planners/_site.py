@@ -15,6 +15,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from robolayout.planners._asked import Asked
 from robolayout.planners._cluster import Cluster
 from robolayout.planners._floor import Cells, Floor, Points, Shadow, placed, rect_points
 from robolayout.planners._form import Forms, at, side_rect
@@ -134,6 +135,7 @@ class Site:
         openings: Exact strips that doors and drawers open into.
         claims: What is asked of the floor by everything that an agent should get to.
         known: What things in places that were settled before ask of it; shared by all copies.
+        asked: What the user's words ask of places.
         trial: Whether this is only to find out what is reached: nothing else is recorded.
     """
 
@@ -150,14 +152,15 @@ class Site:
     openings: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
     claims: dict[str, Claim] = field(default_factory=dict[str, "Claim"])
     known: dict[tuple[Member, str], Claim] = field(default_factory=dict[tuple[Member, str], "Claim"])
+    asked: Asked | None = None
     trial: bool = False
 
     @staticmethod
-    def of(scene: Scene, cast: Mapping[str, Cast]) -> Site:
+    def of(scene: Scene, cast: Mapping[str, Cast], asked: Asked | None = None) -> Site:
         """Return the empty site of a scene."""
         corridor = max(0.6, 2 * max(agent.radius for agent in scene.agents) + 0.1)
         floor = Floor.of(scene.room, corridor, max(turning_radius(agent) for agent in scene.agents))
-        site = Site(scene, cast, floor, Forms(scene, cast, corridor), corridor)
+        site = Site(scene, cast, floor, Forms(scene, cast, corridor), corridor, asked=asked)
         site.solids += [shapely.Polygon(scene.room.landing(door)) for door in scene.room.doors]
         return site
 
@@ -174,6 +177,17 @@ class Site:
             openings=list(self.openings),
             claims=dict(self.claims),
         )
+
+    def missed(self, cluster: Cluster, poses: Poses) -> Poses:
+        """Return the cost (n,) of places of a cluster by what the user's words ask and they miss."""
+        if self.asked is None or not self.asked.about([member.name for member in cluster.members]):
+            return np.zeros(len(poses))
+        c, s = np.cos(poses[:, 2]), np.sin(poses[:, 2])
+        moving = {
+            m.name: np.column_stack([poses[:, 0] + c * m.x - s * m.y, poses[:, 1] + s * m.x + c * m.y, poses[:, 2] + m.yaw])
+            for m in cluster.members
+        }
+        return self.asked.cost(moving, {name: spot.member for name, spot in self.spots.items()})
 
     @property
     def room(self) -> Room:

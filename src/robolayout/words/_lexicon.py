@@ -9,8 +9,9 @@ from difflib import get_close_matches
 from functools import cache
 from importlib.resources import files
 
-from robolayout.assets import CATALOGUE, Category, find_category
+from robolayout.assets import CATALOGUE, Category, category_of, find_category
 from robolayout.assets.lexicon import phrase_index, singular
+from robolayout.scene import Scene
 from robolayout.words.rooms import Rooms
 
 LONGEST = 6
@@ -96,11 +97,14 @@ class Lexicon:
     Args:
         rooms: Room types, bodies and corners.
         own: Categories of the user's own.
+        scene: A scene whose things are known by the words of their categories.
     """
 
-    def __init__(self, rooms: Rooms, own: tuple[Category, ...] = ()) -> None:
+    def __init__(self, rooms: Rooms, own: tuple[Category, ...] = (), scene: Scene | None = None) -> None:
         self.rooms = rooms
         self.own = {word: thing.name for thing in own for word in (thing.name, *thing.synonyms)}
+        if scene is not None:
+            self.own |= {singular(plain(asset.category)): category_of(asset).name for asset in scene.assets}
         self.kinds: Mapping[str, Category] = {**CATALOGUE, **{thing.name: thing for thing in own}}
         self.room_words = {plain(word): name for name, room in rooms.rooms.items() for word in room.words}
         self.bodies = {plain(word): name for word, name in rooms.agents.items()}
@@ -112,7 +116,7 @@ class Lexicon:
         for text in (single, " ".join(words)):
             kind = self._known(text)
             if kind:
-                return Noun(text if text in self._listed else kind, kind, single)
+                return Noun(text if text in self._listed or text in self.own else kind, kind, single)
         return None
 
     @property
