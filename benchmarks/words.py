@@ -68,12 +68,14 @@ def prompts(name: str) -> list[Prompt]:
 
 def _demand(text: str) -> Demand:
     word, _, rest = text.partition(" ")
+    counted = re.fullmatch(r"(.*?) ?(>=|<=)?(\d+)", text)
+    if counted is not None and word not in FACTS:
+        return Demand("count", (counted.group(1).strip(),), counted.group(2) or "==", int(counted.group(3)))
     if word in FACTS:
         return Demand(word, (rest.strip(),))
     if word in RELATIONS:
         return Demand(word, tuple(part.strip() for part in rest.split(",")))
-    noun, how, number = re.fullmatch(r"(.*?) ?(>=|<=)?(\d+)", text).groups()  # type: ignore[union-attr]
-    return Demand("count", (noun.strip(),), how or "==", int(number))
+    raise ValueError(f"{text!r} is no demand")
 
 
 class Room:
@@ -99,7 +101,9 @@ class Room:
             names = {asset["category"].lower(), str(asset.get("like", "")).lower()} - {""}
             for word in words.split("|"):
                 exact += [name] * (word in names and name not in exact)
-                ending += [name] * (any(n.split()[-1:] == word.split()[-1:] and n.endswith(word) for n in names) and name not in ending)
+                ending += [name] * (
+                    any(n.split()[-1:] == word.split()[-1:] and n.endswith(word) for n in names) and name not in ending
+                )
         return exact or ending
 
     def box(self, name: str) -> tuple[float, float, float, float]:
@@ -200,7 +204,9 @@ PAIRS: dict[str, Callable[[Room, str, str], bool]] = {
     "around": lambda room, a, b: room.gap(a, b) <= 1.3,
     "opposite": lambda room, a, b: _before(room, a, b, 15.0) or _before(room, b, a, 15.0),
     "above": _over,
-    "under": lambda room, a, b: room.outline(a).intersection(room.outline(b)).area > 0.01 and room.box(a)[3] <= room.box(b)[2] + 0.03,
+    "under": lambda room, a, b: (
+        room.outline(a).intersection(room.outline(b)).area > 0.01 and room.box(a)[3] <= room.box(b)[2] + 0.03
+    ),
 }
 
 
@@ -278,7 +284,8 @@ def fact(room: Room, demand: Demand, room_type: str) -> bool:
     if demand.kind == "height":
         return abs(room.height - float(value)) <= 0.05
     if demand.kind == "body":
-        return str(room.scene.get("agent", {}).get("name", "")) == value
+        agent = room.scene.get("agent", "")
+        return str(agent.get("name", "") if isinstance(agent, dict) else agent) == value
     if demand.kind == "shape":
         return len(room.floor) == 6
     return len(room.scene.get(demand.kind, [])) == int(value)
@@ -336,7 +343,11 @@ def measured(prompt: Prompt) -> Row:
     for demand, good in zip(prompt.demands, met, strict=True):
         for key in ("asked", *(["met"] if good else [])):
             row[f"{class_of(demand)} {key}"] = row.get(f"{class_of(demand)} {key}", 0) + 1
-    unmet = [f"{d.kind} {', '.join(d.about)} {d.number or ''}".strip() for d, good in zip(prompt.demands, met, strict=True) if not good]
+    unmet = [
+        f"{d.kind} {', '.join(d.about)} {d.number or ''}".strip()
+        for d, good in zip(prompt.demands, met, strict=True)
+        if not good
+    ]
     ledger = result.report.asked
     agreed = list(_agreement(prompt, met, room, ledger))
     row |= {
@@ -360,7 +371,9 @@ def _agreement(prompt: Prompt, met: list[bool], room: Room, ledger: Any) -> Iter
             if row.verdict not in ("met", "unmet"):
                 continue
             if demand.kind == "count":
-                fits = row.kind == "count" and any(word.split()[-1] in row.words.lower() for word in demand.about[0].split("|"))
+                fits = row.kind == "count" and any(
+                    word.split()[-1] in row.words.lower() for word in demand.about[0].split("|")
+                )
             else:
                 fits = row.kind == "relation" and all(found & set(row.things) for found in names)
                 fits = fits and len(row.things) >= len(names) and _same_word(demand.kind, row.words)

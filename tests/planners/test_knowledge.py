@@ -4,13 +4,13 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from robolayout.planners._rooms import read_rooms
 
 from robolayout.assets import CATALOGUE
 from robolayout.constraints import RELATIONS
 from robolayout.planners import OfflinePlanner, PlanRequest
 from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._roles import FALLBACKS, fallback
-from robolayout.planners._rooms import read_rooms
 from robolayout.scene import Asset, agent_names, scene_from_dict
 
 KNOWLEDGE = load_knowledge()

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +19,7 @@ from robolayout.planners._knowledge import Join
 from robolayout.planners._member import Member
 from robolayout.planners._roles import Cast, depends
 from robolayout.scene import Layout, Pose, Scene
-from robolayout.words import Demand
+from robolayout.words import Between, Demand
 
 Poses = NDArray[np.float64]
 """(n, 3) metres and radians."""
@@ -34,6 +35,15 @@ SEATED, BEFORE = 0.05, 0.4
 
 BLIND = ("on_top_of", "under")
 """Relations that places are not weighed by: who stands on what is settled by joining."""
+
+
+class Placed(Protocol):
+    """Something that has its place."""
+
+    @property
+    def member(self) -> Member:
+        """The asset in the world frame."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -66,6 +76,19 @@ class Asked:
         known = set(names)
         return [i for i, d in enumerate(self.demands) if known & d.names() and any(way.terms for way in self.ways[i])]
 
+    def missed(self, members: Sequence[Member], poses: Poses, spots: Mapping[str, Placed]) -> Poses:
+        """Return the cost (n,) of putting some things, given in one frame, where that frame has these poses (n, 3)."""
+        if not self.about([member.name for member in members]):
+            return np.zeros(len(poses))
+        c, s = np.cos(poses[:, 2]), np.sin(poses[:, 2])
+        moving = {
+            m.name: np.column_stack(
+                [poses[:, 0] + c * m.x - s * m.y, poses[:, 1] + s * m.x + c * m.y, poses[:, 2] + m.yaw]
+            )
+            for m in members
+        }
+        return self.cost(moving, {name: spot.member for name, spot in spots.items()})
+
     def cost(self, moving: Mapping[str, Poses], placed: Mapping[str, Member]) -> Poses:
         """Return the cost (n,) of places by the demands that they miss; what is not placed yet is not asked about.
 
@@ -83,6 +106,9 @@ class Asked:
             for way in self.ways[i]:
                 missed = sum((self._missed(term, moving, placed) for term in way.terms), np.zeros(count))
                 best = np.minimum(best, missed)
+            exact = self.demands[i].exact
+            if exact is not None:
+                best = best + self._aside(exact, moving, placed)
             total += MISSED * (best > SLACK) + PER_METRE * np.minimum(best, FARTHEST)
         return total
 
@@ -106,6 +132,16 @@ class Asked:
             off = np.abs(_wrapped(turn + term.look - np.arctan2(-v, -u)))
             missed += np.maximum(0.0, off - np.arctan2(min(half_b), np.maximum(away, 0.1)))
         return missed
+
+    def _aside(self, asked: Between, moving: Mapping[str, Poses], placed: Mapping[str, Member]) -> Poses:
+        """Return by how many metres (n,) a thing is off the middle part of the line between two others."""
+        (here, _), (one, _), (two, _) = (self._poses(ref, moving, placed) for ref in (asked.a, asked.b, asked.c))
+        line, away = two[:, :2] - one[:, :2], here[:, :2] - one[:, :2]
+        length = np.maximum(np.hypot(line[:, 0], line[:, 1]), 1e-6)
+        share = (away * line).sum(axis=1) / length**2
+        aside = np.abs(away[:, 0] * line[:, 1] - away[:, 1] * line[:, 0]) / length
+        past = np.maximum(0.2 - share, 0.0) + np.maximum(share - 0.8, 0.0)
+        return np.maximum(aside - asked.SLACK / 2, 0.0) + past * length
 
     def _poses(
         self, ref: AssetRef | WallRef | PointRef, moving: Mapping[str, Poses], placed: Mapping[str, Member]
@@ -189,7 +225,9 @@ def _only_on(item: Cast) -> bool:
 def _subjects(demand: Demand) -> set[str]:
     """Return what is asked to be somewhere; looking at something moves nothing."""
     return {
-        relation.asset_names()[0] for relation in demand.ways[0] if relation.name not in ("point_towards", "under", "above")
+        relation.asset_names()[0]
+        for relation in demand.ways[0]
+        if relation.name not in ("point_towards", "under", "above")
     }
 
 
@@ -214,7 +252,7 @@ def _join(relation: Relation, a: Cast, b: Cast, *, around: bool) -> Join | None:
     if relation.name == "on_top_of":
         known = next((join for join in a.role.joins if join.slot in ("on", "setting")), None)
         return known or Join("on", ("*",), say=("on_top_of({a}, {b})",))
-    if _only_on(a) or a.asset.on_wall and not a.asset.on_floor:
+    if _only_on(a) or (a.asset.on_wall and not a.asset.on_floor):
         return None
     known = next((join for join in a.role.joins if b.role.name in join.of), None)
     if relation.name == "near" and around:
@@ -223,7 +261,7 @@ def _join(relation: Relation, a: Cast, b: Cast, *, around: bool) -> Join | None:
         return known
     if relation.name == "next_to" and getattr(relation, "side", "") in ("left", "right", "beside"):
         return Join("beside", (b.role.name,), gap=SEATED, loose=True)
-    if relation.name == "in_front_of" and getattr(relation, "max_gap", FAR) < FAR / 100 and getattr(relation, "max_gap") < 3.0:
+    if relation.name == "in_front_of" and getattr(relation, "max_gap", FAR) < FAR / 100 and relation.max_gap < 3.0:
         if known is not None and known.slot in ("front", "around"):
             return known
         seated = a.role.name == "seat"

@@ -49,12 +49,18 @@ def openings(
         wall = _wall(outline, item.wall, fits[start:] + fits[:start])
         first = ASIDE if lengths[wall] - wide > 2 * ASIDE else (lengths[wall] - wide) / 2
         offset = first if near else lengths[wall] - wide - first
-        doors.append({"wall": wall, "offset": round(max(offset, 0.0), 2), "width": min(wide, lengths[wall]), "height": 2.05})
+        doors.append(
+            {"wall": wall, "offset": round(max(offset, 0.0), 2), "width": min(wide, lengths[wall]), "height": 2.05}
+        )
     return doors, _windows(outline, lengths, {int(d["wall"]) for d in doors}, wanted, rng)
 
 
 def _windows(
-    outline: Outline, lengths: Sequence[float], taken: set[int], wanted: Sequence[WantedOpening], rng: np.random.Generator
+    outline: Outline,
+    lengths: Sequence[float],
+    taken: set[int],
+    wanted: Sequence[WantedOpening],
+    rng: np.random.Generator,
 ) -> list[Opening]:
     """Return the windows: one or two where nothing is said."""
     free = [i for i in sorted(range(len(lengths)), key=lambda i: -lengths[i]) if i not in taken]

@@ -146,7 +146,9 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     cost += OUT_OF_REACH * bool(shapely.intersects(outline, site.openings).any())
     cost += _crowding(site, name, member) + _sight(site, name, member) + _far(site, name, member)
     cost += CROWDED * _used_room(site, name, member)
-    cost += float(site.missed(Cluster(name, (Member(name, 0.0, 0.0, 0.0),)), np.array([[member.x, member.y, member.yaw]]))[0])
+    cost += float(
+        site.missed(Cluster(name, (Member(name, 0.0, 0.0, 0.0),)), np.array([[member.x, member.y, member.yaw]]))[0]
+    )
     for key, weight in role.prefer.items():
         if key.startswith("near "):
             cost += weight * float(nearness(site, np.array([[member.x, member.y]]), key)[0])
@@ -235,7 +237,9 @@ def overhead(site: Site, names: Sequence[str]) -> None:
     free: list[str] = []
     owned: dict[str, list[str]] = {}
     for name in names:
-        owners = _asked_below(site, name) or [n for r in site.cast[name].role.above for n in site.spots if _is(site, n, r)]
+        owners = _asked_below(site, name) or [
+            n for r in site.cast[name].role.above for n in site.spots if _is(site, n, r)
+        ]
         if owners:
             owned.setdefault(min(owners, key=lambda n: (len(owned.get(n, ())), owners.index(n))), []).append(name)
         else:

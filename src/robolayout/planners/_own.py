@@ -8,9 +8,9 @@ from dataclasses import dataclass, replace
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.category import PLACES, SIDES
-from robolayout.words.rooms import RoomType
 from robolayout.planners._shapes import among, build, tables
 from robolayout.scene import agent_names
+from robolayout.words.rooms import RoomType
 
 OWN = "your own file"
 """Where the size of an own category comes from."""

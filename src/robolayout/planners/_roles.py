@@ -216,10 +216,7 @@ def _any_top(item: Cast, cast: Mapping[str, Cast], covered: Mapping[str, float])
     best = [
         (other.asset.size[2] > TOP_HEIGHT, covered.get(name, 0.0) - _footprint(other.asset), name)
         for name, other in cast.items()
-        if name != item.name
-        and other.asset.on_floor
-        and not other.asset.is_flat
-        and not depends(name, item.name, cast)
+        if name != item.name and other.asset.on_floor and not other.asset.is_flat and not depends(name, item.name, cast)
     ]
     return (min(best)[2], Join("on", ("*",), say=("on_top_of({a}, {b})",))) if best else None
 

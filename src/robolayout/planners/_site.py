@@ -1,7 +1,7 @@
 """The room while it is being furnished: what stands where, and what a new cluster at a given place would cost.
 
-All costs are plain sums. One square metre of conflict between bodies costs 100; everything else is a matter of taste between 0
-and about 6, so that a clash is only ever accepted where nothing else is left.
+All costs are plain sums. One square metre of conflict between bodies costs 100; everything else is a matter of taste between 0 and
+about 6, so that a clash is only ever accepted where nothing else is left.
 """
 
 from __future__ import annotations
@@ -180,14 +180,7 @@ class Site:
 
     def missed(self, cluster: Cluster, poses: Poses) -> Poses:
         """Return the cost (n,) of places of a cluster by what the user's words ask and they miss."""
-        if self.asked is None or not self.asked.about([member.name for member in cluster.members]):
-            return np.zeros(len(poses))
-        c, s = np.cos(poses[:, 2]), np.sin(poses[:, 2])
-        moving = {
-            m.name: np.column_stack([poses[:, 0] + c * m.x - s * m.y, poses[:, 1] + s * m.x + c * m.y, poses[:, 2] + m.yaw])
-            for m in cluster.members
-        }
-        return self.asked.cost(moving, {name: spot.member for name, spot in self.spots.items()})
+        return np.zeros(len(poses)) if self.asked is None else self.asked.missed(cluster.members, poses, self.spots)
 
     @property
     def room(self) -> Room:

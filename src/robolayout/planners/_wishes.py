@@ -7,7 +7,31 @@ from dataclasses import dataclass, replace
 
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
-from robolayout.words import Lexicon, Reading, Rooms, RoomType, Thing, WantedOpening, read_text, sized, wanted_openings
+from robolayout.scene import FLAT_HEIGHT
+from robolayout.words import (
+    Lexicon,
+    Mention,
+    Reading,
+    Rooms,
+    RoomType,
+    Thing,
+    WantedOpening,
+    read_text,
+    sized,
+    wanted_openings,
+)
+
+
+GENERAL = ("desk", "bed", "table", "chair", "shelf")
+"""Nouns that mean what is usual in a room: a desk of a classroom is a student desk."""
+
+LACKING, LIKELY = 0.4, 1.0
+"""What a room loses by each thing that it always has and that is not named, and what makes it likely, in things that belong there."""
+
+CARRIED = 0.5
+"""Square metres of floor that a thing takes at the most to be put on another, where it is asked to stand there."""
+
+SIZE_WORDS = {"small", "large", "big", "little"}
 
 
 @dataclass(frozen=True)
@@ -34,6 +58,7 @@ class Wishes:
         children: Whether these are children.
         seats: Seats at each table, 0 if none are given.
         things: What is wished.
+        general: Nouns that say no more than one word ("lamp"): nothing more of that name is added.
         named: Kinds that are not in the catalogue as they were asked for: other words, other sizes.
         unwanted: Categories that must not be added.
         openings: Doors and windows that are asked for.
@@ -53,6 +78,7 @@ class Wishes:
     children: bool
     seats: int
     things: tuple[Wish, ...]
+    general: frozenset[str]
     named: Mapping[str, Category]
     unwanted: frozenset[str]
     openings: tuple[WantedOpening, ...]
@@ -81,7 +107,11 @@ def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wish
     size, area, height = (reading.measure(kind) for kind in ("size", "area", "height"))
     seats = [thing.people for thing in reading.parsed.things if thing.people]
     spoken = [(chunk.start, chunk.end) for chunk in reading.parsed.missed]
-    unknown = [t.spans[0] for t in reading.parsed.things if t.noun.kind.startswith("unknown")]
+    unknown = [
+        (t.spans[0][1] - len(t.noun.said.split()), t.spans[0][1])
+        for t in reading.parsed.things
+        if t.noun.kind.startswith("unknown")
+    ]
     guesses += [
         f"{thing.noun.words!r} was taken as {thing.noun.kind}, {thing.noun.guessed}."
         for thing in reading.parsed.things
@@ -99,6 +129,7 @@ def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wish
         reading.young,
         seats[0] if seats else 0,
         things,
+        frozenset(t.noun.said for t in reading.parsed.things if " " not in t.noun.said and not t.adjectives),
         named,
         frozenset(noun.kind for noun, _ in reading.parsed.refused),
         wanted_openings(reading),
@@ -118,14 +149,15 @@ def _room(reading: Reading, rooms: Rooms) -> tuple[RoomType, list[str]]:
         raise SceneError(f"the sentence names no room; known room types: {', '.join(sorted(rooms.rooms))}.")
     scores = {name: _belongs(kinds, room) for name, room in rooms.rooms.items()}
     best = max(scores, key=lambda name: (scores[name], name == "room"))
-    best = best if scores[best] > 0 else "room"
+    best = best if scores[best] >= LIKELY else "room"
     return rooms.rooms[best], [f"No room was named: {best} was taken."]
 
 
 def _belongs(kinds: set[str], room: RoomType) -> float:
-    """Return how many of some kinds belong in a room; what always stands there counts double."""
+    """Return how many of some kinds belong in a room; what always stands there counts double, and lacks where it is missing."""
     usual = {*room.extras, *room.person}
-    return sum(2.0 if kind in room.base else 1.0 for kind in kinds if kind in room.base or kind in usual)
+    found = sum(2.0 if kind in room.base else 1.0 for kind in kinds if kind in room.base or kind in usual)
+    return found - LACKING * sum(name not in kinds for name in room.base)
 
 
 def _things(
@@ -134,6 +166,13 @@ def _things(
     """Return what is wished, and the kinds of it that are not in the catalogue as they stand."""
     wished: dict[str, int] = {}
     named: dict[str, Category] = {}
+    resting = {
+        mention.thing
+        for link in reading.parsed.links
+        if link.relation == "on" and link.objects and isinstance(link.objects[0], Mention)
+        for mention in link.subjects
+        if lexicon.kinds[link.objects[0].thing.noun.kind].size[2] >= FLAT_HEIGHT
+    }
     for thing in reading.parsed.things:
         name = usual_there(thing, room) or thing.noun.kind
         kind = lexicon.kinds[name]
@@ -141,7 +180,9 @@ def _things(
         if shown in lexicon.kinds:
             shown = name
         size = sized(kind, thing.adjectives)
-        if shown != name or size != kind.size:
+        if thing in resting and kind.size[0] * kind.size[1] < CARRIED:
+            kind = replace(kind, on_object=True, on_wall=False, on_ceiling=False, on_floor=False)
+        if shown != name or size != kind.size or kind != lexicon.kinds[name]:
             made = replace(kind, name=shown, size=size, like=kind.like or (name if shown != name else ""))
             if shown not in named and wished.get(shown, 0) == 0:
                 named[shown] = made
@@ -157,8 +198,8 @@ def _things(
 
 def usual_there(thing: Thing, room: RoomType) -> str | None:
     """Return what a single general word means in a room: a desk of a classroom is a student desk."""
-    said = [word for word in thing.noun.said.split() if word not in ("small", "large", "big")]
-    if len(said) > 1 or thing.noun.guessed or set(thing.adjectives) - {"small", "large", "big"} or said in (["lamp"], ["light"]):
+    said = [word for word in thing.noun.said.split() if word not in SIZE_WORDS]
+    if len(said) != 1 or said[0] not in GENERAL or thing.noun.guessed or set(thing.adjectives) - SIZE_WORDS:
         return None
     items = [*([room.tables] if room.tables else []), *room.person, *room.base, *room.extras]
     word = said[0] if said else ""

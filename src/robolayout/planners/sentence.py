@@ -103,6 +103,10 @@ class _Known:
     kinds: Mapping[str, Category]
     rooms: Rooms
 
+    def head(self, name: str) -> str:
+        """Return the word that says what a thing is, by what it is like."""
+        return _head(self.kinds[name].like or name)
+
     def floor_area(self, things: Mapping[str, int]) -> float:
         """Return the floor in m2 that things take."""
         kinds = ((self.kinds[name], count) for name, count in things.items())
@@ -171,9 +175,10 @@ def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
 def _people(wishes: Wishes, room: RoomType, wished: dict[str, int]) -> int:
     """Return for how many the room is: as said, else as many as have a seat, a desk or a bed; seats are wished for."""
     if wishes.seats:
+        adults = [name for name in wished if _head(name) == "chair" and name not in ("high chair", "kids chair")]
         tables = sum(count for name, count in wished.items() if _head(name) == "table")
         chair = next((name for name in room.person if _head(name) == "chair"), "chair")
-        if not any(_head(name) == "chair" for name in wished):
+        if not adults:
             wished[chair] = tables * wishes.seats
     if wishes.people:
         return 0 if room.couple and wishes.people == 2 and not wishes.children else wishes.people
@@ -240,24 +245,27 @@ def _added(
 ) -> dict[str, int]:
     """Return what belongs in such a room and was not named, then extras in random order while there is room."""
     floor = size[0] * size[1] * (0.75 if wishes.shape == "L-shaped" else 1.0)
-    heads = {_head(wish.category) for wish in wishes.things} | {_head(name) for name in wished if _head(name) == "bed"}
+    asked = {known.head(wish.category) for wish in wishes.things}
+    heads = asked | {known.head(name) for name in wished if known.head(name) == "bed"}
     added: dict[str, int] = {}
     if wishes.only:
         return added
     for name, count in wished.items():
         for other, each in known.rooms.companions.get(name, {}).items():
-            if _head(other) not in {_head(n) for n in wished} and other not in wishes.unwanted:
+            wanted = other not in wishes.unwanted and other.split()[-1] not in wishes.general
+            if wanted and _head(other) not in {known.head(n) for n in wished}:
                 added[other] = added.get(other, 0) + count * each
     order = [*room.base.items(), *(list(room.extras.items())[i] for i in rng.permutation(len(room.extras)))]
     for name, count in order:
         if (
-            name in wishes.unwanted
-            or (_head(name) in heads and known.kinds[name].on_floor)
+            name.split()[-1] in wishes.general
+            or name in wishes.unwanted
+            or (known.head(name) in heads and known.kinds[name].on_floor)
             or name in wished
             or name in added
         ):
             continue
-        present = {_head(other) for other in (*wished, *added)}
+        present = {known.head(other) for other in (*wished, *added)}
         needs = {
             other: count * each
             for other, each in known.rooms.companions.get(name, {}).items()

@@ -161,7 +161,7 @@ class _Run:
     config: SolverConfig | None
     clock: Clock
     say: Progress
-    wishes: Wishes = Wishes()
+    wishes: Wishes = field(default_factory=Wishes)
 
     def whole(self, planner: Planner, program: str | None, attempts: int) -> Attempt:
         """Plan all assets at once; while demands stay unmet ask again, and keep the best."""

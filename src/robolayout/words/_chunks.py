@@ -12,7 +12,17 @@ from dataclasses import dataclass
 from robolayout.words._lexicon import LONGEST, Lexicon, Noun, grammar
 from robolayout.words._tokens import NUMBERS, VAGUE, Measure, Token
 
-MARKS = {",": "comma", ".": "stop", ";": "stop", "!": "stop", "?": "stop", ":": "colon", "\n": "stop", "(": "comma", ")": "comma"}
+MARKS = {
+    ",": "comma",
+    ".": "stop",
+    ";": "stop",
+    "!": "stop",
+    "?": "stop",
+    ":": "colon",
+    "\n": "stop",
+    "(": "comma",
+    ")": "comma",
+}
 DETERMINERS = {
     "a": "a", "an": "a", "the": "the", "this": "the", "that": "the", "its": "the", "their": "the", "his": "the", "her": "the",
     "my": "the", "each": "each", "every": "each", "all": "all", "both": "both", "these": "the", "those": "the",
@@ -21,10 +31,44 @@ DETERMINERS = {
 JOINING = frozenset(("and", "plus", "as", "or", "also", "then", "but", "while", "where", "&"))
 WITH = frozenset(("with", "has", "have", "having", "contains", "contain", "containing", "includes", "include", "featuring", "including"))  # fmt: skip
 REFUSING = frozenset(("no", "without", "not", "neither", "nor", "dont", "avoid", "never"))
-BREAKING = frozenset(("for", "of", "to", "from", "that", "which", "who", "so", "than", "when", "whose", "if", "does", "do"))
+BREAKING = frozenset(
+    ("for", "of", "to", "from", "that", "which", "who", "so", "than", "when", "whose", "if", "does", "do")
+)
 PEOPLE = frozenset(
-    "people persons guests pupils students children kids patients colleagues employees players adults friends workers visitors "
-    "person child teenager user users owner man woman couple family guest student patient teacher nurse baby toddler".split()
+    [
+        "people",
+        "persons",
+        "guests",
+        "pupils",
+        "students",
+        "children",
+        "kids",
+        "patients",
+        "colleagues",
+        "employees",
+        "players",
+        "adults",
+        "friends",
+        "workers",
+        "visitors",
+        "person",
+        "child",
+        "teenager",
+        "user",
+        "users",
+        "owner",
+        "man",
+        "woman",
+        "couple",
+        "family",
+        "guest",
+        "student",
+        "patient",
+        "teacher",
+        "nurse",
+        "baby",
+        "toddler",
+    ]
 )
 YOUNG = frozenset(("children", "kids", "child", "kid"))
 BOUNDS = {
@@ -32,7 +76,19 @@ BOUNDS = {
     ("at", "most"): "most", ("up", "to"): "most", ("no", "more", "than"): "most", ("not", "more", "than"): "most",
     ("a", "maximum", "of"): "most", ("a", "minimum", "of"): "least", ("maximum",): "most", ("minimum",): "least",
 }  # fmt: skip
-SETS = (("pair",), ("set",), ("couple",), ("group",), ("row",), ("stack",), ("bunch",), ("number",), ("line",), ("pile",), ("selection",))
+SETS = (
+    ("pair",),
+    ("set",),
+    ("couple",),
+    ("group",),
+    ("row",),
+    ("stack",),
+    ("bunch",),
+    ("number",),
+    ("line",),
+    ("pile",),
+    ("selection",),
+)
 """Words before "of" that only say that there are several."""
 
 
@@ -126,7 +182,16 @@ class Chunker:
     def _is_relation(self, phrase: str, end: int) -> bool:
         """Return whether a phrase is a relation here: "opposite walls", "left bank" and "to the left wall" are none."""
         following = self.words[end] if end < len(self.words) else ""
-        if phrase in ("opposite", "across") and following in ("wall", "walls", "side", "sides", "end", "ends", "corner", "corners"):
+        if phrase in ("opposite", "across") and following in (
+            "wall",
+            "walls",
+            "side",
+            "sides",
+            "end",
+            "ends",
+            "corner",
+            "corners",
+        ):
             return False
         if phrase.endswith(("left", "right", "middle", "center", "centre")) and following and following not in MARKS:
             return following in (*JOINING, "there", "is", "stands", "with", "sits", "are", "stand", "hangs")
@@ -149,7 +214,12 @@ class Chunker:
         i = at + skip
         det, number, rows = "", None, 0
         while i < len(self.words) and (step := self._before_noun(i, det, number)):
-            det, number, bound, rows = step[0] or det, step[1] if step[1] is not None else number, step[2] or bound, step[3] or rows
+            det, number, bound, rows = (
+                step[0] or det,
+                step[1] if step[1] is not None else number,
+                step[2] or bound,
+                step[3] or rows,
+            )
             i += step[4]
         run = self._run(i, many=(number or 1) > 1)
         if not run:
@@ -171,7 +241,7 @@ class Chunker:
             return ("all", None, "", 0, 2)
         if word == "one" and rest[:1] == ["of"]:
             return ("one", 1, "", 0, 2)
-        if word in DETERMINERS and word not in ("second", "first", "third") or (word in ("second", "first", "third") and not number):
+        if word in DETERMINERS and (det == "the" or word not in ("second", "first", "third")):
             return (DETERMINERS[word], None, "", 0, 1)
         if word in ("only", "just", "exactly", "about", "additional", "more"):
             return ("", None, "", 0, 1) if self._run(i + 1) or _count(rest[0] if rest else "") else None
@@ -185,8 +255,15 @@ class Chunker:
         run: list[str] = []
         while i < len(self.words) and len(run) < LONGEST + 2:
             word = self.words[i]
-            stops = word in MARKS or word in JOINING or word in WITH or word in BREAKING or word in REFUSING or i in self.measured
-            counts = _count(word) is not None and not self._seats(i)
+            stops = (
+                word in MARKS
+                or word in JOINING
+                or word in WITH
+                or word in BREAKING
+                or word in REFUSING
+                or i in self.measured
+            )
+            counts = _count(word) is not None and word != "couple" and not self._seats(i)
             if stops or counts or word in DETERMINERS or self._closed(i, run, many):
                 break
             run.append(word)
@@ -220,7 +297,12 @@ class Chunker:
     def _continues(self, i: int) -> bool:
         """Return whether a noun may follow: "hanging chair"."""
         following = self.words[i + 1] if i + 1 < len(self.words) else ""
-        return bool(following) and following not in MARKS and following not in DETERMINERS and not self._begins_relation(i + 1)
+        return (
+            bool(following)
+            and following not in MARKS
+            and following not in DETERMINERS
+            and not self._begins_relation(i + 1)
+        )
 
     def _named(
         self, at: int, i: int, run: list[str], told: bool, before: tuple[str, int | None, str, int]
@@ -259,6 +341,8 @@ class Chunker:
         single = phrase.removesuffix("s")
         if phrase in self.lexicon.bodies and phrase not in ("wheelchair", "rollator", "walker"):
             return "body", self.lexicon.bodies[phrase], None
+        if phrase in self.lexicon.corners:
+            return "corner", self.lexicon.corners[phrase], None
         if phrase in self.lexicon.room_words:
             return "room", self.lexicon.room_words[phrase], None
         if phrase in self.grammar.functions:
@@ -275,8 +359,19 @@ class Chunker:
     def _promises(self, run: list[str]) -> bool:
         """Return whether an article before such words promises a thing."""
         last = run[-1]
-        closed = last in self.grammar.styles or last in self.grammar.functions or last in self.grammar.fillers or last in self.grammar.sizes or last in self.grammar.walls
-        return not closed and len(last) > 2 and not last.endswith("ly") and last not in ("total", "style", "kind", "row", "rows", "grid")
+        closed = (
+            last in self.grammar.styles
+            or last in self.grammar.functions
+            or last in self.grammar.fillers
+            or last in self.grammar.sizes
+            or last in self.grammar.walls
+        )
+        return (
+            not closed
+            and len(last) > 2
+            and not last.endswith("ly")
+            and last not in ("total", "style", "kind", "row", "rows", "grid")
+        )
 
     def _single(self, at: int) -> Chunk:
         """Return a word that is part of nothing larger."""

@@ -82,6 +82,7 @@ class Noun:
         words: The noun in the singular ("bistro table").
         kind: The nearest kind of the catalogue.
         said: The noun as it was said, in the singular ("table" where a dining table is meant).
+        others: Further kinds that the noun may mean; where the thing stands decides.
         guessed: How it was found, where the catalogue does not have the word; empty where it has it.
     """
 
@@ -89,6 +90,7 @@ class Noun:
     kind: str
     said: str
     guessed: str = ""
+    others: tuple[str, ...] = ()
 
 
 class Lexicon:
@@ -103,8 +105,9 @@ class Lexicon:
     def __init__(self, rooms: Rooms, own: tuple[Category, ...] = (), scene: Scene | None = None) -> None:
         self.rooms = rooms
         self.own = {word: thing.name for thing in own for word in (thing.name, *thing.synonyms)}
+        self.there: dict[str, str] = {}
         if scene is not None:
-            self.own |= {singular(plain(asset.category)): category_of(asset).name for asset in scene.assets}
+            self.there = {singular(plain(asset.category)): category_of(asset).name for asset in scene.assets}
         self.kinds: Mapping[str, Category] = {**CATALOGUE, **{thing.name: thing for thing in own}}
         self.room_words = {plain(word): name for name, room in rooms.rooms.items() for word in room.words}
         self.bodies = {plain(word): name for word, name in rooms.agents.items()}
@@ -116,7 +119,9 @@ class Lexicon:
         for text in (single, " ".join(words)):
             kind = self._known(text)
             if kind:
-                return Noun(text if text in self._listed or text in self.own else kind, kind, single)
+                told = text in self._listed or text in self.there
+                others = () if told or text in self.own else phrase_index().get(text, ())[1:]
+                return Noun(text if told else kind, kind, single, "", others)
         return None
 
     @property
@@ -125,7 +130,7 @@ class Lexicon:
 
     def _known(self, text: str) -> str | None:
         """Return the kind of a phrase that is known as it stands."""
-        listed = self.own.get(text) or self._listed.get(text)
+        listed = self.own.get(text) or self.there.get(text) or self._listed.get(text)
         if listed:
             return listed
         names = phrase_index().get(text) or (_joined().get(text.replace(" ", "")) if len(text) > 3 else ())
@@ -142,7 +147,9 @@ class Lexicon:
         if kind:
             return Noun(text, kind, text, f"by its last word, {head!r}")
         found = find_category(text).name
-        return Noun(text, found, text, "as nothing that is known" if found.startswith("unknown") else "by one of its words")
+        return Noun(
+            text, found, text, "as nothing that is known" if found.startswith("unknown") else "by one of its words"
+        )
 
 
 @cache

@@ -8,7 +8,7 @@ from robolayout.assets import category_of
 from robolayout.assets.lexicon import singular
 from robolayout.scene import Asset, Scene
 from robolayout.words._lexicon import plain
-from robolayout.words._parse import Thing
+from robolayout.words._said import Thing
 
 KIN = {"crib": "bed", "cot": "bed", "loveseat": "sofa", "couch": "sofa", "settee": "sofa", "recliner": "armchair"}
 """Things that stand for another that they are not named after."""

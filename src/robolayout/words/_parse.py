@@ -8,131 +8,29 @@ clause before, or what stands before "with". A noun with "the" that was named be
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 
-from robolayout.assets import CATALOGUE
-from robolayout.words._chunks import YOUNG, Chunk
-from robolayout.words._lexicon import Noun
-from robolayout.words._tokens import NUMBERS
+from robolayout.words._chunks import Chunk
+from robolayout.words._said import (
+    Link,
+    Mention,
+    Parsed,
+    Place,
+    Thing,
+    count_of,
+    place_of,
+    same,
+    same_words,
+    several,
+    topped,
+)
 
 REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on"}
 """Relations that are said from the other side."""
 
-ALONE = frozenset(("next", "row", "pairs", "mutual", "abreast", "middle", "flank", "left", "right", "front", "near", "under"))
+ALONE = frozenset(
+    ("next", "row", "pairs", "mutual", "abreast", "middle", "flank", "left", "right", "front", "near", "under")
+)
 """Relations that may stand without an object."""
-
-
-@dataclass(eq=False)
-class Thing:
-    """One kind of thing that is named, and how many of it.
-
-    Attributes:
-        noun: What it is.
-        number: Its count, if one is said.
-        bound: "", "least", "most", "more" or "vague".
-        plural: Whether it is named in the plural.
-        adjectives: Words that were said of it.
-        spans: Token spans in which it is named.
-        times: How many times over it is asked for ("each with").
-        rows: Rows that it stands in, 0 if none are said.
-        definite: Whether it was first named with "the".
-        people: Seats that its words promise ("for six").
-    """
-
-    noun: Noun
-    number: int | None = None
-    bound: str = ""
-    plural: bool = False
-    adjectives: tuple[str, ...] = ()
-    spans: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
-    times: int = 1
-    rows: int = 0
-    definite: bool = False
-    people: int = 0
-
-    @property
-    def count(self) -> int:
-        """How many are asked for: as said, else two for a plural, else one; twice "each with two" is four."""
-        usual = 2 if self.plural else 1
-        one = usual if self.number is None else self.number + (self.bound == "more")
-        return one * self.times
-
-
-@dataclass(frozen=True, eq=False)
-class Mention:
-    """A thing where it is named.
-
-    Attributes:
-        thing: The thing.
-        pick: Which one of several; None is all of them.
-        det: The article.
-    """
-
-    thing: Thing
-    pick: int | None = None
-    det: str = ""
-
-
-@dataclass(frozen=True)
-class Place:
-    """A place of the room where it is named: a wall, a corner, a window, a door, the middle.
-
-    Attributes:
-        name: Which kind of place.
-        words: Words that say which one.
-        number: How many, if said.
-        plural: Whether several are meant.
-        det: The article.
-        by: For a wall: the mention or place that says which one ("opposite the door"), with the relation.
-    """
-
-    name: str
-    words: tuple[str, ...] = ()
-    number: int | None = None
-    plural: bool = False
-    det: str = ""
-    by: tuple[str, Mention | Place] | None = None
-
-
-@dataclass(frozen=True, eq=False)
-class Link:
-    """A relation that is asked for.
-
-    Attributes:
-        relation: Its name in the word list.
-        subjects: What stands so.
-        objects: What it stands to.
-        start: First token.
-        end: Token after the last one.
-    """
-
-    relation: str
-    subjects: tuple[Mention, ...]
-    objects: tuple[Mention | Place, ...]
-    start: int
-    end: int
-
-
-@dataclass(eq=False)
-class Parsed:
-    """Everything that a text says.
-
-    Attributes:
-        things: In the order in which they are named.
-        links: Relations, in order.
-        refused: Nouns that must not be there, with their spans.
-        openings: Doors and windows that are asked for: kind, count, wall words, span.
-        facts: Rooms, bodies, people, measures, styles ... as chunks.
-        missed: Chunks that nothing is made of.
-        only: Whether nothing but what is named is wanted.
-    """
-
-    things: list[Thing] = field(default_factory=list[Thing])
-    links: list[Link] = field(default_factory=list[Link])
-    refused: list[tuple[Noun, tuple[int, int]]] = field(default_factory=list[tuple[Noun, tuple[int, int]]])
-    openings: list[tuple[Place, tuple[int, int]]] = field(default_factory=list[tuple[Place, tuple[int, int]]])
-    facts: list[Chunk] = field(default_factory=list[Chunk])
-    missed: list[Chunk] = field(default_factory=list[Chunk])
 
 
 class Parser:
@@ -175,7 +73,7 @@ class Parser:
         self.refusing = False
         self.verb = False
         self.relative = False
-        self.broken = False
+        self.broken = self.having = False
         self.recent: list[Mention] = []
         self.target: Mention | None = None
 
@@ -201,11 +99,13 @@ class Parser:
         self.refusing = False
         self.verb = self.relative = False
         self.broken = True
+        self.having = self.having and not self.acted
 
     def _on_and(self, chunk: Chunk) -> None:
         self.refusing = self.refusing and chunk.value in ("or", "nor")
         self.verb = self.relative = False
         self.broken = True
+        self.having = self.having and not self.acted
 
     def _on_verb(self, chunk: Chunk) -> None:
         self.verb = True
@@ -216,10 +116,12 @@ class Parser:
     def _on_filler(self, chunk: Chunk) -> None:
         if chunk.value in ("that", "which"):
             self.relative = True
-        if chunk.value == "for" and self.group and self.at < len(self.chunks):
-            following = self.chunks[self.at]
-            if following.kind == "filler":
+        following = self.chunks[self.at] if self.at < len(self.chunks) else chunk
+        if chunk.value == "for" and following.kind == "filler" and count_of(following.value) > 1:
+            if self.group:
                 self.group[-1].thing.people = count_of(following.value)
+            else:
+                self.said.people = count_of(following.value)
 
     def _on_with(self, chunk: Chunk) -> None:
         self.refusing = False
@@ -227,6 +129,7 @@ class Parser:
             self.holder = self.acted
         elif self.group:
             self.holder = [self.group[-1]]
+        self.having = True
         self.verb = False
         self.broken = True
 
@@ -295,7 +198,7 @@ class Parser:
         if self.verb and not self.group and not self.subject:
             self.subject = []
         joined = self._joined()
-        if self.holder and topped(mention) and not topped(self.holder[0]):
+        if self.having and self.holder and topped(mention) and not topped(self.holder[0]):
             self.said.links.append(Link("with", (mention,), tuple(self.holder), chunk.start, chunk.end))
         self.group = [*self.group, mention] if joined else [mention]
         if not self.subject or (not joined and not self.verb and not self.holder):
@@ -315,13 +218,17 @@ class Parser:
     def _on_part(self, chunk: Chunk) -> None:
         """A place of the room that no relation leads to: doors and windows that are asked for."""
         if chunk.value in ("window", "door") and (self.holder or chunk.number or chunk.det == "a"):
-            place = _place(chunk)
+            place = place_of(chunk)
             walls = self._opening_walls()
-            self.said.openings.append((Place(place.name, walls, chunk.number, chunk.plural, chunk.det), (chunk.start, chunk.end)))
+            self.said.openings.append(
+                (Place(place.name, walls, chunk.number, chunk.plural, chunk.det), (chunk.start, chunk.end))
+            )
         elif chunk.value in ("window", "door"):
             walls = self._opening_walls()
             if walls:
-                self.said.openings.append((Place(chunk.value, walls, chunk.number, chunk.plural, chunk.det), (chunk.start, chunk.end)))
+                self.said.openings.append(
+                    (Place(chunk.value, walls, chunk.number, chunk.plural, chunk.det), (chunk.start, chunk.end))
+                )
         self.broken = True
 
     def _opening_walls(self) -> tuple[str, ...]:
@@ -337,8 +244,18 @@ class Parser:
     def _on_rel(self, chunk: Chunk) -> None:
         """A relation: find what it is about, then what it leads to."""
         subjects = self._subjects(chunk.value)
+        if chunk.value == "holds" and not subjects:
+            self._on_with(chunk)
+            return
         first = self.at
         objects = self._objects(chunk)
+        if (
+            objects
+            and isinstance(objects[0], Place)
+            and objects[0].name == "side"
+            and self._at_sides(chunk, subjects, objects[0])
+        ):
+            return
         if not objects and chunk.value not in ALONE:
             if chunk.value not in ("in", "by"):
                 self.said.missed.append(chunk)
@@ -357,10 +274,29 @@ class Parser:
         self.acted = subjects
         self.verb = False
 
+    def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention], side: Place) -> bool:
+        """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""
+        tables = [thing for thing in self.said.things if thing.noun.kind.split()[-1] in ("table", "counter", "island")]
+        seats = [
+            m for m in subjects if m.thing.noun.kind.split()[-1] in ("chair", "stool", "bench", "cushion", "armchair")
+        ]
+        if not tables or not seats or len(seats) < len(subjects):
+            return False
+        known = any(
+            link.relation == "around" and link.subjects[0].thing is seats[0].thing
+            for link in self.said.links
+            if link.subjects
+        )
+        if not known:
+            self._link(Chunk("rel", chunk.start, chunk.end, "around"), seats, [Mention(tables[-1])])
+        return True
+
     def _is_room(self, chunk: Chunk, objects: Sequence[Mention | Place]) -> bool:
         """Return whether a relation only says that a thing is in the room."""
         place = objects[0]
-        return isinstance(place, Place) and (place.name in ("room", "floor") and chunk.value in ("in", "on", "by", "around"))
+        return isinstance(place, Place) and (
+            place.name in ("room", "floor") and chunk.value in ("in", "on", "by", "around")
+        )
 
     def _turned_round(self, first: int, objects: Sequence[Mention | Place]) -> bool:
         """Return whether what follows the object is what the relation is about: "and on it stands a lamp"."""
@@ -433,7 +369,7 @@ class Parser:
                 break
             found += [item, *self.pending]
             self.pending = []
-            wants = chunk.value == "amid" and len(found) < 2 and not _several(item)
+            wants = chunk.value == "amid" and len(found) < 2 and not several(item)
             both = chunk.value in ("amid", "facing", "under", "around", "near", "next", "on")
             if not (wants or (both and self._plain_pair(found))):
                 break
@@ -446,7 +382,12 @@ class Parser:
     def _plain_pair(self, found: Sequence[Mention | Place]) -> bool:
         """Return whether "and the ..." goes on with the same relation."""
         following = self.chunks[self.at : self.at + 3]
-        if len(following) < 2 or following[0].kind != "and" or following[1].kind != "thing" or following[1].det != "the":
+        if (
+            len(following) < 2
+            or following[0].kind != "and"
+            or following[1].kind != "thing"
+            or following[1].det != "the"
+        ):
             return False
         third = following[2].kind if len(following) > 2 else "stop"
         return third in ("stop", "comma", "with") and isinstance(found[-1], Mention)
@@ -490,18 +431,22 @@ class Parser:
                 self.at += 2
                 if following[1].kind == "room":
                     self.said.facts.append(following[1])
-        return _place(chunk)
+        return place_of(chunk)
 
     def _which_wall(self, wall: Place) -> Place:
         """Return a wall with what tells it from the others."""
         following = self.chunks[self.at : self.at + 2]
         if len(following) < 2 or following[1].kind not in ("part", "thing"):
             return wall
-        joins = following[0].value in ("opposite", "facing", "behind", "by") if following[0].kind == "rel" else following[0].kind == "with"
+        joins = (
+            following[0].value in ("opposite", "facing", "behind", "by")
+            if following[0].kind == "rel"
+            else following[0].kind == "with"
+        )
         if not joins:
             return wall
         self.at += 2
-        by = _place(following[1]) if following[1].kind == "part" else self._mention(following[1], target=True)
+        by = place_of(following[1]) if following[1].kind == "part" else self._mention(following[1], target=True)
         how = "with" if following[0].kind == "with" else following[0].value
         return Place(wall.name, wall.words, wall.number, wall.plural, wall.det, (how, by))
 
@@ -521,7 +466,13 @@ class Parser:
     def _mention(self, chunk: Chunk, *, target: bool = False) -> Mention:
         """Return the thing that a noun phrase names: one named before, or a new one."""
         assert chunk.noun is not None
-        pick = 0 if "left" in chunk.adjectives or chunk.det in ("first", "one") else 1 if "right" in chunk.adjectives else None
+        pick = (
+            0
+            if "left" in chunk.adjectives or chunk.det in ("first", "one")
+            else 1
+            if "right" in chunk.adjectives
+            else None
+        )
         pick = 1 if chunk.det == "other" and not chunk.plural else pick
         pick = 0 if target and chunk.number == 1 and not chunk.plural else pick
         known = self._known(chunk, target=target)
@@ -532,18 +483,31 @@ class Parser:
         number = 1 if chunk.number is None and chunk.det in ("a", "new", "one") and not chunk.plural else chunk.number
         if chunk.det == "both" and number is None:
             number = 2
-        if number is None and chunk.plural and self._joined() and self.group[-1].thing.number and not target:
-            number = self.group[-1].thing.number
+        if number is None and chunk.plural and self._joined() and not target:
+            before = self.group[-1].thing.number
+            number = before if before and before > 1 else None
         definite = chunk.det in ("the", "each", "all")
-        made = Thing(chunk.noun, number, chunk.bound, chunk.plural, chunk.adjectives, [(chunk.start, chunk.end)], 1, chunk.rows, definite)
+        made = Thing(
+            chunk.noun,
+            number,
+            chunk.bound,
+            chunk.plural,
+            chunk.adjectives,
+            [(chunk.start, chunk.end)],
+            1,
+            chunk.rows,
+            definite,
+        )
         self.said.things.append(made)
         return Mention(made, None, chunk.det)
 
     def _known(self, chunk: Chunk, *, target: bool) -> Thing | None:
         """Return the thing named before that a noun phrase means; the one named last where several fit."""
         one = target and chunk.number == 1 and chunk.det == ""
-        new = chunk.det == "new" or (chunk.number is not None and not one and chunk.det not in ("the", "all", "both", "one", "each"))
-        fits = [t for t in [*self.given, *self.said.things] if _same(t, chunk)]
+        new = chunk.det == "new" or (
+            chunk.number is not None and not one and chunk.det not in ("the", "all", "both", "one", "each")
+        )
+        fits = [t for t in [*self.given, *self.said.things] if same(t, chunk)]
         if not fits or chunk.noun is None:
             return None
         if fits[-1] in self.given and chunk.det != "new":
@@ -553,7 +517,10 @@ class Parser:
         bare = not chunk.det and chunk.number is None
         if bare and not chunk.plural and not target:
             return None
-        if chunk.det == "a" and not (target and _same_words(fits[-1], chunk)):
+        if chunk.det == "a" and not target and fits[-1].definite and same_words(fits[-1], chunk):
+            fits[-1].definite = False
+            return fits[-1]
+        if chunk.det == "a" and not (target and same_words(fits[-1], chunk)):
             return None
         return None if new else fits[-1]
 
@@ -569,49 +536,13 @@ class Parser:
             thing = subjects[0].thing
             if thing.number == 1 and thing.times == 1:
                 around = objects[0] if objects else None
-                thing.times = 2 * (around.thing.count if isinstance(around, Mention) and around.det in ("each", "all") else 1)
-        objects = objects or (self.holder if chunk.value in ("flank", "left", "right", "front", "near", "under") else [])
+                thing.times = 2 * (
+                    around.thing.count if isinstance(around, Mention) and around.det in ("each", "all") else 1
+                )
+        objects = objects or (
+            self.holder if chunk.value in ("flank", "left", "right", "front", "near", "under") else []
+        )
         self.said.links.append(Link(chunk.value, tuple(subjects), tuple(objects), chunk.start, chunk.end))
 
     def _given(self, mention: Mention) -> bool:
         return mention.thing in self.given
-
-
-def _several(item: Mention | Place) -> bool:
-    return isinstance(item, Mention) and item.thing.count > 1 and item.pick is None
-
-
-def _place(chunk: Chunk) -> Place:
-    return Place(chunk.value, chunk.adjectives, chunk.number, chunk.plural, chunk.det)
-
-
-def _same(thing: Thing, chunk: Chunk) -> bool:
-    """Return whether a noun phrase may mean a thing named before."""
-    if chunk.noun is None:
-        return False
-    old, new = thing.noun.said.split(), chunk.noun.said.split()
-    if _same_words(thing, chunk):
-        return True
-    if old[-1] == new[-1] or old[-1].endswith(new[-1]):
-        return len(new) == 1 or len(old) == 1
-    return thing.noun.kind == chunk.noun.kind
-
-
-def _same_words(thing: Thing, chunk: Chunk) -> bool:
-    return chunk.noun is not None and thing.noun.said == chunk.noun.said
-
-
-def topped(mention: Mention) -> bool:
-    """Return whether a thing can stand nowhere but on another."""
-    kind = CATALOGUE.get(mention.thing.noun.kind)
-    return kind is not None and kind.on_object and not kind.on_floor and not kind.on_wall and not kind.on_ceiling
-
-
-def count_of(word: str) -> int:
-    """Return the number that a word says, 0 if none."""
-    return int(word) if word.isdecimal() else NUMBERS.get(word, 0)
-
-
-def children(parsed: Parsed) -> bool:
-    """Return whether the people that are named are children."""
-    return any(chunk.kind == "people" and chunk.value in YOUNG for chunk in parsed.facts)

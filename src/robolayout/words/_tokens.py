@@ -34,10 +34,11 @@ _U = r"\s*(metres?|meters?|m\b|cm\b|centimet(?:re|er)s?|feet|foot|ft\b|inches|in
 _SIZE = re.compile(rf"{_N}{_U}\s*(?:x|\u00d7|by|\*)\s*{_N}{_U}(?![\w\u00b2]|\s*grid)", re.IGNORECASE)
 _GRID = re.compile(r"(\d+)\s*(?:x|\u00d7|by)\s*(\d+)\s*grid", re.IGNORECASE)
 _AREA = re.compile(
-    rf"{_N}\s*(m2|m\u00b2|sqm|square met(?:re|er)s?|sq\.? ?m|square (?:feet|foot)|sq\.? ?ft|ft\u00b2|ft2)", re.IGNORECASE
+    rf"{_N}\s*(m2|m\u00b2|sqm|square met(?:re|er)s?|sq\.? ?m|square (?:feet|foot)|sq\.? ?ft|ft\u00b2|ft2)",
+    re.IGNORECASE,
 )
 _HEIGHT = re.compile(rf"{_N}{_U}\s*(?:high|tall|ceilings?)\b|ceilings?\s*(?:of|at)?\s*{_N}{_U}", re.IGNORECASE)
-_TOKEN = re.compile(r"\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*|[.;!?:\n]|,|[()]")
+_TOKEN = re.compile(r"[a-z]+-in\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*|[.;!?:\n]|,|[()]")
 
 
 @dataclass(frozen=True)
@@ -73,11 +74,11 @@ class Token:
 
 
 def tokens(text: str) -> list[Token]:
-    """Return the words and marks of a text; "king-size" is two words."""
+    """Return the words and marks of a text; "king-size" is two words, "walk-in" is one."""
     lower = text.lower().replace("\u2019", "'")
     if len(lower) != len(text):  # a letter whose small form is longer: places would no longer fit
         lower = "".join(char.lower() if len(char.lower()) == 1 else char for char in text).replace("\u2019", "'")
-    return [Token(m.group().replace("'", ""), m.start(), m.end()) for m in _TOKEN.finditer(lower)]
+    return [Token(re.sub(r"['-]", "", m.group()), m.start(), m.end()) for m in _TOKEN.finditer(lower)]
 
 
 def measures(text: str) -> list[Measure]:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from robolayout.scene import Scene, Wall
 from robolayout.words._lexicon import grammar
-from robolayout.words._parse import Mention, Place, Thing
+from robolayout.words._said import Mention, Place, Thing
 
 COMPASS = {"north": (0.0, -1.0), "south": (0.0, 1.0), "east": (-1.0, 0.0), "west": (1.0, 0.0)}
 """Inward normals of walls by name, as on a plan: north is up."""

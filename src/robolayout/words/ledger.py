@@ -8,10 +8,11 @@ from typing import Any, Literal
 
 from robolayout.assets import category_of
 from robolayout.scene import Layout, Scene
+from robolayout.words._demander import Demander
 from robolayout.words._lexicon import Lexicon
 from robolayout.words._match import fits, stand_ins
-from robolayout.words._parse import Link, Mention, Place, Thing
-from robolayout.words.demands import Demand, Demander
+from robolayout.words._said import Link, Mention, Place, Thing
+from robolayout.words.demands import Demand
 from robolayout.words.reading import Reading, read_text
 from robolayout.words.rooms import read_rooms
 
@@ -125,7 +126,11 @@ class _Rows:
         for chunk in self.reading.parsed.facts:
             words = self.reading.span(chunk.start, chunk.end)
             if chunk.kind == "room":
-                nearest = f"the nearest room type to it, {chunk.value}" if self.reading.guessed and chunk is self.reading.placed else chunk.value
+                nearest = (
+                    f"the nearest room type to it, {chunk.value}"
+                    if self.reading.guessed and chunk is self.reading.placed
+                    else chunk.value
+                )
                 yield _Row(words, "room type", f"a {nearest}" if nearest == chunk.value else nearest, _as_given)
             elif chunk.measure is not None:
                 yield _measured(words, chunk.measure.kind, chunk.measure.values)
@@ -136,7 +141,12 @@ class _Rows:
             elif chunk.kind == "corner":
                 yield _Row(words, "relation", f"what belongs to a {chunk.value}", _as_given)
             else:
-                yield _Row(words, chunk.kind, "a matter of taste" if chunk.kind == "style" else "what the room is to be good for", _taste)
+                yield _Row(
+                    words,
+                    chunk.kind,
+                    "a matter of taste" if chunk.kind == "style" else "what the room is to be good for",
+                    _taste,
+                )
 
     def _opening(self, place: Place, words: str) -> _Row:
         wanted = place.number or (2 if place.plural else 1)
@@ -183,7 +193,9 @@ class _Rows:
             bad = [outcome for outcome in outcomes if outcome is None or not outcome.met]
             shown = next((outcome for outcome in bad or outcomes if outcome is not None), None)
             text = shown.text if shown is not None else "not placed"
-            return ("unmet" if bad else "met"), text if len(outcomes) == 1 else f"{len(outcomes) - len(bad)} of {len(outcomes)}: {text}"
+            return ("unmet" if bad else "met"), text if len(
+                outcomes
+            ) == 1 else f"{len(outcomes) - len(bad)} of {len(outcomes)}: {text}"
 
         things = tuple(dict.fromkeys(name for demand in demands for name in sorted(demand.names())))
         said = "; ".join(dict.fromkeys(_said(demand) for demand in demands[:2])) + (" ..." if len(demands) > 2 else "")

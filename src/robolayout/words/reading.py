@@ -7,12 +7,17 @@ from dataclasses import dataclass, field
 
 from robolayout._errors import SceneError
 from robolayout.words._chunks import Chunk, Chunker
+from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
-from robolayout.words._parse import Parsed, Parser, Place, Thing, children
+from robolayout.words._parse import Parser
+from robolayout.words._said import Parsed, Thing, children
 from robolayout.words._tokens import Token, measures, tokens
 
 LONGEST = 4000
 """Characters of a text that are read."""
+
+AFTER_A_PLACE = frozenset(("with", "colon", "stop", "comma", "filler", "verb", "measure", "rel", "people"))
+"""Kinds of chunks that may follow the name of a place that a text begins with."""
 
 MOST_OF_A_KIND = 200
 """Largest count that is furnished for."""
@@ -92,8 +97,12 @@ def read_text(text: str, lexicon: Lexicon, given: Sequence[Thing] = ()) -> Readi
         first = next((chunk for chunk in parsed.facts if chunk.kind == "room"), None)
         room = (first.value, " ".join(w.text for w in words[first.start : first.end]), False, first) if first else None
     bodies = [chunk for chunk in parsed.facts if chunk.kind == "body"]
-    people = [chunk for chunk in parsed.facts if chunk.kind == "people" and chunk.number] + [c for c in bodies if c.number]
+    bodies += [c for chunk in parsed.facts if chunk.kind == "room" and (c := _body_before(chunk, lexicon)) is not None]
+    bodies.sort(key=lambda chunk: chunk.value == "child_6")
+    people = [c.number or 0 for c in parsed.facts if c.kind in ("people", "body") and c.number]
+    people += [2 for c in parsed.facts if c.kind == "people" and c.value == "couple"] + [parsed.people]
     young = children(parsed) or any(chunk.value == "child_6" for chunk in bodies)
+    settle_kinds(parsed)
     for thing in parsed.things:
         bounded(thing.count, thing.noun.words)
     return Reading(
@@ -104,12 +113,19 @@ def read_text(text: str, lexicon: Lexicon, given: Sequence[Thing] = ()) -> Readi
         room[1] if room else "",
         bool(room and room[2]),
         bodies[0].value if bodies else "child_6" if young else None,
-        bounded(people[0].number or 0, people[0].value) if people else 0,
+        bounded(people[0], "people"),
         young,
         any(word.text == "only" for word in words) or "nothing else" in read.lower(),
         len(text) - len(read),
         room[3] if room else None,
     )
+
+
+def _body_before(room: Chunk, lexicon: Lexicon) -> Chunk | None:
+    """Return the body whose room it is: "a wheelchair user's bathroom"."""
+    words = " ".join(room.adjectives)
+    body = lexicon.bodies.get(words) or lexicon.bodies.get(words.removesuffix("s"))
+    return Chunk("body", room.start, room.end, body) if body else None
 
 
 def bounded(count: int, what: str) -> int:
@@ -133,16 +149,12 @@ def _named_room(
         if chunk.kind == "not" or chunk.kind not in ("thing", "part", "corner"):
             return None, list(chunks)
         said = " ".join(word.text for word in words[chunk.start : chunk.end])
+        said = said.removeprefix("a ").removeprefix("an ").removeprefix("the ")
         last = said.split()[-1]
-        generic = chunk.kind == "part" and last not in ("room", "space", "hall", "shop", "area", "store", "apartment", "flat", "salon")
+        other = chunk.kind == "part" and (chunk.value not in ("room", "corner") or said == last)
         follows = chunks[i + 1].kind if i + 1 < len(chunks) else "stop"
-        if last not in places or generic or (chunk.number or 1) > 1 or follows not in ("with", "colon", "stop", "comma", "filler", "verb", "measure", "rel", "people"):
+        if last not in places or other or (chunk.number or 1) > 1 or follows not in AFTER_A_PLACE:
             return None, list(chunks)
         fact = Chunk("room", chunk.start, chunk.end, places[last], adjectives=chunk.adjectives)
         return (places[last], said, True, fact), [*chunks[:i], fact, *chunks[i + 1 :]]
     return None, list(chunks)
-
-
-def is_place(item: object, name: str) -> bool:
-    """Return whether something is a place of the room of that name."""
-    return isinstance(item, Place) and item.name == name
