@@ -202,6 +202,7 @@ PAIRS: dict[str, Callable[[Room, str, str], bool]] = {
     "left": partial(_beside, side=1),
     "right": partial(_beside, side=-1),
     "around": lambda room, a, b: room.gap(a, b) <= 1.3,
+    "facing": lambda room, a, b: _turned_to(room, a, room.outline(b)),
     "opposite": lambda room, a, b: _before(room, a, b, 15.0) or _before(room, b, a, 15.0),
     "above": _over,
     "under": lambda room, a, b: (
@@ -258,7 +259,7 @@ def related(room: Room, demand: Demand, wanted: int) -> bool:
         good = [a for a in things if any(_turned_to(room, a, line) for line in lines)]
     else:
         others = room.find(demand.about[1])
-        test = PAIRS.get(demand.kind) or (lambda room, a, b: _turned_to(room, a, room.outline(b)))
+        test = PAIRS[demand.kind]
         good = [a for a in things if any(test(room, a, b) for b in others if b != a)]
     return len(good) >= min(wanted, len(things)) > 0
 
@@ -383,11 +384,21 @@ def _agreement(prompt: Prompt, met: list[bool], room: Room, ledger: Any) -> Iter
 
 
 WORDS = {
-    "next": ("next", "beside", "side"), "atwindow": ("window",), "atdoor": ("door", "entrance", "exit"), "front": ("front", "foot"),
-    "wall": ("wall",), "row": ("row", "line"), "middle": ("middle", "cent"), "left": ("left",), "right": ("right",),
-    "above": ("above", "over", "under"), "under": ("under", "beneath", "on"), "opposite": ("opposite", "across"), "on": (" on", "with", "hold", "top"),
-    "facing": ("fac", "seen"), "between": ("between",), "near": ("near", "close", "at", "by", "with", "next"),
-}  # fmt: skip
+    "next": ("next", "beside", "side"),
+    "atwindow": ("window",),
+    "atdoor": ("door", "entrance", "exit"),
+    "front": ("front", "foot"),
+    "wall": ("wall",),
+    "row": ("row", "line"),
+    "middle": ("middle", "cent"),
+    "above": ("above", "over", "under"),
+    "under": ("under", "beneath", "on"),
+    "opposite": ("opposite", "across"),
+    "on": (" on", "with", "hold", "top"),
+    "facing": ("fac", "seen"),
+    "near": ("near", "close", "at", "by", "with", "next"),
+}
+"""Words by which a row of the ledger says a relation; the others say their own name."""
 
 
 def _same_word(kind: str, words: str) -> bool:

@@ -78,7 +78,7 @@ def test_people_seats_and_general_words_mean_what_is_usual_there(text: str, wish
     ("text", "room"),
     [
         ("a sofa, a television and a coffee table", "living room"),
-        ("4 chairs, 1 dining table, 2 bookcases", "dining room"),
+        ("4 chairs, 1 dining table, 1 sideboard", "dining room"),
         ("a sushi bar with a counter", "cafe"),
         ("a pharmacy with three shelves", "shop"),
         ("a stage and a lectern", "room"),

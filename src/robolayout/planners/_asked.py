@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.constraints import FAR, AssetRef, FrameTerm, Interval, PointRef, Relation, Term, WallRef
+from robolayout.constraints.in_front_of import InFrontOf
 from robolayout.planners._knowledge import Join
 from robolayout.planners._member import Member
 from robolayout.planners._roles import Cast, depends
@@ -32,6 +33,9 @@ SLACK = 0.04
 
 SEATED, BEFORE = 0.05, 0.4
 """Metres between a seat and what it stands at, and between other things and what they stand before."""
+
+CLOSE = 3.0
+"""Metres up to which what stands before a thing belongs to it."""
 
 BLIND = ("on_top_of", "under")
 """Relations that places are not weighed by: who stands on what is settled by joining."""
@@ -261,7 +265,7 @@ def _join(relation: Relation, a: Cast, b: Cast, *, around: bool) -> Join | None:
         return known
     if relation.name == "next_to" and getattr(relation, "side", "") in ("left", "right", "beside"):
         return Join("beside", (b.role.name,), gap=SEATED, loose=True)
-    if relation.name == "in_front_of" and getattr(relation, "max_gap", FAR) < FAR / 100 and relation.max_gap < 3.0:
+    if isinstance(relation, InFrontOf) and relation.max_gap < CLOSE:
         if known is not None and known.slot in ("front", "around"):
             return known
         seated = a.role.name == "seat"

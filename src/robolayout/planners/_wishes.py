@@ -21,7 +21,6 @@ from robolayout.words import (
     wanted_openings,
 )
 
-
 GENERAL = ("desk", "bed", "table", "chair", "shelf")
 """Nouns that mean what is usual in a room: a desk of a classroom is a student desk."""
 

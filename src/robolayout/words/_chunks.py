@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from robolayout.words._function_words import BOUNDS, BREAKING, DETERMINERS, JOINING, PEOPLE, REFUSING, SETS, WITH
 from robolayout.words._lexicon import LONGEST, Lexicon, Noun, grammar
 from robolayout.words._tokens import NUMBERS, VAGUE, Measure, Token
 
@@ -23,73 +24,6 @@ MARKS = {
     "(": "comma",
     ")": "comma",
 }
-DETERMINERS = {
-    "a": "a", "an": "a", "the": "the", "this": "the", "that": "the", "its": "the", "their": "the", "his": "the", "her": "the",
-    "my": "the", "each": "each", "every": "each", "all": "all", "both": "both", "these": "the", "those": "the",
-    "another": "new", "other": "other", "second": "new", "any": "a", "first": "first", "third": "new",
-}  # fmt: skip
-JOINING = frozenset(("and", "plus", "as", "or", "also", "then", "but", "while", "where", "&"))
-WITH = frozenset(("with", "has", "have", "having", "contains", "contain", "containing", "includes", "include", "featuring", "including"))  # fmt: skip
-REFUSING = frozenset(("no", "without", "not", "neither", "nor", "dont", "avoid", "never"))
-BREAKING = frozenset(
-    ("for", "of", "to", "from", "that", "which", "who", "so", "than", "when", "whose", "if", "does", "do")
-)
-PEOPLE = frozenset(
-    [
-        "people",
-        "persons",
-        "guests",
-        "pupils",
-        "students",
-        "children",
-        "kids",
-        "patients",
-        "colleagues",
-        "employees",
-        "players",
-        "adults",
-        "friends",
-        "workers",
-        "visitors",
-        "person",
-        "child",
-        "teenager",
-        "user",
-        "users",
-        "owner",
-        "man",
-        "woman",
-        "couple",
-        "family",
-        "guest",
-        "student",
-        "patient",
-        "teacher",
-        "nurse",
-        "baby",
-        "toddler",
-    ]
-)
-YOUNG = frozenset(("children", "kids", "child", "kid"))
-BOUNDS = {
-    ("at", "least"): "least", ("no", "less", "than"): "least", ("no", "fewer", "than"): "least", ("more", "than"): "more",
-    ("at", "most"): "most", ("up", "to"): "most", ("no", "more", "than"): "most", ("not", "more", "than"): "most",
-    ("a", "maximum", "of"): "most", ("a", "minimum", "of"): "least", ("maximum",): "most", ("minimum",): "least",
-}  # fmt: skip
-SETS = (
-    ("pair",),
-    ("set",),
-    ("couple",),
-    ("group",),
-    ("row",),
-    ("stack",),
-    ("bunch",),
-    ("number",),
-    ("line",),
-    ("pile",),
-    ("selection",),
-)
-"""Words before "of" that only say that there are several."""
 
 
 @dataclass(frozen=True)
@@ -230,7 +164,7 @@ class Chunker:
     def _before_noun(self, i: int, det: str, number: int | None) -> tuple[str, int | None, str, int, int] | None:
         """Return (article, number, bound, rows, length) of what stands before a noun here."""
         word, rest = self.words[i], self.words[i + 1 : i + 5]
-        if rest[:1] and (word,) in SETS and "of" in rest[:1]:
+        if rest[:1] and word in SETS and "of" in rest[:1]:
             return ("", 2 if word in ("pair", "couple") else None, "", 0, 2)
         if len(rest) > 2 and rest[0] in ("rows", "row") and rest[1] == "of" and _count(rest[2]) and _count(word):
             rows, each = _count(word) or 1, _count(rest[2]) or 1
@@ -272,8 +206,10 @@ class Chunker:
 
     def _seats(self, i: int) -> bool:
         """Return whether a number is part of a name here: "two-seater", "twin bed"."""
-        following = self.words[i + 1] if i + 1 < len(self.words) else ""
-        return self.words[i] == "twin" or following.startswith(("seat", "person", "door", "drawer", "poster", "tier"))
+        following, beyond = (*self.words[i + 1 : i + 3], "", "")[:2]
+        counted = following in ("door", "drawer", "person", "tier") and beyond not in MARKS and beyond.isalpha()
+        counted = counted and beyond not in (*JOINING, *WITH, *DETERMINERS)
+        return self.words[i] == "twin" or following.startswith(("seat", "poster")) or counted
 
     def _closed(self, i: int, run: Sequence[str], many: bool) -> bool:
         """Return whether a word here begins a relation or is a verb, not a part of what is named."""

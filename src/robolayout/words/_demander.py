@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
 
 from robolayout.constraints import RELATIONS, AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.corner import convex_corners
@@ -12,7 +13,7 @@ from robolayout.words._walls import walls_meant
 from robolayout.words.demands import Between, Demand, Way
 
 BESIDE, NEAR, AT_TABLE, AT_WINDOW, AT_DOOR = 0.6, 1.2, 0.5, 0.6, 1.4
-"""Metres from edge to edge that "next to", "near", "at" a thing, "at the window" and "by the door" allow; before a door 0.9 m stay clear."""
+"""Metres from edge to edge that "next to", "near", "at" a thing, "at the window" and "by the door" allow (0.9 m before it stay clear)."""
 
 AHEAD, BACK = 1.5, 1.2
 """Metres from edge to edge that "in front of" and "behind" allow."""
@@ -265,7 +266,7 @@ class Demander:
         place = self._place(objects)
         ends += self._points(place)[:1] if place is not None else []
         for a in subjects if len(ends) > 1 else ():
-            pairs = [(ends[0], ends[1])] if len(ends) == 2 else list(zip(ends[:-1], ends[1:], strict=True))
+            pairs = [(ends[0], ends[1])] if len(ends) == 2 else list(pairwise(ends))
             one, two = pairs[subjects.index(a) % len(pairs)]
             near = tuple(_say("near", AssetRef(a), end, AHEAD) for end in (one, two))
             yield Demand((near,), Between(AssetRef(a), one, two))

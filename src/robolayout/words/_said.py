@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from robolayout.assets import CATALOGUE
-from robolayout.words._chunks import YOUNG, Chunk
+from robolayout.words._chunks import Chunk
+from robolayout.words._function_words import YOUNG
 from robolayout.words._lexicon import Noun
 from robolayout.words._tokens import NUMBERS
 
