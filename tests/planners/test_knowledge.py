@@ -4,7 +4,6 @@ import tomllib
 from pathlib import Path
 
 import pytest
-from robolayout.planners._rooms import read_rooms
 
 from robolayout.assets import CATALOGUE
 from robolayout.constraints import RELATIONS
@@ -12,6 +11,7 @@ from robolayout.planners import OfflinePlanner, PlanRequest
 from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._roles import FALLBACKS, fallback
 from robolayout.scene import Asset, agent_names, scene_from_dict
+from robolayout.words import read_rooms
 
 KNOWLEDGE = load_knowledge()
 FOLDER = Path(__file__).parents[2] / "src" / "robolayout" / "planners" / "knowledge"

@@ -62,6 +62,10 @@ class Chunk:
     measure: Measure | None = None
 
 
+Before = tuple[str, int | None, str, int]
+"""What stands before a noun: article, number, bound, rows."""
+
+
 class Chunker:
     """Cuts a text into chunks.
 
@@ -220,6 +224,8 @@ class Chunker:
             return not self._continues(i)
         if self.grammar.phrases.get(word, ("", ""))[0] not in ("verb", "pron"):
             return False
+        if self.lexicon.noun(self.words[i : i + 2]) is not None and self._continues(i):
+            return False
         known = bool(run) and self.lexicon.noun([run[-1], word]) is not None
         return not known or (word == "stands" and not many) or (word == "stand" and run[-1].endswith("s"))
 
@@ -240,35 +246,41 @@ class Chunker:
             and not self._begins_relation(i + 1)
         )
 
-    def _named(
-        self, at: int, i: int, run: list[str], told: bool, before: tuple[str, int | None, str, int]
-    ) -> Chunk | None:
+    def _named(self, at: int, i: int, run: list[str], told: bool, before: Before) -> Chunk | None:
         """Return what a run names; the longest end that is known says what, else what an article promises is a thing."""
         det, number, bound, rows = before
         for end in range(len(run), 0, -1):
             for start in range(end):
                 tail = run[start:end]
                 chunk = self._known(tail)
-                if chunk:
+                if chunk and not (chunk[0] == "function" and start and self.lexicon.noun(run[start - 1 : start])):
                     kind, value, noun = chunk
                     plural = kind in ("thing", "part") and _plural(tail[-1], noun)
                     adjectives = tuple(run[:start])
                     return Chunk(kind, at, i + end, value, noun, det, number, bound, plural, adjectives, rows=rows)
-            if not told:
+            if not told or self._does(run):
                 break
             if end == len(run) and self._promises(run):
                 noun = self.lexicon.guess(run)
                 return Chunk("thing", at, i + end, "", noun, det, number, bound, _plural(run[-1], noun), (), rows=rows)
-        return self._inside(at, i, run)
+        return self._inside(at, i, run, before)
 
-    def _inside(self, at: int, i: int, run: list[str]) -> Chunk | None:
+    def _does(self, run: list[str]) -> bool:
+        """Return whether the last word of a run is what the thing before it does: "the armchair makes", "armchairs join"."""
+        noun = self.lexicon.noun(run[-2:-1]) if len(run) > 1 else None
+        return noun is not None and run[-1].endswith("s") != _plural(run[-2], noun)
+
+    def _inside(self, at: int, i: int, run: list[str], before: Before) -> Chunk | None:
         """Return a thing whose noun is followed by a word that is none ("a sofa today")."""
         for end in range(len(run) - 1, 0, -1):
             for start in range(end):
                 noun = self.lexicon.noun(run[start:end])
                 if noun:
-                    plural = _plural(run[end - 1], noun)
-                    return Chunk("thing", at, i + end, "", noun, plural=plural, adjectives=tuple(run[:start]))
+                    det, number, bound, rows = before
+                    many = _plural(run[end - 1], noun)
+                    return Chunk(
+                        "thing", at, i + end, "", noun, det, number, bound, many, tuple(run[:start]), rows=rows
+                    )
         return None
 
     def _known(self, tail: list[str]) -> tuple[str, str, Noun | None] | None:

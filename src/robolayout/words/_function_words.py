@@ -38,7 +38,7 @@ WITH = frozenset(
 REFUSING = frozenset(["no", "without", "not", "neither", "nor", "dont", "avoid", "never"])
 """Words that refuse what follows."""
 BREAKING = frozenset(
-    ["for", "of", "to", "from", "that", "which", "who", "so", "than", "when", "whose", "if", "does", "do"]
+    ["for", "of", "to", "from", "that", "which", "who", "so", "than", "when", "whose", "whom", "if", "does", "do"]
 )
 """Words that end a noun phrase."""
 _PEOPLE = """

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from robolayout.assets import category_of
 from robolayout.assets.lexicon import singular
 from robolayout.scene import Asset, Scene
-from robolayout.words._lexicon import plain
+from robolayout.words._lexicon import grammar, plain
 from robolayout.words._said import Thing
 
 KIN = {"crib": "bed", "cot": "bed", "loveseat": "sofa", "couch": "sofa", "settee": "sofa", "recliner": "armchair"}
@@ -53,7 +53,8 @@ def _same_kind(asset: Asset, thing: Thing) -> bool:
 
 
 def _same_head(asset: Asset, thing: Thing) -> bool:
-    category, said = singular(plain(asset.category)).split(), thing.noun.said.split()
+    category = singular(plain(asset.category)).split()
+    said = [word for word in thing.noun.said.split() if word not in grammar().sizes]
     if not category or len(said) != 1:
         return bool(category) and thing.noun.kind.split()[-1] == category[-1] and len(category) == 1
     return category[-1] == said[0] or KIN.get(category[-1]) == said[0]

@@ -25,6 +25,9 @@ from robolayout.words._said import (
 REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on"}
 """Relations that are said from the other side."""
 
+AIDS = {"wheelchair": "wheelchair", "walker": "elder_walker"}
+"""Bodies by what they use; what a room is to contain is a thing."""
+
 ALONE = frozenset(
     ("next", "row", "pairs", "mutual", "abreast", "middle", "flank", "left", "right", "front", "near", "under")
 )
@@ -153,6 +156,9 @@ class Parser(References):
         if self.refusing or chunk.refused:
             if chunk.noun is not None:
                 self.said.refused.append((chunk.noun, (chunk.start, chunk.end)))
+            return
+        if chunk.noun is not None and chunk.noun.kind in AIDS and self._previous(chunk) in ("use", "uses", "using"):
+            self._fact(Chunk("body", chunk.start, chunk.end, AIDS[chunk.noun.kind]))
             return
         mention = self._mention(chunk)
         self.recent.append(mention)

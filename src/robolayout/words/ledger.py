@@ -164,13 +164,14 @@ class _Rows:
         own, wanted = self.names.get(thing, ()), thing.count
         nearest = f" ({thing.noun.kind}, {thing.noun.guessed})" if thing.noun.guessed else ""
         bound = {"least": "at least ", "more": "at least ", "most": "at most ", "vague": "some, "}.get(thing.bound, "")
-        exact = not thing.bound and thing.number is not None
+        vague = thing.number is None and not own
 
         def judge(scene: Scene, layout: Layout) -> Finding:
             alike = [a.name for a in scene.assets if a.name in own or (a.name not in others and fits(a, thing))]
             there = sum(name in layout for name in alike)
             enough = there <= wanted if thing.bound == "most" else there >= wanted
-            enough = enough and not (exact and _made(scene) and there > wanted)
+            if vague and not there:
+                return "not understood", "nothing of that name is there"
             if thing.noun.kind.startswith("unknown"):
                 return "not understood", f"no such kind is known; {there} boxes of a usual size stand for it"
             return ("met" if enough else "unmet"), f"{there} there"
@@ -207,11 +208,6 @@ class _Rows:
             return ("unmet" if there else "met"), f"{', '.join(there) or 'none'} there"
 
         return _Row(words, "refusal", f"no {noun}", judge)
-
-
-def _made(scene: Scene) -> bool:
-    """Return whether a scene was made from its words, so that a count is settled by them."""
-    return not scene.layout_criteria
 
 
 def _said(demand: Demand) -> str:
