@@ -37,6 +37,7 @@ LAYERS: dict[str, float] = {
     "floor": 3,
     "constraints": 3,
     "program": 4,
+    "words": 4.5,
     **dict.fromkeys(STATIONS, 5),
     "page": 6,
     "run": 7,

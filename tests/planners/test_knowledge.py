@@ -9,8 +9,8 @@ from robolayout.constraints import RELATIONS
 from robolayout.planners import OfflinePlanner, PlanRequest
 from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._roles import FALLBACKS, fallback
-from robolayout.planners._rooms import read_rooms
 from robolayout.scene import Asset, agent_names, scene_from_dict
+from robolayout.words import read_rooms
 
 KNOWLEDGE = load_knowledge()
 

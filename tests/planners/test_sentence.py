@@ -74,6 +74,22 @@ def test_people_seats_and_general_words_mean_what_is_usual_there(text: str, wish
     assert dict(scene_from_sentence(text)[1].wished) == wished
 
 
+@pytest.mark.parametrize(
+    ("text", "room"),
+    [
+        ("a sofa, a television and a coffee table", "living room"),
+        ("4 chairs, 1 dining table, 1 sideboard", "dining room"),
+        ("a sushi bar with a counter", "cafe"),
+        ("a pharmacy with three shelves", "shop"),
+        ("a stage and a lectern", "room"),
+    ],
+)
+def test_a_room_that_is_not_named_or_not_known_is_the_nearest_one_and_that_is_said(text: str, room: str) -> None:
+    _, found = scene_from_sentence(text)
+    assert found.room_type == room
+    assert any(f"{room} was taken" in line for line in found.assumed)
+
+
 def test_what_is_added_belongs_together() -> None:
     for variant in range(6):
         _, studio = scene_from_sentence("an L-shaped studio flat, 6 x 7 m, with a bed and a sofa", variant=variant)
@@ -100,7 +116,7 @@ def test_variants_differ_and_repeat() -> None:
     [
         ("", "the sentence is empty"),
         ("  \n ", "the sentence is empty"),
-        ("a sofa and a lamp", "names no room; known room types: bathroom, bedroom"),
+        ("hello there", "names no room; known room types: bathroom, bedroom"),
         ("12 beds in a bedroom of 2 x 2 m", "12 x bed need .* a room of 2 x 2 m has 4.0 m2"),
         ("a bedroom of 0.5 x 3 m", "cannot be furnished"),
         ("a warehouse of 500 x 300 m", "give 1 to 100 m"),

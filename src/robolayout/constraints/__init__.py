@@ -17,6 +17,7 @@ from robolayout.constraints._terms import (
     PairwiseTerm,
     Term,
 )
+from robolayout.constraints.above import Above
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
 from robolayout.constraints.around import Around
@@ -33,6 +34,7 @@ from robolayout.constraints.inside_room import InsideRoom
 from robolayout.constraints.keep_clear import KeepClear
 from robolayout.constraints.left_of import LeftOf
 from robolayout.constraints.mounted_on import MountedOn
+from robolayout.constraints.near import Near
 from robolayout.constraints.next_to import NextTo
 from robolayout.constraints.no_overlap import NoOverlap
 from robolayout.constraints.on_top_of import OnTopOf
@@ -53,6 +55,7 @@ _BUILT_IN: tuple[type[Relation], ...] = (
     PointTowards,
     SymmetricPair,
     NextTo,
+    Near,
     InFrontOf,
     Behind,
     LeftOf,
@@ -66,6 +69,7 @@ _BUILT_IN: tuple[type[Relation], ...] = (
     Under,
     MountedOn,
     CeilingAbove,
+    Above,
     KeepClear,
     Zone,
 )

@@ -228,7 +228,14 @@ class Attempt:
         if "grid" in role.stands:
             clusters = self._in_rows(clusters, modes, weights)
         for cluster in clusters:
-            self._place(cluster, modes or ["wall", "middle"], weights)
+            self._place(cluster, self._open_to(cluster, modes) or ["wall", "middle"], weights)
+
+    def _open_to(self, cluster: Cluster, modes: Sequence[str]) -> list[str]:
+        """Return the ways of standing that a cluster is open to: all of them where the user's words ask something of it."""
+        asked = self.site.asked
+        if asked is None or not asked.about([member.name for member in cluster.members]):
+            return list(modes)
+        return [*modes, *(mode for mode in ("wall", "corner", "middle") if mode not in modes)]
 
     def _weights(self, prefer: Mapping[str, float]) -> dict[str, float]:
         if self.calm:
@@ -276,6 +283,7 @@ class Attempt:
         choices: list[Choice] = []
         for batch in found:
             cost = self.site.base_cost(batch.cluster, batch.poses) + taste(self.site, batch, weights)
+            cost += self.site.missed(batch.cluster, batch.poses)
             cost += (0.6 + weights.get("first", 0.0)) * list(modes).index(batch.mode)
             cost += 0.0 if self.calm else self.rng.random(len(cost)) * 0.1
             best = np.argsort(cost, kind="stable")[:CHECKED]

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from robolayout.planners._asked import Asked
 from robolayout.planners._attempt import Attempt
 from robolayout.planners._cluster import ClusterBuilder
 from robolayout.planners._member import Member
@@ -29,14 +30,16 @@ WORTH = 1.0
 """Cost by which a room is clearly better."""
 
 
-def furnish(scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed: int) -> Site:
+def furnish(
+    scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed: int, asked: Asked | None = None
+) -> Site:
     """Return the best of several attempts; the very first one follows the knowledge to the letter.
 
     The floor is furnished in every attempt, walls and ceiling only in the best one. It is good enough after `PATIENCE`
     attempts without one that is better by `WORTH`, or `HOPE` where it does not serve. Where something is out of the way,
     single things are moved once more; a room that serves then is good enough at once. A hopeless room gets `ENOUGH` attempts.
     """
-    empty = Site.of(scene, cast)
+    empty = Site.of(scene, cast, asked)
     builder = ClusterBuilder(scene, cast)
     best: tuple[float, Attempt] | None = None
     leap, forlorn = (math.inf, 0), True

@@ -24,9 +24,9 @@ from robolayout.assets.category import HEADS, built_in_data
 from robolayout.assets.lexicon import place_of
 from robolayout.constraints import RELATIONS
 from robolayout.planners._own import own_rooms, own_things
-from robolayout.planners._rooms import RoomType
 from robolayout.planners._shapes import among, build, table, tables
 from robolayout.scene import Asset
+from robolayout.words.rooms import RoomType
 
 SLOTS = ("beside", "front", "flank", "opposite", "behind", "around", "on", "setting", "near")
 """Ways of standing at something else."""

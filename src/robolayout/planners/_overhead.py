@@ -10,6 +10,7 @@ import shapely
 
 from robolayout.assets.obstacles import use_sides
 from robolayout.floor import rect_points
+from robolayout.planners._cluster import Cluster
 from robolayout.planners._member import Member
 from robolayout.planners._places import WALL_GAP, targets, wall_yaw
 from robolayout.planners._site import Site, Spot, corners_of
@@ -145,6 +146,9 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     cost += OUT_OF_REACH * bool(shapely.intersects(outline, site.openings).any())
     cost += _crowding(site, name, member) + _sight(site, name, member) + _far(site, name, member)
     cost += CROWDED * _used_room(site, name, member)
+    cost += float(
+        site.missed(Cluster(name, (Member(name, 0.0, 0.0, 0.0),)), np.array([[member.x, member.y, member.yaw]]))[0]
+    )
     for key, weight in role.prefer.items():
         if key.startswith("near "):
             cost += weight * float(nearness(site, np.array([[member.x, member.y]]), key)[0])
@@ -233,7 +237,9 @@ def overhead(site: Site, names: Sequence[str]) -> None:
     free: list[str] = []
     owned: dict[str, list[str]] = {}
     for name in names:
-        owners = [n for r in site.cast[name].role.above for n in site.spots if _is(site, n, r)]
+        owners = _asked_below(site, name) or [
+            n for r in site.cast[name].role.above for n in site.spots if _is(site, n, r)
+        ]
         if owners:
             owned.setdefault(min(owners, key=lambda n: (len(owned.get(n, ())), owners.index(n))), []).append(name)
         else:
@@ -242,6 +248,13 @@ def overhead(site: Site, names: Sequence[str]) -> None:
         _over(site, owner, lamps)
     for name, point in zip(free, _spread(site, len(free)), strict=True):
         _hang_from_ceiling(site, name, point, 0.0, None)
+
+
+def _asked_below(site: Site, name: str) -> list[str]:
+    """Return what a thing is asked to hang above."""
+    ways = [demand.ways[0] for demand in site.asked.demands] if site.asked is not None else []
+    pairs = [relation.asset_names() for way in ways for relation in way if relation.name == "above"]
+    return [names[1] for names in pairs if names[0] == name and names[1] in site.spots]
 
 
 def _over(site: Site, owner: str, lamps: Sequence[str]) -> None:

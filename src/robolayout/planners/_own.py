@@ -8,9 +8,9 @@ from dataclasses import dataclass, replace
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.category import PLACES, SIDES
-from robolayout.planners._rooms import RoomType
 from robolayout.planners._shapes import among, build, table, tables
 from robolayout.scene import agent_names
+from robolayout.words.rooms import RoomType
 
 MOST = 200
 """Things of one kind that a room type may have."""

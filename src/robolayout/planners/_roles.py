@@ -196,7 +196,7 @@ def _anchor(
                 and (name in handy or join.slot not in ("on", "setting"))
                 and (other.role.name == wanted or (wanted == "*" and other.role.top))
                 and taken.get((name, item.role.name), 0) < join.most
-                and not _depends(name, item.name, cast)
+                and not depends(name, item.name, cast)
                 and _room_for(item.asset, other.asset, join, covered.get(name, 0.0))
             ]
             if free:
@@ -216,10 +216,7 @@ def _any_top(item: Cast, cast: Mapping[str, Cast], covered: Mapping[str, float])
     best = [
         (other.asset.size[2] > TOP_HEIGHT, covered.get(name, 0.0) - _footprint(other.asset), name)
         for name, other in cast.items()
-        if name != item.name
-        and other.asset.on_floor
-        and not other.asset.is_flat
-        and not _depends(name, item.name, cast)
+        if name != item.name and other.asset.on_floor and not other.asset.is_flat and not depends(name, item.name, cast)
     ]
     return (min(best)[2], Join("on", ("*",), say=("on_top_of({a}, {b})",))) if best else None
 
@@ -232,7 +229,7 @@ def _room_for(asset: Asset, other: Asset, join: Join, covered: float) -> bool:
     return fits and height <= TOP_HEIGHT and covered + _footprint(asset) <= TOP_SHARE * depth * width
 
 
-def _depends(name: str, on: str, cast: Mapping[str, Cast]) -> bool:
+def depends(name: str, on: str, cast: Mapping[str, Cast]) -> bool:
     """Whether `name` stands, directly or not, at `on`."""
     seen: set[str] = set()
     current: str | None = name

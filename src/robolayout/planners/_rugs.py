@@ -10,6 +10,7 @@ import numpy as np
 import shapely
 
 from robolayout.floor import rect_points
+from robolayout.planners._cluster import Cluster
 from robolayout.planners._grid import cell_poses
 from robolayout.planners._member import Member
 from robolayout.planners._places import centroid, room_yaws
@@ -39,7 +40,8 @@ def lay_rugs(site: Site, names: Sequence[str]) -> None:
     free: dict[tuple[float, float, float], list[str]] = {}
     for name in names:
         above = site.cast[name].role.above
-        owner = next((n for r in above for n in site.spots if site.cast[n].role.name == r and n not in used), None)
+        usual = (n for r in above for n in site.spots if site.cast[n].role.name == r and n not in used)
+        owner = _asked_over(site, name) or (None if _asked_elsewhere(site, name) else next(usual, None))
         if owner is None:
             free.setdefault(site.size(name), []).append(name)
         else:
@@ -47,6 +49,18 @@ def lay_rugs(site: Site, names: Sequence[str]) -> None:
             site.settle(name, Spot(_fitted(site, name, _at_owner(site, name, owner), owner), "rug", None, owner))
     for equal in free.values():
         _lay_free(site, equal)
+
+
+def _asked_over(site: Site, name: str) -> str | None:
+    """Return the first thing that a rug is asked to lie under."""
+    ways = [demand.ways[0] for demand in site.asked.demands] if site.asked is not None else []
+    named = [relation.asset_names() for way in ways for relation in way if relation.name == "under"]
+    return next((names[1] for names in named if names[0] == name and names[1] in site.spots), None)
+
+
+def _asked_elsewhere(site: Site, name: str) -> bool:
+    """Return whether a rug is asked to lie somewhere else than under what its kind usually lies under."""
+    return site.asked is not None and bool(site.asked.about([name]))
 
 
 def _at_owner(site: Site, name: str, owner: str) -> Pose:
@@ -108,6 +122,7 @@ def _free_floor(site: Site, plan: GridPlan) -> tuple[float, Pose]:
         for other in others:
             away = np.hypot(x - other.x, y - other.y) / ((size[0] + size[1]) / 2)
             cost += 4.0 * np.maximum(0.0, 1.0 - away)
+    cost += site.missed(Cluster(plan.names[0], (Member(plan.names[0], 0.0, 0.0, 0.0),)), poses)
     best = int(np.argmin(cost))
     first = cells[0].moved(*(float(value) for value in poses[best]))
     return float(cost[best]), _pose(first)

@@ -1,7 +1,7 @@
 """The room while it is being furnished: what stands where, and what a new cluster at a given place would cost.
 
-All costs are plain sums. One square metre of conflict between bodies costs 100; everything else is a matter of taste between 0
-and about 6, so that a clash is only ever accepted where nothing else is left.
+All costs are plain sums. One square metre of conflict between bodies costs 100; everything else is a matter of taste between 0 and
+about 6, so that a clash is only ever accepted where nothing else is left.
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ from robolayout.floor import (
     turning_radius,
     use_cells,
 )
+from robolayout.planners._asked import Asked
 from robolayout.planners._cluster import Cluster
 from robolayout.planners._form import Forms, at, side_rect
 from robolayout.planners._member import Member, Rect, box_of, overlaps
@@ -144,6 +145,7 @@ class Site:
         openings: Exact strips that doors and drawers open into.
         claims: What is asked of the floor by everything that an agent should get to.
         known: What things in places that were settled before ask of it; shared by all copies.
+        asked: What the user's words ask of places.
         trial: Whether this is only to find out what is reached: nothing else is recorded.
     """
 
@@ -160,14 +162,15 @@ class Site:
     openings: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
     claims: dict[str, Claim] = field(default_factory=dict[str, "Claim"])
     known: dict[tuple[Member, str], Claim] = field(default_factory=dict[tuple[Member, str], "Claim"])
+    asked: Asked | None = None
     trial: bool = False
 
     @staticmethod
-    def of(scene: Scene, cast: Mapping[str, Cast]) -> Site:
+    def of(scene: Scene, cast: Mapping[str, Cast], asked: Asked | None = None) -> Site:
         """Return the empty site of a scene."""
         corridor = max(0.6, 2 * max(agent.radius for agent in scene.agents) + 0.1)
         floor = Floor.of(scene.room, corridor, max(turning_radius(agent) for agent in scene.agents))
-        site = Site(scene, cast, floor, Forms(scene, cast, corridor), corridor)
+        site = Site(scene, cast, floor, Forms(scene, cast, corridor), corridor, asked=asked)
         site.solids += [shapely.Polygon(scene.room.landing(door)) for door in scene.room.doors]
         return site
 
@@ -184,6 +187,10 @@ class Site:
             openings=list(self.openings),
             claims=dict(self.claims),
         )
+
+    def missed(self, cluster: Cluster, poses: Poses) -> Poses:
+        """Return the cost (n,) of places of a cluster by what the user's words ask and they miss."""
+        return np.zeros(len(poses)) if self.asked is None else self.asked.missed(cluster.members, poses, self.spots)
 
     @property
     def room(self) -> Room:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, Protocol, runtime_checkable
 
 from robolayout.scene import Layout, Scene
+from robolayout.words import Demand
 
 Pictures = Literal["drawn", "named", "none"]
 """How a planner is shown pictures."""
@@ -49,6 +50,7 @@ class PlanRequest:
         feedback: What was wrong with earlier answers (rejections, violations), in words; empty at first.
         seed: Number that settles every choice; same request, same text.
         previous: The program text that the feedback is about.
+        asked: What the user's words ask of the places of things.
         images: Pictures as PNG bytes: "top" and "side" of the room as it is, and one under each name of an asset to place.
     """
 
@@ -58,6 +60,7 @@ class PlanRequest:
     feedback: str = ""
     seed: int = 0
     previous: str = ""
+    asked: tuple[Demand, ...] = ()
     images: Mapping[str, bytes] = field(default_factory=dict[str, bytes])
 
 

@@ -9,9 +9,11 @@ import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from robolayout.constraints import Relation
 from robolayout.planners._member import Member, Size, box_of
 from robolayout.planners._roles import Cast
 from robolayout.planners._site import GridPlan, Site, Spot, along_wall
+from robolayout.program import Program
 from robolayout.scene import Scene, Wall
 
 
@@ -30,6 +32,12 @@ def guess_lines(site: Site, name: str) -> list[str]:
     degrees = round(math.degrees(member.yaw) % 360.0, 1) % 360.0
     position = ", ".join(f"{round(value, 3):g}" for value in (member.x, member.y, member.bottom + height / 2))
     return [f"{label}.position = [{position}]", f"{label}.rotation = [{degrees:g}]"]
+
+
+def asked_lines(scene: Scene, ways: Sequence[tuple[Sequence[Relation], bool]]) -> list[str]:
+    """Return what the user's words ask as statements, each once."""
+    program = Program(expressions=scene.expressions)
+    return list(dict.fromkeys(f"solver.{program.call(relation)}" for way, _ in ways for relation in way))
 
 
 class StatementWriter:

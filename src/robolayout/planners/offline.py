@@ -7,13 +7,14 @@ from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
+from robolayout.planners._asked import Asked, join_as_asked
 from robolayout.planners._furnish import furnish
 from robolayout.planners._knowledge import Knowledge, load_knowledge
 from robolayout.planners._own import own_sides
 from robolayout.planners._roles import cast_scene
 from robolayout.planners._site import Site
 from robolayout.planners._types import Group, PlanRequest
-from robolayout.planners._write import StatementWriter, guess_lines, mentioned, wall_words
+from robolayout.planners._write import StatementWriter, asked_lines, guess_lines, mentioned, wall_words
 from robolayout.planners.grouping import group_cast
 from robolayout.scene import Asset, Scene
 
@@ -50,18 +51,23 @@ class OfflinePlanner:
         """Return program text for the request; other feedback leads to another room."""
         scene = request.scene
         seed = request.seed if not request.feedback else zlib.crc32(f"{request.seed} {request.feedback}".encode())
-        cast = cast_scene(scene, self.knowledge)
+        asked = Asked.of(scene, request.asked)
+        cast = join_as_asked(cast_scene(scene, self.knowledge), request.asked)
         placed = request.placed
-        site = furnish(scene, cast, placed, seed)
+        site = furnish(scene, cast, placed, seed, asked if request.asked else None)
         groups = (request.group,) if request.group else group_cast(cast, self.knowledge)
-        return _text(site, groups, set(placed or ()))
+        return _text(site, groups, set(placed or ()), asked)
 
 
-def _text(site: Site, groups: Iterable[Group], known: set[str]) -> str:
-    """Write the program: per group a heading, the guesses, then the statements."""
+def _text(site: Site, groups: Iterable[Group], known: set[str], asked: Asked) -> str:
+    """Write the program: what the user asks; per group a heading, the guesses, then the statements."""
     scene = site.scene
-    lines = StatementWriter(site).lines()
     text = ["# Walls: " + "; ".join(wall_words(wall, scene) for wall in scene.room.walls)]
+    ways = asked.written({name: spot.member for name, spot in site.spots.items()})
+    wishes = asked_lines(scene, ways)
+    moved = {way[0].asset_names()[0] for way, holds in ways if not holds}
+    lines = [line for line in StatementWriter(site).lines() if line.text not in wishes and line.names[0] not in moved]
+    text += ["", "# What the user asks", *wishes] if wishes else []
     for group in groups:
         names = [name for name in site.spots if name in set(group.items) and name not in known]
         text += ["", f"# {_one_line(group.label)}: {_one_line(group.rationale)}"]

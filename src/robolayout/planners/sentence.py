@@ -16,10 +16,11 @@ import numpy as np
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
 from robolayout.planners._knowledge import load_knowledge
+from robolayout.planners._openings import openings
 from robolayout.planners._own import own_sides
-from robolayout.planners._rooms import Rooms, RoomType, read_rooms
-from robolayout.planners._words import Wish, Wishes, read_wishes
+from robolayout.planners._wishes import Wishes, read_wishes
 from robolayout.scene import Scene, scene_from_dict, variable_name
+from robolayout.words import Rooms, RoomType, read_rooms
 
 FULLEST = 0.55
 """Share of the floor that wished things may take before the wish is called impossible."""
@@ -32,6 +33,10 @@ BASIC = 0.38
 
 ROOMY = 0.22
 """Share of the floor that wished things take where no size is given."""
+
+
+WALKWAY = 0.6
+"""Metres by which a room is longer and wider than the longest thing in it, where no size is given."""
 
 
 @dataclass(frozen=True)
@@ -98,6 +103,10 @@ class _Known:
     kinds: Mapping[str, Category]
     rooms: Rooms
 
+    def head(self, name: str) -> str:
+        """Return the word that says what a thing is, by what it is like."""
+        return _head(self.kinds[name].like or name)
+
     def floor_area(self, things: Mapping[str, int]) -> float:
         """Return the floor in m2 that things take."""
         kinds = ((self.kinds[name], count) for name, count in things.items())
@@ -122,15 +131,16 @@ def scene_from_sentence(
     """
     rng = np.random.default_rng((seed, variant))
     own = load_knowledge(Path(path) for path in knowledge)
-    known = _Known({**CATALOGUE, **{thing.name: thing for thing in own.things}}, read_rooms(own.rooms))
-    wishes = read_wishes(text, known.rooms, own.things)
+    rooms = read_rooms(own.rooms)
+    wishes = read_wishes(text, rooms, own.things)
+    known = _Known({**CATALOGUE, **{thing.name: thing for thing in own.things}, **wishes.named}, rooms)
     room = known.rooms.rooms[wishes.room_type]
     wished = _wished(wishes, room)
     size = _room_size(wishes, room, wished, known)
     _possible(wishes, wished, size, known)
     added = _added(wishes, room, wished, size, known, rng)
     agent = wishes.agent or room.agent
-    assumed = _assumed(wishes, room, size)
+    assumed = (*wishes.guesses, *_assumed(wishes, room, size))
     found = Understanding(
         text.strip(),
         room.name,
@@ -143,7 +153,7 @@ def scene_from_sentence(
         assumed,
         wishes.ignored,
     )
-    return scene_from_dict(_scene(found, known.kinds, rng)), found
+    return scene_from_dict(_scene(found, wishes, known.kinds, rng)), found
 
 
 def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
@@ -165,9 +175,10 @@ def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
 def _people(wishes: Wishes, room: RoomType, wished: dict[str, int]) -> int:
     """Return for how many the room is: as said, else as many as have a seat, a desk or a bed; seats are wished for."""
     if wishes.seats:
+        adults = [name for name in wished if _head(name) == "chair" and name not in ("high chair", "kids chair")]
         tables = sum(count for name, count in wished.items() if _head(name) == "table")
         chair = next((name for name in room.person if _head(name) == "chair"), "chair")
-        if not any(_head(name) == "chair" for name in wished):
+        if not adults:
             wished[chair] = tables * wishes.seats
     if wishes.people:
         return 0 if room.couple and wishes.people == 2 and not wishes.children else wishes.people
@@ -192,12 +203,14 @@ def _room_size(wishes: Wishes, room: RoomType, wished: Mapping[str, int], known:
     if wishes.size is not None:
         return wishes.size
     width, depth = room.size
+    longest = max((max(known.kinds[name].size[:2]) for name in wished if known.kinds[name].on_floor), default=0.0)
     area = wishes.area or max(width * depth, known.floor_area({**room.base, **wished}) / ROOMY)
     if wishes.shape == "L-shaped":
         area *= 1.2
     ratio = 1.0 if wishes.square else width / depth
-    width = math.sqrt(area * ratio)
-    return (round(width, 2), round(area / width, 2))
+    width = max(math.sqrt(area * ratio), longest + WALKWAY)
+    depth = max(area / width, longest + WALKWAY) if wishes.area is None else area / width
+    return (round(width, 2), round(depth, 2))
 
 
 def _possible(wishes: Wishes, wished: Mapping[str, int], size: tuple[float, float], known: _Known) -> None:
@@ -232,22 +245,27 @@ def _added(
 ) -> dict[str, int]:
     """Return what belongs in such a room and was not named, then extras in random order while there is room."""
     floor = size[0] * size[1] * (0.75 if wishes.shape == "L-shaped" else 1.0)
-    heads = {_head(wish.category) for wish in wishes.things} | {_head(name) for name in wished if _head(name) == "bed"}
+    asked = {known.head(wish.category) for wish in wishes.things}
+    heads = asked | {known.head(name) for name in wished if known.head(name) == "bed"}
     added: dict[str, int] = {}
+    if wishes.only:
+        return added
     for name, count in wished.items():
         for other, each in known.rooms.companions.get(name, {}).items():
-            if _head(other) not in {_head(n) for n in wished} and other not in wishes.unwanted:
+            wanted = other not in wishes.unwanted and other.split()[-1] not in wishes.general
+            if wanted and _head(other) not in {known.head(n) for n in wished}:
                 added[other] = added.get(other, 0) + count * each
     order = [*room.base.items(), *(list(room.extras.items())[i] for i in rng.permutation(len(room.extras)))]
     for name, count in order:
         if (
-            name in wishes.unwanted
-            or (_head(name) in heads and known.kinds[name].on_floor)
+            name.split()[-1] in wishes.general
+            or name in wishes.unwanted
+            or (known.head(name) in heads and known.kinds[name].on_floor)
             or name in wished
             or name in added
         ):
             continue
-        present = {_head(other) for other in (*wished, *added)}
+        present = {known.head(other) for other in (*wished, *added)}
         needs = {
             other: count * each
             for other, each in known.rooms.companions.get(name, {}).items()
@@ -279,7 +297,9 @@ def _assumed(wishes: Wishes, room: RoomType, size: tuple[float, float]) -> tuple
     return tuple(found)
 
 
-def _scene(found: Understanding, kinds: Mapping[str, Category], rng: np.random.Generator) -> dict[str, object]:
+def _scene(
+    found: Understanding, wishes: Wishes, kinds: Mapping[str, Category], rng: np.random.Generator
+) -> dict[str, object]:
     """Return the scene file's content for what was understood."""
     width, depth = found.size
     outline = [(0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth)]
@@ -294,11 +314,13 @@ def _scene(found: Understanding, kinds: Mapping[str, Category], rng: np.random.G
         ]
     if rng.random() < 0.5:
         outline = [(width - x, y) for x, y in reversed(outline)]
-    doors, windows = _openings(outline, found, rng)
-    things = {**found.added, **{n: c + found.added.get(n, 0) for n, c in found.wished.items()}}
+    wide = 3.0 if found.agent in ("forklift",) else 0.95 if width * depth < 30 else 1.1
+    doors, windows = openings(outline, wide, wishes.openings, rng)
+    both = {**found.wished, **found.added}
+    things = {name: found.wished.get(name, 0) + found.added.get(name, 0) for name in both}
     scene: dict[str, object] = {
         "task_description": found.text,
-        "layout_criteria": "As the sentence asks; everything can be reached and used.",
+        "layout_criteria": "",
         "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in outline], "wall_height": found.height},
         "doors": doors,
         "windows": windows,
@@ -307,24 +329,6 @@ def _scene(found: Understanding, kinds: Mapping[str, Category], rng: np.random.G
     if found.agent is not None:
         scene["agent"] = found.agent
     return scene
-
-
-def _openings(
-    outline: list[tuple[float, float]], found: Understanding, rng: np.random.Generator
-) -> tuple[list[dict[str, float]], list[dict[str, float]]]:
-    """Return one door near the end of a long wall, and one or two windows in other walls."""
-    lengths = [math.dist(a, b) for a, b in zip(outline, outline[1:] + outline[:1], strict=True)]
-    order = sorted(range(len(lengths)), key=lambda i: -lengths[i])
-    wall = int(order[int(rng.integers(0, min(2, len(order))))])
-    wide = 3.0 if found.agent in ("forklift",) else 0.95 if found.size[0] * found.size[1] < 30 else 1.1
-    offset = 0.3 if rng.random() < 0.5 else lengths[wall] - wide - 0.3
-    doors = [{"wall": wall, "offset": round(offset, 2), "width": wide, "height": 2.05}]
-    windows: list[dict[str, float]] = []
-    for other in [i for i in order if i != wall][: 1 + int(rng.integers(0, 2))]:
-        width = round(min(1.8, lengths[other] * 0.45), 2)
-        start = round((lengths[other] - width) * float(rng.choice([0.35, 0.5, 0.65])), 2)
-        windows.append({"wall": other, "offset": start, "width": width, "height": 1.3, "sill": 0.9})
-    return doors, windows
 
 
 def _assets(things: Iterable[tuple[Category, int]], rng: np.random.Generator) -> dict[str, dict[str, object]]:
@@ -353,4 +357,4 @@ def _asset(kind: Category, size: list[float]) -> dict[str, object]:
     }
 
 
-__all__ = ["Understanding", "Wish", "scene_from_sentence"]
+__all__ = ["Understanding", "scene_from_sentence"]

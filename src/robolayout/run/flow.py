@@ -30,6 +30,7 @@ from robolayout.solve import (
     warm_up_samples,
 )
 from robolayout.verify import Report, judge_agent, kept_out, overfull, physics, verify
+from robolayout.words import Wishes, read_words
 
 if TYPE_CHECKING:
     from robolayout.run.groups import Sample
@@ -143,9 +144,10 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
             scene = planner.recognised(scene)
         if too_full := overfull(scene):
             raise SceneError(too_full[0])  # counted before any search
+        wishes = read_words(scene)
     if solver == "default":
         warm_up(scene, config, missing_only=program is None and attempts > 1)  # a right guess needs no search
-    run = _Run(scene, seed, solver, config, clock, say)
+    run = _Run(scene, seed, solver, config, clock, say, wishes)
     with clock.station("plan"):
         say("plan")
         groups = planner.group(scene)
@@ -166,6 +168,7 @@ class _Run:
     config: SolverConfig | None
     clock: Clock
     say: Progress
+    wishes: Wishes = field(default_factory=Wishes)
 
     def whole(self, planner: Planner, program: str | None, attempts: int) -> Attempt:
         """Plan all assets at once; while demands stay unmet ask again, and keep the best."""
@@ -209,7 +212,12 @@ class _Run:
                 before = best()
                 feedback = before.solution.message if before else ""
                 text = planner.plan(
-                    PlanRequest(self.scene, seed=self.seed + ATTEMPT_STRIDE * number, feedback=feedback)
+                    PlanRequest(
+                        self.scene,
+                        seed=self.seed + ATTEMPT_STRIDE * number,
+                        feedback=feedback,
+                        asked=self.wishes.demands,
+                    )
                 )
             if text in known:
                 return
@@ -260,6 +268,7 @@ class _Run:
 
             with self.clock.station("conflicts"):
                 report = report.with_conflicts(conflicts(self.scene, best.reconciled, layout, seed=self.seed))
+        report = report.with_asked(self.wishes.judged(self.scene, layout))
         return report.with_timing(self.clock.seconds)
 
     def prepare(self, here: Scene, samples: int) -> None:

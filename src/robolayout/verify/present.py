@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from robolayout._html import bullets, paragraph, table
@@ -10,6 +10,7 @@ from robolayout._text import markdown as plain
 from robolayout.verify.agent_report import AgentReport
 from robolayout.verify.passages import WIDE
 from robolayout.verify.use import Use
+from robolayout.words import AskedRow
 
 if TYPE_CHECKING:
     from robolayout.verify.report import Report
@@ -52,6 +53,7 @@ def rule_rows(report: Report) -> list[list[str]]:
 def markdown(report: Report) -> str:
     """Return the content of `report.md`: the table, what is wrong, and the way to each asset."""
     lines = [f"# {plain(report.scene.name)}: {'all demands met' if report.ok else 'not all demands are met'}", ""]
+    lines += _ledger(report.asked)
     lines += ["| check | result | |", "|---|---:|---|"]
     lines += [f"| {name} | {value} | {'ok' if met else '**short**'} |" for name, value, met in report.rows()]
     figures = report.figures
@@ -86,6 +88,16 @@ def html(report: Report) -> str:
     head = paragraph(f"{report.scene.name} for {bodies}: {verdict}")
     rules = table(["rule", "asks", "measured", "", "source"], rule_rows(report)) if report.rules else ""
     return head + table(["check", "result", ""], rows) + bullets(report.violations, SHOWN) + rules
+
+
+def _ledger(asked: Sequence[AskedRow]) -> list[str]:
+    """Return the table of what the user asked."""
+    if not asked:
+        return []
+    lines = ["## What was asked", "", "| words | understood as | verdict | measured |", "|---|---|---|---|"]
+    cells = ((row.words, row.understanding, row.verdict, row.value) for row in asked)
+    lines += [f"| {' | '.join(plain(' '.join(text.split())) for text in row)} |" for row in cells]
+    return [*lines, "", "## What was checked", ""]
 
 
 def _listed(sentences: Iterable[str]) -> list[str]:

@@ -15,6 +15,7 @@ from robolayout.verify.metrics import published_metrics
 from robolayout.verify.physics import Physics
 from robolayout.verify.present import html, label, markdown
 from robolayout.verify.rules import RuleResult, rule_results
+from robolayout.words import AskedRow, share_met
 
 
 @dataclass(frozen=True)
@@ -70,6 +71,7 @@ class Report:
         timing: Wall and CPU seconds per station.
         planner: Who planned and what that took, where that was a model.
         stability: What a simulator found (`robolayout.export.settle`), as plain data; empty if none was asked.
+        asked: The ledger: one row for each phrase of the user's words; empty where nobody looked.
     """
 
     scene: Scene
@@ -81,6 +83,7 @@ class Report:
     timing: Mapping[str, Mapping[str, float]] = field(default_factory=dict[str, Mapping[str, float]])
     planner: Mapping[str, Any] = field(default_factory=dict[str, Any])
     stability: Mapping[str, Any] = field(default_factory=dict[str, Any])
+    asked: tuple[AskedRow, ...] = ()
 
     @cached_property
     def figures(self) -> dict[str, float | bool]:
@@ -128,7 +131,19 @@ class Report:
     @property
     def ok(self) -> bool:
         """Whether every demand is met and nothing that is demanded is impossible."""
-        return not self.unmet and not any(report.impossible for report in self.agents)
+        wished = all(row.verdict != "unmet" for row in self.asked)
+        return wished and not self.unmet and not any(report.impossible for report in self.agents)
+
+    @property
+    def asked_met_share(self) -> float:
+        """Share of the understood phrases of the user that are met; 1 where there are none."""
+        return share_met(self.asked)
+
+    @property
+    def not_understood(self) -> str:
+        """What was not understood, in one line; empty if everything was."""
+        words = dict.fromkeys(row.words for row in self.asked if row.verdict == "not understood")
+        return f"Not understood: {', '.join(words)}." if words else ""
 
     @cached_property
     def violations(self) -> tuple[str, ...]:
@@ -137,6 +152,7 @@ class Report:
         for report in self.agents:
             found += report.violations
         found += [item.complaint for item in self.statements if not item.met]
+        found += [f"asked, and not met: {row.words} ({row.value})." for row in self.asked if row.verdict == "unmet"]
         return tuple(found)
 
     def with_timing(self, timing: Mapping[str, Mapping[str, float]]) -> Report:
@@ -147,6 +163,10 @@ class Report:
         """Return the same report with what unmet statements lost to, by their numbers."""
         told = (s if s.met else replace(s, lost_to=lost_to.get(s.number, "")) for s in self.statements)
         return replace(self, statements=tuple(told))
+
+    def with_asked(self, asked: tuple[AskedRow, ...]) -> Report:
+        """Return the same report with the ledger of the user's words."""
+        return replace(self, asked=asked)
 
     def with_planner(self, planner: Mapping[str, Any]) -> Report:
         """Return the same report with who planned and what that took."""
@@ -159,6 +179,8 @@ class Report:
     def to_dict(self) -> dict[str, Any]:
         """Return the content of `report.json`: the keys of DESIGN section 8, then details."""
         return {
+            "asked": [row.to_dict() for row in self.asked],
+            "asked_met_share": self.asked_met_share,
             **self.figures,
             "statements": [item.to_dict() for item in self.statements],
             "rules": [result.to_dict() for result in self.rules],

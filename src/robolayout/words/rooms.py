@@ -65,7 +65,7 @@ def read_rooms(own: Iterable[RoomType] = ()) -> Rooms:
 
 @cache
 def _built_in() -> Rooms:
-    text = (files("robolayout.planners") / "knowledge" / "_rooms.toml").read_text("utf-8")
+    text = (files("robolayout.words") / "rooms.toml").read_text("utf-8")
     data = tomllib.loads(text)
     rooms = {
         name: RoomType(name, tuple(entry.pop("words")), (entry["size"][0], entry.pop("size")[1]), **entry)

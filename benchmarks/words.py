@@ -1,0 +1,405 @@
+"""Prompts in other people's manner, each with the demands that a person reads in it, checked by plain geometry.
+
+The prompts and their demands are in `benchmarks/prompts/`: `open.txt` is what the reader is developed with, `held.txt` is looked at
+only for the figures. After a prompt ("@ ...") come its demands, separated by semicolons:
+
+    bed 1; plant >=2; coffee table 0       how many there are ("a|b": either word)
+    on lamp, desk; between a, b, c         how things stand to each other, or (wall sofa) to the room
+    room office; size 5 x 4; area 20; height 3; body cat; windows 2; doors 1; shape L
+
+Nothing here uses the package's reader, statements or checks: it looks at the dictionaries of `scene.json` and `layout.json`.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import time
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from shapely import LineString, Point, Polygon
+
+from benchmarks.store import Row
+
+FOLDER = Path(__file__).parent / "prompts"
+FILES = ("open", "held")
+FACTS = ("room", "size", "area", "height", "body", "windows", "doors", "shape")
+RELATIONS = (
+    "on", "next", "near", "far", "front", "behind", "left", "right", "between", "around", "facing", "opposite", "above", "under",
+    "wall", "corner", "atwindow", "atdoor", "middle", "row",
+)  # fmt: skip
+PLACES = RELATIONS[14:]
+TWO_FRONTS = ("desk", "table", "counter")
+"""Last words of what faces a thing when who sits at it does."""
+
+
+@dataclass(frozen=True)
+class Demand:
+    """One demand of a prompt: "count", a relation or a fact, and what it is about."""
+
+    kind: str
+    about: tuple[str, ...]
+    how: str = ""
+    number: int = 0
+
+
+@dataclass(frozen=True)
+class Prompt:
+    """A text and its demands."""
+
+    text: str
+    demands: tuple[Demand, ...]
+
+
+def prompts(name: str) -> list[Prompt]:
+    """Return the prompts of a file."""
+    found: list[Prompt] = []
+    for block in re.split(r"^@ ", (FOLDER / f"{name}.txt").read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]:
+        text, _, rest = block.partition("\n")
+        pieces = [piece.strip() for piece in re.split(r"[;\n]", rest) if piece.strip()]
+        found.append(Prompt(text.strip(), tuple(_demand(piece) for piece in pieces)))
+    return found
+
+
+def _demand(text: str) -> Demand:
+    word, _, rest = text.partition(" ")
+    counted = re.fullmatch(r"(.*?) ?(>=|<=)?(\d+)", text)
+    if counted is not None and word not in FACTS:
+        return Demand("count", (counted.group(1).strip(),), counted.group(2) or "==", int(counted.group(3)))
+    if word in FACTS:
+        return Demand(word, (rest.strip(),))
+    if word in RELATIONS:
+        return Demand(word, tuple(part.strip() for part in rest.split(",")))
+    raise ValueError(f"{text!r} is no demand")
+
+
+class Room:
+    """A furnished room, as its files say.
+
+    Args:
+        scene: The content of `scene.json`.
+        layout: The content of `layout.json`.
+    """
+
+    def __init__(self, scene: Mapping[str, Any], layout: Mapping[str, Any]) -> None:
+        self.scene, self.layout = scene, layout
+        self.floor = [(x, y) for x, y, *_ in scene["boundary"]["floor_vertices"]]
+        self.walls = list(zip(self.floor, self.floor[1:] + self.floor[:1], strict=True))
+        self.height = float(scene["boundary"]["wall_height"])
+
+    def find(self, words: str) -> list[str]:
+        """Return the placed assets that a word means: those of that very name, else those whose name ends so."""
+        exact, ending = list[str](), list[str]()
+        for name, asset in self.scene["assets"].items():
+            if name not in self.layout:
+                continue
+            names = {asset["category"].lower(), str(asset.get("like", "")).lower()} - {""}
+            for word in words.split("|"):
+                exact += [name] * (word in names and name not in exact)
+                ending += [name] * (
+                    any(n.split()[-1:] == word.split()[-1:] and n.endswith(word) for n in names) and name not in ending
+                )
+        return exact or ending
+
+    def box(self, name: str) -> tuple[float, float, float, float]:
+        """Return depth, width, bottom and top of an asset in metres."""
+        size = self.scene["assets"][name]["assetMetadata"]["boundingBox"]
+        z = self.layout[name]["position"][2]
+        return size["x"], size["y"], z - size["z"] / 2, z + size["z"] / 2
+
+    def pose(self, name: str) -> tuple[float, float, float]:
+        """Return place and heading of an asset, metres and radians."""
+        x, y, _ = self.layout[name]["position"]
+        return x, y, math.radians(self.layout[name]["rotation"][2])
+
+    def outline(self, name: str) -> Polygon:
+        """Return the footprint of an asset."""
+        (x, y, yaw), (depth, width, *_) = self.pose(name), self.box(name)
+        c, s = math.cos(yaw), math.sin(yaw)
+        corners = [(depth / 2, width / 2), (-depth / 2, width / 2), (-depth / 2, -width / 2), (depth / 2, -width / 2)]
+        return Polygon([(x + c * u - s * v, y + s * u + c * v) for u, v in corners])
+
+    def seen_from(self, b: str, a: str) -> tuple[float, float]:
+        """Return the centre of a in the frame of b: metres ahead and to the left."""
+        (x, y, yaw), (ax, ay, _) = self.pose(b), self.pose(a)
+        c, s = math.cos(yaw), math.sin(yaw)
+        return c * (ax - x) + s * (ay - y), c * (ay - y) - s * (ax - x)
+
+    def gap(self, a: str, b: str) -> float:
+        """Return the metres between two footprints."""
+        return self.outline(a).distance(self.outline(b))
+
+    def openings(self, kind: str) -> list[LineString]:
+        """Return doors or windows on the plan."""
+        found: list[LineString] = []
+        for item in self.scene.get(kind, []):
+            (ax, ay), (bx, by) = self.walls[item["wall"]]
+            length = math.dist((ax, ay), (bx, by))
+            ends = [item["offset"] / length, (item["offset"] + item["width"]) / length]
+            found.append(LineString([(ax + t * (bx - ax), ay + t * (by - ay)) for t in ends]))
+        return found
+
+    def wall_gaps(self, a: str) -> list[float]:
+        """Return the metres between an asset and each wall, smallest first."""
+        shape = self.outline(a)
+        return sorted(shape.distance(LineString(wall)) for wall in self.walls)
+
+
+def _resting(room: Room, a: str, b: str) -> bool:
+    (x, y, _), (_, _, bottom, _), (_, _, _, top) = room.pose(a), room.box(a), room.box(b)
+    return abs(bottom - top) <= 0.03 and room.outline(b).buffer(0.02).contains(Point(x, y))
+
+
+def _beside(room: Room, a: str, b: str, side: int) -> bool:
+    """Whether a is at the left (1) or right (-1) of b."""
+    u, v = room.seen_from(b, a)
+    depth, width, *_ = room.box(b)
+    return v * side > width / 2 - 0.05 and abs(u) <= depth / 2 + 0.4 and room.gap(a, b) <= 2.0
+
+
+def _before(room: Room, a: str, b: str, most: float, sign: int = 1) -> bool:
+    u, v = room.seen_from(b, a)
+    depth, width, *_ = room.box(b)
+    return u * sign > depth / 2 - 0.05 and abs(v) <= width / 2 + 0.3 and room.gap(a, b) <= most
+
+
+def _turned_to(room: Room, a: str, shape: Polygon | LineString) -> bool:
+    x, y, yaw = room.pose(a)
+    fronts = (yaw, yaw + math.pi) if room.scene["assets"][a]["category"].endswith(TWO_FRONTS) else (yaw,)
+    target = shape.centroid
+    for front in fronts:
+        ray = LineString([(x, y), (x + 50 * math.cos(front), y + 50 * math.sin(front))])
+        off = abs(math.remainder(math.atan2(target.y - y, target.x - x) - front, math.tau))
+        if ray.intersects(shape) or off <= math.radians(20):
+            return True
+    return False
+
+
+def _over(room: Room, a: str, b: str) -> bool:
+    u, v = room.seen_from(b, a)
+    depth, width, _, top = room.box(b)
+    return -depth / 2 - 0.4 <= u <= depth / 2 + 0.1 and abs(v) <= width / 2 + 0.1 and room.box(a)[2] >= top - 0.05
+
+
+def _behind(room: Room, a: str, b: str) -> bool:
+    seated = room.scene["assets"][a]["category"].endswith(("chair", "stool"))
+    at_desk = seated and room.scene["assets"][b]["category"].endswith(TWO_FRONTS)
+    return _before(room, a, b, 1.8, -1) or (at_desk and _before(room, a, b, 1.8))
+
+
+PAIRS: dict[str, Callable[[Room, str, str], bool]] = {
+    "on": _resting,
+    "next": lambda room, a, b: room.gap(a, b) <= 0.8,
+    "near": lambda room, a, b: room.gap(a, b) <= 1.5,
+    "far": lambda room, a, b: room.gap(a, b) >= 1.0,
+    "front": lambda room, a, b: _before(room, a, b, 2.0),
+    "behind": _behind,
+    "left": partial(_beside, side=1),
+    "right": partial(_beside, side=-1),
+    "around": lambda room, a, b: room.gap(a, b) <= 1.3,
+    "facing": lambda room, a, b: _turned_to(room, a, room.outline(b)),
+    "opposite": lambda room, a, b: _before(room, a, b, 15.0) or _before(room, b, a, 15.0),
+    "above": _over,
+    "under": lambda room, a, b: (
+        room.outline(a).intersection(room.outline(b)).area > 0.01 and room.box(a)[3] <= room.box(b)[2] + 0.03
+    ),
+}
+
+
+def _at_place(room: Room, kind: str, a: str) -> bool:
+    (x, y, _), shape = room.pose(a), room.outline(a)
+    if kind == "wall":
+        return room.wall_gaps(a)[0] <= 0.15
+    if kind == "corner":
+        return room.wall_gaps(a)[1] <= 0.35
+    if kind in ("atwindow", "atdoor"):
+        lines = room.openings("windows" if kind == "atwindow" else "doors")
+        return any(line.distance(shape) <= (1.0 if kind == "atwindow" else 2.0) for line in lines)
+    xs, ys = zip(*room.floor, strict=True)
+    middle = ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2)
+    return math.dist((x, y), middle) <= max(0.7, 0.3 * min(max(xs) - min(xs), max(ys) - min(ys)))
+
+
+def _in_a_row(room: Room, names: list[str]) -> bool:
+    """Whether centres lie within 0.4 m of a line along or across the first one's front."""
+    spots = [room.seen_from(names[0], name) for name in names]
+    return min(max(v) - min(v) for v in zip(*spots, strict=True)) <= 0.4
+
+
+def _between(room: Room, a: str, ends: list[str]) -> bool:
+    for i, b in enumerate(ends):
+        for c in ends[i + 1 :]:
+            (bx, by, _), (cx, cy, _) = room.pose(b), room.pose(c)
+            line = LineString([(bx, by), (cx, cy)])
+            along = line.project(Point(*room.pose(a)[:2]))
+            if line.length > 0 and 0.01 < along < line.length - 0.01 and room.outline(a).distance(line) <= 0.6:
+                return True
+    return False
+
+
+def related(room: Room, demand: Demand, wanted: int) -> bool:
+    """Return whether at least `wanted` of the things of a relation stand as it says."""
+    things = room.find(demand.about[0])
+    if not things:
+        return False
+    if demand.kind == "row":
+        return len(things) > 1 and _in_a_row(room, things)
+    if demand.kind in PLACES:
+        good = [a for a in things if _at_place(room, demand.kind, a)]
+    elif demand.kind == "between":
+        ends = list(dict.fromkeys(name for word in demand.about[1:] for name in room.find(word)))
+        good = [a for a in things if _between(room, a, [end for end in ends if end != a])]
+    elif demand.kind == "facing" and demand.about[1] in ("door", "window"):
+        lines = room.openings(f"{demand.about[1]}s")
+        good = [a for a in things if any(_turned_to(room, a, line) for line in lines)]
+    else:
+        others = room.find(demand.about[1])
+        test = PAIRS[demand.kind]
+        good = [a for a in things if any(test(room, a, b) for b in others if b != a)]
+    return len(good) >= min(wanted, len(things)) > 0
+
+
+def counted(room: Room, demand: Demand) -> bool:
+    """Return whether as many are there as the demand says."""
+    there = len(room.find(demand.about[0]))
+    return {"==": there == demand.number, ">=": there >= demand.number, "<=": there <= demand.number}[demand.how]
+
+
+def fact(room: Room, demand: Demand, room_type: str) -> bool:
+    """Return whether something about the room itself is as the demand says."""
+    (value,) = demand.about
+    xs, ys = zip(*room.floor, strict=True)
+    if demand.kind == "room":
+        return room_type in value.split("|")
+    if demand.kind == "size":
+        asked = sorted(float(part) for part in value.split("x"))
+        sides = sorted((max(xs) - min(xs), max(ys) - min(ys)))
+        return all(abs(a - b) <= 0.1 for a, b in zip(asked, sides, strict=True))
+    if demand.kind == "area":
+        return abs(Polygon(room.floor).area - float(value)) <= 0.05 * float(value)
+    if demand.kind == "height":
+        return abs(room.height - float(value)) <= 0.05
+    if demand.kind == "body":
+        agent = room.scene.get("agent", "")
+        return str(agent.get("name", "") if isinstance(agent, dict) else agent) == value
+    if demand.kind == "shape":
+        return len(room.floor) == 6
+    return len(room.scene.get(demand.kind, [])) == int(value)
+
+
+def verdicts(prompt: Prompt, room: Room, room_type: str) -> list[bool]:
+    """Return for each demand of a prompt whether it is met."""
+    counts = {demand.about[0]: demand.number for demand in prompt.demands if demand.kind == "count"}
+    found: list[bool] = []
+    for demand in prompt.demands:
+        if demand.kind == "count":
+            found.append(counted(room, demand))
+        elif demand.kind in FACTS:
+            found.append(fact(room, demand, room_type))
+        else:
+            found.append(related(room, demand, counts.get(demand.about[0], 99)))
+    return found
+
+
+def class_of(demand: Demand) -> str:
+    """Return the kind under which a demand is counted."""
+    if demand.kind == "count":
+        return "counts"
+    if demand.kind in FACTS:
+        return "room"
+    return "places in the room" if demand.kind in PLACES else "relations"
+
+
+def cases(quick: bool) -> Iterator[tuple[str, Callable[[], Row]]]:
+    """Yield one case for each prompt."""
+    for file in FILES:
+        given = prompts(file)
+        for number, prompt in enumerate(given[:2] if quick else given):
+            yield f"{file}/{number:03}", partial(measured, prompt)
+
+
+def measured(prompt: Prompt) -> Row:
+    """Return how many demands of each kind a prompt has and how many are met, and what the ledger says of them."""
+    import robolayout as rl
+
+    start = time.process_time()
+    try:
+        scene, understood = rl.scene_from_sentence(prompt.text)
+        result = rl.generate(scene)
+    except rl.RoboLayoutError as error:
+        row: Row = {"refused": str(error)[:160]}
+        for demand in prompt.demands:
+            row[f"{class_of(demand)} asked"] = row.get(f"{class_of(demand)} asked", 0) + 1
+        return row
+    from robolayout.scene import scene_to_dict
+
+    room = Room(json.loads(json.dumps(scene_to_dict(result.scene))), result.layout.to_dict())
+    met = verdicts(prompt, room, understood.room_type)
+    row = {"ok": result.report.ok, "seconds": time.process_time() - start}
+    for demand, good in zip(prompt.demands, met, strict=True):
+        for key in ("asked", *(["met"] if good else [])):
+            row[f"{class_of(demand)} {key}"] = row.get(f"{class_of(demand)} {key}", 0) + 1
+    unmet = [
+        f"{d.kind} {', '.join(d.about)} {d.number or ''}".strip()
+        for d, good in zip(prompt.demands, met, strict=True)
+        if not good
+    ]
+    ledger = result.report.asked
+    agreed = list(_agreement(prompt, met, room, ledger))
+    row |= {
+        "unmet": "; ".join(unmet),
+        "compared": len(agreed),
+        "agreed": sum(agreed),
+        "rows": len(ledger),
+        "rows unmet": sum(r.verdict == "unmet" for r in ledger),
+        "rows not understood": sum(r.verdict == "not understood" for r in ledger),
+    }
+    return row
+
+
+def _agreement(prompt: Prompt, met: list[bool], room: Room, ledger: Any) -> Iterator[bool]:
+    """Yield for each demand that has a row of the ledger whether both say the same."""
+    for demand, good in zip(prompt.demands, met, strict=True):
+        if demand.kind in FACTS:
+            continue
+        names = [set(room.find(word)) for word in demand.about if word not in ("door", "window")]
+        for row in ledger:
+            if row.verdict not in ("met", "unmet"):
+                continue
+            if demand.kind == "count":
+                fits = row.kind == "count" and any(
+                    word.split()[-1] in row.words.lower() for word in demand.about[0].split("|")
+                )
+            else:
+                fits = row.kind == "relation" and all(found & set(row.things) for found in names)
+                fits = fits and len(row.things) >= len(names) and _same_word(demand.kind, row.words)
+            if fits:
+                yield (row.verdict == "met") == good
+                break
+
+
+WORDS = {
+    "next": ("next", "beside", "side"),
+    "atwindow": ("window",),
+    "atdoor": ("door", "entrance", "exit"),
+    "front": ("front", "foot"),
+    "wall": ("wall",),
+    "row": ("row", "line"),
+    "middle": ("middle", "cent"),
+    "above": ("above", "over", "under"),
+    "under": ("under", "beneath", "on"),
+    "opposite": ("opposite", "across"),
+    "on": (" on", "with", "hold", "top"),
+    "facing": ("fac", "seen"),
+    "near": ("near", "close", "at", "by", "with", "next"),
+}
+"""Words by which a row of the ledger says a relation; the others say their own name."""
+
+
+def _same_word(kind: str, words: str) -> bool:
+    return any(word in words for word in WORDS.get(kind, (kind,)))

@@ -1,0 +1,39 @@
+"""`above`: a thing hangs over another, at the wall behind it or under the ceiling."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from robolayout.constraints._exact import GAP_TOLERANCE, frame, half_size
+from robolayout.constraints._refs import AssetRef
+from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._terms import FrameTerm, Interval, Term
+from robolayout.scene import Layout, Scene
+
+BEHIND = 0.3
+"""Metres behind b's back at which a may still hang: on the wall that b stands before."""
+
+
+@dataclass(frozen=True)
+class Above(Relation):
+    """The centre of `a` is over `b`, or over the wall right behind it; the height is that at which such a thing hangs."""
+
+    name: ClassVar[str] = "above"
+    example: ClassVar[str] = "solver.above(picture[0], bed[0])"
+
+    a: AssetRef = argument("asset")
+    b: AssetRef = argument("asset")
+
+    def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
+        """Return one row in b's frame."""
+        hx, hy = half_size(scene, self.b)
+        return (FrameTerm(self.a, self.b, along=Interval(-hx - BEHIND, hx), across=Interval(-hy, hy)),)
+
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """The centre within b's footprint, or at most 0.3 m behind its back, with 5 cm of tolerance."""
+        hx, hy = half_size(scene, self.b)
+        pose = layout[self.a.name]
+        u, v = frame(scene, layout, self.b).point(pose.x, pose.y)
+        off = max(0.0, u - hx, -hx - BEHIND - u, abs(v) - hy)
+        return Outcome(off <= GAP_TOLERANCE, off, GAP_TOLERANCE, "m", f"{off:.2f} m beside the place over {self.b}")

@@ -1,0 +1,40 @@
+"""`near`: a thing stands close to another, on any side of it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+from robolayout.constraints._exact import GAP_TOLERANCE, footprint, half_size, shape
+from robolayout.constraints._refs import AssetRef, PointRef
+from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._terms import FrameTerm, Interval, Term
+from robolayout.scene import Layout, Scene
+
+
+@dataclass(frozen=True)
+class Near(Relation):
+    """`a` stands near `b`, on any side of it, at most `max_gap` m from edge to edge."""
+
+    name: ClassVar[str] = "near"
+    surrogate: ClassVar[bool] = True  # its gap along either axis of b is so small that past a corner it is enough, too
+    example: ClassVar[str] = "solver.near(armchair[0], bookshelf[0], 0.8)"
+
+    a: AssetRef = argument("asset")
+    b: AssetRef | PointRef = argument("asset", "point")
+    max_gap: float = argument("number", unit="m", default=0.5)
+
+    def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
+        """Return one row: in b's frame both gaps at most max_gap / sqrt(2); of a point, a's inner disc within max_gap."""
+        if isinstance(self.b, PointRef):
+            return (FrameTerm(self.a, self.b, distance=(0.0, self.max_gap + min(half_size(scene, self.a)))),)
+        hx, hy = half_size(scene, self.b)
+        gap = self.max_gap / math.sqrt(2)
+        along, across = (Interval(-half - gap, half + gap, -1.0, -1.0) for half in (hx, hy))
+        return (FrameTerm(self.a, self.b, along=along, across=across),)
+
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """Footprints at most max_gap + 0.05 m apart."""
+        gap = footprint(scene, layout, self.a).distance(shape(scene, layout, self.b))
+        return Outcome(gap <= self.max_gap + GAP_TOLERANCE, gap, self.max_gap, "m", f"{gap:.2f} m from {self.b}")

@@ -1,0 +1,100 @@
+"""Doors and windows of a room that is made from words: those that are asked for, else what is usual."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from robolayout.words import WantedOpening
+
+Outline = list[tuple[float, float]]
+
+ASIDE = 0.3
+"""Metres between a door and the nearer end of its wall."""
+
+LARGE, USUAL = (2.2, 1.5), (1.8, 1.3)
+"""Width and height in metres of a large window and of a usual one."""
+
+MOST_OF_A_WALL = 0.45
+"""Share of its wall that one window takes at the most."""
+
+WALLS = {"north": (0.0, -1.0), "south": (0.0, 1.0), "east": (-1.0, 0.0), "west": (1.0, 0.0)}
+"""Inward normals of walls by name."""
+
+Opening = dict[str, float]
+
+
+def openings(
+    outline: Outline, wide: float, wanted: Sequence[WantedOpening], rng: np.random.Generator
+) -> tuple[list[Opening], list[Opening]]:
+    """Return doors near the ends of long walls, and windows in other walls.
+
+    Args:
+        outline: Corners of the floor, metres.
+        wide: Width of a door in metres.
+        wanted: What is asked for.
+        rng: Settles what is not.
+    """
+    lengths = [math.dist(a, b) for a, b in zip(outline, outline[1:] + outline[:1], strict=True)]
+    order = sorted(range(len(lengths)), key=lambda i: -lengths[i])
+    usual = order[int(rng.integers(0, min(2, len(order))))]
+    near = rng.random() < 0.5
+    asked = [item for item in wanted if item.kind == "door"]
+    doors: list[Opening] = []
+    for number, item in enumerate(i for i in (asked or [WantedOpening("door")]) for _ in range(i.count)):
+        fits = [i for i in order if lengths[i] > wide and i not in {d["wall"] for d in doors}] or order
+        start = fits.index(usual) if usual in fits and not number else 0
+        wall = _wall(outline, item.wall, fits[start:] + fits[:start])
+        first = ASIDE if lengths[wall] - wide > 2 * ASIDE else (lengths[wall] - wide) / 2
+        offset = first if near else lengths[wall] - wide - first
+        doors.append(
+            {"wall": wall, "offset": round(max(offset, 0.0), 2), "width": min(wide, lengths[wall]), "height": 2.05}
+        )
+    return doors, _windows(outline, lengths, {int(d["wall"]) for d in doors}, wanted, rng)
+
+
+def _windows(
+    outline: Outline,
+    lengths: Sequence[float],
+    taken: set[int],
+    wanted: Sequence[WantedOpening],
+    rng: np.random.Generator,
+) -> list[Opening]:
+    """Return the windows: one or two where nothing is said."""
+    free = [i for i in sorted(range(len(lengths)), key=lambda i: -lengths[i]) if i not in taken]
+    asked = [item for item in wanted if item.kind == "window"]
+    usual = 1 + int(rng.integers(0, 2))
+    by_wall: dict[int, list[WantedOpening]] = {}
+    if not asked:
+        asked = [WantedOpening("window", min(usual, len(free)))]
+    for turn, item in enumerate(i for i in asked for _ in range(i.count)):
+        order = free[turn % len(free) :] + free[: turn % len(free)] if free else [0]
+        by_wall.setdefault(_wall(outline, item.wall, order), []).append(item)
+    found: list[Opening] = []
+    for wall, items in by_wall.items():
+        share = lengths[wall] / len(items)
+        middle = float(rng.choice([0.35, 0.5, 0.65])) if len(items) == 1 and not item.wall else 0.5
+        for number, item in enumerate(items):
+            width, height = LARGE if item.large else USUAL
+            width = round(min(width, share * MOST_OF_A_WALL if len(items) == 1 else share * 0.7), 2)
+            start = round(number * share + (share - width) * middle, 2)
+            found.append({"wall": wall, "offset": start, "width": width, "height": height, "sill": 0.9})
+    return found
+
+
+def _wall(outline: Outline, word: str, order: Sequence[int]) -> int:
+    """Return the first of some walls that is meant by a word; the first of all that it means where none of them is."""
+    if word not in WALLS:
+        return order[0]
+    ring = list(zip(outline, outline[1:] + outline[:1], strict=True))
+    nx, ny = WALLS[word]
+
+    def meant(i: int) -> bool:
+        (ax, ay), (bx, by) = ring[i]
+        length = math.dist(*ring[i])
+        return (-(by - ay) * nx + (bx - ax) * ny) / length > math.sqrt(0.5)
+
+    fits = [i for i in order if meant(i)] or [i for i in range(len(ring)) if meant(i)]
+    return fits[0] if fits else order[0]

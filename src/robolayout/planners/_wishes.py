@@ -1,0 +1,207 @@
+"""What a text asks of a new room, in kinds of the catalogue: counts, sizes by word, and the nearest room type."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from robolayout._errors import SceneError
+from robolayout.assets import CATALOGUE, Category
+from robolayout.scene import FLAT_HEIGHT
+from robolayout.words import (
+    Lexicon,
+    Mention,
+    Reading,
+    Rooms,
+    RoomType,
+    Thing,
+    WantedOpening,
+    read_text,
+    sized,
+    wanted_openings,
+)
+
+GENERAL = ("desk", "bed", "table", "chair", "shelf")
+"""Nouns that mean what is usual in a room: a desk of a classroom is a student desk."""
+
+LACKING, LIKELY = 0.4, 1.0
+"""What a room loses by each thing that it always has and that is not named, and what makes it likely, in things that belong there."""
+
+CARRIED = 0.5
+"""Square metres of floor that a thing takes at the most to be put on another, where it is asked to stand there."""
+
+SIZE_WORDS = {"small", "large", "big", "little"}
+
+
+@dataclass(frozen=True)
+class Wish:
+    """One kind of thing that was asked for."""
+
+    category: str
+    count: int
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """What a text asks of a new room.
+
+    Attributes:
+        room_type: Name of the room type.
+        size: Width and depth in metres, if given.
+        area: Floor area in m2, if given.
+        height: Wall height in metres, if given.
+        shape: "rectangular" or "L-shaped".
+        square: Whether it asks for a square room.
+        agent: Name of the body, if one is named.
+        people: Number of people, 0 if none is given.
+        children: Whether these are children.
+        seats: Seats at each table, 0 if none are given.
+        things: What is wished.
+        general: Nouns that say no more than one word ("lamp"): nothing more of that name is added.
+        named: Kinds that are not in the catalogue as they were asked for: other words, other sizes.
+        unwanted: Categories that must not be added.
+        openings: Doors and windows that are asked for.
+        only: Whether nothing else is wanted.
+        guesses: What was guessed, one sentence each.
+        ignored: Words without a meaning here.
+    """
+
+    room_type: str
+    size: tuple[float, float] | None
+    area: float | None
+    height: float | None
+    shape: str
+    square: bool
+    agent: str | None
+    people: int
+    children: bool
+    seats: int
+    things: tuple[Wish, ...]
+    general: frozenset[str]
+    named: Mapping[str, Category]
+    unwanted: frozenset[str]
+    openings: tuple[WantedOpening, ...]
+    only: bool
+    guesses: tuple[str, ...]
+    ignored: tuple[str, ...]
+
+
+def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wishes:
+    """Return what a text asks of a new room.
+
+    Args:
+        text: One or several sentences.
+        rooms: The room types, bodies and corners that are known.
+        own: Categories of the user's own.
+
+    Raises:
+        SceneError: It is empty, names neither a room nor a thing, or its figures make no sense.
+    """
+    if not text.strip():
+        raise SceneError('the sentence is empty; say for example "a bedroom for two with a desk, 4 x 5 m".')
+    lexicon = Lexicon(rooms, own)
+    reading = read_text(text, lexicon)
+    room, guesses = _room(reading, rooms)
+    things, named = _things(reading, lexicon, rooms, room)
+    size, area, height = (reading.measure(kind) for kind in ("size", "area", "height"))
+    seats = [thing.people for thing in reading.parsed.things if thing.people]
+    spoken = [(chunk.start, chunk.end) for chunk in reading.parsed.missed]
+    unknown = [
+        (t.spans[0][1] - len(t.noun.said.split()), t.spans[0][1])
+        for t in reading.parsed.things
+        if t.noun.kind.startswith("unknown")
+    ]
+    guesses += [
+        f"{thing.noun.words!r} was taken as {thing.noun.kind}, {thing.noun.guessed}."
+        for thing in reading.parsed.things
+        if thing.noun.guessed and not thing.noun.kind.startswith("unknown")
+    ]
+    return Wishes(
+        room.name,
+        (size[0], size[1]) if size else None,
+        area[0] if area else None,
+        height[0] if height else None,
+        "L-shaped" if reading.l_shaped else "rectangular",
+        reading.square,
+        reading.agent,
+        reading.people,
+        reading.young,
+        seats[0] if seats else 0,
+        things,
+        frozenset(t.noun.said for t in reading.parsed.things if " " not in t.noun.said and not t.adjectives),
+        named,
+        frozenset(noun.kind for noun, _ in reading.parsed.refused),
+        wanted_openings(reading),
+        reading.only,
+        tuple(guesses),
+        tuple(reading.span(*span) for span in sorted([*spoken, *unknown])),
+    )
+
+
+def _room(reading: Reading, rooms: Rooms) -> tuple[RoomType, list[str]]:
+    """Return the room type: as named, else the nearest one, else the one that most of the things belong in."""
+    if reading.room is not None:
+        guess = [f"{reading.room_words!r} is no room type that is known: {reading.room} was taken."]
+        return rooms.rooms[reading.room], guess if reading.guessed else []
+    kinds = {thing.noun.kind for thing in reading.parsed.things}
+    if not kinds and not reading.parsed.facts:
+        raise SceneError(f"the sentence names no room; known room types: {', '.join(sorted(rooms.rooms))}.")
+    scores = {name: _belongs(kinds, room) for name, room in rooms.rooms.items()}
+    best = max(scores, key=lambda name: (scores[name], name == "room"))
+    best = best if scores[best] >= LIKELY else "room"
+    return rooms.rooms[best], [f"No room was named: {best} was taken."]
+
+
+def _belongs(kinds: set[str], room: RoomType) -> float:
+    """Return how many of some kinds belong in a room; what always stands there counts double, and lacks where it is missing."""
+    usual = {*room.extras, *room.person}
+    found = sum(2.0 if kind in room.base else 1.0 for kind in kinds if kind in room.base or kind in usual)
+    return found - LACKING * sum(name not in kinds for name in room.base)
+
+
+def _things(
+    reading: Reading, lexicon: Lexicon, rooms: Rooms, room: RoomType
+) -> tuple[tuple[Wish, ...], dict[str, Category]]:
+    """Return what is wished, and the kinds of it that are not in the catalogue as they stand."""
+    wished: dict[str, int] = {}
+    named: dict[str, Category] = {}
+    resting = {
+        mention.thing
+        for link in reading.parsed.links
+        if link.relation == "on" and link.objects and isinstance(link.objects[0], Mention)
+        for mention in link.subjects
+        if lexicon.kinds[link.objects[0].thing.noun.kind].size[2] >= FLAT_HEIGHT
+    }
+    for thing in reading.parsed.things:
+        name = usual_there(thing, room) or thing.noun.kind
+        kind = lexicon.kinds[name]
+        shown = thing.noun.words if thing.noun.kind == name and thing.noun.words != name else name
+        if shown in lexicon.kinds:
+            shown = name
+        size = sized(kind, thing.adjectives)
+        if thing in resting and kind.size[0] * kind.size[1] < CARRIED:
+            kind = replace(kind, on_object=True, on_wall=False, on_ceiling=False, on_floor=False)
+        if shown != name or size != kind.size or kind != lexicon.kinds[name]:
+            made = replace(kind, name=shown, size=size, like=kind.like or (name if shown != name else ""))
+            if shown not in named and wished.get(shown, 0) == 0:
+                named[shown] = made
+        wished[shown] = wished.get(shown, 0) + thing.count
+    present = {name.split()[-1] for name in wished}
+    for chunk in reading.parsed.facts:
+        if chunk.kind == "corner":
+            for name, count in rooms.corners[chunk.value].items():
+                if name.split()[-1] not in present:
+                    wished[name] = wished.get(name, 0) + count
+    return tuple(Wish(name, count) for name, count in wished.items()), named
+
+
+def usual_there(thing: Thing, room: RoomType) -> str | None:
+    """Return what a single general word means in a room: a desk of a classroom is a student desk."""
+    said = [word for word in thing.noun.said.split() if word not in SIZE_WORDS]
+    if len(said) != 1 or said[0] not in GENERAL or thing.noun.guessed or set(thing.adjectives) - SIZE_WORDS:
+        return None
+    items = [*([room.tables] if room.tables else []), *room.person, *room.base, *room.extras]
+    word = said[0] if said else ""
+    if word in items or (word in CATALOGUE and thing.noun.kind != word):
+        return None
+    return next((name for name in items if name.split()[-1] == word and name.split()[0] != word), None)

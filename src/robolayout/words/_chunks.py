@@ -1,0 +1,348 @@
+"""From words to chunks: things with article, number and adjectives; places of the room; relations; what joins them.
+
+A noun phrase is an article or a number, then a run of words up to the next word of the closed lists. The longest end of the run
+that names something says what it is: "two leather office chairs" are two office chairs, "home office" is a room.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from robolayout.words._function_words import BOUNDS, BREAKING, DETERMINERS, JOINING, PEOPLE, REFUSING, SETS, WITH
+from robolayout.words._lexicon import LONGEST, Lexicon, Noun, grammar
+from robolayout.words._tokens import NUMBERS, VAGUE, Measure, Token
+
+MARKS = {
+    ",": "comma",
+    ".": "stop",
+    ";": "stop",
+    "!": "stop",
+    "?": "stop",
+    ":": "colon",
+    "\n": "stop",
+    "(": "comma",
+    ")": "comma",
+}
+
+
+@dataclass(frozen=True)
+class Chunk:
+    """A phrase.
+
+    Attributes:
+        kind: "thing", "part", "room", "body", "people", "corner", "measure", "rel", "verb", "with", "and", "comma", "colon",
+            "stop", "pron", "not", "style", "function", "filler" or "other".
+        start: First token.
+        end: Token after the last one.
+        value: A relation's name, a part's name, a room type ...
+        noun: What a thing is.
+        det: Its article: "a", "the", "each", "all", "both", "new", "other", "first" or "".
+        number: Its count, if one is said.
+        bound: "least", "most", "more", or "" for exactly so many; "vague" for "some".
+        plural: Whether the noun stands in the plural.
+        adjectives: The words before the noun.
+        refused: Whether it must not be there.
+        rows: Rows that it stands in ("three rows of four"), 0 if none are said.
+        measure: A measure of the room.
+    """
+
+    kind: str
+    start: int
+    end: int
+    value: str = ""
+    noun: Noun | None = None
+    det: str = ""
+    number: int | None = None
+    bound: str = ""
+    plural: bool = False
+    adjectives: tuple[str, ...] = ()
+    refused: bool = False
+    rows: int = 0
+    measure: Measure | None = None
+
+
+Before = tuple[str, int | None, str, int]
+"""What stands before a noun: article, number, bound, rows."""
+
+
+class Chunker:
+    """Cuts a text into chunks.
+
+    Args:
+        words: The text's words.
+        found: The measures in it.
+        lexicon: The nouns that are known.
+    """
+
+    def __init__(self, words: Sequence[Token], found: Sequence[Measure], lexicon: Lexicon) -> None:
+        self.words = [word.text for word in words]
+        self.lexicon = lexicon
+        self.grammar = grammar()
+        self.measured = {
+            next((i for i, w in enumerate(words) if w.end > measure.start), len(words)): measure for measure in found
+        }
+        self.after = {i: sum(1 for w in words if w.start < m.end) for i, m in self.measured.items()}
+
+    def chunks(self) -> list[Chunk]:
+        """Return all chunks, in order; together they cover every word."""
+        found: list[Chunk] = []
+        at = 0
+        while at < len(self.words):
+            chunk = self._next(at)
+            found.append(chunk)
+            at = chunk.end
+        return found
+
+    def _next(self, at: int) -> Chunk:
+        if at in self.measured:
+            return Chunk("measure", at, max(self.after[at], at + 1), measure=self.measured[at])
+        if self.words[at] in MARKS:
+            return Chunk(MARKS[self.words[at]], at, at + 1)
+        return self._fixed(at) or self._noun_phrase(at) or self._single(at)
+
+    def _fixed(self, at: int) -> Chunk | None:
+        """Return a relation or another phrase of the closed lists that begins here."""
+        for size in range(min(LONGEST, len(self.words) - at), 0, -1):
+            phrase = " ".join(self.words[at : at + size])
+            if phrase in self.lexicon.corners:
+                return Chunk("corner", at, at + size, self.lexicon.corners[phrase])
+            kind, value = self.grammar.phrases.get(phrase, ("", ""))
+            if kind == "rel" and self._is_relation(phrase, at + size):
+                return Chunk("rel", at, at + size, value)
+        word = self.words[at]
+        if word in REFUSING and not self._bound(at)[0]:
+            return Chunk("not", at, at + 1)
+        if word in WITH:
+            return Chunk("with", at, at + 1)
+        return Chunk("and", at, at + 1, word) if word in JOINING else None
+
+    def _is_relation(self, phrase: str, end: int) -> bool:
+        """Return whether a phrase is a relation here: "opposite walls", "left bank" and "to the left wall" are none."""
+        following = self.words[end] if end < len(self.words) else ""
+        if phrase in ("opposite", "across") and following in (
+            "wall",
+            "walls",
+            "side",
+            "sides",
+            "end",
+            "ends",
+            "corner",
+            "corners",
+        ):
+            return False
+        if phrase.endswith(("left", "right", "middle", "center", "centre")) and following and following not in MARKS:
+            return following in (*JOINING, "there", "is", "stands", "with", "sits", "are", "stand", "hangs")
+        if phrase in ("at", "around", "over", "about") and (following.isdigit() or following in ("least", "most")):
+            return False
+        if phrase in ("face", "before", "row"):
+            return phrase == "face"
+        return True
+
+    def _bound(self, at: int) -> tuple[str, int]:
+        """Return a bound on a count that begins here, and its length."""
+        for phrase, bound in BOUNDS.items():
+            if tuple(self.words[at : at + len(phrase)]) == phrase:
+                return bound, len(phrase)
+        return "", 0
+
+    def _noun_phrase(self, at: int) -> Chunk | None:
+        """Return a noun phrase that begins here: a thing, a place, a room, a body or people."""
+        bound, skip = self._bound(at)
+        i = at + skip
+        det, number, rows = "", None, 0
+        while i < len(self.words) and (step := self._before_noun(i, det, number)):
+            det, number, bound, rows = (
+                step[0] or det,
+                step[1] if step[1] is not None else number,
+                step[2] or bound,
+                step[3] or rows,
+            )
+            i += step[4]
+        run = self._run(i, many=(number or 1) > 1)
+        if not run:
+            return None
+        told = bool(det or number is not None or bound)
+        return self._named(at, i, run, told, (det, number, bound, rows))
+
+    def _before_noun(self, i: int, det: str, number: int | None) -> tuple[str, int | None, str, int, int] | None:
+        """Return (article, number, bound, rows, length) of what stands before a noun here."""
+        word, rest = self.words[i], self.words[i + 1 : i + 5]
+        if rest[:1] and word in SETS and "of" in rest[:1]:
+            return ("", 2 if word in ("pair", "couple") else None, "", 0, 2)
+        if len(rest) > 2 and rest[0] in ("rows", "row") and rest[1] == "of" and _count(rest[2]) and _count(word):
+            rows, each = _count(word) or 1, _count(rest[2]) or 1
+            return ("", rows * each, "", rows, 4)
+        if len(rest) > 1 and rest[0] == "rows" and rest[1] == "of" and _count(word):
+            return ("", None, "", _count(word) or 1, 3)
+        if word in ("twin", "couple", "both", "all") and word != "twin" and rest[:1] == ["of"]:
+            return ("all", None, "", 0, 2)
+        if word == "one" and rest[:1] == ["of"]:
+            return ("one", 1, "", 0, 2)
+        if word in DETERMINERS and (det == "the" or word not in ("second", "first", "third")):
+            return (DETERMINERS[word], None, "", 0, 1)
+        if word in ("only", "just", "exactly", "about", "additional", "more"):
+            return ("", None, "", 0, 1) if self._run(i + 1) or _count(rest[0] if rest else "") else None
+        count = None if self._seats(i) else _count(word)
+        if count and number is None and word not in ("a", "an", "twin", "couple"):
+            return ("", count, "vague" if word in VAGUE else "", 0, 1 + ("of" in rest[:1]))
+        return None
+
+    def _run(self, i: int, *, many: bool = False) -> list[str]:
+        """Return the words from here up to the next one that cannot be part of a noun phrase."""
+        run: list[str] = []
+        while i < len(self.words) and len(run) < LONGEST + 2:
+            word = self.words[i]
+            stops = (
+                word in MARKS
+                or word in JOINING
+                or word in WITH
+                or word in BREAKING
+                or word in REFUSING
+                or i in self.measured
+            )
+            counts = _count(word) is not None and word != "couple" and not self._seats(i)
+            if stops or counts or word in DETERMINERS or self._closed(i, run, many):
+                break
+            run.append(word)
+            i += 1
+        return run
+
+    def _seats(self, i: int) -> bool:
+        """Return whether a number is part of a name here: "two-seater", "twin bed"."""
+        following, beyond = (*self.words[i + 1 : i + 3], "", "")[:2]
+        counted = following in ("door", "drawer", "person", "tier") and beyond not in MARKS and beyond.isalpha()
+        counted = counted and beyond not in (*JOINING, *WITH, *DETERMINERS)
+        return self.words[i] == "twin" or following.startswith(("seat", "poster")) or counted
+
+    def _closed(self, i: int, run: Sequence[str], many: bool) -> bool:
+        """Return whether a word here begins a relation or is a verb, not a part of what is named."""
+        word = self.words[i]
+        if self._begins_relation(i):
+            return True
+        if word in ("left", "hanging", "standing", "built"):
+            return not self._continues(i)
+        if self.grammar.phrases.get(word, ("", ""))[0] not in ("verb", "pron"):
+            return False
+        if self.lexicon.noun(self.words[i : i + 2]) is not None and self._continues(i):
+            return False
+        known = bool(run) and self.lexicon.noun([run[-1], word]) is not None
+        return not known or (word == "stands" and not many) or (word == "stand" and run[-1].endswith("s"))
+
+    def _begins_relation(self, i: int) -> bool:
+        for size in range(min(LONGEST, len(self.words) - i), 0, -1):
+            phrase = " ".join(self.words[i : i + size])
+            if self.grammar.phrases.get(phrase, ("", ""))[0] == "rel" and self._is_relation(phrase, i + size):
+                return True
+        return False
+
+    def _continues(self, i: int) -> bool:
+        """Return whether a noun may follow: "hanging chair"."""
+        following = self.words[i + 1] if i + 1 < len(self.words) else ""
+        return (
+            bool(following)
+            and following not in MARKS
+            and following not in DETERMINERS
+            and not self._begins_relation(i + 1)
+        )
+
+    def _named(self, at: int, i: int, run: list[str], told: bool, before: Before) -> Chunk | None:
+        """Return what a run names; the longest end that is known says what, else what an article promises is a thing."""
+        det, number, bound, rows = before
+        for end in range(len(run), 0, -1):
+            for start in range(end):
+                tail = run[start:end]
+                chunk = self._known(tail)
+                if chunk and not (chunk[0] == "function" and start and self.lexicon.noun(run[start - 1 : start])):
+                    kind, value, noun = chunk
+                    plural = kind in ("thing", "part") and _plural(tail[-1], noun)
+                    adjectives = tuple(run[:start])
+                    return Chunk(kind, at, i + end, value, noun, det, number, bound, plural, adjectives, rows=rows)
+            if not told or self._does(run):
+                break
+            if end == len(run) and self._promises(run):
+                noun = self.lexicon.guess(run)
+                return Chunk("thing", at, i + end, "", noun, det, number, bound, _plural(run[-1], noun), (), rows=rows)
+        return self._inside(at, i, run, before)
+
+    def _does(self, run: list[str]) -> bool:
+        """Return whether the last word of a run is what the thing before it does: "the armchair makes", "armchairs join"."""
+        noun = self.lexicon.noun(run[-2:-1]) if len(run) > 1 else None
+        return noun is not None and run[-1].endswith("s") != _plural(run[-2], noun)
+
+    def _inside(self, at: int, i: int, run: list[str], before: Before) -> Chunk | None:
+        """Return a thing whose noun is followed by a word that is none ("a sofa today")."""
+        for end in range(len(run) - 1, 0, -1):
+            for start in range(end):
+                noun = self.lexicon.noun(run[start:end])
+                if noun:
+                    det, number, bound, rows = before
+                    many = _plural(run[end - 1], noun)
+                    return Chunk(
+                        "thing", at, i + end, "", noun, det, number, bound, many, tuple(run[:start]), rows=rows
+                    )
+        return None
+
+    def _known(self, tail: list[str]) -> tuple[str, str, Noun | None] | None:
+        """Return (kind, value, noun) of a phrase that is known as it stands."""
+        phrase = " ".join(tail)
+        single = phrase.removesuffix("s")
+        if phrase in self.lexicon.bodies and phrase not in ("wheelchair", "rollator", "walker"):
+            return "body", self.lexicon.bodies[phrase], None
+        if phrase in self.lexicon.corners:
+            return "corner", self.lexicon.corners[phrase], None
+        if phrase in self.lexicon.room_words:
+            return "room", self.lexicon.room_words[phrase], None
+        if phrase in self.grammar.functions:
+            return "function", phrase, None
+        if phrase in self.grammar.parts or single in self.grammar.parts:
+            return "part", self.grammar.parts.get(phrase, self.grammar.parts.get(single, "")), None
+        if len(tail) == 1 and phrase in PEOPLE:
+            return "people", phrase, None
+        if len(tail) == 1 and (phrase in self.grammar.styles or phrase in self.grammar.fillers):
+            return None
+        noun = self.lexicon.noun(tail)
+        return ("thing", "", noun) if noun else None
+
+    def _promises(self, run: list[str]) -> bool:
+        """Return whether an article before such words promises a thing."""
+        last = run[-1]
+        closed = (
+            last in self.grammar.styles
+            or last in self.grammar.functions
+            or last in self.grammar.fillers
+            or last in self.grammar.sizes
+            or last in self.grammar.walls
+        )
+        return (
+            not closed
+            and len(last) > 2
+            and not last.endswith("ly")
+            and last not in ("total", "style", "kind", "row", "rows", "grid")
+        )
+
+    def _single(self, at: int) -> Chunk:
+        """Return a word that is part of nothing larger."""
+        word = self.words[at]
+        for size in range(min(3, len(self.words) - at), 0, -1):
+            phrase = " ".join(self.words[at : at + size])
+            if phrase in self.grammar.styles or (size == 1 and word in self.grammar.sizes):
+                return Chunk("style", at, at + size, phrase)
+            if phrase in self.grammar.functions:
+                return Chunk("function", at, at + size, phrase)
+        kind, value = self.grammar.phrases.get(word, ("", ""))
+        if kind in ("verb", "pron"):
+            return Chunk(kind, at, at + 1, value)
+        if word in self.grammar.fillers or word in DETERMINERS or _count(word) is not None or word in BREAKING:
+            return Chunk("each" if word == "each" else "filler", at, at + 1, word)
+        return Chunk("other", at, at + 1, word)
+
+
+def _count(word: str) -> int | None:
+    return int(word) if word.isdecimal() else NUMBERS.get(word)
+
+
+def _plural(word: str, noun: Noun | None) -> bool:
+    """Return whether a noun's last word stands in the plural."""
+    ends = word.endswith("s") and not word.endswith(("ss", "us", "is")) and len(word) > 3
+    return (ends or word in ("shelves", "knives", "people")) and (noun is None or not noun.words.endswith(word))

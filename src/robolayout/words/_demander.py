@@ -1,0 +1,391 @@
+"""From relations in words to demands: each word of the list has a method that says what it asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
+
+from robolayout.constraints import RELATIONS, AssetRef, PointRef, Relation, WallRef
+from robolayout.constraints.corner import convex_corners
+from robolayout.scene import Asset, Opening, Scene, Wall
+from robolayout.words._said import Link, Mention, Place, Thing
+from robolayout.words._walls import walls_meant
+from robolayout.words.demands import Between, Demand, Way
+
+BESIDE, NEAR, AT_TABLE, AT_WINDOW, AT_DOOR = 0.6, 1.2, 0.5, 0.6, 1.4
+"""Metres from edge to edge that "next to", "near", "at" a thing, "at the window" and "by the door" allow (0.9 m before it stay clear)."""
+
+AHEAD, BACK = 1.5, 1.2
+"""Metres from edge to edge that "in front of" and "behind" allow."""
+
+ACROSS = 12.0
+"""Metres that may lie between two things that are opposite to each other."""
+
+FAR_SHARE, MIDDLE_SHARE = 0.4, 0.2
+"""Shares of the room's longest and shortest side: least distance of "far from", most distance of "in the middle"."""
+
+LEAST_FAR, LEAST_MIDDLE = 1.5, 0.5
+"""Metres: the same in small rooms."""
+
+SEATS = ("chair", "stool", "armchair", "sofa", "bench", "recliner", "seat")
+"""Last words of what one sits on."""
+
+
+class Demander:
+    """Turns links into demands on a scene.
+
+    Args:
+        scene: The scene.
+        names: Names of the assets that stand for each thing.
+    """
+
+    def __init__(self, scene: Scene, names: Mapping[Thing, tuple[str, ...]]) -> None:
+        self.scene, self.names = scene, names
+        self.room = scene.room
+
+    def demands(self, link: Link) -> tuple[Demand, ...]:
+        """Return what a link asks for; nothing where it cannot be said."""
+        subjects = [name for mention in link.subjects for name in self._named(mention)]
+        if not subjects:
+            return ()
+        make = getattr(self, f"_{link.relation}", None)
+        return tuple(make(subjects, link.objects)) if make else ()
+
+    def _named(self, mention: Mention) -> tuple[str, ...]:
+        names = self.names.get(mention.thing, ())
+        return names if mention.pick is None else names[mention.pick : mention.pick + 1] or names[:1]
+
+    def _asset(self, name: str) -> Asset:
+        return self.scene.by_name[name]
+
+    def _others(self, objects: Sequence[Mention | Place]) -> list[str]:
+        return [name for item in objects if isinstance(item, Mention) for name in self._named(item)]
+
+    def _pairs(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[tuple[str, str]]:
+        """Yield each subject with what it stands to: in equal shares where there are several."""
+        others = self._others(objects)
+        for i, name in enumerate(subjects):
+            if others:
+                other = others[i * len(others) // len(subjects)] if len(subjects) >= len(others) else others[i]
+                if other != name:
+                    yield name, other
+
+    def _place(self, objects: Sequence[Mention | Place]) -> Place | None:
+        return next((item for item in objects if isinstance(item, Place)), None)
+
+    # what stands to another thing
+
+    def _on(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        place = self._place(objects)
+        if place is not None:
+            yield from self._at_place(subjects, place, on=True)
+        for a, b in self._pairs(subjects, objects):
+            yield self._resting(a, b)
+
+    def _resting(self, a: str, b: str) -> Demand:
+        """Return that a thing rests on another: a rug lies below what stands on it."""
+        if self._asset(b).is_flat:
+            return _one(_say("under", AssetRef(b), (AssetRef(a),)))
+        on = (_say("on_top_of", AssetRef(a), AssetRef(b)),)
+        hung = self._asset(a).on_wall and not self._asset(a).on_object
+        return _one(_say("above", AssetRef(a), AssetRef(b))) if hung else Demand((on,))
+
+    def _in(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        place = self._place(objects)
+        if place is not None:
+            yield from self._at_place(subjects, place)
+        for a, b in self._pairs(subjects, objects):
+            yield self._resting(a, b)
+
+    def _with(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        """What a thing has: on it, if it can stand nowhere else, else at it."""
+        for a, b in self._pairs(subjects, objects):
+            asset = self._asset(a)
+            if asset.on_object and not asset.on_floor:
+                yield self._resting(a, b)
+            elif asset.on_floor:
+                yield _one(_say("near", AssetRef(a), AssetRef(b), BESIDE))
+
+    def _next(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        yield from self._close(subjects, objects, BESIDE)
+
+    def _near(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        yield from self._close(subjects, objects, NEAR)
+
+    def _by(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        yield from self._close(subjects, objects, AT_TABLE)
+
+    def _close(self, subjects: Sequence[str], objects: Sequence[Mention | Place], gap: float) -> Iterator[Demand]:
+        place = self._place(objects)
+        if place is not None:
+            yield from self._at_place(subjects, place)
+        for a, b in self._pairs(subjects, objects):
+            yield _one(_say("near", AssetRef(a), AssetRef(b), gap))
+
+    def _far(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        x0, y0, x1, y1 = self.room.bounds
+        least = round(max(LEAST_FAR, FAR_SHARE * max(x1 - x0, y1 - y0)), 2)
+        place = self._place(objects)
+        points = self._points(place) if place is not None else []
+        for a in subjects:
+            for point in points:
+                yield _one(_say("distance_constraint", AssetRef(a), point, least))
+        for a, b in self._pairs(subjects, objects):
+            yield _one(_say("distance_constraint", AssetRef(a), AssetRef(b), least))
+
+    def _flank(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        """Left and right of a thing, in turn; of a door or window: close to it."""
+        place = self._place(objects)
+        if place is not None:
+            yield from self._at_place(subjects, place)
+        by: dict[str, list[str]] = {}
+        for a, b in self._pairs(subjects, objects):
+            by.setdefault(b, []).append(a)
+        for b, items in by.items():
+            sides = [("left", "right")[i % 2] for i in range(len(items))]
+            ways = (
+                [sides, sides[::-1]] if len(items) > 1 and len(items) % 2 == 0 else [sides, [_turned(s) for s in sides]]
+            )
+            gap = BESIDE if len(items) < 3 else BESIDE * len(items)
+            yield Demand(
+                tuple(
+                    tuple(_say("next_to", AssetRef(a), AssetRef(b), s, gap) for a, s in zip(items, way, strict=True))
+                    for way in ways
+                )
+            )
+
+    def _left(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        yield from self._side("left_of", subjects, objects, NEAR)
+
+    def _right(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        yield from self._side("right_of", subjects, objects, NEAR)
+
+    def _front(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        place = self._place(objects)
+        if place is not None:
+            yield from self._at_place(subjects, place)
+        yield from self._side("in_front_of", subjects, objects, AHEAD)
+
+    def _foot(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        yield from self._side("in_front_of", subjects, objects, BESIDE)
+
+    def _behind(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        """Behind a thing; who sits behind a desk sits at the side from which it is used."""
+        for a, b in self._pairs(subjects, objects):
+            ways = [(_say("behind", AssetRef(a), AssetRef(b), 0.0, BACK),)]
+            if self._is(a, SEATS) and self._is(b, ("desk", "counter")):
+                ways.insert(0, (_say("in_front_of", AssetRef(a), AssetRef(b), 0.0, BACK),))
+            yield Demand(tuple(ways))
+
+    def _side(
+        self, relation: str, subjects: Sequence[str], objects: Sequence[Mention | Place], most: float
+    ) -> Iterator[Demand]:
+        for a, b in self._pairs(subjects, objects):
+            yield _one(_say(relation, AssetRef(a), AssetRef(b), 0.0, most))
+
+    def _around(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        for a, b in self._pairs(subjects, objects):
+            near = _say("near", AssetRef(a), AssetRef(b), NEAR if self._is(a, ("armchair", "sofa", "bag")) else BESIDE)
+            yield Demand(((near, _say("point_towards", AssetRef(a), AssetRef(b))) if self._turns(a) else (near,),))
+
+    def _turns(self, name: str) -> bool:
+        """Return whether a thing has a front that matters."""
+        return not self._asset(name).is_flat and self._is(name, SEATS)
+
+    def _opposite(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        place = self._place(objects)
+        if place is not None:
+            for a in subjects:
+                ways = [(_say("point_towards", AssetRef(a), point),) for point in self._points(place)]
+                yield from [Demand(tuple(ways))] if ways else []
+        for a, b in self._pairs(subjects, objects):
+            yield _one(_say("in_front_of", AssetRef(a), AssetRef(b), 0.0, ACROSS))
+
+    def _facing(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        """Looking at a thing, a door or a window; a desk faces what one sees who sits at it."""
+        place = self._place(objects)
+        for i, a in enumerate(subjects):
+            others = self._others(objects)
+            targets = (
+                [AssetRef(b) for b in others if b != a] if others else self._points(place) if place is not None else []
+            )
+            if len(others) == len(subjects):
+                targets = [AssetRef(others[i])]
+            angles = (180.0, 0.0) if self._is(a, ("desk", "table", "counter")) else (0.0,)
+            ways = [(_say("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles]
+            if ways:
+                yield Demand(tuple(ways))
+
+    def _mutual(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        for a, b in zip(subjects[::2], subjects[1::2], strict=False):
+            yield _one(_say("facing_pair", AssetRef(a), AssetRef(b)))
+
+    def _abreast(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        for a, b in zip(subjects[1:], subjects[:-1], strict=True):
+            yield _one(_say("near", AssetRef(a), AssetRef(b), AT_TABLE))
+
+    def _row(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        """Side by side: each near the one before, all turned the same way."""
+        for a, b in zip(subjects[1:], subjects[:-1], strict=True):
+            if self._asset(a).on_floor:
+                yield _one(_say("near", AssetRef(a), AssetRef(b), BACK))
+
+    def _seen(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        for a, b in self._pairs(subjects, objects):
+            yield _one(_say("point_towards", AssetRef(b), AssetRef(a)))
+
+    def _under(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        """A rug below others; furniture below a window, a picture, a lamp; what stands on the floor cannot stand inside another."""
+        place = self._place(objects)
+        if place is not None:
+            yield from self._at_place(subjects, place)
+        others = self._others(objects)
+        for a in subjects:
+            if self._asset(a).is_flat and others:
+                yield _one(_say("under", AssetRef(a), tuple(AssetRef(b) for b in others if b != a)))
+        for a, b in self._pairs(subjects, objects):
+            below = self._asset(b).on_wall or self._asset(b).on_ceiling
+            if below and not self._asset(b).on_floor:
+                yield _one(_say("above", AssetRef(b), AssetRef(a)))
+            elif not self._asset(a).is_flat:
+                yield _one(_say("near", AssetRef(a), AssetRef(b), AT_TABLE))
+
+    def _above(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        place = self._place(objects)
+        if place is not None:
+            yield from self._at_place(subjects, place)
+        for a, b in self._pairs(subjects, objects):
+            ways = [(_say("above", AssetRef(a), AssetRef(b)),)]
+            if self._asset(a).on_object:
+                ways.append((_say("on_top_of", AssetRef(a), AssetRef(b)),))
+            yield Demand(tuple(ways))
+
+    def _amid(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        """Between two things, or a thing and a place: near both, and on the line between them."""
+        ends: list[AssetRef | PointRef] = [AssetRef(name) for name in self._others(objects) if name not in subjects]
+        place = self._place(objects)
+        ends += self._points(place)[:1] if place is not None else []
+        for a in subjects if len(ends) > 1 else ():
+            pairs = [(ends[0], ends[1])] if len(ends) == 2 else list(pairwise(ends))
+            one, two = pairs[subjects.index(a) % len(pairs)]
+            near = tuple(_say("near", AssetRef(a), end, AHEAD) for end in (one, two))
+            yield Demand((near,), Between(AssetRef(a), one, two))
+
+    # what stands at a place of the room
+
+    def _wall(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        place = self._place(objects)
+        if place is not None:
+            yield from self._at_place(subjects, place, on=True)
+        for a, b in self._pairs(subjects, objects):
+            yield _one(_say("near", AssetRef(a), AssetRef(b), BESIDE / 2))
+
+    def _corner(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        yield from self._at_place(subjects, Place("corner"))
+
+    def _hanging(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        place = self._place(objects)
+        if place is not None and place.name == "wall":
+            yield from self._at_place(subjects, place, on=True)
+
+    def _middle(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        place, others = self._place(objects), self._others(objects)
+        if place is not None and place.name == "wall":
+            for a in subjects:
+                hangs = "mounted_on" if self._only_wall(a) else "against_wall"
+                walls = [wall for wall in self._walls(place) if self._fits(a, wall)]
+                ways = [
+                    (_say(hangs, AssetRef(a), WallRef(w.index)), _say("centered_on", AssetRef(a), WallRef(w.index)))
+                    for w in walls
+                ]
+                yield from [Demand(tuple(ways))] if ways else []
+            return
+        for a, b in self._pairs(subjects, objects):
+            yield (
+                self._resting(a, b)
+                if self._asset(a).on_object or self._asset(b).is_flat
+                else _one(_say("near", AssetRef(a), AssetRef(b), BESIDE))
+            )
+        if not others:
+            yield from self._at_place(subjects, Place("middle"))
+
+    def _at_place(self, subjects: Sequence[str], place: Place, *, on: bool = False) -> Iterator[Demand]:
+        """Yield that things stand at a place of the room."""
+        for a in subjects:
+            ways = list(self._ways_at(a, place, on=on, share=len(subjects) > 1))
+            if ways:
+                yield Demand(tuple(ways))
+
+    def _ways_at(self, a: str, place: Place, *, on: bool, share: bool) -> Iterator[Way]:
+        """Yield the ways in which one thing can be at a place of the room."""
+        ref, asset = AssetRef(a), self._asset(a)
+        if place.name == "wall":
+            hangs = (
+                "mounted_on" if self._only_wall(a) or (on and asset.on_wall and not asset.on_floor) else "against_wall"
+            )
+            yield from ((_say(hangs, ref, WallRef(w.index)),) for w in self._walls(place) if self._fits(a, w))
+        elif place.name == "corner":
+            yield from ((_say("corner", ref, vertex),) for vertex in convex_corners(self.room))
+        elif place.name in ("window", "door"):
+            gap = AT_WINDOW if place.name == "window" else AT_DOOR
+            yield from ((_say("near", ref, point, gap),) for point in self._points(place))
+        elif place.name == "middle":
+            x0, y0, x1, y1 = self.room.bounds
+            most = max(LEAST_MIDDLE, MIDDLE_SHARE * min(x1 - x0, y1 - y0)) * (1.5 if share else 1.0)
+            x, y = _centre(self.scene)
+            yield (_say("distance_constraint", ref, PointRef(x, y), None, round(most, 2)),)
+        elif place.name == "side" and place.words:
+            yield from ((_say("zone", ref, half),) for half in self._halves(place))
+
+    def _halves(self, place: Place) -> Iterator[tuple[tuple[float, float], ...]]:
+        """Yield the half of the room that the words name, as seen on the plan."""
+        x0, y0, x1, y1 = self.room.bounds
+        x, y = (x0 + x1) / 2, (y0 + y1) / 2
+        halves = {"left": (x0, y0, x, y1), "right": (x, y0, x1, y1), "back": (x0, y, x1, y1), "front": (x0, y0, x1, y)}
+        for word in place.words:
+            if word in halves:
+                a, b, c, d = halves[word]
+                yield ((a, b), (c, b), (c, d), (a, d))
+
+    def _walls(self, place: Place) -> list[Wall]:
+        return walls_meant(self.scene, place, self.names)
+
+    def _fits(self, name: str, wall: Wall) -> bool:
+        return self._asset(name).size[1] <= wall.length
+
+    def _only_wall(self, name: str) -> bool:
+        asset = self._asset(name)
+        return asset.on_wall and not asset.on_floor and not asset.on_object
+
+    def _points(self, place: Place) -> list[PointRef]:
+        """Return the middles of doors or windows on the floor, or the middle of the room."""
+        openings: dict[str, tuple[Opening, ...]] = {"door": self.room.doors, "window": self.room.windows}
+        if place.name in openings:
+            spots = [self.room.walls[o.wall].point(o.center) for o in openings[place.name]]
+            return [PointRef(round(x, 3), round(y, 3)) for x, y in spots]
+        if place.name in ("middle", "room"):
+            return [PointRef(*_centre(self.scene))]
+        walls = self._walls(place) if place.name == "wall" else []
+        return [PointRef(round(w.midpoint[0], 3), round(w.midpoint[1], 3)) for w in walls]
+
+    def _is(self, name: str, words: Sequence[str]) -> bool:
+        asset = self._asset(name)
+        return any(text.endswith(word) for text in (asset.category, asset.like) for word in words)
+
+
+def _turned(side: str) -> str:
+    return {"left": "right", "right": "left"}[side]
+
+
+def _centre(scene: Scene) -> tuple[float, float]:
+    """Return the middle of the room's bounds in metres."""
+    x0, y0, x1, y1 = scene.room.bounds
+    return (round((x0 + x1) / 2, 3), round((y0 + y1) / 2, 3))
+
+
+def _say(relation: str, *arguments: object) -> Relation:
+    return RELATIONS[relation](*arguments)
+
+
+def _one(relation: Relation) -> Demand:
+    return Demand(((relation,),))

@@ -1,0 +1,63 @@
+"""The words that join: articles, "and", "with", "no", numbers' bounds, and words for people."""
+
+from __future__ import annotations
+
+DETERMINERS = {
+    word: name
+    for name, words in {
+        "a": "a an any",
+        "the": "the this that its their his her my these those",
+        "each": "each every",
+        "all": "all",
+        "both": "both",
+        "new": "another second third",
+        "other": "other",
+        "first": "first",
+    }.items()
+    for word in words.split()
+}
+"""Articles by word."""
+JOINING = frozenset(["and", "plus", "as", "or", "also", "then", "but", "while", "where", "&"])
+"""Words that join phrases."""
+WITH = frozenset(
+    [
+        "with",
+        "has",
+        "have",
+        "having",
+        "contains",
+        "contain",
+        "containing",
+        "includes",
+        "include",
+        "featuring",
+        "including",
+    ]
+)
+"""Words after which comes what something has."""
+REFUSING = frozenset(["no", "without", "not", "neither", "nor", "dont", "avoid", "never"])
+"""Words that refuse what follows."""
+BREAKING = frozenset(
+    ["for", "of", "to", "from", "that", "which", "who", "so", "than", "when", "whose", "whom", "if", "does", "do"]
+)
+"""Words that end a noun phrase."""
+_PEOPLE = """
+people persons guests pupils students children kids patients colleagues employees players adults friends workers visitors
+person child teenager user users owner man woman couple family guest student patient teacher nurse baby toddler
+"""
+PEOPLE = frozenset(_PEOPLE.split())
+"""Words for who uses a room."""
+YOUNG = frozenset(["children", "kids", "child", "kid"])
+"""Words for people that are children."""
+BOUNDS = {
+    tuple(phrase.split()): name
+    for name, phrases in {
+        "least": ("at least", "no less than", "no fewer than", "a minimum of", "minimum"),
+        "more": ("more than",),
+        "most": ("at most", "up to", "no more than", "not more than", "a maximum of", "maximum"),
+    }.items()
+    for phrase in phrases
+}
+"""Bounds on a count by phrase."""
+SETS = frozenset(["pair", "set", "couple", "group", "row", "stack", "bunch", "number", "line", "pile", "selection"])
+"""Words before "of" that only say that there are several."""

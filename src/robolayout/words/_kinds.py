@@ -1,0 +1,50 @@
+"""Which of several kinds a noun means: a lamp on a table is a table lamp, one above it hangs from the ceiling."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from robolayout.assets import CATALOGUE
+from robolayout.words._said import Link, Mention, Parsed, Place
+
+STANDING = frozenset(("next", "flank", "behind", "front", "corner", "left", "right", "near", "far", "by", "foot"))
+"""Relations of what stands on the floor."""
+
+
+def settle_kinds(parsed: Parsed) -> None:
+    """Give things whose noun means several kinds the first kind that can be where they are asked to be."""
+    for link in parsed.links:
+        place = _where(link)
+        for mention in link.subjects:
+            noun = mention.thing.noun
+            standing = place == "wall" and CATALOGUE[noun.kind].on_floor and noun.said not in ("lamp", "light")
+            fits = (
+                []
+                if standing
+                else [kind for kind in (noun.kind, *noun.others) if place and place in CATALOGUE[kind].places]
+            )
+            if noun.others and fits and noun.words == noun.kind:
+                mention.thing.noun = replace(noun, words=fits[0], kind=fits[0], others=())
+
+
+def _where(link: Link) -> str:
+    """Return where a relation puts its subject: "floor", "wall", "ceiling", "object", or "" where it does not matter."""
+    to = link.objects[0] if link.objects else None
+    if isinstance(to, Place) and to.name in ("corner", "window", "door", "middle"):
+        return "floor"
+    if isinstance(to, Place) and to.name in ("wall", "ceiling"):
+        hung = link.relation in ("on", "hanging", "in")
+        return "ceiling" if to.name == "ceiling" else "wall" if hung else ""
+    if link.relation == "above":
+        wall = isinstance(to, Mention) and to.thing.noun.kind.split()[-1] not in (
+            "table",
+            "chair",
+            "counter",
+            "island",
+            "desk",
+        )
+        return "wall" if wall else "ceiling"
+    if link.relation == "on" and isinstance(to, Mention):
+        return "object" if not CATALOGUE[to.thing.noun.kind].size[2] < 0.03 else "floor"
+    small = isinstance(to, Mention) and CATALOGUE[to.thing.noun.kind].places == ("object",)
+    return "object" if small and link.relation in STANDING else "floor" if link.relation in STANDING else ""

@@ -1,0 +1,163 @@
+"""The words that the reader knows: the closed lists of `grammar.toml`, room types, bodies, and nouns of furniture."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from difflib import get_close_matches
+from functools import cache
+from importlib.resources import files
+
+from robolayout.assets import CATALOGUE, Category, category_of, find_category
+from robolayout.assets.lexicon import phrase_index, singular
+from robolayout.scene import Scene
+from robolayout.words.rooms import Rooms
+
+LONGEST = 6
+"""Most words of a phrase."""
+
+SIMILAR = 0.86
+"""Likeness from which on a word is taken for a misspelt one."""
+
+
+@dataclass(frozen=True)
+class Grammar:
+    """The closed word lists.
+
+    Attributes:
+        phrases: What a phrase is: its class ("rel", "verb", "pron", ...) and its value.
+        fillers: Words that ask for nothing.
+        styles: Words of taste.
+        functions: Words for what a room is to be good for.
+        parts: Names of places of the room by noun.
+        walls: Names of walls by adjective.
+        sizes: Factors on depth, width and height by adjective.
+        models: Sizes in metres by adjective and kind ("king bed").
+        kinds: Nearest kinds of nouns that the catalogue does not have.
+        heads: Nearest kinds by last word.
+        places: Nearest room types of places by last word.
+    """
+
+    phrases: Mapping[str, tuple[str, str]]
+    fillers: frozenset[str]
+    styles: frozenset[str]
+    functions: frozenset[str]
+    parts: Mapping[str, str]
+    walls: Mapping[str, str]
+    sizes: Mapping[str, tuple[float, float, float]]
+    models: Mapping[str, tuple[float, float, float]]
+    kinds: Mapping[str, str]
+    heads: Mapping[str, str]
+    places: Mapping[str, str]
+
+
+@cache
+def grammar() -> Grammar:
+    """Read the word lists."""
+    data = tomllib.loads((files("robolayout.words") / "grammar.toml").read_text("utf-8"))
+    phrases = {word: ("verb", "") for word in data["verbs"]["words"]}
+    phrases |= {word: ("pron", word) for word in data["pronouns"]["words"]}
+    phrases |= {phrase: ("rel", name) for name, given in data["relations"].items() for phrase in given}
+    return Grammar(
+        phrases,
+        frozenset(data["fillers"]["words"]),
+        frozenset(data["styles"]["words"]),
+        frozenset(data["functions"]["words"]),
+        {word: name for name, words in data["parts"].items() for word in words},
+        {word: name for name, words in data["wall_words"].items() for word in words},
+        {word: (d, w, h) for word, (d, w, h) in data["sizes"].items()},
+        {word: (d, w, h) for word, (d, w, h) in data["models"].items()},
+        data["kinds"],
+        data["heads"],
+        data["places"],
+    )
+
+
+@dataclass(frozen=True)
+class Noun:
+    """What a noun means.
+
+    Attributes:
+        words: The noun in the singular ("bistro table").
+        kind: The nearest kind of the catalogue.
+        said: The noun as it was said, in the singular ("table" where a dining table is meant).
+        others: Further kinds that the noun may mean; where the thing stands decides.
+        guessed: How it was found, where the catalogue does not have the word; empty where it has it.
+    """
+
+    words: str
+    kind: str
+    said: str
+    guessed: str = ""
+    others: tuple[str, ...] = ()
+
+
+class Lexicon:
+    """All nouns, for one set of room types and own things.
+
+    Args:
+        rooms: Room types, bodies and corners.
+        own: Categories of the user's own.
+        scene: A scene whose things are known by the words of their categories.
+    """
+
+    def __init__(self, rooms: Rooms, own: tuple[Category, ...] = (), scene: Scene | None = None) -> None:
+        self.rooms = rooms
+        self.own = {word: thing.name for thing in own for word in (thing.name, *thing.synonyms)}
+        self.there: dict[str, str] = {}
+        if scene is not None:
+            self.there = {singular(plain(asset.category)): category_of(asset).name for asset in scene.assets}
+        self.kinds: Mapping[str, Category] = {**CATALOGUE, **{thing.name: thing for thing in own}}
+        self.room_words = {plain(word): name for name, room in rooms.rooms.items() for word in room.words}
+        self.bodies = {plain(word): name for word, name in rooms.agents.items()}
+        self.corners = {plain(word): word for word in rooms.corners}
+
+    def noun(self, words: Sequence[str]) -> Noun | None:
+        """Return what a phrase names, as it stands or in the singular; None if it is not known."""
+        single = singular(" ".join(words))
+        for text in (single, " ".join(words)):
+            kind = self._known(text)
+            if kind:
+                told = text in self._listed or text in self.there
+                others = () if told or text in self.own else phrase_index().get(text, ())[1:]
+                return Noun(text if told else kind, kind, single, "", others)
+        return None
+
+    @property
+    def _listed(self) -> Mapping[str, str]:
+        return grammar().kinds
+
+    def _known(self, text: str) -> str | None:
+        """Return the kind of a phrase that is known as it stands."""
+        listed = self.own.get(text) or self.there.get(text) or self._listed.get(text)
+        if listed:
+            return listed
+        names = phrase_index().get(text) or (_joined().get(text.replace(" ", "")) if len(text) > 3 else ())
+        return names[0] if names else None
+
+    def guess(self, words: Sequence[str]) -> Noun:
+        """Return the nearest kind of a noun that nobody knows: by a slip of spelling, its last word, or any known word."""
+        text = singular(" ".join(words))
+        near = get_close_matches(text.replace(" ", ""), _joined(), n=1, cutoff=SIMILAR) if len(text) > 4 else []
+        if near:
+            return Noun(text, _joined()[near[0]][0], text, "by its spelling")
+        head = text.split()[-1]
+        kind = grammar().heads.get(head) or next((k for h, k in grammar().heads.items() if head.endswith(h)), None)
+        if kind:
+            return Noun(text, kind, text, f"by its last word, {head!r}")
+        found = find_category(text).name
+        return Noun(
+            text, found, text, "as nothing that is known" if found.startswith("unknown") else "by one of its words"
+        )
+
+
+@cache
+def _joined() -> dict[str, tuple[str, ...]]:
+    """Return categories by phrase without spaces: "coffeetable"."""
+    return {phrase.replace(" ", ""): names for phrase, names in phrase_index().items() if len(phrase) > 3}
+
+
+def plain(text: str) -> str:
+    """Return a phrase as the reader sees it: lower case, without apostrophes, hyphens as spaces."""
+    return " ".join(text.lower().replace("\u2019", "'").replace("'", "").replace("-", " ").split())

@@ -1,0 +1,179 @@
+"""What words refer to: a thing named before, "it", "the other one", a wall that something else tells."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from robolayout.words._chunks import Chunk
+from robolayout.words._said import Mention, Parsed, Place, Thing, place_of, same, same_words
+
+
+class References:
+    """What was named so far in a text, and in its last sentence.
+
+    Args:
+        chunks: The chunks of the text.
+        given: Things that are there already.
+    """
+
+    def __init__(self, chunks: Sequence[Chunk], given: Sequence[Thing] = ()) -> None:
+        self.chunks = list(chunks)
+        self.said = Parsed()
+        self.given = list(given)
+        self.at = 0
+        self.before: list[Mention] = []
+        self.pending: list[Mention] = []
+        self._new_sentence()
+
+    def _new_sentence(self) -> None:
+        self.group: list[Mention] = []
+        self.subject: list[Mention] = []
+        self.acted: list[Mention] = []
+        self.holder: list[Mention] = []
+        self.fronted: tuple[Chunk, list[Mention | Place]] | None = None
+        self.refusing = False
+        self.verb = False
+        self.relative = False
+        self.broken = self.having = False
+        self.recent: list[Mention] = []
+        self.target: Mention | None = None
+
+    def _object(self, chunk: Chunk) -> Mention | Place | None:
+        """Return the thing or place at the head of what follows, and go past it."""
+        if self.at >= len(self.chunks):
+            return None
+        following = self.chunks[self.at]
+        if following.kind == "thing":
+            self.at += 1
+            return self._mention(following, target=True)
+        if following.kind == "part":
+            self.at += 1
+            return self._place_of(following)
+        if following.kind in ("room", "function"):
+            self.at += 1
+            if following.kind == "room":
+                self.said.facts.append(following)
+            return Place("room")
+        if following.kind == "pron" and following.value not in ("that", "which", "both"):
+            self.at += 1
+            meant = self._meant(following.value)
+            if len(meant) > 1:
+                self.pending = meant[1:]
+            return meant[0] if meant else None
+        return None
+
+    def _place_of(self, chunk: Chunk) -> Mention | Place:
+        """Return a place of the room, or the thing whose side it is ("the foot of the bed")."""
+        following = self.chunks[self.at : self.at + 2]
+        if chunk.value in ("side", "middle") and len(following) == 2 and following[0].value == "of":
+            if following[1].kind == "thing":
+                self.at += 2
+                return self._mention(following[1], target=True)
+            if following[1].kind in ("part", "room"):
+                self.at += 2
+                if following[1].kind == "room":
+                    self.said.facts.append(following[1])
+        return place_of(chunk)
+
+    def _which_wall(self, wall: Place) -> Place:
+        """Return a wall with what tells it from the others."""
+        following = self.chunks[self.at : self.at + 2]
+        if len(following) < 2 or following[1].kind not in ("part", "thing"):
+            return wall
+        joins = (
+            following[0].value in ("opposite", "facing", "behind", "by")
+            if following[0].kind == "rel"
+            else following[0].kind == "with"
+        )
+        if not joins:
+            return wall
+        self.at += 2
+        by = place_of(following[1]) if following[1].kind == "part" else self._mention(following[1], target=True)
+        how = "with" if following[0].kind == "with" else following[0].value
+        return Place(wall.name, wall.words, wall.number, wall.plural, wall.det, (how, by))
+
+    def _meant(self, word: str) -> list[Mention]:
+        """Return what a pronoun stands for: what stands before "with", what was named last before, the subject before."""
+        if word in ("each other", "one another"):
+            return []
+        own = {m.thing for m in self.group[-1:]}
+        if self.holder and self.holder[0].thing not in own:
+            return self.holder
+        earlier = [m for m in self.recent if m.thing not in own]
+        if word in ("them", "they", "both", "the two", "these", "those"):
+            several = [m for m in earlier if m.thing.count > 1]
+            return several[-1:] if several and earlier[-1:] == several[-1:] else earlier[-2:] or self.before
+        return earlier[-1:] or self.before[:1] or self.group[:1]
+
+    def _mention(self, chunk: Chunk, *, target: bool = False) -> Mention:
+        """Return the thing that a noun phrase names: one named before, or a new one."""
+        assert chunk.noun is not None
+        pick = (
+            0
+            if "left" in chunk.adjectives or chunk.det in ("first", "one")
+            else 1
+            if "right" in chunk.adjectives
+            else None
+        )
+        pick = 1 if chunk.det == "other" and not chunk.plural else pick
+        pick = 0 if target and chunk.number == 1 and not chunk.plural else pick
+        known = self._known(chunk, target=target)
+        if known is not None:
+            known.spans.append((chunk.start, chunk.end))
+            one = pick is not None and known.count > 1
+            return Mention(known, pick if one else None, chunk.det)
+        number = 1 if chunk.number is None and chunk.det in ("a", "new", "one") and not chunk.plural else chunk.number
+        if chunk.det == "both" and number is None:
+            number = 2
+        if number is None and chunk.plural and self._joined() and not target:
+            before = self.group[-1].thing.number
+            number = before if before and before > 1 else None
+        definite = chunk.det in ("the", "each", "all")
+        made = Thing(
+            chunk.noun,
+            number,
+            chunk.bound,
+            chunk.plural,
+            chunk.adjectives,
+            [(chunk.start, chunk.end)],
+            1,
+            chunk.rows,
+            definite,
+        )
+        self.said.things.append(made)
+        return Mention(made, None, chunk.det)
+
+    def _known(self, chunk: Chunk, *, target: bool) -> Thing | None:
+        """Return the thing named before that a noun phrase means; the one named last where several fit."""
+        one = target and chunk.number == 1 and chunk.det == ""
+        new = chunk.det == "new" or (
+            chunk.number is not None and not one and chunk.det not in ("the", "all", "both", "one", "each")
+        )
+        fits = [t for t in [*self.given, *self.said.things] if same(t, chunk)]
+        if not fits or chunk.noun is None:
+            return None
+        if fits[-1] in self.given and chunk.det != "new":
+            return fits[-1]
+        if one and fits[-1].count > 1:
+            return fits[-1]
+        bare = not chunk.det and chunk.number is None
+        if bare and not chunk.plural and not target:
+            return None
+        if chunk.det == "a" and not target and fits[-1].definite and same_words(fits[-1], chunk):
+            fits[-1].definite = False
+            return fits[-1]
+        if chunk.det == "a" and not (target and same_words(fits[-1], chunk)):
+            return None
+        return None if new else fits[-1]
+
+    def _joined(self) -> bool:
+        """Return whether the last chunk only joins this thing to those before it."""
+        index = self.at - 2
+        seen = False
+        while index >= 0 and self.chunks[index].kind in ("and", "comma", "filler", "style"):
+            seen = seen or self.chunks[index].kind in ("and", "comma")
+            index -= 1
+        return seen and index >= 0 and self.chunks[index].kind == "thing" and bool(self.group) and not self.acted
+
+    def _given(self, mention: Mention) -> bool:
+        return mention.thing in self.given

@@ -1,0 +1,168 @@
+"""What a text says, as the parser notes it: things, mentions of them, places of the room, relations."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from robolayout.assets import CATALOGUE
+from robolayout.words._chunks import Chunk
+from robolayout.words._function_words import YOUNG
+from robolayout.words._lexicon import Noun
+from robolayout.words._tokens import NUMBERS
+
+
+@dataclass(eq=False)
+class Thing:
+    """One kind of thing that is named, and how many of it.
+
+    Attributes:
+        noun: What it is.
+        number: Its count, if one is said.
+        bound: "", "least", "most", "more" or "vague".
+        plural: Whether it is named in the plural.
+        adjectives: Words that were said of it.
+        spans: Token spans in which it is named.
+        times: How many times over it is asked for ("each with").
+        rows: Rows that it stands in, 0 if none are said.
+        definite: Whether it was first named with "the".
+        people: Seats that its words promise ("for six").
+    """
+
+    noun: Noun
+    number: int | None = None
+    bound: str = ""
+    plural: bool = False
+    adjectives: tuple[str, ...] = ()
+    spans: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
+    times: int = 1
+    rows: int = 0
+    definite: bool = False
+    people: int = 0
+
+    @property
+    def count(self) -> int:
+        """How many are asked for: as said, else two for a plural, else one; twice "each with two" is four."""
+        usual = 2 if self.plural else 1
+        one = usual if self.number is None else self.number + (self.bound == "more")
+        return one * self.times
+
+
+@dataclass(frozen=True, eq=False)
+class Mention:
+    """A thing where it is named.
+
+    Attributes:
+        thing: The thing.
+        pick: Which one of several; None is all of them.
+        det: The article.
+    """
+
+    thing: Thing
+    pick: int | None = None
+    det: str = ""
+
+
+@dataclass(frozen=True)
+class Place:
+    """A place of the room where it is named: a wall, a corner, a window, a door, the middle.
+
+    Attributes:
+        name: Which kind of place.
+        words: Words that say which one.
+        number: How many, if said.
+        plural: Whether several are meant.
+        det: The article.
+        by: For a wall: the mention or place that says which one ("opposite the door"), with the relation.
+    """
+
+    name: str
+    words: tuple[str, ...] = ()
+    number: int | None = None
+    plural: bool = False
+    det: str = ""
+    by: tuple[str, Mention | Place] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Link:
+    """A relation that is asked for.
+
+    Attributes:
+        relation: Its name in the word list.
+        subjects: What stands so.
+        objects: What it stands to.
+        start: First token.
+        end: Token after the last one.
+    """
+
+    relation: str
+    subjects: tuple[Mention, ...]
+    objects: tuple[Mention | Place, ...]
+    start: int
+    end: int
+
+
+@dataclass(eq=False)
+class Parsed:
+    """Everything that a text says.
+
+    Attributes:
+        things: In the order in which they are named.
+        links: Relations, in order.
+        refused: Nouns that must not be there, with their spans.
+        openings: Doors and windows that are asked for: kind, count, wall words, span.
+        facts: Rooms, bodies, people, measures, styles ... as chunks.
+        missed: Chunks that nothing is made of.
+        people: People that the room is for, where a bare number says it ("for ten"); 0 if none does.
+    """
+
+    things: list[Thing] = field(default_factory=list[Thing])
+    links: list[Link] = field(default_factory=list[Link])
+    refused: list[tuple[Noun, tuple[int, int]]] = field(default_factory=list[tuple[Noun, tuple[int, int]]])
+    openings: list[tuple[Place, tuple[int, int]]] = field(default_factory=list[tuple[Place, tuple[int, int]]])
+    facts: list[Chunk] = field(default_factory=list[Chunk])
+    missed: list[Chunk] = field(default_factory=list[Chunk])
+    people: int = 0
+
+
+def several(item: Mention | Place) -> bool:
+    """Return whether something is more than one thing."""
+    return isinstance(item, Mention) and item.thing.count > 1 and item.pick is None
+
+
+def place_of(chunk: Chunk) -> Place:
+    """Return the place that a chunk names."""
+    return Place(chunk.value, chunk.adjectives, chunk.number, chunk.plural, chunk.det)
+
+
+def same(thing: Thing, chunk: Chunk) -> bool:
+    """Return whether a noun phrase may mean a thing named before."""
+    if chunk.noun is None:
+        return False
+    old, new = thing.noun.said.split(), chunk.noun.said.split()
+    if same_words(thing, chunk):
+        return True
+    if old[-1] == new[-1] or old[-1].endswith(new[-1]):
+        return len(new) == 1 or len(old) == 1
+    return thing.noun.kind == chunk.noun.kind
+
+
+def same_words(thing: Thing, chunk: Chunk) -> bool:
+    """Return whether a noun phrase has the very noun of a thing named before."""
+    return chunk.noun is not None and thing.noun.said == chunk.noun.said
+
+
+def topped(mention: Mention) -> bool:
+    """Return whether a thing can stand nowhere but on another."""
+    kind = CATALOGUE.get(mention.thing.noun.kind)
+    return kind is not None and kind.on_object and not kind.on_floor and not kind.on_wall and not kind.on_ceiling
+
+
+def count_of(word: str) -> int:
+    """Return the number that a word says, 0 if none."""
+    return int(word) if word.isdecimal() else NUMBERS.get(word, 0)
+
+
+def children(parsed: Parsed) -> bool:
+    """Return whether the people that are named are children."""
+    return any(chunk.kind == "people" and chunk.value in YOUNG for chunk in parsed.facts)

@@ -1,0 +1,58 @@
+"""What adjectives settle: the size of a thing, the wall and width of a window."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from robolayout.assets import Category
+from robolayout.words._lexicon import grammar
+from robolayout.words.reading import Reading
+
+
+@dataclass(frozen=True)
+class WantedOpening:
+    """Doors or windows that are asked for.
+
+    Attributes:
+        kind: "door" or "window".
+        count: How many.
+        wall: "north", "south", "east", "west", or "" where it does not matter.
+        large: Whether large ones are asked for.
+    """
+
+    kind: str
+    count: int = 1
+    wall: str = ""
+    large: bool = False
+
+
+def sized(kind: Category, adjectives: Sequence[str]) -> tuple[float, float, float]:
+    """Return depth, width and height in metres of a kind of thing with such adjectives.
+
+    >>> from robolayout.assets import CATALOGUE
+    >>> sized(CATALOGUE["bed"], ("king", "size"))
+    (2.1, 1.95, 1.0)
+    """
+    lists = grammar()
+    said = " ".join(word for word in adjectives if word not in ("size", "sized"))
+    model = lists.models.get(f"{said} {kind.name}")
+    if model is not None:
+        return model
+    depth, width, height = kind.size
+    for word in adjectives:
+        d, w, h = lists.sizes.get(word, (1.0, 1.0, 1.0))
+        depth, width, height = depth * d, width * w, height * h
+    return (round(depth, 3), round(width, 3), round(height, 3))
+
+
+def wanted_openings(reading: Reading) -> tuple[WantedOpening, ...]:
+    """Return the doors and windows that a text asks for."""
+    found: list[WantedOpening] = []
+    walls = grammar().walls
+    for place, (start, end) in reading.parsed.openings:
+        wall = next((walls[word] for word in place.words if walls.get(word) in ("north", "south", "east", "west")), "")
+        large = {"large", "big", "wide", "huge"} & set(reading.span(start, end).lower().split())
+        count = place.number or (2 if place.plural else 1)
+        found.append(WantedOpening(place.name, min(count, 8), wall, bool(large)))
+    return tuple(found)

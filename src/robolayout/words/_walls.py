@@ -1,0 +1,55 @@
+"""Which wall is meant: the long one, the north one, the one with the window, the one opposite the bed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from robolayout.scene import Scene, Wall
+from robolayout.words._lexicon import grammar
+from robolayout.words._said import Mention, Place, Thing
+
+COMPASS = {"north": (0.0, -1.0), "south": (0.0, 1.0), "east": (-1.0, 0.0), "west": (1.0, 0.0)}
+"""Inward normals of walls by name, as on a plan: north is up."""
+
+SAME = 0.05
+"""Metres by which walls that count as equally long may differ."""
+
+
+def walls_meant(scene: Scene, place: Place, names: Mapping[Thing, tuple[str, ...]]) -> list[Wall]:
+    """Return the walls that the words may mean, all walls where nothing tells them apart."""
+    walls = list(scene.room.walls)
+    for word in place.words:
+        walls = _told(walls, grammar().walls.get(word, ""), scene) or walls
+    if place.by is not None:
+        walls = _by_opening(scene, walls, *place.by) or walls
+    return walls
+
+
+def _told(walls: list[Wall], word: str, scene: Scene) -> list[Wall]:
+    """Return the walls of which an adjective is true."""
+    if word in ("long", "short"):
+        lengths = [wall.length for wall in scene.room.walls]
+        wanted = max(lengths) if word == "long" else min(lengths)
+        return [wall for wall in walls if abs(wall.length - wanted) <= SAME]
+    if word in COMPASS:
+        nx, ny = COMPASS[word]
+        return [wall for wall in walls if wall.normal[0] * nx + wall.normal[1] * ny > math.sqrt(0.5)]
+    return []
+
+
+def _by_opening(scene: Scene, walls: list[Wall], how: str, by: Mention | Place) -> list[Wall]:
+    """Return the walls that a door or window tells: its own, or the one that it looks at."""
+    if not isinstance(by, Place) or by.name not in ("door", "window"):
+        return []
+    openings = scene.room.doors if by.name == "door" else scene.room.windows
+    own = {opening.wall for opening in openings}
+    if how == "with":
+        return [wall for wall in walls if wall.index in own]
+    facing: list[Wall] = []
+    for wall in walls:
+        for index in own - {wall.index}:
+            nx, ny = scene.room.walls[index].normal
+            if wall.normal[0] * nx + wall.normal[1] * ny < -math.sqrt(0.5):
+                facing.append(wall)
+    return facing

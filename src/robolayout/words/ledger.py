@@ -1,0 +1,275 @@
+"""The ledger of wishes: every phrase of the user as a row that is met, unmet, not judged or not understood."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from robolayout.assets import category_of
+from robolayout.scene import Layout, Scene
+from robolayout.words._demander import Demander
+from robolayout.words._lexicon import Lexicon
+from robolayout.words._match import fits, stand_ins
+from robolayout.words._said import Link, Mention, Place, Thing
+from robolayout.words.demands import Demand
+from robolayout.words.reading import Reading, read_text
+from robolayout.words.rooms import read_rooms
+
+Verdict = Literal["met", "unmet", "not judged", "not understood"]
+
+SIZE_OFF, AREA_OFF = 0.1, 0.03
+"""Metres by which the sides and the height of a room, and share by which its area, may differ from what was asked."""
+
+
+@dataclass(frozen=True)
+class AskedRow:
+    """One phrase of the user, judged.
+
+    Attributes:
+        words: The phrase as it stands in the text.
+        kind: "count", "relation", "room type", "room size", "opening", "body", "refusal", "style" ...
+        understanding: How it was understood.
+        things: Names of the assets that stand for it.
+        verdict: "met", "unmet", "not judged" (a matter of taste) or "not understood".
+        value: What was measured, in words.
+    """
+
+    words: str
+    kind: str
+    understanding: str
+    things: tuple[str, ...]
+    verdict: Verdict
+    value: str
+
+    def to_dict(self) -> dict[str, object]:
+        """Return plain data."""
+        return {**vars(self), "things": list(self.things)}
+
+
+Finding = tuple[Verdict, str]
+
+
+@dataclass(frozen=True)
+class _Row:
+    """A phrase before a layout is known: `judge` says how it stands in one."""
+
+    words: str
+    kind: str
+    understanding: str
+    judge: Callable[[Scene, Layout], Finding]
+    things: tuple[str, ...] = ()
+    demands: tuple[Demand, ...] = ()
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """Everything that a scene's words ask for.
+
+    Attributes:
+        rows: One row for each phrase.
+    """
+
+    rows: tuple[_Row, ...] = field(default=())
+
+    @property
+    def demands(self) -> tuple[Demand, ...]:
+        """What must hold about where things stand."""
+        return tuple(demand for row in self.rows for demand in row.demands)
+
+    def judged(self, scene: Scene, layout: Layout) -> tuple[AskedRow, ...]:
+        """Return every row with its verdict in a layout; what is not placed meets nothing."""
+        found: list[AskedRow] = []
+        for row in self.rows:
+            missing = [name for name in row.things if name not in layout]
+            lost: Finding = ("unmet", f"{' and '.join(missing)} not placed")
+            verdict, value = lost if missing else row.judge(scene, layout)
+            found.append(AskedRow(row.words, row.kind, row.understanding, row.things, verdict, value))
+        return tuple(found)
+
+
+def read_words(scene: Scene) -> Wishes:
+    """Return what the task description and the layout criteria of a scene ask for."""
+    text = "\n".join(part for part in (scene.task_description, scene.layout_criteria) if part.strip())
+    if not text.strip():
+        return Wishes()
+    lexicon = Lexicon(read_rooms(), scene=scene)
+    return Wishes(tuple(_Rows(scene, read_text(text, lexicon)).rows()))
+
+
+class _Rows:
+    """Makes the rows of a text for a scene."""
+
+    def __init__(self, scene: Scene, reading: Reading) -> None:
+        self.scene, self.reading = scene, reading
+        self.names = stand_ins(scene, reading.parsed.things)
+        self.demander = Demander(scene, self.names)
+
+    def rows(self) -> Iterator[_Row]:
+        """Yield facts about the room, counts, relations, refusals, and what was not understood."""
+        yield from self._facts()
+        parsed = self.reading.parsed
+        for place, span in parsed.openings:
+            yield self._opening(place, self.reading.span(*span))
+        for thing in parsed.things:
+            yield self._count(thing)
+        for link in parsed.links:
+            yield self._relation(link)
+        for noun, span in parsed.refused:
+            yield self._refusal(noun.words, noun.kind, self.reading.span(*span))
+        for chunk in parsed.missed:
+            yield _unread(self.reading.span(chunk.start, chunk.end), "no word list has it")
+        if self.reading.unread:
+            yield _unread("...", f"{self.reading.unread} further characters were not read")
+
+    def _facts(self) -> Iterator[_Row]:
+        for chunk in self.reading.parsed.facts:
+            words = self.reading.span(chunk.start, chunk.end)
+            if chunk.kind == "room":
+                nearest = (
+                    f"the nearest room type to it, {chunk.value}"
+                    if self.reading.guessed and chunk is self.reading.placed
+                    else chunk.value
+                )
+                yield _Row(words, "room type", f"a {nearest}" if nearest == chunk.value else nearest, _as_given)
+            elif chunk.measure is not None:
+                yield _measured(words, chunk.measure.kind, chunk.measure.values)
+            elif chunk.kind == "body":
+                yield _Row(words, "body", f"for {chunk.value}", _for_body(chunk.value))
+            elif chunk.kind == "people":
+                yield _Row(words, "people", "who uses the room", _as_given)
+            elif chunk.kind == "corner":
+                yield _Row(words, "relation", f"what belongs to a {chunk.value}", _as_given)
+            else:
+                yield _Row(
+                    words,
+                    chunk.kind,
+                    "a matter of taste" if chunk.kind == "style" else "what the room is to be good for",
+                    _taste,
+                )
+
+    def _opening(self, place: Place, words: str) -> _Row:
+        wanted = place.number or (2 if place.plural else 1)
+
+        def judge(scene: Scene, layout: Layout) -> Finding:
+            there = len(scene.room.windows if place.name == "window" else scene.room.doors)
+            enough = there == wanted if place.number else there >= wanted
+            return ("met" if enough else "unmet"), f"{there} there"
+
+        return _Row(words, "opening", f"{wanted} {place.name}", judge)
+
+    def _count(self, thing: Thing) -> _Row:
+        """Return the row of a thing: as many as are asked for, those that stand for another thing aside."""
+        others = {name for other, names in self.names.items() if other is not thing for name in names}
+        own, wanted = self.names.get(thing, ()), thing.count
+        nearest = f" ({thing.noun.kind}, {thing.noun.guessed})" if thing.noun.guessed else ""
+        bound = {"least": "at least ", "more": "at least ", "most": "at most ", "vague": "some, "}.get(thing.bound, "")
+        vague = thing.number is None and not own
+
+        def judge(scene: Scene, layout: Layout) -> Finding:
+            alike = [a.name for a in scene.assets if a.name in own or (a.name not in others and fits(a, thing))]
+            there = sum(name in layout for name in alike)
+            enough = there <= wanted if thing.bound == "most" else there >= wanted
+            if vague and not there:
+                return "not understood", "nothing of that name is there"
+            if thing.noun.kind.startswith("unknown"):
+                return "not understood", f"no such kind is known; {there} boxes of a usual size stand for it"
+            return ("met" if enough else "unmet"), f"{there} there"
+
+        words = self.reading.span(*thing.spans[0])
+        return _Row(words, "count", f"{bound}{wanted} {thing.noun.words}{nearest}", judge)
+
+    def _relation(self, link: Link) -> _Row:
+        """Return the row of a relation."""
+        words = self.reading.span(link.start, link.end)
+        about = ", ".join(_shown(mention) for mention in link.subjects)
+        to = " and ".join(_shown(item) for item in link.objects)
+        understanding = f"{about} {words} {to}".strip()
+        demands = self.demander.demands(link)
+        if not demands:
+            return _unread(understanding, "nothing that the vocabulary can say")
+
+        def judge(scene: Scene, layout: Layout) -> Finding:
+            outcomes = [demand.measure(scene, layout) if demand.names() <= set(layout) else None for demand in demands]
+            bad = [outcome for outcome in outcomes if outcome is None or not outcome.met]
+            shown = next((outcome for outcome in bad or outcomes if outcome is not None), None)
+            text = shown.text if shown is not None else "not placed"
+            return ("unmet" if bad else "met"), text if len(
+                outcomes
+            ) == 1 else f"{len(outcomes) - len(bad)} of {len(outcomes)}: {text}"
+
+        things = tuple(dict.fromkeys(name for demand in demands for name in sorted(demand.names())))
+        said = "; ".join(dict.fromkeys(_said(demand) for demand in demands[:2])) + (" ..." if len(demands) > 2 else "")
+        return _Row(understanding, "relation", said, judge, things, demands)
+
+    def _refusal(self, noun: str, kind: str, words: str) -> _Row:
+        def judge(scene: Scene, layout: Layout) -> Finding:
+            there = [asset.name for asset in scene.assets if category_of(asset).name == kind]
+            return ("unmet" if there else "met"), f"{', '.join(there) or 'none'} there"
+
+        return _Row(words, "refusal", f"no {noun}", judge)
+
+
+def _said(demand: Demand) -> str:
+    if demand.exact is not None:
+        return demand.exact.sentence()
+    first = ", ".join(relation.sentence() for relation in demand.ways[0])
+    return f"{first} or one of {len(demand.ways) - 1} other ways" if len(demand.ways) > 1 else first
+
+
+def _shown(item: Mention | Place) -> str:
+    if isinstance(item, Place):
+        return " ".join((*item.words, item.name))
+    return item.thing.noun.words
+
+
+def _unread(words: str, why: str) -> _Row:
+    return _Row(words, "not understood", why, lambda scene, layout: ("not understood", ""))
+
+
+def _as_given(scene: Scene, layout: Layout) -> Finding:
+    return "met", "as given"
+
+
+def _taste(scene: Scene, layout: Layout) -> Finding:
+    return "not judged", ""
+
+
+def _for_body(name: str) -> Callable[[Scene, Layout], Finding]:
+    def judge(scene: Scene, layout: Layout) -> Finding:
+        bodies = ", ".join(agent.name for agent in scene.agents)
+        return ("met" if name in bodies else "unmet"), f"laid out for {bodies}"
+
+    return judge
+
+
+def _measured(words: str, kind: str, values: tuple[float, ...]) -> _Row:
+    """Return the row of a measure of the room."""
+    shown = " x ".join(f"{value:g}" for value in values)
+
+    def judge(scene: Scene, layout: Layout) -> Finding:
+        x0, y0, x1, y1 = scene.room.bounds
+        if kind == "size":
+            sides = sorted((x1 - x0, y1 - y0))
+            off = max(abs(a - b) for a, b in zip(sides, sorted(values), strict=True))
+            return ("met" if off <= SIZE_OFF else "unmet"), f"{x1 - x0:.2f} x {y1 - y0:.2f} m"
+        if kind == "area":
+            off = abs(scene.room.area - values[0]) / values[0]
+            return ("met" if off <= AREA_OFF else "unmet"), f"{scene.room.area:.1f} m2"
+        if kind == "height":
+            off = abs(scene.room.wall_height - values[0])
+            return ("met" if off <= SIZE_OFF else "unmet"), f"{scene.room.wall_height:.2f} m"
+        return "not judged", ""
+
+    units = {"area": " m2", "grid": ""}.get(kind, " m")
+    return _Row(words, f"room {kind}" if kind != "grid" else "style", f"{kind} {shown}{units}", judge)
+
+
+def share_met(rows: tuple[AskedRow, ...]) -> float:
+    """Return the share of the understood rows that are met; 1 where there are none."""
+    judged = [row.verdict == "met" for row in rows if row.verdict in ("met", "unmet")]
+    return sum(judged) / len(judged) if judged else 1.0
+
+
+Rows = tuple[AskedRow, ...]
+Plain = Mapping[str, Any]

@@ -1,0 +1,160 @@
+"""What a text says, before any scene: the room, its size and openings, the body, the people, the things."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from robolayout._errors import SceneError
+from robolayout.words._chunks import Chunk, Chunker
+from robolayout.words._kinds import settle_kinds
+from robolayout.words._lexicon import Lexicon, grammar
+from robolayout.words._parse import Parser
+from robolayout.words._said import Parsed, Thing, children
+from robolayout.words._tokens import Token, measures, tokens
+
+LONGEST = 4000
+"""Characters of a text that are read."""
+
+AFTER_A_PLACE = frozenset(("with", "colon", "stop", "comma", "filler", "verb", "measure", "rel", "people"))
+"""Kinds of chunks that may follow the name of a place that a text begins with."""
+
+MOST_OF_A_KIND = 200
+"""Largest count that is furnished for."""
+
+
+@dataclass(frozen=True, eq=False)
+class Reading:
+    """What a text says.
+
+    Attributes:
+        text: The text, as far as it is read.
+        words: Its words.
+        parsed: Things, relations, openings and facts.
+        room: Name of the room type; None if none is named.
+        room_words: The words that name the room.
+        guessed: Whether the room type is only the nearest one.
+        agent: Name of the body, None if none is named.
+        people: Number of people, 0 if none is given.
+        young: Whether these are children.
+        only: Whether nothing else is wanted.
+        unread: How many further characters there were.
+    """
+
+    text: str
+    words: Sequence[Token]
+    parsed: Parsed
+    room: str | None
+    room_words: str
+    guessed: bool
+    agent: str | None
+    people: int
+    young: bool
+    only: bool
+    unread: int = 0
+    placed: Chunk | None = field(default=None)
+
+    def span(self, start: int, end: int) -> str:
+        """Return the words of the text from one token to another, as they stand there."""
+        return self.text[self.words[start].start : self.words[end - 1].end] if end > start else ""
+
+    def measure(self, kind: str) -> tuple[float, ...] | None:
+        """Return the values of the first measure of a kind, None if none is given."""
+        facts = [chunk.measure for chunk in self.parsed.facts if chunk.measure is not None]
+        return next((measure.values for measure in facts if measure.kind == kind), None)
+
+    @property
+    def l_shaped(self) -> bool:
+        """Whether the room is to have the shape of an L."""
+        rooms = [chunk.adjectives for chunk in self.parsed.facts if chunk.kind == "room"]
+        lower = self.text.lower().replace("-", " ")
+        said = any(f"l shaped {noun}" in lower for noun in ("room", "layout", "space", "floor"))
+        return said or any("l" in words and {"shaped", "shape"} & set(words) for words in rooms)
+
+    @property
+    def square(self) -> bool:
+        """Whether a square room is asked for."""
+        return any("square" in chunk.adjectives for chunk in self.parsed.facts if chunk.kind == "room")
+
+
+def read_text(text: str, lexicon: Lexicon, given: Sequence[Thing] = ()) -> Reading:
+    """Return what a text says.
+
+    Args:
+        text: One or several sentences.
+        lexicon: The nouns that are known.
+        given: Things that are there already.
+
+    Raises:
+        SceneError: Its figures make no sense.
+    """
+    read = text[:LONGEST]
+    words = tokens(read)
+    chunks = Chunker(words, measures(read), lexicon).chunks()
+    room, chunks = _named_room(chunks, words)
+    parsed = Parser(chunks, given).parse()
+    if room is None:
+        first = next((chunk for chunk in parsed.facts if chunk.kind == "room"), None)
+        room = (first.value, " ".join(w.text for w in words[first.start : first.end]), False, first) if first else None
+    bodies = [chunk for chunk in parsed.facts if chunk.kind == "body"]
+    bodies += [c for chunk in parsed.facts if chunk.kind == "room" and (c := _body_before(chunk, lexicon)) is not None]
+    bodies.sort(key=lambda chunk: chunk.value == "child_6")
+    people = [c.number or 0 for c in parsed.facts if c.kind in ("people", "body") and c.number]
+    people += [2 for c in parsed.facts if c.kind == "people" and c.value == "couple"] + [parsed.people]
+    young = children(parsed) or any(chunk.value == "child_6" for chunk in bodies)
+    settle_kinds(parsed)
+    for thing in parsed.things:
+        bounded(thing.count, thing.noun.words)
+    return Reading(
+        read,
+        words,
+        parsed,
+        room[0] if room else None,
+        room[1] if room else "",
+        bool(room and room[2]),
+        bodies[0].value if bodies else "child_6" if young else None,
+        bounded(people[0], "people"),
+        young,
+        any(word.text == "only" for word in words) or "nothing else" in read.lower(),
+        len(text) - len(read),
+        room[3] if room else None,
+    )
+
+
+def _body_before(room: Chunk, lexicon: Lexicon) -> Chunk | None:
+    """Return the body whose room it is: "a wheelchair user's bathroom"."""
+    words = " ".join(room.adjectives)
+    body = lexicon.bodies.get(words) or lexicon.bodies.get(words.removesuffix("s"))
+    return Chunk("body", room.start, room.end, body) if body else None
+
+
+def bounded(count: int, what: str) -> int:
+    """Return a count, or refuse one that no room is for."""
+    if count > MOST_OF_A_KIND:
+        raise SceneError(f"{count} x {what} is more than one room is for; ask for at most {MOST_OF_A_KIND}.")
+    return count
+
+
+def _named_room(
+    chunks: Sequence[Chunk], words: Sequence[Token]
+) -> tuple[tuple[str, str, bool, Chunk] | None, list[Chunk]]:
+    """Return the room type of a place that the list of rooms does not have ("a sushi bar"), and the chunks without it.
+
+    Only the first phrase of a text can be such a place, and only where what follows says what is in it.
+    """
+    places = grammar().places
+    for i, chunk in enumerate(chunks):
+        if chunk.kind in ("filler", "verb", "style", "measure", "comma", "colon", "pron", "other", "function"):
+            continue
+        if chunk.kind == "not" or chunk.kind not in ("thing", "part", "corner"):
+            return None, list(chunks)
+        said = " ".join(word.text for word in words[chunk.start : chunk.end])
+        said = said.removeprefix("a ").removeprefix("an ").removeprefix("the ")
+        last = said.split()[-1]
+        other = chunk.kind == "part" and (chunk.value not in ("room", "corner") or said == last)
+        follows = chunks[i + 1].kind if i + 1 < len(chunks) else "stop"
+        if last not in places or other or (chunk.number or 1) > 1 or follows not in AFTER_A_PLACE:
+            return None, list(chunks)
+        fact = Chunk("room", chunk.start, chunk.end, places[last], adjectives=chunk.adjectives)
+        return (places[last], said, True, fact), [*chunks[:i], fact, *chunks[i + 1 :]]
+    return None, list(chunks)
