@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from solve_rooms import BED, QUICK, problem_of, room_of, scattered
+from solve_rooms import BED, QUICK, problem_of, room_of
 
-from robolayout.program import read_program, reconcile
-from robolayout.run.flow import make_judge
+from robolayout.run.flow import solve
 from robolayout.scene import Asset, Pose
-from robolayout.solve import Problem, Solver
+from robolayout.solve import Problem
 from robolayout.solve.construct import Builder
 from robolayout.solve.repair import WAYS, Repair
 from robolayout.solve.runner import Run, Runner
@@ -59,22 +58,28 @@ def test_what_is_pinned_makes_no_way() -> None:
         assert all((one[2:] == world[2:]).all() for one in mended(problem, world, way))
 
 
-def test_a_blind_guess_is_built_anew_and_a_good_one_is_started_from(monkeypatch: pytest.MonkeyPatch) -> None:
-    problem, world = taken()
-    seen: list[tuple[str, np.ndarray]] = []
+def test_a_guess_is_polished_first_and_a_room_without_one_is_built(monkeypatch: pytest.MonkeyPatch) -> None:
+    seen: list[str] = []
     real = Runner.advance
 
     def advance(self: Runner, stage: object, poses: np.ndarray, phase: object, label: str, **options: object) -> Run:
-        seen.append((label, poses))
+        seen.append(label)
         return real(self, stage, poses, phase, label, **options)  # type: ignore[arg-type]
 
     monkeypatch.setattr(Runner, "advance", advance)
-    program = reconcile(read_program(AT_WALL, problem.scene), problem.scene).program
-    judge = make_judge(problem.scene, program)
-    for start, blind in ((world, False), (scattered(problem, np.random.default_rng(3)), True)):
+    scene = room_of(WARDROBE, BED, *BOXES)
+    names = ("wardrobe[0]", "bed[0]", *(f"storage_box[{i}]" for i in range(4)))
+    heap = AT_WALL + "".join(f"\n{name}.position = [2, 2, 0.5]" for name in names)
+    for text, first in ((heap, "polish"), (AT_WALL, None)):
         seen.clear()
-        problem.__dict__["start"] = start
-        Solver(problem, judge, QUICK).solve()
-        polished = any((one == start).all() for _, poses in seen for one in poses)
-        assert polished != blind
-        assert not blind or "search" not in {label for label, _ in seen}
+        solution = solve(scene, text, config=QUICK)
+        assert not solution.verdict.hard + solution.verdict.access
+        assert (seen[0] if seen else None) == first
+        assert solution.phase != "guess"
+
+
+def test_the_phase_that_made_the_layout_is_told() -> None:
+    scene = room_of(WARDROBE)
+    right = "wardrobe[0].position = [2, 3.7, 1.05]\nwardrobe[0].rotation = [-90]\n" + AT_WALL
+    assert solve(scene, right, config=QUICK).phase == "guess"
+    assert solve(scene, right.replace("3.7", "3.4").replace("-90", "90"), config=QUICK).phase == "push"

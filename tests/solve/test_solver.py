@@ -8,6 +8,7 @@ import os
 import subprocess
 import sys
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -262,9 +263,9 @@ def test_refinement_and_repair_never_end_worse() -> None:
         solver.grounds = [(make_ground(problem.contents, DISC, 0.05), obstacles_of(problem.contents, DISC))]
         world = scattered(problem, rng)
         before = judge(problem.layout(world))
-        for step in (solver._repair, solver._snap):
+        for step in (solver._repair, partial(solver._near, 1), solver._restored):
             after = step(_Best(world, before))
-            assert after.verdict.merit <= before.merit
+            assert after.verdict.worth <= before.worth
             assert after.verdict == judge(problem.layout(after.world)), "the verdict is that of these poses"
             better += after.verdict.merit < before.merit
     assert better >= 4

@@ -27,6 +27,9 @@ Floats = NDArray[np.float64]
 EYE_HEIGHT = 1.5
 """Metres above the floor of the middle of a wall thing that nobody gave a height."""
 
+TURN = 0.3
+"""Metres that a thing could be moved for what it means to turn it by a radian."""
+
 
 @dataclass(frozen=True)
 class Problem:
@@ -113,6 +116,13 @@ class Problem:
         """(n, 4) the guess as (x, y, cos, sin)."""
         poses = (self.guess[name] for name in self.names)
         return np.array([(p.x, p.y, math.cos(p.yaw), math.sin(p.yaw)) for p in poses]).reshape(-1, 4)
+
+    def moved(self, world: Floats) -> float:
+        """Return how far the things that the program places are from there: metres, and `TURN` for each radian."""
+        slots = [self.slot[name] for name in self.guessed]
+        off = world[slots] - self.start[slots]
+        turned = 2.0 * np.arcsin(np.minimum(np.hypot(*off[:, 2:].T) / 2.0, 1.0))
+        return float(np.hypot(*off[:, :2].T).sum() + TURN * turned.sum())
 
     def layout(self, world: Floats) -> Layout:
         """Return world poses (n, 4) as a layout."""

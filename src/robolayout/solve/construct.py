@@ -99,8 +99,6 @@ class Builder:
         widest = max(problem.scene.agents, key=lambda agent: agent.radius)
         self.zones = Zones(problem, widest)
         self._walked = Walked(problem.scene.room, min(widest.radius, 0.5))
-        self._leaders = self._find_leaders()
-        self._rank = self._ranks()
         self._needs = self._followers()
         every = range(len(problem.names))
         self._free = [not self.proposals.frames.get(slot) for slot in every]
@@ -113,7 +111,7 @@ class Builder:
         world = world.copy()
         size = self.problem.half.prod(axis=1) * self.rng.uniform(0.7, 1.4, len(world))
         site = self._site(world, slots)
-        for slot in self._in_turn(sorted(slots, key=lambda s: (self._rank[s], self._free[s], -size[s], s))):
+        for slot in self._in_turn(sorted(slots, key=lambda s: (self.proposals.ranks[s], self._free[s], -size[s], s))):
             carry(self.problem, world, slot, self._place(slot, world, site, looks))
             site.settled[slot] = True
         return world
@@ -131,8 +129,8 @@ class Builder:
         def take(slot: int) -> None:
             del left[slot]
             found.append(slot)
-            for other in [one for one in left if slot in self._leaders[one]]:
-                if other in left and not self._leaders[other] & left.keys():
+            for other in [one for one in left if slot in self.proposals.leaders[one]]:
+                if other in left and not self.proposals.leaders[other] & left.keys():
                     take(other)
 
         for slot in slots:
@@ -221,25 +219,6 @@ class Builder:
                 grid = grid[self.rng.choice(len(grid), PACKED, replace=False)]
             found.append(np.column_stack([grid, np.broadcast_to((c, s), grid.shape)]))
         return np.concatenate(found)
-
-    def _find_leaders(self) -> list[set[int]]:
-        """Return what each slot is placed by."""
-        ahead: list[set[int]] = [set() for _ in self.problem.names]
-        for slot, terms in self.proposals.frames.items():
-            ahead[slot] |= {self.problem.slot[t.b.name] for t in terms if isinstance(t.b, AssetRef)} - {slot}
-        for slot, terms in self.proposals.mirrors.items():
-            ahead[slot] |= {self.problem.slot[t.ref.name] for t in terms if isinstance(t.ref, AssetRef)} - {slot}
-            if slot not in self.proposals.frames:
-                twins = {self.proposals.twin(term, slot) for term in terms}
-                ahead[slot] |= {twin for twin in twins if twin in self.proposals.frames}
-        return ahead
-
-    def _ranks(self) -> list[int]:
-        """Return how many things stand between a slot and what it is placed by: what others refer to comes first."""
-        ranks = [0] * len(self._leaders)
-        for _ in range(4):
-            ranks = [max((ranks[b] + 1 for b in before), default=0) for before in self._leaders]
-        return ranks
 
     def _followers(self) -> dict[int, list[tuple[int, Floats]]]:
         """Return for each slot what goes by it, and a few places (m, 4) of that in the slot's frame."""

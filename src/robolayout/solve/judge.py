@@ -6,10 +6,13 @@ The solver never measures its own success: the pipeline hands it a judge that is
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Protocol
 
 from robolayout.scene import Layout
+
+SPARE = 0.03
+"""Access that may lack before it outweighs statements: the solver wants that much more free floor than the report demands."""
 
 
 @dataclass(frozen=True)
@@ -21,12 +24,19 @@ class Verdict:
         access: What the agents cannot get to or use, in assets (a door counts as one), plus the share of free space cut off.
         soft: Weight of unmet statements.
         culprits: Assets to move, the most pressing first.
+        moved: How far things are from the program's guess, which tells equal layouts apart (`Problem.moved`).
     """
 
     hard: float
     access: float
     soft: float
     culprits: tuple[str, ...] = ()
+    moved: float = field(default=0.0, compare=False)
+
+    @property
+    def worth(self) -> tuple[float, float, float, float]:
+        """The order of layouts, smaller is better: hard demands, access, statements; among equals, how little was moved."""
+        return (self.hard, self.access if self.access > SPARE else 0.0, self.soft + 2.0 * self.access, self.moved)
 
     @property
     def merit(self) -> float:

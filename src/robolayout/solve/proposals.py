@@ -79,6 +79,32 @@ class Proposals:
                             mirrors.setdefault(problem.slot[ref.name], []).append(term)
         return cls(problem, frames, mirrors)
 
+    def rows(self, slot: int) -> list[FrameTerm]:
+        """Return the rows of a slot, and of the wall that it hangs at; what puts its back to a wall comes last."""
+        hung = [term for term in self.problem.wall_terms if term.a == AssetRef(self.problem.names[slot])]
+        return sorted([*self.frames.get(slot, []), *hung], key=at_wall)
+
+    @cached_property
+    def leaders(self) -> list[set[int]]:
+        """What each slot is placed by."""
+        ahead: list[set[int]] = [set() for _ in self.problem.names]
+        for slot, terms in self.frames.items():
+            ahead[slot] |= {self.problem.slot[t.b.name] for t in terms if isinstance(t.b, AssetRef)} - {slot}
+        for slot, terms in self.mirrors.items():
+            ahead[slot] |= {self.problem.slot[t.ref.name] for t in terms if isinstance(t.ref, AssetRef)} - {slot}
+            if slot not in self.frames:
+                twins = {self.twin(term, slot) for term in terms}
+                ahead[slot] |= {twin for twin in twins if twin in self.frames}
+        return ahead
+
+    @cached_property
+    def ranks(self) -> list[int]:
+        """How many things stand between a slot and what it is placed by: what others refer to comes first."""
+        ranks = [0] * len(self.leaders)
+        for _ in range(4):
+            ranks = [max((ranks[b] + 1 for b in before), default=0) for before in self.leaders]
+        return ranks
+
     @cached_property
     def _floor(self) -> Polygon:
         floor = Polygon(self.problem.scene.room.vertices)
@@ -234,6 +260,11 @@ def _wrapped(angle: Floats) -> Floats:
 def _quarters(count: int, rng: np.random.Generator) -> Floats:
     """Draw multiples of 90 degrees, in radians."""
     return rng.integers(4, size=count).astype(np.float64) * (math.pi / 2)
+
+
+def at_wall(term: FrameTerm) -> bool:
+    """Return whether a row puts the back of a thing to a wall."""
+    return isinstance(term.b, WallRef) and term.heading is not None
 
 
 def placing(term: FrameTerm) -> bool:

@@ -1,10 +1,15 @@
-"""The whole solve: search, routes in the loop, repair, one stage of support after the other."""
+"""The whole solve: push, polish, routes in the loop, mend, and only then build; one stage of support after the other.
+
+What was asked for is kept: the guess is judged as it is, pushed to where its own statements hold, polished by gradients, with
+what a body needs as demands on the furniture in its way, and mended thing by thing, nearest first. A room is built anew only if
+hard demands or access are still not met then, or if there was nothing to keep.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 
 import numpy as np
@@ -16,11 +21,11 @@ from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.construct import Builder
 from robolayout.solve.judge import Judge, Verdict
+from robolayout.solve.push import pushed
 from robolayout.solve.repair import WAYS, Repair
 from robolayout.solve.restore import restored
 from robolayout.solve.routes import pack
-from robolayout.solve.runner import STILL, Run, Runner
-from robolayout.solve.snap import snapped
+from robolayout.solve.runner import BATCH, STILL, Run, Runner
 from robolayout.solve.solution import Progress, Solution, conclude, silent
 from robolayout.solve.stage import Stage, make_stage, stages
 from robolayout.solve.starts import Starts
@@ -34,8 +39,11 @@ FULL = 0.5
 PACKINGS = 24
 """Orders in which a room is packed before it is given up as too full."""
 
-BLIND = 0.25
-"""Share of the assets out of place or out of reach in a guess from which on it is not worth going back to."""
+NEAR = 0.4
+"""Metres that a polished thing may be put where its statements hold exactly."""
+
+NEARBY, TURNS = 40, 8
+"""Things that are tried elsewhere near their guess, at most, and at most in a row without success."""
 
 CLOSE, URGENT = 0.4, 0.5
 """Share of the floor, and assets in wrong places or out of reach, from which on repair goes on for longer without success."""
@@ -55,10 +63,11 @@ MENDINGS = 32
 
 @dataclass
 class _Best:
-    """The best world poses so far, by the judge."""
+    """The best world poses so far, by the judge, and what made them."""
 
     world: Floats
     verdict: Verdict
+    phase: str = ""
 
 
 class Solver:
@@ -88,7 +97,7 @@ class Solver:
         self.progress = progress or silent
         self.runner = Runner(self.config)
         self.lead: _Best | None = None
-        self.astray = 0.0
+        self.phase = "guess"
 
     def solve(self) -> Solution:
         """Return the best layout found."""
@@ -100,9 +109,16 @@ class Solver:
             best = self._stage(number, world)
             world = best.world
         assert best is not None
-        best = self._snap(self._restored(self._repair(self._snap(best))))
+        if best.verdict.hard + best.verdict.access or not self.problem.guessed:
+            best = self._repair(best)
+        best = self._restored(best)
         trace = self.runner.trace(self.problem) if self.config.trace else Trace()
-        return conclude(self.problem.layout(best.world), best.verdict, trace)
+        return conclude(self.problem.layout(best.world), best.verdict, trace, best.phase)
+
+    def _say(self, phase: str) -> None:
+        """Begin a phase."""
+        self.phase = phase
+        self.progress(phase)
 
     @cached_property
     def builder(self) -> Builder:
@@ -129,54 +145,113 @@ class Solver:
             if stage <= number
         }
 
+        moved = self.problem.moved(world)
+
         def enough(verdict: Verdict) -> bool:
-            if best is None or verdict.merit < best.verdict.merit:
+            if best is None or replace(verdict, moved=moved).worth < best.verdict.worth:
                 return False
             return self.lead is None or verdict.promise >= self.lead.verdict.promise
 
-        found = _Best(world, self.judge(Layout(placed), enough))
+        found = _Best(world, replace(self.judge(Layout(placed), enough), moved=moved), self.phase)
         if self.lead is None or found.verdict.promise < self.lead.verdict.promise:
             self.lead = found
         return found
 
     def _stage(self, number: int, world: Floats) -> _Best:
         """Place what belongs to a stage."""
-        self.progress("search")
         self.lead = None
         stage = make_stage(self.problem, number, world)
-        if not stage.moving:
-            return self._judged(world, number)
-        best, run = self._started(stage, number)
-        if number == 0 and best.verdict.hard and self.config.repair_rounds and self._fill() > FULL:
-            best = self._pack(best)
-        if number == 0 and self.config.route_rounds and best.verdict.access:
-            best = self._route(stage, run, best)
+        best = self._judged(stage.world, number)
+        if not stage.moving or best.verdict.ok:
+            if stage.moving:
+                self._still(stage, best, self.phase)
+            return best
+        if self._guessed(stage):
+            best, run = self._polished(stage, number, self._pushed(stage, number, best))
+            if number == 0 and self.config.route_rounds and best.verdict.access:
+                best = self._route(stage, run, best)
+            best = self._near(number, best)
+            if not best.verdict.hard + best.verdict.access:
+                return best
+        return self._anew(stage, number, best)
+
+    def _guessed(self, stage: Stage) -> bool:
+        """Return whether the program says where things go."""
+        known = {self.problem.slot[name] for name in self.problem.guessed} & set(stage.moving)
+        return 2 * len(known) >= len(stage.moving)
+
+    def _pushed(self, stage: Stage, number: int, best: _Best) -> _Best:
+        """Return the best of the guess and of what its own statements make of it."""
+        self._say("push")
+        return self._best_of([pushed(self.builder.proposals, stage.world, self._order(stage))], number, best)
+
+    def _order(self, stage: Stage) -> list[int]:
+        """Return what a stage moves, what others refer to first."""
+        ranks = self.builder.proposals.ranks
+        return sorted(stage.moving, key=lambda slot: ranks[slot])
+
+    def _polished(self, stage: Stage, number: int, best: _Best) -> tuple[_Best, Run]:
+        """Return the best after following gradients from the guess and from where it is pushed, with and without routes."""
+        self._say("polish")
+        proposals, order = self.builder.proposals, self._order(stage)
+        push = pushed(proposals, stage.world, order)
+        walls = pushed(proposals, stage.world, order, walls_only=True)
+        starts = Starts(self.problem, stage.world, stage.moving, self.builder).near(BATCH)
+        worlds = _different([push, walls, *starts])[:BATCH]
+        run = self.runner.advance(stage, worlds, self.config.polish, "polish")
+        best = self._best_of(self._sharpened(run, order), number, best)
+        if number == 0 and best.verdict.access and self.config.route_rounds:
+            more = self.runner.advance(
+                stage, run.world, self.config.polish, "routes", routes=partial(self._open, stage, run.world)
+            )
+            self._say("routes")
+            best = self._best_of(self._sharpened(more, order), number, best)
+            run = run.joined(more)
+        return best, run
+
+    def _sharpened(self, run: Run, order: list[int]) -> Iterable[Floats]:
+        """Yield the layouts of a run, best first, each also with what is all but right put exactly right."""
+        for world in run.ranked():
+            yield pushed(self.builder.proposals, world, order, most=NEAR)
+            yield world
+
+    def _near(self, number: int, best: _Best) -> _Best:
+        """Place single things to blame anew, as near to their guesses as can be, as long as the judge likes that better."""
+        self._say("mend")
+        turn = 0
+        for _ in range(NEARBY if self.config.repair_rounds else 0):
+            slots = [self.problem.slot[name] for name in best.verdict.culprits if name not in self.problem.pinned]
+            if best.verdict.ok or turn >= min(len(slots), TURNS):
+                break
+            found = self._best_of(self.repairer.near(best.world, slots[turn], self._plan), number, best)
+            turn = 0 if found.verdict.worth[:3] < best.verdict.worth[:3] else turn + 1
+            best = found
         return best
 
-    def _started(self, stage: Stage, number: int) -> tuple[_Best, Run]:
-        """Return the guess, or else the best that polishing it and, where that is not perfect, other starts lead to."""
-        best = self._judged(stage.world, number)
-        self.astray = max(self.astray, best.verdict.hard + best.verdict.access)
-        if best.verdict.ok:
-            return best, self._still(stage, best, "guess")
+    def _anew(self, stage: Stage, number: int, best: _Best) -> _Best:
+        """Return the best of what is there and of rooms that are built, searched for and packed."""
+        self._say("build")
         starts = Starts(self.problem, stage.world, stage.moving, self.builder)
         quarter, several = max(self.config.starts // 4, 1), self.config.starts > 1
-        blind = number == 0 and several and self._blind
         run: Run | None = None
-        if not blind:
+        if number == 0:
+            best = self._mended(best, number) if self._guessed(stage) else best
+            best, run = self._built(stage, starts, quarter if several else 0, best, run)
+        if run is None:
             run = self.runner.advance(stage, starts.near(quarter), self.config.polish, "polish")
             best = self._best_of(run.ranked(), number, best)
-        if number == 0:
-            best = best if blind else self._mended(best, number)
-            best, run = self._built(stage, starts, quarter if several else 0, best, run)
-        assert run is not None
-        if several and not blind and not best.verdict.ok:
+        if several and not best.verdict.ok and (number or self._guessed(stage)):
+            self._say("search")
             phase = self.config.tops if number else self.config.search
             far = starts.far(quarter * (3 if number else 1))
             more = self.runner.advance(stage, far, phase, "search", rng=self.rng)
             more = self.runner.advance(stage, more.world, self.config.polish, "polish")
             best, run = self._with(more, number, best, run)
-        return best, run
+        if number == 0 and best.verdict.hard and self.config.repair_rounds and self._fill() > FULL:
+            best = self._pack(best)
+        if number == 0 and self.config.route_rounds and best.verdict.access:
+            best = self._route(stage, run, best)
+        return best
 
     def _built(
         self, stage: Stage, starts: Starts, count: int, best: _Best, run: Run | None
@@ -208,11 +283,6 @@ class Solver:
         """Return the best layout with what another run found, and the best starts of both runs."""
         return self._best_of(more.ranked(), number, best), run.joined(more).best(self.config.kept) if run else more
 
-    @property
-    def _blind(self) -> bool:
-        """Whether the program had no idea where things go."""
-        return self.astray > BLIND * len(self.problem.names)
-
     def _open(self, stage: Stage, worlds: Floats, part: slice) -> Routes:
         """Return what keeps ways to everything open in some layouts."""
         plans = [self._planned(one, [], everywhere=True) for one in worlds[part]]
@@ -229,7 +299,7 @@ class Solver:
             if not best.verdict.hard:
                 break
             found = self._judged(self.builder.pack(best.world), 0, best)
-            if found.verdict.merit < best.verdict.merit:
+            if found.verdict.worth < best.verdict.worth:
                 best = found
         return best
 
@@ -239,7 +309,7 @@ class Solver:
             if best and best.verdict.ok:
                 break
             found = self._judged(world, number, best)
-            if best is None or found.verdict.merit < best.verdict.merit:
+            if best is None or found.verdict.worth < best.verdict.worth:
                 best = found
         assert best is not None
         return best
@@ -253,7 +323,7 @@ class Solver:
             if not (best.verdict.hard or best.verdict.access) or fruitless == ROUTE_PATIENCE:
                 break
             before = self._standing(best)
-            self.progress("routes")
+            self._say("routes")
             blocked: list[int] = []
 
             def routes(part: slice, now: Floats = world, blocked: list[int] = blocked) -> Routes:
@@ -285,33 +355,16 @@ class Solver:
         blockers = tuple(dict.fromkeys(slot for plan in plans for slot in plan.blockers))
         return Plan(np.concatenate(kept), sum(plan.blocked for plan in plans), blockers)
 
-    def _snap(self, best: _Best) -> _Best:
-        """Put what is all but right exactly right: everything at once, else one culprit after the other."""
-        last = max(stages(self.problem))
-        found = self._judged(snapped(self.problem, best.world), last)
-        if found.verdict.merit <= best.verdict.merit:
-            return found
-        for name in best.verdict.culprits:
-            world = snapped(self.problem, best.world, frozenset({name}))
-            if np.array_equal(world, best.world):
-                continue
-            found = self._judged(world, last, best)
-            if found.verdict.merit < best.verdict.merit:
-                best = found
-        return best
-
     def _restored(self, best: _Best) -> _Best:
-        """Put back where the program had it what was moved without need, unless the program had no idea."""
-        if self._blind:
-            return best
+        """Put back where the program had it what was moved without need."""
 
         def no_worse(world: Floats) -> bool:
             nonlocal best
             layout = self.problem.layout(world)
-            verdict = self.judge(layout, lambda found: found.merit > best.verdict.merit)
-            if verdict.merit > best.verdict.merit:
+            verdict = self.judge(layout, lambda found: found.worth[:3] > best.verdict.worth[:3])
+            if verdict.worth[:3] > best.verdict.worth[:3]:
                 return False
-            best = _Best(world, verdict)
+            best = _Best(world, replace(verdict, moved=self.problem.moved(world)), best.phase)
             return True
 
         restored(self.problem, best.world, no_worse)
@@ -328,7 +381,7 @@ class Solver:
             world = self.repairer.mended(best.world, slots[turn // WAYS % len(slots)], turn % WAYS)
             found = self._judged(world, number, best)
             turn += 1
-            if found.verdict.merit < best.verdict.merit:
+            if found.verdict.worth < best.verdict.worth:
                 best, turn = found, 0
         return best
 
@@ -343,7 +396,7 @@ class Solver:
             if best.verdict.ok or fruitless == self.config.patience * (STUBBORN if urgent else 1):
                 break
             before = self._standing(best)
-            self.progress("repair")
+            self._say("repair")
             best = self._mended(best, last, MENDINGS // (1 + fruitless))
             if best.verdict.ok:
                 break
@@ -352,3 +405,10 @@ class Solver:
             best = self._best_of(made[: self.config.judged], last, best)
             fruitless = fruitless + 1 if self._standing(best) == before else 0
         return best
+
+
+def _different(worlds: Iterable[Floats]) -> Floats:
+    """Return layouts (k, n, 4) without those that are there twice, in order."""
+    found = np.array(list(worlds))
+    _, first = np.unique(found.reshape(len(found), -1), axis=0, return_index=True)
+    return found[np.sort(first)]

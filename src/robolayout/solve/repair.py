@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from robolayout.constraints import AssetRef, FrameTerm, MirrorTerm
+from robolayout.constraints import AssetRef, FrameTerm, MirrorTerm, WallRef
 from robolayout.floor import Plan
 from robolayout.solve.arrays import Routes
 from robolayout.solve.compile import Floats, Problem
@@ -20,8 +20,9 @@ from robolayout.solve.config import SolverConfig
 from robolayout.solve.construct import Builder
 from robolayout.solve.judge import Verdict
 from robolayout.solve.proposals import carry, compose, placing
+from robolayout.solve.push import nearest
 from robolayout.solve.routes import pack
-from robolayout.solve.runner import Runner
+from robolayout.solve.runner import BATCH, Runner
 from robolayout.solve.stage import make_stage
 
 WAYS = 4
@@ -30,6 +31,18 @@ together with what stands around it."""
 
 PLACES = 24
 """Places of a thing about which others are taken out."""
+
+RINGS = (0.1, 0.25, 0.45, 0.7, 1.0, 1.5, 2.2)
+"""Metres from where a thing was or should be at which it is tried."""
+
+TURNING = 2
+"""Of these, so many where it is also turned by quarters, if nothing says where it faces."""
+
+LOOKED_AT = 8
+"""Of these tries, so many are judged as they are; half of them are polished, too."""
+
+ALIKE = 0.15
+"""Metres, or parts of a unit heading, below which two poses are the same try."""
 
 FEW = (3, 9)
 """How many of the things around one are placed anew with it: at least so many, fewer than so many."""
@@ -102,6 +115,61 @@ class Repair:
         picked = batch[[*order[: kept // 2], *(int(k) for k in also)]]
         run = self.runner.advance(stage, picked, self.config.polish, "repair", routes=None if number else own)
         return [run.world[k] for k in run.order()]
+
+    def near(self, world: Floats, slot: int, plan_for: Callable[[Floats], Plan]) -> list[Floats]:
+        """Return layouts in which one thing is elsewhere, as near to its guess as can be, the others making way.
+
+        Args:
+            world: (n, 4) poses.
+            slot: The thing; what is placed in its stage makes way.
+            plan_for: Plans routes in a layout.
+        """
+        stage = make_stage(self.problem, self.problem.stage[slot], world)
+        poses = self._around(slot, world)
+        batch = np.repeat(world[None], len(poses), axis=0)
+        for one, pose in zip(batch, poses, strict=True):
+            carry(self.problem, one, slot, pose)
+        size, plan = 8 * stage.slots, plan_for(world)
+        found = self.runner.evaluate(stage, batch, lambda part: pack([plan] * len(batch[part]), size))
+        chosen: list[int] = []
+        for k in np.argsort(found.energy, kind="stable").tolist():
+            apart = np.abs(poses[chosen] - poses[k]).max(axis=1) if chosen else np.ones(1)
+            if apart.min() > ALIKE:
+                chosen.append(k)
+            if len(chosen) == LOOKED_AT:
+                break
+        picked = batch[chosen[:BATCH]]
+        run = self.runner.advance(
+            stage,
+            picked,
+            self.config.polish,
+            "mend",
+            routes=lambda part: pack([plan_for(w) for w in picked[part]], size),
+        )
+        return [*batch[chosen], *run.ranked()]
+
+    def _around(self, slot: int, world: Floats) -> Floats:
+        """Return poses (m, 4) around the guess of a slot and around where it is: where its rows hold, its walls, or free."""
+        rows = self.proposals.rows(slot)
+        found = list[Floats]()
+        for base in (self.problem.start[slot], world[slot]):
+            yaw = math.atan2(base[3], base[2])
+            ways = yaw + np.arange(8) * (math.pi / 4)
+            steps = np.array([(0.0, 0.0), *((r * math.cos(w), r * math.sin(w)) for r in RINGS for w in ways)])
+            free = np.column_stack([base[:2] + steps, np.broadcast_to(base[2:], steps.shape)])
+            walls = free
+            for term in [term for term in rows if isinstance(term.b, WallRef)]:
+                walls = nearest(self.problem, term, slot, walls, world)
+            whole = free
+            for term in rows * 2:
+                whole = nearest(self.problem, term, slot, whole, world)
+            found += [whole, walls, free]
+            if not any(term.heading is not None or term.look is not None for term in rows):
+                close = np.concatenate([whole[: 1 + 8 * TURNING], free[: 1 + 8 * TURNING]])
+                found += [compose_turn(close, quarter) for quarter in (1, 2, 3)]
+        poses = np.concatenate(found)
+        _, first = np.unique(np.round(poses, 2), axis=0, return_index=True)
+        return poses[np.sort(first)]
 
     def _ruined(self, slots: list[int], moving: tuple[int, ...], round_number: int) -> set[int]:
         """Return what to take out and place anew: one or two to blame and a few others, more of them in later rounds."""
@@ -187,6 +255,12 @@ class Repair:
             shifted = before.copy()
             shifted[:2] += self.rng.normal(0.0, 0.4, 2)
             carry(self.problem, world, slot, shifted, self._with(slot, True))
+
+
+def compose_turn(poses: Floats, quarter: int) -> Floats:
+    """Return poses (m, 4) turned in place by quarters of a full turn."""
+    c, s = round(math.cos(quarter * math.pi / 2)), round(math.sin(quarter * math.pi / 2))
+    return compose(poses, np.array([0.0, 0.0, c, s]))
 
 
 def _groups(problem: Problem) -> list[set[int]]:

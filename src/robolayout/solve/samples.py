@@ -24,7 +24,7 @@ from robolayout.solve.judge import Judge, Verdict
 from robolayout.solve.lanes import STARTS, LaneRunner, Request, prepare, run_together
 from robolayout.solve.refine import Solver
 from robolayout.solve.solution import Progress, Solution, conclude, silent
-from robolayout.solve.stage import make_stage
+from robolayout.solve.stage import make_stage, stages
 
 REPAIRED = 2
 """Programs that are repaired, at most: the best, and the next one if the best still breaks a hard demand."""
@@ -63,8 +63,8 @@ class _One(Solver):
         return self.best.verdict.merit
 
     def repair(self) -> None:
-        """Remove and reinsert what is to blame, while that helps, without the others."""
-        self.best = self._snap(super()._repair(self.best))
+        """Mend what is to blame, and remove and reinsert it, while that helps, without the others."""
+        self.best = super()._repair(super()._near(max(stages(self.problem)), self.best))
 
     def conclusion(self) -> Solution:
         """Return the best layout found."""
@@ -84,6 +84,9 @@ class _One(Solver):
         if found.verdict.ok:
             self.met.add(number)
         return found
+
+    def _near(self, number: int, best: Any) -> Any:
+        return best
 
     def _repair(self, best: Any) -> Any:
         self.best = best

@@ -25,6 +25,7 @@ class Solution:
         verdict: What the judge says of it.
         status: "solved", or "unmet" if demands are left.
         message: The status as a sentence.
+        phase: What made the winning layout: "guess", "push", "polish", ...; empty where a solver does not say.
         trace: Losses and poses on the way; empty unless asked for.
     """
 
@@ -32,17 +33,18 @@ class Solution:
     verdict: Verdict
     status: str
     message: str
+    phase: str = ""
     trace: Trace = field(default_factory=Trace, repr=False)
 
 
-def conclude(layout: Layout, verdict: Verdict, trace: Trace) -> Solution:
+def conclude(layout: Layout, verdict: Verdict, trace: Trace, phase: str = "") -> Solution:
     """Return a layout with its status in a word and in a sentence."""
     if verdict.ok:
-        return Solution(layout, verdict, "solved", "Every demand and every statement is met.", trace)
+        return Solution(layout, verdict, "solved", "Every demand and every statement is met.", phase, trace)
     parts = [
         f"{verdict.hard:g} hard violations" if verdict.hard else "",
         f"{verdict.access:.2f} of access missing" if verdict.access else "",
         f"statements of weight {verdict.soft:g} unmet" if verdict.soft else "",
     ]
     text = ", ".join(part for part in parts if part)
-    return Solution(layout, verdict, "unmet", f"Budget spent with {text}; the report names them.", trace)
+    return Solution(layout, verdict, "unmet", f"Budget spent with {text}; the report names them.", phase, trace)
