@@ -109,7 +109,7 @@ def test_another_program_is_asked_for_where_a_thing_stands_too_high_for_the_body
 
 def test_no_third_program_is_asked_for_where_two_are_hopeless() -> None:
     size = {"boundingBox": {"x": 0.9, "y": 1.4, "z": 2.0}}
-    many = {f"wardrobe-{i}": {"category": "wardrobe", "onFloor": True, "assetMetadata": size} for i in range(8)}
+    many = {f"wardrobe-{i}": {"category": "wardrobe", "onFloor": True, "assetMetadata": size} for i in range(6)}
     asked: list[int] = []
 
     class Ever(OfflinePlanner):
