@@ -153,6 +153,22 @@ def test_a_read_only_folder_is_refused_for_root_too(
     refused(command("generate", written(tmp_path), "--out", tmp_path / "out"), "read-only", out=tmp_path / "out")
 
 
+def test_paths_that_no_system_takes_are_the_users_to_mend(command: Command, tmp_path: Path) -> None:
+    room, long = written(tmp_path), "n" * 300
+    refused(command("generate", room, "--out", tmp_path / long), "cannot write to", "File name too long")
+    refused(command("generate", room, "--out", tmp_path / long / "x"), "cannot write to", "File name too long")
+    refused(command("generate", long), f"scene file {long} does not exist")
+    for words in (("generate", room, "--replay", long), ("assets", "import", long)):
+        refused(command(*words), f"cannot use {long}: File name too long; give another path.")
+    assert sorted(os.listdir(tmp_path)) == ["room.json"]
+
+
+def test_a_sentence_may_be_longer_than_a_file_name(command: Command, tmp_path: Path) -> None:
+    words = f"a bedroom with {', '.join(['a spaceship'] * 30)} and a bed, 4 x 5 m"
+    ran = command("generate", words, "--out", tmp_path / "out", "--no-pictures", "--json")
+    assert ran.code in (0, 1) and "robolayout: A " in ran.err, ran
+
+
 def test_good_rooms(furnished: Furnished) -> None:
     assert furnished.code == (0 if furnished.printed["ok"] else 1)
     assert furnished.code == 0, furnished.printed["violations"]

@@ -160,6 +160,10 @@ INTERRUPTED = "robolayout: interrupted; nothing was left half-written.\n"
 KILL = "import os, signal\ndef kill(*_):\n    os.kill(os.getpid(), signal.SIGINT)\n"
 MOMENTS = {
     "in a command": "import robolayout.scene\nrobolayout.scene.agent_names = kill",
+    "while the edge is loaded": (
+        "import sys\nclass Finder:\n    def find_spec(self, name, *rest):\n        if name == 'robolayout.cli.guard': kill()\n"
+        "sys.meta_path.insert(0, Finder())"
+    ),
     "while loading": (
         "import sys\nclass Finder:\n    def find_spec(self, name, *rest):\n        if name == 'typer': kill()\n"
         "import robolayout.cli\nsys.meta_path.insert(0, Finder())"

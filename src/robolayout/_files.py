@@ -21,7 +21,7 @@ def check_writable(folder: Path) -> None:
     Raises:
         OutputError: The nearest existing folder above (or the folder itself) is none or is read-only.
     """
-    nearest = next(path for path in (folder.absolute(), *folder.absolute().parents) if path.exists())
+    nearest = next(path for path in (folder.absolute(), *folder.absolute().parents) if os.path.exists(path))
     if not nearest.is_dir():
         raise OutputError(f"cannot write to {folder}: {nearest} is not a folder; choose another one.")
     if not os.access(nearest, os.W_OK | os.X_OK):

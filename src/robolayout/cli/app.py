@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 from pathlib import Path
 from typing import Annotated, Any
@@ -33,14 +34,20 @@ from robolayout.cli.terminal import progress, say, show, table
 __all__ = ["app", "main"]
 
 
+REFUSALS = (errno.ENAMETOOLONG, errno.EACCES, errno.EPERM, errno.ELOOP, errno.ENOTDIR, errno.EISDIR, errno.EROFS)
+"""What a system says of a path that is no good, rather than of one that should be there and is not."""
+
+
 class Commands(TyperGroup):
     """The group of all commands."""
 
     def invoke(self, ctx: Any) -> Any:
-        """Run a command."""
+        """Run a command; a path that the system refuses is the user's, all else is nobody's fault but ours."""
         try:
             return super().invoke(ctx)
         except (OSError, EOFError) as error:
+            if isinstance(error, OSError) and error.errno in REFUSALS and isinstance(error.filename, str):
+                raise InputError(f"cannot use {error.filename}: {error.strerror}; give another path.") from None
             raise Unforeseen from error
 
 

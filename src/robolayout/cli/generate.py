@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Generator, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -278,7 +279,7 @@ def _jobs(
         whole = out or Path("out") / file_name(scene.name)
         return whole if variants == 1 else whole / f"variant-{variant}"
 
-    if Path(text).suffix == ".json" or Path(text).exists() or " " not in text.strip():
+    if Path(text).suffix == ".json" or os.path.exists(text) or " " not in text.strip():
         scene = read_scene(text, agent, asset_dir, knowledge)
         for variant in range(variants):
             yield _Job(scene, folder(scene, variant), seed + variant)

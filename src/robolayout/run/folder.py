@@ -241,7 +241,7 @@ def _replace(fresh: Path, home: Path) -> list[str]:
             return _fill(Path(shutil.copytree(fresh, _hidden(home, FRESH, inside=True))), home)
         try:
             os.rename(fresh, home)
-        except BaseException:
+        except (OSError, KeyboardInterrupt):
             os.rename(former, home)
             raise
     return _settle(former, home)
