@@ -9,7 +9,7 @@ import pytest
 from verify_rooms import DISC, furnished, on_floor, square, thing
 
 from robolayout.constraints import RELATIONS, AssetRef, WallRef
-from robolayout.scene import Layout, Scene
+from robolayout.scene import Layout, Scene, layout_digest, scene_digest
 from robolayout.verify import Report, verify
 
 KEYS = [
@@ -26,6 +26,7 @@ KEYS = [
     "statements",
     "violations",
     "timing",
+    "hashes",
 ]
 SHELF = thing("bookshelf-0", (0.3, 1.0, 1.8), "bookshelf")
 ARM = replace(DISC, name="arm", reach_distance=0.6)
@@ -62,6 +63,7 @@ def test_a_good_layout_meets_every_demand():
     assert list(data)[: len(KEYS)] == KEYS
     assert [data[key] for key in KEYS[:10]] == [1.0, 1.0, True, 1.0, 1.0, True, 1.0, 1.0, 1.0, 1.0]
     assert set(data["timing"]["verify"]) == {"wall", "cpu"}
+    assert data["hashes"] == {"scene": scene_digest(report.scene), "layout": layout_digest(report.layout)}
     assert set(data["statements"][0]) == {
         "number",
         "line",

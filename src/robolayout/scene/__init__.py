@@ -3,6 +3,7 @@
 from robolayout.scene.agent import DEFAULT_AGENT, Agent, Source
 from robolayout.scene.agents_io import agent_from_dict, agent_names, agent_to_dict, load_agent, load_agents
 from robolayout.scene.asset import FLAT_HEIGHT, RESERVED_NAMES, Asset, variable_name
+from robolayout.scene.digest import digest, layout_digest, scene_digest
 from robolayout.scene.io import layout_from_dict, load_layout, load_scene, scene_from_dict, scene_to_dict
 from robolayout.scene.layout import Layout, Pose, Snapshot, Trace, vertical_span
 from robolayout.scene.room import LANDING_DEPTH, Opening, Point, Room, Wall
@@ -28,11 +29,14 @@ __all__ = [
     "agent_from_dict",
     "agent_names",
     "agent_to_dict",
+    "digest",
+    "layout_digest",
     "layout_from_dict",
     "load_agent",
     "load_agents",
     "load_layout",
     "load_scene",
+    "scene_digest",
     "scene_from_dict",
     "scene_to_dict",
     "variable_name",

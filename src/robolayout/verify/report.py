@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from robolayout.scene import Agent, Layout, Scene
+from robolayout.scene import Agent, Layout, Scene, layout_digest, scene_digest
 from robolayout.verify._boxes import share
 from robolayout.verify.drives import Drive, find_drives
 from robolayout.verify.heading import HeadingSpace
@@ -276,6 +276,7 @@ class Report:
             "statements": [item.to_dict() for item in self.statements],
             "violations": list(self.violations),
             "timing": {name: dict(seconds) for name, seconds in self.timing.items()},
+            "hashes": {"scene": scene_digest(self.scene), "layout": layout_digest(self.layout)},
             "ok": self.ok,
             "metrics": {name: dict(figures) for name, figures in self.metrics.items()},
             "agents": {report.agent.name: report.to_dict() for report in self.agents},
