@@ -10,7 +10,7 @@ from verify_rooms import DISC, furnished, on_floor, square, thing
 
 from robolayout.constraints import RELATIONS, AssetRef, WallRef
 from robolayout.scene import Layout, Scene, layout_digest, scene_digest
-from robolayout.verify import Report, verify
+from robolayout.verify import Demands, Report, verify
 
 KEYS = [
     "placed_share",
@@ -201,3 +201,16 @@ def test_psa_style_is_what_is_met_and_nothing_unless_all_is_valid():
     assert verify(scene, layout, asked(1)).metrics["LayoutVLM"]["PSA_style"] == 0.0
     assert verify(scene, Layout({}), asked(3)).metrics["LayoutVLM"]["PSA_style"] == 0.0
     assert "PSA_style" not in verify(scene, layout).metrics["LayoutVLM"]
+
+
+def test_the_sentences_ask_for_what_is_demanded_and_no_more():
+    shelf = thing("shelf-0", (3.2, 0.4, 1.8), "bookshelf")
+    scene, layout = furnished(square(), (shelf, on_floor(shelf, 1.6, 2.0, 0)))
+    wide = replace(ARM, radius=0.43)
+    ratio = verify(scene, layout, agent=wide).figures["walkable_ratio"]
+    assert 0.4 < ratio < 0.6
+    strict, lax = (verify(scene, layout, agent=wide, demands=Demands(walkable_ratio=least)) for least in (0.95, 0.4))
+    assert [s for s in strict.violations if "free floor" in s]
+    assert not [s for s in lax.violations if "free floor" in s]
+    assert lax.ok
+    assert not strict.ok

@@ -16,8 +16,9 @@ from robolayout.scene import Agent, Asset
 from robolayout.scene.agent import TOUCH, horizontal_reach
 from robolayout.verify._boxes import Boxes
 from robolayout.verify._sides import SIDES, strips, within
-from robolayout.verify._space import QUAD_SEGS, REACH_SLACK
+from robolayout.verify._space import QUAD_SEGS
 from robolayout.verify.heading import grown
+from robolayout.verify.limits import REACH_SLACK
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,15 +15,7 @@ from shapely import Polygon
 from robolayout.assets import category_of
 from robolayout.scene import Asset, Layout, Room, Scene
 from robolayout.scene.asset import FLAT_HEIGHT
-
-AREA_TOLERANCE = 1e-4
-"""Square metres of intersection in plan that still count as touching (DESIGN section 4)."""
-
-AT = 0.30
-"""Metres within which a movable thing (a chair) stands at another (a table)."""
-
-CARRIED = 0.02
-"""Metres between an asset and the top of what carries it (DESIGN section 4)."""
+from robolayout.verify.limits import AT, CARRIED
 
 
 @dataclass(frozen=True, eq=False)

@@ -20,15 +20,12 @@ from shapely.geometry.base import BaseGeometry
 from robolayout.scene import LANDING_DEPTH, Room
 from robolayout.verify._boxes import Boxes, landings, room_polygon
 from robolayout.verify._obstacles import NOTHING, Obstacles
+from robolayout.verify.limits import REACH_SLACK, SLIVER
 
 QUAD_SEGS = 16
 """Chords per quarter turn in every round corner."""
-SLIVER = 1e-8
-"""Square metres below which a piece of free space is numerical dust."""
 JOINT = 1e-6
 """Metres by which what opens where a chair was overlaps the free space beside it."""
-REACH_SLACK = 1e-6
-"""Metres of rounding that a distance may be above the reach."""
 _NONE = np.empty(0, dtype=np.object_)
 
 

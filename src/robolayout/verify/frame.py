@@ -11,7 +11,8 @@ from robolayout._errors import MissingExtraError
 from robolayout.scene import Layout
 
 if TYPE_CHECKING:
-    from robolayout.verify.report import AgentReport, Report
+    from robolayout.verify.agent_report import AgentReport
+    from robolayout.verify.report import Report
 
 
 def report_frame(report: Report) -> Any:

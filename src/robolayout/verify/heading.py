@@ -22,7 +22,8 @@ from shapely.geometry.base import BaseGeometry
 from robolayout.scene import LANDING_DEPTH, Agent, Layout, Room, Scene
 from robolayout.verify._boxes import boxes, room_polygon
 from robolayout.verify._obstacles import Obstacles, obstacles
-from robolayout.verify._space import REACH_SLACK, all_free, components, disc_space, opened
+from robolayout.verify._space import all_free, components, disc_space, opened
+from robolayout.verify.limits import REACH_SLACK
 
 Node = tuple[int, int]
 """A piece of free space: number of its heading, and its own among those of that heading."""

@@ -19,7 +19,8 @@ from shapely import LineString, Polygon
 from robolayout.scene import Agent, Layout, Point, Scene
 from robolayout.verify._boxes import Boxes, boxes
 from robolayout.verify._obstacles import obstacles
-from robolayout.verify._space import REACH_SLACK, Space, disc_space, plan_distances, reached_rows
+from robolayout.verify._space import Space, disc_space, plan_distances, reached_rows
+from robolayout.verify.limits import REACH_SLACK
 from robolayout.verify.routes import find_routes
 
 STEP = 0.005

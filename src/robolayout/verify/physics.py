@@ -16,26 +16,8 @@ from numpy.typing import NDArray
 from shapely import Polygon, STRtree
 
 from robolayout.scene import Layout, Scene
-from robolayout.verify._boxes import AREA_TOLERANCE, Boxes, boxes, landings, room_polygon, share, shared_area
-
-
-@dataclass(frozen=True)
-class PhysicsLimits:
-    """Tolerances of the physical checks; the defaults are the definitions of DESIGN section 4.
-
-    Attributes:
-        area: Shared footprint in m2 above which two assets collide, or an asset stands in a landing.
-        height: Shared height in metres above which two assets collide.
-        boundary: Metres that a box may stick out of the room, in plan and in height.
-        support: Metres between an asset and what holds it.
-        door_height: Metres below which nothing may stand in a landing.
-    """
-
-    area: float = AREA_TOLERANCE
-    height: float = 0.01
-    boundary: float = 0.01
-    support: float = 0.02
-    door_height: float = 2.0
+from robolayout.verify._boxes import Boxes, boxes, landings, room_polygon, share, shared_area
+from robolayout.verify.limits import PhysicsLimits
 
 
 @dataclass(frozen=True)

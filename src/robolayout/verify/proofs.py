@@ -18,7 +18,8 @@ from numpy.typing import NDArray
 from robolayout.scene import Agent, Scene
 from robolayout.verify._boxes import Boxes, landings, room_polygon
 from robolayout.verify._obstacles import NOTHING
-from robolayout.verify._space import REACH_SLACK, disc_space, plan_distances, reached_rows
+from robolayout.verify._space import disc_space, plan_distances, reached_rows
+from robolayout.verify.limits import REACH_SLACK
 from robolayout.verify.navigation import Navigation
 
 NEIGHBOURS = 12

@@ -2,39 +2,18 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from robolayout.scene import Agent, Layout, Scene, layout_digest, scene_digest
+from robolayout.scene import Layout, Scene, layout_digest, scene_digest
 from robolayout.verify._boxes import share
-from robolayout.verify.drives import Drive, find_drives
-from robolayout.verify.heading import HeadingSpace
+from robolayout.verify.agent_report import AgentReport, finite
+from robolayout.verify.limits import Demands
 from robolayout.verify.metrics import published_metrics
-from robolayout.verify.navigation import Navigation
-from robolayout.verify.passages import WIDE
 from robolayout.verify.physics import Physics
-from robolayout.verify.proofs import Remedies, exempt_from_reach, exempt_from_use, impossible, remedies
-from robolayout.verify.sentences import agent_violations
-from robolayout.verify.use import Usage, Use
-
-SHOWN = 12
-"""Violations that a notebook shows; the report holds all."""
-
-
-@dataclass(frozen=True)
-class Demands:
-    """What a layout must achieve for `Report.ok`; every other share must be 1.
-
-    Attributes:
-        walkable_ratio: Smallest walkable ratio.
-        statements_met_share: Smallest share of statements met.
-    """
-
-    walkable_ratio: float = 0.95
-    statements_met_share: float = 0.95
+from robolayout.verify.present import html, markdown
 
 
 @dataclass(frozen=True)
@@ -73,106 +52,7 @@ class StatementResult:
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain data; figures that do not exist are None."""
-        return vars(self) | {"value": _finite(self.value), "limit": _finite(self.limit)}
-
-
-@dataclass(frozen=True, eq=False)
-class AgentReport:
-    """What one agent can do in the layout.
-
-    Attributes:
-        agent: The body.
-        navigation: Where it can go and what it reaches.
-        usage: What it can use.
-    """
-
-    agent: Agent
-    navigation: Navigation
-    usage: Usage
-
-    @property
-    def headings(self) -> HeadingSpace | None:
-        """Where a rectangular body gets to and turns; None for a disc."""
-        return self.usage.headings
-
-    @cached_property
-    def exempt(self) -> Mapping[str, str]:
-        """Assets that this body is not asked to use (the figures still count them), and why."""
-        return exempt_from_use(self.navigation.scene, self.agent)
-
-    @cached_property
-    def short(self) -> tuple[str, ...]:
-        """Names of assets that it is asked to reach and use and does not, in the order of the scene."""
-        scene, reached, usable = self.navigation.scene, self.navigation.reached, self.usage.usable
-        reach, use = exempt_from_reach(scene, self.agent), self.exempt
-        return tuple(n for n in reached if not (reached[n] or n in reach) or not (usable[n] or n in use))
-
-    @cached_property
-    def impossible(self) -> tuple[str, ...]:
-        """What no layout of this scene can achieve for this body, with proofs in numbers."""
-        return impossible(self.navigation.scene, self.agent)
-
-    @cached_property
-    def remedies(self) -> Remedies:
-        """The smallest changes to this layout that would let it reach everything."""
-        return remedies(self.navigation)
-
-    @cached_property
-    def drives(self) -> Mapping[str, Drive]:
-        """For a rectangular body the way, with its heading, to where it uses each thing; empty for a disc."""
-        if self.headings is None:
-            return {}
-        uses = self.usage.uses.items()
-        stands = {name: use.stand for name, use in uses if use.stand is not None and not use.moved}
-        return find_drives(self.navigation.scene.room, self.headings, stands)
-
-    @property
-    def figures(self) -> dict[str, float]:
-        """The shares of DESIGN section 8 for this agent."""
-        return {
-            "walkable_ratio": self.navigation.walkable_ratio,
-            "reachable_share": self.navigation.reachable_share,
-            "usable_share": self.usage.usable_share,
-        }
-
-    @cached_property
-    def violations(self) -> tuple[str, ...]:
-        """What this agent cannot do, in sentences with numbers and names."""
-        return agent_violations(self.navigation, self.usage, self.exempt)
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return figures, routes, passages and uses as plain data."""
-        nav = self.navigation
-        return {
-            "name": self.agent.name,
-            **self.figures,
-            "free_area": nav.free.area,
-            "routes": {
-                name: {"length": route.length, "points": [list(point) for point in route.points]}
-                for name, route in nav.routes.items()
-            },
-            "passages": {
-                name: {"width": p.width, "point": p.point and list(p.point), "between": list(p.between)}
-                for name, p in nav.passages.items()
-            },
-            "unreached": {name: _finite(nav.distances[name]) for name in nav.unreached},
-            "moved": {name: list(use.moved) for name, use in self.usage.uses.items() if use.moved},
-            "unusable": {name: use.reason for name, use in self.usage.uses.items() if not use.usable},
-            "drives": {
-                name: {
-                    "length": drive.length,
-                    "turned": math.degrees(drive.turned),
-                    "poses": [[x, y, math.degrees(heading)] for x, y, heading in drive.poses],
-                }
-                for name, drive in self.drives.items()
-            },
-            "turning_places": None if self.headings is None else _places(self.headings),
-            "exempt": dict(self.exempt),
-            "impossible": list(self.impossible),
-            "remedies": list(self.remedies.sentences(self.agent)),
-            "largest_disc": self.remedies.largest_disc,
-            "violations": list(self.violations),
-        }
+        return vars(self) | {"value": finite(self.value), "limit": finite(self.limit)}
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,7 +76,7 @@ class Report:
     physics: Physics
     agents: tuple[AgentReport, ...]
     statements: tuple[StatementResult, ...] = ()
-    demands: Demands = Demands()
+    demands: Demands = field(default_factory=Demands)
     timing: Mapping[str, Mapping[str, float]] = field(default_factory=dict[str, Mapping[str, float]])
     planner: Mapping[str, Any] = field(default_factory=dict[str, Any])
     stability: Mapping[str, Any] = field(default_factory=dict[str, Any])
@@ -294,21 +174,7 @@ class Report:
 
     def to_markdown(self) -> str:
         """Return the content of `report.md`: the table, what is wrong, and the way to each asset."""
-        lines = [f"# {self.scene.name}: {'all demands met' if self.ok else 'not all demands are met'}", ""]
-        lines += ["| check | result | |", "|---|---:|---|"]
-        lines += [f"| {name} | {value} | {'ok' if met else '**short**'} |" for name, value, met in self.rows()]
-        if self.violations:
-            lines += ["", "## What is wrong", "", *(f"- {sentence}" for sentence in self.violations)]
-        helps = [sentence for report in self.agents for sentence in report.remedies.sentences(report.agent)]
-        if helps:
-            lines += ["", "## What would help", "", *(f"- {sentence}" for sentence in helps)]
-        if self.stability:
-            lines += ["", "## In a simulator", "", *_stability(self.stability)]
-        for report in self.agents:
-            lines += ["", f"## {report.agent.title or report.agent.name}", "", *_agent_table(report)]
-        if self.planner:
-            lines += ["", "## Who planned", "", *(f"- {sentence}" for sentence in self.planner.get("sentences", ()))]
-        return "\n".join(lines) + "\n"
+        return markdown(self)
 
     def to_frame(self) -> Any:
         """Return a pandas DataFrame with one row per asset: pose, box, verdicts, and what each agent can do with it.
@@ -322,13 +188,7 @@ class Report:
 
     def to_html(self) -> str:
         """Return the short table and the first things that are wrong as HTML."""
-        from robolayout._html import bullets, paragraph, table
-
-        bodies = ", ".join(report.agent.title or report.agent.name for report in self.agents)
-        verdict = "all demands met" if self.ok else "not all demands are met"
-        rows = [[name, value, "ok" if met else "short"] for name, value, met in self.rows()]
-        head = paragraph(f"{self.scene.name} for {bodies}: {verdict}")
-        return head + table(["check", "result", ""], rows) + bullets(self.violations, SHOWN)
+        return html(self)
 
     def _repr_html_(self) -> str:
         return self.to_html()
@@ -336,55 +196,3 @@ class Report:
     def __repr__(self) -> str:
         shown = ", ".join(f"{name} {value}" for name, value, _ in self.rows())
         return f"Report({'ok' if self.ok else f'{len(self.violations)} violations'}: {shown})"
-
-
-def _stability(found: Mapping[str, Any]) -> list[str]:
-    """Return what gravity did, in a sentence and one for each asset that did not stay."""
-    head = f"After {found['seconds']:g} s of gravity, {found['stable_share']:.2f} of the assets stay where they are."
-    return [head, *(f"- {sentence}" for sentence in found["violations"])]
-
-
-def _finite(value: float) -> float | None:
-    return float(value) if math.isfinite(value) else None
-
-
-def _places(space: HeadingSpace) -> list[dict[str, Any]]:
-    """Return a point of each place where the centre can be while the body turns right round, and the place's area."""
-    points = [place.representative_point() for place in space.turning.geoms]
-    return [{"point": [p.x, p.y], "area": g.area} for p, g in zip(points, space.turning.geoms, strict=True)]
-
-
-def _usable(use: Use) -> str:
-    """Return whether an asset can be used, and what has to be moved for it."""
-    if not use.usable:
-        return "**no**"
-    return f"yes, {' and '.join(use.moved)} moved" if use.moved else "yes"
-
-
-def _agent_table(report: AgentReport) -> list[str]:
-    nav = report.navigation
-    shown = [f"{name.removesuffix('_share').replace('_', ' ')} {value:.2f}" for name, value in report.figures.items()]
-    lines = [f"{', '.join(shown)}."]
-    if not nav.scene.room.doors:
-        lines.append(f"The room has no door: {report.agent.name} starts in the largest free part of the floor.")
-    largest, needed = report.remedies.largest_disc, 2 * report.agent.radius
-    if largest > 0:
-        more = " or more" if largest >= WIDE - 1e-9 else ""
-        lines.append(
-            f"The widest disc that reaches everything asked is {largest:.2f} m{more}; this body needs {needed:.2f} m."
-        )
-    if report.headings is not None:
-        turns = len(report.headings.turning.geoms)
-        lines.append(f"It can turn right round in {turns} {'place' if turns == 1 else 'places'}.")
-    lines += ["", "| asset | reached | route | narrowest passage | between | usable |"]
-    lines.append("|---|---|---:|---:|---|---|")
-    for name, passage in nav.passages.items():
-        route = nav.routes.get(name)
-        length = f"{route.length:.1f} m" if route else "-"
-        between = passage.sides or "-"
-        reached = "yes" if nav.reached[name] else "**no**"
-        usable = _usable(report.usage.uses[name])
-        lines.append(f"| {name} | {reached} | {length} | {passage.shown} | {between} | {usable} |")
-    if report.exempt:
-        lines += ["", *(f"- not asked: {reason}." for reason in report.exempt.values())]
-    return lines

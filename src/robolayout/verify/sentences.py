@@ -7,15 +7,13 @@ from collections.abc import Mapping
 import numpy as np
 import shapely
 
+from robolayout.verify.limits import Demands
 from robolayout.verify.navigation import Navigation
 from robolayout.verify.proofs import exempt_from_reach, impossible, kept_out
 from robolayout.verify.use import Usage
 
-WALKABLE = 0.95
-"""Walkable ratio below which the report says what is cut off."""
 
-
-def agent_violations(nav: Navigation, usage: Usage, exempt: Mapping[str, str]) -> tuple[str, ...]:
+def agent_violations(nav: Navigation, usage: Usage, exempt: Mapping[str, str], demands: Demands) -> tuple[str, ...]:
     """Return what keeps an agent from entering, moving, reaching and using; nothing that is not asked of it."""
     agent = nav.agent.name
     found = list(impossible(nav.scene, nav.agent))
@@ -25,7 +23,7 @@ def agent_violations(nav: Navigation, usage: Usage, exempt: Mapping[str, str]) -
         found += [_blocked_sentence(nav)] if not kept_out(nav.scene, nav.agent) else []
         found += [f"{agent} reaches none of {', '.join(wanted)}."] if wanted else []
     else:
-        if nav.walkable_ratio < WALKABLE:
+        if nav.walkable_ratio < demands.walkable_ratio:
             parts = len(nav.free.geoms) - 1
             found.append(
                 f"{agent} can walk only {nav.walkable_ratio:.0%} of the free floor: {parts} further "

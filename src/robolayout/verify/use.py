@@ -23,10 +23,11 @@ from shapely.geometry.base import BaseGeometry
 from robolayout.scene import Agent, Layout, Point, Scene
 from robolayout.scene.agent import TOUCH, horizontal_reach
 from robolayout.verify._approaches import approaches, needs_no_use
-from robolayout.verify._boxes import AREA_TOLERANCE, room_polygon, share, shared_area
+from robolayout.verify._boxes import room_polygon, share, shared_area
 from robolayout.verify._sides import side_edge, strips
 from robolayout.verify._stances import Stances
 from robolayout.verify.heading import HeadingSpace
+from robolayout.verify.limits import AREA_TOLERANCE
 from robolayout.verify.navigation import Navigation, navigation
 
 FAR = 3.0

@@ -9,9 +9,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from robolayout.scene import Agent, Layout, Scene, load_agents
+from robolayout.verify.agent_report import AgentReport
+from robolayout.verify.limits import Demands
 from robolayout.verify.navigation import navigation
 from robolayout.verify.physics import physics
-from robolayout.verify.report import AgentReport, Demands, Report, StatementResult
+from robolayout.verify.report import Report, StatementResult
 from robolayout.verify.use import usage
 
 if TYPE_CHECKING:
@@ -40,17 +42,18 @@ def verify(
     """
     wall, cpu = time.perf_counter(), time.process_time()
     placed = {name for name, pose in layout.items() if all(map(math.isfinite, (pose.x, pose.y, pose.z, pose.yaw)))}
-    reports = tuple(judge_agent(scene, layout, body) for body in _agents(scene, agent))
+    demands = demands or Demands()
+    reports = tuple(judge_agent(scene, layout, body, demands) for body in _agents(scene, agent))
     statements = () if program is None else tuple(_measure(scene, layout, s, placed) for s in program.statements)
     judged = physics(scene, layout)
     timing = {"verify": {"wall": time.perf_counter() - wall, "cpu": time.process_time() - cpu}}
-    return Report(scene, layout, judged, reports, statements, demands or Demands(), timing)
+    return Report(scene, layout, judged, reports, statements, demands, timing)
 
 
-def judge_agent(scene: Scene, layout: Layout, agent: Agent) -> AgentReport:
-    """Judge what one agent can get to and use."""
+def judge_agent(scene: Scene, layout: Layout, agent: Agent, demands: Demands | None = None) -> AgentReport:
+    """Judge what one agent can get to and use; its sentences complain of what falls short of the demands."""
     nav = navigation(scene, layout, agent)
-    return AgentReport(agent, nav, usage(scene, layout, agent, nav=nav))
+    return AgentReport(agent, nav, usage(scene, layout, agent, nav=nav), demands or Demands())
 
 
 def _agents(scene: Scene, agent: AgentSpec | Iterable[AgentSpec] | None) -> tuple[Agent, ...]:

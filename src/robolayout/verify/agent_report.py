@@ -1,0 +1,130 @@
+"""What one body can do in a layout: figures, sentences, routes and uses."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+from robolayout.scene import Agent
+from robolayout.verify.drives import Drive, find_drives
+from robolayout.verify.heading import HeadingSpace
+from robolayout.verify.limits import Demands
+from robolayout.verify.navigation import Navigation
+from robolayout.verify.proofs import Remedies, exempt_from_reach, exempt_from_use, impossible, remedies
+from robolayout.verify.sentences import agent_violations
+from robolayout.verify.use import Usage
+
+
+@dataclass(frozen=True, eq=False)
+class AgentReport:
+    """What one agent can do in the layout.
+
+    Attributes:
+        agent: The body.
+        navigation: Where it can go and what it reaches.
+        usage: What it can use.
+        demands: What is asked of it.
+    """
+
+    agent: Agent
+    navigation: Navigation
+    usage: Usage
+    demands: Demands = field(default_factory=Demands)
+
+    @property
+    def headings(self) -> HeadingSpace | None:
+        """Where a rectangular body gets to and turns; None for a disc."""
+        return self.usage.headings
+
+    @cached_property
+    def exempt(self) -> Mapping[str, str]:
+        """Assets that this body is not asked to use (the figures still count them), and why."""
+        return exempt_from_use(self.navigation.scene, self.agent)
+
+    @cached_property
+    def short(self) -> tuple[str, ...]:
+        """Names of assets that it is asked to reach and use and does not, in the order of the scene."""
+        scene, reached, usable = self.navigation.scene, self.navigation.reached, self.usage.usable
+        reach, use = exempt_from_reach(scene, self.agent), self.exempt
+        return tuple(n for n in reached if not (reached[n] or n in reach) or not (usable[n] or n in use))
+
+    @cached_property
+    def impossible(self) -> tuple[str, ...]:
+        """What no layout of this scene can achieve for this body, with proofs in numbers."""
+        return impossible(self.navigation.scene, self.agent)
+
+    @cached_property
+    def remedies(self) -> Remedies:
+        """The smallest changes to this layout that would let it reach everything."""
+        return remedies(self.navigation)
+
+    @cached_property
+    def drives(self) -> Mapping[str, Drive]:
+        """For a rectangular body the way, with its heading, to where it uses each thing; empty for a disc."""
+        if self.headings is None:
+            return {}
+        uses = self.usage.uses.items()
+        stands = {name: use.stand for name, use in uses if use.stand is not None and not use.moved}
+        return find_drives(self.navigation.scene.room, self.headings, stands)
+
+    @property
+    def figures(self) -> dict[str, float]:
+        """The shares of DESIGN section 8 for this agent."""
+        return {
+            "walkable_ratio": self.navigation.walkable_ratio,
+            "reachable_share": self.navigation.reachable_share,
+            "usable_share": self.usage.usable_share,
+        }
+
+    @cached_property
+    def violations(self) -> tuple[str, ...]:
+        """What this agent cannot do, in sentences with numbers and names."""
+        return agent_violations(self.navigation, self.usage, self.exempt, self.demands)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return figures, routes, passages and uses as plain data."""
+        nav = self.navigation
+        return {
+            "name": self.agent.name,
+            **self.figures,
+            "free_area": nav.free.area,
+            "routes": {
+                name: {"length": route.length, "points": [list(point) for point in route.points]}
+                for name, route in nav.routes.items()
+            },
+            "passages": {
+                name: {"width": p.width, "point": p.point and list(p.point), "between": list(p.between)}
+                for name, p in nav.passages.items()
+            },
+            "unreached": {name: finite(nav.distances[name]) for name in nav.unreached},
+            "moved": {name: list(use.moved) for name, use in self.usage.uses.items() if use.moved},
+            "unusable": {name: use.reason for name, use in self.usage.uses.items() if not use.usable},
+            "drives": {
+                name: {
+                    "length": drive.length,
+                    "turned": math.degrees(drive.turned),
+                    "poses": [[x, y, math.degrees(heading)] for x, y, heading in drive.poses],
+                }
+                for name, drive in self.drives.items()
+            },
+            "turning_places": None if self.headings is None else _places(self.headings),
+            "exempt": dict(self.exempt),
+            "impossible": list(self.impossible),
+            "remedies": list(self.remedies.sentences(self.agent)),
+            "largest_disc": self.remedies.largest_disc,
+            "violations": list(self.violations),
+        }
+
+
+def finite(value: float) -> float | None:
+    """Return a figure for plain data: None where it does not exist."""
+    return float(value) if math.isfinite(value) else None
+
+
+def _places(space: HeadingSpace) -> list[dict[str, Any]]:
+    """Return a point of each place where the centre can be while the body turns right round, and the place's area."""
+    points = [place.representative_point() for place in space.turning.geoms]
+    return [{"point": [p.x, p.y], "area": g.area} for p, g in zip(points, space.turning.geoms, strict=True)]

@@ -1,0 +1,56 @@
+"""The judge's limits: every number that decides whether something counts as met, in one frozen place.
+
+What the nouns themselves define stands with them: the depth of a landing with the room, the height of a rug with the asset,
+touching distance with the agent.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+AREA_TOLERANCE = 1e-4
+"""Square metres of intersection in plan that still count as touching (DESIGN section 4)."""
+
+AT = 0.30
+"""Metres within which a movable thing (a chair) stands at another (a table)."""
+
+CARRIED = 0.02
+"""Metres between an asset and the top of what carries it (DESIGN section 4)."""
+
+REACH_SLACK = 1e-6
+"""Metres of rounding that a distance may be above the reach."""
+
+SLIVER = 1e-8
+"""Square metres below which a piece of free space is numerical dust."""
+
+
+@dataclass(frozen=True)
+class Demands:
+    """What a layout must achieve for `Report.ok`; every other share must be 1.
+
+    Attributes:
+        walkable_ratio: Smallest walkable ratio.
+        statements_met_share: Smallest share of statements met.
+    """
+
+    walkable_ratio: float = 0.95
+    statements_met_share: float = 0.95
+
+
+@dataclass(frozen=True)
+class PhysicsLimits:
+    """Tolerances of the physical checks; the defaults are the definitions of DESIGN section 4.
+
+    Attributes:
+        area: Shared footprint in m2 above which two assets collide, or an asset stands in a landing.
+        height: Shared height in metres above which two assets collide.
+        boundary: Metres that a box may stick out of the room, in plan and in height.
+        support: Metres between an asset and what holds it.
+        door_height: Metres below which nothing may stand in a landing.
+    """
+
+    area: float = AREA_TOLERANCE
+    height: float = 0.01
+    boundary: float = 0.01
+    support: float = CARRIED
+    door_height: float = 2.0

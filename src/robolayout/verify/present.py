@@ -1,0 +1,87 @@
+"""The report for people: Markdown for the folder of a run, HTML for notebooks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from robolayout._html import bullets, paragraph, table
+from robolayout.verify.agent_report import AgentReport
+from robolayout.verify.passages import WIDE
+from robolayout.verify.use import Use
+
+if TYPE_CHECKING:
+    from robolayout.verify.report import Report
+
+SHOWN = 12
+"""Violations that a notebook shows; the report holds all."""
+
+
+def markdown(report: Report) -> str:
+    """Return the content of `report.md`: the table, what is wrong, and the way to each asset."""
+    lines = [f"# {report.scene.name}: {'all demands met' if report.ok else 'not all demands are met'}", ""]
+    lines += ["| check | result | |", "|---|---:|---|"]
+    lines += [f"| {name} | {value} | {'ok' if met else '**short**'} |" for name, value, met in report.rows()]
+    if report.violations:
+        lines += ["", "## What is wrong", "", *(f"- {sentence}" for sentence in report.violations)]
+    helps = [sentence for body in report.agents for sentence in body.remedies.sentences(body.agent)]
+    if helps:
+        lines += ["", "## What would help", "", *(f"- {sentence}" for sentence in helps)]
+    if report.stability:
+        lines += ["", "## In a simulator", "", *_stability(report.stability)]
+    for body in report.agents:
+        lines += ["", f"## {body.agent.title or body.agent.name}", "", *_agent_table(body)]
+    if report.planner:
+        lines += ["", "## Who planned", "", *(f"- {sentence}" for sentence in report.planner.get("sentences", ()))]
+    return "\n".join(lines) + "\n"
+
+
+def html(report: Report) -> str:
+    """Return the short table and the first things that are wrong as HTML."""
+    bodies = ", ".join(body.agent.title or body.agent.name for body in report.agents)
+    verdict = "all demands met" if report.ok else "not all demands are met"
+    rows = [[name, value, "ok" if met else "short"] for name, value, met in report.rows()]
+    head = paragraph(f"{report.scene.name} for {bodies}: {verdict}")
+    return head + table(["check", "result", ""], rows) + bullets(report.violations, SHOWN)
+
+
+def _stability(found: Mapping[str, Any]) -> list[str]:
+    """Return what gravity did, in a sentence and one for each asset that did not stay."""
+    head = f"After {found['seconds']:g} s of gravity, {found['stable_share']:.2f} of the assets stay where they are."
+    return [head, *(f"- {sentence}" for sentence in found["violations"])]
+
+
+def _usable(use: Use) -> str:
+    """Return whether an asset can be used, and what has to be moved for it."""
+    if not use.usable:
+        return "**no**"
+    return f"yes, {' and '.join(use.moved)} moved" if use.moved else "yes"
+
+
+def _agent_table(report: AgentReport) -> list[str]:
+    nav = report.navigation
+    shown = [f"{name.removesuffix('_share').replace('_', ' ')} {value:.2f}" for name, value in report.figures.items()]
+    lines = [f"{', '.join(shown)}."]
+    if not nav.scene.room.doors:
+        lines.append(f"The room has no door: {report.agent.name} starts in the largest free part of the floor.")
+    largest, needed = report.remedies.largest_disc, 2 * report.agent.radius
+    if largest > 0:
+        more = " or more" if largest >= WIDE - 1e-9 else ""
+        lines.append(
+            f"The widest disc that reaches everything asked is {largest:.2f} m{more}; this body needs {needed:.2f} m."
+        )
+    if report.headings is not None:
+        turns = len(report.headings.turning.geoms)
+        lines.append(f"It can turn right round in {turns} {'place' if turns == 1 else 'places'}.")
+    lines += ["", "| asset | reached | route | narrowest passage | between | usable |"]
+    lines.append("|---|---|---:|---:|---|---|")
+    for name, passage in nav.passages.items():
+        route = nav.routes.get(name)
+        length = f"{route.length:.1f} m" if route else "-"
+        between = passage.sides or "-"
+        reached = "yes" if nav.reached[name] else "**no**"
+        usable = _usable(report.usage.uses[name])
+        lines.append(f"| {name} | {reached} | {length} | {passage.shown} | {between} | {usable} |")
+    if report.exempt:
+        lines += ["", *(f"- not asked: {reason}." for reason in report.exempt.values())]
+    return lines
