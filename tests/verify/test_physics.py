@@ -7,7 +7,7 @@ import math
 import pytest
 from verify_rooms import furnished, on_floor, square, thing
 
-from robolayout.scene import Layout, Pose, Room
+from robolayout.scene import Asset, Layout, Pose, Room
 from robolayout.verify import physics
 
 BOX = thing("box-0", (0.5, 1.0, 0.8))
@@ -115,6 +115,41 @@ def test_things_stand_on_things_with_their_centre_over_them(x: float, bottom: fl
 def test_what_floats_is_told_with_what_is_below():
     judged = physics(*furnished(square(), (BOX, on_floor(BOX, 2, 2)), (LAMP, on_floor(LAMP, 2, 2, bottom=1.0))))
     assert judged.reasons == ("lamp-0 is not supported: its bottom is at 1.00 m, the top of box-0 at 0.80 m.",)
+
+
+def plate(name: str) -> Asset:
+    return thing(name, (0.3, 0.3, 0.008), "plate", on_floor=False, on_object=True)
+
+
+def test_two_plates_in_mid_air_do_not_hold_each_other_up():
+    a, b = plate("plate-0"), plate("plate-1")
+    judged = physics(*furnished(square(), (a, on_floor(a, 2, 2, bottom=1.0)), (b, on_floor(b, 2, 2, bottom=1.008))))
+    assert judged.supported == {"plate-0": False, "plate-1": False}
+    assert judged.reasons == (
+        "plate-0 is not supported: it stands on plate-1, which nothing holds.",
+        "plate-1 is not supported: it stands on plate-0, which nothing holds.",
+    )
+
+
+def test_support_is_a_tree_that_ends_at_floor_wall_or_ceiling():
+    shelf = thing("shelf-0", (0.3, 1.0, 0.05), "wall shelf", on_floor=False, on_wall=True)
+    stack = [plate(f"plate-{i}") for i in range(4)]
+    for shelf_x, held in ((0.15, True), (0.5, False)):
+        room = furnished(
+            square(),
+            *((one, on_floor(one, shelf_x, 2, bottom=1.05 + 0.008 * i)) for i, one in reversed([*enumerate(stack)])),
+            (shelf, on_floor(shelf, shelf_x, 2, bottom=1.0)),
+        )
+        assert set(physics(*room).supported.values()) == {held}
+
+
+def test_what_stands_on_a_floating_table_floats():
+    lamp = thing("lamp-0", (0.2, 0.2, 0.4), "table lamp", on_floor=False, on_object=True)
+    judged = physics(
+        *furnished(square(), (BOX, on_floor(BOX, 2, 2, bottom=0.5)), (lamp, on_floor(lamp, 2, 2, bottom=1.3)))
+    )
+    assert judged.supported == {"box-0": False, "lamp-0": False}
+    assert judged.reasons[1] == "lamp-0 is not supported: it stands on box-0, which nothing holds."
 
 
 def test_wall_assets_touch_a_wall_and_nothing_else_will_do():

@@ -120,7 +120,7 @@ def physics(scene: Scene, layout: Layout, limits: PhysicsLimits | None = None) -
     ]
     sentences += [f"{c.a} and {c.b} overlap by {c.area:.3f} m2 in plan and {c.height:.2f} m in height." for c in pairs]
     sentences += [_outside_sentence(scene, found, int(row)) for row in np.flatnonzero(found.placed & ~inside)]
-    sentences += [_floating_sentence(scene, found, int(row)) for row in np.flatnonzero(found.placed & ~held)]
+    sentences += [_floating_sentence(scene, found, int(row), limits) for row in np.flatnonzero(found.placed & ~held)]
     sentences += [f"{o.asset} takes {o.area:.2f} m2 of the landing of door {o.door}." for o in blocked]
     return Physics(
         placed=_verdicts(found, found.placed),
@@ -175,7 +175,7 @@ def _inside(scene: Scene, found: Boxes, limits: PhysicsLimits) -> NDArray[np.boo
 
 
 def _held(scene: Scene, found: Boxes, limits: PhysicsLimits) -> NDArray[np.bool_]:
-    """Return what is held in a way that its flags allow: on the floor or an asset, at a wall, from the ceiling."""
+    """Return what is held in a way that its flags allow: at a wall, from the ceiling, on the floor, or on what is held."""
     assets = scene.assets
     tolerance = limits.support + 1e-9
     on_wall = np.array([asset.on_wall for asset in assets], dtype=bool)
@@ -184,8 +184,12 @@ def _held(scene: Scene, found: Boxes, limits: PhysicsLimits) -> NDArray[np.bool_
     floor = np.abs(found.bottom) <= tolerance
     ceiling = np.abs(found.top - scene.room.wall_height) <= tolerance
     wall = shapely.distance(found.footprints, walls) <= tolerance
-    carried = found.held_by(found.placed, limits.support) >= 0
-    return found.placed & ((stands & (floor | carried)) | (on_wall & wall) | (found.ceiling & ceiling))
+    held = found.placed & ((stands & floor) | (on_wall & wall) | (found.ceiling & ceiling))
+    while True:  # a step up the trees that grow from floor, walls and ceiling; what no tree carries is not held
+        carried = stands & ~held & (found.held_by(held, limits.support) >= 0)
+        if not carried.any():
+            return held
+        held |= carried
 
 
 def _verdicts(found: Boxes, flags: NDArray[np.bool_]) -> dict[str, bool]:
@@ -203,13 +207,16 @@ def _outside_sentence(scene: Scene, found: Boxes, row: int) -> str:
     return f"{name} sticks {depth:.2f} m out of the room ({out.area:.3f} m2 of its footprint)."
 
 
-def _floating_sentence(scene: Scene, found: Boxes, row: int) -> str:
+def _floating_sentence(scene: Scene, found: Boxes, row: int, limits: PhysicsLimits) -> str:
     asset, name = scene.assets[row], found.names[row]
     if asset.on_ceiling:
         return f"{name} hangs {scene.room.wall_height - found.top[row]:.2f} m below the ceiling instead of from it."
     if asset.on_wall:
         gap = found.footprints[row].distance(room_polygon(scene.room).exterior)
         return f"{name} should hang on a wall but is {gap:.2f} m from the nearest one."
+    carrier = int(found.held_by(found.placed, limits.support)[row])
+    if carrier >= 0:
+        return f"{name} is not supported: it stands on {found.names[carrier]}, which nothing holds."
     below = np.flatnonzero(found.placed & (found.top <= found.bottom[row] + 1e-9))
     under = below[shapely.intersects_xy(found.footprints[below], *found.centers[row])]
     base = (
