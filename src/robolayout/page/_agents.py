@@ -101,7 +101,9 @@ def _figures(report: AgentReport, demands: Demands) -> list[tuple[str, str, bool
     usable = all(met or name in report.exempt for name, met in report.usage.usable.items())
     rows: list[tuple[str, str, bool | None]] = [
         ("walkable", f"{nav.walkable_ratio:.0%}", nav.walkable_ratio >= demands.walkable_ratio),
-        ("reachable", f"{nav.reachable_share:.0%}", reached),
+        ("doors reached", "yes" if report.doors_reached else "no", report.doors_reached),
+        ("reachable as it stands", f"{nav.reachable_share:.0%}", None),
+        ("reachable with chairs aside", f"{nav.reachable_share_chairs_aside:.0%}", reached),
         ("usable", f"{report.usage.usable_share:.0%}", usable),
         ("free floor", f"{nav.free.area:.1f} m\u00b2", None),
     ]

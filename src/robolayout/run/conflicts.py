@@ -91,6 +91,8 @@ class _Looker:
 
     def _standing(self, layout: Layout) -> _Standing:
         """Return what is wrong in a layout."""
-        short = (name for agent in self.scene.agents for name in judge_agent(self.scene, layout, agent).short)
+        bodies = [judge_agent(self.scene, layout, agent) for agent in self.scene.agents]
+        short = [name for body in bodies for name in body.short]
+        short += [f"door {door.number}" for body in bodies for door in body.navigation.shut_doors]
         unmet = {s.number: s for s in self.program.statements if not s.relation.check(self.scene, layout).met}
         return _Standing(frozenset(physics(self.scene, layout).reasons), frozenset(short), unmet)

@@ -370,7 +370,7 @@ def make_judge(scene: Scene, program: Program) -> Judge:
 
 
 def _access(scene: Scene, layout: Layout, agent: Agent) -> tuple[float, list[str]]:
-    """Return how much an agent cannot get to (in assets) and which assets to move for it."""
+    """Return how much an agent cannot get to (in assets; a door counts as one) and which assets to move for it."""
     found = judge_agent(scene, layout, agent)
     nav = found.navigation
     fixable = [
@@ -382,7 +382,8 @@ def _access(scene: Scene, layout: Layout, agent: Agent) -> tuple[float, list[str
     cut_off = max(0.0, WALKABLE - nav.walkable_ratio) if nav.free.area > 0 else 0.0
     blamed = [*fixable, *(other for name in fixable for other in found.usage.shutting(name))]
     blamed += nav.dividing if cut_off else ()
-    return unreached + 0.5 * (len(fixable) - unreached) + cut_off, blamed
+    blamed += [name for door in nav.shut_doors for name in nav.shutting(door)]
+    return unreached + 0.5 * (len(fixable) - unreached) + cut_off + len(nav.shut_doors), blamed
 
 
 def _in_height(scene: Scene, layout: Layout, agent: Agent, name: str) -> bool:

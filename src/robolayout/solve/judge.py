@@ -18,7 +18,7 @@ class Verdict:
 
     Attributes:
         hard: Violations of hard demands (collisions, boundary, support, doors), counted in assets.
-        access: What the agents cannot get to or use, in assets, plus the share of free space that is cut off.
+        access: What the agents cannot get to or use, in assets (a door counts as one), plus the share of free space cut off.
         soft: Weight of unmet statements.
         culprits: Assets to move, the most pressing first.
     """

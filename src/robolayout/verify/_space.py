@@ -6,7 +6,7 @@ a wheelchair): the free space is exact along every straight edge and larger than
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
@@ -81,7 +81,8 @@ def disc_space(room: Room, obstacles: Obstacles, radius: float) -> Space:
     eroded = _eroded(room, radius)
     free = all_free(room, obstacles, radius)
     parts = components(free)
-    main, zone = _entered(room, parts, eroded, radius)
+    zone = entry_zone(room, 0, eroded, radius) if room.doors else None
+    main = _entered(parts, zone)
     if len(obstacles.shelter) and len(parts) > 1:
         hidden = shapely.union_all(obstacles.shelter)
         shapely.prepare(hidden)
@@ -151,27 +152,42 @@ def components(space: BaseGeometry) -> NDArray[np.object_]:
     return parts[np.argsort(-shapely.area(parts), kind="stable")]
 
 
-def entry_zone(room: Room, eroded: BaseGeometry, radius: float) -> Polygon | None:
-    """Return the landing through which a disc comes in, deeper than 0.9 m if it could not stand in that at all."""
-    if not room.doors:
-        return None
-    landing: Polygon = landings(room)[0]
+def entry_zone(room: Room, number: int, eroded: BaseGeometry, radius: float) -> Polygon:
+    """Return the landing through which a disc comes in by a door, deeper than 0.9 m if it could not stand in that at all."""
+    landing: Polygon = landings(room)[number]
     if eroded.intersection(landing).area > SLIVER:
         return landing
-    return Polygon(room.landing(room.doors[0], max(LANDING_DEPTH, 2 * radius)))
+    return Polygon(room.landing(room.doors[number], max(LANDING_DEPTH, 2 * radius)))
 
 
-def _entered(
-    room: Room, parts: NDArray[np.object_], eroded: BaseGeometry, radius: float
-) -> tuple[Polygon, Polygon | None]:
-    zone = entry_zone(room, eroded, radius)
-    if not len(parts):
-        return Polygon(), zone
-    if zone is None:
-        return parts[0], None
+def met(parts: NDArray[np.object_], zone: Polygon) -> Polygon:
+    """Return the polygon that shares most with a zone; an empty one where none shares anything with it."""
     shared = shapely.area(shapely.intersection(parts, zone))
-    best = int(np.argmax(shared))
-    return (parts[best] if shared[best] > 0 else Polygon()), zone
+    best = int(np.argmax(shared)) if len(parts) else 0
+    return parts[best] if len(parts) and shared[best] > 0 else Polygon()
+
+
+def _entered(parts: NDArray[np.object_], zone: Polygon | None) -> Polygon:
+    if zone is None:
+        return parts[0] if len(parts) else Polygon()
+    return met(parts, zone)
+
+
+@lru_cache(maxsize=1024)
+def further_doors(room: Room, radius: float) -> Mapping[int, Polygon]:
+    """Return the landings of the doors after the first that a disc gets to from that one in the empty room, by number."""
+    eroded = _eroded(room, radius)
+    zones = {number: entry_zone(room, number, eroded, radius) for number in range(len(room.doors))}
+    main = met(components(eroded), zones[0]) if zones else Polygon()
+    return {number: zone for number, zone in zones.items() if number and main.intersection(zone).area > SLIVER}
+
+
+def standing_distances(found: Boxes, space: Space) -> NDArray[np.float64]:
+    """Return metres from each footprint to the main component, no chair moved; infinite where that is empty, NaN where unplaced."""
+    if space.main.is_empty:
+        return np.where(found.placed, np.inf, np.nan)
+    shapely.prepare(space.main)
+    return shapely.distance(space.main, found.footprints)
 
 
 def plan_distances(found: Boxes, space: Space, reach: float) -> NDArray[np.float64]:
@@ -179,11 +195,8 @@ def plan_distances(found: Boxes, space: Space, reach: float) -> NDArray[np.float
 
     That is the main component; for what is out of reach from there also what it gets to once it has moved chairs away.
     """
-    if space.main.is_empty:
-        return np.where(found.placed, np.inf, np.nan)
-    shapely.prepare(space.main)
-    distances = shapely.distance(space.main, found.footprints)
-    if space.blocking.movables:
+    distances = standing_distances(found, space)
+    if space.blocking.movables and not space.main.is_empty:
         asked = found.placed & ~(found.flat | found.ceiling)
         for row in np.flatnonzero(asked & (distances > reach + REACH_SLACK)).tolist():
             moved = space.blocking.moved_for(found, row)

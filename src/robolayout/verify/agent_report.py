@@ -71,11 +71,17 @@ class AgentReport:
         return find_drives(self.navigation.scene.room, self.headings, stands)
 
     @property
+    def doors_reached(self) -> bool:
+        """Whether it gets from the first door to every other one that it fits through and gets to in the empty room."""
+        return not self.navigation.shut_doors
+
+    @property
     def figures(self) -> dict[str, float]:
         """The shares of DESIGN section 8 for this agent."""
         return {
             "walkable_ratio": self.navigation.walkable_ratio,
             "reachable_share": self.navigation.reachable_share,
+            "reachable_share_chairs_aside": self.navigation.reachable_share_chairs_aside,
             "usable_share": self.usage.usable_share,
         }
 
@@ -98,6 +104,15 @@ class AgentReport:
             "passages": {
                 name: {"width": p.width, "point": p.point and list(p.point), "between": list(p.between)}
                 for name, p in nav.passages.items()
+            },
+            "shut_doors": {
+                str(door.number): {
+                    "width": nav.door_passages[door.number].width,
+                    "between": list(nav.shutting(door)),
+                    "area": door.beyond.buffer(self.agent.radius).area,
+                    "only_behind": list(nav.only_behind(door)),
+                }
+                for door in nav.shut_doors
             },
             "unreached": {name: finite(nav.distances[name]) for name in nav.unreached},
             "moved": {name: list(use.moved) for name, use in self.usage.uses.items() if use.moved},

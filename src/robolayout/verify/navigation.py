@@ -1,9 +1,9 @@
 """Navigation: can a body of this radius get from the door to every asset?
 
 The agent is a disc; its free space is the room shrunk by its radius minus the obstacles grown by it (`_space.py`). What
-it can enter through the first door is the main component. An asset is reached when its footprint lies within the
-agent's reach, measured in plan from the agent's centre, there or where it has moved a chair away that it gets to.
-Ceiling assets and rugs count as reached, unplaced ones never.
+it can enter through the first door is the main component; every other door's landing must meet it (`doors.py`). An asset
+is reached when its footprint lies within the agent's reach, measured in plan from the agent's centre, there or where it
+has moved a chair away that it gets to. Ceiling assets and rugs count as reached, unplaced ones never.
 """
 
 from __future__ import annotations
@@ -15,12 +15,15 @@ from functools import cached_property
 import numpy as np
 import shapely
 from shapely import MultiPolygon, Polygon
+from shapely.geometry.base import BaseGeometry
 
 from robolayout.scene import Agent, Layout, Point, Scene
 from robolayout.verify._boxes import Boxes, boxes, share
 from robolayout.verify._obstacles import Obstacles, obstacles
-from robolayout.verify._space import Space, disc_space, plan_distances, reached_rows
-from robolayout.verify.passages import Passage, find_passages
+from robolayout.verify._space import Space, disc_space, plan_distances, reached_rows, standing_distances
+from robolayout.verify.doors import ShutDoor, shut_doors
+from robolayout.verify.limits import REACH_SLACK
+from robolayout.verify.passages import Passage, find_door_passages, find_passages
 from robolayout.verify.routes import Route, entry_point, find_routes
 
 TOUCH = 0.02
@@ -68,10 +71,26 @@ class Navigation:
         """Area of the main component over all free area."""
         return self.space.walkable_ratio
 
-    @property
+    @cached_property
     def reachable_share(self) -> float:
-        """Share of all assets that are reached."""
+        """Share of all assets that are reached as things stand, no chair moved."""
+        standing = standing_distances(self.boxes, self.space)
+        return share(reached_rows(self.boxes, standing, self.agent.reach))
+
+    @property
+    def reachable_share_chairs_aside(self) -> float:
+        """Share of all assets that are reached, with chairs moved away that stand at them."""
         return share(list(self.reached.values()))
+
+    @cached_property
+    def shut_doors(self) -> tuple[ShutDoor, ...]:
+        """Doors that the agent fits through and does not get to from the first one, though it would in the empty room."""
+        return shut_doors(self.scene.room, self.agent, self.space)
+
+    def only_behind(self, door: ShutDoor) -> tuple[str, ...]:
+        """Return the assets that are within reach from behind a shut door and from nowhere else."""
+        near = shapely.distance(self.boxes.footprints, door.beyond) <= self.agent.reach + REACH_SLACK
+        return tuple(name for name in self.unreached if near[self.boxes.names.index(name)])
 
     @cached_property
     def unreached(self) -> tuple[str, ...]:
@@ -87,11 +106,20 @@ class Navigation:
     @cached_property
     def dividing(self) -> tuple[str, ...]:
         """Assets between the main component and free places that it does not hold, those nearest to both first."""
-        cut_off = MultiPolygon([part for part in self.free.geoms if not part.intersects(self.main)])
-        if cut_off.is_empty or self.main.is_empty:
+        return self._between(MultiPolygon([part for part in self.free.geoms if not part.intersects(self.main)]))
+
+    def shutting(self, door: ShutDoor) -> tuple[str, ...]:
+        """Return the assets between the main component and a shut door, or those that leave no room in its landing."""
+        if not door.beyond.is_empty:
+            return self._between(door.beyond)
+        near = shapely.distance(self.blocking.shapes, door.zone) < self.space.radius
+        return tuple(dict.fromkeys(self.boxes.names[row] for row in self.blocking.rows[near]))
+
+    def _between(self, beyond: BaseGeometry) -> tuple[str, ...]:
+        if beyond.is_empty or self.main.is_empty:
             return ()
         shapes = self.blocking.shapes
-        gaps = np.maximum(shapely.distance(shapes, cut_off), shapely.distance(shapes, self.main))
+        gaps = np.maximum(shapely.distance(shapes, beyond), shapely.distance(shapes, self.main))
         touching = np.flatnonzero(gaps <= self.space.radius + TOUCH)
         rows = self.blocking.rows[touching[np.argsort(gaps[touching], kind="stable")]]
         return tuple(dict.fromkeys(self.boxes.names[row] for row in rows))
@@ -113,6 +141,11 @@ class Navigation:
         return find_passages(self.scene, self.layout, self.agent, self._wanted)
 
     @cached_property
+    def door_passages(self) -> Mapping[int, Passage]:
+        """The narrowest passage on the widest way to every shut door."""
+        return find_door_passages(self.scene, self.layout, self.agent, [door.number for door in self.shut_doors])
+
+    @cached_property
     def _wanted(self) -> tuple[str, ...]:
         found = self.boxes
         return tuple(found.names[row] for row in np.flatnonzero(found.placed & ~found.flat & ~found.ceiling))
@@ -122,7 +155,8 @@ class Navigation:
 
     def __repr__(self) -> str:
         return (
-            f"Navigation({self.agent.name}: walkable {self.walkable_ratio:.2f}, reachable {self.reachable_share:.2f}, "
+            f"Navigation({self.agent.name}: walkable {self.walkable_ratio:.2f}, "
+            f"reachable {self.reachable_share_chairs_aside:.2f}, "
             f"unreached {list(self.unreached)})"
         )
 

@@ -19,8 +19,8 @@ from shapely import LineString, Polygon
 from robolayout.scene import Agent, Layout, Point, Scene
 from robolayout.verify._boxes import Boxes, boxes
 from robolayout.verify._obstacles import obstacles
-from robolayout.verify._space import Space, disc_space, plan_distances, reached_rows
-from robolayout.verify.limits import REACH_SLACK
+from robolayout.verify._space import Space, disc_space, further_doors, plan_distances, reached_rows
+from robolayout.verify.limits import REACH_SLACK, SLIVER
 from robolayout.verify.routes import find_routes
 
 STEP = 0.005
@@ -71,18 +71,19 @@ class Passage:
 def find_passages(scene: Scene, layout: Layout, agent: Agent, names: Sequence[str]) -> dict[str, Passage]:
     """Return the narrowest passage on the way to each of these placed assets."""
     search = _Search(scene, boxes(scene, layout), agent)
-    top = max(math.ceil(WIDE / 2 / STEP), math.floor(agent.radius / STEP) + 1)
-    widest = {name: _largest(partial(search.reached, search.row(name)), top) for name in names}
-    result = {name: Passage(name, min(2 * STEP * step, 2 * STEP * top), None, ()) for name, step in widest.items()}
-    for name in (name for name, step in widest.items() if step == 0):
-        result[name] = replace(result[name], cut_off=search.stands_near(name))
-    located = min(top, math.ceil((agent.radius + LOCATED / 2) / STEP))
-    for step in sorted({step for step in widest.values() if 0 < step < located}):
-        group = [name for name, found in widest.items() if found == step]
-        for name, place in search.necks(step, group).items():
-            between, ends = search.neighbours(place, step * STEP)
-            result[name] = replace(result[name], point=place, between=between, ends=ends)
-    return result
+    found = search.passages(
+        {name: (search.footprint(name), partial(search.reached, search.row(name))) for name in names}
+    )
+    return {name: replace(p, cut_off=search.stands_near(name)) if p.width == 0 else p for name, p in found.items()}
+
+
+def find_door_passages(scene: Scene, layout: Layout, agent: Agent, numbers: Sequence[int]) -> dict[int, Passage]:
+    """Return the narrowest passage on the way from the first door to the landing of each of these."""
+    search, room = _Search(scene, boxes(scene, layout), agent), scene.room
+    thresholds = {number: Polygon(room.landing(room.doors[number], STEP)) for number in numbers}
+    goals = {f"door {number}": (goal, partial(search.enters, number)) for number, goal in thresholds.items()}
+    found = search.passages(goals)
+    return {n: replace(found[f"door {n}"], cut_off=found[f"door {n}"].width == 0) for n in numbers}
 
 
 def _largest(holds: Callable[[int], bool], top: int) -> int:
@@ -102,6 +103,23 @@ class _Search:
         self._obstacles = obstacles(found, agent)
         self._spaces: dict[int, tuple[Space, list[bool]]] = {}
 
+    def passages(self, goals: Mapping[str, tuple[Polygon, Callable[[int], bool]]]) -> dict[str, Passage]:
+        """Return the narrowest passage to each goal: its outline, and whether a disc of so many steps gets there."""
+        radius = self._agent.radius
+        top = max(math.ceil(WIDE / 2 / STEP), math.floor(radius / STEP) + 1)
+        widest = {name: _largest(holds, top) for name, (_, holds) in goals.items()}
+        result = {name: Passage(name, 2 * STEP * min(step, top), None, ()) for name, step in widest.items()}
+        located = min(top, math.ceil((radius + LOCATED / 2) / STEP))
+        for step in sorted({step for step in widest.values() if 0 < step < located}):
+            group = {name: goals[name][0] for name, found in widest.items() if found == step}
+            for name, place in self.necks(step, group).items():
+                between, ends = self.neighbours(place, step * STEP)
+                result[name] = replace(result[name], point=place, between=between, ends=ends)
+        return result
+
+    def footprint(self, name: str) -> Polygon:
+        return self._found.footprints[self.row(name)]
+
     def row(self, name: str) -> int:
         return self._found.names.index(name)
 
@@ -118,17 +136,20 @@ class _Search:
     def reached(self, row: int, step: int) -> bool:
         return self.space(step)[1][row]
 
+    def enters(self, number: int, step: int) -> bool:
+        zone = further_doors(self._scene.room, step * STEP).get(number)
+        return zone is not None and self.space(step)[0].main.intersection(zone).area > SLIVER
+
     def stands_near(self, name: str) -> bool:
         """Tell whether the smallest disc could stand within reach of an asset, wherever it came from."""
         free = self.space(1)[0].free
         reach = replace(self._agent, radius=STEP).reach
-        return not free.is_empty and free.distance(self._found.footprints[self.row(name)]) <= reach + REACH_SLACK
+        return not free.is_empty and free.distance(self.footprint(name)) <= reach + REACH_SLACK
 
-    def necks(self, step: int, names: Sequence[str]) -> dict[str, Point]:
+    def necks(self, step: int, goals: Mapping[str, Polygon]) -> dict[str, Point]:
         """Return where the ways of the widest disc are cut when it grows by one step."""
         space, grown = self.space(step)[0], self.space(step + 1)[0]
         reopened = grown.free.buffer(1.5 * STEP)
-        goals: Mapping[str, Polygon] = {name: self._found.footprints[self.row(name)] for name in names}
         result: dict[str, Point] = {}
         for name, route in find_routes(self._scene.room, space, goals).items():
             cut = [part for part in shapely.get_parts(route.line.difference(reopened)) if isinstance(part, LineString)]

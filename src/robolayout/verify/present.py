@@ -17,11 +17,29 @@ SHOWN = 12
 """Violations that a notebook shows; the report holds all."""
 
 
+LABELS = {
+    "reachable_share": "reachable as it stands",
+    "reachable_share_chairs_aside": "reachable with chairs aside",
+}
+"""Names of figures for people, where they are not the keys."""
+
+
+def label(name: str) -> str:
+    """Return what a figure is called for people: "door_clear" is "door clear", "placed_share" is "placed"."""
+    return LABELS.get(name) or name.removesuffix("_share").replace("_", " ")
+
+
 def markdown(report: Report) -> str:
     """Return the content of `report.md`: the table, what is wrong, and the way to each asset."""
     lines = [f"# {report.scene.name}: {'all demands met' if report.ok else 'not all demands are met'}", ""]
     lines += ["| check | result | |", "|---|---:|---|"]
     lines += [f"| {name} | {value} | {'ok' if met else '**short**'} |" for name, value, met in report.rows()]
+    figures = report.figures
+    if figures["reachable_share"] != figures["reachable_share_chairs_aside"]:
+        lines += [
+            "",
+            "As it stands, no chair is moved; demanded is what is reached once the chairs at a thing are moved aside.",
+        ]
     if report.violations:
         lines += ["", "## What is wrong", "", *(f"- {sentence}" for sentence in report.violations)]
     helps = [sentence for body in report.agents for sentence in body.remedies.sentences(body.agent)]
@@ -60,7 +78,7 @@ def _usable(use: Use) -> str:
 
 def _agent_table(report: AgentReport) -> list[str]:
     nav = report.navigation
-    shown = [f"{name.removesuffix('_share').replace('_', ' ')} {value:.2f}" for name, value in report.figures.items()]
+    shown = [f"{label(name)} {value:.2f}" for name, value in report.figures.items()]
     lines = [f"{', '.join(shown)}."]
     if not nav.scene.room.doors:
         lines.append(f"The room has no door: {report.agent.name} starts in the largest free part of the floor.")

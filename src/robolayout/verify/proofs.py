@@ -19,6 +19,7 @@ from robolayout.scene import Agent, Scene
 from robolayout.verify._boxes import Boxes, landings, room_polygon
 from robolayout.verify._obstacles import NOTHING
 from robolayout.verify._space import disc_space, plan_distances, reached_rows
+from robolayout.verify.doors import misfits
 from robolayout.verify.limits import REACH_SLACK
 from robolayout.verify.navigation import Navigation
 
@@ -148,13 +149,8 @@ def _shut_out(scene: Scene, agent: Agent) -> list[str]:
 def body_misfits(scene: Scene, agent: Agent) -> Iterator[str]:
     """Yield what keeps a body out of a room, whatever the furniture: its door, its height."""
     room, name = scene.room, agent.name
-    across = agent.width or 2 * agent.radius
     if room.doors:
-        door = room.doors[0]
-        if door.width < across - REACH_SLACK:
-            yield f"Door 0 is {door.width:.2f} m wide, {name} needs {across:.2f} m: it cannot come in."
-        if door.height < agent.height - REACH_SLACK:
-            yield f"Door 0 is {door.height:.2f} m high, {name} is {agent.height:.2f} m: it cannot come in."
+        yield from misfits(room, 0, agent)
     if room.wall_height < agent.height - REACH_SLACK:
         yield f"The room is {room.wall_height:.2f} m high, {name} is {agent.height:.2f} m: it cannot stand in it."
 

@@ -13,7 +13,7 @@ from robolayout.verify.agent_report import AgentReport, finite
 from robolayout.verify.limits import Demands
 from robolayout.verify.metrics import published_metrics
 from robolayout.verify.physics import Physics
-from robolayout.verify.present import html, markdown
+from robolayout.verify.present import html, label, markdown
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ class Report:
         """The figures of DESIGN section 8, by name, in its order."""
         worst = {
             name: min(report.figures[name] for report in self.agents)
-            for name in ("walkable_ratio", "reachable_share", "usable_share")
+            for name in ("walkable_ratio", "reachable_share", "reachable_share_chairs_aside", "usable_share")
         }
         shares = self.physics.shares
         return {
@@ -96,6 +96,7 @@ class Report:
             "in_boundary_share": shares["in_boundary_share"],
             "supported_share": shares["supported_share"],
             "door_clear": self.physics.door_clear,
+            "doors_reached": all(report.doors_reached for report in self.agents),
             **worst,
             "statements_met_share": share([item.met for item in self.statements]),
         }
@@ -113,9 +114,9 @@ class Report:
     @cached_property
     def unmet(self) -> tuple[str, ...]:
         """Names of the figures that fall short of what is demanded; exempt assets are not demanded of an agent."""
-        least = dict.fromkeys(self.figures, 1.0) | vars(self.demands)
+        least = dict.fromkeys(self.figures, 1.0) | vars(self.demands) | {"reachable_share": 0.0}
         if not any(report.short for report in self.agents):
-            least |= {"reachable_share": 0.0, "usable_share": 0.0}
+            least |= {"reachable_share_chairs_aside": 0.0, "usable_share": 0.0}
         return tuple(name for name, value in self.figures.items() if value < least[name])
 
     @property
@@ -169,7 +170,7 @@ class Report:
         shown: list[tuple[str, str, bool]] = []
         for name, value in self.figures.items():
             text = ("yes" if value else "no") if isinstance(value, bool) else f"{value:.2f}"
-            shown.append((name.removesuffix("_share").replace("_", " "), text, name not in self.unmet))
+            shown.append((label(name), text, name not in self.unmet))
         return tuple(shown)
 
     def to_markdown(self) -> str:

@@ -7,10 +7,14 @@ from collections.abc import Mapping
 import numpy as np
 import shapely
 
+from robolayout.verify.doors import ShutDoor
 from robolayout.verify.limits import Demands
 from robolayout.verify.navigation import Navigation
 from robolayout.verify.proofs import exempt_from_reach, impossible, kept_out
 from robolayout.verify.use import Usage
+
+NAMED = 3
+"""Things that a sentence names as standing in the way."""
 
 
 def agent_violations(nav: Navigation, usage: Usage, exempt: Mapping[str, str], demands: Demands) -> tuple[str, ...]:
@@ -29,6 +33,7 @@ def agent_violations(nav: Navigation, usage: Usage, exempt: Mapping[str, str], d
                 f"{agent} can walk only {nav.walkable_ratio:.0%} of the free floor: {parts} further "
                 f"{'part is' if parts == 1 else 'parts are'} cut off."
             )
+        found += [_shut_sentence(nav, door) for door in nav.shut_doors]
         found += [unreached_sentence(nav, name) for name in wanted]
     found += [
         f"{name} cannot be used by {agent}: {use.reason}."
@@ -44,8 +49,25 @@ def _blocked_sentence(nav: Navigation) -> str:
     if zone is None:
         return f"{nav.agent.name} (a disc of {wide:.2f} m) has no place to stand: the furniture leaves none."
     near = nav.blocking.rows[shapely.distance(nav.blocking.shapes, zone) < nav.agent.radius]
-    names = " and ".join(nav.boxes.names[row] for row in np.unique(near)[:3])
+    names = " and ".join(nav.boxes.names[row] for row in np.unique(near)[:NAMED])
     return f"{nav.agent.name} (a disc of {wide:.2f} m) cannot come in: the landing of door 0 is blocked by {names}."
+
+
+def _shut_sentence(nav: Navigation, door: ShutDoor) -> str:
+    """Return which door is cut off, by what, and what lies beyond it."""
+    agent, passage, needed = nav.agent.name, nav.door_passages[door.number], 2 * nav.agent.radius
+    wall = nav.scene.room.doors[door.number].wall
+    width = (
+        "no way to it, not even for a disc of 1 cm" if passage.cut_off else f"narrowest passage {passage.width:.2f} m"
+    )
+    between = passage.sides or " and ".join(nav.shutting(door)[:NAMED])
+    found = f"Door {door.number} in wall {wall} cannot be reached by {agent}: {width}, needs {needed:.2f} m"
+    found += f", between {between}." if between else "."
+    if door.beyond.is_empty:
+        return f"{found} Its landing leaves {agent} no place to stand."
+    area = door.beyond.buffer(nav.agent.radius).area
+    only = ", ".join(nav.only_behind(door))
+    return f"{found} {area:.1f} m2 of floor{f' and {only}' if only else ''} can then be reached only from there."
 
 
 def unreached_sentence(nav: Navigation, name: str) -> str:

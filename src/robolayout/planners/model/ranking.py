@@ -13,7 +13,7 @@ from robolayout.constraints import Relation
 from robolayout.program import Program
 
 HARD = ("placed_share", "collision_free_share", "in_boundary_share", "supported_share", "door_clear")
-ACCESS = ("reachable_share", "usable_share")
+ACCESS = ("doors_reached", "reachable_share_chairs_aside", "usable_share")
 WALKABLE = 0.95
 """Walkable ratio that a report demands (DESIGN section 8); more than that is no merit."""
 
@@ -92,7 +92,7 @@ def _overlap(a: frozenset[object], b: frozenset[object]) -> float:
 
 def _access(row: Mapping[str, float | bool]) -> float:
     walkable = min(1.0, float(row["walkable_ratio"]) / WALKABLE)
-    return (2 * _mean(row, ACCESS) + walkable) / 3
+    return (len(ACCESS) * _mean(row, ACCESS) + walkable) / (len(ACCESS) + 1)
 
 
 def _mean(row: Mapping[str, float | bool], names: Sequence[str]) -> float:
