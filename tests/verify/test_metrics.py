@@ -180,3 +180,18 @@ def test_an_empty_layout_has_figures_too():
     assert figures["SceneEval"]["NAV"] == 1.0
     assert figures["PhyScene"]["R_reach"] == 0.0
     assert figures["LayoutVLM"] == {"CF": 100.0, "IB": 100.0}
+
+
+def test_metrics_that_count_rugs_say_so_and_are_given_without_them():
+    rug, table = thing("rug-0", (2.0, 2.0, 0.01), "rug"), thing("table-0", (1.0, 1.0, 0.7))
+    bare = furnished(square(), (table, on_floor(table, 2, 2.5)))
+    with_rug = furnished(square(), (table, on_floor(table, 2, 2.5)), (rug, on_floor(rug, 2, 2.5)))
+    alone, found = published_metrics(*bare), published_metrics(*with_rug)
+    assert set(alone) == {"SceneEval", "PhyScene", "LayoutVLM", "SceneSmith"}
+    assert "rugs" not in alone["SceneEval"]
+    assert found["PhyScene"]["Col_obj"] == 1.0
+    assert found["PhyScene"]["rugs"] == "count as obstacles in Col_obj, Col_scene, R_walkable, R_reach, as published"
+    assert found["PhyScene_without_rugs"]["Col_obj"] == 0.0
+    for benchmark in ("SceneEval", "PhyScene"):
+        without = found[f"{benchmark}_without_rugs"]
+        assert without == {name: alone[benchmark][name] for name in without}

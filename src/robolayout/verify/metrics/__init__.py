@@ -18,11 +18,30 @@ __all__ = [
 ]
 
 
+AS_OBSTACLES = {
+    "SceneEval": ("COL", "COL_scene", "NAV", "ACC", "opening_clearance"),
+    "PhyScene": ("Col_obj", "Col_scene", "R_walkable", "R_reach"),
+}
+"""Figures in which a rug is an object like any other, as published: it collides with what stands on it and bars the way."""
+
+
 def published_metrics(scene: Scene, layout: Layout) -> dict[str, dict[str, object]]:
-    """Return all published metrics by their benchmark; they see only the placed assets."""
-    return {
+    """Return all published metrics by their benchmark; they see only the placed assets.
+
+    Where rugs lie in the room, the benchmarks that count them as obstacles say so (`rugs`), and those figures are given again
+    without the rugs, under `<benchmark>_without_rugs`.
+    """
+    found: dict[str, dict[str, object]] = {
         "SceneEval": dict(sceneeval(scene, layout).to_dict()),
         "PhyScene": dict(physcene(scene, layout).to_dict()),
         "LayoutVLM": dict(layoutvlm(scene, layout)),
         "SceneSmith": scenesmith(scene, layout).to_dict(),
     }
+    rugs = {asset.name for asset in scene.assets if asset.is_flat} & set(layout)
+    if rugs:
+        bare = Layout({name: pose for name, pose in layout.items() if name not in rugs})
+        again = {"SceneEval": sceneeval(scene, bare).to_dict(), "PhyScene": physcene(scene, bare).to_dict()}
+        for benchmark, names in AS_OBSTACLES.items():
+            found[benchmark]["rugs"] = f"count as obstacles in {', '.join(names)}, as published"
+            found[f"{benchmark}_without_rugs"] = {name: again[benchmark][name] for name in names}
+    return found
