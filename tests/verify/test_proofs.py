@@ -8,9 +8,11 @@ from dataclasses import replace
 import pytest
 from verify_rooms import DISC, DOOR, furnished, on_floor, square, thing
 
+from robolayout import generate
+from robolayout._errors import SceneError
 from robolayout.scene import Layout, Opening, Room, Scene
 from robolayout.verify import navigation, usage, verify
-from robolayout.verify.proofs import exempt_from_reach, exempt_from_use, impossible, kept_out, remedies
+from robolayout.verify.proofs import exempt_from_reach, exempt_from_use, impossible, kept_out, overfull, remedies
 
 ARM = replace(DISC, name="arm", reach_distance=0.6, reach_low=0.4, reach_high=1.2)
 BOX = thing("box-0", (0.5, 1.0, 0.8))
@@ -127,8 +129,32 @@ def test_a_floor_too_small_for_its_furniture():
     assert impossible(Scene(square(doors=()), tuple(big)), DISC) == ()
     assert impossible(Scene(square(doors=(DOOR,)), tuple(big)), DISC) == (
         "The 4 assets that stand on the floor cover 16.00 m2, the floor outside door landings has 15.19 m2: they cannot all "
-        "stand apart.",
+        "stand apart. Most is taken by 4 x box (16.00 m2). Leave out big-0, or give the room 16.9 m2 or more.",
     )
+
+
+def test_only_what_must_stand_on_the_floor_is_counted():
+    flags = ({"on_object": True}, {"on_wall": True}, {"on_ceiling": True})
+    others = [thing(f"other-{i}", (3.0, 3.0, 0.5), **flag) for i, flag in enumerate(flags)]
+    rugs = [thing(f"rug-{i}", (3.0, 3.0, 0.01), "rug") for i in range(5)]
+    assert overfull(Scene(square(), (*others, *rugs))) == ()
+
+
+def test_what_to_leave_out_of_an_overfull_room_is_as_little_as_will_do():
+    tables = [thing(f"table-{i}", (1.0, 1.6, 0.75), "dining table") for i in range(25)]
+    chairs = [thing(f"chair-{i}", (0.5, 0.5, 0.9), "chair") for i in range(4)]
+    scene = Scene(square(), (*chairs, *tables))
+    (sentence,) = overfull(scene)
+    assert "25 x dining table (40.00 m2), 4 x chair (1.00 m2)" in sentence
+    assert "Leave out table-0, table-1, table-2 and 14 more, or give the room 41.9 m2 or more." in sentence
+    assert overfull(Scene(square(), (*chairs, *tables[17:]))) == ()
+    assert overfull(Scene(square(), (*chairs, *tables[16:]))) != ()
+
+
+def test_an_overfull_room_is_refused_before_any_search():
+    tables = tuple(thing(f"table-{i}", (1.0, 1.6, 0.75), "dining table") for i in range(25))
+    with pytest.raises(SceneError, match=r"25 assets that stand on the floor cover 40.00 m2, .* has 15.19 m2"):
+        generate(Scene(square(), tables))
 
 
 def test_a_body_that_passes_the_door_but_not_the_wall_behind_it():

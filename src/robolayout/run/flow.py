@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from robolayout._errors import SceneError
 from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.run.attempt import Attempt, Clock, Progress
@@ -27,7 +28,7 @@ from robolayout.solve import (
     warm_up,
     warm_up_samples,
 )
-from robolayout.verify import Report, judge_agent, kept_out, physics, verify
+from robolayout.verify import Report, judge_agent, kept_out, overfull, physics, verify
 
 if TYPE_CHECKING:
     from robolayout.run.groups import Sample
@@ -128,6 +129,9 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
 
     Returns:
         The layout with its program, decisions and report. No file is written.
+
+    Raises:
+        SceneError: What must stand on the floor covers more than the floor; nothing is searched for.
     """
     clock = Clock()
     say = progress or silent
@@ -136,6 +140,8 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         planner = planner or OfflinePlanner()
         if isinstance(planner, OfflinePlanner):
             scene = planner.recognised(scene)
+        if too_full := overfull(scene):
+            raise SceneError(too_full[0])  # counted before any search
     if solver == "default":
         warm_up(scene, config, missing_only=program is None and attempts > 1)  # a right guess needs no search
     run = _Run(scene, seed, solver, config, clock, say)

@@ -7,7 +7,15 @@ from robolayout.verify.limits import Demands, PhysicsLimits
 from robolayout.verify.navigation import Navigation, navigation
 from robolayout.verify.passages import Passage
 from robolayout.verify.physics import Collision, Obstruction, Physics, physics
-from robolayout.verify.proofs import Remedies, exempt_from_reach, exempt_from_use, impossible, kept_out, remedies
+from robolayout.verify.proofs import (
+    Remedies,
+    exempt_from_reach,
+    exempt_from_use,
+    impossible,
+    kept_out,
+    overfull,
+    remedies,
+)
 from robolayout.verify.report import Report, StatementResult
 from robolayout.verify.routes import Route
 from robolayout.verify.use import Usage, Use, horizontal_reach, usage
@@ -39,6 +47,7 @@ __all__ = [
     "judge_agent",
     "kept_out",
     "navigation",
+    "overfull",
     "physics",
     "remedies",
     "usage",
