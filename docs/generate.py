@@ -19,6 +19,7 @@ from robolayout.constraints import IMPLICIT, RELATIONS
 from robolayout.planners import scene_from_sentence
 from robolayout.scene import agent_names, load_agent
 from robolayout.solve import solver_names
+from robolayout.verify import RULES
 
 ROOT = Path(__file__).parents[1]
 TABLE = re.compile(r"(?<=<!-- table: )(\w+)( -->\n).*?(?=<!-- end of table -->)", re.DOTALL)
@@ -113,6 +114,20 @@ def agents() -> str:
     return table(heads, rows)
 
 
+def rules() -> str:
+    """Return one row per named rule of accessibility."""
+    rows = [
+        [
+            f"`{rule.name}`",
+            rule.asks,
+            ", ".join(rule.concerns),
+            rule.source + ("" if rule.verified else " (not checked)"),
+        ]
+        for rule in RULES
+    ]
+    return table(["rule", "what it asks", "bodies whose name or title says", "source"], rows)
+
+
 def errors() -> str:
     """Return one row per class of errors, in the order of the tree."""
     rows: list[list[str]] = []
@@ -175,6 +190,7 @@ TABLES: dict[str, Callable[[], str]] = {
     "errors": errors,
     "solver_times": solver_times,
     "measured": measured,
+    "rules": rules,
 }
 
 

@@ -26,6 +26,7 @@ KEYS = [
     "usable_share",
     "statements_met_share",
     "statements",
+    "rules",
     "violations",
     "timing",
     "hashes",

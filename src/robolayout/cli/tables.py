@@ -32,6 +32,12 @@ def show(report: Report, files: list[Path]) -> None:
     """Print the short report, what is wrong, and where the files are."""
     rows = [[name, value, "ok" if met else "SHORT"] for name, value, met in report.rows()]
     table(f"{report.scene.name} for {', '.join(a.agent.name for a in report.agents)}", ["check", "result", ""], rows)
+    if report.rules:
+        rules = [
+            [r.rule.name.replace("_", " "), r.measured.text, "met" if r.met else "NOT MET", r.rule.source]
+            for r in report.rules
+        ]
+        table("rules of accessibility, beside the demands", ["rule", "measured", "", "source"], rules)
     for sentence in report.violations[:SHOWN]:
         typer.echo(f"- {sentence}")
     if len(report.violations) > SHOWN:

@@ -18,10 +18,12 @@ from robolayout.verify.proofs import (
 )
 from robolayout.verify.report import Report, StatementResult
 from robolayout.verify.routes import Route
+from robolayout.verify.rules import RULES, RuleResult
 from robolayout.verify.use import Usage, Use, horizontal_reach, usage
 from robolayout.verify.verify import judge_agent, verify
 
 __all__ = [
+    "RULES",
     "AgentReport",
     "Collision",
     "Demands",
@@ -35,6 +37,7 @@ __all__ = [
     "Remedies",
     "Report",
     "Route",
+    "RuleResult",
     "StatementResult",
     "Usage",
     "Use",

@@ -116,7 +116,7 @@ class Headings:
                 joined.join(before, after, place)
         if agent.turning_diameter is None:
             for before, after in pairs:
-                for place in _parts(room, shapes, _swept(agent, self.headings[before], self._step)):
+                for place in convex_places(room, shapes, _swept(agent, self.headings[before], self._step)):
                     joined.join(before, after, place)
         start = self._start(joined)
         group = joined.group(start)
@@ -141,7 +141,7 @@ class Headings:
         """Return the pieces of the free space of one heading."""
         if number not in self._free:
             body = rectangle(self._agent, self.headings[number])
-            self._free[number] = _parts(self._room, self._blocking.shapes, body)
+            self._free[number] = convex_places(self._room, self._blocking.shapes, body)
         return self._free[number]
 
     @cached_property
@@ -171,7 +171,7 @@ def _swept(agent: Agent, heading: float, step: float) -> NDArray[np.float64]:
     return corners / math.cos(step / 4)
 
 
-def _parts(room: Room, shapes: NDArray[np.object_], body: NDArray[np.float64]) -> list[Polygon]:
+def convex_places(room: Room, shapes: NDArray[np.object_], body: NDArray[np.float64]) -> list[Polygon]:
     """Return the pieces of the free space of a convex body, largest first."""
     free = _empty(room, _key(body))
     return list(components(free.difference(shapely.union_all(_larger(body, shapes))) if len(shapes) else free))

@@ -29,6 +29,25 @@ def label(name: str) -> str:
     return LABELS.get(name) or name.removesuffix("_share").replace("_", " ")
 
 
+RULES_ARE = "They stand beside the demands above and do not change them."
+"""What is said over the table of rules."""
+
+
+def rule_rows(report: Report) -> list[list[str]]:
+    """Return the table of named rules: rule (with its body where there are several), what it asks, what came out, source."""
+    several = len(report.agents) > 1
+    return [
+        [
+            result.rule.name.replace("_", " ") + (f", {result.agent}" if several else ""),
+            result.rule.asks,
+            result.measured.text,
+            "met" if result.met else "not met",
+            result.rule.source + ("" if result.rule.verified else " (not checked at its source)"),
+        ]
+        for result in report.rules
+    ]
+
+
 def markdown(report: Report) -> str:
     """Return the content of `report.md`: the table, what is wrong, and the way to each asset."""
     lines = [f"# {report.scene.name}: {'all demands met' if report.ok else 'not all demands are met'}", ""]
@@ -42,6 +61,10 @@ def markdown(report: Report) -> str:
         ]
     if report.violations:
         lines += ["", "## What is wrong", "", *(f"- {sentence}" for sentence in report.violations)]
+    if report.rules:
+        lines += ["", "## Rules of accessibility", "", RULES_ARE, ""]
+        lines += ["| rule | asks | measured | | source |", "|---|---|---|---|---|"]
+        lines += [f"| {' | '.join(row)} |" for row in rule_rows(report)]
     helps = [sentence for body in report.agents for sentence in body.remedies.sentences(body.agent)]
     if helps:
         lines += ["", "## What would help", "", *(f"- {sentence}" for sentence in helps)]
@@ -60,7 +83,8 @@ def html(report: Report) -> str:
     verdict = "all demands met" if report.ok else "not all demands are met"
     rows = [[name, value, "ok" if met else "short"] for name, value, met in report.rows()]
     head = paragraph(f"{report.scene.name} for {bodies}: {verdict}")
-    return head + table(["check", "result", ""], rows) + bullets(report.violations, SHOWN)
+    rules = table(["rule", "asks", "measured", "", "source"], rule_rows(report)) if report.rules else ""
+    return head + table(["check", "result", ""], rows) + bullets(report.violations, SHOWN) + rules
 
 
 def _stability(found: Mapping[str, Any]) -> list[str]:

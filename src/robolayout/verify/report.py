@@ -14,6 +14,7 @@ from robolayout.verify.limits import Demands
 from robolayout.verify.metrics import published_metrics
 from robolayout.verify.physics import Physics
 from robolayout.verify.present import html, label, markdown
+from robolayout.verify.rules import RuleResult, rule_results
 
 
 @dataclass(frozen=True)
@@ -112,6 +113,11 @@ class Report:
         return found
 
     @cached_property
+    def rules(self) -> tuple[RuleResult, ...]:
+        """Named rules of accessibility for the bodies that they concern; they do not change `ok`."""
+        return tuple(result for report in self.agents for result in rule_results(report))
+
+    @cached_property
     def unmet(self) -> tuple[str, ...]:
         """Names of the figures that fall short of what is demanded; exempt assets are not demanded of an agent."""
         least = dict.fromkeys(self.figures, 1.0) | vars(self.demands) | {"reachable_share": 0.0}
@@ -155,6 +161,7 @@ class Report:
         return {
             **self.figures,
             "statements": [item.to_dict() for item in self.statements],
+            "rules": [result.to_dict() for result in self.rules],
             "violations": list(self.violations),
             "timing": {name: dict(seconds) for name, seconds in self.timing.items()},
             "hashes": {"scene": scene_digest(self.scene), "layout": layout_digest(self.layout)},

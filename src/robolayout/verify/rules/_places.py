@@ -1,0 +1,189 @@
+"""Rules of places: clear floor at furniture and beds, heights within reach, room for knees."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+from shapely import LineString
+from shapely.geometry.base import BaseGeometry
+
+from robolayout.assets import category_of
+from robolayout.verify._approaches import needs_no_use, use_sides
+from robolayout.verify._boxes import corners
+from robolayout.verify._obstacles import part_rectangles
+from robolayout.verify._sides import SIDES, side_edge, strip
+from robolayout.verify.agent_report import AgentReport
+from robolayout.verify.heading import convex_places
+from robolayout.verify.rules._rule import Measured
+
+FLOOR = (0.76, 1.22)
+"""Metres of width and length of a clear floor space (305.3)."""
+LOW, HIGH = 0.38, 1.22
+"""Metres of height between which an unobstructed reach ends, forwards and sideways (308.2.1, 308.3.1)."""
+OVER_HEIGHT, OVER_DEPTH = 0.865, 0.61
+"""Metres of height and depth of what one may have to reach over sideways (308.3.2)."""
+SHALLOW, HIGH_OVER = 0.255, 1.17
+"""Metres of depth up to which the reach ends at full height, and of height where it ends beyond that (308.3.2)."""
+KNEE_HEIGHT, KNEE_DEPTH, KNEE_WIDTH = 0.685, 0.28, 0.76
+"""Metres of height, least depth and width of room for knees (306.3)."""
+BETWEEN = 2.0
+"""Metres from a bed's side within which another bed makes the floor between them serve both; a choice of ours."""
+CONTACT = 1e-3
+"""Metres by which a clear floor space is drawn smaller, so that what it adjoins does not stand in it."""
+TABLES, LOW_TABLES = ("table", "desk", "workbench"), ("coffee", "side", "console", "bedside", "overbed")
+"""Last words of the kinds of things that one sits at, and first words of those that one does not."""
+NAMED = 5
+"""Things that a measurement names."""
+
+
+def _asked(body: AgentReport) -> Iterator[int]:
+    """Yield the rows of the placed things that the body is asked to use."""
+    found = body.navigation.boxes
+    for row in np.flatnonzero(found.placed & ~needs_no_use(found)).tolist():
+        if found.names[row] not in body.exempt:
+            yield row
+
+
+def _all(count: int) -> str:
+    return "the one thing" if count == 1 else f"all {count} things"
+
+
+def _listed(names: list[str]) -> str:
+    return ", ".join(names[:NAMED]) + (f" and {len(names) - NAMED} more" if len(names) > NAMED else "")
+
+
+def floor_space(body: AgentReport) -> Measured | None:
+    """Count the furniture on the floor beside which no clear floor space adjoins a side that it is used from."""
+    nav, found = body.navigation, body.navigation.boxes
+    rows = [
+        row for row in _asked(body) if found.carriers[row] < 0 and not found.movable[row] and found.assets[row].on_floor
+    ]
+    if not rows:
+        return None
+    sides = use_sides(found.assets)
+    short = [nav.boxes.names[r] for r in rows if not any(_has_floor(body, r, side, ways=(0, 1)) for side in sides[r])]
+    text = f"none at {_listed(short)}" if short else f"at {_all(len(rows))}"
+    return Measured(not short, float(len(short)), text)
+
+
+def _has_floor(body: AgentReport, row: int, side: str, ways: tuple[int, ...]) -> bool:
+    """Tell whether a clear floor space adjoins a side of a thing, where the body gets to.
+
+    Args:
+        body: The body, in its layout.
+        row: The thing.
+        side: Its side.
+        ways: 0 for parallel to the side (the long side adjoins it), 1 for straight towards it.
+    """
+    nav = body.navigation
+    away = nav.blocking.moved_for(nav.boxes, row)
+    rest = nav.blocking.of(set(nav.blocking.rows.tolist()) - away)
+    (ax, ay), (bx, by) = side_edge(nav.boxes.footprints[row], side).coords
+    length = math.hypot(bx - ax, by - ay)
+    out = np.array([by - ay, ax - bx]) / length
+    heading = math.atan2(out[1], out[0])
+    for way in ways:
+        depth, width = FLOOR[way], FLOOR[1 - way]
+        body_corners = corners(np.array([[0.0, 0.0, 0.0, heading]]), np.array([[depth - CONTACT, width - CONTACT]]))[0]
+        middle = LineString(np.array([[ax, ay], [bx, by]]) + out * depth / 2)
+        for place in convex_places(nav.scene.room, rest.shapes, body_corners):
+            there: BaseGeometry = middle.intersection(place.buffer(CONTACT))
+            if not there.is_empty and there.distance(nav.main) <= FLOOR[1] / 2 + nav.space.radius:
+                return True
+    return False
+
+
+def bed_transfer(body: AgentReport) -> Measured | None:
+    """Measure on how many sides of a bed there is a clear floor space along it; one between two beds is enough."""
+    found = body.navigation.boxes
+    beds = [row for row in np.flatnonzero(found.placed).tolist() if _is_bed(body, row)]
+    if not beds:
+        return None
+    best: list[tuple[int, str]] = []
+    for row in beds:
+        sides = [side for side in ("left", "right") if _has_floor(body, row, side, ways=(0,))]
+        text = f"{found.names[row]} has it on {len(sides)} of 2 sides"
+        if len(sides) < 2 and any(_another_bed(body, row, side, beds) for side in sides):
+            best.append((2, f"{text}, between two beds"))
+        best.append((len(sides), text))
+    count, text = max(best, key=lambda entry: entry[0])
+    return Measured(count == 2, float(count), text)
+
+
+def _is_bed(body: AgentReport, row: int) -> bool:
+    kind = category_of(body.navigation.boxes.assets[row])
+    lying = kind.group in ("sleeping", "care") and kind.name.split()[-1] == "bed"
+    return lying and {"left", "right"} <= set(kind.use_sides)
+
+
+def _another_bed(body: AgentReport, row: int, side: str, beds: list[int]) -> bool:
+    feet = body.navigation.boxes.footprints
+    beside = strip(side_edge(feet[row], side), BETWEEN)
+    return any(other != row and feet[other].intersects(beside) for other in beds)
+
+
+def reach_range(body: AgentReport) -> Measured | None:
+    """Measure by how much the things to use end below or begin above the reach of somebody who sits."""
+    found = body.navigation.boxes
+    beyond = {found.names[row]: max(LOW - found.top[row], found.bottom[row] - HIGH) for row in _asked(body)}
+    if not beyond:
+        return None
+    out = [name for name, metres in beyond.items() if metres > CONTACT]
+    worst = max(0.0, *beyond.values()) if out else 0.0
+    text = f"beyond it by up to {worst:.2f} m: {_listed(out)}" if out else _all(len(beyond))
+    return Measured(not out, float(worst), text)
+
+
+def reach_over(body: AgentReport) -> Measured | None:
+    """Measure how far over the edge of what carries them things stand, and how high."""
+    found = body.navigation.boxes
+    rows = [row for row in _asked(body) if found.carriers[row] >= 0]
+    if not rows:
+        return None
+    out: list[str] = []
+    deepest = 0.0
+    for row in rows:
+        carrier = int(found.carriers[row])
+        depth = float(found.footprints[row].distance(found.footprints[carrier].exterior))
+        high = HIGH if depth <= SHALLOW else HIGH_OVER
+        deepest = max(deepest, depth)
+        if depth > OVER_DEPTH or found.top[carrier] > OVER_HEIGHT + CONTACT or found.bottom[row] > high + CONTACT:
+            out.append(found.names[row])
+    text = f"too far or too high: {_listed(out)}" if out else f"{_all(len(rows))} on others"
+    return Measured(not out, deepest, text)
+
+
+def knee_room(body: AgentReport) -> Measured | None:
+    """Measure the widest room for knees under what chairs stand at, from its drawn parts."""
+    found = body.navigation.boxes
+    rows = [row for row in _asked(body) if found.chairs_at(row) and _is_table(body, row)]
+    if not rows:
+        return None
+    width, name = max((max(_knee_width(body, row, side) for side in SIDES), found.names[row]) for row in rows)
+    return Measured(width >= KNEE_WIDTH - CONTACT, width, f"{width:.2f} m wide under {name}, by its drawn parts")
+
+
+def _is_table(body: AgentReport, row: int) -> bool:
+    words = category_of(body.navigation.boxes.assets[row]).name.split()
+    return words[-1] in TABLES and words[0] not in LOW_TABLES
+
+
+def _knee_width(body: AgentReport, row: int, side: str) -> float:
+    """Return how wide the free strip under the edge of a side is, as high and as deep as knees need."""
+    asset = body.navigation.boxes.assets[row]
+    pieces = part_rectangles(asset, 0.0, KNEE_HEIGHT)
+    if pieces is None or asset.size[2] < KNEE_HEIGHT:
+        return 0.0
+    half = np.array(asset.size[:2]) / 2
+    axis = 0 if side in ("front", "back") else 1  # the axis that leads inwards
+    edge = half[axis] if side in ("front", "left") else -half[axis]
+    inner = edge - math.copysign(min(KNEE_DEPTH, 2 * half[axis]), edge)
+    low, high = sorted((edge, inner))
+    blocking = pieces[(pieces[:, axis] < high - CONTACT) & (pieces[:, 2 + axis] > low + CONTACT)]
+    spans = sorted((float(a), float(b)) for a, b in blocking[:, [1 - axis, 3 - axis]])
+    widest, at = 0.0, -float(half[1 - axis])
+    for start, end in (*spans, (float(half[1 - axis]), float(half[1 - axis]))):
+        widest, at = max(widest, start - at), max(at, end)
+    return widest

@@ -1,0 +1,213 @@
+"""Rules of ways: how wide routes and doors are, where one can turn and pass."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import LineString
+from shapely.geometry.base import BaseGeometry
+
+from robolayout.verify._boxes import corners, room_polygon
+from robolayout.verify._space import Space, disc_space, plan_distances, reached_rows
+from robolayout.verify.agent_report import AgentReport
+from robolayout.verify.heading import convex_places
+from robolayout.verify.navigation import Navigation
+from robolayout.verify.passages import Passage
+from robolayout.verify.proofs import exempt_from_reach
+from robolayout.verify.routes import Mesh, find_routes
+from robolayout.verify.rules._rule import Measured
+
+ROUTE, PINCH = 0.915, 0.815
+"""Metres of clear width of a route, and down to which it may narrow for a short way (403.5.1)."""
+PINCH_LENGTH, PINCH_APART = 0.61, 1.22
+"""Metres that such a way may be long, and that two of them are apart (403.5.1)."""
+CIRCLE = 1.525
+"""Metres of diameter of a turning circle, and of the square around a T-shaped turning space (304.3)."""
+ARM, BASE = 0.915, 0.61
+"""Metres of width of arms and base of a T-shaped turning space, and of length of its base (304.3.2)."""
+INTERVAL = 61.0
+"""Metres of route after which a passing space is asked for (403.5.3)."""
+TURNS = 16
+"""Headings at which a T-shaped turning space is looked for."""
+CLOSE = 1e-3
+"""Metres of a way that are nothing."""
+FINE = 0.005
+"""Metres to which the largest turning circle is measured."""
+
+
+def route_width(body: AgentReport) -> Measured | None:
+    """Measure the clear width of the way to everything that the body is asked to reach."""
+    nav = body.navigation
+    passages = [p for name, p in nav.passages.items() if name not in exempt_from_reach(nav.scene, nav.agent)]
+    if not passages:
+        return None
+    names = {passage.asset for passage in passages}
+    narrow = names - _reached_by(nav, ROUTE)
+    worst = min(passages, key=lambda passage: passage.width)
+    if not narrow:
+        return Measured(True, max(worst.width, ROUTE), f"{max(worst.width, ROUTE):.2f} m or more to everything")
+    pinches = _pinches(nav, narrow)
+    where = f", between {worst.sides}" if worst.sides else ""
+    if pinches is None or not all(length <= PINCH_LENGTH for length in pinches):
+        longest = "" if pinches is None else f", less than {ROUTE} m over {max(pinches):.2f} m"
+        return Measured(False, worst.width, f"{_shown(worst)} to {worst.asset}{where}{longest}")
+    return Measured(True, worst.width, f"{_shown(worst)} to {worst.asset}{where}, over {max(pinches):.2f} m only")
+
+
+def _shown(passage: Passage) -> str:
+    return "no way" if passage.width == 0 else passage.shown
+
+
+def _space(nav: Navigation, width: float) -> Space:
+    return disc_space(nav.scene.room, nav.blocking, width / 2)
+
+
+def _reached_by(nav: Navigation, width: float) -> set[str]:
+    """Return what a disc of another width reaches with the body's arm."""
+    distances = plan_distances(nav.boxes, _space(nav, width), nav.agent.reach)
+    return {nav.boxes.names[row] for row in np.flatnonzero(reached_rows(nav.boxes, distances, nav.agent.reach))}
+
+
+def _pinches(nav: Navigation, names: Iterable[str]) -> list[float] | None:
+    """Return the lengths of the narrow parts of the ways to some things; None where even the exception is too wide."""
+    slim, wide = _space(nav, PINCH), _space(nav, ROUTE)
+    goals = {name: nav.boxes.footprints[nav.boxes.names.index(name)] for name in sorted(names)}
+    if not set(goals) <= _reached_by(nav, PINCH):
+        return None
+    # Where the slim disc lies within a wide one that is free.
+    covered = shapely.get_parts(wide.free.buffer((ROUTE - PINCH) / 2))
+    mesh, solid = Mesh(slim.main), _solid(nav)
+    found: list[float] = []
+    for route in find_routes(nav.scene.room, slim, goals).values():
+        found += _narrow(route.line, covered, mesh, solid)
+    return found or [0.0]
+
+
+def _solid(nav: Navigation) -> BaseGeometry:
+    """Return walls and obstacles."""
+    return shapely.union_all([room_polygon(nav.scene.room).exterior, *nav.blocking.shapes])
+
+
+def _narrow(line: LineString, covered: NDArray[np.object_], mesh: Mesh, solid: BaseGeometry) -> list[float]:
+    """Return the lengths of the narrow stretches of a way, two that are not far enough apart as one."""
+    rest = shapely.get_parts(line.difference(shapely.union_all(covered)))
+    stretches: list[tuple[float, float]] = []
+    for part in (part for part in rest if isinstance(part, LineString)):
+        middle = line.project(part.interpolate(0.5, normalized=True))
+        half = _length(_through(part, covered, mesh), solid) / 2
+        if half > CLOSE:
+            stretches.append((middle - half, middle + half))
+    joined: list[tuple[float, float]] = []
+    for start, end in sorted(stretches):
+        if joined and start - joined[-1][1] < PINCH_APART:
+            start = joined.pop()[0]
+        joined.append((start, end))
+    return [end - start for start, end in joined]
+
+
+def _through(part: LineString, covered: NDArray[np.object_], mesh: Mesh) -> LineString:
+    """Return the shortest way from one covered piece to the next where a part of a way leads from the one to the other."""
+    first, last = (int(np.argmin(shapely.distance(covered, shapely.Point(part.coords[i])))) for i in (0, -1))
+    if first == last:
+        return part
+    start, end = shapely.shortest_line(covered[first], covered[last]).coords
+    points = mesh.route(mesh.search((start[0], start[1])), shapely.Point(end).buffer(CLOSE))
+    return LineString(points) if len(points) > 1 else part
+
+
+def _length(line: LineString, solid: BaseGeometry) -> float:
+    """Return on how much of a way walls or obstacles on its left and right leave less than the clear width between them."""
+    at = np.arange(FINE / 2, line.length, FINE)
+    points = shapely.get_coordinates(shapely.line_interpolate_point(line, at))
+    ahead = shapely.get_coordinates(shapely.line_interpolate_point(line, at + CLOSE)) - points
+    across = ROUTE * np.stack([-ahead[:, 1], ahead[:, 0]], axis=1) / np.hypot(*ahead.T)[:, None]
+    width = np.zeros(len(points))
+    for side in (across, -across):
+        hit = shapely.intersection(shapely.linestrings(np.stack([points, points + side], axis=1)), solid)
+        away = shapely.distance(shapely.points(points), hit)
+        width += np.where(np.isnan(away), ROUTE, away)
+    return float((width < ROUTE - CLOSE).sum()) * FINE
+
+
+def door_width(body: AgentReport) -> Measured | None:
+    """Measure the narrowest door."""
+    doors = body.navigation.scene.room.doors
+    if not doors:
+        return None
+    number = min(range(len(doors)), key=lambda i: doors[i].width)
+    width = doors[number].width
+    return Measured(width >= PINCH - 1e-9, width, f"door {number} is {width:.2f} m wide")
+
+
+def door_width_iso(body: AgentReport) -> Measured | None:
+    """Measure the narrowest door against 0.80 m."""
+    found = door_width(body)
+    return None if found is None else Measured(found.value >= 0.8 - 1e-9, found.value, found.text)
+
+
+def turning_space(body: AgentReport) -> Measured:
+    """Measure the largest circle to turn in that the body gets to, and whether a T will do instead."""
+    largest = _largest_circle(body.navigation)
+    if largest >= CIRCLE:
+        return Measured(True, largest, f"a circle of {CIRCLE} m is free")
+    if _has_t(body.navigation):
+        return Measured(
+            True, CIRCLE, f"a T-shaped space in a square of {CIRCLE} m is free; the largest circle is {largest:.2f} m"
+        )
+    return Measured(False, largest, f"the largest free circle is {largest:.2f} m, and there is no T-shaped space")
+
+
+def turning_space_iso(body: AgentReport) -> Measured:
+    """Measure the largest circle to turn in against 1.50 m."""
+    largest = _largest_circle(body.navigation)
+    text = f"a circle of {CIRCLE} m is free" if largest >= CIRCLE else f"the largest free circle is {largest:.2f} m"
+    return Measured(largest >= 1.5 - FINE, largest, text)
+
+
+def _largest_circle(nav: Navigation) -> float:
+    """Return the diameter of the largest circle whose middle the body gets to, up to what is asked for."""
+
+    def free(diameter: float) -> bool:
+        return bool(_space(nav, diameter).free.intersects(nav.main))
+
+    if nav.main.is_empty:
+        return 0.0
+    low, high = 0.0, CIRCLE + FINE
+    if free(CIRCLE):
+        return CIRCLE
+    while high - low > FINE:
+        middle = (low + high) / 2
+        low, high = (middle, high) if free(middle) else (low, middle)
+    return low
+
+
+def _has_t(nav: Navigation) -> bool:
+    """Tell whether a T-shaped turning space is free somewhere, its middle where the body gets to."""
+    room, shapes = nav.scene.room, nav.blocking.shapes
+    wall = room.walls[0].direction
+    first = math.atan2(wall[1], wall[0])
+    for turn in range(TURNS):
+        heading = first + turn * 2 * math.pi / TURNS
+        bar = corners(np.array([[0.0, 0.0, 0.0, heading]]), np.array([[ARM, CIRCLE]]))[0]
+        depth = ARM / 2 + BASE
+        ahead = depth / 2 * np.array([math.cos(heading), math.sin(heading)])
+        base = corners(np.array([[*ahead, 0.0, heading]]), np.array([[depth, ARM]]))[0]
+        places = shapely.union_all(convex_places(room, shapes, bar))
+        places = places.intersection(shapely.union_all(convex_places(room, shapes, -base)))
+        if places.intersects(nav.main):
+            return True
+    return False
+
+
+def passing_space(body: AgentReport) -> Measured | None:
+    """Measure the longest way, which needs no passing space up to some length."""
+    routes = body.navigation.routes
+    if not routes:
+        return None
+    longest = max(route.length for route in routes.values())
+    wide = longest <= INTERVAL or set(routes) <= _reached_by(body.navigation, CIRCLE)
+    return Measured(wide, longest, f"the longest way is {longest:.1f} m")
