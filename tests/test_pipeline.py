@@ -127,3 +127,12 @@ def test_no_third_program_is_asked_for_where_two_are_hopeless() -> None:
 def test_a_scene_for_nobody_is_refused() -> None:
     with pytest.raises(rl.RoboLayoutError, match="agents is empty; name at least one body"):
         replace(rl.scene_from_dict(TINY), agents=())
+
+
+def test_a_room_too_large_for_fine_cells_says_how_it_was_searched() -> None:
+    wide = TINY | {"boundary": {"floor_vertices": [[0, 0, 0], [60, 0, 0], [60, 60, 0], [0, 60, 0]], "wall_height": 2.5}}
+    report = rl.generate(wide).report
+    (note,) = report.to_dict()["notes"]
+    assert note.startswith("The room is so large that the search looks for ways on cells of 0.55 m: ")
+    assert note in report.to_markdown()
+    assert "notes" not in rl.generate(TINY).report.to_dict()

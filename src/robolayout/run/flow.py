@@ -20,6 +20,7 @@ from robolayout.solve import (
     Solution,
     SolverConfig,
     Verdict,
+    cell_size,
     compile_problem,
     never,
     silent,
@@ -44,6 +45,9 @@ can only disarrange."""
 
 FORLORN = 0.25
 """Share of the assets in wrong places or out of reach, after so many programs are solved, from which on no other is asked for."""
+
+COARSE = 0.25
+"""Metres of a cell of the search's floor from which on the report says so: half a person is told apart below it."""
 
 ATTEMPT_STRIDE = 1000
 """Added to the planner's seed for each further attempt."""
@@ -261,6 +265,10 @@ class _Run:
 
             with self.clock.station("conflicts"):
                 report = report.with_conflicts(conflicts(self.scene, best.reconciled, layout, seed=self.seed))
+        cell = cell_size(self.scene.room, (self.config or SolverConfig()).cell)
+        if cell > COARSE:
+            note = f"The room is so large that the search looks for ways on cells of {cell:.2f} m: it may miss narrower gaps."
+            report = report.with_notes((f"{note} This report measures exactly.",))
         return report.with_timing(self.clock.seconds)
 
     def prepare(self, here: Scene, samples: int) -> None:

@@ -2,6 +2,7 @@
 
 from robolayout.solve.compile import Problem, compile_problem
 from robolayout.solve.config import SearchConfig, SolverConfig, Weights
+from robolayout.solve.ground import cell_size
 from robolayout.solve.judge import Enough, Judge, Verdict, never
 from robolayout.solve.profiles import solve_with, solver_names
 from robolayout.solve.proposals import Proposals, carry
@@ -22,6 +23,7 @@ __all__ = [
     "Verdict",
     "Weights",
     "carry",
+    "cell_size",
     "compile_problem",
     "never",
     "silent",

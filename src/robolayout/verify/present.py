@@ -59,6 +59,7 @@ def markdown(report: Report) -> str:
             "",
             "As it stands, no chair is moved; demanded is what is reached once the chairs at a thing are moved aside.",
         ]
+    lines += [line for note in report.notes for line in ("", note)]
     if report.violations:
         lines += ["", "## What is wrong", "", *(f"- {sentence}" for sentence in report.violations)]
     if report.rules:
