@@ -56,9 +56,9 @@ def spoiled_tree(tree: Any, choices: list[Choice]) -> Any:
             other, place = places[one % len(places)]
             holder[key] = copy.deepcopy(other[place]) if place in other or isinstance(place, int) else None
         elif what % 6 == 5 and isinstance(holder, dict):
-            holder["unknown"] = NASTY[two % len(NASTY)]
+            holder["unknown"] = copy.deepcopy(NASTY[two % len(NASTY)])
         else:
-            holder[key] = NASTY[one % len(NASTY)]
+            holder[key] = copy.deepcopy(NASTY[one % len(NASTY)])
     return tree
 
 

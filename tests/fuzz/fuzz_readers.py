@@ -16,7 +16,7 @@ from fuzz_mutations import as_glb, as_json, as_toml, glb_parts
 from PIL import Image
 
 from hostile_names import hostile_scene
-from robolayout._errors import RoboLayoutError
+from robolayout._errors import AssetError, RoboLayoutError
 from robolayout.export import EXPORTERS, to_bytes
 from robolayout.scene import Layout, Pose, load_agent, load_layout, load_scene, scene_from_dict, scene_to_dict
 from running import ROOT
@@ -137,7 +137,10 @@ def _read_folder(path: Path) -> object:
 
     (path.parent / f"{path.parent.name}.stl").write_bytes(_mesh_bytes("stl"))
     path.rename(path.with_name("data.json"))
-    return json.dumps(import_folder(path.parent), allow_nan=False).encode()
+    found = import_folder(path.parent)
+    if found["skipped"]:
+        raise AssetError(found["skipped"][0]["reason"])
+    return json.dumps(found, allow_nan=False).encode()
 
 
 def _exchanges() -> list[Any]:
