@@ -7,7 +7,7 @@ SHELL := /bin/bash -o pipefail
 SHORT := sed -unE 's/^ *((Collecting|Downloading|Installing|Successfully).{0,90}).*/  \1/p'
 TOOLS := if { command -v npm && { command -v chromium || command -v google-chrome; }; } >/dev/null; then export ROBOLAYOUT_NODE_TOOLS=1; fi;
 
-.PHONY: demo test test-all lint bench docs gallery page tools clean
+.PHONY: demo test test-all lint bench fuzz docs gallery page tools clean
 
 demo: $(STAMP) ## furnish the example bedroom for a wheelchair user
 	@echo "Furnishing the example bedroom for a wheelchair user; the first run compiles the solver, which takes some seconds."
@@ -27,6 +27,9 @@ lint: $(DEV) ## ruff and pyright
 
 bench: $(DEV) ## measure quality and speed; writes docs/benchmarks.md
 	$(BIN)/python -m benchmarks
+
+fuzz: $(DEV) ## read 100,000 spoiled files (ROBOLAYOUT_FUZZ=n for another number); writes docs/benchmarks.md
+	$(BIN)/python -m benchmarks --section fuzz --fresh
 
 docs: $(DEV) ## write the generated pages
 	$(BIN)/python -m docs.generate

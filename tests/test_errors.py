@@ -83,3 +83,9 @@ def test_an_error_comes_back_whole_from_another_process(error: RoboLayoutError) 
     again = pickle.loads(pickle.dumps(error))
     assert type(again) is type(error)
     assert (str(again), vars(again)) == (str(error), vars(error))
+
+
+def test_a_long_name_and_a_long_list_are_shortened() -> None:
+    text = str(UnknownNameError("category", "x" * 5000, [f"thing {i:03}" for i in range(500)]))
+    assert text.startswith(f"unknown category '{'x' * 100}...'. Known: thing 000, ")
+    assert text.endswith("thing 099, ... (500 in all).")

@@ -22,6 +22,11 @@ import difflib
 from collections.abc import Iterable
 from typing import Any
 
+LONGEST_NAME = 100
+"""Characters of an unknown name that a message repeats."""
+MOST_LISTED = 100
+"""Known names that a message lists."""
+
 
 class RoboLayoutError(Exception):
     """Base of every error that RoboLayout raises on purpose."""
@@ -98,9 +103,11 @@ class UnknownNameError(InputError):
         self.kind = kind
         self.name = name
         self.known = sorted(known)
-        near = difflib.get_close_matches(name, self.known, n=1)
+        shown = name if len(name) <= LONGEST_NAME else f"{name[:LONGEST_NAME]}..."
+        near = difflib.get_close_matches(shown, self.known, n=1)
         hint = f" Did you mean {near[0]!r}?" if near else ""
-        super().__init__(f"unknown {kind} {name!r}.{hint} Known: {', '.join(self.known)}.")
+        more = f", ... ({len(self.known)} in all)" if len(self.known) > MOST_LISTED else ""
+        super().__init__(f"unknown {kind} {shown!r}.{hint} Known: {', '.join(self.known[:MOST_LISTED])}{more}.")
 
 
 class OutputError(InputError):

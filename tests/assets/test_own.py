@@ -180,7 +180,7 @@ def test_bad_metadata_and_bad_folders_are_explained(tmp_path: Path) -> None:
     (tmp_path / "u").mkdir()
     _mesh().export(tmp_path / "u" / "u.glb")
     (tmp_path / "u" / "data.json").write_text('{"annotations": {}}')
-    assert "annotations.category" in import_folder(tmp_path)["skipped"][0]["reason"]
+    assert 'u/data.json has no "assetMetadata"; add it.' in import_folder(tmp_path)["skipped"][0]["reason"]
 
 
 def test_links_out_of_the_folder_are_not_followed(tmp_path: Path) -> None:

@@ -29,8 +29,8 @@ MAX_PIECES = 20_000
 FARTHEST = 1e7
 """Coordinate, in the file's unit, beyond which a vertex is unusable."""
 PARSER_ERRORS = (
-    ArithmeticError, AssertionError, AttributeError, EOFError, ImportError, LookupError, MemoryError, OSError,
-    RuntimeError, SyntaxError, TypeError, ValueError, struct.error, zlib.error,
+    ArithmeticError, AssertionError, AttributeError, EOFError, ImportError, LookupError, MemoryError, NameError,
+    OSError, RuntimeError, SyntaxError, TypeError, ValueError, struct.error, zlib.error,
 )  # fmt: skip
 """What mesh and image parsers raise on broken files."""
 _PIECES = {

@@ -11,9 +11,10 @@ import json
 import math
 import re
 from itertools import accumulate
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from xml.etree.ElementTree import Element
 
 MAX_DEPTH = 64
@@ -82,7 +83,7 @@ def toml_value(text: str) -> dict[str, object]:
 
 def xml_root(text: str) -> Element:
     """Return the root element of an XML text; document types and entities are refused."""
-    from xml.etree.ElementTree import Element, ParseError, XMLPullParser
+    from xml.etree.ElementTree import ParseError, XMLPullParser
 
     if _DECLARES.search(text):
         raise Unreadable("has a document type or entities, which are not allowed; remove them")
@@ -92,9 +93,9 @@ def xml_root(text: str) -> Element:
     try:
         for start in range(0, len(text), 65_536):
             parser.feed(text[start : start + 65_536])
-            for event, element in parser.read_events():
+            for event, element in cast("Iterator[tuple[str, Element]]", parser.read_events()):
                 depth += 1 if event == "start" else -1
-                root = element if root is None and isinstance(element, Element) else root
+                root = element if root is None else root
                 if depth > MAX_DEPTH:
                     raise Unreadable(f"is nested too deeply. At most {MAX_DEPTH} levels are read")
         parser.close()

@@ -29,6 +29,8 @@ CLEARLY = math.log(2.0)
 """Another unit than metres must fit the category's size better by this log ratio."""
 PLAUSIBLE = (0.02, 6.0)
 """Longest edge in metres of a thing of unknown category."""
+LARGEST = 100.0
+"""Largest side of a box in metres."""
 FLAGS = {"onFloor": "on_floor", "onWall": "on_wall", "onCeiling": "on_ceiling", "onObject": "on_object"}
 VIEWS = ("+z", "+x", "-z", "-x")
 """Front axis of a y-up mesh by objathor's `frontView`: a quarter turn each."""
@@ -170,9 +172,15 @@ def _guess(path: Path) -> Guess:
     sidecar = path.with_suffix(".json")
     if not is_file(sidecar):
         return Guess(words or "asset", words, {})
-    data = _json(sidecar)
-    flags = {key: bool(data[key]) for key in FLAGS if key in data}
-    return Guess(str(data.get("category") or words or "asset"), str(data.get("description") or words), flags)
+    category, description, flags = _said(_json(sidecar), sidecar.name)
+    return Guess(category or words or "asset", description or words, flags)
+
+
+def _said(data: Mapping[str, object], where: str) -> tuple[str, str, dict[str, bool]]:
+    """Return category, description and placement flags of a metadata file; empty where it says nothing."""
+    category = _CHECK.text(data.get("category") or "", f"{where}: category", most=200)
+    description = _CHECK.text(data.get("description") or "", f"{where}: description")
+    return category, description, {key: _CHECK.flag(data[key], f"{where}: {key}") for key in FLAGS if key in data}
 
 
 def _words(name: str) -> str:
@@ -195,18 +203,17 @@ def _objathor(path: Path, data: Mapping[str, Any]) -> Guess:
 
     Where `frontView` says that the front is a quarter turn away, width and depth change places.
     """
-    try:
-        notes = data["annotations"]
-        edges = data["assetMetadata"]["boundingBox"]
-        across, along, height = (float(edges[key]) for key in ("x", "y", "z"))
-        flags = {key: bool(notes[key]) for key in FLAGS if key in notes}
-        view = VIEWS[int(notes.get("frontView", 0)) % 4]
-        size = (along, across, height) if view[1] == "z" else (across, along, height)
-        text, words = str(notes["category"]), str(notes.get("description", ""))
-    except (KeyError, TypeError, ValueError, OverflowError) as error:
-        raise AssetError(
-            f"{path.parent.name}/data.json needs annotations.category and assetMetadata.boundingBox x, y, z ({error!r})."
-        ) from error
-    if not all(math.isfinite(edge) and edge > 0 for edge in size):
-        raise AssetError(f"{path.parent.name}/data.json: its bounding box {size} must be positive.")
+    where = f"{path.parent.name}/data.json"
+    notes = _CHECK.mapping(_CHECK.required(data, "annotations", where), f"{where}: annotations")
+    metadata = _CHECK.mapping(_CHECK.required(data, "assetMetadata", where), f"{where}: assetMetadata")
+    place = f"{where}: assetMetadata.boundingBox"
+    edges = _CHECK.mapping(_CHECK.required(metadata, "boundingBox", f"{where}: assetMetadata"), place)
+    across, along, height = (
+        _CHECK.number(_CHECK.required(edges, key, place), f"{place}.{key}", above=0.0, most=LARGEST) for key in "xyz"
+    )
+    turns = _CHECK.number(notes.get("frontView", 0), f"{where}: annotations.frontView", least=0.0, most=1000.0)
+    view = VIEWS[int(turns) % 4]
+    size = (along, across, height) if view[1] == "z" else (across, along, height)
+    _CHECK.required(notes, "category", f"{where}: annotations")
+    text, words, flags = _said(notes, f"{where}: annotations")
     return Guess(text, words, flags, size, view)

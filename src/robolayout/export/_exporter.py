@@ -198,6 +198,8 @@ def reader(what: str) -> Callable[[Read], Read]:
                 raise LayoutError(f"this {what} is larger than {MAX_MESH_BYTES // 1_000_000} MB; export fewer things.")
             try:
                 found = read(data)
+                poses = found.layout.items()
+                astray = [n for n, p in poses if not all(map(math.isfinite, (p.x, p.y, p.z, p.yaw)))]
             except Unreadable as error:
                 raise LayoutError(f"this {what} {error}. Was the file written to its end?") from error
             except _ASTRAY as error:
@@ -205,9 +207,10 @@ def reader(what: str) -> Callable[[Read], Read]:
                 raise LayoutError(
                     f"this {what} is none that robolayout wrote ({text}); export the layout again."
                 ) from error
-            for name, pose in found.layout.items():
-                if not all(map(math.isfinite, (pose.x, pose.y, pose.z, pose.yaw))):
-                    raise LayoutError(f"this {what} gives {name!r} a pose that is not finite; export the layout again.")
+            if astray:
+                raise LayoutError(
+                    f"this {what} gives {astray[0]!r} a pose that is not finite; export the layout again."
+                )
             return found
 
         return guarded

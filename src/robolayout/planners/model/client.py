@@ -50,6 +50,8 @@ Check = Callable[[Any], str | None]
 MOST_CHARACTERS = 400_000
 """Characters of an answer beyond which it is refused."""
 
+ASTRAY = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
+"""What a provider's client trips over in an answer that is JSON but of no form that it knows."""
 FAILURES = {kind.__name__: kind for kind in (ModelError, BudgetError, AnswerError)}
 """How a recorded question may have failed."""
 
@@ -114,6 +116,9 @@ class _Taped(WrapperModel):
                 self._client.cut |= {part["content"] for part in self._answer["parts"]}
             told = self._answer["usage"]["cost"]
             cost, received = None if told is None else Decimal(told), response.usage.output_tokens
+        except ASTRAY as error:
+            told = " ".join(f"{type(error).__name__} {error}".split())[:100]
+            raise UnexpectedModelBehavior(f"an answer of another form than asked for ({told})") from error
         finally:
             budget.settle(reserved, cost, received)
         if length > MOST_CHARACTERS:
