@@ -162,7 +162,8 @@ def _arranged(scene: Scene, blocks: Sequence[Block]) -> _Arranged:
 def _places(scene: Scene, paper: str, scale: int, text: float) -> Iterator[tuple[_Arranged, int, float]]:
     """Yield where plan and lists can stand, with the number and the height of the lists' columns."""
     width, height = _plan_size(scene, scale)
-    for size in (PAPERS[paper][::-1], PAPERS[paper]):
+    short, long = PAPERS[paper]
+    for size in ((long, short), (short, long)):
         inner = (size[0] - 2 * (EDGE + INSET), size[1] - 2 * EDGE - TITLE - 2 * INSET)
         if width > inner[0] or height + LEGEND > inner[1]:
             continue
