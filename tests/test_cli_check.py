@@ -20,7 +20,7 @@ from running import ROOT, Furnished, Ran
 
 Command = Callable[..., Ran]
 SCENE = ROOT / "examples" / "bedroom.json"
-TEXTS = {"scene.json", "layout.json", "report.json", "report.md", "scene.glb"}
+TEXTS = {"scene.json", "layout.json", "report.json", "report.md", "run.json", "scene.glb"}
 DRAWN = {"report.html", "plan.svg", "sheet.pdf", "top.png", "view.png"}
 
 

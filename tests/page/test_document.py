@@ -9,11 +9,13 @@ import re
 from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from page_runs import HOSTILE, MOMENTS, PLACES, run_of
 
 from robolayout import page_html
+from robolayout.page.notes import rule_rows
 from robolayout.program import read_program
 from robolayout.run.flow import Result
 from robolayout.scene import Asset, Room, Scene, Snapshot, Trace
@@ -165,3 +167,17 @@ def test_a_run_without_a_trace_and_with_an_unplaced_asset_has_a_page(run: Result
 @pytest.mark.parametrize("name", ["viewer.js", "viewer.css", "page.html"])
 def test_the_parts_have_unix_line_ends(name: str) -> None:
     assert b"\r" not in Path(DATA / name).read_bytes()
+
+
+def test_named_rules_say_what_was_measured_and_where_they_come_from() -> None:
+    rule = SimpleNamespace(name="turning_space", asks="there is a circle", source="a standard, 3.4", verified=False)
+    found = SimpleNamespace(rule=rule, agent="wheelchair", measured=SimpleNamespace(text="1.20 m"), met=False)
+    (row,) = rule_rows(SimpleNamespace(rules=(found,)))  # type: ignore[arg-type]
+    assert row == {
+        "agent": "wheelchair",
+        "name": "turning space",
+        "asks": "there is a circle",
+        "source": "a standard, 3.4 (not checked at its source)",
+        "measured": "1.20 m",
+        "met": False,
+    }

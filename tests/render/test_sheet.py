@@ -193,6 +193,19 @@ def test_things_on_a_table_are_listed_with_it_and_have_no_number():
     assert {"40 x 30 x 3", "8 x 8 x 10"} <= set(written), "centimetres: width, depth, height"
 
 
+def test_a_covered_thing_among_others_keeps_its_number():
+    size = (0.5, 0.5, 0.7)
+    tables = {f"table-{k}": Pose(1.0 + 0.5 * (k % 3), 1.0 + 0.5 * (k // 3), 0.35, 0.0) for k in range(9)}
+    trays = {f"tray-{k}": Pose(p.x, p.y, 0.72, 0.0) for k, p in enumerate(tables.values())}
+    assets = [Asset(name, "table", size) for name in tables]
+    assets += [Asset(name, "tray", (0.48, 0.48, 0.04), on_floor=False, on_object=True) for name in trays]
+    scene = Scene(SQUARE, tuple(assets), agents=(WHEELS,), name="room")
+    layout = Layout(tables | trays)
+    svg = ElementTree.fromstring(sheet_svg(scene, layout, SheetNotes(), marks=PlanMarks(), agent=WHEELS))
+    written = {words.text.split()[0] for words in texts(svg) if words.text}
+    assert {str(number) for number in range(1, 10)} <= written
+
+
 def test_findings_speak_of_the_numbers_on_the_drawing():
     assets = (Asset("sofa-1", "sofa", (0.9, 2.0, 0.8)), Asset("sofa-10", "big sofa", (0.9, 2.2, 0.8)))
     scene = Scene(SQUARE, assets, agents=(WHEELS,), name="room")

@@ -15,11 +15,20 @@ export function fillPanel(data, choose) {
   const met = data.statements.filter((statement) => statement.met).length;
   byId("statement-count").textContent = `${met} of ${data.statements.length} met`;
   fill(byId("statements"), ...data.statements.map(statementItem));
+  byId("rules-part").hidden = !data.rules.length;
+  byId("rule-count").textContent = `${data.rules.filter((rule) => rule.met).length} of ${data.rules.length} met`;
+  fill(byId("rules"), ...data.rules.map((rule) => statementItem(asStatement(rule, data.agents.length > 1))));
   const total = data.timing.reduce((sum, [, seconds]) => sum + seconds, 0);
   byId("time-total").textContent = `${total.toFixed(2)} s`;
   fill(byId("timing"), ...data.timing.flatMap(([name, seconds]) => [el("dt", {}, name), el("dd", {}, `${seconds.toFixed(3)} s`)]));
   byId("made").textContent = `RoboLayout ${data.version}`;
   byId("assets").addEventListener("keydown", stepThrough);
+}
+
+/** Return a rule in the form of a statement. */
+function asStatement({ name, asks, source, measured, met, agent }, several) {
+  const text = [measured, source, several && agent].filter(Boolean).join(" \u00b7 ");
+  return { sentence: `${name}: ${asks}`, met, text };
 }
 
 function check({ name, shown, met, share }) {

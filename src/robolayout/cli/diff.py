@@ -10,7 +10,7 @@ import typer
 
 from robolayout._errors import InputError
 from robolayout.cli.generate import AgentOption, AssetDirOption, JsonOption, QuietOption, read_scene
-from robolayout.cli.terminal import table
+from robolayout.cli.terminal import say, table
 
 Side = Annotated[Path, typer.Argument(help="A run's folder, or a layout file (with --scene).")]
 
@@ -49,14 +49,14 @@ def diff(  # noqa: PLR0913 - one parameter per option
     if out is not None:
         write_atomic(out, difference_picture(found, out.suffix.lower(), width=width))
     if as_json:
-        typer.echo(json.dumps(found.to_dict()))
+        say(json.dumps(found.to_dict()))
     elif not quiet:
         rows = [[change.verdict, change.name, change.text] for change in found.changes]
         if rows:
             table(f"{before} -> {after}", ["", "what", "difference"], rows)
-        typer.echo(_summary(len(found.changes), len(found.worse)))
+        say(_summary(len(found.changes), len(found.worse)))
         if out is not None:
-            typer.echo(str(out))
+            say(str(out))
     raise typer.Exit(1 if found.worse else 0)
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from robolayout._version import __version__
 from robolayout.page._agents import agent_content, listed, millimetres
+from robolayout.page.notes import rule_rows
 from robolayout.program import Program, Reconciled
 from robolayout.render import PlanMarks, palette
 from robolayout.render.contents import display_name
@@ -86,6 +87,7 @@ def content(result: Shown, marks: Sequence[PlanMarks]) -> dict[str, Any]:
         },
         "assets": list(_assets(result)),
         "statements": list(_statements(result)),
+        "rules": rule_rows(report),
         "agents": [
             agent_content(agent, shown, report.demands) for agent, shown in zip(report.agents, marks, strict=True)
         ],

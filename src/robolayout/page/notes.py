@@ -1,6 +1,8 @@
-"""What a sheet to print says beside its drawing, taken from a report."""
+"""What a sheet to print and the page say beside their drawings, taken from a report."""
 
 from __future__ import annotations
+
+from typing import Any
 
 from robolayout.render import SheetNotes
 from robolayout.scene import vertical_span
@@ -11,7 +13,7 @@ STANDS = 0.05
 
 
 def sheet_notes(report: Report, date: str = "") -> SheetNotes:
-    """Return areas and findings for the first body of a report.
+    """Return areas, findings and rules for the first body of a report.
 
     Args:
         report: What the judge says.
@@ -20,7 +22,27 @@ def sheet_notes(report: Report, date: str = "") -> SheetNotes:
     first = report.agents[0]
     verdict = "all demands are met" if report.ok else "not all demands are met"
     helps = first.remedies.sentences(first.agent)
-    return SheetNotes(date, _areas(first), verdict, (*first.impossible, *report.violations, *helps))
+    rules = tuple(
+        (f"{row['name']}: {row['measured']} ({row['source']})", row["met"])
+        for row in rule_rows(report)
+        if row["agent"] == first.agent.name
+    )
+    return SheetNotes(date, _areas(first), verdict, (*first.impossible, *report.violations, *helps), rules)
+
+
+def rule_rows(report: Report) -> list[dict[str, Any]]:
+    """Return the named rules of a report as plain data: for whom, what, its source, what was measured, and whether it is met."""
+    return [
+        {
+            "agent": found.agent,
+            "name": found.rule.name.replace("_", " "),
+            "asks": found.rule.asks,
+            "source": found.rule.source + ("" if found.rule.verified else " (not checked at its source)"),
+            "measured": found.measured.text,
+            "met": found.met,
+        }
+        for found in getattr(report, "rules", ())
+    ]
 
 
 def _areas(first: AgentReport) -> tuple[tuple[str, str], ...]:

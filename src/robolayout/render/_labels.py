@@ -42,7 +42,7 @@ class Tag:
         halo: Whether the name needs a light edge, because lines run under it.
         quiet: Whether it is written in grey, since the thing hangs above.
         shuns: Corners of what hangs above the footprint; the name keeps off their edges if it can.
-        short: What is written where the name finds no place, or nothing.
+        short: What is written where the name finds no place, if need be over what lies on top; or nothing.
     """
 
     text: str
@@ -132,6 +132,8 @@ def place_labels(
             clear = np.concatenate([solids, strokes])
             label = _first_beside(beside, taken, clear, sheet, sizes[-2])
             label = label or _first_beside(beside, taken, solids, sheet, sizes[-2])
+        if label is None and tag.short:
+            label = _first_inside(replace(tag, text=tag.short, covers=(), halo=True), taken, sizes)
         if label is not None:
             placed.append(label)
             taken.append(label.box)

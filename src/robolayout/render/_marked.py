@@ -12,7 +12,7 @@ import numpy as np
 from robolayout.render._architecture import THICKNESS, Place
 from robolayout.render._drawing import Drawing, Point, text_width
 from robolayout.render._labels import LINE, SIZES, Box, Label, Tag, place_labels
-from robolayout.render.contents import display_name, front, has_arrow
+from robolayout.render.contents import cord, display_name, front, has_arrow
 from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import INK, NARROW, PAPER, QUIET, REACH, ROUTE, TIGHT, TURN
 from robolayout.scene import Agent, Layout, Pose, Scene, Wall, vertical_span
@@ -186,6 +186,8 @@ def _tags(
         above = solid if asset.is_flat else [n for n in solid if n != name and spans[n][0] > spans[name][0] + 0.05]
         beside = not asset.on_object and (asset.on_floor or asset.on_wall or asset.on_ceiling)
         covers = [outlines[n] for n in above]
+        if asset.on_ceiling:
+            covers.append(cord(layout[name], place))
         if has_arrow(asset):
             covers.append(tuple(place(*p) for p in front(asset, layout[name])))
         tags.append(

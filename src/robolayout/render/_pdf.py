@@ -12,6 +12,7 @@ import zlib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
+from typing import Any
 
 from robolayout.render._drawing import Drawing, Shape, Text, font, is_latin, printable, text_width
 
@@ -80,9 +81,9 @@ def _subset(characters: str, plain: bool) -> _Font:
     from fontTools.subset import Options, Subsetter
     from fontTools.ttLib import TTFont
 
-    face = font(100, plain)
+    face: Any = font(100, plain)
     source = io.BytesIO(face.font_bytes) if isinstance(face.path, io.BytesIO) else face.path
-    whole = TTFont(source, recalcTimestamp=False)
+    whole: Any = TTFont(source, recalcTimestamp=False)
     options = Options(hinting=False, layout_features=[], notdef_outline=True, name_IDs=[6])
     options.drop_tables = [*options.drop_tables, "FFTM", "GDEF", "GPOS", "GSUB", "kern", "gasp"]
     cutter = Subsetter(options)

@@ -44,9 +44,9 @@ def draw_footprint(sheet: Drawing, asset: Asset, pose: Pose, place: Place, *, bl
     corners = [place(*corner) for corner in pose.corners(asset.size)]
     if asset.on_ceiling:
         sheet.polygon([corners], None, stroke=line, width=0.2, dash=(0.9, 0.6), title=asset.name)
-        x, y = place(pose.x, pose.y)
-        for dx, dy in ((CORD, CORD), (CORD, -CORD)):
-            sheet.line([(x - dx, y - dy), (x + dx, y + dy)], line, width=0.2)
+        a, b, c, d = cord(pose, place)
+        sheet.line([a, c], line, width=0.2)
+        sheet.line([b, d], line, width=0.2)
         return
     if asset.is_flat:
         sheet.polygon([corners], fill, stroke=line, width=0.14, opacity=0.55, dash=(0.5, 0.4), title=asset.name)
@@ -64,6 +64,12 @@ def draw_footprint(sheet: Drawing, asset: Asset, pose: Pose, place: Place, *, bl
         sheet.line([corners[1], corners[3]], BLOCKED, width=0.2)
     if has_arrow(asset):
         sheet.polygon([[place(*p) for p in front(asset, pose)]], line)
+
+
+def cord(pose: Pose, place: Place) -> tuple[Point, Point, Point, Point]:
+    """Return the corners of the cross where the cord of what hangs from the ceiling is fixed, millimetres."""
+    x, y = place(pose.x, pose.y)
+    return ((x - CORD, y - CORD), (x + CORD, y - CORD), (x + CORD, y + CORD), (x - CORD, y + CORD))
 
 
 def display_name(scene: Scene, asset: Asset) -> str:

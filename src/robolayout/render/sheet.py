@@ -69,14 +69,14 @@ class SheetNotes:
         areas: What is measured of the room, and the figure with its unit.
         verdict: Whether all demands are met, in a few words.
         findings: What is wrong and what would help, in sentences.
-        rules: Named rules, with what was measured, and whether each is met.
+        rules: Named rules with what was measured, in words, and whether each is met.
     """
 
     date: str = ""
     areas: tuple[tuple[str, str], ...] = ()
     verdict: str = ""
     findings: tuple[str, ...] = ()
-    rules: tuple[tuple[str, str, bool], ...] = ()
+    rules: tuple[tuple[str, bool], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -162,7 +162,8 @@ def _arranged(scene: Scene, blocks: Sequence[Block]) -> _Arranged:
 def _places(scene: Scene, paper: str, scale: int, text: float) -> Iterator[tuple[_Arranged, int, float]]:
     """Yield where plan and lists can stand, with the number and the height of the lists' columns."""
     width, height = _plan_size(scene, scale)
-    for size in (PAPERS[paper][::-1], PAPERS[paper]):
+    short, long = PAPERS[paper]
+    for size in ((long, short), (short, long)):
         inner = (size[0] - 2 * (EDGE + INSET), size[1] - 2 * EDGE - TITLE - 2 * INSET)
         if width > inner[0] or height + LEGEND > inner[1]:
             continue
@@ -256,12 +257,12 @@ def _blocks(given: _Given) -> list[Block]:
     areas = [Row(words, value=value) for words, value in notes.areas]
     sizes = [Row(f"{name} {_kind(name)}", value=_size(opening)) for name, opening in _named_openings(scene)]
     findings = [Row(_numbered(sentence, scene, given.things), "-") for sentence in notes.findings]
-    rules = [Row(f"{name}: {measured}", "ok" if met else "no") for name, measured, met in notes.rules]
+    rules = [Row(_numbered(words, scene, given.things), "met" if met else "NOT") for words, met in notes.rules]
     blocks = [
         Block("Room", tuple(areas)),
         Block("Doors and windows, m", tuple(sizes)),
         Block("Furniture, cm: width x depth x height", given.things.rows, 4.2),
-        Block("Rules", tuple(rules), 1.8),
+        Block("Rules of accessibility", tuple(rules), 2.6),
     ]
     told = Block(f"Findings: {notes.verdict}".removesuffix(": "), tuple(findings), 1.0)
     return [*(block for block in blocks if block.rows), told]
