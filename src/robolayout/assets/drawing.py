@@ -26,7 +26,7 @@ RELATIONS: dict[str, Callable[[float, float], bool]] = {
 SUMS: dict[type[ast.operator], Callable[[float, float], float]] = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv,
 }  # fmt: skip
-CALLS: dict[str, Callable[..., float]] = {"min": min, "max": max, "round": round, "abs": abs}
+CALLS: dict[str, Callable[..., float]] = {"min": min, "max": max, "round": round, "floor": math.floor, "abs": abs}
 """What a `let` may compute, beside sums and products."""
 BASIS = ("", "m", "d", "w", "h")
 """What an extent is a sum of, before the names of `let`: plain numbers, metres, depth, width, height."""

@@ -26,12 +26,6 @@ def four(
                 yield box("leg", material, (x - t / 2, x + t / 2), (y - t / 2, y + t / 2), (0.0, top))
 
 
-def plinth(p: Piece, material: Material, height: float, *, inset: float = 0.03) -> Part:
-    """Return a base that is set back on all sides."""
-    i = min(inset, 0.1 * p.d, 0.1 * p.w)
-    return box("plinth", material, (p.x[0] + i, p.x[1] - i - DOOR), (p.y[0] + i, p.y[1] - i), (0.0, height))
-
-
 def carcass(p: Piece, material: Material, z: Range, *, y: Range | None = None) -> Part:
     """Return the body behind a row of fronts: the whole box from the back to just behind them."""
     return box("body", material, (p.x[0], p.x[1] - KNOB - DOOR - 0.002), y or p.y, z)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from robolayout.assets.fronts import doors, drawers
-from robolayout.assets.furniture._common import Builder, board, carcass, four, plinth
+from robolayout.assets.furniture._common import Builder, four
 from robolayout.assets.palette import (
     BLACK,
     BLUE,
@@ -260,20 +259,6 @@ def crib(p: Piece) -> Iterator[Part]:
     yield soft("pillow", LINEN, pillow, (-0.16, 0.16), (low + 0.149, low + 0.2), bevel=0.02)
 
 
-def wardrobe(p: Piece) -> Iterator[Part]:
-    """Yield a tall cupboard with doors, a plinth and a cornice."""
-    yield plinth(p, p.dark, 0.07)
-    yield carcass(p, p.wood, (0.07, p.h - 0.03))
-    yield board(p, p.wood, (p.h - 0.029, p.h))
-    count = max(1, round(p.w / 0.5))
-    if p.variant % 3 == 0 and p.w > 0.9:
-        split = 0.07 + 0.28 * p.h
-        yield from doors(p, p.front, p.y, (split, p.h - 0.03), count=count)
-        yield from drawers(p, p.front, p.y, (0.07, split), rows=2, columns=max(1, count // 2))
-        return
-    yield from doors(p, p.front, p.y, (0.07, p.h - 0.03), count=count)
-
-
 def pillow(p: Piece) -> Iterator[Part]:
     """Yield one pillow or cushion."""
     yield soft("pillow", p.accent if p.kind != "pillow" else LINEN, p.x, p.y, p.z, bevel=0.4 * min(p.d, p.w, p.h))
@@ -430,7 +415,6 @@ BUILDERS: dict[str, Builder] = {
     "play tent": play_tent,
     "playpen": playpen,
     "crib": crib,
-    "wardrobe": wardrobe,
     "stairs": stairs,
     "rug": rug,
     "unknown floor covering": rug,

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from robolayout.assets.fronts import doors
-from robolayout.assets.furniture._common import Builder, books, carcass, four, open_case, plinth
-from robolayout.assets.palette import BLACK, BRIGHT, CARDBOARD, GLASS, IRON, LEAF, LIGHT_GREY, SPINES, WICKER, Piece
+from robolayout.assets.furniture._common import Builder, books, four, open_case
+from robolayout.assets.palette import BRIGHT, CARDBOARD, GLASS, IRON, LEAF, SPINES, WICKER, Piece
 from robolayout.assets.part import Part
 from robolayout.assets.shapes import ball, box, cylinder, oval, prism, slab
 
@@ -189,27 +188,6 @@ def display_cabinet(p: Piece) -> Iterator[Part]:
     yield box("glass", GLASS, (p.x[1] - 0.004, p.x[1]), (p.y[0] + 0.004, p.y[1] - 0.004), (rows[0], p.h - 0.02))
 
 
-def locker(p: Piece) -> Iterator[Part]:
-    """Yield a row of steel lockers with vents."""
-    paint = p.fabric
-    yield carcass(p, LIGHT_GREY, (0.06, p.h))
-    yield plinth(p, BLACK, 0.06)
-    count = max(1, round(p.w / 0.31))
-    yield from doors(p, paint, p.y, (0.06, p.h), count=count)
-    face = p.x[1] - 0.022
-    for i in range(count):
-        y0, y1 = p.y[0] + i * p.w / count, p.y[0] + (i + 1) * p.w / count
-        for j in range(3):
-            z = p.h - 0.16 - j * 0.04
-            yield box(
-                "vent",
-                BLACK,
-                (face - 0.001, face + 0.002),
-                (y0 + 0.3 * (y1 - y0), y1 - 0.3 * (y1 - y0)),
-                (z, z + 0.012),
-            )
-
-
 def room_divider(p: Piece) -> Iterator[Part]:
     """Yield a folding screen of panels in zigzag."""
     count = max(2, round(p.w / 0.45))
@@ -344,7 +322,6 @@ BUILDERS: dict[str, Builder] = {
     "wall shelf": wall_shelf,
     "corner shelf": corner_shelf,
     "display cabinet": display_cabinet,
-    "locker": locker,
     "room divider": room_divider,
     "toy shelf": toy_shelf,
     "coffee table": coffee_table,

@@ -245,29 +245,6 @@ def pegboard(p: Piece) -> Iterator[Part]:
                 )
 
 
-def lumber_rack(p: Piece) -> Iterator[Part]:
-    """Yield a cantilever rack with planks; its lowest arms are its feet."""
-    for i in range(n := max(2, round(p.w / 0.9))):
-        y = p.y[0] + 0.06 + i * (p.w - 0.12) / (n - 1)
-        yield box("post", BLUE, (p.x[0], p.x[0] + 0.08), (y - 0.04, y + 0.04), (0.0, p.h))
-        for k in range(4):
-            z = (0.06 + 0.25 * k) * p.h
-            low = z - 0.04 if k else 0.0
-            yield box("arm" if k else "foot", BLUE, (p.x[0] + 0.08, p.x[1]), (y - 0.03, y + 0.03), (low, z))
-    for k in range(4):
-        z = (0.06 + 0.25 * k) * p.h
-        for i in range(3):
-            x = p.x[0] + 0.1 + i * (p.d - 0.12) / 3
-            for layer in range(1 + (i + k) % 3):
-                yield box(
-                    "plank",
-                    (PINE, p.wood, p.dark)[(i + k) % 3],
-                    (x, x + 0.26 * p.d),
-                    p.y,
-                    (z + 0.032 * layer, z + 0.032 * layer + 0.03),
-                )
-
-
 def bicycle(p: Piece) -> Iterator[Part]:
     """Yield a bicycle that faces +x."""
     r = 0.32 * p.h
@@ -314,6 +291,5 @@ BUILDERS: dict[str, Builder] = {
     "roll cage": roll_cage,
     "server rack": server_rack,
     "pegboard": pegboard,
-    "lumber rack": lumber_rack,
     "bicycle": bicycle,
 }
