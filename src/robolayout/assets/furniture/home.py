@@ -8,7 +8,6 @@ from robolayout.assets.furniture._common import Builder, four
 from robolayout.assets.palette import (
     BLACK,
     BLUE,
-    BRASS,
     BRIGHT,
     CORK,
     DARK,
@@ -27,7 +26,7 @@ from robolayout.assets.palette import (
     Piece,
 )
 from robolayout.assets.part import Part
-from robolayout.assets.shapes import ball, box, cylinder, prism, sheared, soft
+from robolayout.assets.shapes import box, cylinder, prism, sheared
 
 Span = tuple[float, float]
 
@@ -101,79 +100,6 @@ def pinball(p: Piece) -> Iterator[Part]:
     )
 
 
-def _keys(p: Piece, x: tuple[float, float], half: float, z: float) -> Iterator[Part]:
-    """Yield a keyboard: one white bed, black keys in groups."""
-    yield box("white keys", IVORY, x, (-half, half), (z, z + 0.015))
-    count = int(2 * half / 0.024)
-    for i in range(count):
-        if i % 7 not in (2, 6):
-            y = -half + (i + 1) * 0.024
-            yield box(
-                "black key", BLACK, (x[0], x[0] + 0.6 * (x[1] - x[0])), (y - 0.006, y + 0.006), (z + 0.015, z + 0.024)
-            )
-
-
-def piano(p: Piece) -> Iterator[Part]:
-    """Yield an upright piano; its keys face +x."""
-    wood = p.dark if p.variant % 2 else BLACK
-    key = 0.58 * p.h
-    body = p.x[0] + 0.52 * p.d
-    yield box("body", wood, (p.x[0] + 0.001, body), (p.y[0] + 0.02, p.y[1] - 0.02), (0.06, p.h - 0.03))
-    yield box("lid", wood, (p.x[0], body + 0.01), p.y, (p.h - 0.029, p.h))
-    for y0 in (p.y[0] + 0.001, p.y[1] - 0.051):
-        yield box("cheek", wood, (body + 0.001, p.x[1] - 0.01), (y0, y0 + 0.05), (key - 0.06, key + 0.1))
-        yield box("leg", wood, (p.x[1] - 0.09, p.x[1] - 0.03), (y0 + 0.002, y0 + 0.048), (0.06, key - 0.06))
-        yield box("foot", wood, (p.x[0] + 0.02, p.x[1]), (y0 + 0.001, y0 + 0.049), (0.0, 0.058))
-    yield box("key bed", wood, (body + 0.001, p.x[1] - 0.005), (p.y[0] + 0.052, p.y[1] - 0.052), (key - 0.06, key))
-    yield from _keys(p, (body + 0.03, p.x[1] - 0.02), p.w / 2 - 0.08, key)
-    yield box("music rest", p.wood, (body + 0.002, body + 0.02), (-0.3, 0.3), (key + 0.12, min(key + 0.34, p.h - 0.05)))
-    for i in range(2):
-        yield box("pedal", BRASS, (body + 0.001, body + 0.09), (-0.07 + 0.1 * i, -0.04 + 0.1 * i), (0.05, 0.065))
-
-
-def grand_piano(p: Piece) -> Iterator[Part]:
-    """Yield a grand piano; its keys face +x, its lid is open."""
-    low, top = 0.58 * p.h, 0.86 * p.h
-    d, w = p.d, p.w
-    outline = [
-        (0.28 * d, -0.5 * w),
-        (0.28 * d, 0.5 * w),
-        (-0.1 * d, 0.48 * w),
-        (-0.4 * d, 0.14 * w),
-        (-0.5 * d, -0.2 * w),
-        (-0.46 * d, -0.5 * w),
-    ]
-    inner = [(0.9 * x, 0.94 * y) for x, y in outline]
-    yield prism("case", BLACK, outline, (low, top - 0.004))
-    yield prism("strings", BRASS, inner, (top - 0.004, top))
-    yield box("key bed", BLACK, (0.281 * d, p.x[1]), (-0.5 * w, 0.5 * w), (low, low + 0.07))
-    yield from _keys(p, (0.33 * d, 0.48 * d), 0.44 * w, low + 0.07)
-    lid = prism("lid", BLACK, outline, (top + 0.004, top + 0.03))
-    lid.vertices[:, 2] += (lid.vertices[:, 1] + 0.5 * w) / w * (p.h - top - 0.03)
-    yield lid
-    for x, y in ((0.22 * d, -0.42 * w), (0.22 * d, 0.42 * w), (-0.38 * d, -0.24 * w)):
-        yield cylinder("leg", BLACK, (x, y), (0.03, 0.05), (0.0, low), sides=10)
-
-
-def digital_piano(p: Piece) -> Iterator[Part]:
-    """Yield an electronic keyboard on a crossed stand."""
-    top = p.h - 0.1
-    for y in (-0.3 * p.w, 0.3 * p.w):
-        for way in (1, -1):
-            yield sheared(
-                "strut",
-                DARK,
-                (-way * 0.4 * p.d, -way * 0.4 * p.d + 0.03),
-                (y + way * 0.016 - 0.015, y + way * 0.016 + 0.014),
-                (0.0, top),
-                lean=(way * 0.7 * p.d, 0.0),
-            )
-    yield soft("casing", DARK, p.x, p.y, (top, top + 0.07), bevel=0.015)
-    yield from _keys(p, (0.02 * p.d, 0.46 * p.d), 0.46 * p.w, top + 0.07)
-    yield box("panel", GLOW, (-0.3 * p.d, -0.14 * p.d), (-0.1, 0.1), (top + 0.07, top + 0.075))
-    yield box("rest", BLACK, (-0.44 * p.d, -0.42 * p.d), (-0.2, 0.2), (top + 0.069, p.h))
-
-
 def play_tent(p: Piece) -> Iterator[Part]:
     """Yield a tipi with an opening at the front, poles and a flag line."""
     low, high = 0.5, 0.06
@@ -216,67 +142,6 @@ def _cloth(p: Piece, ends: tuple[tuple[float, float], tuple[float, float]], high
     if (ends[0][0] * ends[1][1] - ends[0][1] * ends[1][0]) > 0:
         return Part(part.name, part.vertices, part.faces[:, ::-1].copy(), part.material)
     return part
-
-
-def playpen(p: Piece) -> Iterator[Part]:
-    """Yield a pen with bars on four sides and a mat with toys."""
-    yield box("mat", p.accent, (0.96 * p.x[0], 0.96 * p.x[1]), (0.96 * p.y[0], 0.96 * p.y[1]), (0.0, 0.03))
-    for z in (0.03, p.h - 0.04):
-        for y0 in (p.y[0], p.y[1] - 0.03):
-            yield box("rail", p.wood, p.x, (y0, y0 + 0.03), (z, z + 0.04))
-        for x0 in (p.x[0], p.x[1] - 0.03):
-            yield box("rail", p.wood, (x0, x0 + 0.03), (p.y[0] + 0.03, p.y[1] - 0.03), (z, z + 0.04))
-    for i in range(n := max(6, min(12, round(p.w / 0.11)))):
-        share = (i + 0.5) / n
-        for y in (p.y[0] + 0.015, p.y[1] - 0.015):
-            yield cylinder("bar", p.wood, (p.x[0] + share * p.d, y), 0.008, (0.07, p.h - 0.04), sides=6)
-        for x in (p.x[0] + 0.015, p.x[1] - 0.015):
-            yield cylinder("bar", p.wood, (x, p.y[0] + share * p.w), 0.008, (0.07, p.h - 0.04), sides=6)
-    yield ball("ball", BRIGHT[0], (0.0, 0.2), (0.05, 0.25), (0.03, 0.23))
-    yield box("block", BRIGHT[4], (-0.2, -0.1), (-0.2, -0.1), (0.03, 0.13))
-
-
-def crib(p: Piece) -> Iterator[Part]:
-    """Yield a cot with bars on both long sides."""
-    t, low, high = 0.045, 0.25 * p.h, 0.9 * p.h
-    for x0 in (p.x[0], p.x[1] - t):
-        for y0 in (p.y[0], p.y[1] - t):
-            yield box("post", p.front, (x0, x0 + t), (y0, y0 + t), (0.0, p.h))
-        yield box("end", p.front, (x0 + 0.01, x0 + t - 0.01), (p.y[0] + t, p.y[1] - t), (low, high + 0.03))
-    count = max(5, int((p.d - 2 * t) / 0.1))
-    for y0 in (p.y[0] + 0.01, p.y[1] - t + 0.01):
-        for z in (low, high):
-            yield box("rail", p.wood, (p.x[0] + t, p.x[1] - t), (y0, y0 + 0.025), (z, z + 0.035))
-        for i in range(1, count):
-            x = p.x[0] + t + i * (p.d - 2 * t) / count
-            yield box("bar", p.wood, (x - 0.008, x + 0.008), (y0 + 0.005, y0 + 0.02), (low + 0.035, high))
-    yield box("base", p.wood, (p.x[0] + t, p.x[1] - t), (p.y[0] + t, p.y[1] - t), (low - 0.02, low + 0.03))
-    inner = (p.y[0] + t + 0.01, p.y[1] - t - 0.01)
-    yield soft("mattress", WHITE, (p.x[0] + t + 0.01, p.x[1] - t - 0.01), inner, (low + 0.03, low + 0.15))
-    blanket = (p.x[0] + 0.45 * p.d, p.x[1] - t - 0.012)
-    yield soft("blanket", p.accent, blanket, (inner[0] + 0.003, inner[1] - 0.003), (low + 0.1, low + 0.18))
-    pillow = (p.x[0] + t + 0.04, p.x[0] + t + 0.26)
-    yield soft("pillow", LINEN, pillow, (-0.16, 0.16), (low + 0.149, low + 0.2), bevel=0.02)
-
-
-def pillow(p: Piece) -> Iterator[Part]:
-    """Yield one pillow or cushion."""
-    yield soft("pillow", p.accent if p.kind != "pillow" else LINEN, p.x, p.y, p.z, bevel=0.4 * min(p.d, p.w, p.h))
-
-
-def blanket(p: Piece) -> Iterator[Part]:
-    """Yield a folded blanket or towel: three layers."""
-    for i in range(3):
-        z = (i * p.h / 3, (i + 1) * p.h / 3 - 0.001)
-        slip = 0.004 * i
-        yield soft(
-            "fold",
-            (p.fabric, p.accent, p.fabric)[i],
-            (p.x[0] + slip, p.x[1] - slip),
-            (p.y[0], p.y[1] - slip),
-            z,
-            bevel=0.2 * p.h,
-        )
 
 
 def stairs(p: Piece) -> Iterator[Part]:
@@ -409,12 +274,7 @@ BUILDERS: dict[str, Builder] = {
     "blackboard": whiteboard,
     "bulletin board": whiteboard,
     "pinball machine": pinball,
-    "piano": piano,
-    "grand piano": grand_piano,
-    "digital piano": digital_piano,
     "play tent": play_tent,
-    "playpen": playpen,
-    "crib": crib,
     "stairs": stairs,
     "rug": rug,
     "unknown floor covering": rug,

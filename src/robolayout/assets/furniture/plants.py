@@ -212,25 +212,6 @@ def hanging_plant(p: Piece) -> Iterator[Part]:
         yield leaf((LEAF, LEAF_LIGHT, LEAF_DARK)[i % 3], (0.9 * x, 0.9 * y, max(z, 0.05)), turn, size, droop=0.8)
 
 
-def planter(p: Piece) -> Iterator[Part]:
-    """Yield a long box full of plants."""
-    pot = 0.5 * p.h
-    yield box("box", p.wood, p.x, p.y, (0.0, pot))
-    yield box("soil", SOIL, (p.x[0] + 0.02, p.x[1] - 0.02), (p.y[0] + 0.02, p.y[1] - 0.02), (pot, pot + 0.004))
-    count = max(2, round(p.w / (0.7 * p.d)))
-    for i in range(count):
-        y, half = p.y[0] + (i + 0.5) * p.w / count, 0.5 * p.w / count
-        yield ball(
-            "shrub",
-            (LEAF, LEAF_DARK, LEAF_LIGHT)[i % 3],
-            (0.96 * p.x[0], 0.96 * p.x[1]),
-            (y - half, y + half),
-            (pot - 0.02, p.h - 0.06 * p.h * (i % 2)),
-            rings=4,
-            sides=9,
-        )
-
-
 def plant_stand(p: Piece) -> Iterator[Part]:
     """Yield a stepped rack with pots on it."""
     steps = 3
@@ -301,7 +282,6 @@ BUILDERS: dict[str, Builder] = {
     "plant": plant,
     "potted plant": potted_plant,
     "hanging plant": hanging_plant,
-    "planter": planter,
     "plant stand": plant_stand,
     "flower bucket": flower_bucket,
     "green wall": green_wall,

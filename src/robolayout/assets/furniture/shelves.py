@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from robolayout.assets.furniture._common import Builder, books, four, open_case
 from robolayout.assets.palette import BRIGHT, CARDBOARD, GLASS, IRON, LEAF, SPINES, WICKER, Piece
 from robolayout.assets.part import Part
-from robolayout.assets.shapes import ball, box, cylinder, oval, prism, slab
+from robolayout.assets.shapes import ball, box, cylinder, oval, slab
 
 
 def shoe_rack(p: Piece) -> Iterator[Part]:
@@ -151,21 +151,6 @@ def wall_shelf(p: Piece) -> Iterator[Part]:
     yield cylinder("vase", p.accent, (0.0, y), (r, 0.6 * r), (t, p.h), sides=12)
 
 
-def corner_shelf(p: Piece) -> Iterator[Part]:
-    """Yield quarter-round boards between two panels at the back and the right."""
-    yield box("back", p.wood, (p.x[0], p.x[0] + 0.016), p.y, p.z)
-    yield box("side", p.wood, (p.x[0] + 0.016, p.x[1]), (p.y[0], p.y[0] + 0.016), p.z)
-    d, w = p.d - 0.017, p.w - 0.017
-    x0, y0 = p.x[0] + 0.016, p.y[0] + 0.016
-    for level in levels(p, 0.36):
-        outline = [(x0, y0), (x0 + d, y0), (x0 + 0.9 * d, y0 + 0.42 * w), (x0 + 0.42 * d, y0 + 0.9 * w), (x0, y0 + w)]
-        yield prism("shelf", p.wood, outline, (level - 0.02, level - 0.001))
-        if level < 0.9 * p.h:
-            yield cylinder(
-                "vase", p.accent, (x0 + 0.4 * d, y0 + 0.35 * w), (0.045, 0.03), (level, level + 0.17), sides=10
-            )
-
-
 def display_cabinet(p: Piece) -> Iterator[Part]:
     """Yield a glazed cabinet with lit shelves and objects."""
     t = 0.025
@@ -186,25 +171,6 @@ def display_cabinet(p: Piece) -> Iterator[Part]:
                 sides=10,
             )
     yield box("glass", GLASS, (p.x[1] - 0.004, p.x[1]), (p.y[0] + 0.004, p.y[1] - 0.004), (rows[0], p.h - 0.02))
-
-
-def room_divider(p: Piece) -> Iterator[Part]:
-    """Yield a folding screen of panels in zigzag."""
-    count = max(2, round(p.w / 0.45))
-    for i in range(count):
-        y0, y1 = p.y[0] + i * p.w / count, p.y[0] + (i + 1) * p.w / count
-        for material, inset, thick in ((p.dark, 0.0, 0.012), (p.bedding, 0.04, 0.016)):
-            panel = box(
-                "panel",
-                material,
-                (-thick / 2, thick / 2),
-                (y0 + 0.002 + inset, y1 - 0.002 - inset),
-                (inset, p.h - inset),
-            )
-            share = (panel.vertices[:, 1] - y0) / (y1 - y0)
-            swing = (share - 0.5) * (1 if i % 2 else -1)
-            panel.vertices[:, 0] += swing * max(0.0, p.d - 0.016)
-            yield panel
 
 
 def toy_shelf(p: Piece) -> Iterator[Part]:
@@ -320,9 +286,7 @@ BUILDERS: dict[str, Builder] = {
     "shelving unit": shelving,
     "industrial shelf": shelving,
     "wall shelf": wall_shelf,
-    "corner shelf": corner_shelf,
     "display cabinet": display_cabinet,
-    "room divider": room_divider,
     "toy shelf": toy_shelf,
     "coffee table": coffee_table,
     "bar cart": bar_cart,

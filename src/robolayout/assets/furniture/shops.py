@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from robolayout.assets.fronts import doors, drawers
-from robolayout.assets.furniture._common import Builder, board, carcass, open_case
+from robolayout.assets.furniture._common import Builder, open_case
 from robolayout.assets.palette import (
     BLACK,
     BREAD,
@@ -16,22 +15,19 @@ from robolayout.assets.palette import (
     DARK,
     GLASS,
     GLOW,
-    GREEN,
     IVORY,
     LEAF,
     LIGHT_GREY,
     ORANGE,
     RED,
-    SLATE,
     SPINES,
     STEEL,
-    STONE,
     WHITE,
     YELLOW,
     Piece,
 )
 from robolayout.assets.part import Part
-from robolayout.assets.shapes import ball, box, cylinder, sheared, slab, soft
+from robolayout.assets.shapes import box, cylinder, sheared, slab
 
 
 def cash_register(p: Piece) -> Iterator[Part]:
@@ -119,85 +115,6 @@ def back_bar(p: Piece) -> Iterator[Part]:
         yield part
     for level in (low, *rows[:2]):
         yield from bottles(p, (p.y[0] + 0.06, p.y[1] - 0.06), level, 0.2 * (p.h - low), p.x[0] + 0.24 * p.d)
-
-
-def tray_cart(p: Piece) -> Iterator[Part]:
-    """Yield a rack of trays on castors."""
-    for x0 in (p.x[0], p.x[1] - 0.03):
-        for y0 in (p.y[0], p.y[1] - 0.03):
-            yield box("post", STEEL, (x0, x0 + 0.03), (y0, y0 + 0.03), (0.1, p.h))
-            yield cylinder("castor", BLACK, (0.05, x0 + 0.015), 0.05, (y0, y0 + 0.03), axis="y", sides=10)
-    count = max(4, min(12, round(p.h / 0.15)))
-    for i in range(count):
-        z = 0.14 + i * (p.h - 0.18) / count
-        yield box(
-            "tray",
-            p.accent if i % 2 else p.bedding,
-            (0.94 * p.x[0], 0.94 * p.x[1]),
-            (p.y[0] + 0.035, p.y[1] - 0.035),
-            (z, z + 0.02),
-        )
-        if i % 3 == 0:
-            yield cylinder("plate", CERAMIC, (0.0, -0.1 * p.w), 0.12, (z + 0.02, z + 0.035), sides=16)
-    yield box("roof", STEEL, (p.x[0] + 0.001, p.x[1] - 0.001), (p.y[0] + 0.03, p.y[1] - 0.03), (p.h - 0.02, p.h))
-
-
-def base(p: Piece, *, top: float | None = None) -> Iterator[Part]:
-    """Yield a base unit: plinth, body, fronts in a mix of drawers and doors, worktop."""
-    high = top or p.h
-    yield box("plinth", DARK, (p.x[0] + 0.03, p.x[1] - 0.08), (p.y[0] + 0.01, p.y[1] - 0.01), (0.0, 0.1))
-    yield carcass(p, p.front, (0.1, high - 0.041))
-    yield board(p, STONE if p.variant % 2 else p.wood, (high - 0.04, high))
-    count = max(1, round(p.w / 0.6))
-    step = p.w / count
-    for i in range(count):
-        y = (p.y[0] + i * step, p.y[0] + (i + 1) * step)
-        if i % 3 == 1:
-            yield from drawers(p, p.front, y, (0.1, high - 0.041), rows=3)
-        else:
-            yield from drawers(p, p.front, y, (high - 0.2, high - 0.041), rows=1)
-            yield from doors(p, p.front, y, (0.1, high - 0.2), count=1)
-
-
-def kitchen_cabinet(p: Piece) -> Iterator[Part]:
-    """Yield a base unit with two doors below a drawer."""
-    yield from base(p)
-
-
-def kitchen_counter(p: Piece) -> Iterator[Part]:
-    """Yield a worktop over units."""
-    yield from base(p)
-
-
-def island(p: Piece) -> Iterator[Part]:
-    """Yield an island: units in front, a breakfast overhang behind."""
-    body = Piece(0.72 * p.d, p.w - 0.06, p.h, p.palette, p.fabric, p.accent, p.bedding, p.kind, p.variant, p.key)
-    for part in base(body):
-        if part.name != "top":
-            part.vertices[:, 0] += 0.13 * p.d
-            yield part
-    yield box("worktop", STONE if p.variant % 2 else p.wood, p.x, p.y, (p.h - 0.04, p.h))
-
-
-def kitchen_sink(p: Piece) -> Iterator[Part]:
-    """Yield a unit with a steel basin and a tap."""
-    top = p.h - 0.26 if p.h > 1.05 else p.h - 0.035
-    yield from base(p, top=top)
-    y = (-0.3 * p.w, 0.16 * p.w)
-    x = (p.x[0] + 0.16 * p.d, p.x[1] - 0.14 * p.d)
-    yield box("rim", STEEL, (x[0] - 0.02, x[1] + 0.02), (y[0] - 0.02, y[1] + 0.02), (top, top + 0.004))
-    yield box("basin", DARK, x, y, (top + 0.004, top + 0.006))
-    for i in range(5):
-        z = 0.24 * p.w + 0.045 * i
-        yield box("groove", STEEL, x, (z, z + 0.012), (top, top + 0.005))
-    yield cylinder("tap", CHROME, (p.x[0] + 0.08, -0.07 * p.w), 0.014, (top + 0.002, p.h), sides=8)
-    yield box(
-        "spout",
-        CHROME,
-        (p.x[0] + 0.08, p.x[0] + 0.24),
-        (-0.07 * p.w - 0.011, -0.07 * p.w + 0.011),
-        (p.h - 0.024, p.h - 0.002),
-    )
 
 
 def spice_rack(p: Piece) -> Iterator[Part]:
@@ -330,89 +247,13 @@ def bottles(p: Piece, y: tuple[float, float], low: float, tall: float, x: float)
         yield cylinder("bottle", tone, (x, at), (0.038, 0.018), (low, low + tall), sides=8)
 
 
-def deli_counter(p: Piece) -> Iterator[Part]:
-    """Yield a cooled counter with slanted glass and food; customers at +x, staff at -x."""
-    bed = 0.62 * p.h
-    yield box("plinth", DARK, (p.x[0] + 0.05, p.x[1] - 0.08), (p.y[0] + 0.02, p.y[1] - 0.02), (0.0, 0.1))
-    yield box("body", p.front, (p.x[0], p.x[1] - 0.02), p.y, (0.1, bed))
-    yield box("band", p.accent, (p.x[1] - 0.02, p.x[1]), (p.y[0] + 0.01, p.y[1] - 0.01), (0.56 * bed, 0.72 * bed))
-    yield box("ice", WHITE, (-0.24 * p.d, 0.44 * p.d), (p.y[0] + 0.04, p.y[1] - 0.04), (bed, bed + 0.01))
-    count = max(3, round(p.w / 0.32))
-    tones = (RED, YELLOW, BREAD, IVORY, ORANGE, GREEN)
-    for i in range(count):
-        y = p.y[0] + 0.04 + (i + 0.5) * (p.w - 0.08) / count
-        for x in (-0.06 * p.d, 0.26 * p.d):
-            yield box("tray", STEEL, (x - 0.13 * p.d, x + 0.13 * p.d), (y - 0.12, y + 0.12), (bed + 0.01, bed + 0.03))
-            yield soft(
-                "food",
-                tones[(2 * i + (x > 0)) % 6],
-                (x - 0.11 * p.d, x + 0.11 * p.d),
-                (y - 0.1, y + 0.1),
-                (bed + 0.03, bed + 0.09),
-                bevel=0.025,
-            )
-    for y0 in (p.y[0], p.y[1] - 0.02):
-        yield sheared(
-            "glass side",
-            GLASS,
-            (-0.24 * p.d, 0.46 * p.d),
-            (y0, y0 + 0.008),
-            (bed + 0.001, p.h - 0.03),
-            lean=(-0.04, 0.0),
-        )
-    yield sheared(
-        "glass",
-        GLASS,
-        (0.44 * p.d, 0.45 * p.d),
-        (p.y[0] + 0.02, p.y[1] - 0.02),
-        (bed + 0.001, p.h - 0.03),
-        lean=(-0.18 * p.d, 0.0),
-    )
-    yield box("shelf", STEEL, (-0.3 * p.d, 0.28 * p.d), p.y, (p.h - 0.03, p.h))
-    yield box("work top", STEEL, (p.x[0], -0.26 * p.d), (p.y[0] + 0.001, p.y[1] - 0.001), (bed, bed + 0.02))
-    for y0 in (p.y[0] + 0.02, p.y[1] - 0.05):
-        yield box("post", STEEL, (-0.28 * p.d, -0.25 * p.d), (y0, y0 + 0.03), (bed + 0.021, p.h - 0.03))
-
-
-def produce_stand(p: Piece) -> Iterator[Part]:
-    """Yield stepped crates of fruit and vegetables."""
-    steps = 3
-    tones = (RED, ORANGE, YELLOW, GREEN, LEAF, SPINES[0])
-    for i in range(steps):
-        x = (p.x[1] - (i + 1) * p.d / steps, p.x[1] - i * p.d / steps)
-        level = (0.4 + 0.22 * i) * p.h
-        yield box("step", p.wood, x, p.y, (0.0 if i == 2 else 0.1, level - 0.06))
-        count = max(2, round(p.w / 0.42))
-        for j in range(count):
-            y = (p.y[0] + j * p.w / count + 0.01, p.y[0] + (j + 1) * p.w / count - 0.01)
-            yield box("crate", p.dark, (x[0] + 0.01, x[1] - 0.01), y, (level - 0.06, level + 0.02))
-            tone = tones[(i * 2 + j * 3) % 6]
-            for k in range(6):
-                a, b = x[0] + (0.28 + 0.44 * (k % 2)) * (x[1] - x[0]), y[0] + (0.2 + 0.3 * (k // 2)) * (y[1] - y[0])
-                r = 0.16 * (y[1] - y[0])
-                yield ball(
-                    "fruit", tone, (a - r, a + r), (b - r, b + r), (level, min(level + 1.6 * r, p.h)), rings=3, sides=8
-                )
-    for x0 in (p.x[1] - 0.1, p.x[0] + 0.4 * p.d):
-        for y0 in (p.y[0] + 0.03, p.y[1] - 0.08):
-            yield box("leg", p.dark, (x0, x0 + 0.05), (y0, y0 + 0.05), (0.0, 0.1))
-    yield box("sign", SLATE, (p.x[0], p.x[0] + 0.02), (0.5 * p.y[0], 0.5 * p.y[1]), (0.84 * p.h, p.h))
-
-
 BUILDERS: dict[str, Builder] = {
     "cash register": cash_register,
     "buffet counter": buffet_counter,
     "back bar": back_bar,
-    "tray return": tray_cart,
-    "kitchen cabinet": kitchen_cabinet,
-    "kitchen counter": kitchen_counter,
-    "kitchen island": island,
-    "kitchen sink": kitchen_sink,
     "spice rack": spice_rack,
     "shop shelf": shop_shelf,
     "display case": display_case,
     "card rack": card_rack,
     "display fridge": display_fridge,
-    "deli counter": deli_counter,
-    "produce stand": produce_stand,
 }

@@ -10,8 +10,6 @@ from robolayout.assets.palette import (
     BLUE,
     CARDBOARD,
     DARK,
-    GLOW,
-    GREEN,
     GREY,
     IRON,
     LIGHT_GREY,
@@ -43,26 +41,6 @@ def wheel(p: Piece, x: float, y: float, r: float, *, wide: float = 0.03) -> Iter
         "spokes", LIGHT_GREY, (r, x), 0.86 * r, (y - wide / 2 - 0.002, y + wide / 2 + 0.002), axis="y", sides=24
     )
     yield cylinder("hub", DARK, (r, x), 0.2 * r, (y - wide / 2 - 0.006, y + wide / 2 + 0.006), axis="y", sides=12)
-
-
-def dumbbell_rack(p: Piece) -> Iterator[Part]:
-    """Yield two or three shelves of dumbbells."""
-    rows = max(2, round(p.h / 0.4))
-    for y0 in (p.y[0], p.y[1] - 0.05):
-        yield box("side", DARK, (p.x[0], p.x[0] + 0.06), (y0, y0 + 0.05), (0.05, p.h))
-        yield box("foot", DARK, p.x, (y0, y0 + 0.05), (0.0, 0.05))
-    for i in range(rows):
-        z = 0.2 * p.h + i * 0.7 * p.h / rows
-        x = (p.x[0] + 0.02 + 0.0, p.x[1] - 0.12 * i)
-        shelf = box("shelf", GREY, (x[0] + 0.04, x[1]), (p.y[0] + 0.05, p.y[1] - 0.05), (z - 0.02, z))
-        yield shelf
-        count = max(3, round(p.w / 0.16))
-        for j in range(count):
-            y = p.y[0] + 0.05 + (j + 0.5) * (p.w - 0.1) / count
-            r = 0.045 + 0.02 * j / count
-            yield cylinder("grip", STEEL, (y, z + r), 0.018, (x[0] + 0.12, x[1] - 0.1), axis="x", sides=8)
-            for a in ((x[0] + 0.06, x[0] + 0.15), (x[1] - 0.13, x[1] - 0.03)):
-                yield cylinder("head", (DARK, p.accent)[j % 2], (y, z + r), r, a, axis="x", sides=8)
 
 
 def pallet_at(x: Span, y: Span, low: float, tall: float = 0.144) -> Iterator[Part]:
@@ -136,19 +114,6 @@ def pallet_rack(p: Piece) -> Iterator[Part]:
             )
 
 
-def crate(p: Piece) -> Iterator[Part]:
-    """Yield a wooden crate of slats with corner posts."""
-    t = min(0.03, 0.08 * min(p.d, p.w))
-    yield box("inside", p.dark, (p.x[0] + t, p.x[1] - t), (p.y[0] + t, p.y[1] - t), (0.01, 0.9 * p.h))
-    rows = max(2, min(5, round(p.h / 0.14)))
-    for i in range(rows):
-        z = (i * p.h / rows, (i + 0.86) * p.h / rows if i < rows - 1 else p.h)
-        for x0 in (p.x[0], p.x[1] - t):
-            yield box("slat", PINE, (x0, x0 + t), p.y, z)
-        for y0 in (p.y[0], p.y[1] - t):
-            yield box("slat", PINE, (p.x[0] + t, p.x[1] - t), (y0, y0 + t), z)
-
-
 def platform_cart(p: Piece) -> Iterator[Part]:
     """Yield a flat cart with cartons; it is pushed at its left end."""
     yield from castors(p, 0.07, inset=0.05)
@@ -197,26 +162,6 @@ def roll_cage(p: Piece) -> Iterator[Part]:
             )
     yield box("bar", STEEL, (p.x[0] + 0.001, p.x[0] + 0.015), (p.y[0] + 0.016, p.y[1] - 0.016), (p.h - 0.03, p.h))
     yield from stack(p, (0.86 * p.x[0], 0.86 * p.x[1]), (0.88 * p.y[0], 0.88 * p.y[1]), (0.17, 0.72 * p.h), 2)
-
-
-def server_rack(p: Piece) -> Iterator[Part]:
-    """Yield a rack of servers with lights."""
-    yield box("cabinet", BLACK, (p.x[0], p.x[1] - 0.04), p.y, p.z)
-    count = max(4, min(20, round(p.h / 0.11)))
-    for i in range(count):
-        z = (0.06 + i * (p.h - 0.1) / count, 0.05 + (i + 1) * (p.h - 0.1) / count)
-        yield box(
-            "server", DARK if i % 4 else LIGHT_GREY, (p.x[1] - 0.04, p.x[1] - 0.01), (0.84 * p.y[0], 0.84 * p.y[1]), z
-        )
-        for j in range(3):
-            y = 0.5 * p.y[1] + 0.03 * j
-            yield box(
-                "light",
-                (GREEN, GLOW, YELLOW)[(i + j) % 3],
-                (p.x[1] - 0.01, p.x[1]),
-                (y, y + 0.012),
-                (z[0] + 0.02, z[0] + 0.032),
-            )
 
 
 def pegboard(p: Piece) -> Iterator[Part]:
@@ -282,14 +227,11 @@ def bar(tone: Material, x: Span, z: Span, half: float = 0.015) -> Part:
 
 
 BUILDERS: dict[str, Builder] = {
-    "dumbbell rack": dumbbell_rack,
     "loaded pallet": loaded_pallet,
     "pallet rack": pallet_rack,
-    "crate": crate,
     "platform cart": platform_cart,
     "packing table": packing_table,
     "roll cage": roll_cage,
-    "server rack": server_rack,
     "pegboard": pegboard,
     "bicycle": bicycle,
 }
