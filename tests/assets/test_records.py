@@ -11,7 +11,7 @@ from robolayout._errors import AssetError
 from robolayout.assets import CATALOGUE, Category, Part, read_categories
 from robolayout.assets.furniture import BUILDERS
 from robolayout.assets.meshes import builder_for, fit
-from robolayout.assets.palette import MATERIALS, make_piece
+from robolayout.assets.palette import MATERIALS, make_piece, material_of
 from robolayout.assets.rows import read_rows
 
 LOOKS = (((1.0, 1.0, 1.0), 0), ((1.13, 0.91, 1.07), 4), ((0.8, 1.3, 1.2), 7))
@@ -151,4 +151,4 @@ def test_a_record_says_only_what_is_read(tmp_path: Path) -> None:
 
 def test_every_material_has_its_own_look() -> None:
     piece = make_piece("x", "x", "x-0", (1.0, 1.0, 1.0), 0)
-    assert len({MATERIALS[name](piece).name for name in MATERIALS if name not in ("cloth", "fabric", "accent")}) > 50
+    assert len({material_of(name, piece).name for name in MATERIALS if name not in ("cloth", "fabric", "accent")}) > 50

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.assets.fronts import doors, drawers
-from robolayout.assets.palette import MATERIALS, Piece
+from robolayout.assets.palette import Piece, material_of
 from robolayout.assets.part import Material, Part
 from robolayout.assets.shapes import ball, box, moved, oval, prism, slab, soft
 
@@ -123,13 +123,13 @@ class Drawing:
 
     def __call__(self, p: Piece) -> Iterator[Part]:
         """Yield the parts of a piece."""
-        known = dict(zip(BASIS, (1.0, 1.0, p.d, p.w, p.h), strict=True))
+        known: dict[str, float] = dict(zip(BASIS, (1.0, 1.0, p.d, p.w, p.h), strict=True))
         for name, expression in self.lets.items():
             known[name] = _computed(expression, known)
         values: list[float] = (self.matrix @ np.array(list(known.values()))).tolist()
         for row in self.rows:
             if row.holds(p.variant, values):
-                turns = [MATERIALS[name](p) for name in row.materials[p.variant % len(row.materials)]]
+                turns = [material_of(name, p) for name in row.materials[p.variant % len(row.materials)]]
                 for turn, place in row.places(values):
                     yield from _made(p, row, turns[turn % len(turns)], place)
 

@@ -5,26 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from robolayout.assets.furniture._common import Builder, four
-from robolayout.assets.palette import (
-    BLACK,
-    BLUE,
-    BRIGHT,
-    CORK,
-    DARK,
-    GLOW,
-    GREEN,
-    IVORY,
-    LINEN,
-    ORANGE,
-    PAPER,
-    RED,
-    SCREEN,
-    SLATE,
-    STEEL,
-    WHITE,
-    YELLOW,
-    Piece,
-)
+from robolayout.assets.palette import BRIGHT, PLAIN, Piece
 from robolayout.assets.part import Part
 from robolayout.assets.shapes import box, cylinder, prism, sheared
 
@@ -34,8 +15,8 @@ Span = tuple[float, float]
 def whiteboard(p: Piece) -> Iterator[Part]:
     """Yield a board with frame, tray and some writing: white, black or cork."""
     dark, cork = p.kind == "blackboard", p.kind == "bulletin board"
-    field = SLATE if dark else CORK if cork else WHITE
-    frame = p.wood if dark or cork else STEEL
+    field = PLAIN["slate"] if dark else PLAIN["cork"] if cork else PLAIN["white"]
+    frame = p.wood if dark or cork else PLAIN["steel"]
     back, b = p.x[0] + 0.4 * p.d, 0.03
     yield box("board", field, (p.x[0], back), (p.y[0] + b, p.y[1] - b), (b, p.h - b))
     for y in ((p.y[0], p.y[0] + b), (p.y[1] - b, p.y[1])):
@@ -54,16 +35,16 @@ def _notes(p: Piece, face: float, cork: bool, dark: bool) -> Iterator[Part]:
         columns = max(2, round(p.w / 0.24))
         for i in range(columns):
             y, z = p.y[0] + (i + 0.5) * p.w / columns, p.h * rng.uniform(0.35, 0.62)
-            tone = (PAPER, YELLOW, BLUE, PAPER, GREEN)[i % 5]
+            tone = (PLAIN["paper"], PLAIN["yellow"], PLAIN["blue"], PLAIN["paper"], PLAIN["green"])[i % 5]
             yield box("note", tone, (face, face + 0.1 * p.d), (y - 0.07, y + 0.07), (z - 0.1, z + 0.1))
-            yield box("pin", RED, (face + 0.1 * p.d, p.x[1]), (y - 0.008, y + 0.008), (z + 0.07, z + 0.086))
+            yield box("pin", PLAIN["red"], (face + 0.1 * p.d, p.x[1]), (y - 0.008, y + 0.008), (z + 0.07, z + 0.086))
         return
     for i in range(4):
         z = p.h * (0.78 - 0.13 * i)
         y0 = -0.36 * p.w
         yield box(
             "writing",
-            IVORY if dark else (BLUE, RED, BLUE, GREEN)[i],
+            PLAIN["ivory"] if dark else (PLAIN["blue"], PLAIN["red"], PLAIN["blue"], PLAIN["green"])[i],
             (face, face + 0.001 + 0.01 * p.d),
             (y0, y0 + p.w * rng.uniform(0.2, 0.42)),
             (z, z + 0.018),
@@ -79,7 +60,11 @@ def pinball(p: Piece) -> Iterator[Part]:
     cabinet.vertices[rise, 2] += (p.x[1] - cabinet.vertices[rise, 0]) / d * 0.1 * h
     yield cabinet
     field = box(
-        "field", GLOW, (p.x[0] + 0.22 * d, p.x[1] - 0.08), (0.86 * p.y[0], 0.86 * p.y[1]), (0.5 * h, 0.5 * h + 0.004)
+        "field",
+        PLAIN["glow"],
+        (p.x[0] + 0.22 * d, p.x[1] - 0.08),
+        (0.86 * p.y[0], 0.86 * p.y[1]),
+        (0.5 * h, 0.5 * h + 0.004),
     )
     field.vertices[:, 2] += (p.x[1] - field.vertices[:, 0]) / d * 0.1 * h + 0.001
     yield field
@@ -87,16 +72,27 @@ def pinball(p: Piece) -> Iterator[Part]:
         x, y = (-0.2 + 0.11 * i) * d, (-0.25, 0.2, 0.0, -0.2, 0.25)[i] * p.w
         z = 0.5 * h + (p.x[1] - x) / d * 0.1 * h
         yield cylinder("bumper", BRIGHT[i], (x, y), 0.035, (z, z + 0.04), sides=12)
-    yield box("back box", DARK, (p.x[0], p.x[0] + 0.18 * d), p.y, (0.62 * h, h))
+    yield box("back box", PLAIN["anthracite"], (p.x[0], p.x[0] + 0.18 * d), p.y, (0.62 * h, h))
     yield box(
-        "picture", ORANGE, (p.x[0] + 0.18 * d, p.x[0] + 0.185 * d), (0.9 * p.y[0], 0.9 * p.y[1]), (0.7 * h, 0.98 * h)
+        "picture",
+        PLAIN["orange"],
+        (p.x[0] + 0.18 * d, p.x[0] + 0.185 * d),
+        (0.9 * p.y[0], 0.9 * p.y[1]),
+        (0.7 * h, 0.98 * h),
     )
     yield box(
-        "score", SCREEN, (p.x[0] + 0.18 * d, p.x[0] + 0.186 * d), (0.7 * p.y[0], 0.7 * p.y[1]), (0.64 * h, 0.69 * h)
+        "score",
+        PLAIN["screen"],
+        (p.x[0] + 0.18 * d, p.x[0] + 0.186 * d),
+        (0.7 * p.y[0], 0.7 * p.y[1]),
+        (0.64 * h, 0.69 * h),
     )
-    yield box("plunger", STEEL, (p.x[1] - 0.03, p.x[1]), (0.36 * p.w, 0.4 * p.w), (0.46 * h, 0.48 * h))
+    yield box("plunger", PLAIN["steel"], (p.x[1] - 0.03, p.x[1]), (0.36 * p.w, 0.4 * p.w), (0.46 * h, 0.48 * h))
     yield from four(
-        Piece(0.94 * d, p.w, h, p.palette, p.fabric, p.accent, p.bedding, p.kind, 0, p.key), STEEL, low, thick=0.05
+        Piece(0.94 * d, p.w, h, p.palette, p.fabric, p.accent, p.bedding, p.kind, 0, p.key),
+        PLAIN["steel"],
+        low,
+        thick=0.05,
     )
 
 
@@ -134,7 +130,7 @@ def play_tent(p: Piece) -> Iterator[Part]:
 
 def _cloth(p: Piece, ends: tuple[tuple[float, float], tuple[float, float]], high: float, top: float) -> Part:
     """Return a thin panel from two floor points to a small line near the top."""
-    part = box("cloth", LINEN, (0.0, 1.0), (0.0, 1.0), (0.0, top))
+    part = box("cloth", PLAIN["linen"], (0.0, 1.0), (0.0, 1.0), (0.0, top))
     share, inner, upper = part.vertices[:, 1].copy(), part.vertices[:, 0] > 0.5, part.vertices[:, 2] > 0
     for i in range(2):
         line = ends[0][i] + (ends[1][i] - ends[0][i]) * share
@@ -224,14 +220,14 @@ def _pattern(p: Piece, inset: float) -> Iterator[Part]:
 def picture(p: Piece) -> Iterator[Part]:
     """Yield a framed picture: an abstract landscape in the room's colours."""
     b = min(0.03, 0.08 * min(p.w, p.h))
-    frame = (p.wood, BLACK, p.dark, WHITE)[p.variant % 4]
+    frame = (p.wood, PLAIN["black"], p.dark, PLAIN["white"])[p.variant % 4]
     back = p.x[0] + 0.55 * p.d
     for y in ((p.y[0], p.y[0] + b), (p.y[1] - b, p.y[1])):
         yield box("frame", frame, p.x, y, p.z)
     for z in ((0.0, b), (p.h - b, p.h)):
         yield box("frame", frame, p.x, (p.y[0] + b, p.y[1] - b), z)
     inner, level = (p.y[0] + b, p.y[1] - b), (b, p.h - b)
-    yield box("mount", PAPER, (p.x[0], back), inner, level)
+    yield box("mount", PLAIN["paper"], (p.x[0], back), inner, level)
     m = 0.12 * min(p.w, p.h)
     yield from _artwork(p, (inner[0] + m, inner[1] - m), (level[0] + m, level[1] - m), back)
 
@@ -266,7 +262,7 @@ def photo_frame(p: Piece) -> Iterator[Part]:
     for part in picture(small):
         part.vertices[:, 0] += p.x[1] - 0.02 - (p.d - 0.03) * part.vertices[:, 2] / p.h * 0.5
         yield part
-    yield box("stay", DARK, (p.x[0], p.x[1] - 0.04), (-0.01, 0.01), (0.0, 0.3 * p.h))
+    yield box("stay", PLAIN["anthracite"], (p.x[0], p.x[1] - 0.04), (-0.01, 0.01), (0.0, 0.3 * p.h))
 
 
 BUILDERS: dict[str, Builder] = {

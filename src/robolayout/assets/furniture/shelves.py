@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from robolayout.assets.furniture._common import Builder, books, four, open_case
-from robolayout.assets.palette import BRIGHT, CARDBOARD, GLASS, IRON, LEAF, SPINES, WICKER, Piece
+from robolayout.assets.palette import BRIGHT, PLAIN, SPINES, Piece
 from robolayout.assets.part import Part
 from robolayout.assets.shapes import ball, box, cylinder, oval, slab
 
@@ -112,11 +112,13 @@ def _filled(p: Piece, rows: list[float], inner: tuple[float, float]) -> Iterator
             y1 = inner[0] + (j + 1) * (inner[1] - inner[0]) / count
             what = rng.random()
             if what < 0.35:
-                yield slab("basket", WICKER, depth, (y0 + 0.03, y1 - 0.03), (low, low + 0.6 * room), top=(1.0, 1.06))
+                yield slab(
+                    "basket", PLAIN["wicker"], depth, (y0 + 0.03, y1 - 0.03), (low, low + 0.6 * room), top=(1.0, 1.06)
+                )
             elif what < 0.6:
                 yield box(
                     "box",
-                    rng.choice((CARDBOARD, p.fabric, p.accent)),
+                    rng.choice((PLAIN["cardboard"], p.fabric, p.accent)),
                     depth,
                     (y0 + 0.04, y1 - 0.04),
                     (low, low + rng.uniform(0.4, 0.7) * room),
@@ -127,7 +129,7 @@ def _filled(p: Piece, rows: list[float], inner: tuple[float, float]) -> Iterator
                 middle = (y0 + y1) / 2
                 yield ball(
                     "leaves",
-                    LEAF,
+                    PLAIN["leaf"],
                     (-wide, wide),
                     (middle - wide, middle + wide),
                     (low + 0.3 * room, low + 0.9 * room),
@@ -170,7 +172,9 @@ def display_cabinet(p: Piece) -> Iterator[Part]:
                 (low, low + tall),
                 sides=10,
             )
-    yield box("glass", GLASS, (p.x[1] - 0.004, p.x[1]), (p.y[0] + 0.004, p.y[1] - 0.004), (rows[0], p.h - 0.02))
+    yield box(
+        "glass", PLAIN["glass"], (p.x[1] - 0.004, p.x[1]), (p.y[0] + 0.004, p.y[1] - 0.004), (rows[0], p.h - 0.02)
+    )
 
 
 def toy_shelf(p: Piece) -> Iterator[Part]:
@@ -206,10 +210,10 @@ def coffee_table(p: Piece) -> Iterator[Part]:
         yield from four(small, p.dark, p.h - 0.03, thick=0.04, round_=True)
         return
     thick = 0.03
-    top = GLASS if p.variant % 4 == 0 else p.wood
-    frame = p.metal if top is GLASS else p.dark
+    top = PLAIN["glass"] if p.variant % 4 == 0 else p.wood
+    frame = p.metal if top is PLAIN["glass"] else p.dark
     yield box("top", top, p.x, p.y, (p.h - thick, p.h))
-    yield from four(p, frame, p.h - thick - (0.002 if top is GLASS else 0.0), thick=0.045, inset=0.02)
+    yield from four(p, frame, p.h - thick - (0.002 if top is PLAIN["glass"] else 0.0), thick=0.045, inset=0.02)
     shelf = 0.3 * p.h
     yield box("shelf", p.wood, (p.x[0] + 0.03, p.x[1] - 0.03), (p.y[0] + 0.067, p.y[1] - 0.067), (shelf - 0.02, shelf))
     rng = p.rng()
@@ -228,7 +232,7 @@ def bar_cart(p: Piece) -> Iterator[Part]:
     for x in (p.x[0] + 0.008, p.x[1] - 0.008):
         for y in (p.y[0] + 0.008, p.y[1] - 0.008):
             yield cylinder("post", p.metal, (x, y), 0.008, (0.06, p.h - 0.021), sides=6)
-            yield cylinder("wheel", IRON, (0.03, x), 0.03, (y - 0.008, y + 0.008), axis="y", sides=10)
+            yield cylinder("wheel", PLAIN["iron"], (0.03, x), 0.03, (y - 0.008, y + 0.008), axis="y", sides=10)
     rng = p.rng()
     for i in range(4):
         y, tall = p.y[0] + (i + 0.7) * p.w / 4.6, rng.uniform(0.3, 0.45) * p.h
