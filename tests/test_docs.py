@@ -21,6 +21,7 @@ ELSEWHERE = {
     "docs/exports.md": "export/test_export_docs.py",
     "docs/how-to/constraint.md": "laws/test_user_relations.py",
     "docs/how-to/exporter.md": "export/test_export_docs.py",
+    "docs/how-to/thing.md": "assets/test_how_to.py",
     "docs/how-to/planner-model.md": "planners/test_vlm_docs.py",
     "docs/program.md": "program/test_program_docs.py",
     "docs/report.md": "verify/test_verify_docs.py",

@@ -11,7 +11,7 @@ from robolayout._errors import AssetError
 from robolayout.assets import CATALOGUE, Category, Part, read_categories
 from robolayout.assets.furniture import BUILDERS
 from robolayout.assets.meshes import builder_for, fit
-from robolayout.assets.palette import MATERIALS, make_piece
+from robolayout.assets.palette import MATERIALS, make_piece, material_of
 from robolayout.assets.rows import read_rows
 
 LOOKS = (((1.0, 1.0, 1.0), 0), ((1.13, 0.91, 1.07), 4), ((0.8, 1.3, 1.2), 7))
@@ -94,6 +94,20 @@ def test_a_part_leans_as_it_rises() -> None:
     assert high[:, 0].min() == pytest.approx(-0.55) and back.vertices[:, 0].max() == pytest.approx(-0.4)
 
 
+def test_only_some_times_of_a_repeat_are_drawn() -> None:
+    rows = "a: box red/blue/green x 0:1 y 0:.1w z 0:1 repeat 6 y .1w only 0,2/3".replace("0:.1w", "0:.1")
+    assert [(part.material.name, _ends(part)[1]) for part in _drawn(rows)] == [
+        ("red", -1.0), ("green", -0.6), ("red", -0.4), ("green", 0.0),
+    ]  # fmt: skip
+
+
+def test_doors_and_drawers_have_handles() -> None:
+    names = [
+        part.name for part in _drawn("a: doors front y 0:1 z 0:1 count 2\nb: drawers front y 0:1 z 0:1 rows 2 knobs 1")
+    ]
+    assert names == ["door", "handle"] * 2 + ["drawer", "knob"] * 2
+
+
 def test_style_and_size_choose_rows_and_materials_take_turns() -> None:
     rows = "a: box red|blue x 0:1 y 0:1 z 0:1 if style=0/2|w>3m\nb: box red/blue/red x 0:1 y 0:.1 z 0:1 repeat 3 y .2w"
     shown = {variable: [part.material.name for part in _drawn(rows, variable=variable)] for variable in "abcdefgh"}
@@ -118,6 +132,7 @@ def test_style_and_size_choose_rows_and_materials_take_turns() -> None:
         ("top: box wood x 0:1 y 0:1 z 0:1 if big", "part 'top': 'big' cannot be read; write w>1.2m or style=0,2/4"),
         ("let t = print(1)\ntop: box wood x 0:t y 0:1 z 0:1", "'print(1)' holds 'print'; use m, d, w, h, min, max, round"),
         ("let t = (1\ntop: box wood x 0:t y 0:1 z 0:1", "'(1' cannot be read; write sums and products of lengths"),
+        ("top: box wood x 0:1 y 0:1 z 0:1 repeat 2 y .1w only odd", "'odd' cannot be read; write remainders and a divisor"),
         ("let w = 1m\ntop: box wood x 0:1 y 0:1 z 0:1", "'let w = 1m' cannot be read; write 'let NAME = EXPRESSION'"),
     ],
 )  # fmt: skip
@@ -136,4 +151,4 @@ def test_a_record_says_only_what_is_read(tmp_path: Path) -> None:
 
 def test_every_material_has_its_own_look() -> None:
     piece = make_piece("x", "x", "x-0", (1.0, 1.0, 1.0), 0)
-    assert len({MATERIALS[name](piece).name for name in MATERIALS if name not in ("cloth", "fabric", "accent")}) > 50
+    assert len({material_of(name, piece).name for name in MATERIALS if name not in ("cloth", "fabric", "accent")}) > 50

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.assets.fronts import doors, drawers
-from robolayout.assets.palette import MATERIALS, Piece
+from robolayout.assets.palette import Piece, material_of
 from robolayout.assets.part import Material, Part
 from robolayout.assets.shapes import ball, box, moved, oval, prism, slab, soft
 
@@ -26,7 +26,7 @@ RELATIONS: dict[str, Callable[[float, float], bool]] = {
 SUMS: dict[type[ast.operator], Callable[[float, float], float]] = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv,
 }  # fmt: skip
-CALLS: dict[str, Callable[..., float]] = {"min": min, "max": max, "round": round, "abs": abs}
+CALLS: dict[str, Callable[..., float]] = {"min": min, "max": max, "round": round, "floor": math.floor, "abs": abs}
 """What a `let` may compute, beside sums and products."""
 BASIS = ("", "m", "d", "w", "h")
 """What an extent is a sum of, before the names of `let`: plain numbers, metres, depth, width, height."""
@@ -41,10 +41,12 @@ class Repeat:
     Attributes:
         count: Which value is the number of times.
         steps: By field, which values are added each time.
+        only: (remainders, divisor) of the times at which it is drawn.
     """
 
     count: int
     steps: Mapping[str, slice]
+    only: tuple[frozenset[int], int] = (frozenset({0}), 1)
 
 
 @dataclass(frozen=True)
@@ -91,15 +93,17 @@ class Row:
         """Return whether a thing of this style and these values has the part."""
         return not self.tests or any(test.holds(variant, values) for test in self.tests)
 
-    def places(self, values: list[float]) -> list[Place]:
-        """Return where the part is drawn."""
-        places: list[Place] = [{key: values[span] for key, span in self.fields.items()}]
+    def places(self, values: list[float]) -> list[tuple[int, Place]]:
+        """Return where the part is drawn, and at which time of its first repeat."""
+        places: list[tuple[int, Place]] = [(0, {key: values[span] for key, span in self.fields.items()})]
         for repeat in self.repeats:
             steps = {key: values[span] for key, span in repeat.steps.items()}
-            count = round(values[repeat.count])
-            places = [_shifted(place, steps, i) for i in range(count) for place in places]
+            some, by = repeat.only
+            times = [i for i in range(round(values[repeat.count])) if i % by in some]
+            first = repeat is self.repeats[0]
+            places = [(i if first else turn, _shifted(place, steps, i)) for i in times for turn, place in places]
         for axis in self.mirror:
-            places += [_mirrored(place, axis) for place in places]
+            places += [(turn, _mirrored(place, axis)) for turn, place in places]
         return places
 
 
@@ -119,15 +123,15 @@ class Drawing:
 
     def __call__(self, p: Piece) -> Iterator[Part]:
         """Yield the parts of a piece."""
-        known = dict(zip(BASIS, (1.0, 1.0, p.d, p.w, p.h), strict=True))
+        known: dict[str, float] = dict(zip(BASIS, (1.0, 1.0, p.d, p.w, p.h), strict=True))
         for name, expression in self.lets.items():
             known[name] = _computed(expression, known)
         values: list[float] = (self.matrix @ np.array(list(known.values()))).tolist()
         for row in self.rows:
             if row.holds(p.variant, values):
-                turns = [MATERIALS[name](p) for name in row.materials[p.variant % len(row.materials)]]
-                for i, place in enumerate(row.places(values)):
-                    yield from _made(p, row, turns[i % len(turns)], place)
+                turns = [material_of(name, p) for name in row.materials[p.variant % len(row.materials)]]
+                for turn, place in row.places(values):
+                    yield from _made(p, row, turns[turn % len(turns)], place)
 
 
 def _computed(node: ast.expr, known: Mapping[str, float]) -> float:
@@ -136,6 +140,11 @@ def _computed(node: ast.expr, known: Mapping[str, float]) -> float:
         return known[node.id]
     if isinstance(node, ast.BinOp):
         return SUMS[type(node.op)](_computed(node.left, known), _computed(node.right, known))
+    if isinstance(node, ast.IfExp):
+        return _computed(node.body if _computed(node.test, known) else node.orelse, known)
+    if isinstance(node, ast.Compare):
+        low, high = _computed(node.left, known), _computed(node.comparators[0], known)
+        return float(low < high if isinstance(node.ops[0], ast.Lt) else low > high)
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
         return float(CALLS[node.func.id](*(_computed(item, known) for item in node.args)))
     return float(ast.literal_eval(node))
@@ -169,7 +178,8 @@ def _made(p: Piece, row: Row, material: Material, place: Place) -> Iterable[Part
     if row.shape not in MAKERS:
         (y0, y1), (z0, z1) = place["y"], place["z"]
         numbers = {key: round(place[key][0]) for key in ("count", "rows", "columns", "knobs") if key in place}
-        return FRONTS[row.shape](p, material, (y0, y1), (z0, z1), **numbers)
+        ahead = place["x"][0] if "x" in place else p.x[1]
+        return FRONTS[row.shape](material, p.metal, ahead, ((y0, y1), (z0, z1)), **numbers)
     part = MAKERS[row.shape](row.name, material, place)
     for key, (low, high) in ((key, ends) for key, ends in place.items() if "/" in key):
         moves, along = ("xyz".index(axis) for axis in key.split("/"))

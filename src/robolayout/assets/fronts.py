@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from robolayout.assets.palette import Piece
 from robolayout.assets.part import Material, Part
 from robolayout.assets.shapes import Range, box, cylinder
+
+Face = tuple[Range, Range]
+"""Where fronts lie: ends along y and z."""
 
 GAP = 0.004
 """Metres between neighbouring fronts."""
@@ -22,27 +24,27 @@ def spread(span: Range, count: int, gap: float = GAP) -> list[Range]:
     return [(span[0] + gap + i * step, span[0] + (i + 1) * step) for i in range(count)]
 
 
-def doors(p: Piece, front: Material, y: Range, z: Range, *, count: int = 2) -> Iterator[Part]:
-    """Yield a row of doors with bar handles; their faces lie `KNOB` behind the box's front."""
-    face = p.x[1] - KNOB
+def doors(front: Material, metal: Material, ahead: float, face: Face, *, count: int) -> Iterator[Part]:
+    """Yield a row of doors with bar handles; the handles end at x = `ahead`."""
+    (y, z), front_x = face, ahead - KNOB
     for i, (y0, y1) in enumerate(spread(y, count)):
-        yield box("door", front, (face - DOOR, face), (y0, y1), (z[0] + GAP, z[1] - GAP))
+        yield box("door", front, (front_x - DOOR, front_x), (y0, y1), (z[0] + GAP, z[1] - GAP))
         at = y1 - 0.045 if i % 2 == 0 and count > 1 else y0 + 0.045
         middle, half = (z[0] + z[1]) / 2, min(0.12, 0.2 * (z[1] - z[0]))
-        yield box("handle", p.metal, (face, p.x[1]), (at - 0.007, at + 0.007), (middle - half, middle + half))
+        yield box("handle", metal, (front_x, ahead), (at - 0.007, at + 0.007), (middle - half, middle + half))
 
 
 def drawers(
-    p: Piece, front: Material, y: Range, z: Range, *, rows: int = 3, columns: int = 1, knobs: bool = False
+    front: Material, metal: Material, ahead: float, face: Face, *, rows: int, columns: int = 1, knobs: int = 0
 ) -> Iterator[Part]:
-    """Yield a grid of drawer fronts with handles or knobs."""
-    face = p.x[1] - KNOB
+    """Yield a grid of drawer fronts with handles or knobs that end at x = `ahead`."""
+    (y, z), front_x = face, ahead - KNOB
     for y0, y1 in spread(y, columns):
         for z0, z1 in spread(z, rows):
-            yield box("drawer", front, (face - DOOR, face), (y0, y1), (z0, z1))
+            yield box("drawer", front, (front_x - DOOR, front_x), (y0, y1), (z0, z1))
             middle, level, half = (y0 + y1) / 2, (z0 + z1) / 2, min(0.07, 0.2 * (y1 - y0))
             if knobs:
-                yield cylinder("knob", p.metal, (middle, level), (0.008, 0.013), (face, p.x[1]), axis="x", sides=8)
+                yield cylinder("knob", metal, (middle, level), (0.008, 0.013), (front_x, ahead), axis="x", sides=8)
             else:
                 handle = ((middle - half, middle + half), (level - 0.006, level + 0.006))
-                yield box("handle", p.metal, (face, p.x[1]), *handle)
+                yield box("handle", metal, (front_x, ahead), *handle)

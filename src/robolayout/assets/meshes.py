@@ -20,10 +20,10 @@ def parts(asset: Asset, seed: int = 0) -> tuple[Part, ...]:
     """Return the parts of an asset in its own frame: origin in the middle of its box, front along +x.
 
     The parts together fill the box exactly; each parametric part is convex. The same asset and seed give the same bytes.
-    A `path` is loaded instead where the asset has one.
+    A `path` is loaded instead where the asset has one, and its own `parts` come before its category's.
 
     Raises:
-        AssetError: The mesh file is missing, too large or broken.
+        AssetError: The mesh file is missing, too large or broken, or the parts cannot be read.
     """
     if asset.path is not None:
         from robolayout.assets.own import load_mesh_parts
@@ -37,7 +37,8 @@ def parts(asset: Asset, seed: int = 0) -> tuple[Part, ...]:
         )
     category = category_of(asset)
     piece = make_piece(category.name, asset.variable or asset.name, asset.name, asset.size, seed)
-    return fit(builder_for(category)(piece), asset.size)
+    build = read_rows(asset.parts, f"asset {asset.name!r}") if asset.parts else builder_for(category)
+    return fit(build(piece), asset.size)
 
 
 def builder_for(category: Category) -> Builder:

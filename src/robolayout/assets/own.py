@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from robolayout._errors import AssetError
 from robolayout._reading import MAX_MESH_BYTES, MESH_SUFFIXES, Checker, regular_bytes
 from robolayout.assets.part import Material, Part
+from robolayout.assets.rows import read_rows
 from robolayout.scene import Scene
 
 Array = NDArray[np.float64]
@@ -137,12 +138,14 @@ def _material(color: tuple[float, float, float, float] | None) -> Material:
 
 
 def check_meshes(scene: Scene) -> None:
-    """Read the mesh file of every asset that has one, so that a broken file is known before any work is done.
+    """Read the mesh file and the parts of every asset that has them, so that what is broken is known before any work.
 
     Raises:
-        AssetError: A file is missing, too large, broken or empty; the message names the asset.
+        AssetError: Parts cannot be read, or a file is missing, too large, broken or empty; the message names the asset.
     """
     for asset in scene.assets:
+        if asset.parts:
+            read_rows(asset.parts, f"asset {asset.name!r}")
         if asset.path is not None:
             try:
                 _thin_pieces(asset.path)

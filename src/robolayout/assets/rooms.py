@@ -15,7 +15,7 @@ import numpy as np
 from shapely import Polygon, box, constrained_delaunay_triangles
 from shapely.geometry.base import BaseGeometry
 
-from robolayout.assets.palette import BLACK, DARK, GLASS, STEEL, WHITE, material
+from robolayout.assets.palette import PLAIN
 from robolayout.assets.part import Material, Part
 from robolayout.assets.shapes import prism
 from robolayout.scene import Opening, Point, Room, Wall
@@ -56,29 +56,29 @@ class RoomStyle:
 
 def _wood(name: str, *colors: tuple[float, float, float]) -> tuple[Material, ...]:
     """Return plank tones."""
-    return tuple(material(f"{name} floor {i}", color, 0.6) for i, color in enumerate(colors))
+    return tuple(Material(f"{name} floor {i}", color, 0.6) for i, color in enumerate(colors))
 
 
 STYLES = (
     RoomStyle(
         "oak planks", "planks", _wood("oak", (0.76, 0.62, 0.45), (0.72, 0.58, 0.41), (0.79, 0.66, 0.49)),
-        material("warm white paint", (0.93, 0.91, 0.87), 0.95), WHITE, material("white door", (0.91, 0.90, 0.87), 0.6),
+        Material("warm white paint", (0.93, 0.91, 0.87), 0.95), PLAIN["white"], Material("white door", (0.91, 0.90, 0.87), 0.6),
     ),
     RoomStyle(
         "walnut planks", "planks", _wood("walnut", (0.50, 0.36, 0.25), (0.46, 0.32, 0.22), (0.54, 0.39, 0.28)),
-        material("linen paint", (0.90, 0.86, 0.79), 0.95), WHITE, material("walnut door", (0.48, 0.34, 0.23), 0.6),
+        Material("linen paint", (0.90, 0.86, 0.79), 0.95), PLAIN["white"], Material("walnut door", (0.48, 0.34, 0.23), 0.6),
     ),
     RoomStyle(
         "pale ash planks", "planks", _wood("ash", (0.84, 0.77, 0.66), (0.81, 0.73, 0.62), (0.87, 0.80, 0.70)),
-        material("mist paint", (0.84, 0.87, 0.87), 0.95), WHITE, material("grey door", (0.70, 0.72, 0.72), 0.6),
+        Material("mist paint", (0.84, 0.87, 0.87), 0.95), PLAIN["white"], Material("grey door", (0.70, 0.72, 0.72), 0.6),
     ),
     RoomStyle(
-        "grey tiles", "tiles", (material("stone tile", (0.76, 0.75, 0.73), 0.4), material("joint", (0.60, 0.59, 0.58))),
-        material("clean white paint", (0.94, 0.94, 0.93), 0.95), DARK, material("light door", (0.86, 0.84, 0.80), 0.6),
+        "grey tiles", "tiles", (Material("stone tile", (0.76, 0.75, 0.73), 0.4), Material("joint", (0.60, 0.59, 0.58))),
+        Material("clean white paint", (0.94, 0.94, 0.93), 0.95), PLAIN["anthracite"], Material("light door", (0.86, 0.84, 0.80), 0.6),
     ),
     RoomStyle(
-        "sand carpet", "carpet", (material("sand carpet", (0.78, 0.73, 0.65), 1.0),),
-        material("sage paint", (0.81, 0.84, 0.78), 0.95), WHITE, material("oak door", (0.72, 0.57, 0.40), 0.6),
+        "sand carpet", "carpet", (Material("sand carpet", (0.78, 0.73, 0.65), 1.0),),
+        Material("sage paint", (0.81, 0.84, 0.78), 0.95), PLAIN["white"], Material("oak door", (0.72, 0.57, 0.40), 0.6),
     ),
 )  # fmt: skip
 
@@ -259,11 +259,18 @@ def _door(wall: Wall, door: Opening, name: str, look: RoomStyle) -> Iterator[Par
     near, far, top = door.offset + t + 0.003, door.offset + door.width - t - 0.003, door.height - t - 0.003
     yield _bar(name, look.door, wall, (near, far), (-0.075, -0.035), (0.004, top))
     if door.width > 1.4:
-        yield _bar(name, DARK, wall, (door.center - 0.004, door.center + 0.004), (-0.077, -0.033), (0.006, top - 0.002))
+        yield _bar(
+            name,
+            PLAIN["anthracite"],
+            wall,
+            (door.center - 0.004, door.center + 0.004),
+            (-0.077, -0.033),
+            (0.006, top - 0.002),
+        )
     inset = 0.14 * (far - near)
     yield _bar(name, look.trim, wall, (near + inset, far - inset), (-0.034, -0.029), (0.55 * top, top - inset))
     grip = near + 0.06
-    yield _bar(name, STEEL, wall, (grip, grip + 0.12), (-0.033, -0.012), (1.0, 1.02))
+    yield _bar(name, PLAIN["steel"], wall, (grip, grip + 0.12), (-0.033, -0.012), (1.0, 1.02))
 
 
 def _window(wall: Wall, window: Opening, name: str, look: RoomStyle) -> Iterator[Part]:
@@ -280,9 +287,9 @@ def _window(wall: Wall, window: Opening, name: str, look: RoomStyle) -> Iterator
     for i in range(1, panes):
         at = near + i * (far - near) / panes
         yield _bar(name, look.trim, wall, (at - 0.02, at + 0.02), (-0.07, -0.03), (low, top))
-    yield _bar(name, GLASS, wall, (near, far), (-0.053, -0.047), (low, top))
+    yield _bar(name, PLAIN["glass"], wall, (near, far), (-0.053, -0.047), (low, top))
     if panes > 1:
-        yield _bar(name, BLACK, wall, (near + (far - near) / panes - 0.01, near + (far - near) / panes + 0.01),
+        yield _bar(name, PLAIN["black"], wall, (near + (far - near) / panes - 0.01, near + (far - near) / panes + 0.01),
                    (-0.03, -0.01), (low + 0.3 * (top - low), low + 0.3 * (top - low) + 0.1))  # fmt: skip
 
 

@@ -33,8 +33,8 @@ FIELDS: dict[str, tuple[tuple[str, ...], tuple[str, ...], int]] = {
     "ball": (("x", "y", "z"), ("rings", "sides"), 3),
     "cylinder": (("x", "y", "z", "r"), ("sides",), 1),
     "prism": (("at",), ("x", "y", "z"), 1),
-    "doors": (("y", "z", "count"), (), 2),
-    "drawers": (("y", "z", "rows"), ("columns", "knobs"), 2),
+    "doors": (("y", "z", "count"), ("x",), 2),
+    "drawers": (("y", "z", "rows"), ("x", "columns", "knobs"), 2),
 }
 """What each shape must say, what it may say, and along how many axes it has two ends."""
 HOW = "write mirror x|y|xy, repeat N FIELD STEP, if TEST"
@@ -105,7 +105,10 @@ class _Reading:
             return node.id in self.names or node.id in CALLS
         if isinstance(node, ast.BinOp):
             return type(node.op) in SUMS
-        return isinstance(node, ast.Constant | ast.Call | ast.operator | ast.expr_context)
+        if isinstance(node, ast.Compare):
+            return len(node.ops) == 1 and isinstance(node.ops[0], ast.Lt | ast.Gt)
+        kinds = ast.Constant | ast.Call | ast.IfExp | ast.operator | ast.cmpop | ast.expr_context
+        return isinstance(node, kinds)
 
     def row(self, line: str) -> Row:
         """Read a row."""
@@ -122,7 +125,7 @@ class _Reading:
         tests: list[Test] = []
         for word, *rest_of in tails:
             if word == "repeat" and rest_of:
-                repeats.append(Repeat(self._add(self._sum(rest_of[0])).start, self._steps(rest_of[1:])))
+                repeats.append(self._repeat(rest_of[0], rest_of[1:]))
             elif word == "mirror" and rest_of in (["x"], ["y"], ["xy"]):
                 mirror = rest_of[0]
             elif word == "if" and len(rest_of) == 1:
@@ -171,13 +174,21 @@ class _Reading:
             return self._ends(text, self._length)
         return [self._sum(item) for item in text.split(",")]
 
-    def _steps(self, words: list[str]) -> dict[str, slice]:
-        """Read what is added to each field when a row is repeated."""
-        said = self._pairs(words, (*LENGTHS, *LEANS, "r", "bevel", "turn"))
-        return {
+    def _repeat(self, count: str, words: list[str]) -> Repeat:
+        """Read how often a row is drawn, what is added to each field, and which times count."""
+        said = self._pairs(words, (*LENGTHS, *LEANS, "r", "bevel", "turn", "only"))
+        only = self._remainders(said.pop("only", "0/1"))
+        steps = {
             key: self._add(*([self._sum(text)] if key == "turn" else self._ends(text, self._length)))
             for key, text in said.items()
         }
+        return Repeat(self._add(self._sum(count)).start, steps, only)
+
+    def _remainders(self, text: str) -> tuple[frozenset[int], int]:
+        match = re.fullmatch(r"(\d+(?:,\d+)*)/([1-9]\d*)", text)
+        if match is None:
+            self.refuse(f"{text!r} cannot be read", "write remainders and a divisor such as 0,2/4")
+        return frozenset(int(item) for item in match[1].split(",")), int(match[2])
 
     def _ends(self, text: str, read: Callable[[str], Value]) -> list[Value]:
         if "~" not in text:
@@ -215,10 +226,9 @@ class _Reading:
         styles: list[tuple[frozenset[int], int]] = []
         limits: list[tuple[int, str]] = []
         for clause in clauses.split("&"):
-            style = re.fullmatch(r"style=(\d+(?:,\d+)*)/(\d+)", clause)
             relation = next((sign for sign in RELATIONS if sign in clause), "")
-            if style:
-                styles.append((frozenset(int(item) for item in style[1].split(",")), int(style[2])))
+            if clause.startswith("style="):
+                styles.append(self._remainders(clause.removeprefix("style=")))
             elif relation:
                 low, high = (self._length(side) for side in clause.split(relation, 1))
                 limits.append((self._add([a - b for a, b in zip(low, high, strict=True)]).start, relation))

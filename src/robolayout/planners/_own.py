@@ -25,6 +25,7 @@ class _Thing:
     name: str
     like: str
     role: str = ""
+    parts: str = ""
     synonyms: tuple[str, ...] = ()
     words: tuple[str, ...] = ()
     size: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -50,6 +51,10 @@ def _category(entry: Mapping[str, object], group: str) -> Category:
     among(f"side in {where}:", thing.use_sides, SIDES)
     if "size" in entry and not all(0.0 < side <= 100.0 for side in thing.size):
         raise SceneError(f"{where}: size is {list(thing.size)}; depth, width and height are metres, from 0 to 100.")
+    if thing.parts:
+        from robolayout.assets.rows import read_rows
+
+        read_rows(thing.parts, where)
     base = CATALOGUE[thing.like]
     placed = {f"on_{place}": place in thing.place for place in PLACES} if "place" in entry else {}
     return replace(
@@ -62,6 +67,7 @@ def _category(entry: Mapping[str, object], group: str) -> Category:
         source=OWN if "size" in entry else base.source,
         like=base.name,
         role=thing.role,
+        parts=thing.parts,
         **placed,
     )
 

@@ -41,7 +41,7 @@ class OfflinePlanner:
         if found is None:
             return asset
         sides = own_sides(found) if asset.use_sides is None else asset.use_sides
-        return replace(asset, like=found.like, use_sides=sides)
+        return replace(asset, like=found.like, use_sides=sides, parts=asset.parts or found.parts)
 
     def group(self, scene: Scene) -> tuple[Group, ...]:
         """Return all assets in groups, structural first, decorative last."""

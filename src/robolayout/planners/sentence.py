@@ -344,6 +344,7 @@ def _assets(things: Iterable[tuple[Category, int]], rng: np.random.Generator) ->
 
 def _asset(kind: Category, size: list[float]) -> dict[str, object]:
     sides = own_sides(kind) if kind.like else None
+    own = {"like": kind.like, "parts": kind.parts} if kind.like else {}
     return {
         "category": kind.name,
         "description": "",
@@ -352,7 +353,7 @@ def _asset(kind: Category, size: list[float]) -> dict[str, object]:
         "onCeiling": kind.on_ceiling and not kind.on_wall,
         "onObject": kind.on_object,
         "assetMetadata": {"boundingBox": dict(zip("xyz", size, strict=True))},
-        **({"like": kind.like} if kind.like else {}),
+        **{key: value for key, value in own.items() if value},
         **({"useSides": list(sides)} if sides is not None else {}),
     }
 

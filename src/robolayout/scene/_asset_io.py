@@ -26,7 +26,7 @@ SIDES = ("front", "back", "left", "right")
 
 _CHECK = Checker(SceneError)
 _FLAGS = ("onFloor", "onWall", "onCeiling", "onObject")
-_KNOWN = ("category", "description", "path", "useSides", "like", "from", "assetMetadata", *_FLAGS)
+_KNOWN = ("category", "description", "path", "useSides", "like", "parts", "from", "assetMetadata", *_FLAGS)
 
 
 def read_assets(
@@ -77,6 +77,8 @@ def write_asset(asset: Asset, base: Path | None = None) -> dict[str, object]:
         entry["useSides"] = list(asset.use_sides)
     if asset.like:
         entry["like"] = asset.like
+    if asset.parts:
+        entry["parts"] = asset.parts
     return entry | {key: value for key, value in asset.metadata.items() if key not in entry}
 
 
@@ -132,6 +134,7 @@ def _asset(name: str, entry: Mapping[str, object], folders: list[Path], warnings
         path=_mesh(entry.get("path"), where, folders),
         use_sides=_sides(entry.get("useSides"), where),
         like=_CHECK.text(entry.get("like", ""), f"{where}: like", most=200),
+        parts=_CHECK.text(entry.get("parts", ""), f"{where}: parts"),
         metadata={key: _CHECK.plain(value, f"{where}: {key}") for key, value in entry.items() if key not in _KNOWN},
     )
 

@@ -28,6 +28,7 @@ class Asset:
         path: A GLB file that replaces the parametric mesh.
         use_sides: Sides it is used from ("front", "back", "left", "right"); None leaves it to the category.
         like: Words that say instead of `category` what it is drawn, opened and moved like; empty where that is clear.
+        parts: Rows that say what it is made of (docs/assets.md); empty where its category says so.
         metadata: Any further keys of the scene file, kept for writing.
     """
 
@@ -42,6 +43,7 @@ class Asset:
     path: Path | None = None
     use_sides: tuple[str, ...] | None = None
     like: str = ""
+    parts: str = ""
     metadata: dict[str, object] = field(default_factory=dict[str, object], compare=False)
 
     @property

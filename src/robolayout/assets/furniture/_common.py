@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
-from robolayout.assets.fronts import DOOR, KNOB
 from robolayout.assets.palette import SPINES, Piece
 from robolayout.assets.part import Material, Part
 from robolayout.assets.shapes import Range, box, cylinder
@@ -24,22 +23,6 @@ def four(
                 yield cylinder("leg", material, (x, y), (t * 0.3, t / 2), (0.0, top), sides=10)
             else:
                 yield box("leg", material, (x - t / 2, x + t / 2), (y - t / 2, y + t / 2), (0.0, top))
-
-
-def plinth(p: Piece, material: Material, height: float, *, inset: float = 0.03) -> Part:
-    """Return a base that is set back on all sides."""
-    i = min(inset, 0.1 * p.d, 0.1 * p.w)
-    return box("plinth", material, (p.x[0] + i, p.x[1] - i - DOOR), (p.y[0] + i, p.y[1] - i), (0.0, height))
-
-
-def carcass(p: Piece, material: Material, z: Range, *, y: Range | None = None) -> Part:
-    """Return the body behind a row of fronts: the whole box from the back to just behind them."""
-    return box("body", material, (p.x[0], p.x[1] - KNOB - DOOR - 0.002), y or p.y, z)
-
-
-def board(p: Piece, material: Material, z: Range, *, over: float = 0.0) -> Part:
-    """Return a flat top over the whole box, drawn in by `over` metres."""
-    return box("top", material, (p.x[0] + over, p.x[1] - over), (p.y[0] + over, p.y[1] - over), z)
 
 
 def open_case(

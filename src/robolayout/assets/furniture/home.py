@@ -4,31 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from robolayout.assets.fronts import doors, drawers
-from robolayout.assets.furniture._common import Builder, board, carcass, four, plinth
-from robolayout.assets.palette import (
-    BLACK,
-    BLUE,
-    BRASS,
-    BRIGHT,
-    CORK,
-    DARK,
-    GLOW,
-    GREEN,
-    IVORY,
-    LINEN,
-    ORANGE,
-    PAPER,
-    RED,
-    SCREEN,
-    SLATE,
-    STEEL,
-    WHITE,
-    YELLOW,
-    Piece,
-)
+from robolayout.assets.furniture._common import Builder, four
+from robolayout.assets.palette import BRIGHT, PLAIN, Piece
 from robolayout.assets.part import Part
-from robolayout.assets.shapes import ball, box, cylinder, prism, sheared, soft
+from robolayout.assets.shapes import box, cylinder, prism, sheared
 
 Span = tuple[float, float]
 
@@ -36,8 +15,8 @@ Span = tuple[float, float]
 def whiteboard(p: Piece) -> Iterator[Part]:
     """Yield a board with frame, tray and some writing: white, black or cork."""
     dark, cork = p.kind == "blackboard", p.kind == "bulletin board"
-    field = SLATE if dark else CORK if cork else WHITE
-    frame = p.wood if dark or cork else STEEL
+    field = PLAIN["slate"] if dark else PLAIN["cork"] if cork else PLAIN["white"]
+    frame = p.wood if dark or cork else PLAIN["steel"]
     back, b = p.x[0] + 0.4 * p.d, 0.03
     yield box("board", field, (p.x[0], back), (p.y[0] + b, p.y[1] - b), (b, p.h - b))
     for y in ((p.y[0], p.y[0] + b), (p.y[1] - b, p.y[1])):
@@ -56,16 +35,16 @@ def _notes(p: Piece, face: float, cork: bool, dark: bool) -> Iterator[Part]:
         columns = max(2, round(p.w / 0.24))
         for i in range(columns):
             y, z = p.y[0] + (i + 0.5) * p.w / columns, p.h * rng.uniform(0.35, 0.62)
-            tone = (PAPER, YELLOW, BLUE, PAPER, GREEN)[i % 5]
+            tone = (PLAIN["paper"], PLAIN["yellow"], PLAIN["blue"], PLAIN["paper"], PLAIN["green"])[i % 5]
             yield box("note", tone, (face, face + 0.1 * p.d), (y - 0.07, y + 0.07), (z - 0.1, z + 0.1))
-            yield box("pin", RED, (face + 0.1 * p.d, p.x[1]), (y - 0.008, y + 0.008), (z + 0.07, z + 0.086))
+            yield box("pin", PLAIN["red"], (face + 0.1 * p.d, p.x[1]), (y - 0.008, y + 0.008), (z + 0.07, z + 0.086))
         return
     for i in range(4):
         z = p.h * (0.78 - 0.13 * i)
         y0 = -0.36 * p.w
         yield box(
             "writing",
-            IVORY if dark else (BLUE, RED, BLUE, GREEN)[i],
+            PLAIN["ivory"] if dark else (PLAIN["blue"], PLAIN["red"], PLAIN["blue"], PLAIN["green"])[i],
             (face, face + 0.001 + 0.01 * p.d),
             (y0, y0 + p.w * rng.uniform(0.2, 0.42)),
             (z, z + 0.018),
@@ -81,7 +60,11 @@ def pinball(p: Piece) -> Iterator[Part]:
     cabinet.vertices[rise, 2] += (p.x[1] - cabinet.vertices[rise, 0]) / d * 0.1 * h
     yield cabinet
     field = box(
-        "field", GLOW, (p.x[0] + 0.22 * d, p.x[1] - 0.08), (0.86 * p.y[0], 0.86 * p.y[1]), (0.5 * h, 0.5 * h + 0.004)
+        "field",
+        PLAIN["glow"],
+        (p.x[0] + 0.22 * d, p.x[1] - 0.08),
+        (0.86 * p.y[0], 0.86 * p.y[1]),
+        (0.5 * h, 0.5 * h + 0.004),
     )
     field.vertices[:, 2] += (p.x[1] - field.vertices[:, 0]) / d * 0.1 * h + 0.001
     yield field
@@ -89,90 +72,28 @@ def pinball(p: Piece) -> Iterator[Part]:
         x, y = (-0.2 + 0.11 * i) * d, (-0.25, 0.2, 0.0, -0.2, 0.25)[i] * p.w
         z = 0.5 * h + (p.x[1] - x) / d * 0.1 * h
         yield cylinder("bumper", BRIGHT[i], (x, y), 0.035, (z, z + 0.04), sides=12)
-    yield box("back box", DARK, (p.x[0], p.x[0] + 0.18 * d), p.y, (0.62 * h, h))
+    yield box("back box", PLAIN["anthracite"], (p.x[0], p.x[0] + 0.18 * d), p.y, (0.62 * h, h))
     yield box(
-        "picture", ORANGE, (p.x[0] + 0.18 * d, p.x[0] + 0.185 * d), (0.9 * p.y[0], 0.9 * p.y[1]), (0.7 * h, 0.98 * h)
+        "picture",
+        PLAIN["orange"],
+        (p.x[0] + 0.18 * d, p.x[0] + 0.185 * d),
+        (0.9 * p.y[0], 0.9 * p.y[1]),
+        (0.7 * h, 0.98 * h),
     )
     yield box(
-        "score", SCREEN, (p.x[0] + 0.18 * d, p.x[0] + 0.186 * d), (0.7 * p.y[0], 0.7 * p.y[1]), (0.64 * h, 0.69 * h)
+        "score",
+        PLAIN["screen"],
+        (p.x[0] + 0.18 * d, p.x[0] + 0.186 * d),
+        (0.7 * p.y[0], 0.7 * p.y[1]),
+        (0.64 * h, 0.69 * h),
     )
-    yield box("plunger", STEEL, (p.x[1] - 0.03, p.x[1]), (0.36 * p.w, 0.4 * p.w), (0.46 * h, 0.48 * h))
+    yield box("plunger", PLAIN["steel"], (p.x[1] - 0.03, p.x[1]), (0.36 * p.w, 0.4 * p.w), (0.46 * h, 0.48 * h))
     yield from four(
-        Piece(0.94 * d, p.w, h, p.palette, p.fabric, p.accent, p.bedding, p.kind, 0, p.key), STEEL, low, thick=0.05
+        Piece(0.94 * d, p.w, h, p.palette, p.fabric, p.accent, p.bedding, p.kind, 0, p.key),
+        PLAIN["steel"],
+        low,
+        thick=0.05,
     )
-
-
-def _keys(p: Piece, x: tuple[float, float], half: float, z: float) -> Iterator[Part]:
-    """Yield a keyboard: one white bed, black keys in groups."""
-    yield box("white keys", IVORY, x, (-half, half), (z, z + 0.015))
-    count = int(2 * half / 0.024)
-    for i in range(count):
-        if i % 7 not in (2, 6):
-            y = -half + (i + 1) * 0.024
-            yield box(
-                "black key", BLACK, (x[0], x[0] + 0.6 * (x[1] - x[0])), (y - 0.006, y + 0.006), (z + 0.015, z + 0.024)
-            )
-
-
-def piano(p: Piece) -> Iterator[Part]:
-    """Yield an upright piano; its keys face +x."""
-    wood = p.dark if p.variant % 2 else BLACK
-    key = 0.58 * p.h
-    body = p.x[0] + 0.52 * p.d
-    yield box("body", wood, (p.x[0] + 0.001, body), (p.y[0] + 0.02, p.y[1] - 0.02), (0.06, p.h - 0.03))
-    yield box("lid", wood, (p.x[0], body + 0.01), p.y, (p.h - 0.029, p.h))
-    for y0 in (p.y[0] + 0.001, p.y[1] - 0.051):
-        yield box("cheek", wood, (body + 0.001, p.x[1] - 0.01), (y0, y0 + 0.05), (key - 0.06, key + 0.1))
-        yield box("leg", wood, (p.x[1] - 0.09, p.x[1] - 0.03), (y0 + 0.002, y0 + 0.048), (0.06, key - 0.06))
-        yield box("foot", wood, (p.x[0] + 0.02, p.x[1]), (y0 + 0.001, y0 + 0.049), (0.0, 0.058))
-    yield box("key bed", wood, (body + 0.001, p.x[1] - 0.005), (p.y[0] + 0.052, p.y[1] - 0.052), (key - 0.06, key))
-    yield from _keys(p, (body + 0.03, p.x[1] - 0.02), p.w / 2 - 0.08, key)
-    yield box("music rest", p.wood, (body + 0.002, body + 0.02), (-0.3, 0.3), (key + 0.12, min(key + 0.34, p.h - 0.05)))
-    for i in range(2):
-        yield box("pedal", BRASS, (body + 0.001, body + 0.09), (-0.07 + 0.1 * i, -0.04 + 0.1 * i), (0.05, 0.065))
-
-
-def grand_piano(p: Piece) -> Iterator[Part]:
-    """Yield a grand piano; its keys face +x, its lid is open."""
-    low, top = 0.58 * p.h, 0.86 * p.h
-    d, w = p.d, p.w
-    outline = [
-        (0.28 * d, -0.5 * w),
-        (0.28 * d, 0.5 * w),
-        (-0.1 * d, 0.48 * w),
-        (-0.4 * d, 0.14 * w),
-        (-0.5 * d, -0.2 * w),
-        (-0.46 * d, -0.5 * w),
-    ]
-    inner = [(0.9 * x, 0.94 * y) for x, y in outline]
-    yield prism("case", BLACK, outline, (low, top - 0.004))
-    yield prism("strings", BRASS, inner, (top - 0.004, top))
-    yield box("key bed", BLACK, (0.281 * d, p.x[1]), (-0.5 * w, 0.5 * w), (low, low + 0.07))
-    yield from _keys(p, (0.33 * d, 0.48 * d), 0.44 * w, low + 0.07)
-    lid = prism("lid", BLACK, outline, (top + 0.004, top + 0.03))
-    lid.vertices[:, 2] += (lid.vertices[:, 1] + 0.5 * w) / w * (p.h - top - 0.03)
-    yield lid
-    for x, y in ((0.22 * d, -0.42 * w), (0.22 * d, 0.42 * w), (-0.38 * d, -0.24 * w)):
-        yield cylinder("leg", BLACK, (x, y), (0.03, 0.05), (0.0, low), sides=10)
-
-
-def digital_piano(p: Piece) -> Iterator[Part]:
-    """Yield an electronic keyboard on a crossed stand."""
-    top = p.h - 0.1
-    for y in (-0.3 * p.w, 0.3 * p.w):
-        for way in (1, -1):
-            yield sheared(
-                "strut",
-                DARK,
-                (-way * 0.4 * p.d, -way * 0.4 * p.d + 0.03),
-                (y + way * 0.016 - 0.015, y + way * 0.016 + 0.014),
-                (0.0, top),
-                lean=(way * 0.7 * p.d, 0.0),
-            )
-    yield soft("casing", DARK, p.x, p.y, (top, top + 0.07), bevel=0.015)
-    yield from _keys(p, (0.02 * p.d, 0.46 * p.d), 0.46 * p.w, top + 0.07)
-    yield box("panel", GLOW, (-0.3 * p.d, -0.14 * p.d), (-0.1, 0.1), (top + 0.07, top + 0.075))
-    yield box("rest", BLACK, (-0.44 * p.d, -0.42 * p.d), (-0.2, 0.2), (top + 0.069, p.h))
 
 
 def play_tent(p: Piece) -> Iterator[Part]:
@@ -209,7 +130,7 @@ def play_tent(p: Piece) -> Iterator[Part]:
 
 def _cloth(p: Piece, ends: tuple[tuple[float, float], tuple[float, float]], high: float, top: float) -> Part:
     """Return a thin panel from two floor points to a small line near the top."""
-    part = box("cloth", LINEN, (0.0, 1.0), (0.0, 1.0), (0.0, top))
+    part = box("cloth", PLAIN["linen"], (0.0, 1.0), (0.0, 1.0), (0.0, top))
     share, inner, upper = part.vertices[:, 1].copy(), part.vertices[:, 0] > 0.5, part.vertices[:, 2] > 0
     for i in range(2):
         line = ends[0][i] + (ends[1][i] - ends[0][i]) * share
@@ -217,81 +138,6 @@ def _cloth(p: Piece, ends: tuple[tuple[float, float], tuple[float, float]], high
     if (ends[0][0] * ends[1][1] - ends[0][1] * ends[1][0]) > 0:
         return Part(part.name, part.vertices, part.faces[:, ::-1].copy(), part.material)
     return part
-
-
-def playpen(p: Piece) -> Iterator[Part]:
-    """Yield a pen with bars on four sides and a mat with toys."""
-    yield box("mat", p.accent, (0.96 * p.x[0], 0.96 * p.x[1]), (0.96 * p.y[0], 0.96 * p.y[1]), (0.0, 0.03))
-    for z in (0.03, p.h - 0.04):
-        for y0 in (p.y[0], p.y[1] - 0.03):
-            yield box("rail", p.wood, p.x, (y0, y0 + 0.03), (z, z + 0.04))
-        for x0 in (p.x[0], p.x[1] - 0.03):
-            yield box("rail", p.wood, (x0, x0 + 0.03), (p.y[0] + 0.03, p.y[1] - 0.03), (z, z + 0.04))
-    for i in range(n := max(6, min(12, round(p.w / 0.11)))):
-        share = (i + 0.5) / n
-        for y in (p.y[0] + 0.015, p.y[1] - 0.015):
-            yield cylinder("bar", p.wood, (p.x[0] + share * p.d, y), 0.008, (0.07, p.h - 0.04), sides=6)
-        for x in (p.x[0] + 0.015, p.x[1] - 0.015):
-            yield cylinder("bar", p.wood, (x, p.y[0] + share * p.w), 0.008, (0.07, p.h - 0.04), sides=6)
-    yield ball("ball", BRIGHT[0], (0.0, 0.2), (0.05, 0.25), (0.03, 0.23))
-    yield box("block", BRIGHT[4], (-0.2, -0.1), (-0.2, -0.1), (0.03, 0.13))
-
-
-def crib(p: Piece) -> Iterator[Part]:
-    """Yield a cot with bars on both long sides."""
-    t, low, high = 0.045, 0.25 * p.h, 0.9 * p.h
-    for x0 in (p.x[0], p.x[1] - t):
-        for y0 in (p.y[0], p.y[1] - t):
-            yield box("post", p.front, (x0, x0 + t), (y0, y0 + t), (0.0, p.h))
-        yield box("end", p.front, (x0 + 0.01, x0 + t - 0.01), (p.y[0] + t, p.y[1] - t), (low, high + 0.03))
-    count = max(5, int((p.d - 2 * t) / 0.1))
-    for y0 in (p.y[0] + 0.01, p.y[1] - t + 0.01):
-        for z in (low, high):
-            yield box("rail", p.wood, (p.x[0] + t, p.x[1] - t), (y0, y0 + 0.025), (z, z + 0.035))
-        for i in range(1, count):
-            x = p.x[0] + t + i * (p.d - 2 * t) / count
-            yield box("bar", p.wood, (x - 0.008, x + 0.008), (y0 + 0.005, y0 + 0.02), (low + 0.035, high))
-    yield box("base", p.wood, (p.x[0] + t, p.x[1] - t), (p.y[0] + t, p.y[1] - t), (low - 0.02, low + 0.03))
-    inner = (p.y[0] + t + 0.01, p.y[1] - t - 0.01)
-    yield soft("mattress", WHITE, (p.x[0] + t + 0.01, p.x[1] - t - 0.01), inner, (low + 0.03, low + 0.15))
-    blanket = (p.x[0] + 0.45 * p.d, p.x[1] - t - 0.012)
-    yield soft("blanket", p.accent, blanket, (inner[0] + 0.003, inner[1] - 0.003), (low + 0.1, low + 0.18))
-    pillow = (p.x[0] + t + 0.04, p.x[0] + t + 0.26)
-    yield soft("pillow", LINEN, pillow, (-0.16, 0.16), (low + 0.149, low + 0.2), bevel=0.02)
-
-
-def wardrobe(p: Piece) -> Iterator[Part]:
-    """Yield a tall cupboard with doors, a plinth and a cornice."""
-    yield plinth(p, p.dark, 0.07)
-    yield carcass(p, p.wood, (0.07, p.h - 0.03))
-    yield board(p, p.wood, (p.h - 0.029, p.h))
-    count = max(1, round(p.w / 0.5))
-    if p.variant % 3 == 0 and p.w > 0.9:
-        split = 0.07 + 0.28 * p.h
-        yield from doors(p, p.front, p.y, (split, p.h - 0.03), count=count)
-        yield from drawers(p, p.front, p.y, (0.07, split), rows=2, columns=max(1, count // 2))
-        return
-    yield from doors(p, p.front, p.y, (0.07, p.h - 0.03), count=count)
-
-
-def pillow(p: Piece) -> Iterator[Part]:
-    """Yield one pillow or cushion."""
-    yield soft("pillow", p.accent if p.kind != "pillow" else LINEN, p.x, p.y, p.z, bevel=0.4 * min(p.d, p.w, p.h))
-
-
-def blanket(p: Piece) -> Iterator[Part]:
-    """Yield a folded blanket or towel: three layers."""
-    for i in range(3):
-        z = (i * p.h / 3, (i + 1) * p.h / 3 - 0.001)
-        slip = 0.004 * i
-        yield soft(
-            "fold",
-            (p.fabric, p.accent, p.fabric)[i],
-            (p.x[0] + slip, p.x[1] - slip),
-            (p.y[0], p.y[1] - slip),
-            z,
-            bevel=0.2 * p.h,
-        )
 
 
 def stairs(p: Piece) -> Iterator[Part]:
@@ -374,14 +220,14 @@ def _pattern(p: Piece, inset: float) -> Iterator[Part]:
 def picture(p: Piece) -> Iterator[Part]:
     """Yield a framed picture: an abstract landscape in the room's colours."""
     b = min(0.03, 0.08 * min(p.w, p.h))
-    frame = (p.wood, BLACK, p.dark, WHITE)[p.variant % 4]
+    frame = (p.wood, PLAIN["black"], p.dark, PLAIN["white"])[p.variant % 4]
     back = p.x[0] + 0.55 * p.d
     for y in ((p.y[0], p.y[0] + b), (p.y[1] - b, p.y[1])):
         yield box("frame", frame, p.x, y, p.z)
     for z in ((0.0, b), (p.h - b, p.h)):
         yield box("frame", frame, p.x, (p.y[0] + b, p.y[1] - b), z)
     inner, level = (p.y[0] + b, p.y[1] - b), (b, p.h - b)
-    yield box("mount", PAPER, (p.x[0], back), inner, level)
+    yield box("mount", PLAIN["paper"], (p.x[0], back), inner, level)
     m = 0.12 * min(p.w, p.h)
     yield from _artwork(p, (inner[0] + m, inner[1] - m), (level[0] + m, level[1] - m), back)
 
@@ -416,7 +262,7 @@ def photo_frame(p: Piece) -> Iterator[Part]:
     for part in picture(small):
         part.vertices[:, 0] += p.x[1] - 0.02 - (p.d - 0.03) * part.vertices[:, 2] / p.h * 0.5
         yield part
-    yield box("stay", DARK, (p.x[0], p.x[1] - 0.04), (-0.01, 0.01), (0.0, 0.3 * p.h))
+    yield box("stay", PLAIN["anthracite"], (p.x[0], p.x[1] - 0.04), (-0.01, 0.01), (0.0, 0.3 * p.h))
 
 
 BUILDERS: dict[str, Builder] = {
@@ -424,13 +270,7 @@ BUILDERS: dict[str, Builder] = {
     "blackboard": whiteboard,
     "bulletin board": whiteboard,
     "pinball machine": pinball,
-    "piano": piano,
-    "grand piano": grand_piano,
-    "digital piano": digital_piano,
     "play tent": play_tent,
-    "playpen": playpen,
-    "crib": crib,
-    "wardrobe": wardrobe,
     "stairs": stairs,
     "rug": rug,
     "unknown floor covering": rug,

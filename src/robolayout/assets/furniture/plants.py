@@ -6,24 +6,7 @@ import math
 from collections.abc import Iterator
 
 from robolayout.assets.furniture._common import Builder
-from robolayout.assets.palette import (
-    CERAMIC,
-    GREEN,
-    LEAF,
-    LEAF_DARK,
-    LEAF_LIGHT,
-    LINEN,
-    ORANGE,
-    PAPER,
-    PINK,
-    SOIL,
-    SPINES,
-    STEEL,
-    TERRACOTTA,
-    WHITE,
-    YELLOW,
-    Piece,
-)
+from robolayout.assets.palette import PLAIN, SPINES, Piece
 from robolayout.assets.part import Material, Part
 from robolayout.assets.shapes import ball, box, cylinder, moved, oval, prism
 
@@ -35,7 +18,7 @@ def book(p: Piece) -> Iterator[Part]:
     cover = p.rng().choice(SPINES)
     t = 0.12 * p.h
     yield box("cover", cover, p.x, p.y, (0.0, t))
-    yield box("pages", PAPER, (p.x[0] + 0.004, p.x[1] - 0.004), (p.y[0] + 0.004, p.y[1] - 0.004), (t, p.h - t))
+    yield box("pages", PLAIN["paper"], (p.x[0] + 0.004, p.x[1] - 0.004), (p.y[0] + 0.004, p.y[1] - 0.004), (t, p.h - t))
     yield box("cover", cover, p.x, p.y, (p.h - t, p.h))
 
 
@@ -68,7 +51,7 @@ def vase(p: Piece) -> Iterator[Part]:
     yield disc(p, "foot", p.accent, (0.42, 0.6), (0.0, 0.25))
     yield disc(p, "belly", p.accent, (0.6, 0.3), (0.25, 0.44))
     yield disc(p, "neck", p.accent, (0.3, 0.42), (0.44, 0.5))
-    yield from bunch(p, belly, (PINK, YELLOW, p.bedding, WHITE))
+    yield from bunch(p, belly, (PLAIN["pink"], PLAIN["yellow"], p.bedding, PLAIN["white"]))
 
 
 def disc(p: Piece, name: str, tone: Material, radii: Span, z: Span, *, sides: int = 16) -> Part:
@@ -86,7 +69,7 @@ def bunch(p: Piece, low: float, tones: tuple[Material, ...]) -> Iterator[Part]:
         size = 0.17 * min(p.d, p.w)
         x, y = (0.5 * p.d - size) * out * math.cos(turn), (0.5 * p.w - size) * out * math.sin(turn)
         top = p.h - (p.h - low) * 0.45 * out * rng.uniform(0.6, 1.0)
-        stem = box("stem", LEAF, (-0.003, 0.003), (-0.003, 0.003), (low - 0.02 - 0.001 * i, top - size))
+        stem = box("stem", PLAIN["leaf"], (-0.003, 0.003), (-0.003, 0.003), (low - 0.02 - 0.001 * i, top - size))
         upper = stem.vertices[:, 2] > low
         stem.vertices[upper, 0] += x
         stem.vertices[upper, 1] += y
@@ -102,7 +85,7 @@ def bunch(p: Piece, low: float, tones: tuple[Material, ...]) -> Iterator[Part]:
         )
     yield ball(
         "leaves",
-        LEAF,
+        PLAIN["leaf"],
         (-0.3 * p.d, 0.3 * p.d),
         (-0.3 * p.w, 0.3 * p.w),
         (low - 0.01, low + 0.4 * (p.h - low)),
@@ -115,9 +98,14 @@ def plant(p: Piece) -> Iterator[Part]:
     """Yield a leafy plant in a pot: big leaves on stems, or blades."""
     pot, r = 0.26 * p.h, 0.26 * min(p.d, p.w)
     yield cylinder(
-        "pot", (TERRACOTTA, p.accent, CERAMIC)[p.variant % 3], (0.0, 0.0), (0.75 * r, r), (0.0, pot), sides=18
+        "pot",
+        (PLAIN["terracotta"], p.accent, PLAIN["ceramic"])[p.variant % 3],
+        (0.0, 0.0),
+        (0.75 * r, r),
+        (0.0, pot),
+        sides=18,
     )
-    yield cylinder("soil", SOIL, (0.0, 0.0), 0.9 * r, (pot, pot + 0.006), sides=18)
+    yield cylinder("soil", PLAIN["soil"], (0.0, 0.0), 0.9 * r, (pot, pot + 0.006), sides=18)
     rng = p.rng()
     if p.variant % 4 == 1:
         yield from _blades(p, pot, r)
@@ -128,12 +116,12 @@ def plant(p: Piece) -> Iterator[Part]:
         size = 0.17 * min(p.d, p.w) * rng.uniform(0.9, 1.2)
         x, y = (0.5 * p.d - size) * out * math.cos(turn), (0.5 * p.w - size) * out * math.sin(turn)
         z = pot + (p.h - pot) * (0.16 + 0.78 * rise)
-        stem = box("stem", LEAF_DARK, (-0.006, 0.006), (-0.006, 0.006), (pot - 0.001 * (i + 1), z - 0.01))
+        stem = box("stem", PLAIN["leaf-dark"], (-0.006, 0.006), (-0.006, 0.006), (pot - 0.001 * (i + 1), z - 0.01))
         upper = stem.vertices[:, 2] > pot + 1e-6
         stem.vertices[upper, 0] += 0.8 * x
         stem.vertices[upper, 1] += 0.8 * y
         yield stem
-        tone = (LEAF, LEAF_LIGHT, LEAF_DARK)[i % 3]
+        tone = (PLAIN["leaf"], PLAIN["leaf-light"], PLAIN["leaf-dark"])[i % 3]
         yield leaf(tone, (x, y, z), turn, size, droop=0.5)
 
 
@@ -158,7 +146,7 @@ def _blades(p: Piece, low: float, r: float) -> Iterator[Part]:
         wide = 0.08 * min(p.d, p.w)
         blade = prism(
             "blade",
-            (LEAF, LEAF_LIGHT, LEAF_DARK)[i % 3],
+            (PLAIN["leaf"], PLAIN["leaf-light"], PLAIN["leaf-dark"])[i % 3],
             [(-0.01, -wide), (0.01, -wide), (0.01, wide), (-0.01, wide)],
             (low - 0.001 * (i + 1), top),
         )
@@ -176,17 +164,24 @@ def potted_plant(p: Piece) -> Iterator[Part]:
     """Yield a small plant: succulent rosette, cactus or herb."""
     pot, r = 0.42 * p.h, 0.36 * min(p.d, p.w)
     yield cylinder(
-        "pot", (CERAMIC, TERRACOTTA, p.accent)[p.variant % 3], (0.0, 0.0), (0.75 * r, r), (0.0, pot), sides=16
+        "pot",
+        (PLAIN["ceramic"], PLAIN["terracotta"], p.accent)[p.variant % 3],
+        (0.0, 0.0),
+        (0.75 * r, r),
+        (0.0, pot),
+        sides=16,
     )
-    yield cylinder("soil", SOIL, (0.0, 0.0), 0.88 * r, (pot, pot + 0.003), sides=16)
+    yield cylinder("soil", PLAIN["soil"], (0.0, 0.0), 0.88 * r, (pot, pot + 0.003), sides=16)
     for i in range(12):
         turn, rise = 2.4 * i, (i + 1) / 12
         size = 0.2 * min(p.d, p.w)
         out = 1.0 - 0.85 * rise
         x, y = (0.5 * p.d - size) * out * math.cos(turn), (0.5 * p.w - size) * out * math.sin(turn)
         z = pot + (p.h - pot) * (0.2 + 0.7 * rise)
-        yield leaf((LEAF, LEAF_LIGHT, LEAF_DARK)[i % 3], (x, y, z), turn, size, droop=-0.7 * rise)
-    yield cylinder("stem", LEAF_DARK, (0.0, 0.0), 0.06 * p.d, (pot + 0.001, p.h - 0.1 * p.h), sides=7)
+        yield leaf(
+            (PLAIN["leaf"], PLAIN["leaf-light"], PLAIN["leaf-dark"])[i % 3], (x, y, z), turn, size, droop=-0.7 * rise
+        )
+    yield cylinder("stem", PLAIN["leaf-dark"], (0.0, 0.0), 0.06 * p.d, (pot + 0.001, p.h - 0.1 * p.h), sides=7)
 
 
 def hanging_plant(p: Piece) -> Iterator[Part]:
@@ -196,38 +191,31 @@ def hanging_plant(p: Piece) -> Iterator[Part]:
     yield cylinder("pot", p.accent, (0.0, 0.0), (0.7 * r, r), (low, high), sides=16)
     for i in range(3):
         turn = 2 * math.pi * i / 3
-        cord = box("cord", LINEN, (-0.003, 0.003), (-0.003, 0.003), (high, p.h - 0.001 * i))
+        cord = box("cord", PLAIN["linen"], (-0.003, 0.003), (-0.003, 0.003), (high, p.h - 0.001 * i))
         below = cord.vertices[:, 2] < high + 0.01
         cord.vertices[below, 0] += 0.95 * r * math.cos(turn)
         cord.vertices[below, 1] += 0.95 * r * math.sin(turn)
         yield cord
     yield ball(
-        "leaves", LEAF, (-1.1 * r, 1.1 * r), (-1.1 * r, 1.1 * r), (high - 0.04, high + 0.16 * p.h), rings=3, sides=9
+        "leaves",
+        PLAIN["leaf"],
+        (-1.1 * r, 1.1 * r),
+        (-1.1 * r, 1.1 * r),
+        (high - 0.04, high + 0.16 * p.h),
+        rings=3,
+        sides=9,
     )
     for i in range(14):
         turn, fall = 2.4 * i, (i % 5) / 4
         size = 0.13 * min(p.d, p.w)
         x, y = (0.5 * p.d - size) * math.cos(turn), (0.5 * p.w - size) * math.sin(turn)
         z = high + 0.02 - fall * (high - 0.06)
-        yield leaf((LEAF, LEAF_LIGHT, LEAF_DARK)[i % 3], (0.9 * x, 0.9 * y, max(z, 0.05)), turn, size, droop=0.8)
-
-
-def planter(p: Piece) -> Iterator[Part]:
-    """Yield a long box full of plants."""
-    pot = 0.5 * p.h
-    yield box("box", p.wood, p.x, p.y, (0.0, pot))
-    yield box("soil", SOIL, (p.x[0] + 0.02, p.x[1] - 0.02), (p.y[0] + 0.02, p.y[1] - 0.02), (pot, pot + 0.004))
-    count = max(2, round(p.w / (0.7 * p.d)))
-    for i in range(count):
-        y, half = p.y[0] + (i + 0.5) * p.w / count, 0.5 * p.w / count
-        yield ball(
-            "shrub",
-            (LEAF, LEAF_DARK, LEAF_LIGHT)[i % 3],
-            (0.96 * p.x[0], 0.96 * p.x[1]),
-            (y - half, y + half),
-            (pot - 0.02, p.h - 0.06 * p.h * (i % 2)),
-            rings=4,
-            sides=9,
+        yield leaf(
+            (PLAIN["leaf"], PLAIN["leaf-light"], PLAIN["leaf-dark"])[i % 3],
+            (0.9 * x, 0.9 * y, max(z, 0.05)),
+            turn,
+            size,
+            droop=0.8,
         )
 
 
@@ -247,13 +235,13 @@ def plant_stand(p: Piece) -> Iterator[Part]:
             middle = (x[0] + x[1]) / 2
             yield cylinder(
                 "pot",
-                rng.choice((TERRACOTTA, CERAMIC, p.accent)),
+                rng.choice((PLAIN["terracotta"], PLAIN["ceramic"], p.accent)),
                 (middle, y),
                 (0.8 * r, r),
                 (level, level + 0.13 * p.h),
                 sides=10,
             )
-            tone = rng.choice((LEAF, LEAF_LIGHT, LEAF_DARK, PINK, YELLOW))
+            tone = rng.choice((PLAIN["leaf"], PLAIN["leaf-light"], PLAIN["leaf-dark"], PLAIN["pink"], PLAIN["yellow"]))
             yield ball(
                 "bush",
                 tone,
@@ -268,8 +256,8 @@ def plant_stand(p: Piece) -> Iterator[Part]:
 def flower_bucket(p: Piece) -> Iterator[Part]:
     """Yield a zinc bucket full of cut flowers."""
     top = 0.5 * p.h
-    yield disc(p, "bucket", STEEL, (0.64, 0.82), (0.0, 0.5), sides=18)
-    tones = (PINK, YELLOW, WHITE, ORANGE, p.accent)
+    yield disc(p, "bucket", PLAIN["steel"], (0.64, 0.82), (0.0, 0.5), sides=18)
+    tones = (PLAIN["pink"], PLAIN["yellow"], PLAIN["white"], PLAIN["orange"], p.accent)
     start = p.variant % len(tones)
     yield from bunch(p, top, tones[start:] + tones[:start][:1])
 
@@ -282,7 +270,9 @@ def green_wall(p: Piece) -> Iterator[Part]:
         for j in range(rows):
             y, z = p.y[0] + (i + 0.5) * p.w / columns, (j + 0.5) * p.h / rows
             a, b = 0.5 * p.w / columns, 0.5 * p.h / rows
-            tone = (LEAF, LEAF_LIGHT, LEAF_DARK, GREEN)[(3 * i + 5 * j + p.variant) % 4]
+            tone = (PLAIN["leaf"], PLAIN["leaf-light"], PLAIN["leaf-dark"], PLAIN["green"])[
+                (3 * i + 5 * j + p.variant) % 4
+            ]
             yield ball(
                 "tuft",
                 tone,
@@ -301,7 +291,6 @@ BUILDERS: dict[str, Builder] = {
     "plant": plant,
     "potted plant": potted_plant,
     "hanging plant": hanging_plant,
-    "planter": planter,
     "plant stand": plant_stand,
     "flower bucket": flower_bucket,
     "green wall": green_wall,

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from robolayout.assets.fronts import doors
-from robolayout.assets.furniture._common import Builder, books, carcass, four, open_case, plinth
-from robolayout.assets.palette import BLACK, BRIGHT, CARDBOARD, GLASS, IRON, LEAF, LIGHT_GREY, SPINES, WICKER, Piece
+from robolayout.assets.furniture._common import Builder, books, four, open_case
+from robolayout.assets.palette import BRIGHT, PLAIN, SPINES, Piece
 from robolayout.assets.part import Part
-from robolayout.assets.shapes import ball, box, cylinder, oval, prism, slab
+from robolayout.assets.shapes import ball, box, cylinder, oval, slab
 
 
 def shoe_rack(p: Piece) -> Iterator[Part]:
@@ -113,11 +112,13 @@ def _filled(p: Piece, rows: list[float], inner: tuple[float, float]) -> Iterator
             y1 = inner[0] + (j + 1) * (inner[1] - inner[0]) / count
             what = rng.random()
             if what < 0.35:
-                yield slab("basket", WICKER, depth, (y0 + 0.03, y1 - 0.03), (low, low + 0.6 * room), top=(1.0, 1.06))
+                yield slab(
+                    "basket", PLAIN["wicker"], depth, (y0 + 0.03, y1 - 0.03), (low, low + 0.6 * room), top=(1.0, 1.06)
+                )
             elif what < 0.6:
                 yield box(
                     "box",
-                    rng.choice((CARDBOARD, p.fabric, p.accent)),
+                    rng.choice((PLAIN["cardboard"], p.fabric, p.accent)),
                     depth,
                     (y0 + 0.04, y1 - 0.04),
                     (low, low + rng.uniform(0.4, 0.7) * room),
@@ -128,7 +129,7 @@ def _filled(p: Piece, rows: list[float], inner: tuple[float, float]) -> Iterator
                 middle = (y0 + y1) / 2
                 yield ball(
                     "leaves",
-                    LEAF,
+                    PLAIN["leaf"],
                     (-wide, wide),
                     (middle - wide, middle + wide),
                     (low + 0.3 * room, low + 0.9 * room),
@@ -152,21 +153,6 @@ def wall_shelf(p: Piece) -> Iterator[Part]:
     yield cylinder("vase", p.accent, (0.0, y), (r, 0.6 * r), (t, p.h), sides=12)
 
 
-def corner_shelf(p: Piece) -> Iterator[Part]:
-    """Yield quarter-round boards between two panels at the back and the right."""
-    yield box("back", p.wood, (p.x[0], p.x[0] + 0.016), p.y, p.z)
-    yield box("side", p.wood, (p.x[0] + 0.016, p.x[1]), (p.y[0], p.y[0] + 0.016), p.z)
-    d, w = p.d - 0.017, p.w - 0.017
-    x0, y0 = p.x[0] + 0.016, p.y[0] + 0.016
-    for level in levels(p, 0.36):
-        outline = [(x0, y0), (x0 + d, y0), (x0 + 0.9 * d, y0 + 0.42 * w), (x0 + 0.42 * d, y0 + 0.9 * w), (x0, y0 + w)]
-        yield prism("shelf", p.wood, outline, (level - 0.02, level - 0.001))
-        if level < 0.9 * p.h:
-            yield cylinder(
-                "vase", p.accent, (x0 + 0.4 * d, y0 + 0.35 * w), (0.045, 0.03), (level, level + 0.17), sides=10
-            )
-
-
 def display_cabinet(p: Piece) -> Iterator[Part]:
     """Yield a glazed cabinet with lit shelves and objects."""
     t = 0.025
@@ -186,47 +172,9 @@ def display_cabinet(p: Piece) -> Iterator[Part]:
                 (low, low + tall),
                 sides=10,
             )
-    yield box("glass", GLASS, (p.x[1] - 0.004, p.x[1]), (p.y[0] + 0.004, p.y[1] - 0.004), (rows[0], p.h - 0.02))
-
-
-def locker(p: Piece) -> Iterator[Part]:
-    """Yield a row of steel lockers with vents."""
-    paint = p.fabric
-    yield carcass(p, LIGHT_GREY, (0.06, p.h))
-    yield plinth(p, BLACK, 0.06)
-    count = max(1, round(p.w / 0.31))
-    yield from doors(p, paint, p.y, (0.06, p.h), count=count)
-    face = p.x[1] - 0.022
-    for i in range(count):
-        y0, y1 = p.y[0] + i * p.w / count, p.y[0] + (i + 1) * p.w / count
-        for j in range(3):
-            z = p.h - 0.16 - j * 0.04
-            yield box(
-                "vent",
-                BLACK,
-                (face - 0.001, face + 0.002),
-                (y0 + 0.3 * (y1 - y0), y1 - 0.3 * (y1 - y0)),
-                (z, z + 0.012),
-            )
-
-
-def room_divider(p: Piece) -> Iterator[Part]:
-    """Yield a folding screen of panels in zigzag."""
-    count = max(2, round(p.w / 0.45))
-    for i in range(count):
-        y0, y1 = p.y[0] + i * p.w / count, p.y[0] + (i + 1) * p.w / count
-        for material, inset, thick in ((p.dark, 0.0, 0.012), (p.bedding, 0.04, 0.016)):
-            panel = box(
-                "panel",
-                material,
-                (-thick / 2, thick / 2),
-                (y0 + 0.002 + inset, y1 - 0.002 - inset),
-                (inset, p.h - inset),
-            )
-            share = (panel.vertices[:, 1] - y0) / (y1 - y0)
-            swing = (share - 0.5) * (1 if i % 2 else -1)
-            panel.vertices[:, 0] += swing * max(0.0, p.d - 0.016)
-            yield panel
+    yield box(
+        "glass", PLAIN["glass"], (p.x[1] - 0.004, p.x[1]), (p.y[0] + 0.004, p.y[1] - 0.004), (rows[0], p.h - 0.02)
+    )
 
 
 def toy_shelf(p: Piece) -> Iterator[Part]:
@@ -262,10 +210,10 @@ def coffee_table(p: Piece) -> Iterator[Part]:
         yield from four(small, p.dark, p.h - 0.03, thick=0.04, round_=True)
         return
     thick = 0.03
-    top = GLASS if p.variant % 4 == 0 else p.wood
-    frame = p.metal if top is GLASS else p.dark
+    top = PLAIN["glass"] if p.variant % 4 == 0 else p.wood
+    frame = p.metal if top is PLAIN["glass"] else p.dark
     yield box("top", top, p.x, p.y, (p.h - thick, p.h))
-    yield from four(p, frame, p.h - thick - (0.002 if top is GLASS else 0.0), thick=0.045, inset=0.02)
+    yield from four(p, frame, p.h - thick - (0.002 if top is PLAIN["glass"] else 0.0), thick=0.045, inset=0.02)
     shelf = 0.3 * p.h
     yield box("shelf", p.wood, (p.x[0] + 0.03, p.x[1] - 0.03), (p.y[0] + 0.067, p.y[1] - 0.067), (shelf - 0.02, shelf))
     rng = p.rng()
@@ -284,7 +232,7 @@ def bar_cart(p: Piece) -> Iterator[Part]:
     for x in (p.x[0] + 0.008, p.x[1] - 0.008):
         for y in (p.y[0] + 0.008, p.y[1] - 0.008):
             yield cylinder("post", p.metal, (x, y), 0.008, (0.06, p.h - 0.021), sides=6)
-            yield cylinder("wheel", IRON, (0.03, x), 0.03, (y - 0.008, y + 0.008), axis="y", sides=10)
+            yield cylinder("wheel", PLAIN["iron"], (0.03, x), 0.03, (y - 0.008, y + 0.008), axis="y", sides=10)
     rng = p.rng()
     for i in range(4):
         y, tall = p.y[0] + (i + 0.7) * p.w / 4.6, rng.uniform(0.3, 0.45) * p.h
@@ -342,10 +290,7 @@ BUILDERS: dict[str, Builder] = {
     "shelving unit": shelving,
     "industrial shelf": shelving,
     "wall shelf": wall_shelf,
-    "corner shelf": corner_shelf,
     "display cabinet": display_cabinet,
-    "locker": locker,
-    "room divider": room_divider,
     "toy shelf": toy_shelf,
     "coffee table": coffee_table,
     "bar cart": bar_cart,

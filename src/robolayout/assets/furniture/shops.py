@@ -4,58 +4,40 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from robolayout.assets.fronts import doors, drawers
-from robolayout.assets.furniture._common import Builder, board, carcass, open_case
-from robolayout.assets.palette import (
-    BLACK,
-    BREAD,
-    BRIGHT,
-    CERAMIC,
-    CHROME,
-    COFFEE,
-    DARK,
-    GLASS,
-    GLOW,
-    GREEN,
-    IVORY,
-    LEAF,
-    LIGHT_GREY,
-    ORANGE,
-    RED,
-    SLATE,
-    SPINES,
-    STEEL,
-    STONE,
-    WHITE,
-    YELLOW,
-    Piece,
-)
+from robolayout.assets.furniture._common import Builder, open_case
+from robolayout.assets.palette import BRIGHT, PLAIN, SPINES, Piece
 from robolayout.assets.part import Part
-from robolayout.assets.shapes import ball, box, cylinder, sheared, slab, soft
+from robolayout.assets.shapes import box, cylinder, sheared, slab
 
 
 def cash_register(p: Piece) -> Iterator[Part]:
     """Yield a cash register with keys and a display; the cashier is at +x."""
-    yield box("drawer", DARK, p.x, p.y, (0.0, 0.28 * p.h))
+    yield box("drawer", PLAIN["anthracite"], p.x, p.y, (0.0, 0.28 * p.h))
     body = box(
-        "body", LIGHT_GREY, (p.x[0] + 0.01, p.x[1] - 0.02), (0.94 * p.y[0], 0.94 * p.y[1]), (0.28 * p.h, 0.4 * p.h)
+        "body",
+        PLAIN["light-grey"],
+        (p.x[0] + 0.01, p.x[1] - 0.02),
+        (0.94 * p.y[0], 0.94 * p.y[1]),
+        (0.28 * p.h, 0.4 * p.h),
     )
     body.vertices[(body.vertices[:, 2] > 0.35 * p.h) & (body.vertices[:, 0] < 0), 2] += 0.24 * p.h
     yield body
-    yield box("display", BLACK, (0.76 * p.x[0], 0.5 * p.x[0]), (0.7 * p.y[0], 0.7 * p.y[1]), (0.6 * p.h, p.h))
-    yield box("screen", GLOW, (0.5 * p.x[0], 0.49 * p.x[0]), (0.6 * p.y[0], 0.6 * p.y[1]), (0.72 * p.h, 0.96 * p.h))
-    yield box("handle", STEEL, (p.x[1] - 0.001, p.x[1] + 0.008), (-0.06, 0.06), (0.12 * p.h, 0.17 * p.h))
+    yield box("display", PLAIN["black"], (0.76 * p.x[0], 0.5 * p.x[0]), (0.7 * p.y[0], 0.7 * p.y[1]), (0.6 * p.h, p.h))
+    yield box(
+        "screen", PLAIN["glow"], (0.5 * p.x[0], 0.49 * p.x[0]), (0.6 * p.y[0], 0.6 * p.y[1]), (0.72 * p.h, 0.96 * p.h)
+    )
+    yield box("handle", PLAIN["steel"], (p.x[1] - 0.001, p.x[1] + 0.008), (-0.06, 0.06), (0.12 * p.h, 0.17 * p.h))
 
 
 def _dishes(p: Piece, low: float, high: float) -> Iterator[Part]:
     """Yield serving dishes along a counter."""
-    tones = (ORANGE, LEAF, BREAD, YELLOW, RED, IVORY)
+    tones = (PLAIN["orange"], PLAIN["leaf"], PLAIN["bread"], PLAIN["yellow"], PLAIN["red"], PLAIN["ivory"])
     count = max(2, round(p.w / 0.42))
     for i in range(count):
         y = 0.9 * (p.y[0] + (i + 0.5) * p.w / count)
         half = min(0.17, 0.36 * p.w / count)
         if i % 3 == 1:
-            yield cylinder("bowl", CERAMIC, (0.0, y), (0.5 * half, half), (low, low + 0.09), sides=18)
+            yield cylinder("bowl", PLAIN["ceramic"], (0.0, y), (0.5 * half, half), (low, low + 0.09), sides=18)
             yield cylinder(
                 "salad",
                 tones[(i + p.variant) % 6],
@@ -65,7 +47,7 @@ def _dishes(p: Piece, low: float, high: float) -> Iterator[Part]:
                 sides=18,
             )
         else:
-            yield box("pan", STEEL, (-0.14, 0.14), (y - half, y + half), (low, low + 0.09))
+            yield box("pan", PLAIN["steel"], (-0.14, 0.14), (y - half, y + half), (low, low + 0.09))
             yield box(
                 "food",
                 tones[(i + p.variant) % 6],
@@ -74,7 +56,9 @@ def _dishes(p: Piece, low: float, high: float) -> Iterator[Part]:
                 (low + 0.09, low + 0.1),
             )
             if i % 2 == 0:
-                yield slab("lid", CHROME, (-0.14, -0.02), (y - half, y + half), (low + 0.1, high), top=(0.6, 0.9))
+                yield slab(
+                    "lid", PLAIN["chrome"], (-0.14, -0.02), (y - half, y + half), (low + 0.1, high), top=(0.6, 0.9)
+                )
 
 
 def buffet_counter(p: Piece) -> Iterator[Part]:
@@ -82,29 +66,33 @@ def buffet_counter(p: Piece) -> Iterator[Part]:
     top = 0.66 * p.h
     rail = 0.22
     body = (p.x[0], p.x[1] - rail)
-    yield box("plinth", DARK, (body[0] + 0.04, body[1] - 0.04), (p.y[0] + 0.03, p.y[1] - 0.03), (0.0, 0.1))
+    yield box(
+        "plinth", PLAIN["anthracite"], (body[0] + 0.04, body[1] - 0.04), (p.y[0] + 0.03, p.y[1] - 0.03), (0.0, 0.1)
+    )
     yield box("body", p.wood, body, (p.y[0] + 0.01, p.y[1] - 0.01), (0.1, top - 0.03))
     yield box("band", p.accent, (body[1], body[1] + 0.012), (p.y[0] + 0.05, p.y[1] - 0.05), (0.3 * top, 0.7 * top))
-    yield box("top", STEEL, (body[0], body[1] + 0.02), p.y, (top - 0.029, top))
+    yield box("top", PLAIN["steel"], (body[0], body[1] + 0.02), p.y, (top - 0.029, top))
     for i in range(3):
         x = body[1] + 0.04 + 0.06 * i
-        yield cylinder("tray rail", CHROME, (top - 0.06, x), 0.012, p.y, axis="y", sides=8)
-    yield box("tray end", CHROME, (body[1] + 0.02, p.x[1]), (-0.01, 0.01), (top - 0.1, top - 0.075))
+        yield cylinder("tray rail", PLAIN["chrome"], (top - 0.06, x), 0.012, p.y, axis="y", sides=8)
+    yield box("tray end", PLAIN["chrome"], (body[1] + 0.02, p.x[1]), (-0.01, 0.01), (top - 0.1, top - 0.075))
     moved_piece = Piece(p.d, p.w, p.h, p.palette, p.fabric, p.accent, p.bedding, p.kind, p.variant, p.key)
     for part in _dishes(moved_piece, top, top + 0.18):
         part.vertices[:, 0] += (body[0] + body[1]) / 2
         yield part
     for y in (p.y[0] + 0.04, p.y[1] - 0.06):
-        yield box("post", CHROME, (body[1] - 0.16, body[1] - 0.14), (y, y + 0.02), (top, p.h - 0.03))
+        yield box("post", PLAIN["chrome"], (body[1] - 0.16, body[1] - 0.14), (y, y + 0.02), (top, p.h - 0.03))
     yield sheared(
         "guard",
-        GLASS,
+        PLAIN["glass"],
         (body[1] - 0.02, body[1] - 0.01),
         (p.y[0] + 0.03, p.y[1] - 0.03),
         (top + 0.2, p.h - 0.03),
         lean=(-0.12, 0.0),
     )
-    yield box("lamp bar", CHROME, (body[0] + 0.12, body[1] - 0.1), (p.y[0] + 0.02, p.y[1] - 0.02), (p.h - 0.029, p.h))
+    yield box(
+        "lamp bar", PLAIN["chrome"], (body[0] + 0.12, body[1] - 0.1), (p.y[0] + 0.02, p.y[1] - 0.02), (p.h - 0.029, p.h)
+    )
 
 
 def back_bar(p: Piece) -> Iterator[Part]:
@@ -121,85 +109,6 @@ def back_bar(p: Piece) -> Iterator[Part]:
         yield from bottles(p, (p.y[0] + 0.06, p.y[1] - 0.06), level, 0.2 * (p.h - low), p.x[0] + 0.24 * p.d)
 
 
-def tray_cart(p: Piece) -> Iterator[Part]:
-    """Yield a rack of trays on castors."""
-    for x0 in (p.x[0], p.x[1] - 0.03):
-        for y0 in (p.y[0], p.y[1] - 0.03):
-            yield box("post", STEEL, (x0, x0 + 0.03), (y0, y0 + 0.03), (0.1, p.h))
-            yield cylinder("castor", BLACK, (0.05, x0 + 0.015), 0.05, (y0, y0 + 0.03), axis="y", sides=10)
-    count = max(4, min(12, round(p.h / 0.15)))
-    for i in range(count):
-        z = 0.14 + i * (p.h - 0.18) / count
-        yield box(
-            "tray",
-            p.accent if i % 2 else p.bedding,
-            (0.94 * p.x[0], 0.94 * p.x[1]),
-            (p.y[0] + 0.035, p.y[1] - 0.035),
-            (z, z + 0.02),
-        )
-        if i % 3 == 0:
-            yield cylinder("plate", CERAMIC, (0.0, -0.1 * p.w), 0.12, (z + 0.02, z + 0.035), sides=16)
-    yield box("roof", STEEL, (p.x[0] + 0.001, p.x[1] - 0.001), (p.y[0] + 0.03, p.y[1] - 0.03), (p.h - 0.02, p.h))
-
-
-def base(p: Piece, *, top: float | None = None) -> Iterator[Part]:
-    """Yield a base unit: plinth, body, fronts in a mix of drawers and doors, worktop."""
-    high = top or p.h
-    yield box("plinth", DARK, (p.x[0] + 0.03, p.x[1] - 0.08), (p.y[0] + 0.01, p.y[1] - 0.01), (0.0, 0.1))
-    yield carcass(p, p.front, (0.1, high - 0.041))
-    yield board(p, STONE if p.variant % 2 else p.wood, (high - 0.04, high))
-    count = max(1, round(p.w / 0.6))
-    step = p.w / count
-    for i in range(count):
-        y = (p.y[0] + i * step, p.y[0] + (i + 1) * step)
-        if i % 3 == 1:
-            yield from drawers(p, p.front, y, (0.1, high - 0.041), rows=3)
-        else:
-            yield from drawers(p, p.front, y, (high - 0.2, high - 0.041), rows=1)
-            yield from doors(p, p.front, y, (0.1, high - 0.2), count=1)
-
-
-def kitchen_cabinet(p: Piece) -> Iterator[Part]:
-    """Yield a base unit with two doors below a drawer."""
-    yield from base(p)
-
-
-def kitchen_counter(p: Piece) -> Iterator[Part]:
-    """Yield a worktop over units."""
-    yield from base(p)
-
-
-def island(p: Piece) -> Iterator[Part]:
-    """Yield an island: units in front, a breakfast overhang behind."""
-    body = Piece(0.72 * p.d, p.w - 0.06, p.h, p.palette, p.fabric, p.accent, p.bedding, p.kind, p.variant, p.key)
-    for part in base(body):
-        if part.name != "top":
-            part.vertices[:, 0] += 0.13 * p.d
-            yield part
-    yield box("worktop", STONE if p.variant % 2 else p.wood, p.x, p.y, (p.h - 0.04, p.h))
-
-
-def kitchen_sink(p: Piece) -> Iterator[Part]:
-    """Yield a unit with a steel basin and a tap."""
-    top = p.h - 0.26 if p.h > 1.05 else p.h - 0.035
-    yield from base(p, top=top)
-    y = (-0.3 * p.w, 0.16 * p.w)
-    x = (p.x[0] + 0.16 * p.d, p.x[1] - 0.14 * p.d)
-    yield box("rim", STEEL, (x[0] - 0.02, x[1] + 0.02), (y[0] - 0.02, y[1] + 0.02), (top, top + 0.004))
-    yield box("basin", DARK, x, y, (top + 0.004, top + 0.006))
-    for i in range(5):
-        z = 0.24 * p.w + 0.045 * i
-        yield box("groove", STEEL, x, (z, z + 0.012), (top, top + 0.005))
-    yield cylinder("tap", CHROME, (p.x[0] + 0.08, -0.07 * p.w), 0.014, (top + 0.002, p.h), sides=8)
-    yield box(
-        "spout",
-        CHROME,
-        (p.x[0] + 0.08, p.x[0] + 0.24),
-        (-0.07 * p.w - 0.011, -0.07 * p.w + 0.011),
-        (p.h - 0.024, p.h - 0.002),
-    )
-
-
 def spice_rack(p: Piece) -> Iterator[Part]:
     """Yield a small rack of jars."""
     rows = max(1, round(p.h / 0.14))
@@ -212,10 +121,15 @@ def spice_rack(p: Piece) -> Iterator[Part]:
         for j in range(n := max(2, round(p.w / 0.065))):
             y = inner[0] + (j + 0.5) * (inner[1] - inner[0]) / n
             r = min(0.02, 0.4 * p.d)
-            tone = (*BRIGHT, COFFEE)[(i * 3 + j * 2) % 7]
+            tone = (*BRIGHT, PLAIN["coffee"])[(i * 3 + j * 2) % 7]
             yield cylinder("jar", tone, (0.0, y), r, (z + 0.01, z + 0.01 + 0.55 * p.h / rows), sides=10)
             yield cylinder(
-                "lid", DARK, (0.0, y), r, (z + 0.01 + 0.55 * p.h / rows, z + 0.01 + 0.65 * p.h / rows), sides=10
+                "lid",
+                PLAIN["anthracite"],
+                (0.0, y),
+                r,
+                (z + 0.01 + 0.55 * p.h / rows, z + 0.01 + 0.65 * p.h / rows),
+                sides=10,
             )
 
 
@@ -226,7 +140,7 @@ def goods(p: Piece, y: tuple[float, float], low: float, room: float, x: tuple[fl
     at = y[0] + 0.01
     while at < y[1] - 0.08:
         width = min(rng.choice((0.09, 0.13, 0.2)), y[1] - at - 0.01)
-        tone = rng.choice((*BRIGHT, *SPINES, IVORY))
+        tone = rng.choice((*BRIGHT, *SPINES, PLAIN["ivory"]))
         tall = room * rng.uniform(0.45, 0.85)
         if rng.random() < 0.3:
             r = min(0.45 * width, 0.3 * (x[1] - x[0]), 0.05)
@@ -241,13 +155,15 @@ def goods(p: Piece, y: tuple[float, float], low: float, room: float, x: tuple[fl
 def shop_shelf(p: Piece) -> Iterator[Part]:
     """Yield a shop shelf with goods on four or five levels."""
     rows = max(2, round(p.h / 0.36))
-    yield box("back", LIGHT_GREY, (p.x[0], p.x[0] + 0.02), p.y, (0.0, p.h))
-    yield box("base", LIGHT_GREY, (p.x[0] + 0.02, p.x[1]), p.y, (0.0, 0.12))
+    yield box("back", PLAIN["light-grey"], (p.x[0], p.x[0] + 0.02), p.y, (0.0, p.h))
+    yield box("base", PLAIN["light-grey"], (p.x[0] + 0.02, p.x[1]), p.y, (0.0, 0.12))
     for i in range(rows):
         low = 0.12 + i * (p.h - 0.14) / rows
         deep = p.x[1] - 0.01 - 0.06 * (i > 0)
         if i:
-            yield box("shelf", WHITE, (p.x[0] + 0.02, deep), (p.y[0] + 0.005, p.y[1] - 0.005), (low - 0.02, low))
+            yield box(
+                "shelf", PLAIN["white"], (p.x[0] + 0.02, deep), (p.y[0] + 0.005, p.y[1] - 0.005), (low - 0.02, low)
+            )
         yield box(
             "price rail", p.accent, (deep, deep + 0.008), (p.y[0] + 0.005, p.y[1] - 0.005), (low - 0.045, low - 0.003)
         )
@@ -258,18 +174,24 @@ def display_case(p: Piece) -> Iterator[Part]:
     """Yield a glass counter with goods inside; customers stand at +x."""
     low = 0.42 * p.h
     yield box("base", p.wood, p.x, p.y, (0.06, low))
-    yield box("plinth", DARK, (p.x[0] + 0.03, p.x[1] - 0.03), (p.y[0] + 0.03, p.y[1] - 0.03), (0.0, 0.06))
+    yield box(
+        "plinth", PLAIN["anthracite"], (p.x[0] + 0.03, p.x[1] - 0.03), (p.y[0] + 0.03, p.y[1] - 0.03), (0.0, 0.06)
+    )
     for z in (low, low + 0.28 * p.h):
         if z > low:
             yield box(
-                "shelf", LIGHT_GREY, (p.x[0] + 0.04, p.x[1] - 0.06), (p.y[0] + 0.04, p.y[1] - 0.04), (z - 0.012, z)
+                "shelf",
+                PLAIN["light-grey"],
+                (p.x[0] + 0.04, p.x[1] - 0.06),
+                (p.y[0] + 0.04, p.y[1] - 0.04),
+                (z - 0.012, z),
             )
         yield from goods(p, (p.y[0] + 0.05, p.y[1] - 0.05), z, 0.18 * p.h, (p.x[0] + 0.1, p.x[1] - 0.12))
     for x0, y0 in ((p.x[0], p.y[0]), (p.x[0], p.y[1] - 0.02), (p.x[1] - 0.02, p.y[0]), (p.x[1] - 0.02, p.y[1] - 0.02)):
-        yield box("post", STEEL, (x0, x0 + 0.02), (y0, y0 + 0.02), (low, p.h - 0.03))
+        yield box("post", PLAIN["steel"], (x0, x0 + 0.02), (y0, y0 + 0.02), (low, p.h - 0.03))
     yield box(
         "front glass",
-        GLASS,
+        PLAIN["glass"],
         (p.x[1] - 0.012, p.x[1] - 0.006),
         (p.y[0] + 0.02, p.y[1] - 0.02),
         (low + 0.001, p.h - 0.03),
@@ -279,11 +201,11 @@ def display_case(p: Piece) -> Iterator[Part]:
 
 def card_rack(p: Piece) -> Iterator[Part]:
     """Yield a turning rack with cards on four sides."""
-    yield cylinder("foot", DARK, (0.0, 0.0), (0.5 * p.d, 0.46 * p.d), (0.0, 0.05), sides=20)
-    yield cylinder("pole", STEEL, (0.0, 0.0), 0.03, (0.05, p.h), sides=10)
+    yield cylinder("foot", PLAIN["anthracite"], (0.0, 0.0), (0.5 * p.d, 0.46 * p.d), (0.0, 0.05), sides=20)
+    yield cylinder("pole", PLAIN["steel"], (0.0, 0.0), 0.03, (0.05, p.h), sides=10)
     rng = p.rng()
     side = 0.32 * min(p.d, p.w)
-    yield box("core", LIGHT_GREY, (-side, side), (-side, side), (0.2 * p.h, 0.95 * p.h))
+    yield box("core", PLAIN["light-grey"], (-side, side), (-side, side), (0.2 * p.h, 0.95 * p.h))
     rows = 5
     for i in range(rows):
         z = (0.22 + 0.146 * i) * p.h
@@ -295,30 +217,36 @@ def card_rack(p: Piece) -> Iterator[Part]:
                 yield box("card", rng.choice((*BRIGHT, *SPINES)), face, (y - size, y + size), (z, z + 0.12 * p.h))
                 yield box("card", rng.choice((*BRIGHT, *SPINES)), (y - size, y + size), face, (z, z + 0.12 * p.h))
         for x0 in (-side - 0.05, side + 0.03):
-            yield box("rail", STEEL, (x0, x0 + 0.02), (-side, side), (z, z + 0.02))
+            yield box("rail", PLAIN["steel"], (x0, x0 + 0.02), (-side, side), (z, z + 0.02))
 
 
 def display_fridge(p: Piece) -> Iterator[Part]:
     """Yield a glass-door fridge full of bottles."""
-    yield box("base", BLACK, (p.x[0], p.x[1] - 0.03), p.y, (0.0, 0.14))
+    yield box("base", PLAIN["black"], (p.x[0], p.x[1] - 0.03), p.y, (0.0, 0.14))
     yield box("head", p.accent, p.x, p.y, (p.h - 0.16, p.h))
     for y0 in (p.y[0], p.y[1] - 0.03):
-        yield box("side", DARK, (p.x[0], p.x[1] - 0.03), (y0, y0 + 0.03), (0.14, p.h - 0.16))
+        yield box("side", PLAIN["anthracite"], (p.x[0], p.x[1] - 0.03), (y0, y0 + 0.03), (0.14, p.h - 0.16))
     inner = (p.y[0] + 0.03, p.y[1] - 0.03)
-    yield box("back", LIGHT_GREY, (p.x[0], p.x[0] + 0.03), inner, (0.14, p.h - 0.16))
+    yield box("back", PLAIN["light-grey"], (p.x[0], p.x[0] + 0.03), inner, (0.14, p.h - 0.16))
     rows = 5
     span = p.h - 0.3
     for i in range(rows):
         low = 0.15 + i * span / rows
         if i:
-            yield box("shelf", STEEL, (p.x[0] + 0.03, p.x[1] - 0.07), inner, (low - 0.012, low))
+            yield box("shelf", PLAIN["steel"], (p.x[0] + 0.03, p.x[1] - 0.07), inner, (low - 0.012, low))
         yield from bottles(p, inner, low, 0.7 * span / rows, p.x[1] - 0.16)
     for i in range(n := max(1, round(p.w / 0.62))):
         y0 = p.y[0] + i * p.w / n
         yield box(
-            "door", GLASS, (p.x[1] - 0.026, p.x[1] - 0.02), (y0 + 0.004, y0 + p.w / n - 0.004), (0.145, p.h - 0.165)
+            "door",
+            PLAIN["glass"],
+            (p.x[1] - 0.026, p.x[1] - 0.02),
+            (y0 + 0.004, y0 + p.w / n - 0.004),
+            (0.145, p.h - 0.165),
         )
-        yield box("handle", CHROME, (p.x[1] - 0.019, p.x[1] - 0.001), (y0 + 0.03, y0 + 0.05), (0.4 * p.h, 0.64 * p.h))
+        yield box(
+            "handle", PLAIN["chrome"], (p.x[1] - 0.019, p.x[1] - 0.001), (y0 + 0.03, y0 + 0.05), (0.4 * p.h, 0.64 * p.h)
+        )
 
 
 def bottles(p: Piece, y: tuple[float, float], low: float, tall: float, x: float) -> Iterator[Part]:
@@ -330,89 +258,13 @@ def bottles(p: Piece, y: tuple[float, float], low: float, tall: float, x: float)
         yield cylinder("bottle", tone, (x, at), (0.038, 0.018), (low, low + tall), sides=8)
 
 
-def deli_counter(p: Piece) -> Iterator[Part]:
-    """Yield a cooled counter with slanted glass and food; customers at +x, staff at -x."""
-    bed = 0.62 * p.h
-    yield box("plinth", DARK, (p.x[0] + 0.05, p.x[1] - 0.08), (p.y[0] + 0.02, p.y[1] - 0.02), (0.0, 0.1))
-    yield box("body", p.front, (p.x[0], p.x[1] - 0.02), p.y, (0.1, bed))
-    yield box("band", p.accent, (p.x[1] - 0.02, p.x[1]), (p.y[0] + 0.01, p.y[1] - 0.01), (0.56 * bed, 0.72 * bed))
-    yield box("ice", WHITE, (-0.24 * p.d, 0.44 * p.d), (p.y[0] + 0.04, p.y[1] - 0.04), (bed, bed + 0.01))
-    count = max(3, round(p.w / 0.32))
-    tones = (RED, YELLOW, BREAD, IVORY, ORANGE, GREEN)
-    for i in range(count):
-        y = p.y[0] + 0.04 + (i + 0.5) * (p.w - 0.08) / count
-        for x in (-0.06 * p.d, 0.26 * p.d):
-            yield box("tray", STEEL, (x - 0.13 * p.d, x + 0.13 * p.d), (y - 0.12, y + 0.12), (bed + 0.01, bed + 0.03))
-            yield soft(
-                "food",
-                tones[(2 * i + (x > 0)) % 6],
-                (x - 0.11 * p.d, x + 0.11 * p.d),
-                (y - 0.1, y + 0.1),
-                (bed + 0.03, bed + 0.09),
-                bevel=0.025,
-            )
-    for y0 in (p.y[0], p.y[1] - 0.02):
-        yield sheared(
-            "glass side",
-            GLASS,
-            (-0.24 * p.d, 0.46 * p.d),
-            (y0, y0 + 0.008),
-            (bed + 0.001, p.h - 0.03),
-            lean=(-0.04, 0.0),
-        )
-    yield sheared(
-        "glass",
-        GLASS,
-        (0.44 * p.d, 0.45 * p.d),
-        (p.y[0] + 0.02, p.y[1] - 0.02),
-        (bed + 0.001, p.h - 0.03),
-        lean=(-0.18 * p.d, 0.0),
-    )
-    yield box("shelf", STEEL, (-0.3 * p.d, 0.28 * p.d), p.y, (p.h - 0.03, p.h))
-    yield box("work top", STEEL, (p.x[0], -0.26 * p.d), (p.y[0] + 0.001, p.y[1] - 0.001), (bed, bed + 0.02))
-    for y0 in (p.y[0] + 0.02, p.y[1] - 0.05):
-        yield box("post", STEEL, (-0.28 * p.d, -0.25 * p.d), (y0, y0 + 0.03), (bed + 0.021, p.h - 0.03))
-
-
-def produce_stand(p: Piece) -> Iterator[Part]:
-    """Yield stepped crates of fruit and vegetables."""
-    steps = 3
-    tones = (RED, ORANGE, YELLOW, GREEN, LEAF, SPINES[0])
-    for i in range(steps):
-        x = (p.x[1] - (i + 1) * p.d / steps, p.x[1] - i * p.d / steps)
-        level = (0.4 + 0.22 * i) * p.h
-        yield box("step", p.wood, x, p.y, (0.0 if i == 2 else 0.1, level - 0.06))
-        count = max(2, round(p.w / 0.42))
-        for j in range(count):
-            y = (p.y[0] + j * p.w / count + 0.01, p.y[0] + (j + 1) * p.w / count - 0.01)
-            yield box("crate", p.dark, (x[0] + 0.01, x[1] - 0.01), y, (level - 0.06, level + 0.02))
-            tone = tones[(i * 2 + j * 3) % 6]
-            for k in range(6):
-                a, b = x[0] + (0.28 + 0.44 * (k % 2)) * (x[1] - x[0]), y[0] + (0.2 + 0.3 * (k // 2)) * (y[1] - y[0])
-                r = 0.16 * (y[1] - y[0])
-                yield ball(
-                    "fruit", tone, (a - r, a + r), (b - r, b + r), (level, min(level + 1.6 * r, p.h)), rings=3, sides=8
-                )
-    for x0 in (p.x[1] - 0.1, p.x[0] + 0.4 * p.d):
-        for y0 in (p.y[0] + 0.03, p.y[1] - 0.08):
-            yield box("leg", p.dark, (x0, x0 + 0.05), (y0, y0 + 0.05), (0.0, 0.1))
-    yield box("sign", SLATE, (p.x[0], p.x[0] + 0.02), (0.5 * p.y[0], 0.5 * p.y[1]), (0.84 * p.h, p.h))
-
-
 BUILDERS: dict[str, Builder] = {
     "cash register": cash_register,
     "buffet counter": buffet_counter,
     "back bar": back_bar,
-    "tray return": tray_cart,
-    "kitchen cabinet": kitchen_cabinet,
-    "kitchen counter": kitchen_counter,
-    "kitchen island": island,
-    "kitchen sink": kitchen_sink,
     "spice rack": spice_rack,
     "shop shelf": shop_shelf,
     "display case": display_case,
     "card rack": card_rack,
     "display fridge": display_fridge,
-    "deli counter": deli_counter,
-    "produce stand": produce_stand,
 }

@@ -5,24 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from robolayout.assets.furniture._common import Builder, four
-from robolayout.assets.palette import (
-    BLACK,
-    BLUE,
-    CARDBOARD,
-    DARK,
-    GLOW,
-    GREEN,
-    GREY,
-    IRON,
-    LIGHT_GREY,
-    ORANGE,
-    PINE,
-    RED,
-    RUBBER,
-    STEEL,
-    YELLOW,
-    Piece,
-)
+from robolayout.assets.palette import PLAIN, Piece
 from robolayout.assets.part import Material, Part
 from robolayout.assets.shapes import box, cylinder, sheared, soft
 
@@ -33,36 +16,24 @@ def castors(p: Piece, r: float, *, inset: float = 0.04) -> Iterator[Part]:
     """Yield four wheels of radius `r` under the corners."""
     for x in (p.x[0] + r + inset, p.x[1] - r - inset):
         for y in (p.y[0] + inset, p.y[1] - inset):
-            yield cylinder("castor", RUBBER, (r, x), r, (y - 0.018, y + 0.018), axis="y", sides=12)
+            yield cylinder("castor", PLAIN["rubber"], (r, x), r, (y - 0.018, y + 0.018), axis="y", sides=12)
 
 
 def wheel(p: Piece, x: float, y: float, r: float, *, wide: float = 0.03) -> Iterator[Part]:
     """Yield a large spoked wheel: tyre disc, lighter inside, hub."""
-    yield cylinder("tyre", RUBBER, (r, x), r, (y - wide / 2, y + wide / 2), axis="y", sides=24)
+    yield cylinder("tyre", PLAIN["rubber"], (r, x), r, (y - wide / 2, y + wide / 2), axis="y", sides=24)
     yield cylinder(
-        "spokes", LIGHT_GREY, (r, x), 0.86 * r, (y - wide / 2 - 0.002, y + wide / 2 + 0.002), axis="y", sides=24
+        "spokes",
+        PLAIN["light-grey"],
+        (r, x),
+        0.86 * r,
+        (y - wide / 2 - 0.002, y + wide / 2 + 0.002),
+        axis="y",
+        sides=24,
     )
-    yield cylinder("hub", DARK, (r, x), 0.2 * r, (y - wide / 2 - 0.006, y + wide / 2 + 0.006), axis="y", sides=12)
-
-
-def dumbbell_rack(p: Piece) -> Iterator[Part]:
-    """Yield two or three shelves of dumbbells."""
-    rows = max(2, round(p.h / 0.4))
-    for y0 in (p.y[0], p.y[1] - 0.05):
-        yield box("side", DARK, (p.x[0], p.x[0] + 0.06), (y0, y0 + 0.05), (0.05, p.h))
-        yield box("foot", DARK, p.x, (y0, y0 + 0.05), (0.0, 0.05))
-    for i in range(rows):
-        z = 0.2 * p.h + i * 0.7 * p.h / rows
-        x = (p.x[0] + 0.02 + 0.0, p.x[1] - 0.12 * i)
-        shelf = box("shelf", GREY, (x[0] + 0.04, x[1]), (p.y[0] + 0.05, p.y[1] - 0.05), (z - 0.02, z))
-        yield shelf
-        count = max(3, round(p.w / 0.16))
-        for j in range(count):
-            y = p.y[0] + 0.05 + (j + 0.5) * (p.w - 0.1) / count
-            r = 0.045 + 0.02 * j / count
-            yield cylinder("grip", STEEL, (y, z + r), 0.018, (x[0] + 0.12, x[1] - 0.1), axis="x", sides=8)
-            for a in ((x[0] + 0.06, x[0] + 0.15), (x[1] - 0.13, x[1] - 0.03)):
-                yield cylinder("head", (DARK, p.accent)[j % 2], (y, z + r), r, a, axis="x", sides=8)
+    yield cylinder(
+        "hub", PLAIN["anthracite"], (r, x), 0.2 * r, (y - wide / 2 - 0.006, y + wide / 2 + 0.006), axis="y", sides=12
+    )
 
 
 def pallet_at(x: Span, y: Span, low: float, tall: float = 0.144) -> Iterator[Part]:
@@ -70,11 +41,11 @@ def pallet_at(x: Span, y: Span, low: float, tall: float = 0.144) -> Iterator[Par
     t = 0.15 * tall
     for i in range(3):
         a = x[0] + i * (x[1] - x[0] - 0.1) / 2
-        yield box("runner", PINE, (a, a + 0.1), y, (low, low + tall - 2 * t))
-    yield box("cross", PINE, x, (y[0] + 0.002, y[1] - 0.002), (low + tall - 2 * t, low + tall - t))
+        yield box("runner", PLAIN["pine"], (a, a + 0.1), y, (low, low + tall - 2 * t))
+    yield box("cross", PLAIN["pine"], x, (y[0] + 0.002, y[1] - 0.002), (low + tall - 2 * t, low + tall - t))
     for i in range(5):
         b = y[0] + i * (y[1] - y[0]) / 5 + 0.006
-        yield box("deck", PINE, (x[0], x[1]), (b, b + (y[1] - y[0]) / 5 - 0.012), (low + tall - t, low + tall))
+        yield box("deck", PLAIN["pine"], (x[0], x[1]), (b, b + (y[1] - y[0]) / 5 - 0.012), (low + tall - t, low + tall))
 
 
 def stack(p: Piece, x: Span, y: Span, z: Span, salt: int) -> Iterator[Part]:
@@ -94,7 +65,7 @@ def stack(p: Piece, x: Span, y: Span, z: Span, salt: int) -> Iterator[Part]:
                 a = (x[0] + i * (x[1] - x[0]) / rows + 0.004, x[0] + (i + 1) * (x[1] - x[0]) / rows - 0.004)
                 b = (y[0] + j * (y[1] - y[0]) / columns + 0.004, y[0] + (j + 1) * (y[1] - y[0]) / columns - 0.004)
                 c = (z[0] + k * (z[1] - z[0]) / layers, z[0] + (k + 1) * (z[1] - z[0]) / layers - 0.003)
-                yield box("carton", CARDBOARD if rng.random() < 0.75 else PINE, a, b, c)
+                yield box("carton", PLAIN["cardboard"] if rng.random() < 0.75 else PLAIN["pine"], a, b, c)
 
 
 def loaded_pallet(p: Piece) -> Iterator[Part]:
@@ -102,7 +73,7 @@ def loaded_pallet(p: Piece) -> Iterator[Part]:
     yield from pallet_at(p.x, p.y, 0.0)
     yield from stack(p, (0.98 * p.x[0], 0.98 * p.x[1]), (0.98 * p.y[0], 0.98 * p.y[1]), (0.145, p.h), 0)
     for y in (-0.2 * p.w, 0.2 * p.w):
-        yield box("strap", BLUE, (p.x[1] - 0.001, p.x[1] + 0.002), (y - 0.01, y + 0.01), (0.145, 0.6 * p.h))
+        yield box("strap", PLAIN["blue"], (p.x[1] - 0.001, p.x[1] + 0.002), (y - 0.01, y + 0.01), (0.145, 0.6 * p.h))
 
 
 def pallet_rack(p: Piece) -> Iterator[Part]:
@@ -110,18 +81,18 @@ def pallet_rack(p: Piece) -> Iterator[Part]:
     t = 0.08
     for x in (p.x[0], p.x[1] - t):
         for y in (p.y[0], p.y[1] - t):
-            yield box("upright", BLUE, (x, x + t), (y, y + t), (0.0, p.h))
+            yield box("upright", PLAIN["blue"], (x, x + t), (y, y + t), (0.0, p.h))
     for y in (p.y[0], p.y[1] - t):
         for i in range(n := max(2, round(p.h / 0.9))):
             z = (i + 0.3) * p.h / n
-            yield box("brace", BLUE, (p.x[0] + t, p.x[1] - t), (y + 0.02, y + t - 0.02), (z, z + 0.03))
+            yield box("brace", PLAIN["blue"], (p.x[0] + t, p.x[1] - t), (y + 0.02, y + t - 0.02), (z, z + 0.03))
     levels = max(2, round(p.h / 1.4))
     bays = max(1, round(p.w / 1.3))
     for i in range(levels):
         low = i * p.h / levels + (0.02 if i == 0 else 0.0)
         if i:
             for x in (p.x[0] + 0.004, p.x[1] - t + 0.004):
-                yield box("beam", ORANGE, (x, x + t - 0.008), (p.y[0] + t, p.y[1] - t), (low - 0.1, low))
+                yield box("beam", PLAIN["orange"], (x, x + t - 0.008), (p.y[0] + t, p.y[1] - t), (low - 0.1, low))
         room = p.h / levels - 0.2
         for j in range(bays):
             inner = (p.y[0] + t + j * (p.w - 2 * t) / bays + 0.06, p.y[0] + t + (j + 1) * (p.w - 2 * t) / bays - 0.06)
@@ -136,26 +107,15 @@ def pallet_rack(p: Piece) -> Iterator[Part]:
             )
 
 
-def crate(p: Piece) -> Iterator[Part]:
-    """Yield a wooden crate of slats with corner posts."""
-    t = min(0.03, 0.08 * min(p.d, p.w))
-    yield box("inside", p.dark, (p.x[0] + t, p.x[1] - t), (p.y[0] + t, p.y[1] - t), (0.01, 0.9 * p.h))
-    rows = max(2, min(5, round(p.h / 0.14)))
-    for i in range(rows):
-        z = (i * p.h / rows, (i + 0.86) * p.h / rows if i < rows - 1 else p.h)
-        for x0 in (p.x[0], p.x[1] - t):
-            yield box("slat", PINE, (x0, x0 + t), p.y, z)
-        for y0 in (p.y[0], p.y[1] - t):
-            yield box("slat", PINE, (p.x[0] + t, p.x[1] - t), (y0, y0 + t), z)
-
-
 def platform_cart(p: Piece) -> Iterator[Part]:
     """Yield a flat cart with cartons; it is pushed at its left end."""
     yield from castors(p, 0.07, inset=0.05)
     yield box("deck", p.wood, p.x, p.y, (0.15, 0.2))
     for x in (0.86 * p.x[0], 0.8 * p.x[1]):
-        yield box("post", STEEL, (x, x + 0.03), (p.y[0] + 0.02, p.y[0] + 0.05), (0.2, p.h - 0.03))
-    yield box("handle", STEEL, (0.9 * p.x[0], 0.9 * p.x[1]), (p.y[0] + 0.019, p.y[0] + 0.051), (p.h - 0.03, p.h))
+        yield box("post", PLAIN["steel"], (x, x + 0.03), (p.y[0] + 0.02, p.y[0] + 0.05), (0.2, p.h - 0.03))
+    yield box(
+        "handle", PLAIN["steel"], (0.9 * p.x[0], 0.9 * p.x[1]), (p.y[0] + 0.019, p.y[0] + 0.051), (p.h - 0.03, p.h)
+    )
     yield from stack(p, (0.8 * p.x[0], 0.8 * p.x[1]), (-0.3 * p.w, 0.44 * p.w), (0.2, 0.62 * p.h), 3)
 
 
@@ -163,60 +123,44 @@ def packing_table(p: Piece) -> Iterator[Part]:
     """Yield a work table with a shelf, cartons and a roll of paper above it."""
     top = min(0.92, 0.62 * p.h) if p.h > 1.15 else p.h
     yield box("top", p.wood, p.x, p.y, (top - 0.04, top))
-    yield from four(p, GREY, top - 0.04, thick=0.06, inset=0.01)
+    yield from four(p, PLAIN["grey"], top - 0.04, thick=0.06, inset=0.01)
     if top == p.h:
         return
     for y in (p.y[0], p.y[1] - 0.05):
-        yield box("post", GREY, (p.x[0], p.x[0] + 0.05), (y, y + 0.05), (top, p.h))
+        yield box("post", PLAIN["grey"], (p.x[0], p.x[0] + 0.05), (y, y + 0.05), (top, p.h))
     inner = (p.y[0] + 0.05, p.y[1] - 0.05)
     yield box("shelf", p.wood, (p.x[0] + 0.001, p.x[0] + 0.4 * p.d), inner, (p.h - 0.24, p.h - 0.21))
     yield from stack(p, (p.x[0] + 0.02, p.x[0] + 0.36 * p.d), (inner[0] + 0.05, 0.1 * p.w), (p.h - 0.21, p.h - 0.02), 1)
-    yield cylinder("paper roll", PINE, (top + 0.2, p.x[0] + 0.14), 0.08, (-0.3 * p.w, 0.24 * p.w), axis="y", sides=14)
-    yield box("carton", CARDBOARD, (-0.06 * p.d, 0.3 * p.d), (-0.12 * p.w, 0.1 * p.w), (top, top + 0.18))
-    yield box("scale", LIGHT_GREY, (-0.1 * p.d, 0.26 * p.d), (0.2 * p.w, 0.36 * p.w), (top, top + 0.06))
+    yield cylinder(
+        "paper roll", PLAIN["pine"], (top + 0.2, p.x[0] + 0.14), 0.08, (-0.3 * p.w, 0.24 * p.w), axis="y", sides=14
+    )
+    yield box("carton", PLAIN["cardboard"], (-0.06 * p.d, 0.3 * p.d), (-0.12 * p.w, 0.1 * p.w), (top, top + 0.18))
+    yield box("scale", PLAIN["light-grey"], (-0.1 * p.d, 0.26 * p.d), (0.2 * p.w, 0.36 * p.w), (top, top + 0.06))
 
 
 def roll_cage(p: Piece) -> Iterator[Part]:
     """Yield a wire trolley with parcels."""
     yield from castors(p, 0.06)
-    yield box("deck", GREY, p.x, p.y, (0.13, 0.17))
+    yield box("deck", PLAIN["grey"], p.x, p.y, (0.13, 0.17))
     for i in range(7):
         y = p.y[0] + i * (p.w - 0.016) / 6
-        yield box("wire", STEEL, (p.x[0], p.x[0] + 0.016), (y, y + 0.016), (0.17, p.h - 0.03))
+        yield box("wire", PLAIN["steel"], (p.x[0], p.x[0] + 0.016), (y, y + 0.016), (0.17, p.h - 0.03))
     for y0 in (p.y[0], p.y[1] - 0.016):
         for i in range(1, 6):
             x = p.x[0] + i * (p.d - 0.016) / 5
-            yield box("wire", STEEL, (x, x + 0.016), (y0, y0 + 0.016), (0.17, p.h - 0.03))
+            yield box("wire", PLAIN["steel"], (x, x + 0.016), (y0, y0 + 0.016), (0.17, p.h - 0.03))
         for z in (0.4 * p.h, 0.7 * p.h, p.h - 0.03):
             yield box(
                 "bar",
-                STEEL,
+                PLAIN["steel"],
                 (p.x[0] + 0.016, p.x[1] - 0.016 if z < 0.9 * p.h else p.x[1]),
                 (y0 + 0.002, y0 + 0.014),
                 (z, z + 0.03 if z > 0.9 * p.h else z + 0.016),
             )
-    yield box("bar", STEEL, (p.x[0] + 0.001, p.x[0] + 0.015), (p.y[0] + 0.016, p.y[1] - 0.016), (p.h - 0.03, p.h))
+    yield box(
+        "bar", PLAIN["steel"], (p.x[0] + 0.001, p.x[0] + 0.015), (p.y[0] + 0.016, p.y[1] - 0.016), (p.h - 0.03, p.h)
+    )
     yield from stack(p, (0.86 * p.x[0], 0.86 * p.x[1]), (0.88 * p.y[0], 0.88 * p.y[1]), (0.17, 0.72 * p.h), 2)
-
-
-def server_rack(p: Piece) -> Iterator[Part]:
-    """Yield a rack of servers with lights."""
-    yield box("cabinet", BLACK, (p.x[0], p.x[1] - 0.04), p.y, p.z)
-    count = max(4, min(20, round(p.h / 0.11)))
-    for i in range(count):
-        z = (0.06 + i * (p.h - 0.1) / count, 0.05 + (i + 1) * (p.h - 0.1) / count)
-        yield box(
-            "server", DARK if i % 4 else LIGHT_GREY, (p.x[1] - 0.04, p.x[1] - 0.01), (0.84 * p.y[0], 0.84 * p.y[1]), z
-        )
-        for j in range(3):
-            y = 0.5 * p.y[1] + 0.03 * j
-            yield box(
-                "light",
-                (GREEN, GLOW, YELLOW)[(i + j) % 3],
-                (p.x[1] - 0.01, p.x[1]),
-                (y, y + 0.012),
-                (z[0] + 0.02, z[0] + 0.032),
-            )
 
 
 def pegboard(p: Piece) -> Iterator[Part]:
@@ -232,39 +176,20 @@ def pegboard(p: Piece) -> Iterator[Part]:
             z = top * p.h
             yield box(
                 "grip",
-                (RED, YELLOW, BLUE, BLACK)[(i + row) % 4],
+                (PLAIN["red"], PLAIN["yellow"], PLAIN["blue"], PLAIN["black"])[(i + row) % 4],
                 (face, p.x[1]),
                 (y - 0.018, y + 0.018),
                 (z - long, z - 0.5 * long),
             )
             if (i + row) % 3:
-                yield box("blade", STEEL, (face, face + 0.3 * p.d), (y - 0.01, y + 0.01), (z - 0.5 * long, z))
+                yield box("blade", PLAIN["steel"], (face, face + 0.3 * p.d), (y - 0.01, y + 0.01), (z - 0.5 * long, z))
             else:
                 yield box(
-                    "head", IRON, (face, face + 0.5 * p.d), (y - 0.05, y + 0.05), (z - 0.5 * long, z - 0.35 * long)
-                )
-
-
-def lumber_rack(p: Piece) -> Iterator[Part]:
-    """Yield a cantilever rack with planks; its lowest arms are its feet."""
-    for i in range(n := max(2, round(p.w / 0.9))):
-        y = p.y[0] + 0.06 + i * (p.w - 0.12) / (n - 1)
-        yield box("post", BLUE, (p.x[0], p.x[0] + 0.08), (y - 0.04, y + 0.04), (0.0, p.h))
-        for k in range(4):
-            z = (0.06 + 0.25 * k) * p.h
-            low = z - 0.04 if k else 0.0
-            yield box("arm" if k else "foot", BLUE, (p.x[0] + 0.08, p.x[1]), (y - 0.03, y + 0.03), (low, z))
-    for k in range(4):
-        z = (0.06 + 0.25 * k) * p.h
-        for i in range(3):
-            x = p.x[0] + 0.1 + i * (p.d - 0.12) / 3
-            for layer in range(1 + (i + k) % 3):
-                yield box(
-                    "plank",
-                    (PINE, p.wood, p.dark)[(i + k) % 3],
-                    (x, x + 0.26 * p.d),
-                    p.y,
-                    (z + 0.032 * layer, z + 0.032 * layer + 0.03),
+                    "head",
+                    PLAIN["iron"],
+                    (face, face + 0.5 * p.d),
+                    (y - 0.05, y + 0.05),
+                    (z - 0.5 * long, z - 0.35 * long),
                 )
 
 
@@ -283,14 +208,16 @@ def bicycle(p: Piece) -> Iterator[Part]:
     yield bar(frame, (-0.12 * p.d, 0.26 * p.d), (0.32 * p.h, 0.68 * p.h), 0.014)
     yield bar(frame, (rear, -0.12 * p.d), (r, 0.32 * p.h), 0.010)
     yield bar(frame, (rear + 0.005, -0.17 * p.d), (r, 0.7 * p.h), 0.0125)
-    yield soft("saddle", BLACK, (-0.25 * p.d, -0.1 * p.d), (-0.07, 0.07), (0.82 * p.h, 0.88 * p.h), bevel=0.02)
-    yield box("stem", STEEL, (front - 0.12 * p.d, front - 0.09 * p.d), (-0.02, 0.02), (0.84 * p.h, 0.96 * p.h))
-    yield cylinder("handle bar", BLACK, (0.98 * p.h, front - 0.11 * p.d), 0.02 * p.h, p.y, axis="y", sides=8)
-    yield cylinder("chain ring", STEEL, (0.3 * p.h, -0.11 * p.d), 0.09 * p.h, (-0.05, -0.04), axis="y", sides=16)
+    yield soft("saddle", PLAIN["black"], (-0.25 * p.d, -0.1 * p.d), (-0.07, 0.07), (0.82 * p.h, 0.88 * p.h), bevel=0.02)
+    yield box("stem", PLAIN["steel"], (front - 0.12 * p.d, front - 0.09 * p.d), (-0.02, 0.02), (0.84 * p.h, 0.96 * p.h))
+    yield cylinder("handle bar", PLAIN["black"], (0.98 * p.h, front - 0.11 * p.d), 0.02 * p.h, p.y, axis="y", sides=8)
+    yield cylinder(
+        "chain ring", PLAIN["steel"], (0.3 * p.h, -0.11 * p.d), 0.09 * p.h, (-0.05, -0.04), axis="y", sides=16
+    )
     for side in (-1, 1):
         yield box(
             "pedal",
-            DARK,
+            PLAIN["anthracite"],
             (-0.11 * p.d - 0.05, -0.11 * p.d + 0.05),
             (side * 0.11 - 0.05, side * 0.11 + 0.05),
             (0.3 * p.h + side * 0.13, 0.3 * p.h + side * 0.13 + 0.02),
@@ -305,15 +232,11 @@ def bar(tone: Material, x: Span, z: Span, half: float = 0.015) -> Part:
 
 
 BUILDERS: dict[str, Builder] = {
-    "dumbbell rack": dumbbell_rack,
     "loaded pallet": loaded_pallet,
     "pallet rack": pallet_rack,
-    "crate": crate,
     "platform cart": platform_cart,
     "packing table": packing_table,
     "roll cage": roll_cage,
-    "server rack": server_rack,
     "pegboard": pegboard,
-    "lumber rack": lumber_rack,
     "bicycle": bicycle,
 }
