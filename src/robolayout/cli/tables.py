@@ -29,12 +29,17 @@ def table(title: str, heads: list[str], rows: list[list[str]]) -> None:
 
 
 def show(report: Report, files: list[Path]) -> None:
-    """Print the short report, what is wrong, and where the files are."""
+    """Print what was asked and the short report, what is wrong, and where the files are."""
+    if report.asked:
+        asked = [[row.words, row.understanding, row.verdict, row.value] for row in report.asked]
+        table("Asked", ["words", "understood as", "verdict", "measured"], asked)
     rows = [[name, value, "ok" if met else "SHORT"] for name, value, met in report.rows()]
     table(f"{report.scene.name} for {', '.join(a.agent.name for a in report.agents)}", ["check", "result", ""], rows)
     for sentence in report.violations[:SHOWN]:
         typer.echo(f"- {sentence}")
     if len(report.violations) > SHOWN:
         typer.echo(f"- and {len(report.violations) - SHOWN} more in the report")
+    if report.not_understood:
+        typer.echo(report.not_understood)
     for path in files:
         typer.echo(str(path))

@@ -350,6 +350,8 @@ class Report:
         verdict = "all demands met" if self.ok else "not all demands are met"
         rows = [[name, value, "ok" if met else "short"] for name, value, met in self.rows()]
         head = paragraph(f"{self.scene.name} for {bodies}: {verdict}")
+        asked = [[row.words, row.understanding, row.verdict, row.value] for row in self.asked]
+        head += table(["words", "understood as", "verdict", "measured"], asked) if asked else ""
         return head + table(["check", "result", ""], rows) + bullets(self.violations, SHOWN)
 
     def _repr_html_(self) -> str:
