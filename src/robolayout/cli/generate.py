@@ -54,6 +54,10 @@ KnowledgeOption = Annotated[
 ReplayOption = Annotated[Path | None, typer.Option("--replay", help="Answer from recorded exchanges, offline.")]
 
 
+LONGEST_NAME = 255
+"""Characters of a file name at the most, on the usual systems."""
+
+
 def generate(  # noqa: PLR0913 - one parameter per option
     scene: SceneOrSentence,
     program: ProgramOption = None,
@@ -223,7 +227,7 @@ def _scenes(
     from robolayout.scene import load_agents
 
     seed, variants = seed_variants
-    if Path(text).suffix == ".json" or Path(text).exists() or " " not in text.strip():
+    if _names_a_file(text):
         scene = read_scene(text, agent, asset_dir)
         yield scene, out or Path("out") / scene.name, ()
         return
@@ -238,6 +242,14 @@ def _scenes(
         folder = folder if variants == 1 else folder / f"variant-{variant}"
         write_atomic(folder / "understood.json", json.dumps(understood.to_dict(), indent=2, ensure_ascii=False) + "\n")
         yield scene, folder, understood.sentences()
+
+
+def _names_a_file(text: str) -> bool:
+    """Return whether an argument names a scene file rather than saying what the room should be."""
+    name = text.strip()
+    if " " in name or "\n" in name:
+        return len(text) <= LONGEST_NAME and (Path(text).suffix == ".json" or Path(text).exists())
+    return bool(name) and (not name.isalpha() or (len(text) <= LONGEST_NAME and Path(text).exists()))
 
 
 def read_scene(path: str, agent: str | None, asset_dir: Path | None) -> Scene:

@@ -32,6 +32,17 @@ def show(value: object) -> str:
 
 
 @dataclass(frozen=True)
+def _meant(path: Path) -> str:
+    """Return which file beside a missing one may be meant, as the begin of a sentence; nothing where none is like it."""
+    if not is_folder(path.parent):
+        return ""
+    try:
+        near = difflib.get_close_matches(path.name[:200], sorted(os.listdir(path.parent)), n=1, cutoff=0.75)
+    except OSError:
+        return ""
+    return f"did you mean {str(path.with_name(near[0]))!r}? Or " if near else ""
+
+
 class Checker:
     """Checks values and raises `error` with a sentence that names the place, the value and what is allowed."""
 
@@ -126,7 +137,7 @@ class Checker:
         if is_folder(path):
             raise self.error(f"{what} {path} is a folder; name the file in it{_such_as(path, what)}.")
         if not is_file(path):
-            raise self.error(f"{what} {path} does not exist; check the path.")
+            raise self.error(f"{what} {path} does not exist; {_meant(path)}check the path.")
         try:
             with path.open("rb") as file:
                 content = file.read(MAX_FILE_BYTES + 1)
