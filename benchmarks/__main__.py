@@ -12,7 +12,21 @@ import tempfile
 import time
 from pathlib import Path
 
-from benchmarks import ablation, bodies, crowded, examples, exports, fuzz, opening, page, pictures, speed, tasks, vlm
+from benchmarks import (
+    ablation,
+    bodies,
+    crowded,
+    examples,
+    exports,
+    fuzz,
+    opening,
+    page,
+    pictures,
+    speed,
+    tasks,
+    vlm,
+    words,
+)
 from benchmarks.store import Store
 
 SECTIONS = {
@@ -27,6 +41,7 @@ SECTIONS = {
     "exports": exports.cases,
     "opening": opening.cases,
     "fuzz": fuzz.cases,
+    "words": words.cases,
 }
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import difflib
 import math
+import os
 import reprlib
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -31,6 +32,19 @@ def show(value: object) -> str:
     if isinstance(value, int) and value.bit_length() > 100:
         return f"a whole number of {value.bit_length()} bits"
     return reprlib.repr(value)
+
+
+def _meant(path: Path) -> str:
+    """Return which file beside a missing one may be meant, as the begin of a sentence; nothing where none is like it."""
+    if not is_folder(path.parent):
+        return ""
+    try:
+        near = difflib.get_close_matches(
+            path.name[:200], sorted(entry.name for entry in path.parent.iterdir()), n=1, cutoff=0.75
+        )
+    except OSError:
+        return ""
+    return f"did you mean {str(path.with_name(near[0]))!r}? Or " if near else ""
 
 
 @dataclass(frozen=True)
@@ -126,6 +140,8 @@ class Checker:
         """Return the content of a regular file of at most `most` bytes."""
         if is_folder(path):
             raise self.error(f"{what} {path} is a folder; name the file in it{_such_as(path, what)}.")
+        if not os.path.lexists(path):
+            raise self.error(f"{what} {path} does not exist; {_meant(path)}check the path.")
         return self.parse(lambda place: regular_bytes(place, most), path, f"{what} {path}")
 
     def parse(self, read: Callable[[Given], Made], given: Given, what: str) -> Made:

@@ -279,7 +279,7 @@ def _jobs(
         whole = out or Path("out") / file_name(scene.name)
         return whole if variants == 1 else whole / f"variant-{variant}"
 
-    if Path(text).suffix == ".json" or os.path.exists(text) or " " not in text.strip():
+    if _names_a_file(text):
         scene = read_scene(text, agent, asset_dir, knowledge)
         for variant in range(variants):
             yield _Job(scene, folder(scene, variant), seed + variant)
@@ -289,6 +289,14 @@ def _jobs(
         if agent is not None:
             scene = scene.with_agents(*load_agents(agent))
         yield _Job(scene, folder(scene, variant), seed, understood)
+
+
+def _names_a_file(text: str) -> bool:
+    """Return whether an argument names a scene file rather than saying what the room should be."""
+    name = text.strip()
+    if " " in name or "\n" in name:
+        return Path(text).suffix == ".json" or os.path.exists(text)
+    return bool(name) and (not name.isalpha() or os.path.exists(text))
 
 
 def read_scene(path: str, agent: str | None, asset_dir: Path | None, knowledge: Sequence[Path] = ()) -> Scene:
