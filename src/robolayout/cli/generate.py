@@ -51,6 +51,11 @@ KnowledgeOption = Annotated[
     list[Path] | None,
     typer.Option("--knowledge", help="A file with kinds of things, roles and rooms of your own; may be repeated."),
 ]
+StartOption = Annotated[
+    Path | None, typer.Option("--from", help="Mend this layout with the least change instead of planning.")
+]
+KeepOption = Annotated[str, typer.Option("--keep", help="With --from: what does not move at all, names and commas.")]
+FreeOption = Annotated[str, typer.Option("--free", help="With --from: all that may move, names and commas.")]
 ReplayOption = Annotated[Path | None, typer.Option("--replay", help="Answer from recorded exchanges, offline.")]
 
 
@@ -61,6 +66,9 @@ def generate(  # noqa: PLR0913 - one parameter per option
     seed: SeedOption = 0,
     starts: StartsOption = 16,
     solver: SolverOption = "default",
+    start: StartOption = None,
+    keep: KeepOption = "",
+    free: FreeOption = "",
     out: Annotated[Path | None, typer.Option("--out", help="Output folder; out/<scene> if not given.")] = None,
     pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw plan, views, animation.")] = True,
     export: Annotated[str, typer.Option("--export", help="Further formats, separated by commas.")] = "",
@@ -97,22 +105,24 @@ def generate(  # noqa: PLR0913 - one parameter per option
         _check_meshes(given)
         planner: Planner | None = offline
         if _not_offline(program, model or base_url or replay):
-            limits = (base_url, max_cost, timeout, replay)
-            planner = _model_or_file(
-                program, (model, mode, samples, retries, critic), limits, folder / "exchanges", seed
-            )
+            how, limits = (model, mode, samples, retries, critic), (base_url, max_cost, timeout, replay)
+            planner = _model_or_file(program, how, limits, folder / "exchanges", seed)
         with progress(quiet or as_json) as say:
             config = SolverConfig(starts=starts, trace=pictures)
-            result = run(given, planner=planner, seed=seed, config=config, solver=solver, progress=say)
-            if settle:
-                say("settle")
-                result = _settled(result)
+            options = {"solver": solver, "start": start, "keep": _names(keep), "free": _names(free)}
+            result = run(given, planner=planner, seed=seed, config=config, progress=say, **options)
+            result = _settled(result, say) if settle else result
             say("write")
             files = write_result(result, folder, pictures=pictures, formats=formats)
             files += _walk(result, folder) if walk else []
         _tell(result, folder, files, quiet=quiet, as_json=as_json)
         every_ok &= result.report.ok
     raise typer.Exit(0 if every_ok else 1)
+
+
+def _names(given: str) -> list[str]:
+    """Return names that are separated by commas."""
+    return [name.strip() for name in given.split(",") if name.strip()]
 
 
 def _check_meshes(scene: Scene) -> None:
@@ -139,12 +149,13 @@ def _checked(export: str, constraints: Path | None, *, settle: bool) -> list[str
     return formats
 
 
-def _settled(result: Result) -> Result:
+def _settled(result: Result, say: Callable[[str], None]) -> Result:
     """Return the run with a report that also says what gravity does."""
     from dataclasses import replace
 
     from robolayout.export import settle
 
+    say("settle")
     found = settle(result.scene, result.layout)
     return replace(result, report=result.report.with_stability(found.to_dict()))
 

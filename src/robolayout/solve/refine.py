@@ -33,6 +33,9 @@ from robolayout.solve.starts import Starts
 ROUTE_PATIENCE = 2
 """Rounds of routes without success after which repair has its turn."""
 
+FEW = 4
+"""Things to blame up to which these alone are mended before everything is polished."""
+
 FULL = 0.5
 """Share of the floor above which packing comes before repair; below it, a few collisions are cheaper to repair."""
 
@@ -42,7 +45,7 @@ PACKINGS = 24
 NEAR = 0.4
 """Metres that a polished thing may be put where its statements hold exactly."""
 
-NEARBY, TURNS = 40, 8
+NEARBY, TURNS = 30, 8
 """Things that are tried elsewhere near their guess, at most, and at most in a row without success."""
 
 CLOSE, URGENT = 0.4, 0.5
@@ -152,8 +155,9 @@ class Solver:
                 return False
             return self.lead is None or verdict.promise >= self.lead.verdict.promise
 
-        found = _Best(world, replace(self.judge(Layout(placed), enough), moved=moved), self.phase)
-        if self.lead is None or found.verdict.promise < self.lead.verdict.promise:
+        phase = best.phase if best and number else self.phase
+        found = _Best(world, replace(self.judge(Layout(placed), enough), moved=moved), phase)
+        if self.lead is not None and found.verdict.promise < self.lead.verdict.promise:
             self.lead = found
         return found
 
@@ -167,7 +171,12 @@ class Solver:
                 self._still(stage, best, self.phase)
             return best
         if self._guessed(stage):
-            best, run = self._polished(stage, number, self._pushed(stage, number, best))
+            best = self._pushed(stage, number, best)
+            if len(best.verdict.culprits) <= FEW:
+                best = self._near(number, best)
+                if not best.verdict.hard + best.verdict.access:
+                    return best
+            best, run = self._polished(stage, number, best)
             if number == 0 and self.config.route_rounds and best.verdict.access:
                 best = self._route(stage, run, best)
             best = self._near(number, best)
@@ -218,19 +227,23 @@ class Solver:
     def _near(self, number: int, best: _Best) -> _Best:
         """Place single things to blame anew, as near to their guesses as can be, as long as the judge likes that better."""
         self._say("mend")
-        turn = 0
+        self.lead, turn = None, 0
         for _ in range(NEARBY if self.config.repair_rounds else 0):
             slots = [self.problem.slot[name] for name in best.verdict.culprits if name not in self.problem.pinned]
             if best.verdict.ok or turn >= min(len(slots), TURNS):
                 break
-            found = self._best_of(self.repairer.near(best.world, slots[turn], self._plan), number, best)
-            turn = 0 if found.verdict.worth[:3] < best.verdict.worth[:3] else turn + 1
-            best = found
+            before = best.verdict.worth[:3]
+            for world in self.repairer.near(best.world, slots[turn], self._plan):
+                best = self._best_of([world], number, best)
+                if best.verdict.worth[:3] < before:
+                    break
+            turn = 0 if best.verdict.worth[:3] < before else turn + 1
         return best
 
     def _anew(self, stage: Stage, number: int, best: _Best) -> _Best:
         """Return the best of what is there and of rooms that are built, searched for and packed."""
         self._say("build")
+        self.lead = best
         starts = Starts(self.problem, stage.world, stage.moving, self.builder)
         quarter, several = max(self.config.starts // 4, 1), self.config.starts > 1
         run: Run | None = None
@@ -316,7 +329,7 @@ class Solver:
 
     def _route(self, stage: Stage, run: Run, best: _Best) -> _Best:
         """Push furniture out of the agents' routes, replanning as it moves."""
-        world = run.world
+        world, self.lead = run.world, best
         kept: list[list[Floats]] = [[] for _ in run.world]
         fruitless = 0
         for _ in range(self.config.route_rounds):
@@ -390,8 +403,7 @@ class Solver:
     def _repair(self, best: _Best) -> _Best:
         """Remove and reinsert what is to blame, while that helps."""
         last = max(stages(self.problem))
-        if last > 0 or self.lead is None:
-            self.lead = best
+        self.lead = best
         fruitless, close = 0, self._fill() > CLOSE
         for round_number in range(self.config.repair_rounds):
             urgent = close and best.verdict.hard + best.verdict.access >= URGENT

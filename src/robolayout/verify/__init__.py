@@ -2,6 +2,7 @@
 
 from robolayout.verify.drives import Drive, find_drives
 from robolayout.verify.heading import HeadingSpace, heading_space
+from robolayout.verify.moves import Move
 from robolayout.verify.navigation import Navigation, navigation
 from robolayout.verify.passages import Passage
 from robolayout.verify.physics import Collision, Obstruction, Physics, PhysicsLimits, physics
@@ -17,6 +18,7 @@ __all__ = [
     "Demands",
     "Drive",
     "HeadingSpace",
+    "Move",
     "Navigation",
     "Obstruction",
     "Passage",

@@ -6,19 +6,23 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robolayout.scene import Agent, Layout, Scene
 from robolayout.verify._boxes import share
 from robolayout.verify.drives import Drive, find_drives
 from robolayout.verify.heading import HeadingSpace
 from robolayout.verify.metrics import published_metrics
+from robolayout.verify.moves import Move, moves
 from robolayout.verify.navigation import Navigation
 from robolayout.verify.passages import WIDE
 from robolayout.verify.physics import Physics
 from robolayout.verify.proofs import Remedies, exempt_from_reach, exempt_from_use, impossible, remedies
 from robolayout.verify.sentences import agent_violations
 from robolayout.verify.use import Usage, Use
+
+if TYPE_CHECKING:
+    from robolayout.program import Program
 
 SHOWN = 12
 """Violations that a notebook shows; the report holds all."""
@@ -189,6 +193,7 @@ class Report:
         timing: Wall and CPU seconds per station.
         planner: Who planned and what that took, where that was a model.
         stability: What a simulator found (`robolayout.export.settle`), as plain data; empty if none was asked.
+        program: The program as asked, with its guesses.
     """
 
     scene: Scene
@@ -200,6 +205,12 @@ class Report:
     timing: Mapping[str, Mapping[str, float]] = field(default_factory=dict[str, Mapping[str, float]])
     planner: Mapping[str, Any] = field(default_factory=dict[str, Any])
     stability: Mapping[str, Any] = field(default_factory=dict[str, Any])
+    program: Program | None = None
+
+    @cached_property
+    def moved(self) -> tuple[Move, ...]:
+        """What is not where the program put it, how far it went, and what it would violate there; the farthest first."""
+        return moves(self.scene, self.layout, self.program, tuple(report.agent for report in self.agents))
 
     @cached_property
     def figures(self) -> dict[str, float | bool]:
@@ -274,6 +285,7 @@ class Report:
         return {
             **self.figures,
             "statements": [item.to_dict() for item in self.statements],
+            "moved": [move.to_dict() for move in self.moved],
             "violations": list(self.violations),
             "timing": {name: dict(seconds) for name, seconds in self.timing.items()},
             "ok": self.ok,
@@ -303,6 +315,8 @@ class Report:
             lines += ["", "## What would help", "", *(f"- {sentence}" for sentence in helps)]
         if self.stability:
             lines += ["", "## In a simulator", "", *_stability(self.stability)]
+        if self.moved:
+            lines += ["", "## What was moved from its guess", "", *(f"- {move.sentence}" for move in self.moved)]
         for report in self.agents:
             lines += ["", f"## {report.agent.title or report.agent.name}", "", *_agent_table(report)]
         if self.planner:

@@ -44,7 +44,7 @@ def verify(
     statements = () if program is None else tuple(_measure(scene, layout, s, placed) for s in program.statements)
     judged = physics(scene, layout)
     timing = {"verify": {"wall": time.perf_counter() - wall, "cpu": time.process_time() - cpu}}
-    return Report(scene, layout, judged, reports, statements, demands or Demands(), timing)
+    return Report(scene, layout, judged, reports, statements, demands or Demands(), timing, program=program)
 
 
 def judge_agent(scene: Scene, layout: Layout, agent: Agent) -> AgentReport:
