@@ -12,7 +12,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from benchmarks import ablation, bodies, crowded, examples, exports, opening, page, pictures, speed, tasks, vlm
+from benchmarks import ablation, bodies, crowded, examples, exports, opening, page, pictures, rough, speed, tasks, vlm
 from benchmarks.store import Store
 
 SECTIONS = {
@@ -21,6 +21,7 @@ SECTIONS = {
     "speed": speed.cases,
     "crowded": crowded.cases,
     "ablation": ablation.cases,
+    "rough": rough.cases,
     "tasks": tasks.cases,
     "vlm": vlm.cases,
     "pictures": pictures.cases,

@@ -35,6 +35,7 @@ QuietOption = Annotated[bool, typer.Option("--quiet", help="Print nothing but er
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines.")]
 StartsOption = Annotated[int, typer.Option("--starts", min=1, max=256, help="Starts of the search.")]
 SolverOption = Annotated[str, typer.Option("--solver", help="default, paper, trust-constr or dual-annealing.")]
+EffortOption = Annotated[str, typer.Option("--effort", help="How long to search: quick, normal or thorough.")]
 VariantsOption = Annotated[int, typer.Option("--variants", min=1, max=64, help="Different rooms for one sentence.")]
 ModelOption = Annotated[str | None, typer.Option("--model", help="Let a model plan: openai:gpt-4o, ollama:llava, ...")]
 ModeOption = Annotated[str, typer.Option("--mode", help="grouped, one_shot, no_image or no_constraint (with --model).")]
@@ -66,6 +67,7 @@ def generate(  # noqa: PLR0913 - one parameter per option
     seed: SeedOption = 0,
     starts: StartsOption = 16,
     solver: SolverOption = "default",
+    effort: EffortOption = "normal",
     start: StartOption = None,
     keep: KeepOption = "",
     free: FreeOption = "",
@@ -91,7 +93,6 @@ def generate(  # noqa: PLR0913 - one parameter per option
     as_json: JsonOption = False,
 ) -> None:
     """Lay out a scene, verify it, and write layout, report, pictures and GLB."""
-    from robolayout._files import check_writable
     from robolayout.run.flow import generate as run
     from robolayout.run.outputs import write_result
     from robolayout.solve import SolverConfig
@@ -101,14 +102,13 @@ def generate(  # noqa: PLR0913 - one parameter per option
     every_ok = True
     for given, folder, understood in _scenes(scene, agent, asset_dir, (seed, variants), out, knowledge or ()):
         sys.stderr.write("" if quiet else "".join(f"robolayout: {line}\n" for line in understood))
-        check_writable(folder)
-        _check_meshes(given)
+        _check(given, folder)
         planner: Planner | None = offline
         if _not_offline(program, model or base_url or replay):
             how, limits = (model, mode, samples, retries, critic), (base_url, max_cost, timeout, replay)
             planner = _model_or_file(program, how, limits, folder / "exchanges", seed)
         with progress(quiet or as_json) as say:
-            config = SolverConfig(starts=starts, trace=pictures)
+            config = SolverConfig(starts=starts, trace=pictures).at(effort)
             options = {"solver": solver, "start": start, "keep": _names(keep), "free": _names(free)}
             result = run(given, planner=planner, seed=seed, config=config, progress=say, **options)
             result = _settled(result, say) if settle else result
@@ -125,8 +125,11 @@ def _names(given: str) -> list[str]:
     return [name.strip() for name in given.split(",") if name.strip()]
 
 
-def _check_meshes(scene: Scene) -> None:
-    """Refuse broken mesh files before any work; a scene without meshes loads nothing for it."""
+def _check(scene: Scene, folder: Path) -> None:
+    """Refuse a folder that cannot be written and broken meshes before any work; without meshes nothing is loaded for them."""
+    from robolayout._files import check_writable
+
+    check_writable(folder)
     if any(asset.path is not None for asset in scene.assets):
         from robolayout.assets import check_meshes
 

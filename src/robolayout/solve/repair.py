@@ -38,9 +38,6 @@ RINGS = (0.1, 0.25, 0.45, 0.8, 1.4, 2.2)
 TURNING = 2
 """Of these, so many where it is also turned by quarters, if nothing says where it faces."""
 
-LOOKED_AT = 6
-"""Of these tries, so many are judged as they are; half of them are polished, too."""
-
 SAME = 0.04
 """Metres, or parts of a unit heading vector, to which tries are rounded to find those that are there twice."""
 
@@ -139,7 +136,7 @@ class Repair:
         for k in np.argsort(found.energy, kind="stable").tolist():
             if not chosen or np.abs(poses[chosen] - poses[k]).max(axis=1).min() > ALIKE:
                 chosen.append(k)
-            if len(chosen) == LOOKED_AT:
+            if len(chosen) == self.config.effort.looked_at:
                 break
         yield from batch[chosen]
         picked = batch[chosen[:BATCH]]

@@ -12,9 +12,6 @@ from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.proposals import carry, compose
 from robolayout.solve.stage import relative
 
-TRIALS = 64
-"""Layouts that are judged while groups of things are put back, at most, and for each thing alone so many more."""
-
 SAME = 1e-9
 """Metres, or parts of a unit heading vector, below which a thing has not moved."""
 
@@ -22,7 +19,7 @@ GAIN = 0.01
 """Metres (`Problem.moved`) that putting a thing back must be worth."""
 
 
-def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]) -> Floats:
+def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool], trials: int) -> Floats:
     """Return poses (n, 4) with as much as possible where the program's guess has it.
 
     Everything that moved is put back at once, else half of it, and so on down to single things with what stands on them
@@ -33,12 +30,13 @@ def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]
         problem: The problem.
         world: (n, 4) poses.
         no_worse: Whether other poses are no worse than those kept so far.
+        trials: Most layouts that are asked about while groups are put back; each thing alone takes six more at most.
     """
     target = problem.start
     moved = np.abs(world - target).max(axis=1) > SAME
     units = [unit for unit in _units(problem) if moved[unit].any()]
     waiting = [units] if units else []
-    for _ in range(TRIALS):
+    for _ in range(trials):
         if not waiting:
             break
         chunk = waiting.pop()
