@@ -100,10 +100,11 @@ def bucket(slots: str) -> Row:
     """Return seconds of compiling the search for rooms of up to so many assets, and of loading it in the next process."""
     import robolayout as rl
     from benchmarks.rooms import Crowd, crowd
+    from robolayout.solve import Effort
     from robolayout.solve.runner import STILL
 
     scene, program = crowd(Crowd(int(slots), 0.30, 0))
-    still = rl.SolverConfig(starts=1, kept=1, route_rounds=0, repair_rounds=0, polish=STILL)
+    still = rl.SolverConfig(starts=1, kept=1, route_rounds=0, effort=Effort(repair_rounds=0), polish=STILL)
     with watch() as spent:
         rl.solve(rl.scene_from_dict(scene), program, config=still)
     return {"slots": int(slots), "wall": spent.wall, "cpu": spent.cpu}
@@ -139,12 +140,14 @@ def growth(count: str) -> Row:
     made, program = crowd(Crowd(int(count), 0.30, 0))
     scene = rl.scene_from_dict(made)
     asked = rl.read_program(program, scene)
+    from robolayout.solve import Effort
+
     default = rl.SolverConfig()
     row: Row = {"assets": int(count)}
     for name, seen, config in (
         ("routes", scene, default),
         ("nobody", scene.with_agents(rl.load_agent(NOBODY)), default),
-        ("no_routes", scene, replace(default, route_rounds=0, repair_rounds=0)),
+        ("no_routes", scene, replace(default, route_rounds=0, effort=Effort(repair_rounds=0))),
     ):
         seconds: list[tuple[float, float]] = []
         for seed in range(REPEATS + 1):

@@ -9,7 +9,7 @@ import numpy as np
 from robolayout.program import read_program, reconcile
 from robolayout.run.flow import solve
 from robolayout.scene import Agent, Asset, Opening, Pose, Room, Scene
-from robolayout.solve import Problem, SearchConfig, Solution, SolverConfig, compile_problem
+from robolayout.solve import Effort, Problem, SearchConfig, Solution, SolverConfig, compile_problem
 
 QUICK = SolverConfig(
     starts=8,
@@ -19,7 +19,7 @@ QUICK = SolverConfig(
     polish=SearchConfig(steps=60, rate=0.02, final_rate=0.0005),
     reroute=SearchConfig(steps=60, rate=0.03, final_rate=0.001),
     route_rounds=3,
-    repair_rounds=6,
+    effort=Effort(repair_rounds=6),
     candidates=16,
 )
 

@@ -12,12 +12,16 @@ from solve_rooms import BED, L_SHAPED, STANDS, TABLE, problem_of, room_of, scatt
 from robolayout.program import read_program, reconcile
 from robolayout.run.flow import make_judge
 from robolayout.scene import Room
-from robolayout.solve import Solver, SolverConfig
+from robolayout.solve import Effort, Solver, SolverConfig
 from robolayout.solve.config import SearchConfig
 from robolayout.solve.refine import _Best
 
 HASTY = replace(
-    SolverConfig(), kept=4, candidates=16, repair_rounds=1, polish=SearchConfig(steps=20, rate=0.03, final_rate=0.001)
+    SolverConfig(),
+    kept=4,
+    candidates=16,
+    effort=Effort(repair_rounds=1),
+    polish=SearchConfig(steps=20, rate=0.03, final_rate=0.001),
 )
 PROGRAM = """
 solver.against_wall(bed[0], walls[0])

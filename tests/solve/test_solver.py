@@ -37,7 +37,7 @@ from robolayout.floor.routes import plan_routes
 from robolayout.program import read_program, reconcile
 from robolayout.run.flow import make_judge, solve
 from robolayout.scene import Asset, Pose, Room, Scene, vertical_span
-from robolayout.solve import Solver, Verdict
+from robolayout.solve import Effort, Solver, Verdict
 from robolayout.solve.construct import Builder
 from robolayout.solve.refine import _Best
 from robolayout.solve.repair import Repair
@@ -259,7 +259,7 @@ def test_refinement_and_repair_never_end_worse() -> None:
     rng = np.random.default_rng(5)
     better = 0
     for seed in range(6):
-        solver = Solver(problem, judge, replace(QUICK, repair_rounds=2), seed=seed)
+        solver = Solver(problem, judge, replace(QUICK, effort=Effort(repair_rounds=2)), seed=seed)
         solver.grounds = [(make_ground(problem.contents, DISC, 0.05), obstacles_of(problem.contents, DISC))]
         world = scattered(problem, rng)
         before = judge(problem.layout(world))
@@ -315,5 +315,5 @@ def test_the_trace_is_kept_when_asked_for() -> None:
 @pytest.mark.parametrize("numbers", [{"candidates": 2}, {"candidates": 1, "kept": 1}, {"starts": 1, "kept": 4}])
 def test_any_small_budget_works(numbers: dict[str, int]) -> None:
     too_many = room_of(*(replace(BED, name=f"bed-{i}") for i in range(8)))
-    config = replace(QUICK, repair_rounds=2, **numbers)
+    config = replace(QUICK, effort=Effort(repair_rounds=2), **numbers)
     assert solve(too_many, "", config=config).status == "unmet"

@@ -43,6 +43,7 @@ QuietOption = Annotated[bool, typer.Option("--quiet", help="Print nothing but er
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines.")]
 StartsOption = Annotated[int, typer.Option("--starts", min=1, max=256, help="Starts of the search.")]
 SolverOption = Annotated[str, typer.Option("--solver", help="default, paper, trust-constr or dual-annealing.")]
+EffortOption = Annotated[str, typer.Option("--effort", help="How long to search: quick, normal or thorough.")]
 VariantsOption = Annotated[
     int, typer.Option("--variants", min=1, max=64, help="Different rooms for one sentence or scene file.")
 ]
@@ -61,6 +62,11 @@ KnowledgeOption = Annotated[
     list[Path] | None,
     typer.Option("--knowledge", help="A file with kinds of things, roles and rooms of your own; may be repeated."),
 ]
+StartOption = Annotated[
+    Path | None, typer.Option("--from", help="Mend this layout with the least change instead of planning.")
+]
+KeepOption = Annotated[str, typer.Option("--keep", help="With --from: what does not move at all, names and commas.")]
+FreeOption = Annotated[str, typer.Option("--free", help="With --from: all that may move, names and commas.")]
 ReplayOption = Annotated[Path | None, typer.Option("--replay", help="Answer from recorded exchanges, offline.")]
 
 
@@ -71,6 +77,10 @@ def generate(  # noqa: PLR0913 - one parameter per option
     seed: SeedOption = 0,
     starts: StartsOption = 16,
     solver: SolverOption = "default",
+    effort: EffortOption = "normal",
+    start: StartOption = None,
+    keep: KeepOption = "",
+    free: FreeOption = "",
     out: Annotated[Path | None, typer.Option("--out", help="Output folder; out/<scene> if not given.")] = None,
     pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw plan, views, animation.")] = True,
     export: Annotated[str, typer.Option("--export", help="Further formats, separated by commas.")] = "",
@@ -100,7 +110,7 @@ def generate(  # noqa: PLR0913 - one parameter per option
     formats = _checked(export, constraints, settle=settle)
     offline = own_planner(knowledge, program, model or base_url or replay)
     other = _not_offline(program, model or base_url or replay)
-    config = SolverConfig(starts=starts, trace=pictures)
+    config = SolverConfig(starts=starts, trace=pictures).at(effort)
     every_ok = True
     for job in _jobs(scene, agent, asset_dir, (seed, variants), out, knowledge or ()):
         _check_meshes(job.scene)
@@ -109,7 +119,8 @@ def generate(  # noqa: PLR0913 - one parameter per option
         with _output(job.folder) as run, progress(quiet or as_json) as tell:
             how, limits = (model, mode, samples, retries, critic), (base_url, max_cost, timeout, replay)
             planner = _model_or_file(program, how, limits, run, job.seed) if other else offline
-            result = arrange(job.scene, planner=planner, seed=job.seed, config=config, solver=solver, progress=tell)
+            options = {"solver": solver, "start": start, "keep": _names(keep), "free": _names(free)}
+            result = arrange(job.scene, planner=planner, seed=job.seed, config=config, progress=tell, **options)
             if settle:
                 tell("settle")
                 result = _settled(result)
@@ -120,6 +131,11 @@ def generate(  # noqa: PLR0913 - one parameter per option
         _tell(result, run, files, quiet=quiet, as_json=as_json)
         every_ok &= result.report.ok
     raise typer.Exit(0 if every_ok else 1)
+
+
+def _names(given: str) -> list[str]:
+    """Return names that are separated by commas."""
+    return [name.strip() for name in given.split(",") if name.strip()]
 
 
 @dataclass(frozen=True)

@@ -41,7 +41,7 @@ def rule_rows(report: Report) -> list[dict[str, Any]]:
             "measured": found.measured.text,
             "met": found.met,
         }
-        for found in getattr(report, "rules", ())
+        for found in report.rules
     ]
 
 

@@ -13,6 +13,7 @@ from robolayout.floor import FLOOR, cell_size
 from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.run.attempt import Attempt, Clock, Progress
+from robolayout.run.edit import as_start, pinned_poses, started
 from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict, vertical_span
 from robolayout.scene.agent import horizontal_reach
 from robolayout.solve import (
@@ -119,6 +120,9 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     solver: str = "default",
     config: SolverConfig | None = None,
     progress: Progress | None = None,
+    start: Layout | Mapping[str, Any] | str | Path | None = None,
+    keep: Sequence[str] = (),
+    free: Sequence[str] = (),
 ) -> Result:
     """Lay out a scene and verify the result.
 
@@ -132,6 +136,10 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         solver: Name of a solver: "default", "paper", "trust-constr" or "dual-annealing".
         config: Constants of the default solver.
         progress: Called with the name of each phase.
+        start: A layout, its dictionary or its file, to mend with the least change instead of planning; what it does not place
+            is fitted in.
+        keep: With `start`: names of assets that do not move at all.
+        free: With `start`: names of the only assets that move, in place of `keep`.
 
     Returns:
         The layout with its program, decisions and report. No file is written.
@@ -152,9 +160,16 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     if solver == "default":
         warm_up(scene, config, missing_only=program is None and attempts > 1)  # a right guess needs no search
     run = _Run(scene, seed, solver, config, clock, say, wishes)
+    given = None if start is None else as_start(scene, start)
+    pinned = pinned_poses(scene, given, keep, free)
     with clock.station("plan"):
         say("plan")
         groups = planner.group(scene)
+    if given is not None:
+        best = run.edited(planner, program, given, pinned)
+        return Result(
+            scene, groups, best.asked, best.reconciled, best.solution.layout, run.reported(best), best.solution
+        )
     if program is None and isinstance(planner, GroupPlanner):
         return run.by_groups(planner, groups)
     best = run.whole(planner, program, attempts)
@@ -207,6 +222,14 @@ class _Run:
                 break
         assert best is not None
         return best
+
+    def edited(self, planner: Planner, program: str | None, start: Layout, pinned: Mapping[str, Pose]) -> Attempt:
+        """Mend a layout with the least change; what it does not place is planned and fitted in."""
+        if program is None and (len(start) < len(self.scene.assets) or not isinstance(planner, OfflinePlanner)):
+            with self.clock.station("plan"):
+                program = planner.plan(PlanRequest(self.scene, placed=start, seed=self.seed))
+        asked = started(self._read(program or ""), start)
+        return self.finished([asked], self.scene, pinned)[0]
 
     def _texts(self, planner: Planner, attempts: int, best: Callable[[], Attempt | None]) -> Generator[str]:
         """Yield what a planner answers to the same question with ever another seed, as long as it has new answers."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
+from robolayout._errors import UnknownNameError
 from robolayout.scene.asset import Asset
 
 
@@ -52,6 +53,23 @@ class Layout(Mapping[str, Pose]):
 
     def __len__(self) -> int:
         return len(self.poses)
+
+    def moved(self, name: str, *, by: tuple[float, float] = (0.0, 0.0), turn: float = 0.0) -> Layout:
+        """Return the same layout with one asset elsewhere; what stands on it stays (`generate(start=...)` mends that).
+
+        Args:
+            name: Name of the asset.
+            by: Metres along x and y.
+            turn: Degrees counter-clockwise.
+
+        Raises:
+            UnknownNameError: The layout does not place an asset of that name.
+        """
+        if name not in self.poses:
+            raise UnknownNameError("asset in the layout", name, self.poses)
+        pose = self.poses[name]
+        there = replace(pose, x=pose.x + by[0], y=pose.y + by[1], yaw=pose.yaw + math.radians(turn))
+        return Layout({**self.poses, name: there})
 
     def __repr__(self) -> str:
         rows = (f"{n}: ({p.x:.2f}, {p.y:.2f}, {p.z:.2f}) {math.degrees(p.yaw):.0f} deg" for n, p in self.items())

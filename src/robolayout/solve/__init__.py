@@ -1,7 +1,7 @@
 """Scene and program to poses: compile, search, routes in the loop, repair."""
 
 from robolayout.solve.compile import Problem, compile_problem
-from robolayout.solve.config import SearchConfig, SolverConfig, Weights
+from robolayout.solve.config import EFFORTS, Effort, SearchConfig, SolverConfig, Weights
 from robolayout.solve.judge import Enough, Judge, Verdict, never
 from robolayout.solve.profiles import PAPER, solve_with, solver_names
 from robolayout.solve.proposals import Proposals, carry
@@ -11,7 +11,9 @@ from robolayout.solve.samples import solve_samples, warm_up_samples
 from robolayout.solve.solution import Solution, silent
 
 __all__ = [
+    "EFFORTS",
     "PAPER",
+    "Effort",
     "Enough",
     "Judge",
     "Problem",

@@ -27,6 +27,12 @@ Floats = NDArray[np.float64]
 EYE_HEIGHT = 1.5
 """Metres above the floor of the middle of a wall thing that nobody gave a height."""
 
+DEEPEST = 8
+"""Things that may stand on one another."""
+
+LEVEL = 0.02
+"""Metres between the bottom of a guess and the top of another one on which it then stands."""
+
 TURN = 0.3
 """Metres that a thing could be moved for what it means to turn it by a radian."""
 
@@ -125,13 +131,12 @@ class Problem:
         return float(np.hypot(*off[:, :2].T).sum() + TURN * turned.sum())
 
     def layout(self, world: Floats) -> Layout:
-        """Return world poses (n, 4) as a layout."""
-        return Layout(
-            {
-                name: Pose(float(x), float(y), float(z), math.atan2(s, c))
-                for name, (x, y, c, s), z in zip(self.names, world.tolist(), self.heights, strict=True)
-            }
-        )
+        """Return world poses (n, 4) as a layout; what is pinned keeps its pose to the last bit."""
+        poses = {
+            name: Pose(float(x), float(y), float(z), math.atan2(s, c))
+            for name, (x, y, c, s), z in zip(self.names, world.tolist(), self.heights, strict=True)
+        }
+        return Layout(poses | {name: self.guess[name] for name in self.pinned})
 
 
 def compile_problem(
@@ -149,6 +154,7 @@ def compile_problem(
     guesses = dict(program.guesses) if program else {}
     plan = _complete(scene, guesses, np.random.default_rng(seed))
     parents = _parents(scene, relations, plan)
+    _rest(scene, guesses, parents)
     heights = _heights(scene, relations, guesses, parents)
     index = {asset.name: i for i, asset in enumerate(scene.assets)}
     poses: dict[str, Pose] = {}
@@ -198,7 +204,11 @@ def _parents(
     """Return what each asset stands on: as the program says, else the nearest top that holds it."""
     parents: dict[str, str] = {}
     for relation in relations:
-        if isinstance(relation, OnTopOf) and _depth(relation.b.name, parents) < 8 and relation.a.name not in parents:
+        if (
+            isinstance(relation, OnTopOf)
+            and _depth(relation.b.name, parents) < DEEPEST
+            and relation.a.name not in parents
+        ):
             parents[relation.a.name] = relation.b.name
     for asset in scene.assets:
         only_on_things = asset.on_object and not (asset.on_floor or asset.on_wall or asset.on_ceiling)
@@ -209,6 +219,24 @@ def _parents(
                 best = min(carriers, key=lambda o: (math.dist((x, y), plan[o.name][:2]), o.name))
                 parents[asset.name] = best.name
     return parents
+
+
+def _rest(scene: Scene, guesses: Mapping[str, Guess], parents: dict[str, str]) -> None:
+    """Add what stands on another thing by its guess, centre over it and bottom at its top, though no statement says so."""
+    known = {name: Pose(*g.position, g.yaw or 0.0) for name, g in guesses.items() if g.position is not None}
+    for name, pose in known.items():
+        asset = scene.by_name[name]
+        bottom = pose.z - asset.size[2] / 2
+        if name in parents or bottom <= LEVEL or not (asset.on_floor or asset.on_object):
+            continue
+        for other, under in known.items():
+            size = scene.by_name[other].size
+            c, s = under.forward
+            dx, dy = pose.x - under.x, pose.y - under.y
+            over = abs(c * dx + s * dy) <= size[0] / 2 and abs(c * dy - s * dx) <= size[1] / 2
+            if over and abs(under.z + size[2] / 2 - bottom) <= LEVEL and other not in parents:
+                parents[name] = other
+                break
 
 
 def _carries(carrier: Asset, asset: Asset) -> bool:

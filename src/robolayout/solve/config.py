@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+
+from robolayout._errors import UnknownNameError
 
 
 @dataclass(frozen=True)
@@ -46,6 +50,93 @@ class SearchConfig:
 
 
 @dataclass(frozen=True)
+class Effort:
+    """How long the search goes on, as counts: never a clock. Whatever ends it, the best layout so far is returned."""
+
+    layouts: int = 1500
+    """Layouts that the judge looks at in one stage before no further phase or round begins."""
+
+    few: int = 4
+    """Things to blame up to which these alone are mended before everything is polished."""
+
+    nearby: int = 30
+    """Things that are tried elsewhere near their guess, at most."""
+
+    turns: int = 8
+    """The same in a row without success."""
+
+    looked_at: int = 6
+    """Of the tries of one thing, so many are judged as they are; at most four of them are polished, too."""
+
+    put_back: int = 64
+    """Layouts judged while groups of moved things are put back to their guesses, at most."""
+
+    route_patience: int = 2
+    """Rounds of routes without success after which these are over."""
+
+    built: int = 2
+    """Batches of starts that are built one thing after the other."""
+
+    nearly: float = 3.0
+    """Promise of a built start up to which single things in it are placed anew before it is polished."""
+
+    mendings: int = 32
+    """Most layouts with one thing built anew that are judged in a row; fewer in rounds of repair after fruitless ones."""
+
+    packings: int = 24
+    """Orders in which a room is packed before it is given up as too full."""
+
+    repair_rounds: int = 32
+    """Most rounds of remove-and-reinsert; none leaves all mending out."""
+
+    patience: int = 3
+    """Rounds of repair without success after which it gives up."""
+
+    stubborn: int = 2
+    """How many times longer where much of the floor is taken and something is out of place or out of reach."""
+
+
+EFFORTS: Mapping[str, Effort] = MappingProxyType(
+    {
+        "quick": Effort(
+            layouts=300,
+            few=2,
+            nearby=8,
+            turns=3,
+            looked_at=4,
+            put_back=32,
+            route_patience=1,
+            built=1,
+            nearly=3.0,
+            mendings=8,
+            packings=8,
+            repair_rounds=4,
+            patience=1,
+            stubborn=1,
+        ),
+        "normal": Effort(),
+        "thorough": Effort(
+            layouts=6000,
+            few=4,
+            nearby=90,
+            turns=24,
+            looked_at=8,
+            put_back=128,
+            route_patience=4,
+            built=6,
+            nearly=6.0,
+            mendings=96,
+            packings=72,
+            repair_rounds=96,
+            patience=6,
+            stubborn=2,
+        ),
+    }
+)
+"""The schedules by name."""
+
+
+@dataclass(frozen=True)
 class SolverConfig:
     """The default search."""
 
@@ -76,19 +167,25 @@ class SolverConfig:
     route_rounds: int = 3
     """Most rounds of planning routes and moving furniture out of their way."""
 
-    repair_rounds: int = 32
-    """Most rounds of remove-and-reinsert."""
-
-    patience: int = 3
-    """Rounds of repair without success after which it gives up."""
-
     candidates: int = 64
     """Layouts that a repair round tries as one batch."""
 
     cell: float = 0.05
     """Metres per cell of the grid on which routes are planned."""
 
+    effort: Effort = field(default_factory=Effort)
+
     weights: Weights = field(default_factory=Weights)
 
     trace: bool = False
     """Whether to record poses and losses for the animation."""
+
+    def at(self, effort: str) -> SolverConfig:
+        """Return the same search with the schedule of that name: "quick", "normal" or "thorough".
+
+        Raises:
+            UnknownNameError: There is no schedule of that name.
+        """
+        if effort not in EFFORTS:
+            raise UnknownNameError("effort", effort, EFFORTS)
+        return replace(self, effort=EFFORTS[effort])

@@ -30,35 +30,18 @@ from robolayout.solve.solution import Progress, Solution, conclude, silent
 from robolayout.solve.stage import Stage, make_stage, stages
 from robolayout.solve.starts import Starts
 
-ROUTE_PATIENCE = 2
-"""Rounds of routes without success after which repair has its turn."""
-
 FULL = 0.5
 """Share of the floor above which packing comes before repair; below it, a few collisions are cheaper to repair."""
-
-PACKINGS = 24
-"""Orders in which a room is packed before it is given up as too full."""
-
-NEAR = 0.4
-"""Metres that a polished thing may be put where its statements hold exactly."""
-
-NEARBY, TURNS = 40, 8
-"""Things that are tried elsewhere near their guess, at most, and at most in a row without success."""
 
 CLOSE, URGENT = 0.4, 0.5
 """Share of the floor, and assets in wrong places or out of reach, from which on repair goes on for longer without success."""
 
-STUBBORN = 2
-"""How many times longer."""
+BLIND = 0.25
+"""Share of what a stage moves that is out of place or out of reach after polishing, or of the statements that do not hold after
+mending, above which the guess was worth nothing."""
 
-BUILT = 2
-"""Batches of starts that are built one thing after the other."""
-
-NEARLY = 3.0
-"""Promise of a built start up to which single things in it are placed anew before it is polished."""
-
-MENDINGS = 32
-"""Most layouts with one thing placed anew that are judged in a row; fewer in rounds of repair after fruitless ones."""
+NEAR = 0.4
+"""Metres that a polished thing may be put where its statements hold exactly."""
 
 
 @dataclass
@@ -93,11 +76,13 @@ class Solver:
         self.problem = problem
         self.judge = judge
         self.config = config or SolverConfig()
+        self.effort, self.judgements = self.config.effort, 0
         self.rng = np.random.default_rng(seed)
         self.progress = progress or silent
         self.runner = Runner(self.config)
         self.lead: _Best | None = None
         self.phase = "guess"
+        self.blind = False
 
     def solve(self) -> Solution:
         """Return the best layout found."""
@@ -111,9 +96,14 @@ class Solver:
         assert best is not None
         if best.verdict.hard + best.verdict.access or not self.problem.guessed:
             best = self._repair(best)
-        best = self._restored(best)
+        best = best if self.blind else self._restored(best)
         trace = self.runner.trace(self.problem) if self.config.trace else Trace()
         return conclude(self.problem.layout(best.world), best.verdict, trace, best.phase)
+
+    @property
+    def spent(self) -> bool:
+        """Whether the judge has looked at as many layouts of this stage as the effort allows."""
+        return self.judgements >= self.effort.layouts
 
     def _say(self, phase: str) -> None:
         """Begin a phase."""
@@ -152,14 +142,16 @@ class Solver:
                 return False
             return self.lead is None or verdict.promise >= self.lead.verdict.promise
 
-        found = _Best(world, replace(self.judge(Layout(placed), enough), moved=moved), self.phase)
-        if self.lead is None or found.verdict.promise < self.lead.verdict.promise:
+        self.judgements += 1
+        phase = best.phase if best and number else self.phase
+        found = _Best(world, replace(self.judge(Layout(placed), enough), moved=moved), phase)
+        if self.lead is not None and found.verdict.promise < self.lead.verdict.promise:
             self.lead = found
         return found
 
     def _stage(self, number: int, world: Floats) -> _Best:
         """Place what belongs to a stage."""
-        self.lead = None
+        self.lead, self.judgements = None, 0
         stage = make_stage(self.problem, number, world)
         best = self._judged(stage.world, number)
         if not stage.moving or best.verdict.ok:
@@ -167,11 +159,18 @@ class Solver:
                 self._still(stage, best, self.phase)
             return best
         if self._guessed(stage):
-            best, run = self._polished(stage, number, self._pushed(stage, number, best))
+            best = self._pushed(stage, number, best)
+            if len(best.verdict.culprits) <= self.effort.few:
+                best = self._near(number, best)
+                if not best.verdict.hard + best.verdict.access:
+                    return best
+            best, run = self._polished(stage, number, best)
             if number == 0 and self.config.route_rounds and best.verdict.access:
                 best = self._route(stage, run, best)
-            best = self._near(number, best)
-            if not best.verdict.hard + best.verdict.access:
+            self.blind |= best.verdict.hard + best.verdict.access > BLIND * len(stage.moving)
+            best = best if self.blind else self._near(number, best)
+            self.blind |= best.verdict.soft > BLIND * len(self.problem.relations)
+            if not self.blind and not best.verdict.hard + best.verdict.access:
                 return best
         return self._anew(stage, number, best)
 
@@ -218,19 +217,23 @@ class Solver:
     def _near(self, number: int, best: _Best) -> _Best:
         """Place single things to blame anew, as near to their guesses as can be, as long as the judge likes that better."""
         self._say("mend")
-        turn = 0
-        for _ in range(NEARBY if self.config.repair_rounds else 0):
+        self.lead, turn = None, 0
+        for _ in range(self.effort.nearby if self.effort.repair_rounds else 0):
             slots = [self.problem.slot[name] for name in best.verdict.culprits if name not in self.problem.pinned]
-            if best.verdict.ok or turn >= min(len(slots), TURNS):
+            if best.verdict.ok or turn >= min(len(slots), self.effort.turns) or self.spent:
                 break
-            found = self._best_of(self.repairer.near(best.world, slots[turn], self._plan), number, best)
-            turn = 0 if found.verdict.worth[:3] < best.verdict.worth[:3] else turn + 1
-            best = found
+            before = best.verdict.worth[:3]
+            for world in self.repairer.near(best.world, slots[turn], self._plan):
+                best = self._best_of([world], number, best)
+                if best.verdict.worth[:3] < before:
+                    break
+            turn = 0 if best.verdict.worth[:3] < before else turn + 1
         return best
 
     def _anew(self, stage: Stage, number: int, best: _Best) -> _Best:
         """Return the best of what is there and of rooms that are built, searched for and packed."""
         self._say("build")
+        self.lead = best
         starts = Starts(self.problem, stage.world, stage.moving, self.builder)
         quarter, several = max(self.config.starts // 4, 1), self.config.starts > 1
         run: Run | None = None
@@ -247,7 +250,7 @@ class Solver:
             more = self.runner.advance(stage, far, phase, "search", rng=self.rng)
             more = self.runner.advance(stage, more.world, self.config.polish, "polish")
             best, run = self._with(more, number, best, run)
-        if number == 0 and best.verdict.hard and self.config.repair_rounds and self._fill() > FULL:
+        if number == 0 and best.verdict.hard and self.effort.repair_rounds and self._fill() > FULL:
             best = self._pack(best)
         if number == 0 and self.config.route_rounds and best.verdict.access:
             best = self._route(stage, run, best)
@@ -257,14 +260,14 @@ class Solver:
         self, stage: Stage, starts: Starts, count: int, best: _Best, run: Run | None
     ) -> tuple[_Best, Run | None]:
         """Return the best after so many starts of each batch are built and polished, and single things mended."""
-        for _ in range(BUILT if count else 0):
-            if best.verdict.ok:
+        for _ in range(self.effort.built if count else 0):
+            if best.verdict.ok or self.spent:
                 break
             made = list[Floats]()
             while len(made) < count and not best.verdict.ok:
                 made.append(starts.built())
                 best = self._best_of(made[-1:], 0, best)
-            best = self._mended(best, 0) if best.verdict.promise <= NEARLY else best
+            best = self._mended(best, 0) if best.verdict.promise <= self.effort.nearly else best
             if best.verdict.ok:
                 return best, self._still(stage, best, "built")
             worlds = np.array(made)
@@ -295,8 +298,8 @@ class Solver:
 
     def _pack(self, best: _Best) -> _Best:
         """Fill the room from a corner, in several orders, where nothing else has found a place for everything."""
-        for _ in range(PACKINGS):
-            if not best.verdict.hard:
+        for _ in range(self.effort.packings):
+            if not best.verdict.hard or self.spent:
                 break
             found = self._judged(self.builder.pack(best.world), 0, best)
             if found.verdict.worth < best.verdict.worth:
@@ -316,11 +319,11 @@ class Solver:
 
     def _route(self, stage: Stage, run: Run, best: _Best) -> _Best:
         """Push furniture out of the agents' routes, replanning as it moves."""
-        world = run.world
+        world, self.lead = run.world, best
         kept: list[list[Floats]] = [[] for _ in run.world]
         fruitless = 0
         for _ in range(self.config.route_rounds):
-            if not (best.verdict.hard or best.verdict.access) or fruitless == ROUTE_PATIENCE:
+            if not (best.verdict.hard or best.verdict.access) or fruitless == self.effort.route_patience or self.spent:
                 break
             before = self._standing(best)
             self._say("routes")
@@ -367,16 +370,16 @@ class Solver:
             best = _Best(world, replace(verdict, moved=self.problem.moved(world)), best.phase)
             return True
 
-        restored(self.problem, best.world, no_worse)
+        restored(self.problem, best.world, no_worse, self.effort.put_back)
         return best
 
-    def _mended(self, best: _Best, number: int, most: int = MENDINGS) -> _Best:
+    def _mended(self, best: _Best, number: int, most: int | None = None) -> _Best:
         """Place single things to blame anew while all else stays, in turn, as long as the judge likes that better."""
         turn = 0
-        for _ in range(most if self.config.repair_rounds else 0):
+        for _ in range((self.effort.mendings if most is None else most) if self.effort.repair_rounds else 0):
             slots = [self.problem.slot[name] for name in best.verdict.culprits]
             slots = [slot for slot in slots if slot in self.builder.moving]
-            if best.verdict.ok or not slots:
+            if best.verdict.ok or not slots or self.spent:
                 break
             world = self.repairer.mended(best.world, slots[turn // WAYS % len(slots)], turn % WAYS)
             found = self._judged(world, number, best)
@@ -388,16 +391,19 @@ class Solver:
     def _repair(self, best: _Best) -> _Best:
         """Remove and reinsert what is to blame, while that helps."""
         last = max(stages(self.problem))
-        if last > 0 or self.lead is None:
-            self.lead = best
+        self.lead = best
         fruitless, close = 0, self._fill() > CLOSE
-        for round_number in range(self.config.repair_rounds):
+        for round_number in range(self.effort.repair_rounds):
             urgent = close and best.verdict.hard + best.verdict.access >= URGENT
-            if best.verdict.ok or fruitless == self.config.patience * (STUBBORN if urgent else 1):
+            if (
+                best.verdict.ok
+                or self.spent
+                or fruitless == self.effort.patience * (self.effort.stubborn if urgent else 1)
+            ):
                 break
             before = self._standing(best)
             self._say("repair")
-            best = self._mended(best, last, MENDINGS // (1 + fruitless))
+            best = self._mended(best, last, self.effort.mendings // (1 + fruitless))
             if best.verdict.ok:
                 break
             lead = self.lead or best

@@ -8,7 +8,8 @@ only the moved things free.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -32,14 +33,14 @@ together with what stands around it."""
 PLACES = 24
 """Places of a thing about which others are taken out."""
 
-RINGS = (0.1, 0.25, 0.45, 0.7, 1.0, 1.5, 2.2)
+RINGS = (0.1, 0.25, 0.45, 0.8, 1.4, 2.2)
 """Metres from where a thing was or should be at which it is tried."""
 
 TURNING = 2
 """Of these, so many where it is also turned by quarters, if nothing says where it faces."""
 
-LOOKED_AT = 8
-"""Of these tries, so many are judged as they are; half of them are polished, too."""
+SAME = 0.04
+"""Metres, or parts of a unit heading vector, to which tries are rounded to find those that are there twice."""
 
 ALIKE = 0.15
 """Metres, or parts of a unit heading, below which two poses are the same try."""
@@ -116,8 +117,8 @@ class Repair:
         run = self.runner.advance(stage, picked, self.config.polish, "repair", routes=None if number else own)
         return [run.world[k] for k in run.order()]
 
-    def near(self, world: Floats, slot: int, plan_for: Callable[[Floats], Plan]) -> list[Floats]:
-        """Return layouts in which one thing is elsewhere, as near to its guess as can be, the others making way.
+    def near(self, world: Floats, slot: int, plan_for: Callable[[Floats], Plan]) -> Iterator[Floats]:
+        """Yield layouts in which one thing is elsewhere, as near to its guess as can be, the others making way.
 
         Args:
             world: (n, 4) poses.
@@ -129,46 +130,39 @@ class Repair:
         batch = np.repeat(world[None], len(poses), axis=0)
         for one, pose in zip(batch, poses, strict=True):
             carry(self.problem, one, slot, pose)
-        size, plan = 8 * stage.slots, plan_for(world)
-        found = self.runner.evaluate(stage, batch, lambda part: pack([plan] * len(batch[part]), size))
+        size = 8 * stage.slots
+        same = pack([plan_for(world)] * self.runner.share, size)
+        found = self.runner.evaluate(stage, batch, lambda _part: same)
         chosen: list[int] = []
         for k in np.argsort(found.energy, kind="stable").tolist():
-            apart = np.abs(poses[chosen] - poses[k]).max(axis=1) if chosen else np.ones(1)
-            if apart.min() > ALIKE:
+            if not chosen or np.abs(poses[chosen] - poses[k]).max(axis=1).min() > ALIKE:
                 chosen.append(k)
-            if len(chosen) == LOOKED_AT:
+            if len(chosen) == self.config.effort.looked_at:
                 break
+        yield from batch[chosen]
         picked = batch[chosen[:BATCH]]
-        run = self.runner.advance(
-            stage,
-            picked,
-            self.config.polish,
-            "mend",
-            routes=lambda part: pack([plan_for(w) for w in picked[part]], size),
-        )
-        return [*batch[chosen], *run.ranked()]
+        routes = partial(self._open, picked, plan_for, size)
+        yield from self.runner.advance(stage, picked, self.config.polish, "mend", routes=routes).ranked()
+
+    def _open(self, worlds: Floats, plan_for: Callable[[Floats], Plan], size: int, part: slice) -> Routes:
+        """Return what keeps ways open in some layouts."""
+        return pack([plan_for(world) for world in worlds[part]], size)
 
     def _around(self, slot: int, world: Floats) -> Floats:
         """Return poses (m, 4) around the guess of a slot and around where it is: where its rows hold, its walls, or free."""
         rows = self.proposals.rows(slot)
-        found = list[Floats]()
-        for base in (self.problem.start[slot], world[slot]):
-            yaw = math.atan2(base[3], base[2])
-            ways = yaw + np.arange(8) * (math.pi / 4)
-            steps = np.array([(0.0, 0.0), *((r * math.cos(w), r * math.sin(w)) for r in RINGS for w in ways)])
-            free = np.column_stack([base[:2] + steps, np.broadcast_to(base[2:], steps.shape)])
-            walls = free
-            for term in [term for term in rows if isinstance(term.b, WallRef)]:
-                walls = nearest(self.problem, term, slot, walls, world)
-            whole = free
-            for term in rows * 2:
-                whole = nearest(self.problem, term, slot, whole, world)
-            found += [whole, walls, free]
-            if not any(term.heading is not None or term.look is not None for term in rows):
-                close = np.concatenate([whole[: 1 + 8 * TURNING], free[: 1 + 8 * TURNING]])
-                found += [compose_turn(close, quarter) for quarter in (1, 2, 3)]
+        free = [_rings(self.problem.start[slot], RINGS), _rings(world[slot], RINGS[:TURNING])]
+        walls, whole = np.concatenate(free), np.concatenate(free)
+        for term in rows:
+            walls = nearest(self.problem, term, slot, walls, world) if isinstance(term.b, WallRef) else walls
+        for term in rows * 2:
+            whole = nearest(self.problem, term, slot, whole, world)
+        found = [whole, walls, *free]
+        if not any(term.heading is not None or term.look is not None for term in rows):
+            close = np.concatenate([whole[: 1 + 8 * TURNING], free[0][: 1 + 8 * TURNING]])
+            found += [_turned(close, quarter) for quarter in (1, 2, 3)]
         poses = np.concatenate(found)
-        _, first = np.unique(np.round(poses, 2), axis=0, return_index=True)
+        _, first = np.unique(np.round(poses / SAME), axis=0, return_index=True)
         return poses[np.sort(first)]
 
     def _ruined(self, slots: list[int], moving: tuple[int, ...], round_number: int) -> set[int]:
@@ -257,7 +251,14 @@ class Repair:
             carry(self.problem, world, slot, shifted, self._with(slot, True))
 
 
-def compose_turn(poses: Floats, quarter: int) -> Floats:
+def _rings(pose: Floats, radii: Sequence[float]) -> Floats:
+    """Return a pose (4,) and the same shifted to eight places on each ring around it (m, 4)."""
+    around = np.arange(8) * (math.pi / 4)
+    steps = np.concatenate([[(0.0, 0.0)], *(np.column_stack([r * np.cos(around), r * np.sin(around)]) for r in radii)])
+    return compose(pose, np.column_stack([steps, np.ones(len(steps)), np.zeros(len(steps))]))
+
+
+def _turned(poses: Floats, quarter: int) -> Floats:
     """Return poses (m, 4) turned in place by quarters of a full turn."""
     c, s = round(math.cos(quarter * math.pi / 2)), round(math.sin(quarter * math.pi / 2))
     return compose(poses, np.array([0.0, 0.0, c, s]))

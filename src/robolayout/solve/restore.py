@@ -9,30 +9,34 @@ import numpy as np
 
 from robolayout.constraints import AssetRef, FrameTerm
 from robolayout.solve.compile import Floats, Problem
+from robolayout.solve.proposals import carry, compose
+from robolayout.solve.stage import relative
 
-TRIALS = 64
-"""Layouts that are judged, at most."""
-
-SAME = 1e-6
+SAME = 1e-9
 """Metres, or parts of a unit heading vector, below which a thing has not moved."""
 
+GAIN = 0.01
+"""Metres (`Problem.moved`) that putting a thing back must be worth."""
 
-def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]) -> Floats:
+
+def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool], trials: int) -> Floats:
     """Return poses (n, 4) with as much as possible where the program's guess has it.
 
     Everything that moved is put back at once, else half of it, and so on down to single things with what stands on them
-    and what goes by them (a desk with its chair), so that a row that had to give way in one place stays a row elsewhere.
+    and what goes by them (a desk with its chair), so that a row that had to give way in one place stays a row elsewhere. Then
+    single things go back, the farthest first: whole, else along one of their axes, else half of the way.
 
     Args:
         problem: The problem.
         world: (n, 4) poses.
-        no_worse: Whether other poses are no worse than those kept so far; asked at most `TRIALS` times.
+        no_worse: Whether other poses are no worse than those kept so far.
+        trials: Most layouts that are asked about while groups are put back; each thing alone takes six more at most.
     """
     target = problem.start
     moved = np.abs(world - target).max(axis=1) > SAME
     units = [unit for unit in _units(problem) if moved[unit].any()]
     waiting = [units] if units else []
-    for _ in range(TRIALS):
+    for _ in range(trials):
         if not waiting:
             break
         chunk = waiting.pop()
@@ -44,6 +48,31 @@ def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]
         elif len(chunk) > 1:
             half = len(chunk) // 2
             waiting += [chunk[half:], chunk[:half]]
+    slots = [slot for unit in units for slot in unit]
+    for slot in sorted(slots, key=lambda slot: -float(np.hypot(*(world - target)[slot, :2]))):
+        world = _nearer(problem, world, slot, no_worse)
+    return world
+
+
+def _nearer(problem: Problem, world: Floats, slot: int, no_worse: Callable[[Floats], bool]) -> Floats:
+    """Return poses (n, 4) with one thing, and what stands on it, as far back as it may go in one go."""
+    here, there = world[slot], problem.start[slot]
+    off = relative(here, there)
+    ways = (
+        (1.0, 1.0, there),
+        (1.0, 1.0, here),
+        (1.0, 0.0, here),
+        (0.0, 1.0, here),
+        (0.5, 0.5, here),
+        (0.0, 0.0, there),
+    )
+    least = problem.moved(world) - GAIN
+    for along, across, heading in ways:
+        trial = world.copy()
+        pose = compose(here, np.array([along * off[0], across * off[1], 1.0, 0.0]))
+        carry(problem, trial, slot, np.concatenate([pose[:2], heading[2:]]))
+        if problem.moved(trial) < least and no_worse(trial):
+            return trial
     return world
 
 

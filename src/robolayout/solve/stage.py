@@ -210,8 +210,10 @@ def _stay_terms(problem: Problem) -> Iterable[Term]:
         slot = problem.slot[name]
         carrier = problem.parent[slot]
         if carrier < 0:
-            here = PointRef(problem.guess[name].x, problem.guess[name].y)
-            yield FrameTerm(AssetRef(name), here, distance=(0.0, 0.0), weight=STAY)
+            pose = problem.guess[name]
+            yield FrameTerm(
+                AssetRef(name), PointRef(pose.x, pose.y), distance=(0.0, 0.0), heading=pose.yaw, weight=STAY
+            )
         else:
             u, v = (float(value) for value in relative(problem.start[carrier], problem.start[slot])[:2])
             top = AssetRef(problem.names[carrier])

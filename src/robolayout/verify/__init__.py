@@ -4,6 +4,7 @@ from robolayout.verify.agent_report import AgentReport
 from robolayout.verify.drives import Drive, find_drives
 from robolayout.verify.heading import HeadingSpace, heading_space
 from robolayout.verify.limits import Demands, PhysicsLimits
+from robolayout.verify.moves import Move
 from robolayout.verify.navigation import Navigation, navigation
 from robolayout.verify.passages import Passage
 from robolayout.verify.physics import Collision, Obstruction, Physics, physics
@@ -29,6 +30,7 @@ __all__ = [
     "Demands",
     "Drive",
     "HeadingSpace",
+    "Move",
     "Navigation",
     "Obstruction",
     "Passage",

@@ -74,6 +74,8 @@ def markdown(report: Report) -> str:
         lines += ["", "## What would help", "", *_listed(helps)]
     if report.stability:
         lines += ["", "## In a simulator", "", *_stability(report.stability)]
+    if report.moved:
+        lines += ["", "## What was moved from its guess", "", *_listed(move.sentence for move in report.moved)]
     for body in report.agents:
         lines += ["", f"## {plain(body.agent.title or body.agent.name)}", "", *_agent_table(body)]
     if report.planner:

@@ -5,17 +5,21 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robolayout.scene import Layout, Scene, layout_digest, scene_digest
 from robolayout.verify._boxes import share
 from robolayout.verify.agent_report import AgentReport, finite
 from robolayout.verify.limits import Demands
 from robolayout.verify.metrics import published_metrics
+from robolayout.verify.moves import Move, moves
 from robolayout.verify.physics import Physics
 from robolayout.verify.present import html, label, markdown
 from robolayout.verify.rules import RuleResult, rule_results
 from robolayout.words import AskedRow, share_met
+
+if TYPE_CHECKING:
+    from robolayout.program import Program
 
 
 @dataclass(frozen=True)
@@ -73,6 +77,7 @@ class Report:
         stability: What a simulator found (`robolayout.export.settle`), as plain data; empty if none was asked.
         asked: The ledger: one row for each phrase of the user's words; empty where nobody looked.
         notes: What else a reader should know of how the layout was found, in sentences.
+        program: The program as asked, with its guesses.
     """
 
     scene: Scene
@@ -86,6 +91,12 @@ class Report:
     stability: Mapping[str, Any] = field(default_factory=dict[str, Any])
     asked: tuple[AskedRow, ...] = ()
     notes: tuple[str, ...] = ()
+    program: Program | None = None
+
+    @cached_property
+    def moved(self) -> tuple[Move, ...]:
+        """What is not where the program put it, how far it went, and what it would violate there; the farthest first."""
+        return moves(self.scene, self.layout, self.program, tuple(report.agent for report in self.agents))
 
     @cached_property
     def figures(self) -> dict[str, float | bool]:
@@ -190,6 +201,7 @@ class Report:
             **self.figures,
             "statements": [item.to_dict() for item in self.statements],
             "rules": [result.to_dict() for result in self.rules],
+            "moved": [move.to_dict() for move in self.moved],
             "violations": list(self.violations),
             "timing": {name: dict(seconds) for name, seconds in self.timing.items()},
             "hashes": {"scene": scene_digest(self.scene), "layout": layout_digest(self.layout)},

@@ -47,7 +47,7 @@ def verify(
     statements = () if program is None else tuple(_measure(scene, layout, s, placed) for s in program.statements)
     judged = physics(scene, layout)
     timing = {"verify": {"wall": time.perf_counter() - wall, "cpu": time.process_time() - cpu}}
-    return Report(scene, layout, judged, reports, statements, demands, timing)
+    return Report(scene, layout, judged, reports, statements, demands, timing, program=program)
 
 
 def judge_agent(scene: Scene, layout: Layout, agent: Agent, demands: Demands | None = None) -> AgentReport:

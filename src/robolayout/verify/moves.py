@@ -1,0 +1,150 @@
+"""How far things are from where the program put them, and what each would violate there."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from robolayout.scene import Agent, Layout, Pose, Scene
+from robolayout.verify._boxes import boxes
+from robolayout.verify.navigation import navigation
+from robolayout.verify.physics import physics
+from robolayout.verify.proofs import exempt_from_reach, exempt_from_use
+from robolayout.verify.use import usage
+
+if TYPE_CHECKING:
+    from robolayout.program import Program
+
+STILL, STRAIGHT = 0.01, 1.0
+"""Metres and degrees up to which a thing counts as where the program put it: its numbers are rounded."""
+
+TOLD = 3
+"""Reasons that are told of each thing."""
+
+
+@dataclass(frozen=True)
+class Move:
+    """One thing that is not where the program put it.
+
+    Attributes:
+        asset: Its name.
+        metres: How far it was moved, in plan.
+        degrees: By how much it was turned, without sign.
+        why: What would be violated if it stood there and everything else as it is, in words; empty if nothing would.
+    """
+
+    asset: str
+    metres: float
+    degrees: float
+    why: tuple[str, ...]
+
+    @property
+    def sentence(self) -> str:
+        """The same in a sentence."""
+        turned = f" and turned by {self.degrees:.0f} degrees" if self.degrees > STRAIGHT else ""
+        there = "; ".join(text.rstrip(".") for text in self.why[:TOLD]) or "nothing would be violated by it alone"
+        return f"{self.asset} was moved by {self.metres:.2f} m{turned}. Where the program put it: {there}."
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain data."""
+        return vars(self) | {"why": list(self.why)}
+
+
+def moves(scene: Scene, layout: Layout, program: Program | None, agents: tuple[Agent, ...]) -> tuple[Move, ...]:
+    """Return what was moved from a program's guess, the farthest first.
+
+    Each thing is put back alone, with what stands on it, and the layout is judged again, exactly.
+
+    Args:
+        scene: The scene.
+        layout: Where everything is.
+        program: Its guesses and statements; None has neither.
+        agents: The bodies.
+    """
+    found = [] if program is None else [move for move in _off(layout, program) if move.asset in scene.by_name]
+    if not found:
+        return ()
+    assert program is not None
+    judged = _Wrong(scene, program, agents)
+    now = set(judged.of(layout))
+    told = [
+        replace(
+            move, why=tuple(text for text in judged.of(_back(scene, layout, program, move.asset)) if text not in now)
+        )
+        for move in found
+    ]
+    return tuple(sorted(told, key=lambda move: (-move.metres, -move.degrees, move.asset)))
+
+
+def _off(layout: Layout, program: Program) -> list[Move]:
+    """Return what is not where the program put it, without reasons."""
+    found: list[Move] = []
+    for name, guess in program.guesses.items():
+        if guess.position is None or name not in layout:
+            continue
+        pose = layout[name]
+        metres = math.dist((pose.x, pose.y), guess.position[:2])
+        degrees = 0.0 if guess.yaw is None else abs(math.degrees(math.remainder(pose.yaw - guess.yaw, math.tau)))
+        if metres > STILL or degrees > STRAIGHT:
+            found.append(Move(name, metres, degrees, ()))
+    return found
+
+
+def _back(scene: Scene, layout: Layout, program: Program, name: str) -> Layout:
+    """Return the layout with one thing where the program put it, and what stands on it where it then is."""
+    guess, here = program.guesses[name], layout[name]
+    assert guess.position is not None
+    there = Pose(*guess.position[:2], here.z, here.yaw if guess.yaw is None else guess.yaw)
+    turn = there.yaw - here.yaw
+    c, s = math.cos(turn), math.sin(turn)
+    poses: dict[str, Pose] = {**layout, name: there}
+    for other in _standing_on(scene, layout, name):
+        dx, dy = layout[other].x - here.x, layout[other].y - here.y
+        x, y = there.x + c * dx - s * dy, there.y + s * dx + c * dy
+        poses[other] = Pose(x, y, layout[other].z, layout[other].yaw + turn)
+    return Layout(poses)
+
+
+def _standing_on(scene: Scene, layout: Mapping[str, Pose], name: str) -> list[str]:
+    """Return what stands on a thing, directly or on what stands on it."""
+    found = boxes(scene, Layout(layout))
+    carriers = {found.names[row]: found.names[under] for row, under in enumerate(found.carriers) if under >= 0}
+    below = {name}
+    while more := {one for one, under in carriers.items() if under in below} - below:
+        below |= more
+    return sorted(below - {name})
+
+
+@dataclass(frozen=True)
+class _Wrong:
+    """Says what is wrong in layouts of a scene, in words."""
+
+    scene: Scene
+    program: Program
+    agents: tuple[Agent, ...]
+
+    def of(self, layout: Layout) -> list[str]:
+        """Return what is wrong: physics, what bodies cannot reach or use, statements that do not hold."""
+        found = list(physics(self.scene, layout).reasons)
+        for agent in self.agents:
+            found += self._out_of_reach(layout, agent)
+        for statement in self.program.statements:
+            if (
+                set(statement.relation.asset_names()) <= set(layout)
+                and not statement.relation.check(self.scene, layout).met
+            ):
+                found.append(f"statement {statement.number}, {statement.relation.sentence()}, is not met")
+        return found
+
+    def _out_of_reach(self, layout: Layout, agent: Agent) -> list[str]:
+        nav = navigation(self.scene, layout, agent)
+        used = usage(self.scene, layout, agent, nav=nav).usable
+        reach, use = exempt_from_reach(self.scene, agent), exempt_from_use(self.scene, agent)
+        found = [f"{agent.name} cannot reach {name}" for name, ok in nav.reached.items() if not (ok or name in reach)]
+        return found + [
+            f"{agent.name} cannot use {name}"
+            for name, ok in used.items()
+            if nav.reached[name] and not (ok or name in use)
+        ]

@@ -1,0 +1,109 @@
+"""Editing a layout: what is right stays to the last bit, what is kept stays whatever it costs, the rest moves as little as it can."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import robolayout as rl
+from robolayout.cli.app import app
+
+SCENE = "examples/bedroom.json"
+
+
+@pytest.fixture(scope="module")
+def right() -> rl.Result:
+    return rl.generate(SCENE, agent="wheelchair")
+
+
+def away(a: rl.Layout, b: rl.Layout) -> dict[str, float]:
+    """Return how far things are apart that are not in the same place."""
+    return {
+        n: math.dist((a[n].x, a[n].y), (b[n].x, b[n].y))
+        for n in a
+        if a[n] != b[n] and math.dist((a[n].x, a[n].y), (b[n].x, b[n].y)) > 1e-9
+    }
+
+
+def test_moved_moves_one_thing(right: rl.Result) -> None:
+    layout = right.layout
+    moved = layout.moved("double_bed-0", by=(0.5, -0.25), turn=90.0)
+    assert set(away(layout, moved)) == {"double_bed-0"}
+    assert moved["double_bed-0"].x == layout["double_bed-0"].x + 0.5
+    assert moved["double_bed-0"].yaw == layout["double_bed-0"].yaw + math.pi / 2
+    with pytest.raises(
+        rl.InputError, match=r"unknown asset in the layout 'double_bed-1'\. Did you mean 'double_bed-0'"
+    ):
+        layout.moved("double_bed-1")
+
+
+def test_a_layout_that_is_right_comes_back_as_it_is(right: rl.Result) -> None:
+    again = rl.generate(right.scene, start=right.layout)
+    assert again.layout.to_dict() == right.layout.to_dict()
+    assert again.solution.phase == "guess" and again.report.moved == ()
+
+
+def test_what_was_pushed_into_others_goes_back_a_little_and_nothing_else_moves(right: rl.Result) -> None:
+    shoved = right.layout.moved("double_bed-0", by=(0.3, 0.0))
+    result = rl.generate(right.scene, start=shoved)
+    assert result.report.ok
+    assert set(away(shoved, result.layout)) == {"double_bed-0"}
+    assert away(shoved, result.layout)["double_bed-0"] == pytest.approx(0.3, abs=0.02)
+    (move,) = result.report.moved
+    assert move.sentence.startswith(
+        "double_bed-0 was moved by 0.29 m. Where the program put it: double_bed-0 sticks 0.29"
+    )
+    assert move.sentence in result.report.to_markdown() and result.report.to_dict()["moved"] == [move.to_dict()]
+
+
+def test_what_is_kept_does_not_move_by_a_bit(right: rl.Result) -> None:
+    shoved = right.layout.moved("double_bed-0", by=(0.3, 0.0), turn=0.7)
+    result = rl.generate(right.scene, start=shoved, keep=["double_bed-0"])
+    assert result.layout["double_bed-0"] == shoved["double_bed-0"]
+    only = rl.generate(right.scene, start=shoved, free=["double_bed-0"])
+    assert all(only.layout[name] == pose for name, pose in shoved.items() if name != "double_bed-0")
+
+
+def test_what_has_no_pose_is_fitted_in(right: rl.Result) -> None:
+    without = rl.Layout({n: p for n, p in right.layout.items() if not n.startswith("wardrobe")})
+    result = rl.generate(right.scene, start=without)
+    assert set(result.layout) == set(right.scene.by_name) and result.report.ok
+    assert away(without, rl.Layout({n: result.layout[n] for n in without})) == {}
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"keep": ["bed"]}, "unknown asset 'bed'"),
+        ({"keep": ["rug-0"]}, "keep and free need a layout to start from"),
+        ({"start": {}, "keep": ["rug-0"]}, "'rug-0' cannot be kept: the layout to start from does not place it"),
+        ({"start": {}, "keep": ["rug-0"], "free": ["rug-0"]}, "keep and free exclude each other"),
+    ],
+)
+def test_wrong_requests_are_told_apart(options: dict[str, object], message: str) -> None:
+    with pytest.raises(rl.InputError, match=message):
+        rl.generate(SCENE, agent="wheelchair", **options)
+
+
+def test_the_command(right: rl.Result, tmp_path: Path) -> None:
+    start = tmp_path / "layout.json"
+    start.write_text(json.dumps(right.layout.moved("double_bed-0", by=(0.3, 0.0)).to_dict()))
+    words = [
+        "generate",
+        SCENE,
+        "--agent",
+        "wheelchair",
+        "--from",
+        str(start),
+        "--keep",
+        "double_bed-0",
+        "--no-pictures",
+    ]
+    done = CliRunner().invoke(app, [*words, "--out", str(tmp_path / "out")])
+    assert done.exit_code in (0, 1), done.output
+    found = json.loads((tmp_path / "out" / "layout.json").read_text())
+    assert found["double_bed-0"] == json.loads(start.read_text())["double_bed-0"]
