@@ -139,3 +139,12 @@ def test_only_the_papers_solver_filters_as_the_paper_does(solver, wall):
     result = rl.generate({"boundary": room, "assets": {"dresser-0": box}}, program=program, solver=solver)
     assert [s.relation.sentence() for s in result.reconciled.program.statements] == [f"against_wall(dresser-0, {wall})"]
     assert result.report.statements[0].sentence.startswith("against_wall(dresser-0, walls[0])"), "judged as asked"
+
+
+def test_a_room_too_large_for_fine_cells_says_how_it_was_searched() -> None:
+    wide = TINY | {"boundary": {"floor_vertices": [[0, 0, 0], [60, 0, 0], [60, 60, 0], [0, 60, 0]], "wall_height": 2.5}}
+    report = rl.generate(wide).report
+    (note,) = report.to_dict()["notes"]
+    assert note.startswith("The room is so large that the search looks for ways on cells of 0.55 m: ")
+    assert note in report.to_markdown()
+    assert "notes" not in rl.generate(TINY).report.to_dict()

@@ -13,7 +13,7 @@ from shapely import Polygon
 
 from robolayout.assets.obstacles import pieces
 from robolayout.floor.targets import Contents, Floats, Targets, targets_of
-from robolayout.scene import Agent
+from robolayout.scene import Agent, Room
 
 SPARE = 0.15
 """Metres of clearance beyond what the body needs that are still told apart."""
@@ -69,10 +69,16 @@ class Ground:
         return replace(self, xs=self.xs[here[0]], ys=self.ys[here[1]], wall_distance=self.wall_distance[here]), here
 
 
+def cell_size(room: Room, cell: float) -> float:
+    """Return the metres per cell of a room's grid: as asked for, or more where there would be too many cells."""
+    x0, y0, x1, y1 = room.bounds
+    return max(cell, ((x1 - x0) * (y1 - y0) / MOST_CELLS) ** 0.5)
+
+
 def make_ground(contents: Contents, agent: Agent, cell: float) -> Ground:
     """Return the empty room on a grid; large rooms get larger cells."""
     x0, y0, x1, y1 = contents.scene.room.bounds
-    cell = max(cell, ((x1 - x0) * (y1 - y0) / MOST_CELLS) ** 0.5)
+    cell = cell_size(contents.scene.room, cell)
     xs, ys = np.arange(x0 + cell / 2, x1, cell), np.arange(y0 + cell / 2, y1, cell)
     room = Polygon(contents.scene.room.vertices)
     points = np.asarray(shapely.points(*np.meshgrid(xs, ys, indexing="ij")))

@@ -17,6 +17,9 @@ from robolayout.scene import Wall
 WALL_STEP = 0.1
 """Metres between places tried along a wall."""
 
+WALL_STEPS = 300
+"""Most such places of one wall: from 30 m on they lie further apart."""
+
 WALL_GAP = 0.01
 """Metres left between a back and its wall."""
 
@@ -76,7 +79,7 @@ def _offsets(site: Site, wall: Wall, width: float) -> list[float]:
         if opening.wall == wall.index:
             ends = (opening.offset - DOOR_MARGIN, opening.offset + opening.width + DOOR_MARGIN)
             marks += [ends[0] - width / 2, ends[1] + width / 2, opening.center]
-    marks += list(np.arange(low, high, WALL_STEP))
+    marks += list(np.arange(low, high, max(WALL_STEP, wall.length / WALL_STEPS)))
     return sorted({round(float(t), 3) for t in marks if low - 1e-6 <= t <= high + 1e-6})
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from robolayout._errors import SceneError
+from robolayout.floor import cell_size
 from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.run.attempt import Attempt, Clock, Progress
@@ -46,6 +47,9 @@ can only disarrange."""
 
 FORLORN = 0.25
 """Share of the assets in wrong places or out of reach, after so many programs are solved, from which on no other is asked for."""
+
+COARSE = 0.25
+"""Metres of a cell of the search's floor from which on the report says so: half a person is told apart below it."""
 
 ATTEMPT_STRIDE = 1000
 """Added to the planner's seed for each further attempt."""
@@ -269,6 +273,10 @@ class _Run:
             with self.clock.station("conflicts"):
                 report = report.with_conflicts(conflicts(self.scene, best.reconciled, layout, seed=self.seed))
         report = report.with_asked(self.wishes.judged(self.scene, layout))
+        cell = cell_size(self.scene.room, (self.config or SolverConfig()).cell)
+        if cell > COARSE:
+            note = f"The room is so large that the search looks for ways on cells of {cell:.2f} m: it may miss narrower gaps."
+            report = report.with_notes((f"{note} This report measures exactly.",))
         return report.with_timing(self.clock.seconds)
 
     def prepare(self, here: Scene, samples: int) -> None:

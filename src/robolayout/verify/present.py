@@ -62,6 +62,7 @@ def markdown(report: Report) -> str:
             "",
             "As it stands, no chair is moved; demanded is what is reached once the chairs at a thing are moved aside.",
         ]
+    lines += [line for note in report.notes for line in ("", note)]
     if report.violations:
         lines += ["", "## What is wrong", "", *_listed(report.violations)]
     if report.rules:

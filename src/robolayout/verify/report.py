@@ -72,6 +72,7 @@ class Report:
         planner: Who planned and what that took, where that was a model.
         stability: What a simulator found (`robolayout.export.settle`), as plain data; empty if none was asked.
         asked: The ledger: one row for each phrase of the user's words; empty where nobody looked.
+        notes: What else a reader should know of how the layout was found, in sentences.
     """
 
     scene: Scene
@@ -84,6 +85,7 @@ class Report:
     planner: Mapping[str, Any] = field(default_factory=dict[str, Any])
     stability: Mapping[str, Any] = field(default_factory=dict[str, Any])
     asked: tuple[AskedRow, ...] = ()
+    notes: tuple[str, ...] = ()
 
     @cached_property
     def figures(self) -> dict[str, float | bool]:
@@ -176,6 +178,10 @@ class Report:
         """Return the same report with what a simulator found; the demands do not change."""
         return replace(self, stability=stability)
 
+    def with_notes(self, notes: tuple[str, ...]) -> Report:
+        """Return the same report with what else a reader should know."""
+        return replace(self, notes=(*self.notes, *notes))
+
     def to_dict(self) -> dict[str, Any]:
         """Return the content of `report.json`: the keys of DESIGN section 8, then details."""
         return {
@@ -190,6 +196,7 @@ class Report:
             "ok": self.ok,
             "metrics": {name: dict(figures) for name, figures in self.metrics.items()},
             "agents": {report.agent.name: report.to_dict() for report in self.agents},
+            **({"notes": list(self.notes)} if self.notes else {}),
             **({"planner": dict(self.planner)} if self.planner else {}),
             **({"stability": dict(self.stability)} if self.stability else {}),
         }
