@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from types import SimpleNamespace
 from typing import Any
 
@@ -17,4 +18,4 @@ def test_places_along_a_wall_are_bounded(side: float, step: float) -> None:
     site: Any = SimpleNamespace(room=room, spans=())
     found = _offsets(site, room.walls[0], 1.0)
     assert len(found) <= WALL_STEPS + 3
-    assert max(b - a for a, b in zip(found, found[1:], strict=False)) == pytest.approx(step, abs=2e-3)
+    assert max(b - a for a, b in itertools.pairwise(found)) == pytest.approx(step, abs=2e-3)

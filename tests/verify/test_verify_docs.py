@@ -26,3 +26,11 @@ def test_every_key_is_explained():
     report = verify(*furnished(square()))
     for key in (*report.to_dict(), *report.agents[0].to_dict()):
         assert f"`{key}`" in PAGE or key in {"name", "free_area", "routes", "passages", "unreached", "unusable"}, key
+
+
+def test_the_keys_stand_in_the_order_of_the_page():
+    table = PAGE[PAGE.index("## Figures") : PAGE.index("With several agents")]
+    heads = [line.split("|")[1] for line in table.splitlines() if line.startswith("| `")]
+    documented = [key for head in heads for key in re.findall(r"`(\w+)`", head)]
+    written = list(verify(*furnished(square())).with_notes(("a note",)).to_dict())
+    assert [key for key in documented if key in written] == written
