@@ -11,6 +11,8 @@ import pytest
 
 import robolayout as rl
 from robolayout.planners import OfflinePlanner, PlanRequest
+from robolayout.run.flow import as_scene
+from robolayout.scene import layout_from_dict
 from running import ROOT, Furnished
 
 TINY = {
@@ -148,3 +150,25 @@ def test_a_room_too_large_for_fine_cells_says_how_it_was_searched() -> None:
     assert note.startswith("The room is so large that the search looks for ways on cells of 0.55 m: ")
     assert note in report.to_markdown()
     assert "notes" not in rl.generate(TINY).report.to_dict()
+
+
+def test_a_second_door_that_a_guess_leaves_no_room_at_is_opened() -> None:
+    """Two shelves stand flush with the edges of the second door: 0.90 m, where a wheelchair user needs 0.915 m."""
+    shelf = {"category": "bookshelf", "onFloor": True, "assetMetadata": {"boundingBox": {"x": 0.9, "y": 0.8, "z": 1.8}}}
+    doors = [{"wall": wall, "offset": 1.55, "width": 0.9, "height": 2.05} for wall in (0, 2)]
+    floor = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]]
+    scene = {
+        "boundary": {"floor_vertices": floor, "wall_height": 2.5},
+        "doors": doors,
+        "assets": {"shelf-0": shelf, "shelf-1": shelf},
+    }
+    places = ((1.15, 3.54), (2.85, 3.54))
+    guess = [f"shelf[{i}].position = [{x}, {y}, 0.9]\nshelf[{i}].rotation = [270]" for i, (x, y) in enumerate(places)]
+    program = "\n".join([*guess, *(f"solver.against_wall(shelf[{i}], walls[2])" for i in range(2))])
+    poses = {f"shelf-{i}": {"position": [x, y, 0.9], "rotation": [0, 0, 270]} for i, (x, y) in enumerate(places)}
+    before = rl.verify(as_scene(scene, "wheelchair"), layout_from_dict(poses))
+    assert before.unmet == ("doors_reached",)
+    result = rl.generate(scene, agent="wheelchair", program=program)
+    assert result.report.ok, result.report.violations
+    moved = [abs(result.layout[name].x - x) for name, (x, _) in zip(("shelf-0", "shelf-1"), places, strict=True)]
+    assert 0.01 < max(moved) < 1.0
