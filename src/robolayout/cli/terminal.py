@@ -61,10 +61,9 @@ def show(report: Report, files: Sequence[Path]) -> None:
     rows = [[name, value, "ok" if met else "SHORT"] for name, value, met in report.rows()]
     table(f"{report.scene.name} for {', '.join(a.agent.name for a in report.agents)}", ["check", "result", ""], rows)
     if report.rules:
-        rules = [
-            [r.rule.name.replace("_", " "), r.measured.text, "met" if r.met else "NOT MET", r.rule.source]
-            for r in report.rules
-        ]
+        from robolayout.verify.present import rule_rows
+
+        rules = [[name, text, met, source] for name, _, text, met, source in rule_rows(report)]
         table("rules of accessibility, beside the demands", ["rule", "measured", "", "source"], rules)
     say(*(f"- {sentence}" for sentence in report.violations[:SHOWN]))
     if len(report.violations) > SHOWN:

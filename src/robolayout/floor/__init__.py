@@ -5,7 +5,7 @@ It knows rooms, bodies and what stands in their way, but no statements; the judg
 
 from robolayout.floor.furnished import Cells, Floor, Points, Shadow, placed, rect_points
 from robolayout.floor.goals import missed
-from robolayout.floor.ground import Ground, Obstacles, clearance, make_ground, obstacles_of
+from robolayout.floor.ground import Ground, Obstacles, cell_size, clearance, make_ground, obstacles_of
 from robolayout.floor.routes import Plan, plan_routes
 from robolayout.floor.standing import Standing, standing, turning_radius, use_cells
 from robolayout.floor.targets import SIDES, Contents, Targets, targets_of
@@ -26,6 +26,7 @@ __all__ = [
     "Standing",
     "Targets",
     "Walked",
+    "cell_size",
     "clearance",
     "make_ground",
     "missed",

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 import numpy as np
+import shapely
 from shapely import LineString
 from shapely.geometry.base import BaseGeometry
 
@@ -80,7 +81,9 @@ def _has_floor(body: AgentReport, row: int, side: str, ways: tuple[int, ...]) ->
     nav = body.navigation
     away = nav.blocking.moved_for(nav.boxes, row)
     rest = nav.blocking.of(set(nav.blocking.rows.tolist()) - away)
-    (ax, ay), (bx, by) = side_edge(nav.boxes.footprints[row], side).coords
+    edge = side_edge(nav.boxes.footprints[row], side)
+    near = rest.shapes[shapely.dwithin(rest.shapes, edge, sum(FLOOR))]
+    (ax, ay), (bx, by) = edge.coords
     length = math.hypot(bx - ax, by - ay)
     out = np.array([by - ay, ax - bx]) / length
     heading = math.atan2(out[1], out[0])
@@ -88,7 +91,7 @@ def _has_floor(body: AgentReport, row: int, side: str, ways: tuple[int, ...]) ->
         depth, width = FLOOR[way], FLOOR[1 - way]
         body_corners = corners(np.array([[0.0, 0.0, 0.0, heading]]), np.array([[depth - CONTACT, width - CONTACT]]))[0]
         middle = LineString(np.array([[ax, ay], [bx, by]]) + out * depth / 2)
-        for place in convex_places(nav.scene.room, rest.shapes, body_corners):
+        for place in convex_places(nav.scene.room, near, body_corners):
             there: BaseGeometry = middle.intersection(place.buffer(CONTACT))
             if not there.is_empty and there.distance(nav.main) <= FLOOR[1] / 2 + nav.space.radius:
                 return True
@@ -151,7 +154,7 @@ def reach_over(body: AgentReport) -> Measured | None:
         deepest = max(deepest, depth)
         if depth > OVER_DEPTH or found.top[carrier] > OVER_HEIGHT + CONTACT or found.bottom[row] > high + CONTACT:
             out.append(found.names[row])
-    text = f"too far or too high: {_listed(out)}" if out else f"{_all(len(rows))} on others"
+    text = f"too far or too high: {_listed(out)}" if out else f"{_all(len(rows))} on tops"
     return Measured(not out, deepest, text)
 
 
