@@ -44,7 +44,7 @@ def run_of(scene: Scene, places: dict[str, tuple[float, float, float, float]], a
         tuple({"total": 100.0 / (step + 1)} for step in range(10 * MOMENTS)),
         tuple(Snapshot(10 * k, "search", _on_the_way(layout, k / MOMENTS)) for k in range(MOMENTS)),
     )
-    solution = Solution(layout, Verdict(0.0, 0.0, 0.0), "solved", "", trace)
+    solution = Solution(layout, Verdict(0.0, 0.0, 0.0), "solved", "", trace=trace)
     report = verify(scene, layout, asked).with_timing({"plan": {"wall": 0.5, "cpu": 0.5}})
     return Result(scene, (), asked, reconcile(asked, scene), layout, report, solution)
 
