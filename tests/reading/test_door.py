@@ -78,7 +78,7 @@ def test_no_reader_waits_for_a_pipe_or_reads_a_device_a_folder_or_a_loop(name: s
                 lambda path: path.write_bytes('{"a": 1}'.encode("utf-16")),
                 "is not UTF-8 text (byte 0). Save it as UTF-8.",
             ),
-            (lambda path: None, "does not exist; check the path."),
+            (lambda path: None, "does not exist; "),
         )
     ):
         path = tmp_path / f"{number}{suffix}"
@@ -145,5 +145,5 @@ def test_xml_that_is_refused(text: str, said: str) -> None:
 
 @pytest.mark.parametrize("error", [SceneError, LayoutError, AgentError, ProgramError])
 def test_the_error_is_that_of_the_reader(error: type[InputError], tmp_path: Path) -> None:
-    with pytest.raises(error, match=r"the thing .*none does not exist; check the path"):
+    with pytest.raises(error, match=r"the thing .*none does not exist; "):
         Checker(error).read_text(tmp_path / "none", "the thing")
