@@ -7,6 +7,7 @@ import math
 import operator
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +27,7 @@ RELATIONS: dict[str, Callable[[float, float], bool]] = {
 SUMS: dict[type[ast.operator], Callable[[float, float], float]] = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv,
 }  # fmt: skip
-CALLS: dict[str, Callable[..., float]] = {"min": min, "max": max, "round": round, "floor": math.floor, "abs": abs}
+CALLS: dict[str, Callable[..., Any]] = {"min": min, "max": max, "round": round, "floor": math.floor, "abs": abs}
 """What a `let` may compute, beside sums and products."""
 BASIS = ("", "m", "d", "w", "h")
 """What an extent is a sum of, before the names of `let`: plain numbers, metres, depth, width, height."""
@@ -136,6 +137,8 @@ class Drawing:
 
 def _computed(node: ast.expr, known: Mapping[str, float]) -> float:
     """Return the value of a `let`, whose kinds of nodes the reader has checked."""
+    if isinstance(node, ast.Constant):
+        return float(node.value)  # type: ignore[arg-type]
     if isinstance(node, ast.Name):
         return known[node.id]
     if isinstance(node, ast.BinOp):
@@ -145,9 +148,8 @@ def _computed(node: ast.expr, known: Mapping[str, float]) -> float:
     if isinstance(node, ast.Compare):
         low, high = _computed(node.left, known), _computed(node.comparators[0], known)
         return float(low < high if isinstance(node.ops[0], ast.Lt) else low > high)
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
-        return float(CALLS[node.func.id](*(_computed(item, known) for item in node.args)))
-    return float(ast.literal_eval(node))
+    assert isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
+    return float(CALLS[node.func.id](*(_computed(item, known) for item in node.args)))
 
 
 def _shifted(place: Place, steps: Place, times: int) -> Place:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
+from itertools import accumulate, pairwise
 
 import numpy as np
 
@@ -57,5 +57,9 @@ def fit(pieces: Iterable[Part], size: tuple[float, float, float]) -> tuple[Part,
     low, high = points.min(axis=0), points.max(axis=0)
     half = np.array(size) / 2
     scale = np.array(size) / np.maximum(high - low, 1e-12)
-    fitted = (np.clip((part.vertices - (low + high) / 2) * scale, -half, half) for part in built)
-    return tuple(replace(part, vertices=vertices) for part, vertices in zip(built, fitted, strict=True))
+    fitted = np.clip((points - (low + high) / 2) * scale, -half, half)
+    ends = [*accumulate((len(part.vertices) for part in built), initial=0)]
+    return tuple(
+        Part(part.name, fitted[start:end], part.faces, part.material, part.convex)
+        for part, (start, end) in zip(built, pairwise(ends), strict=True)
+    )

@@ -40,16 +40,19 @@ class Palette:
 
 
 def _material(entry: Mapping[str, Any]) -> Material:
-    return Material(**{**entry, "color": tuple(entry["color"])})
+    found: dict[str, Any] = {**entry, "color": tuple(entry["color"])}
+    return Material(**found)
 
 
 def _palette(entry: Mapping[str, Any]) -> Palette:
-    """Return a palette; its single materials are names or written out, its cloths are colours."""
-    one = {key: PLAIN[value] if isinstance(value, str) else _material(value)
-           for key, value in entry.items() if not isinstance(value, list)}  # fmt: skip
-    cloths = {key: tuple(Material(f"fabric {i}", (r, g, b), CLOTH) for i, (r, g, b) in enumerate(value))
-              for key, value in entry.items() if isinstance(value, list)}  # fmt: skip
-    return Palette(**one, **cloths)
+    """Return a palette; single materials are named or written out, cloths are rows of colours."""
+    found: dict[str, Any] = {}
+    for key, value in entry.items():
+        if isinstance(value, list):
+            found[key] = tuple(Material(f"fabric {i}", tuple(color), CLOTH) for i, color in enumerate(value))
+        else:
+            found[key] = PLAIN[value] if isinstance(value, str) else _material(value)
+    return Palette(**found)
 
 
 _FILE: Mapping[str, Any] = tomllib.loads((DATA / "materials.toml").read_text("utf-8"))
@@ -128,7 +131,7 @@ class Piece:
 
     def rng(self) -> random.Random:
         """Return a fresh generator for the details of this very asset."""
-        return random.Random(self.key)
+        return random.Random(utf8(self.key))
 
     def thin(self, most: float, share: float = 0.12) -> float:
         """Return a thickness: `most` metres, but no more than `share` of the smallest edge."""
@@ -160,4 +163,4 @@ def make_piece(kind: str, variable: str, name: str, size: tuple[float, float, fl
     rng = random.Random(utf8(f"{seed}/{variable}"))
     palette = PALETTES[seed % len(PALETTES)]
     fabric, accent, bedding = (rng.choice(row) for row in (palette.fabrics, palette.accents, palette.bedding))
-    return Piece(*size, palette, fabric, accent, bedding, kind, rng.randrange(12), utf8(f"{seed}/{name}"))
+    return Piece(*size, palette, fabric, accent, bedding, kind, rng.randrange(12), f"{seed}/{name}")

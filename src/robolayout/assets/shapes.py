@@ -108,7 +108,8 @@ def oval(
     points = np.array(rows)
     reach = np.repeat(np.array(radii), sides, axis=0)
     points[:, :2] = np.clip(points[:, :2], np.array(center) - reach, np.array(center) + reach)
-    return Part(name, _turned(points, axis), _bulging(points, _drum_faces(sides)), material)
+    faces = _drum_faces(sides) if radii[0] == radii[1] else _bulging(points, _drum_faces(sides))
+    return Part(name, _turned(points, axis), faces, material)
 
 
 def ball(name: str, material: Material, x: Range, y: Range, z: Range, *, rings: int = 5, sides: int = 12) -> Part:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 
+from robolayout._text import utf8
 from robolayout.assets.palette import SPINES, Piece
 from robolayout.assets.part import Material, Part
 from robolayout.assets.shapes import Range, box, cylinder
@@ -41,7 +42,7 @@ def open_case(
 def books(p: Piece, y: Range, floor: float, room: float, *, x: Range | None = None, salt: str = "") -> Iterator[Part]:
     """Yield blocks of books that stand on `floor` with `room` metres of air above it."""
     rng = p.rng()
-    rng.seed(f"{p.key}/{salt}/{floor:.4f}")
+    rng.seed(utf8(f"{p.key}/{salt}/{floor:.4f}"))
     back, front = x or (p.x[0] + 0.02, p.x[1] - 0.03)
     at = y[0] + 0.004
     while at < y[1] - 0.06:

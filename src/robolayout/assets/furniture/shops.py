@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from robolayout._text import utf8
 from robolayout.assets.furniture._common import Builder, open_case
 from robolayout.assets.palette import BRIGHT, PLAIN, SPINES, Piece
 from robolayout.assets.part import Part
@@ -136,7 +137,7 @@ def spice_rack(p: Piece) -> Iterator[Part]:
 def goods(p: Piece, y: tuple[float, float], low: float, room: float, x: tuple[float, float]) -> Iterator[Part]:
     """Yield rows of packages, tins and bottles on one shelf."""
     rng = p.rng()
-    rng.seed(f"{p.key}/{low:.4f}/{x[0]:.4f}")
+    rng.seed(utf8(f"{p.key}/{low:.4f}/{x[0]:.4f}"))
     at = y[0] + 0.01
     while at < y[1] - 0.08:
         width = min(rng.choice((0.09, 0.13, 0.2)), y[1] - at - 0.01)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from robolayout._text import utf8
 from robolayout.assets.furniture._common import Builder, four
 from robolayout.assets.palette import PLAIN, Piece
 from robolayout.assets.part import Material, Part
@@ -51,7 +52,7 @@ def pallet_at(x: Span, y: Span, low: float, tall: float = 0.144) -> Iterator[Par
 def stack(p: Piece, x: Span, y: Span, z: Span, salt: int) -> Iterator[Part]:
     """Yield cartons stacked in two or three layers."""
     rng = p.rng()
-    rng.seed(f"{p.key}/{salt}")
+    rng.seed(utf8(f"{p.key}/{salt}"))
     layers, columns, rows = (
         max(1, round((z[1] - z[0]) / 0.38)),
         max(1, round((y[1] - y[0]) / 0.5)),
