@@ -78,6 +78,10 @@ def _demand(text: str) -> Demand:
     raise ValueError(f"{text!r} is no demand")
 
 
+ALSO = {"shelf": "shelving unit", "stool": "bar stool", "sink": "washbasin", "toy": "toy box"}
+"""Names under which the catalogue keeps what a word says."""
+
+
 class Room:
     """A furnished room, as its files say.
 
@@ -99,7 +103,7 @@ class Room:
             if name not in self.layout:
                 continue
             names = {asset["category"].lower(), str(asset.get("like", "")).lower()} - {""}
-            for word in words.split("|"):
+            for word in [*words.split("|"), *(ALSO[word] for word in words.split("|") if word in ALSO)]:
                 exact += [name] * (word in names and name not in exact)
                 ending += [name] * (
                     any(n.split()[-1:] == word.split()[-1:] and n.endswith(word) for n in names) and name not in ending

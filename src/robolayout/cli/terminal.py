@@ -57,7 +57,10 @@ def table(title: str, heads: Sequence[str], rows: Sequence[Sequence[str]]) -> No
 
 
 def show(report: Report, files: Sequence[Path]) -> None:
-    """Print the short report, what is wrong, and where the files are."""
+    """Print what was asked and the short report, what is wrong, and where the files are."""
+    if report.asked:
+        asked = [[row.words, row.understanding, row.verdict, row.value] for row in report.asked]
+        table("Asked", ["words", "understood as", "verdict", "measured"], asked)
     rows = [[name, value, "ok" if met else "SHORT"] for name, value, met in report.rows()]
     table(f"{report.scene.name} for {', '.join(a.agent.name for a in report.agents)}", ["check", "result", ""], rows)
     if report.rules:
@@ -69,6 +72,8 @@ def show(report: Report, files: Sequence[Path]) -> None:
     say(*(f"- {sentence}" for sentence in report.violations[:SHOWN]))
     if len(report.violations) > SHOWN:
         say(f"- and {len(report.violations) - SHOWN} more in the report")
+    if report.not_understood:
+        say(report.not_understood)
     say(*map(str, files))
 
 

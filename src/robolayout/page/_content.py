@@ -75,6 +75,7 @@ def content(result: Shown, marks: Sequence[PlanMarks]) -> dict[str, Any]:
         "name": scene.name,
         "task": scene.task_description,
         "ok": report.ok,
+        "asked": [[row.words, row.understanding, row.verdict, row.value] for row in report.asked],
         "checks": [_check(*row) for row in report.rows()],
         "problems": [*report.physics.reasons, *_unmet(report)],
         "timing": [[station, round(spent["wall"], 3)] for station, spent in report.timing.items()],

@@ -11,8 +11,9 @@ import base64
 import hashlib
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
+from html import escape
 from importlib.resources import files
 from typing import Any
 
@@ -30,11 +31,24 @@ def document(data: Mapping[str, Any], glb: bytes) -> str:
     parts = {
         "policy": _policy(script, style),
         "style": style,
+        "asked": _asked(data.get("asked", ())),
         "script": script,
         "data": json.dumps(data, separators=(",", ":"), allow_nan=False).translate(_ESCAPES),
         "glb": base64.b64encode(glb).decode(),
     }
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]], _part("page.html"))
+
+
+def _asked(rows: Sequence[Sequence[str]]) -> str:
+    """Return the ledger of what the user asked as a table, every text escaped; nothing where nothing was asked."""
+    if not rows:
+        return ""
+    met = sum(verdict == "met" for *_, verdict, _ in rows)
+    judged = sum(verdict in ("met", "unmet") for *_, verdict, _ in rows)
+    lines = "".join(f"<tr>{''.join(f'<td>{escape(text)}</td>' for text in row)}</tr>" for row in rows)
+    heads = "<tr><th>words</th><th>understood as</th><th>verdict</th><th>measured</th></tr>"
+    table = f"<details><summary>Asked: {met} of {judged} met</summary><table>{heads}{lines}</table></details>"
+    return table.encode("ascii", "xmlcharrefreplace").decode()
 
 
 def _policy(script: str, style: str) -> str:

@@ -86,6 +86,8 @@ def html(report: Report) -> str:
     verdict = "all demands met" if report.ok else "not all demands are met"
     rows = [[name, value, "ok" if met else "short"] for name, value, met in report.rows()]
     head = paragraph(f"{report.scene.name} for {bodies}: {verdict}")
+    asked = [[row.words, row.understanding, row.verdict, row.value] for row in report.asked]
+    head += table(["words", "understood as", "verdict", "measured"], asked) if asked else ""
     rules = table(["rule", "asks", "measured", "", "source"], rule_rows(report)) if report.rules else ""
     return head + table(["check", "result", ""], rows) + bullets(report.violations, SHOWN) + rules
 
