@@ -693,3 +693,11 @@ def test_any_value_anywhere_gives_a_scene_or_a_sentence(path: tuple[str | int, .
         assert str(error)
     else:
         assert scene_from_dict(scene_to_dict(scene)) == scene
+
+
+def test_a_file_name_with_a_slip_leads_to_the_file_that_is_there(tmp_path: Path) -> None:
+    (tmp_path / "bedroom.json").write_text("{}")
+    with pytest.raises(
+        SceneError, match=r"bedrom\.json does not exist; did you mean '.*bedroom\.json'\? Or check the path\."
+    ):
+        load_scene(tmp_path / "bedrom.json")

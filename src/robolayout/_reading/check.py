@@ -34,6 +34,17 @@ def show(value: object) -> str:
 
 
 @dataclass(frozen=True)
+def _meant(path: Path) -> str:
+    """Return which file beside a missing one may be meant, as the begin of a sentence; nothing where none is like it."""
+    if not is_folder(path.parent):
+        return ""
+    try:
+        near = difflib.get_close_matches(path.name[:200], sorted(os.listdir(path.parent)), n=1, cutoff=0.75)
+    except OSError:
+        return ""
+    return f"did you mean {str(path.with_name(near[0]))!r}? Or " if near else ""
+
+
 class Checker:
     """Checks values and raises `error` with a sentence that names the place, the value and what is allowed."""
 
@@ -126,6 +137,8 @@ class Checker:
         """Return the content of a regular file of at most `most` bytes."""
         if is_folder(path):
             raise self.error(f"{what} {path} is a folder; name the file in it{_such_as(path, what)}.")
+        if not path.exists() and (meant := _meant(path)):
+            raise self.error(f"{what} {path} does not exist; {meant}check the path.")
         return self.parse(lambda place: regular_bytes(place, most), path, f"{what} {path}")
 
     def parse(self, read: Callable[[Given], Made], given: Given, what: str) -> Made:

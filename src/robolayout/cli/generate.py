@@ -63,6 +63,10 @@ KnowledgeOption = Annotated[
 ReplayOption = Annotated[Path | None, typer.Option("--replay", help="Answer from recorded exchanges, offline.")]
 
 
+LONGEST_NAME = 255
+"""Characters of a file name at the most, on the usual systems."""
+
+
 def generate(  # noqa: PLR0913 - one parameter per option
     scene: SceneOrSentence,
     program: ProgramOption = None,
@@ -278,7 +282,7 @@ def _jobs(
         whole = out or Path("out") / file_name(scene.name)
         return whole if variants == 1 else whole / f"variant-{variant}"
 
-    if Path(text).suffix == ".json" or Path(text).exists() or " " not in text.strip():
+    if _names_a_file(text):
         scene = read_scene(text, agent, asset_dir, knowledge)
         for variant in range(variants):
             yield _Job(scene, folder(scene, variant), seed + variant)
@@ -288,6 +292,14 @@ def _jobs(
         if agent is not None:
             scene = scene.with_agents(*load_agents(agent))
         yield _Job(scene, folder(scene, variant), seed, understood)
+
+
+def _names_a_file(text: str) -> bool:
+    """Return whether an argument names a scene file rather than saying what the room should be."""
+    name = text.strip()
+    if " " in name or "\n" in name:
+        return len(text) <= LONGEST_NAME and (Path(text).suffix == ".json" or Path(text).exists())
+    return bool(name) and (not name.isalpha() or (len(text) <= LONGEST_NAME and Path(text).exists()))
 
 
 def read_scene(path: str, agent: str | None, asset_dir: Path | None, knowledge: Sequence[Path] = ()) -> Scene:

@@ -21,7 +21,7 @@ from robolayout.words import (
     wanted_openings,
 )
 
-GENERAL = ("desk", "bed", "table", "chair", "shelf")
+GENERAL = ("desk", "bed", "table", "chair", "shelf", "sink", "counter")
 """Nouns that mean what is usual in a room: a desk of a classroom is a student desk."""
 
 LACKING, LIKELY = 0.4, 1.0

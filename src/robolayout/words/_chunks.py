@@ -167,6 +167,8 @@ class Chunker:
 
     def _before_noun(self, i: int, det: str, number: int | None) -> tuple[str, int | None, str, int, int] | None:
         """Return (article, number, bound, rows, length) of what stands before a noun here."""
+        if i in self.measured:
+            return None
         word, rest = self.words[i], self.words[i + 1 : i + 5]
         if rest[:1] and word in SETS and "of" in rest[:1]:
             return ("", 2 if word in ("pair", "couple") else None, "", 0, 2)
@@ -227,7 +229,11 @@ class Chunker:
         if self.lexicon.noun(self.words[i : i + 2]) is not None and self._continues(i):
             return False
         known = bool(run) and self.lexicon.noun([run[-1], word]) is not None
-        return not known or (word == "stands" and not many) or (word == "stand" and run[-1].endswith("s"))
+        return (
+            not known
+            or (word == "stands" and not many and self._begins_relation(i + 1))
+            or (word == "stand" and run[-1].endswith("s"))
+        )
 
     def _begins_relation(self, i: int) -> bool:
         for size in range(min(LONGEST, len(self.words) - i), 0, -1):

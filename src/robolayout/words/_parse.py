@@ -141,8 +141,9 @@ class Parser(References):
         if chunk.value in ("that", "which"):
             self.relative = True
             return
-        if chunk.value in ("each", "each of them", "all of them", "both") and self.at < len(self.chunks):
-            if chunk.value.startswith("each") and self.chunks[self.at].kind == "with":
+        if chunk.value in ("each", "each of them", "all of them", "both"):
+            following = self.chunks[self.at].kind if self.at < len(self.chunks) else "stop"
+            if chunk.value.startswith("each") and following == "with":
                 self._on_each(chunk)
                 return
             if chunk.value == "each" and self.group and self.holder:

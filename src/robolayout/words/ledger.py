@@ -9,7 +9,7 @@ from typing import Any, Literal
 from robolayout.assets import category_of
 from robolayout.scene import Layout, Scene
 from robolayout.words._demander import Demander
-from robolayout.words._lexicon import Lexicon
+from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._match import fits, stand_ins
 from robolayout.words._said import Link, Mention, Place, Thing
 from robolayout.words.demands import Demand
@@ -109,6 +109,9 @@ class _Rows:
         """Yield facts about the room, counts, relations, refusals, and what was not understood."""
         yield from self._facts()
         parsed = self.reading.parsed
+        said = [chunk.adjectives for chunk in parsed.facts] + [thing.adjectives for thing in parsed.things]
+        for word in dict.fromkeys(word for words in said for word in words if word in grammar().styles):
+            yield _Row(word, "style", "a matter of taste", _taste)
         for place, span in parsed.openings:
             yield self._opening(place, self.reading.span(*span))
         for thing in parsed.things:

@@ -1,0 +1,101 @@
+"""The ledger: rows are judged by the layout alone, and every kind of row can be met and unmet."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene
+from robolayout.words import AskedRow, read_words
+
+ROOM = Room(
+    ((0, 0), (5, 0), (5, 4), (0, 4)),
+    2.6,
+    doors=(Opening(0, 0.3, 0.9, 2.05),),
+    windows=(Opening(2, 1.8, 1.4, 1.3, 0.9),),
+)
+BED = Asset("bed-0", "double bed", (2.0, 1.6, 0.5))
+STANDS = tuple(Asset(f"night_stand-{i}", "night stand", (0.4, 0.45, 0.5)) for i in range(2))
+LAMP = Asset("lamp-0", "table lamp", (0.2, 0.2, 0.4), on_floor=False, on_object=True)
+DESK = Asset("desk-0", "desk", (0.7, 1.2, 0.75))
+PLACED = Layout(
+    {
+        "bed-0": Pose(1.02, 2.0, 0.25, 0.0),
+        "night_stand-0": Pose(0.25, 3.06, 0.25, 0.0),
+        "night_stand-1": Pose(0.25, 0.94, 0.25, 0.0),
+        "lamp-0": Pose(0.25, 3.06, 0.7, 0.0),
+        "desk-0": Pose(2.5, 3.62, 0.375, -1.5708),
+    }
+)
+
+
+def judged(text: str, layout: Layout = PLACED, **scene: object) -> list[AskedRow]:
+    given = Scene(ROOM, (BED, *STANDS, LAMP, DESK), text)
+    return list(read_words(replace(given, **scene)).judged(given, layout))
+
+
+def verdict(text: str, kind: str, layout: Layout = PLACED) -> str:
+    rows = [row for row in judged(text, layout) if row.kind == kind]
+    assert len(rows) == 1, [(row.kind, row.words) for row in judged(text, layout)]
+    return rows[0].verdict
+
+
+@pytest.mark.parametrize(
+    ("text", "met"),
+    [
+        ("The bed is against the wall.", True),
+        ("The bed is against the east wall.", False),
+        ("The bed is against the west wall.", True),
+        ("The desk is under the window.", True),
+        ("The bed is under the window.", False),
+        ("The lamp is on the night stand.", True),
+        ("The lamp is on the desk.", False),
+        ("There are two night stands on both sides of the bed.", True),
+        ("The desk is in the corner.", False),
+        ("The desk is far from the door.", True),
+        ("The bed faces the desk.", False),
+        ("The bed is between the night stands.", True),
+        ("The desk is between the night stands.", False),
+    ],
+)
+def test_relations_are_measured_in_the_layout(text: str, met: bool) -> None:
+    assert verdict(text, "relation") == ("met" if met else "unmet")
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "met"),
+    [
+        ("a bedroom of 5 x 4 m", "room size", True),
+        ("a bedroom of 4.5 x 4 m", "room size", False),
+        ("a bedroom of 20 m2", "room area", True),
+        ("a bedroom with a 3 m ceiling", "room height", False),
+        ("a bedroom with two windows", "opening", False),
+        ("a bedroom with one door", "opening", True),
+        ("a bedroom for a wheelchair user", "body", False),
+        ("no wardrobe", "refusal", True),
+        ("no desk", "refusal", False),
+        ("three night stands", "count", False),
+        ("two night stands", "count", True),
+        ("at most one night stand", "count", False),
+    ],
+)
+def test_counts_and_the_room_are_measured(text: str, kind: str, met: bool) -> None:
+    assert verdict(text, kind) == ("met" if met else "unmet")
+
+
+def test_what_is_not_placed_meets_nothing() -> None:
+    without = Layout({name: pose for name, pose in PLACED.items() if name != "lamp-0"})
+    rows = judged("The lamp is on the night stand.", without)
+    assert {row.verdict for row in rows if row.kind == "relation"} == {"unmet"}
+    assert "lamp-0 not placed" in [row.value for row in rows]
+
+
+def test_nothing_is_dropped() -> None:
+    rows = judged("A cosy bedroom where the bed gleams, stacked.")
+    assert {row.verdict for row in rows} >= {"met", "not judged", "not understood"}
+    assert "gleams" in [row.words for row in rows]
+
+
+def test_no_words_no_rows() -> None:
+    assert judged("") == []

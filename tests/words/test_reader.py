@@ -1,0 +1,125 @@
+"""What is read in sentences: things with counts, relations between them, and what becomes of every word."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from robolayout._errors import SceneError
+from robolayout.words import Lexicon, Mention, Reading, read_rooms, read_text
+
+LEXICON = Lexicon(read_rooms())
+
+
+def read(text: str) -> Reading:
+    return read_text(text, LEXICON)
+
+
+def things(text: str) -> dict[str, int]:
+    return {thing.noun.words: thing.count for thing in read(text).parsed.things}
+
+
+def links(text: str) -> set[tuple[str, ...]]:
+    """Return (relation, subject, object) for everything that is said."""
+    found: set[tuple[str, ...]] = set()
+    for link in read(text).parsed.links:
+        to = [o.thing.noun.words if isinstance(o, Mention) else o.name for o in link.objects] or [""]
+        found |= {(link.relation, subject.thing.noun.words, other) for subject in link.subjects for other in to}
+    return found
+
+
+@pytest.mark.parametrize(
+    ("text", "counts"),
+    [
+        ("a room with two sofas and a pair of lamps", {"sofa": 2, "table lamp": 2}),
+        ("twenty desks and chairs", {"desk": 20, "chair": 20}),
+        ("two desks, each with a monitor and an office chair", {"desk": 2, "monitor": 2, "office chair": 2}),
+        ("four round tables with four chairs each", {"round table": 4, "chair": 16}),
+        ("eight round tables and eight chairs around each table", {"round table": 8, "chair": 64}),
+        ("a bed with a nightstand on each side", {"bed": 1, "night stand": 2}),
+        ("two nightstands and a lamp on each nightstand", {"night stand": 2, "table lamp": 2}),
+        ("at least three shelves and at most two plants", {"shelving unit": 3, "plant": 2}),
+        ("a plant in each corner", {"plant": 4}),
+        ("a bed. The bed is brown. Keep the bed near the window.", {"bed": 1}),
+        ("three rows of four student desks", {"student desk": 12}),
+        ("a two-seater sofa, a four-poster bed and a trash can", {"sofa": 1, "bed": 1, "trash can": 1}),
+        ("a plant stands on the TV stand", {"potted plant": 1, "tv stand": 1}),
+        ("a shop with flower stands", {"plant stand": 2}),
+    ],
+)
+def test_counts(text: str, counts: dict[str, int]) -> None:
+    assert things(text) == counts
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("a desk under the window with a chair in front of it", {("under", "desk", "window"), ("front", "chair", "desk")}),
+        ("On the desk is a laptop.", {("on", "laptop", "desk")}),
+        ("Next to the sofa is a side table and on it stands a lamp.", {("next", "side table", "sofa"), ("on", "table lamp", "side table")}),
+        ("a sofa against the wall, a coffee table in front of it", {("wall", "sofa", "wall"), ("front", "coffee table", "sofa")}),
+        ("There is a lamp and a book on the desk.", {("on", "table lamp", "desk"), ("on", "book", "desk")}),
+        ("The armchair is in the corner and faces the desk.", {("in", "armchair", "corner"), ("facing", "armchair", "desk")}),
+        ("a sofa, a piano and a rug between them", {("amid", "rug", "piano"), ("amid", "rug", "sofa")}),
+        ("a bed flanked by two lamps", {("flank", "floor lamp", "bed")}),
+        ("a lamp on the nightstand by the bed", {("on", "table lamp", "night stand"), ("by", "night stand", "bed")}),
+        ("a table and ten chairs: four on each long side and one at each end", {("around", "chair", "dining table")}),
+    ],
+)  # fmt: skip
+def test_relations(text: str, said: set[tuple[str, ...]]) -> None:
+    assert links(text) == said
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("a lamp above the dining table", "pendant lamp"),
+        ("a lamp on the desk", "table lamp"),
+        ("a lamp in the corner", "floor lamp"),
+        ("a coffeetable", "coffee table"),
+        ("a bistro table", "round table"),
+        ("a wardrob", "wardrobe"),
+        ("a karaoke machine", "vending machine"),
+    ],
+)
+def test_a_noun_takes_the_kind_that_fits(text: str, kind: str) -> None:
+    assert read(text).parsed.things[0].noun.kind == kind
+
+
+def test_refusals_end_where_the_next_wish_begins() -> None:
+    said = read("a bedroom without a wardrobe but with a desk, no rug or mirror, and a chair").parsed
+    assert [noun.words for noun, _ in said.refused] == ["wardrobe", "rug", "mirror"]
+    assert [thing.noun.words for thing in said.things] == ["desk", "chair"]
+
+
+def test_a_body_is_who_the_room_is_for_and_a_thing_is_what_stands_there() -> None:
+    assert read("a bathroom for a wheelchair user").agent == "wheelchair"
+    assert read("a wheelchair user's bathroom").agent == "wheelchair"
+    hospital = read("a hospital room with a wheelchair")
+    assert hospital.agent is None
+    assert [thing.noun.words for thing in hospital.parsed.things] == ["wheelchair"]
+
+
+def test_every_word_is_part_of_something() -> None:
+    text = "A bedroom with a glorp, shimmering in violet, next to a bed."
+    said = read(text).parsed
+    missed = [read(text).span(chunk.start, chunk.end) for chunk in said.missed]
+    assert "shimmering" in missed
+    assert [thing.noun.words for thing in said.things] == ["glorp", "bed"]
+    assert said.things[0].noun.guessed
+
+
+def test_only_so_much_is_read_and_the_rest_is_counted() -> None:
+    assert read("a bedroom " + "with a bed " * 10_000).unread > 100_000
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.text(max_size=120))
+def test_any_text_is_read_or_refused(text: str) -> None:
+    try:
+        reading = read(text)
+    except SceneError as error:
+        assert str(error)
+    else:
+        assert all(0 <= chunk.start < chunk.end <= len(reading.words) for chunk in reading.parsed.missed)
