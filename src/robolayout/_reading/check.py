@@ -33,18 +33,20 @@ def show(value: object) -> str:
     return reprlib.repr(value)
 
 
-@dataclass(frozen=True)
 def _meant(path: Path) -> str:
     """Return which file beside a missing one may be meant, as the begin of a sentence; nothing where none is like it."""
     if not is_folder(path.parent):
         return ""
     try:
-        near = difflib.get_close_matches(path.name[:200], sorted(os.listdir(path.parent)), n=1, cutoff=0.75)
+        near = difflib.get_close_matches(
+            path.name[:200], sorted(entry.name for entry in path.parent.iterdir()), n=1, cutoff=0.75
+        )
     except OSError:
         return ""
     return f"did you mean {str(path.with_name(near[0]))!r}? Or " if near else ""
 
 
+@dataclass(frozen=True)
 class Checker:
     """Checks values and raises `error` with a sentence that names the place, the value and what is allowed."""
 
