@@ -12,7 +12,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from benchmarks import ablation, bodies, crowded, examples, exports, opening, page, pictures, speed, tasks, vlm
+from benchmarks import ablation, bodies, crowded, examples, exports, opening, page, pictures, speed, tasks, vlm, words
 from benchmarks.store import Store
 
 SECTIONS = {
@@ -26,6 +26,7 @@ SECTIONS = {
     "pictures": pictures.cases,
     "exports": exports.cases,
     "opening": opening.cases,
+    "words": words.cases,
 }
 
 

@@ -373,6 +373,37 @@ def opening(rows: Rows, images: Path) -> str:
     return f"## Opening the page\n\n{intro}\n{table(heads, lines)}"
 
 
+def words(rows: Rows, images: Path) -> str:
+    """Return the demands met by kind, for the prompts set aside and those of development, and how the ledger agrees."""
+    kinds = ("counts", "relations", "places in the room", "room")
+    lines: list[list[str]] = []
+    for file, shown in (("held", "set aside"), ("open", "of development")):
+        found = select(rows, lambda key, file=file: key[0] == file)
+        totals = {
+            key: sum(int(row.get(key, 0)) for row in found)
+            for kind in kinds
+            for key in (f"{kind} met", f"{kind} asked")
+        }
+        cells = [_of(totals[f"{kind} met"], totals[f"{kind} asked"]) for kind in kinds]
+        met, asked = (sum(totals[f"{kind} {word}"] for kind in kinds) for word in ("met", "asked"))
+        compared, agreed = (sum(int(row.get(word, 0)) for row in found) for word in ("compared", "agreed"))
+        refused = str(sum("refused" in row for row in found))
+        if found:
+            seconds = f"{statistics.median(row['seconds'] for row in found):.1f}"
+            lines.append([f"{len(found)} {shown}", _of(met, asked), *cells, _of(agreed, compared), refused, seconds])
+    heads = ["prompts", "all demands", *kinds, "ledger agrees", "refused", "CPU s, median"]
+    intro = (
+        "Prompts of our own in the manner of published ones, with the demands that a person reads in them "
+        "(`benchmarks/prompts/`), checked by a script that knows nothing of the reader. *Ledger agrees*: of the demands "
+        "that have a row of the ledger, those to which both give the same verdict.\n"
+    )
+    return f"## Words\n\n{intro}\n{table(heads, lines)}"
+
+
+def _of(part: int, whole: int) -> str:
+    return f"{part} of {whole} ({part / whole:.0%})" if whole else "-"
+
+
 SECTIONS: dict[str, Callable[[Rows, Path], str]] = {
     "examples": examples,
     "bodies": bodies,
@@ -384,6 +415,7 @@ SECTIONS: dict[str, Callable[[Rows, Path], str]] = {
     "pictures": pictures,
     "exports": exports,
     "opening": opening,
+    "words": words,
 }
 
 

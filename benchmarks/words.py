@@ -27,7 +27,7 @@ from shapely import LineString, Point, Polygon
 from benchmarks.store import Row
 
 FOLDER = Path(__file__).parent / "prompts"
-FILES = ("open", "held")
+FILES = ("held", "open")
 FACTS = ("room", "size", "area", "height", "body", "windows", "doors", "shape")
 RELATIONS = (
     "on", "next", "near", "far", "front", "behind", "left", "right", "between", "around", "facing", "opposite", "above", "under",
@@ -336,7 +336,7 @@ def measured(prompt: Prompt) -> Row:
         scene, understood = rl.scene_from_sentence(prompt.text)
         result = rl.generate(scene)
     except rl.RoboLayoutError as error:
-        row: Row = {"refused": str(error)[:160]}
+        row: Row = {"refused": str(error)[:160], "seconds": time.process_time() - start}
         for demand in prompt.demands:
             row[f"{class_of(demand)} asked"] = row.get(f"{class_of(demand)} asked", 0) + 1
         return row
