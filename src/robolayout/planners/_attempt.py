@@ -9,6 +9,7 @@ from functools import partial
 
 import numpy as np
 
+from robolayout.planners._asked import MISSED
 from robolayout.planners._cluster import Cluster, ClusterBuilder
 from robolayout.planners._grid import grid_batches, last_cell, put_grid
 from robolayout.planners._member import Member
@@ -231,9 +232,12 @@ class Attempt:
             self._place(cluster, self._open_to(cluster, modes) or ["wall", "middle"], weights)
 
     def _open_to(self, cluster: Cluster, modes: Sequence[str]) -> list[str]:
-        """Return the ways of standing that a cluster is open to: all of them where the user's words ask something of it."""
+        """Return the ways of standing that a cluster is open to: all, where in none of its own it meets what the user asks."""
         asked = self.site.asked
         if asked is None or not asked.about([member.name for member in cluster.members]):
+            return list(modes)
+        own = batches(self.site, cluster, modes)
+        if any(float(self.site.missed(batch.cluster, batch.poses).min()) < MISSED for batch in own):
             return list(modes)
         return [*modes, *(mode for mode in ("wall", "corner", "middle") if mode not in modes)]
 

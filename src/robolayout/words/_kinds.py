@@ -46,5 +46,7 @@ def _where(link: Link) -> str:
         return "wall" if wall else "ceiling"
     if link.relation == "on" and isinstance(to, Mention):
         return "object" if not CATALOGUE[to.thing.noun.kind].size[2] < 0.03 else "floor"
+    if link.relation == "flank" and isinstance(to, Mention) and to.thing.noun.kind.endswith("bed"):
+        return ""  # on the night stands
     small = isinstance(to, Mention) and CATALOGUE[to.thing.noun.kind].places == ("object",)
     return "object" if small and link.relation in STANDING else "floor" if link.relation in STANDING else ""
