@@ -72,7 +72,6 @@ def test_relations_are_measured_in_the_layout(text: str, met: bool) -> None:
         ("a bedroom with a 3 m ceiling", "room height", False),
         ("a bedroom with two windows", "opening", False),
         ("a bedroom with one door", "opening", True),
-        ("a bedroom for a wheelchair user", "body", False),
         ("no wardrobe", "refusal", True),
         ("no desk", "refusal", False),
         ("three night stands", "count", False),
@@ -82,6 +81,10 @@ def test_relations_are_measured_in_the_layout(text: str, met: bool) -> None:
 )
 def test_counts_and_the_room_are_measured(text: str, kind: str, met: bool) -> None:
     assert verdict(text, kind) == ("met" if met else "unmet")
+
+
+def test_a_body_that_was_chosen_otherwise_is_not_judged() -> None:
+    assert verdict("a bedroom for a wheelchair user", "body") == "not judged"
 
 
 def test_what_is_not_placed_meets_nothing() -> None:

@@ -70,6 +70,10 @@ FreeOption = Annotated[str, typer.Option("--free", help="With --from: all that m
 ReplayOption = Annotated[Path | None, typer.Option("--replay", help="Answer from recorded exchanges, offline.")]
 
 
+LONGEST_NAME = 255
+"""Characters of a file name at the most, on the usual systems."""
+
+
 def generate(  # noqa: PLR0913 - one parameter per option
     scene: SceneOrSentence,
     program: ProgramOption = None,

@@ -241,7 +241,7 @@ def _taste(scene: Scene, layout: Layout) -> Finding:
 def _for_body(name: str) -> Callable[[Scene, Layout], Finding]:
     def judge(scene: Scene, layout: Layout) -> Finding:
         bodies = ", ".join(agent.name for agent in scene.agents)
-        return ("met" if name in bodies else "unmet"), f"laid out for {bodies}"
+        return ("met" if name in bodies else "not judged"), f"laid out for {bodies}"
 
     return judge
 
