@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Generator, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from shutil import copytree
 from typing import TYPE_CHECKING, Annotated
@@ -115,6 +116,7 @@ def generate(  # noqa: PLR0913 - one parameter per option
     offline = own_planner(knowledge, program, model or base_url or replay)
     other = _not_offline(program, model or base_url or replay)
     config = SolverConfig(starts=starts, trace=pictures).at(effort)
+    arranged = partial(arrange, solver=solver, config=config, start=start, keep=_names(keep), free=_names(free))
     every_ok = True
     for job in _jobs(scene, agent, asset_dir, (seed, variants), out, knowledge or ()):
         _check_meshes(job.scene)
@@ -123,11 +125,8 @@ def generate(  # noqa: PLR0913 - one parameter per option
         with _output(job.folder) as run, progress(quiet or as_json) as tell:
             how, limits = (model, mode, samples, retries, critic), (base_url, max_cost, timeout, replay)
             planner = _model_or_file(program, how, limits, run, job.seed) if other else offline
-            options = {"solver": solver, "start": start, "keep": _names(keep), "free": _names(free)}
-            result = arrange(job.scene, planner=planner, seed=job.seed, config=config, progress=tell, **options)
-            if settle:
-                tell("settle")
-                result = _settled(result)
+            result = arranged(job.scene, planner=planner, seed=job.seed, progress=tell)
+            result = _settled(result, tell) if settle else result
             tell("write")
             job.write(run.path)
             files = write_files(result, run, pictures=pictures, formats=formats)
@@ -205,12 +204,13 @@ def _checked(export: str, constraints: Path | None, *, settle: bool) -> list[str
     return formats
 
 
-def _settled(result: Result) -> Result:
+def _settled(result: Result, tell: Callable[[str], None]) -> Result:
     """Return the run with a report that also says what gravity does."""
     from dataclasses import replace
 
     from robolayout.export import settle
 
+    tell("settle")
     found = settle(result.scene, result.layout)
     return replace(result, report=result.report.with_stability(found.to_dict()))
 

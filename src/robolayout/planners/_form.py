@@ -119,3 +119,9 @@ def side_rect(size: Size, side: str, depth: float) -> Rect:
         "left": (-hx, hy, hx, hy + depth),
         "right": (-hx, -hy - depth, hx, -hy),
     }[side]
+
+
+def corners_of(member: Member, size: tuple[float, float, float]) -> Points:
+    """Return the four corners (4, 2) of a member's footprint, counter-clockwise."""
+    hx, hy = size[0] / 2, size[1] / 2
+    return at(member, np.array([(hx, -hy), (hx, hy), (-hx, hy), (-hx, -hy)]))

@@ -75,7 +75,7 @@ def _windows(
     found: list[Opening] = []
     for wall, items in by_wall.items():
         share = lengths[wall] / len(items)
-        middle = float(rng.choice([0.35, 0.5, 0.65])) if len(items) == 1 and not item.wall else 0.5
+        middle = float(rng.choice([0.35, 0.5, 0.65])) if len(items) == 1 and not items[0].wall else 0.5
         for number, item in enumerate(items):
             width, height = LARGE if item.large else USUAL
             width = round(min(width, share * MOST_OF_A_WALL if len(items) == 1 else share * 0.7), 2)

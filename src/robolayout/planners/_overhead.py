@@ -11,9 +11,10 @@ import shapely
 from robolayout.assets.obstacles import use_sides
 from robolayout.floor import rect_points
 from robolayout.planners._cluster import Cluster
+from robolayout.planners._form import corners_of
 from robolayout.planners._member import Member
 from robolayout.planners._places import WALL_GAP, targets, wall_yaw
-from robolayout.planners._site import Site, Spot, corners_of
+from robolayout.planners._site import Site, Spot
 from robolayout.planners._taste import nearness
 from robolayout.scene import Wall
 

@@ -19,7 +19,6 @@ from robolayout.floor import (
     FLOOR,
     Cells,
     Floor,
-    Points,
     Shadow,
     Standing,
     placed,
@@ -30,7 +29,7 @@ from robolayout.floor import (
 )
 from robolayout.planners._asked import Asked
 from robolayout.planners._cluster import Cluster
-from robolayout.planners._form import Forms, at, side_rect
+from robolayout.planners._form import Forms, at, corners_of, side_rect
 from robolayout.planners._member import Member, Rect, box_of, overlaps
 from robolayout.planners._roles import Cast
 from robolayout.scene import Room, Scene, Wall
@@ -431,12 +430,6 @@ def _touch(bodies: NDArray[np.object_], others: Sequence[shapely.Polygon]) -> bo
 def _grown(size: tuple[float, float, float]) -> tuple[float, float, float]:
     """Return a size with `HAIR` on every side."""
     return (size[0] + 2 * HAIR, size[1] + 2 * HAIR, size[2])
-
-
-def corners_of(member: Member, size: tuple[float, float, float]) -> Points:
-    """Return the four corners (4, 2) of a member's footprint, counter-clockwise."""
-    hx, hy = size[0] / 2, size[1] / 2
-    return at(member, np.array([(hx, -hy), (hx, hy), (-hx, hy), (-hx, -hy)]))
 
 
 def along_wall(member: Member, size: tuple[float, float, float], wall: Wall) -> tuple[float, float, float] | None:

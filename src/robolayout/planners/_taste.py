@@ -9,8 +9,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from robolayout.planners._form import corners_of
 from robolayout.planners._places import Batch, centroid, targets
-from robolayout.planners._site import Site, Spot, corners_of
+from robolayout.planners._site import Site, Spot
 
 Cost = NDArray[np.float64]
 

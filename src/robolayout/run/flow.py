@@ -165,16 +165,10 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     with clock.station("plan"):
         say("plan")
         groups = planner.group(scene)
-    if given is not None:
-        best = run.edited(planner, program, given, pinned)
-        return Result(
-            scene, groups, best.asked, best.reconciled, best.solution.layout, run.reported(best), best.solution
-        )
-    if program is None and isinstance(planner, GroupPlanner):
+    if given is None and program is None and isinstance(planner, GroupPlanner):
         return run.by_groups(planner, groups)
-    best = run.whole(planner, program, attempts)
-    report = run.reported(best)
-    return Result(scene, groups, best.asked, best.reconciled, best.solution.layout, report, best.solution)
+    best = run.whole(planner, program, attempts) if given is None else run.edited(planner, program, given, pinned)
+    return run.result(best, groups)
 
 
 @dataclass(frozen=True)
@@ -188,6 +182,11 @@ class _Run:
     clock: Clock
     say: Progress
     wishes: Wishes = field(default_factory=Wishes)
+
+    def result(self, best: Attempt, groups: tuple[Group, ...]) -> Result:
+        """Return the judged result of what was found."""
+        layout, report = best.solution.layout, self.reported(best)
+        return Result(self.scene, groups, best.asked, best.reconciled, layout, report, best.solution)
 
     def whole(self, planner: Planner, program: str | None, attempts: int) -> Attempt:
         """Plan all assets at once; while demands stay unmet ask again, and keep the best."""

@@ -294,7 +294,13 @@ class GroupedRun:
 
     def _request(self, question: _Question, feedback: str, previous: str) -> PlanRequest:
         return PlanRequest(
-            self.scene, question.group, Layout(question.placed), feedback, self.seed, previous, question.images
+            self.scene,
+            question.group,
+            Layout(question.placed),
+            feedback,
+            self.seed,
+            previous=previous,
+            images=question.images,
         )
 
     def _try(self, question: _Question, texts: Sequence[str], attempt: int) -> tuple[str, str]:
