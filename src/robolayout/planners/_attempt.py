@@ -12,12 +12,12 @@ import numpy as np
 from robolayout.planners._asked import MISSED
 from robolayout.planners._cluster import Cluster, ClusterBuilder
 from robolayout.planners._grid import grid_batches, last_cell, put_grid
-from robolayout.planners._member import Member
+from robolayout.planners._member import GridPlan, Member
 from robolayout.planners._overhead import OVERHEAD_RANK, hang, overhead
 from robolayout.planners._places import Batch, batches, centroid
 from robolayout.planners._roles import Cast
 from robolayout.planners._rugs import lay_rugs
-from robolayout.planners._site import GridPlan, Site
+from robolayout.planners._site import Site
 from robolayout.planners._sorted import alike, by_manner, given_up
 from robolayout.planners._taste import keep_sight, looks, taste
 

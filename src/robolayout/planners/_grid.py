@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.planners._cluster import Cluster
-from robolayout.planners._member import Member, Rect, box_of
+from robolayout.planners._member import GridPlan, Member, Rect, box_of
 from robolayout.planners._places import Batch, room_yaws, targets
-from robolayout.planners._site import GridPlan, Site
+from robolayout.planners._site import Site
 
 MOST = 40
 """Most things in one grid."""

@@ -44,6 +44,29 @@ class Member:
         return replace(self, y=-self.y, yaw=-self.yaw, side=side)
 
 
+@dataclass(frozen=True)
+class GridPlan:
+    """A block of equal clusters in rows.
+
+    Attributes:
+        names: Anchors, row by row.
+        rows: Number of rows.
+        columns: Number of columns.
+        aisle: Metres between the boxes of one row and the next.
+        gap: Metres between neighbours in a row.
+        paired: Whether every second row is turned to stand back to back with the one before.
+        tight: Whether neighbours stand closer than they should.
+    """
+
+    names: tuple[str, ...]
+    rows: int
+    columns: int
+    aisle: float
+    gap: float
+    paired: bool
+    tight: bool = False
+
+
 def box_of(member: Member, size: Size) -> Rect:
     """Return the upright bounds of a member's footprint in its cluster's frame."""
     c, s = abs(math.cos(member.yaw)), abs(math.sin(member.yaw))

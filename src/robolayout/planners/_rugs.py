@@ -13,9 +13,9 @@ from robolayout.floor import rect_points
 from robolayout.planners._cluster import Cluster
 from robolayout.planners._form import corners_of
 from robolayout.planners._grid import cell_poses
-from robolayout.planners._member import Member
+from robolayout.planners._member import GridPlan, Member
 from robolayout.planners._places import centroid, room_yaws
-from robolayout.planners._site import GridPlan, Poses, Site, Spot
+from robolayout.planners._site import Poses, Site, Spot
 
 Pose = tuple[float, float, float]
 

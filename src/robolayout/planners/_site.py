@@ -30,7 +30,7 @@ from robolayout.floor import (
 from robolayout.planners._asked import Asked
 from robolayout.planners._cluster import Cluster
 from robolayout.planners._form import Forms, at, corners_of, side_rect
-from robolayout.planners._member import Member, Rect, box_of, overlaps
+from robolayout.planners._member import GridPlan, Member, Rect, box_of, overlaps
 from robolayout.planners._roles import Cast
 from robolayout.scene import Room, Scene, Wall
 
@@ -66,29 +66,6 @@ class Spot:
     wall: int | None = None
     anchor: str | None = None
     grid: GridPlan | None = None
-
-
-@dataclass(frozen=True)
-class GridPlan:
-    """A block of equal clusters in rows.
-
-    Attributes:
-        names: Anchors, row by row.
-        rows: Number of rows.
-        columns: Number of columns.
-        aisle: Metres between the boxes of one row and the next.
-        gap: Metres between neighbours in a row.
-        paired: Whether every second row is turned to stand back to back with the one before.
-        tight: Whether neighbours stand closer than they should.
-    """
-
-    names: tuple[str, ...]
-    rows: int
-    columns: int
-    aisle: float
-    gap: float
-    paired: bool
-    tight: bool = False
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,9 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from robolayout.constraints import Relation
-from robolayout.planners._member import Member, Size, box_of
+from robolayout.planners._member import GridPlan, Member, Size, box_of
 from robolayout.planners._roles import Cast
-from robolayout.planners._site import GridPlan, Site, Spot, along_wall
+from robolayout.planners._site import Site, Spot, along_wall
 from robolayout.program import Program
 from robolayout.scene import Scene, Wall
 
