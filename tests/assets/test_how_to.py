@@ -73,6 +73,11 @@ def test_a_record_of_ones_own_is_drawn_by_its_own_rows(tmp_path: Path) -> None:
             "box wod",
             "parts of the thing 'spinning wheel', part 'bench': unknown material 'wod'; known: white",
         ),
+        (
+            "z 0:.36",
+            "z 0:3.6",
+            "parts of the thing 'spinning wheel', part 'bench': z reaches 2.60 m beyond the thing's 1 m",
+        ),
         ('role = "statue"', 'role = "statu"', "unknown role of 'spinning wheel': 'statu'. Did you mean 'statue'?"),
         (
             'like = "easel"',

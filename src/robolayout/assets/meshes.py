@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from itertools import accumulate, pairwise
+from itertools import accumulate, chain, pairwise
 
 import numpy as np
 
@@ -42,12 +42,14 @@ def parts(asset: Asset, seed: int = 0) -> tuple[Part, ...]:
 
 
 def builder_for(category: Category) -> Builder:
-    """Return what draws a category: the rows of its record, those of the record that it names, or a function."""
+    """Return what draws a category: the rows of its record, or of the record that it names, and the function of its name."""
     if category.parts in CATALOGUE:
         return builder_for(CATALOGUE[category.parts])
-    if category.parts:
-        return read_rows(category.parts, f"{category.name!r} in group {category.group!r}")
-    return BUILDERS[category.like or category.name]
+    if not category.parts:
+        return BUILDERS[category.like or category.name]
+    drawing = read_rows(category.parts, f"{category.name!r} in group {category.group!r}")
+    more = BUILDERS.get(category.name)
+    return drawing if more is None else lambda p: chain(drawing(p), more(p))
 
 
 def fit(pieces: Iterable[Part], size: tuple[float, float, float]) -> tuple[Part, ...]:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from robolayout._errors import AssetError
 from robolayout._reading import MAX_MESH_BYTES, MESH_SUFFIXES, Checker, regular_bytes
 from robolayout.assets.part import Material, Part
-from robolayout.assets.rows import read_rows
+from robolayout.assets.rows import check_rows
 from robolayout.scene import Scene
 
 Array = NDArray[np.float64]
@@ -145,7 +145,7 @@ def check_meshes(scene: Scene) -> None:
     """
     for asset in scene.assets:
         if asset.parts:
-            read_rows(asset.parts, f"asset {asset.name!r}")
+            check_rows(asset.parts, f"asset {asset.name!r}", asset.size)
         if asset.path is not None:
             try:
                 _thin_pieces(asset.path)

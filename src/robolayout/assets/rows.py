@@ -21,7 +21,7 @@ import numpy as np
 
 from robolayout._errors import AssetError
 from robolayout.assets.drawing import BASIS, CALLS, CROSS, RELATIONS, SUMS, Drawing, Repeat, Row, Test
-from robolayout.assets.palette import MATERIALS
+from robolayout.assets.palette import MATERIALS, make_piece
 
 LENGTHS = {"x": 2, "y": 3, "z": 4}
 """Where in `BASIS` the length along an axis stands."""
@@ -37,6 +37,8 @@ FIELDS: dict[str, tuple[tuple[str, ...], tuple[str, ...], int]] = {
     "drawers": (("y", "z", "rows"), ("x", "columns", "knobs"), 2),
 }
 """What each shape must say, what it may say, and along how many axes it has two ends."""
+OVERHANG = (0.25, 0.05)
+"""Share of an edge, and metres, by both of which a part must lie outside the box to be taken for a mistake; all is fitted in."""
 HOW = "write mirror x|y|xy, repeat N FIELD STEP, if TEST"
 _TERM = re.compile(r"([+-]?)(\d+\.?\d*|\.\d+)?([a-z][a-z0-9_]*)?")
 
@@ -63,6 +65,26 @@ def read_rows(text: str, where: str) -> Drawing:
     if not rows:
         reading.refuse("there is no row", "write one such as 'top: box wood x 0:1 y 0:1 z 0:1'")
     return Drawing(reading.lets, np.array(reading.values), rows)
+
+
+def check_rows(text: str, where: str, size: tuple[float, float, float]) -> None:
+    """Refuse rows that cannot be read, or by which a part lies far outside the thing's box.
+
+    Args:
+        text: Its `parts`.
+        where: Whose they are, for messages.
+        size: Its depth, width and height in metres.
+
+    Raises:
+        AssetError: The message names the record, the part, and the field or the edge.
+    """
+    low = np.array([-size[0] / 2, -size[1] / 2, 0.0])
+    for part in read_rows(text, where)(make_piece(where, where, where, size, 0)):
+        over = np.maximum(low - part.vertices.min(axis=0), part.vertices.max(axis=0) - low - size)
+        for axis, edge, beyond in zip("xyz", size, over.tolist(), strict=True):
+            if beyond > max(OVERHANG[0] * edge, OVERHANG[1]):
+                raise AssetError(f"parts of {where}, part {part.name!r}: {axis} reaches {beyond:.2f} m beyond the thing's "
+                                 f"{edge:g} m; keep it between 0 and 1.")  # fmt: skip
 
 
 class _Reading:

@@ -51,17 +51,18 @@ def _category(entry: Mapping[str, object], group: str) -> Category:
     among(f"side in {where}:", thing.use_sides, SIDES)
     if "size" in entry and not all(0.0 < side <= 100.0 for side in thing.size):
         raise SceneError(f"{where}: size is {list(thing.size)}; depth, width and height are metres, from 0 to 100.")
-    if thing.parts:
-        from robolayout.assets.rows import read_rows
-
-        read_rows(thing.parts, where)
     base = CATALOGUE[thing.like]
+    size = thing.size if "size" in entry else base.size
+    if thing.parts:
+        from robolayout.assets.rows import check_rows
+
+        check_rows(thing.parts, where, size)
     placed = {f"on_{place}": place in thing.place for place in PLACES} if "place" in entry else {}
     return replace(
         base,
         name=thing.name,
         synonyms=(*thing.synonyms, *thing.words),
-        size=thing.size if "size" in entry else base.size,
+        size=size,
         use_sides=thing.use_sides if "use_sides" in entry else base.use_sides,
         group=group,
         source=OWN if "size" in entry else base.source,

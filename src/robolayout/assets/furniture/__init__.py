@@ -10,4 +10,4 @@ __all__ = ["BUILDERS", "Builder"]
 BUILDERS: dict[str, Builder] = {
     name: build for group in (home, plants, shelves, shops, warehouse) for name, build in group.BUILDERS.items()
 }
-"""Builders by category name, for the categories whose record has no `parts`."""
+"""Builders by category name: each draws the whole thing, or what its record's `parts` leave out."""

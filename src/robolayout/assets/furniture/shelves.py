@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from robolayout.assets.furniture._common import Builder, books, four, open_case
 from robolayout.assets.palette import BRIGHT, PLAIN, SPINES, Piece
 from robolayout.assets.part import Part
-from robolayout.assets.shapes import ball, box, cylinder, oval, slab
+from robolayout.assets.shapes import ball, box, cylinder, slab
 
 
 def shoe_rack(p: Piece) -> Iterator[Part]:
@@ -203,37 +203,20 @@ def toy_shelf(p: Piece) -> Iterator[Part]:
 
 
 def coffee_table(p: Piece) -> Iterator[Part]:
-    """Yield a low table with a shelf, or with a glass top, or a round one where it is square."""
+    """Yield books on the shelf, where the table has one."""
     if abs(p.d - p.w) < 0.12:
-        yield oval("top", p.wood, (0.0, 0.0), ((p.d / 2, p.w / 2), (p.d / 2, p.w / 2)), (p.h - 0.03, p.h), sides=28)
-        small = Piece(0.72 * p.d, 0.72 * p.w, p.h, p.palette, p.fabric, p.accent, p.bedding, p.kind, p.variant, p.key)
-        yield from four(small, p.dark, p.h - 0.03, thick=0.04, round_=True)
         return
-    thick = 0.03
-    top = PLAIN["glass"] if p.variant % 4 == 0 else p.wood
-    frame = p.metal if top is PLAIN["glass"] else p.dark
-    yield box("top", top, p.x, p.y, (p.h - thick, p.h))
-    yield from four(p, frame, p.h - thick - (0.002 if top is PLAIN["glass"] else 0.0), thick=0.045, inset=0.02)
-    shelf = 0.3 * p.h
-    yield box("shelf", p.wood, (p.x[0] + 0.03, p.x[1] - 0.03), (p.y[0] + 0.067, p.y[1] - 0.067), (shelf - 0.02, shelf))
     rng = p.rng()
     y = rng.uniform(-0.2, 0.1) * p.w
     for i in range(3):
-        z = shelf + 0.022 * i
+        z = 0.3 * p.h + 0.022 * i
         cover = (-0.13 + 0.01 * i, 0.1 + 0.005 * i)
         yield box("book", rng.choice(SPINES), cover, (y, y + 0.2 - 0.012 * i), (z, z + 0.02))
 
 
 def bar_cart(p: Piece) -> Iterator[Part]:
-    """Yield a trolley with two trays, bottles and wheels."""
-    low, high = 0.24 * p.h, p.h
-    for z in (low, high):
-        yield box("tray", p.wood, (p.x[0] + 0.016, p.x[1] - 0.016), (p.y[0] + 0.016, p.y[1] - 0.016), (z - 0.02, z))
-    for x in (p.x[0] + 0.008, p.x[1] - 0.008):
-        for y in (p.y[0] + 0.008, p.y[1] - 0.008):
-            yield cylinder("post", p.metal, (x, y), 0.008, (0.06, p.h - 0.021), sides=6)
-            yield cylinder("wheel", PLAIN["iron"], (0.03, x), 0.03, (y - 0.008, y + 0.008), axis="y", sides=10)
-    rng = p.rng()
+    """Yield bottles on the lower tray."""
+    rng, low = p.rng(), 0.24 * p.h
     for i in range(4):
         y, tall = p.y[0] + (i + 0.7) * p.w / 4.6, rng.uniform(0.3, 0.45) * p.h
         yield cylinder("bottle", rng.choice(SPINES), (0.02, y), (0.035, 0.02), (low, low + tall), sides=10)

@@ -5,19 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from robolayout._text import utf8
-from robolayout.assets.furniture._common import Builder, four
+from robolayout.assets.furniture._common import Builder
 from robolayout.assets.palette import PLAIN, Piece
 from robolayout.assets.part import Material, Part
 from robolayout.assets.shapes import box, cylinder, sheared, soft
 
 Span = tuple[float, float]
-
-
-def castors(p: Piece, r: float, *, inset: float = 0.04) -> Iterator[Part]:
-    """Yield four wheels of radius `r` under the corners."""
-    for x in (p.x[0] + r + inset, p.x[1] - r - inset):
-        for y in (p.y[0] + inset, p.y[1] - inset):
-            yield cylinder("castor", PLAIN["rubber"], (r, x), r, (y - 0.018, y + 0.018), axis="y", sides=12)
 
 
 def wheel(p: Piece, x: float, y: float, r: float, *, wide: float = 0.03) -> Iterator[Part]:
@@ -109,58 +102,19 @@ def pallet_rack(p: Piece) -> Iterator[Part]:
 
 
 def platform_cart(p: Piece) -> Iterator[Part]:
-    """Yield a flat cart with cartons; it is pushed at its left end."""
-    yield from castors(p, 0.07, inset=0.05)
-    yield box("deck", p.wood, p.x, p.y, (0.15, 0.2))
-    for x in (0.86 * p.x[0], 0.8 * p.x[1]):
-        yield box("post", PLAIN["steel"], (x, x + 0.03), (p.y[0] + 0.02, p.y[0] + 0.05), (0.2, p.h - 0.03))
-    yield box(
-        "handle", PLAIN["steel"], (0.9 * p.x[0], 0.9 * p.x[1]), (p.y[0] + 0.019, p.y[0] + 0.051), (p.h - 0.03, p.h)
-    )
+    """Yield cartons on a flat cart."""
     yield from stack(p, (0.8 * p.x[0], 0.8 * p.x[1]), (-0.3 * p.w, 0.44 * p.w), (0.2, 0.62 * p.h), 3)
 
 
 def packing_table(p: Piece) -> Iterator[Part]:
-    """Yield a work table with a shelf, cartons and a roll of paper above it."""
-    top = min(0.92, 0.62 * p.h) if p.h > 1.15 else p.h
-    yield box("top", p.wood, p.x, p.y, (top - 0.04, top))
-    yield from four(p, PLAIN["grey"], top - 0.04, thick=0.06, inset=0.01)
-    if top == p.h:
-        return
-    for y in (p.y[0], p.y[1] - 0.05):
-        yield box("post", PLAIN["grey"], (p.x[0], p.x[0] + 0.05), (y, y + 0.05), (top, p.h))
-    inner = (p.y[0] + 0.05, p.y[1] - 0.05)
-    yield box("shelf", p.wood, (p.x[0] + 0.001, p.x[0] + 0.4 * p.d), inner, (p.h - 0.24, p.h - 0.21))
-    yield from stack(p, (p.x[0] + 0.02, p.x[0] + 0.36 * p.d), (inner[0] + 0.05, 0.1 * p.w), (p.h - 0.21, p.h - 0.02), 1)
-    yield cylinder(
-        "paper roll", PLAIN["pine"], (top + 0.2, p.x[0] + 0.14), 0.08, (-0.3 * p.w, 0.24 * p.w), axis="y", sides=14
-    )
-    yield box("carton", PLAIN["cardboard"], (-0.06 * p.d, 0.3 * p.d), (-0.12 * p.w, 0.1 * p.w), (top, top + 0.18))
-    yield box("scale", PLAIN["light-grey"], (-0.1 * p.d, 0.26 * p.d), (0.2 * p.w, 0.36 * p.w), (top, top + 0.06))
+    """Yield cartons on the shelf above a table, where it has one."""
+    if p.h > 1.15:
+        y = (p.y[0] + 0.1, 0.1 * p.w)
+        yield from stack(p, (p.x[0] + 0.02, p.x[0] + 0.36 * p.d), y, (p.h - 0.21, p.h - 0.02), 1)
 
 
 def roll_cage(p: Piece) -> Iterator[Part]:
-    """Yield a wire trolley with parcels."""
-    yield from castors(p, 0.06)
-    yield box("deck", PLAIN["grey"], p.x, p.y, (0.13, 0.17))
-    for i in range(7):
-        y = p.y[0] + i * (p.w - 0.016) / 6
-        yield box("wire", PLAIN["steel"], (p.x[0], p.x[0] + 0.016), (y, y + 0.016), (0.17, p.h - 0.03))
-    for y0 in (p.y[0], p.y[1] - 0.016):
-        for i in range(1, 6):
-            x = p.x[0] + i * (p.d - 0.016) / 5
-            yield box("wire", PLAIN["steel"], (x, x + 0.016), (y0, y0 + 0.016), (0.17, p.h - 0.03))
-        for z in (0.4 * p.h, 0.7 * p.h, p.h - 0.03):
-            yield box(
-                "bar",
-                PLAIN["steel"],
-                (p.x[0] + 0.016, p.x[1] - 0.016 if z < 0.9 * p.h else p.x[1]),
-                (y0 + 0.002, y0 + 0.014),
-                (z, z + 0.03 if z > 0.9 * p.h else z + 0.016),
-            )
-    yield box(
-        "bar", PLAIN["steel"], (p.x[0] + 0.001, p.x[0] + 0.015), (p.y[0] + 0.016, p.y[1] - 0.016), (p.h - 0.03, p.h)
-    )
+    """Yield parcels in a wire trolley."""
     yield from stack(p, (0.86 * p.x[0], 0.86 * p.x[1]), (0.88 * p.y[0], 0.88 * p.y[1]), (0.17, 0.72 * p.h), 2)
 
 
