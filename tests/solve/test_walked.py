@@ -8,10 +8,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import ndimage
 
-from robolayout.floor.walked import CUT, GRID, LOST, MOST_CELLS, Walked
+from robolayout.floor import FLOOR, Walked
 from robolayout.scene import Opening, Room
 
 RADIUS = 0.2
+GRID, MOST_CELLS, CUT, LOST = FLOOR.walked_cell, FLOOR.walked_cells, FLOOR.cut, FLOOR.lost
 SQUARE = Room(((0, 0), (4, 0), (4, 3), (0, 3)), 2.5, doors=(Opening(0, 1.0, 0.9, 2.05),))
 AXIS, SIDE = (st.integers(low, high).map(lambda k: 0.02 * k + 0.003) for low, high in ((0, 150), (5, 100)))
 RECTS = st.lists(st.tuples(AXIS, AXIS, SIDE, SIDE), min_size=1, max_size=6)

@@ -11,16 +11,13 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout._grid import distance
+from robolayout.floor.cells import Cells, Mask, cells_of
+from robolayout.floor.config import FLOOR
 from robolayout.scene import Room
-
-CELLS = 40_000
-"""Most cells of the grid; larger rooms get coarser ones."""
 
 Rect = tuple[float, float, float, float]
 """Smallest x, smallest y, largest x, largest y in metres."""
 Points = NDArray[np.float64]
-Cells = NDArray[np.intp]
-"""Numbers of cells of the grid, row by row."""
 Window = tuple[slice, slice]
 """A part of the grid."""
 
@@ -45,13 +42,6 @@ def placed(points: Points, x: float, y: float, yaw: float) -> Points:
     found[:, 0] = x + c * points[:, 0] - s * points[:, 1]
     found[:, 1] = y + s * points[:, 0] + c * points[:, 1]
     return found
-
-
-def moved(points: Points, poses: NDArray[np.float64]) -> Points:
-    """Return points (n, k, 2): each of the points (k, 2) in each of the frames (n, 3)."""
-    c, s = np.cos(poses[:, 2, None]), np.sin(poses[:, 2, None])
-    x, y = points[None, :, 0], points[None, :, 1]
-    return np.stack([poses[:, 0, None] + c * x - s * y, poses[:, 1, None] + s * x + c * y], axis=-1)
 
 
 @dataclass(frozen=True)
@@ -81,7 +71,7 @@ class Shadow:
     """
 
     under: Window
-    covered: NDArray[np.bool_]
+    covered: Mask
     around: Window
     near: NDArray[np.float64]
 
@@ -98,6 +88,7 @@ class Floor:
         body: How many things stand on each cell.
         wanted: How much each cell should stay free: landings and strips before furniture.
         landing: Cells of the door landings.
+        door: Cells of the landing by which bodies come in, that of the first door; None without one.
         clear: Cells to the nearest one that is taken or outside; above `near` only known to be above it.
         near: Cells up to which `clear` is exact.
         middle: World point of the cell in the room that is nearest to its middle.
@@ -106,10 +97,11 @@ class Floor:
     room: Room
     cell: float
     origin: tuple[float, float]
-    inside: NDArray[np.bool_]
+    inside: Mask
     body: NDArray[np.int16]
     wanted: NDArray[np.float32]
-    landing: NDArray[np.bool_]
+    landing: Mask
+    door: Mask | None
     clear: NDArray[np.float64]
     near: float
     middle: tuple[float, float]
@@ -118,29 +110,28 @@ class Floor:
     @staticmethod
     def of(room: Room, corridor: float, radius: float) -> Floor:
         """Return the empty floor of a room; doors want `corridor` metres of depth, bodies have at most `radius`."""
-        left, bottom, right, top = room.bounds
-        cell = max(0.04, math.sqrt((right - left) * (top - bottom) / CELLS))
-        nx, ny = math.ceil((right - left) / cell) + 1, math.ceil((top - bottom) / cell) + 1
-        xs, ys = left + cell * (np.arange(nx) + 0.5), bottom + cell * (np.arange(ny) + 0.5)
-        polygon = shapely.Polygon(room.vertices)
-        inside = shapely.contains_xy(polygon, *np.meshgrid(xs, ys, indexing="ij"))
+        xs, ys, cell = cells_of(room, FLOOR.planned_cell, FLOOR.planned_cells)
+        origin = room.bounds[:2]
+        inside = shapely.contains_xy(shapely.Polygon(room.vertices), *np.meshgrid(xs, ys, indexing="ij"))
         shape, near = inside.shape, radius / cell + 2.0
         floor = Floor(
             room,
             cell,
-            (left, bottom),
+            origin,
             inside,
             np.zeros(shape, np.int16),
             np.zeros(shape, np.float32),
             np.zeros(shape, np.bool_),
+            None,
             distance(np.pad(inside, 1), near)[1:-1, 1:-1],
             near,
-            _middle(inside, cell, (left, bottom)),
+            _middle(inside, cell, origin),
         )
-        for door in room.doors:
-            floor.landing[floor.cells(np.array(room.landing(door)))] = True
-            depth = max(corridor, room_depth(room))
-            floor.wanted[floor.cells(np.array(room.landing(door, depth)))] += 2.0
+        depth = max(corridor, FLOOR.door_depth if room.area < FLOOR.small_room else FLOOR.wide_door_depth)
+        for door in reversed(room.doors):
+            floor.door = floor.cells(np.array(room.landing(door)))
+            floor.landing |= floor.door
+            floor.wanted[floor.cells(np.array(room.landing(door, depth)))] += FLOOR.door_want
         return floor
 
     def copy(self) -> Floor:
@@ -186,14 +177,14 @@ class Floor:
         self.wanted[mask] += weight
         self._maps = None
 
-    def cells(self, polygon: Points) -> NDArray[np.bool_]:
+    def cells(self, polygon: Points) -> Mask:
         """Return the cells whose centres lie in a convex polygon (k, 2)."""
         mask = np.zeros(self.inside.shape, np.bool_)
         window, covered = self._covered(polygon)
         mask[window] = covered
         return mask
 
-    def _covered(self, polygon: Points) -> tuple[Window, NDArray[np.bool_]]:
+    def _covered(self, polygon: Points) -> tuple[Window, Mask]:
         """Return a part of the grid and its cells whose centres lie in a convex polygon (k, 2)."""
         low = np.maximum(np.floor((polygon.min(0) - self.origin) / self.cell).astype(int), 0)
         high = np.maximum(np.ceil((polygon.max(0) - self.origin) / self.cell).astype(int) + 1, 0)
@@ -207,7 +198,7 @@ class Floor:
             covered &= (bx - ax) * (ys - ay) - (by - ay) * (xs - ax) >= 0
         return window, covered
 
-    def flat(self, points: Points) -> tuple[Cells, NDArray[np.bool_]]:
+    def flat(self, points: Points) -> tuple[Cells, Mask]:
         """Return the cells of points (k, 2), clipped to the grid, and whether each point is on it."""
         raw = np.floor((points - np.asarray(self.origin)) / self.cell).astype(np.intp)
         held = np.minimum(np.maximum(raw, 0), np.array(self.inside.shape) - 1)
@@ -236,12 +227,7 @@ class Floor:
         return Maps(*(grid.ravel().astype(np.float32) for grid in (taken, barred, wanted)))
 
 
-def _middle(inside: NDArray[np.bool_], cell: float, origin: tuple[float, float]) -> tuple[float, float]:
+def _middle(inside: Mask, cell: float, origin: tuple[float, float]) -> tuple[float, float]:
     i, j = np.nonzero(inside)
     k = int(np.argmin((i - i.mean()) ** 2 + (j - j.mean()) ** 2))
     return (origin[0] + cell * (float(i[k]) + 0.5), origin[1] + cell * (float(j[k]) + 0.5))
-
-
-def room_depth(room: Room) -> float:
-    """Return the depth in metres of what should stay free before a door, by the room's size."""
-    return 0.9 if room.area < 12 else 1.1

@@ -13,16 +13,10 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout._grid import components
-from robolayout.floor.ground import Cells, Ground, Obstacles, Patch, box_distance, clearance, patches
-from robolayout.floor.targets import Floats, Targets
-
-AT = 0.30
-"""Metres within which a chair stands at a thing."""
-
-COARSE = 3
-"""Every how many cells are looked at first: most things are seen to be within reach from these."""
-
-Mask = NDArray[np.bool_]
+from robolayout.floor.cells import Cells, Floats, Mask
+from robolayout.floor.config import FLOOR
+from robolayout.floor.ground import Ground, Obstacles, Patch, box_distance, clearance, patches
+from robolayout.floor.targets import Targets
 
 
 def missed(ground: Ground, world: Floats, obstacles: Obstacles, passable: Mask, home: Mask) -> Cells:
@@ -38,7 +32,7 @@ def missed(ground: Ground, world: Floats, obstacles: Obstacles, passable: Mask, 
     rows = np.arange(len(ground.targets.slots))
     if not home.any():
         return rows
-    for stride in (COARSE, 1):
+    for stride in (FLOOR.coarse, 1):
         rows = _still(ground, world, home, rows, stride)
     if not len(rows) or not len(ground.targets.chairs):
         return rows
@@ -108,8 +102,8 @@ def _chairs_at(targets: Targets, world: Floats, rows: Cells) -> Mask:
     slots = targets.slots[rows]
     chairs, things = _feet(targets, world, targets.chairs), _feet(targets, world, slots)
     below = np.where(targets.parent[slots] >= 0, targets.parent[slots], slots)
-    near = shapely.dwithin(things[:, None], chairs, AT)
-    near |= shapely.dwithin(_feet(targets, world, below)[:, None], chairs, AT)
+    near = shapely.dwithin(things[:, None], chairs, FLOOR.chair_at)
+    near |= shapely.dwithin(_feet(targets, world, below)[:, None], chairs, FLOOR.chair_at)
     return near & ~np.isin(slots, targets.chairs)[:, None]
 
 

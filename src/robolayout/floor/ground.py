@@ -12,19 +12,10 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from robolayout.assets.obstacles import pieces
-from robolayout.floor.targets import Contents, Floats, Targets, targets_of
+from robolayout.floor.cells import Cells, Floats, Mask, cells_of, entries, turning_radius
+from robolayout.floor.config import FLOOR
+from robolayout.floor.targets import Contents, Targets, targets_of
 from robolayout.scene import Agent
-
-SPARE = 0.15
-"""Metres of clearance beyond what the body needs that are still told apart."""
-
-MOST_CELLS = 12_000
-"""Cells of a grid: 30 m2 at 5 cm, 120 m2 at 10 cm."""
-
-TOGETHER = 8192
-"""Cells that are worked out as one array: larger ones take more time a cell."""
-
-Cells = NDArray[np.intp]
 
 
 @dataclass(frozen=True)
@@ -35,7 +26,7 @@ class Ground:
         xs: (nx,) cell centres in metres.
         ys: (ny,) cell centres in metres.
         wall_distance: (nx, ny) metres to the nearest wall; negative outside.
-        start: Cell where the agent comes in; None where no cell holds it.
+        doors: (doors, 2) cell where the agent comes in by each door; none where no cell holds it.
         agent: The body.
         cell: Metres per cell.
         targets: What it must get to.
@@ -44,17 +35,22 @@ class Ground:
     xs: Floats
     ys: Floats
     wall_distance: Floats
-    start: tuple[int, int] | None
+    doors: Cells
     agent: Agent
     cell: float
     targets: Targets
 
     @property
-    def open(self) -> NDArray[np.bool_]:
+    def start(self) -> tuple[int, int] | None:
+        """Cell where the agent comes in by the first door; None where no cell holds it."""
+        return (int(self.doors[0, 0]), int(self.doors[0, 1])) if len(self.doors) else None
+
+    @property
+    def open(self) -> Mask:
         """(nx, ny) whether the agent's centre could be there in the empty room."""
         return self.wall_distance >= self.agent.radius
 
-    def passable(self, field: Floats) -> NDArray[np.bool_]:
+    def passable(self, field: Floats) -> Mask:
         """Return where the agent's centre can be, given the clearance (nx, ny) that its obstacles leave."""
         return self.open & (field >= self.agent.radius - self.cell / 4)
 
@@ -71,31 +67,17 @@ class Ground:
 
 def make_ground(contents: Contents, agent: Agent, cell: float) -> Ground:
     """Return the empty room on a grid; large rooms get larger cells."""
-    x0, y0, x1, y1 = contents.scene.room.bounds
-    cell = max(cell, ((x1 - x0) * (y1 - y0) / MOST_CELLS) ** 0.5)
-    xs, ys = np.arange(x0 + cell / 2, x1, cell), np.arange(y0 + cell / 2, y1, cell)
+    xs, ys, cell = cells_of(contents.scene.room, cell, FLOOR.route_cells)
     room = Polygon(contents.scene.room.vertices)
     points = np.asarray(shapely.points(*np.meshgrid(xs, ys, indexing="ij")))
     shapely.prepare(room)
     distance = shapely.distance(points, room.exterior)
     distance = np.where(shapely.contains(room, points), distance, -distance)
-    start = _entry(contents, agent, points, distance)
-    return Ground(xs, ys, distance, start, agent, cell, targets_of(contents, agent))
-
-
-def _entry(contents: Contents, agent: Agent, points: Floats, distance: Floats) -> tuple[int, int] | None:
-    """Return the cell nearest to the first door that holds the agent's centre; the roomiest one without a door."""
-    open_cells = distance >= agent.radius
-    if not open_cells.any():
-        return None
-    if not contents.scene.room.doors:
-        flat = int(np.argmax(distance))
-    else:
-        door = contents.scene.room.doors[0]
-        wall = contents.scene.room.walls[door.wall]
-        far = shapely.distance(points, shapely.Point(wall.point(door.center, max(0.45, agent.radius + 0.05))))
-        flat = int(np.argmin(np.where(open_cells, far, np.inf)))
-    return tuple(int(i) for i in np.unravel_index(flat, distance.shape))  # type: ignore[return-value]
+    free = distance >= agent.radius
+    doors = entries(contents.scene.room, xs, ys, free)
+    if free.any() and not len(doors):  # a room without a door is entered where there is most room
+        doors = np.argwhere(distance == distance.max())[:1]
+    return Ground(xs, ys, distance, doors, agent, cell, targets_of(contents, agent))
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,8 +126,7 @@ def obstacles_of(contents: Contents, agent: Agent) -> Obstacles:
 
 def clearance(ground: Ground, world: Floats, obstacles: Obstacles) -> Floats:
     """Return metres from every cell to the nearest obstacle, negative inside, capped a little above what the body needs."""
-    agent = ground.agent
-    cap = max(agent.radius, agent.circumradius, (agent.turning_diameter or 0.0) / 2) + SPARE
+    cap = turning_radius(ground.agent) + FLOOR.spare
     field = np.full((len(ground.xs), len(ground.ys)), cap)
     for patch in patches(ground, obstacles.poses(world), obstacles.half, cap):
         _, wide, high = patch.u.shape
@@ -200,7 +181,7 @@ def patches(ground: Ground, poses: Floats, half: Floats, reach: Floats | float, 
     j, high = _span(ground.ys, y, s * half[:, 0] + c * half[:, 1] + reach, stride)
     order = np.lexsort((wide * high, wide > high))
     order = order[(wide * high)[order] > 0]
-    block = np.cumsum((wide * high)[order]) // TOGETHER
+    block = np.cumsum((wide * high)[order]) // FLOOR.together
     for rows in np.split(order, np.flatnonzero(np.diff(block)) + 1) if len(order) else ():
         across, along = (
             _run(first[rows], int(count[rows].max()), size, stride)

@@ -13,24 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._grid import components
+from robolayout.floor.cells import Cells, Floats, turning_radius
+from robolayout.floor.config import FLOOR
 from robolayout.floor.goals import cheapest, missed
-from robolayout.floor.ground import Cells, Ground, Obstacles, box_distance, boxes_of, clearance
-from robolayout.floor.targets import Floats
-
-PUSH_PRICE = 25.0
-"""Cost of a metre walked per metre of clearance that is missing, against 1 for a free metre."""
-
-MARGIN = 0.03
-"""Metres of clearance asked beyond the agent's radius: half a cell, and what a step of the search may lose."""
-
-SPACING = 0.10
-"""Metres between the points of a route that become demands."""
-
-NEARBY = 0.30
-"""Metres beyond what is asked within which things are told to keep it."""
-
-POCKET = 0.05
-"""Square metres of free space cut off from the door that get a route of their own."""
+from robolayout.floor.ground import Ground, Obstacles, box_distance, boxes_of, clearance
 
 
 @dataclass(frozen=True)
@@ -67,6 +53,7 @@ def plan_routes(ground: Ground, world: Floats, obstacles: Obstacles, *, everywhe
     rows = missed(ground, world, obstacles, passable, np.zeros_like(home) if everywhere else home)
     sheltered = clearance(ground, world, boxes_of(boxes, obstacles.shelter)) < 0.0
     pockets = _pockets(ground, np.where(sheltered, 0, regions), here, field)
+    pockets += [(i, j) for i, j in ground.doors[1:].tolist() if not home[i, j]]
     goals, points = _walks(ground, world, field, rows, pockets)
     demands, blockers = _demands(ground, world, obstacles, boxes, points)
     turning, turn_blockers = _turning(ground, world, obstacles, boxes, np.where(home, field, -np.inf))
@@ -82,8 +69,8 @@ def _walks(
         return 0, np.empty((0, 2), dtype=np.intp)
     from skimage.graph import MCP_Geometric
 
-    lacking = np.maximum(ground.agent.radius + MARGIN - field, 0.0)
-    walk = MCP_Geometric(np.where(ground.open, 1.0 + PUSH_PRICE * lacking, -1.0), fully_connected=True)
+    lacking = np.maximum(ground.agent.radius + FLOOR.route_margin - field, 0.0)
+    walk = MCP_Geometric(np.where(ground.open, 1.0 + FLOOR.push_price * lacking, -1.0), fully_connected=True)
     cost, step = walk.find_costs([ground.start])
     goals = cheapest(ground, world, rows, cost) + pockets
     ways = [goal for goal in goals if np.isfinite(cost[goal])]
@@ -103,7 +90,7 @@ def _pockets(ground: Ground, regions: NDArray[np.intp], here: int, field: Floats
     pockets: list[tuple[int, int]] = []
     sizes = np.bincount(regions.ravel())
     for region in range(1, len(sizes)):
-        if region != here and sizes[region] * ground.cell**2 >= POCKET:
+        if region != here and sizes[region] * ground.cell**2 >= FLOOR.pocket:
             room = np.where(regions == region, np.minimum(field, ground.wall_distance), -np.inf)
             best = np.unravel_index(int(np.argmax(room)), room.shape)
             pockets.append((int(best[0]), int(best[1])))
@@ -114,17 +101,17 @@ def _turning(
     ground: Ground, world: Floats, obstacles: Obstacles, boxes: Floats, field: Floats
 ) -> tuple[Floats, tuple[int, ...]]:
     """Return what must yield so that a body with a turning circle can turn at the roomiest place it gets to."""
-    need = max(ground.agent.circumradius, (ground.agent.turning_diameter or 0.0) / 2)
-    room = np.minimum(field, np.where(ground.wall_distance >= need + MARGIN, np.inf, -np.inf))
-    if ground.agent.length is None or room.max() >= need + MARGIN or not np.isfinite(room.max()):
+    need = turning_radius(ground.agent)
+    room = np.minimum(field, np.where(ground.wall_distance >= need + FLOOR.route_margin, np.inf, -np.inf))
+    if ground.agent.length is None or room.max() >= need + FLOOR.route_margin or not np.isfinite(room.max()):
         return np.empty((0, 4)), ()
     best = np.unravel_index(int(np.argmax(room)), room.shape)
     px, py = ground.xs[best[0]], ground.ys[best[1]]
     distance = box_distance(px, py, obstacles.poses(world).T, obstacles.half.T)
-    near = np.flatnonzero(distance < need + NEARBY)
+    near = np.flatnonzero(distance < need + FLOOR.nearby)
     points = np.full((len(near), 2), (px, py))
     blocking = dict.fromkeys(obstacles.slot[distance < need].tolist())
-    return _rows(points, near, need + MARGIN, world, obstacles, boxes), tuple(blocking)
+    return _rows(points, near, need + FLOOR.route_margin, world, obstacles, boxes), tuple(blocking)
 
 
 def _demands(
@@ -133,20 +120,20 @@ def _demands(
     """Return (x, y, slot, metres) for every point and everything near it, and what lacks clearance, the worst first."""
     if not len(cells) or not len(obstacles.slot):
         return np.empty((0, 4)), ()
-    stride = max(1, round(SPACING / ground.cell))
+    stride = max(1, round(FLOOR.route_spacing / ground.cell))
     spaced = cells[(cells.sum(axis=1) % stride) == 0]
     cells = spaced if len(spaced) else cells
     points = np.stack([ground.xs[cells[:, 0]], ground.ys[cells[:, 1]]], axis=1)
-    poses, need = obstacles.poses(world), ground.agent.radius + MARGIN
-    far = np.hypot(*obstacles.half.T) + need + NEARBY
+    poses, need = obstacles.poses(world), ground.agent.radius + FLOOR.route_margin
+    far = np.hypot(*obstacles.half.T) + need + FLOOR.nearby
     about = np.abs(points[:, :1] - poses[:, 0]) <= far
     about &= np.abs(points[:, 1:] - poses[:, 1]) <= far
     point, near = np.nonzero(about)
     distance = box_distance(points[point, 0], points[point, 1], poses[near].T, obstacles.half[near].T)
-    close = distance < need + NEARBY
+    close = distance < need + FLOOR.nearby
     point, near, distance = point[close], near[close], distance[close]
     lacking = np.zeros(len(poses))
-    np.maximum.at(lacking, near, need - MARGIN - distance)
+    np.maximum.at(lacking, near, need - FLOOR.route_margin - distance)
     worst = np.argsort(-lacking, kind="stable")[: int((lacking > 0).sum())]
     blockers = dict.fromkeys(obstacles.slot[worst].tolist())
     return _rows(points[point], near, need, world, obstacles, boxes), tuple(blockers)

@@ -12,29 +12,15 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from robolayout._grid import components, distance, within
-from robolayout.assets import category_of
-from robolayout.floor.furnished import Cells, Floor, Points, Shadow, placed, rect_points
+from robolayout.floor.cells import Cells, Mask, entered, turning_radius
+from robolayout.floor.config import FLOOR
+from robolayout.floor.furnished import Floor, Points, Shadow, placed, rect_points
+from robolayout.floor.targets import use_of
 from robolayout.scene import LANDING_DEPTH, Agent, Asset
-from robolayout.scene.agent import horizontal_reach
-
-Mask = NDArray[np.bool_]
 
 Size = tuple[float, float, float]
-
-MARGIN = 0.02
-"""Metres by which a use is asked to be nearer than the reach, so that rounding never puts it beyond."""
-
-SHORT_OF = 0.03
-"""Metres that an agent gets nearer than its reach."""
-
-ONWARD = 0.6
-"""Metres about the places of a use in which a body may go on to it where chairs were."""
-
-SPACING = 0.08
-"""Least metres between the points from which a use is looked for."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +62,7 @@ class Standing:
         if self.agent.reach_distance is None or not chairs or not len(use):
             return False
         floor = self.floor
-        rim = math.ceil((self.agent.circumradius + ONWARD) / floor.cell) + 2
+        rim = math.ceil((self.agent.circumradius + FLOOR.onward) / floor.cell) + 2
         x, y = np.divmod(use, floor.body.shape[1])
         window = tuple(slice(max(int(at.min()) - rim, 0), int(at.max()) + rim + 1) for at in (x, y))
         if not any(way[window].any() for way in self.ways):
@@ -96,22 +82,15 @@ class Standing:
         return False
 
 
-def turning_radius(agent: Agent) -> float:
-    """Return the radius in metres of the circle that must be free where an agent turns, at least that of its disc."""
-    return max(agent.radius, agent.circumradius, (agent.turning_diameter or 0.0) / 2)
-
-
 def standing(floor: Floor, agent: Agent) -> Standing:
     """Return where an agent gets to from the door."""
     labels, sizes = components(floor.clear >= agent.radius / floor.cell + 1.0)
-    nowhere = np.zeros_like(floor.inside)
-    if not len(sizes):
+    here = entered(labels, sizes, floor.door)
+    if not here:
+        nowhere = np.zeros_like(floor.inside)
         return Standing(nowhere, 1.0, nowhere, floor, agent)
-    at_door = np.bincount(labels[floor.landing], minlength=len(sizes) + 1)[1:]
-    if floor.room.doors and not at_door.any():
-        return Standing(nowhere, 1.0, nowhere, floor, agent)
-    main = labels == 1 + int(np.argmax(at_door if at_door.any() else sizes))
-    near = within(main, (agent.reach - SHORT_OF) / floor.cell + 1e-6)
+    main = labels == here
+    near = within(main, (agent.reach - FLOOR.short_of) / floor.cell + 1e-6)
     return Standing(near, 1.0 - float(main.sum()) / float(sizes.sum()), _turning(floor, agent, main), floor, agent)
 
 
@@ -120,30 +99,22 @@ def _turning(floor: Floor, agent: Agent, main: Mask) -> Mask:
     if agent.length is None or agent.width is None:
         return main
     labels, sizes = components(floor.clear >= turning_radius(agent) / floor.cell + 1.0)
-    if not len(sizes) or not floor.room.doors:
-        return np.zeros_like(main)
-    # What it turns on from the landing is joined to the door, straight in along its normal.
-    at_door = np.bincount(labels[floor.landing], minlength=len(sizes) + 1)[1:]
-    return labels == 1 + int(np.argmax(at_door)) if at_door.any() else np.zeros_like(main)
+    here = entered(labels, sizes, floor.door)  # what it turns on from the landing is joined to the door, straight in
+    return labels == here if here else np.zeros_like(main)
 
 
 def _either_way(floor: Floor, agent: Agent) -> tuple[Mask, Mask]:
     """Return where a rectangular body can stand along and across the door's direction, having come in straight."""
-    room = floor.room
+    room, deep = floor.room, max(LANDING_DEPTH, agent.length or 0.0)
     along, across = (components(free) for free in _free(floor, ~floor.inside | (floor.body > 0), agent))
+    here = entered(*along, floor.cells(np.array(room.landing(room.doors[0], deep))) if room.doors else None)
+    if not here:
+        return np.zeros_like(floor.inside), np.zeros_like(floor.inside)
     turns = np.nonzero(floor.clear >= turning_radius(agent) / floor.cell + 1.0)
     wide = len(across[1]) + 1
     pairs = np.stack(np.divmod(np.flatnonzero(np.bincount(along[0][turns] * wide + across[0][turns])), wide), axis=1)
-    if room.doors:
-        depth = max(LANDING_DEPTH, agent.length or 0.0)
-        there = floor.cells(np.array(room.landing(room.doors[0], depth)))
-        count = np.bincount(along[0][there], minlength=len(along[1]) + 1)[1:]
-    else:
-        count = along[1]
-    if not count.any():
-        return np.zeros_like(floor.inside), np.zeros_like(floor.inside)
     ways, turned = np.zeros(len(along[1]) + 1, np.bool_), np.zeros(len(across[1]) + 1, np.bool_)
-    ways[1 + int(np.argmax(count))] = True
+    ways[here] = True
     for _ in range(len(pairs)):
         before = ways.sum() + turned.sum()
         turned[pairs[ways[pairs[:, 0]], 1]] = True
@@ -191,15 +162,11 @@ def use_cells(
         bottom: Metres above the floor at which it begins.
         carried: Whether it stands on something.
     """
-    if agent.reach_distance is None and not asset.on_floor:
+    use = use_of(asset, bottom, agent, carried=carried)
+    if use is None or (agent.reach_distance is None and not asset.on_floor):
         return None
-    sides = tuple(category_of(asset).use_sides if asset.use_sides is None else asset.use_sides)
-    reach = horizontal_reach(agent, bottom, bottom + asset.size[2])
-    if reach is None or not sides:
-        return None
-    if carried or category_of(asset).movable:
-        sides = ("",)
-    local = _beside(asset.size, sides, round(reach, 3), max(SPACING, round(floor.cell, 3)))
+    reach, sides = use[0], use[1] or ("",)
+    local = _beside(asset.size, sides, round(reach, 3), max(FLOOR.use_spacing, round(floor.cell, 3)))
     cells, on_grid = floor.flat(placed(local, *place))
     return cells[on_grid]
 
@@ -224,4 +191,4 @@ def _within(size: Size, side: str, reach: float, step: float) -> Points:
     x, y = points[:, 0], points[:, 1]
     away = np.hypot(np.maximum(np.maximum(left - x, x - right), 0), np.maximum(np.maximum(bottom - y, y - top), 0))
     beyond = {"front": x > hx, "back": x < -hx, "left": y > hy, "right": y < -hy}.get(side, away > 0)
-    return points[beyond & (away <= reach - MARGIN)]
+    return points[beyond & (away <= reach - FLOOR.use_margin)]

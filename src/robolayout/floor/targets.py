@@ -12,11 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.assets import category_of
-from robolayout.scene import Agent, Scene
+from robolayout.floor.cells import Floats
+from robolayout.scene import Agent, Asset, Scene
 from robolayout.scene.agent import TOUCH, horizontal_reach
 from robolayout.scene.asset import FLAT_HEIGHT
-
-Floats = NDArray[np.float64]
 
 SIDES = ("front", "left", "back", "right")
 """Order of the sides of a target."""
@@ -62,20 +61,34 @@ class Targets:
     half: Floats
 
 
+def use_of(asset: Asset, bottom: float, agent: Agent, *, carried: bool) -> tuple[float, tuple[str, ...]] | None:
+    """Return how near in plan a body's centre must come to use a thing, and beyond which sides of it.
+
+    No sides where it is used from all around; None where no use is asked of it, or it is out of the body's height.
+
+    Args:
+        asset: The thing.
+        bottom: Metres above the floor at which it begins.
+        agent: The body.
+        carried: Whether it stands on something.
+    """
+    kind = category_of(asset)
+    asked = kind.use_sides if asset.use_sides is None else asset.use_sides
+    reach = horizontal_reach(agent, bottom, bottom + asset.size[2]) if asked else None
+    return None if reach is None else (reach, () if carried or kind.movable else tuple(asked))
+
+
 def targets_of(contents: Contents, agent: Agent) -> Targets:
     """Return what a body must get to; rugs and what hangs from the ceiling need no reaching."""
     assets, parent = contents.scene.assets, np.array(contents.parent, dtype=np.intp)
     slots = np.array([i for i, a in enumerate(assets) if not (a.is_flat or a.on_ceiling)], dtype=np.intp)
     reach, sides = np.full(len(slots), agent.reach), np.zeros((len(slots), len(SIDES)), dtype=np.bool_)
     for row, slot in enumerate(slots.tolist()):
-        kind, own = category_of(assets[slot]), assets[slot].use_sides
-        asked = kind.use_sides if own is None else own
-        middle, high = float(contents.heights[slot]), assets[slot].size[2] / 2
-        across = horizontal_reach(agent, middle - high, middle + high) if asked else None
-        if across is not None:
-            reach[row] = max(across, agent.radius + TOUCH)  # nearer than that no disc is asked to come
-            if parent[slot] < 0 and not kind.movable:
-                sides[row] = [side in asked for side in SIDES]
+        bottom = float(contents.heights[slot]) - assets[slot].size[2] / 2
+        use = use_of(assets[slot], bottom, agent, carried=bool(parent[slot] >= 0))
+        if use is not None:
+            reach[row] = max(use[0], agent.radius + TOUCH)  # nearer than that no disc is asked to come
+            sides[row] = [side in use[1] for side in SIDES]
     top = contents.heights + np.array([asset.size[2] for asset in assets]) / 2
     under = parent[slots]
     carrier = np.where((under >= 0) & (top[under] > agent.height), under, -1)

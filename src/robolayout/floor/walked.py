@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import math
 from typing import Any
 
 import numpy as np
@@ -11,17 +10,9 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout._grid import components
-from robolayout.floor.targets import Floats
+from robolayout.floor.cells import Cells, Floats, Mask, cells_of, entries
+from robolayout.floor.config import FLOOR
 from robolayout.scene import Room
-
-GRID, MOST_CELLS = 0.1, 60_000
-"""Metres per cell, in rooms that have no more cells than this; larger ones have coarser cells."""
-
-CUT = 40.0
-"""Cost of cutting off all the floor, or of shutting a door."""
-
-LOST = 4.0
-"""Cost of each thing that is out of reach from then on."""
 
 Blocks = NDArray[np.intp]
 """(m, 4): low x, low y, high x, high y."""
@@ -36,25 +27,14 @@ class Walked:
     """
 
     def __init__(self, room: Room, radius: float) -> None:
-        x0, y0, x1, y1 = room.bounds
-        self._origin, self._radius = np.array((x0, y0)), radius
-        self._cell = cell = max(GRID, math.sqrt((x1 - x0) * (y1 - y0) / MOST_CELLS))
-        x, y = np.arange(x0 + cell / 2, x1, cell), np.arange(y0 + cell / 2, y1, cell)
+        xs, ys, self._cell = cells_of(room, FLOOR.walked_cell, FLOOR.walked_cells)
+        self._origin, self._radius = np.array(room.bounds[:2]), radius
         inner = shapely.Polygon(room.vertices).buffer(-radius)
         shapely.prepare(inner)
-        free = np.asarray(shapely.contains_xy(inner, *np.meshgrid(x, y, indexing="ij")))
+        free = np.asarray(shapely.contains_xy(inner, *np.meshgrid(xs, ys, indexing="ij")))
+        self._entries = entries(room, xs, ys, free) + 1
         self._free = np.pad(free, 1)  # so that every place has a ring of cells around it
         self._sums = _sums(self._free)
-        self._entries = self._nearest(room)
-
-    def _nearest(self, room: Room) -> NDArray[np.intp]:
-        """Return the cells (doors, 2) to walk on that are nearest to where people come in."""
-        free = np.argwhere(self._free)
-        if not len(free) or not room.doors:
-            return np.empty((0, 2), np.intp)
-        middles = np.array([np.mean(room.landing(door), axis=0) for door in room.doors])
-        ways = (free[None] - 0.5) * self._cell + self._origin - middles[:, None]
-        return free[np.hypot(*ways.T).argmin(axis=0)]
 
     def copy(self) -> Walked:
         """Return the same floor, of which something else may be taken."""
@@ -114,20 +94,20 @@ class Walked:
             cost[best] += self._loss(cells[best], near)
         return best
 
-    def _loss(self, cells: NDArray[np.intp], near: Blocks) -> float:
+    def _loss(self, cells: Cells, near: Blocks) -> float:
         """Return the cost of taking cells (4,): of what is out of reach then, of floor that is cut off, of shut doors."""
         x0, y0, x1, y1 = cells.tolist()
         ex, ey = self._entries.T
         shut = float(((ex >= x0) & (ex < x1) & (ey >= y0) & (ey < y1)).sum())
         if _pieces(_ring(self._free, x0, y0, x1, y1)) <= 1:
-            return CUT * shut + LOST * float((self.left(near, cells) == 0).sum())
+            return FLOOR.cut * shut + FLOOR.lost * float((self.left(near, cells) == 0).sum())
         rest = self._free.copy()
         rest[x0:x1, y0:y1] = False
         main = self._main(rest)
         cut_off = 1.0 - main.sum() / max(rest.sum(), 1)
-        return CUT * (shut + cut_off) + LOST * float((_count(_sums(main), near) == 0).sum())
+        return FLOOR.cut * (shut + cut_off) + FLOOR.lost * float((_count(_sums(main), near) == 0).sum())
 
-    def _main(self, free: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    def _main(self, free: Mask) -> Mask:
         """Return the piece of the floor that the first door leads to, or the largest if that is shut."""
         labels, sizes = components(free)
         if len(sizes) < 2:
@@ -136,7 +116,7 @@ class Walked:
         return labels == (entered or int(sizes.argmax()) + 1)
 
 
-def _sums(free: NDArray[np.bool_]) -> NDArray[np.int32]:
+def _sums(free: Mask) -> NDArray[np.int32]:
     """Return how many cells hold below and to the left of each corner."""
     rows, columns = free.shape
     sums = np.zeros((rows + 1, columns + 1), np.int32)
@@ -163,6 +143,6 @@ def _ring(grid: NDArray[Any], x0: int, y0: int, x1: int, y1: int) -> NDArray[Any
     )
 
 
-def _pieces(ring: NDArray[np.bool_]) -> int:
+def _pieces(ring: Mask) -> int:
     """Return in how many pieces a closed ring of cells is free."""
     return int((ring & ~np.concatenate([ring[-1:], ring[:-1]])).sum())

@@ -16,6 +16,7 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout.floor import (
+    FLOOR,
     Cells,
     Floor,
     Points,
@@ -66,10 +67,6 @@ class Spot:
     wall: int | None = None
     anchor: str | None = None
     grid: GridPlan | None = None
-
-
-AT_CHAIR = 0.30
-"""Metres within which a chair stands at a table, as the verifier has it."""
 
 
 @dataclass(frozen=True)
@@ -228,7 +225,7 @@ class Site:
             return False
         claim, carrier = self.claims[name], self.spots[name].anchor
         at = carrier if claim.shadow is None and carrier in self.spots else name
-        near = shapely.dwithin(feet, self.foot(at), AT_CHAIR)
+        near = shapely.dwithin(feet, self.foot(at), FLOOR.chair_at)
         moved = [self.claims[chair].shadow for chair, at_it in zip(chairs, near, strict=True) if at_it]
         away = [shadow for shadow in moved if shadow is not None]
         return all(

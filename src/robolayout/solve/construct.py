@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.constraints import AssetRef, WallRef
-from robolayout.floor import LOST, Blocks, Walked
+from robolayout.floor import FLOOR, Blocks, Walked
 from robolayout.solve._zones import Rects, Zones, area, shared
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.proposals import Proposals, carry, compose, placing
@@ -172,7 +172,7 @@ class Builder:
         """Return the cheapest place (m, 4) of a slot by what it does to those who walk, too, which `cost` then tells."""
         walked, cells = site.walked, site.walked.taken(bodies)
         own = walked.cells(self.zones.stands(slot, places))
-        cost += WALKED * walked.share(cells) + LOST * (walked.left(own, cells) == 0)
+        cost += WALKED * walked.share(cells) + FLOOR.lost * (walked.left(own, cells) == 0)
         return walked.cheapest(cells, cost, site.stands[site.settled], limit)
 
     def touched(self, slot: int, places: Floats, world: Floats) -> set[int]:
