@@ -293,9 +293,8 @@ class GroupedRun:
         return self.finisher.finished([asked], question.here, question.placed)[0]
 
     def _request(self, question: _Question, feedback: str, previous: str) -> PlanRequest:
-        return PlanRequest(
-            self.scene, question.group, Layout(question.placed), feedback, self.seed, previous, question.images
-        )
+        placed = Layout(question.placed)
+        return PlanRequest(self.scene, question.group, placed, feedback, self.seed, previous, images=question.images)
 
     def _try(self, question: _Question, texts: Sequence[str], attempt: int) -> tuple[str, str]:
         """Solve and verify the answers that can be read, together; return the last one that cannot be, and why."""
