@@ -51,11 +51,8 @@ class FloorConfig:
     short_of: float = 0.03
     """Metres that a body is asked to get nearer to a thing than its reach."""
 
-    use_margin: float = 0.02
-    """Metres that it is asked to get nearer to the side from which it uses a thing."""
-
     use_spacing: float = 0.08
-    """Least metres between the points from which a use is looked for."""
+    """Metres between the cells of a plan from which a use is looked for."""
 
     onward: float = 0.6
     """Metres about the places of a use in which a body may go on to it where chairs were."""

@@ -83,6 +83,8 @@ class Floor:
     Attributes:
         room: The room.
         cell: Size of a cell in metres.
+        xs: (nx,) cell centres in metres.
+        ys: (ny,) cell centres in metres.
         origin: World point of the grid's corner.
         inside: Cells in the room, (nx, ny).
         body: How many things stand on each cell.
@@ -96,6 +98,8 @@ class Floor:
 
     room: Room
     cell: float
+    xs: Points
+    ys: Points
     origin: tuple[float, float]
     inside: Mask
     body: NDArray[np.int16]
@@ -117,6 +121,8 @@ class Floor:
         floor = Floor(
             room,
             cell,
+            xs,
+            ys,
             origin,
             inside,
             np.zeros(shape, np.int16),

@@ -74,27 +74,14 @@ def _near(ground: Ground, world: Floats, rows: Cells, stride: int = 1) -> Iterat
     """Yield the cells about some targets and from which of them each is within reach, half a cell to spare."""
     targets = ground.targets
     slots = targets.slots[rows]
-    for patch in patches(ground, world[slots], targets.half[slots], targets.reach[rows], stride):
+    for patch in patches(ground.xs, ground.ys, world[slots], targets.half[slots], targets.reach[rows], stride):
         patch = replace(patch, rows=rows[patch.rows])
-        near = patch.distance <= targets.reach[patch.rows, None, None] - ground.cell / 2
-        near &= _beyond(patch, targets.sides[patch.rows])
+        near = patch.used_from(targets.reach[patch.rows], targets.sides[patch.rows], ground.cell)
         for k, carrier in enumerate(targets.carrier[patch.rows].tolist()):
             if carrier >= 0:
                 px, py = ground.xs[patch.i[k], None], ground.ys[None, patch.j[k]]
                 near[k] &= box_distance(px, py, world[carrier], targets.half[carrier]) >= 0.0
         yield patch, near
-
-
-def _beyond(patch: Patch, sides: Mask) -> Mask:
-    """Return (k, w, h) which cells lie beyond one of the sides, all of them where there are none."""
-    whole = ~np.any(sides, axis=1, keepdims=True)
-    (ahead, left), u, v = patch.half.T[:, :, None, None], patch.u, patch.v
-    beyond = np.broadcast_to(whole[:, :, None], u.shape)
-    if whole.all():
-        return beyond
-    for number, outside in enumerate((u > ahead, v > left, u < -ahead, v < -left)):
-        beyond = beyond | (sides[:, number, None, None] & outside)
-    return beyond
 
 
 def _chairs_at(targets: Targets, world: Floats, rows: Cells) -> Mask:

@@ -128,7 +128,7 @@ def clearance(ground: Ground, world: Floats, obstacles: Obstacles) -> Floats:
     """Return metres from every cell to the nearest obstacle, negative inside, capped a little above what the body needs."""
     cap = turning_radius(ground.agent) + FLOOR.spare
     field = np.full((len(ground.xs), len(ground.ys)), cap)
-    for patch in patches(ground, obstacles.poses(world), obstacles.half, cap):
+    for patch in patches(ground.xs, ground.ys, obstacles.poses(world), obstacles.half, cap):
         _, wide, high = patch.u.shape
         for i, j, distance in zip(patch.i[:, 0].tolist(), patch.j[:, 0].tolist(), patch.distance, strict=True):
             here = field[i : i + wide, j : j + high]
@@ -161,34 +161,55 @@ class Patch:
         """(k, w, h) metres from the rectangle; negative inside."""
         return _outside(self.u, self.v, self.half.T[:, :, None, None])
 
+    def used_from(self, reach: Floats | float, sides: Mask, cell: float) -> Mask:
+        """Return from which cells (k, w, h) things are used: within reach, half a cell to spare, beyond one of their sides.
+
+        Args:
+            reach: Metres in plan; one figure, or (k,).
+            sides: (k, 4) in the order of `SIDES`; none where a thing is used from all around.
+            cell: Metres per cell.
+        """
+        near = self.distance <= np.reshape(reach, (-1, 1, 1)) - cell / 2
+        whole = ~np.any(sides, axis=1, keepdims=True)
+        if whole.all():
+            return near
+        (ahead, left), u, v = self.half.T[:, :, None, None], self.u, self.v
+        beyond = np.broadcast_to(whole[:, :, None], u.shape)
+        for number, outside in enumerate((u > ahead, v > left, u < -ahead, v < -left)):
+            beyond = beyond | (sides[:, number, None, None] & outside)
+        return near & beyond
+
     def of(self, field: NDArray[Any]) -> NDArray[Any]:
         """Return (k, w, h) what a field (nx, ny) says of the cells."""
         return field[self.i[:, :, None], self.j[:, None, :]]
 
 
-def patches(ground: Ground, poses: Floats, half: Floats, reach: Floats | float, stride: int = 1) -> Iterator[Patch]:
+def patches(
+    xs: Floats, ys: Floats, poses: Floats, half: Floats, reach: Floats | float, stride: int = 1
+) -> Iterator[Patch]:
     """Yield all cells within reach of the bounds of rectangles, and some more, rectangles of like size together.
 
     Args:
-        ground: The room on a grid.
+        xs: (nx,) cell centres in metres.
+        ys: (ny,) cell centres in metres.
         poses: (m, 4) poses of the rectangles.
         half: (m, 2) half their depths and widths in metres.
         reach: Metres; one figure, or (m,).
         stride: Every how many cells, in x and in y.
     """
     (x, y), (c, s) = poses[:, :2].T, np.abs(poses[:, 2:].T)
-    i, wide = _span(ground.xs, x, c * half[:, 0] + s * half[:, 1] + reach, stride)
-    j, high = _span(ground.ys, y, s * half[:, 0] + c * half[:, 1] + reach, stride)
+    i, wide = _span(xs, x, c * half[:, 0] + s * half[:, 1] + reach, stride)
+    j, high = _span(ys, y, s * half[:, 0] + c * half[:, 1] + reach, stride)
     order = np.lexsort((wide * high, wide > high))
     order = order[(wide * high)[order] > 0]
     block = np.cumsum((wide * high)[order]) // FLOOR.together
     for rows in np.split(order, np.flatnonzero(np.diff(block)) + 1) if len(order) else ():
         across, along = (
             _run(first[rows], int(count[rows].max()), size, stride)
-            for first, count, size in ((i, wide, len(ground.xs)), (j, high, len(ground.ys)))
+            for first, count, size in ((i, wide, len(xs)), (j, high, len(ys)))
         )
         x, y, c, s = (value[:, None] for value in poses[rows].T)
-        dx, dy = ground.xs[across] - x, ground.ys[along] - y
+        dx, dy = xs[across] - x, ys[along] - y
         u = (c * dx)[:, :, None] + (s * dy)[:, None, :]
         v = (c * dy)[:, None, :] - (s * dx)[:, :, None]
         yield Patch(rows, across, along, u, v, half[rows])

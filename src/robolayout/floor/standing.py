@@ -9,18 +9,17 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 import numpy as np
 
 from robolayout._grid import components, distance, within
 from robolayout.floor.cells import Cells, Mask, entered, turning_radius
 from robolayout.floor.config import FLOOR
-from robolayout.floor.furnished import Floor, Points, Shadow, placed, rect_points
-from robolayout.floor.targets import use_of
+from robolayout.floor.furnished import Floor, Shadow
+from robolayout.floor.ground import patches
+from robolayout.floor.targets import SIDES, use_of
 from robolayout.scene import LANDING_DEPTH, Agent, Asset
-
-Size = tuple[float, float, float]
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,30 +164,12 @@ def use_cells(
     use = use_of(asset, bottom, agent, carried=carried)
     if use is None or (agent.reach_distance is None and not asset.on_floor):
         return None
-    reach, sides = use[0], use[1] or ("",)
-    local = _beside(asset.size, sides, round(reach, 3), max(FLOOR.use_spacing, round(floor.cell, 3)))
-    cells, on_grid = floor.flat(placed(local, *place))
-    return cells[on_grid]
-
-
-@lru_cache(maxsize=4096)
-def _beside(size: Size, sides: tuple[str, ...], reach: float, step: float) -> Points:
-    """Return points (k, 2) from which some side of a box at the origin is within reach."""
-    return np.concatenate([_within(size, side, reach, step) for side in sides])
-
-
-def _within(size: Size, side: str, reach: float, step: float) -> Points:
-    """Return points (k, 2) from which a side ("": any edge) of a box at the origin is within reach."""
-    hx, hy = size[0] / 2, size[1] / 2
-    points = rect_points((-hx - reach, -hy - reach, hx + reach, hy + reach), 0.0, step)
-    edge = {
-        "front": (hx, -hy, hx, hy),
-        "back": (-hx, -hy, -hx, hy),
-        "left": (-hx, hy, hx, hy),
-        "right": (-hx, -hy, hx, -hy),
-    }
-    left, bottom, right, top = edge.get(side, (-hx, -hy, hx, hy))
-    x, y = points[:, 0], points[:, 1]
-    away = np.hypot(np.maximum(np.maximum(left - x, x - right), 0), np.maximum(np.maximum(bottom - y, y - top), 0))
-    beyond = {"front": x > hx, "back": x < -hx, "left": y > hy, "right": y < -hy}.get(side, away > 0)
-    return points[beyond & (away <= reach - FLOOR.use_margin)]
+    reach, sides = use
+    x, y, yaw = place
+    pose, half = np.array([[x, y, math.cos(yaw), math.sin(yaw)]]), np.array([asset.size[:2]]) / 2
+    asked = np.array([[side in sides for side in SIDES]])
+    stride = max(1, round(FLOOR.use_spacing / floor.cell))
+    for patch in patches(floor.xs, floor.ys, pose, half, reach, stride):
+        k, i, j = np.nonzero(patch.used_from(reach, asked, floor.cell))
+        return patch.i[k, i] * len(floor.ys) + patch.j[k, j]
+    return np.empty(0, np.intp)

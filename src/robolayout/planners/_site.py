@@ -227,11 +227,8 @@ class Site:
             asset, carried = self.scene.by_name[member.name], spot.mode == "join" and member.bottom > 0.01
             place = (member.x, member.y, member.yaw)
             uses = [use_cells(self.floor, asset, a, place, member.bottom, carried=carried) for a in self.scene.agents]
-            found = Claim(
-                self.floor.flat(placed(points, *place))[0],
-                tuple(uses),
-                self.floor.shadow(corners_of(member, asset.size)) if self._takes_floor(spot) else None,
-            )
+            shadow = self.floor.shadow(corners_of(member, asset.size)) if self._takes_floor(spot) else None
+            found = Claim(self.floor.flat(placed(points, *place))[0], tuple(uses), shadow)
             if not self.trial:
                 self.known[member, spot.mode] = found
         return found
