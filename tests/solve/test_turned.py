@@ -25,7 +25,7 @@ def turned(degrees: float) -> tuple[rl.Scene, str]:
         if found := NUMBERS.match(line):
             name, what, (x, *rest) = found[1], found[2], [float(number) for number in found[3].split(",")]
             numbers = [x + degrees] if what == "rotation" else [c * x - s * rest[0], s * x + c * rest[0], rest[1]]
-            line = f"{name}.{what} = {[round(number, 5) for number in numbers]}"  # noqa: PLW2901
+            line = f"{name}.{what} = {[round(number, 5) for number in numbers]}"
         lines.append(line)
     return replace(GIVEN.scene, room=replace(room, vertices=corners)), "\n".join(lines)
 
