@@ -303,8 +303,8 @@ def test_the_trace_is_kept_when_asked_for() -> None:
         "night_stand[0].position = [0.5, 3.7, 0.25]\nnight_stand[1].position = [3.7, 3.7, 0.25]"
     )
     solution = solve(room_of(BED, TABLE, *STANDS), text, config=replace(QUICK, trace=True))
-    steps = QUICK.polish.steps  # a bed that is 5 cm in the wall is right after the first polish
-    assert len(solution.trace.losses) == steps
+    steps = len(solution.trace.losses)
+    assert steps and steps % QUICK.polish.steps == 0  # every polish is recorded whole
     assert {"overlap", "boundary", "statements", "total"} <= set(solution.trace.losses[0])
     assert all(math.isfinite(v) for row in solution.trace.losses for v in row.values())
     assert [s.step for s in solution.trace.snapshots] == sorted(s.step for s in solution.trace.snapshots)

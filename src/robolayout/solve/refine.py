@@ -161,8 +161,9 @@ class Solver:
         if self._guessed(stage):
             best = self._pushed(stage, number, best)
             if len(best.verdict.culprits) <= self.effort.few:
+                asked = best.verdict.soft
                 best = self._near(number, best)
-                if not best.verdict.hard + best.verdict.access:
+                if not best.verdict.hard + best.verdict.access and best.verdict.soft <= asked:
                     return best
             best, run = self._polished(stage, number, best)
             if number == 0 and self.config.route_rounds and best.verdict.access:
