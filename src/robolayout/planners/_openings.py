@@ -69,9 +69,9 @@ def _windows(
     by_wall: dict[int, list[WantedOpening]] = {}
     if not asked:
         asked = [WantedOpening("window", min(usual, len(free)))]
-    for turn, item in enumerate(i for i in asked for _ in range(i.count)):
+    for turn, wanted_one in enumerate(i for i in asked for _ in range(i.count)):
         order = free[turn % len(free) :] + free[: turn % len(free)] if free else [0]
-        by_wall.setdefault(_wall(outline, item.wall, order), []).append(item)
+        by_wall.setdefault(_wall(outline, wanted_one.wall, order), []).append(wanted_one)
     found: list[Opening] = []
     for wall, items in by_wall.items():
         share = lengths[wall] / len(items)

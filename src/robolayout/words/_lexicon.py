@@ -6,7 +6,7 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
-from functools import cache
+from functools import cache, lru_cache
 from importlib.resources import files
 
 from robolayout.assets import CATALOGUE, Category, category_of, find_category
@@ -139,9 +139,9 @@ class Lexicon:
     def guess(self, words: Sequence[str]) -> Noun:
         """Return the nearest kind of a noun that nobody knows: by a slip of spelling, its last word, or any known word."""
         text = singular(" ".join(words))
-        near = get_close_matches(text.replace(" ", ""), _joined(), n=1, cutoff=SIMILAR) if len(text) > 4 else []
+        near = _misspelt(text.replace(" ", "")) if len(text) > 4 else None
         if near:
-            return Noun(text, _joined()[near[0]][0], text, "by its spelling")
+            return Noun(text, near, text, "by its spelling")
         head = text.split()[-1]
         kind = grammar().heads.get(head) or next((k for h, k in grammar().heads.items() if head.endswith(h)), None)
         if kind:
@@ -156,6 +156,13 @@ class Lexicon:
 def _joined() -> dict[str, tuple[str, ...]]:
     """Return categories by phrase without spaces: "coffeetable"."""
     return {phrase.replace(" ", ""): names for phrase, names in phrase_index().items() if len(phrase) > 3}
+
+
+@lru_cache(maxsize=4096)
+def _misspelt(text: str) -> str | None:
+    """Return the kind of the known phrase that is most like some letters, None where none is like them."""
+    near = get_close_matches(text, _joined(), n=1, cutoff=SIMILAR)
+    return _joined()[near[0]][0] if near else None
 
 
 def plain(text: str) -> str:
