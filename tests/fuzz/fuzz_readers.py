@@ -90,7 +90,6 @@ def _knowledge() -> list[Any]:
         "say": {"wall": ["against_wall({a}, {wall})"]}, "face": {"roles": ["bed"], "distance": [1.0, 4.0]},
     }  # fmt: skip
     rooms = {"music room": {"size": [4.0, 5.0], "base": {"harp": 1, "chair": 2}, "words": ["music"]}}
-    slots = {"beside": {"gap": 0.1}, "wall": {"say": ["against_wall({a}, {wall})"]}}
     own = {
         "label": "music",
         "order": 40,
@@ -98,7 +97,6 @@ def _knowledge() -> list[Any]:
         "thing": [thing],
         "role": [role],
         "rooms": rooms,
-        "slots": slots,
     }
     return [own, {"label": "x", "thing": [thing]}]
 

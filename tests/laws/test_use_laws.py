@@ -147,8 +147,8 @@ def test_no_heading_is_worked_out_where_the_first_ones_do(monkeypatch: pytest.Mo
     desk = Asset("desk-0", "desk", (0.6, 1.2, 0.75))
     scene, layout = Scene(ROOM, (desk,)), Layout({"desk-0": Pose(0.31, 2.0, 0.375, 0.0)})
     asked: list[int] = []
-    whole = heading._parts
-    monkeypatch.setattr(heading, "_parts", lambda *given: asked.append(1) or whole(*given))
+    whole = heading.convex_places
+    monkeypatch.setattr(heading, "convex_places", lambda *given: asked.append(1) or whole(*given))
     report = judge_agent(scene, layout, load_agent("wheelchair"))
     assert report.usage.usable["desk-0"] and len(asked) == 2
     assert report.headings is not None and len(asked) == heading.HEADINGS

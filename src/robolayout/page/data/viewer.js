@@ -1,5 +1,5 @@
 /* The viewer of report.html, made by web/build.mjs; do not edit.
-sources 891809403abf3db3820baa18485a4720d04ba46a7b7140d74e2fb80c5d54f403
+sources 99196e7b8604eb1f4eff72c690e5fe82220f53416056bdaded86c02ffd1028e4
 It contains three.js 0.187.0:
 
 The MIT License
