@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import pytest
 from verify_rooms import DISC, furnished, on_floor, square, thing
@@ -28,6 +30,7 @@ KEYS = [
     "usable_share",
     "statements_met_share",
     "statements",
+    "moved",
     "rules",
     "violations",
     "timing",
@@ -48,6 +51,7 @@ class Said:
 @dataclass(frozen=True)
 class Asked:
     statements: tuple[Said, ...]
+    guesses: Mapping[str, Any] = field(default_factory=dict)
 
 
 def good() -> tuple[Scene, Layout]:

@@ -110,7 +110,7 @@ def check(  # noqa: PLR0913 - one parameter per option
         raise InputError(
             "--date is for the sheet to print, which is not drawn: give --out, and leave --no-pictures out."
         )
-    given = read_scene(scene, agent, asset_dir)
+    given = read_scene(scene, agent, asset_dir, quiet=quiet)
     placed = load_layout(layout, given)
     if out is not None:
         check_writable(out)
@@ -145,7 +145,7 @@ def compare(  # noqa: PLR0913 - one parameter per option
 
     if out.suffix not in (".png", ".svg"):
         raise InputError(f"a comparison cannot be written to {out}: name a file that ends in .png or .svg.")
-    given = read_scene(scene, bodies, asset_dir)
+    given = read_scene(scene, bodies, asset_dir, quiet=quiet)
     check_writable(out.parent)
     with progress(quiet) as tell:
         planner = own_planner(knowledge)

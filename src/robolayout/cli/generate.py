@@ -118,7 +118,7 @@ def generate(  # noqa: PLR0913 - one parameter per option
     config = SolverConfig(starts=starts, trace=pictures).at(effort)
     arranged = partial(arrange, solver=solver, config=config, start=start, keep=_names(keep), free=_names(free))
     every_ok = True
-    for job in _jobs(scene, agent, asset_dir, (seed, variants), out, knowledge or ()):
+    for job in _jobs(scene, agent, asset_dir, (seed, variants), out, knowledge or (), quiet=quiet):
         _check_meshes(job.scene)
         for line in () if quiet or job.understood is None else job.understood.sentences():
             warn(line)
@@ -288,6 +288,8 @@ def _jobs(
     seed_variants: tuple[int, int],
     out: Path | None,
     knowledge: Sequence[Path],
+    *,
+    quiet: bool,
 ) -> Iterator[_Job]:
     """Yield the variants of a scene file (by seed) or of a sentence (by what it leaves open), each with its output folder."""
     from robolayout.planners import scene_from_sentence
@@ -300,7 +302,7 @@ def _jobs(
         return whole if variants == 1 else whole / f"variant-{variant}"
 
     if _names_a_file(text):
-        scene = read_scene(text, agent, asset_dir, knowledge)
+        scene = read_scene(text, agent, asset_dir, knowledge, quiet=quiet)
         for variant in range(variants):
             yield _Job(scene, folder(scene, variant), seed + variant)
         return
@@ -311,23 +313,29 @@ def _jobs(
         yield _Job(scene, folder(scene, variant), seed, understood)
 
 
+LONGEST_WORD = 45
+"""Letters of the longest word of a dictionary: more of them without a blank are a path."""
+
+
 def _names_a_file(text: str) -> bool:
     """Return whether an argument names a scene file rather than saying what the room should be."""
     name = text.strip()
     if " " in name or "\n" in name:
         return Path(text).suffix == ".json" or os.path.exists(text)
-    return bool(name) and (not name.isalpha() or os.path.exists(text))
+    return bool(name) and (not name.isalpha() or len(name) > LONGEST_WORD or os.path.exists(text))
 
 
-def read_scene(path: str, agent: str | None, asset_dir: Path | None, knowledge: Sequence[Path] = ()) -> Scene:
-    """Read a scene, for other agents if given, and show what was mended on reading and what is of no known kind."""
+def read_scene(
+    path: str, agent: str | None, asset_dir: Path | None, knowledge: Sequence[Path] = (), *, quiet: bool = False
+) -> Scene:
+    """Read a scene, for other agents if given; unless quiet, show what was mended on reading and what is of no known kind."""
     from robolayout.assets import unknown_kinds
     from robolayout.planners import OfflinePlanner
     from robolayout.scene import load_agents, load_scene
 
     scene = load_scene(path, asset_dir)
     known = OfflinePlanner(knowledge).recognised(scene) if knowledge else scene
-    for warning in (*scene.warnings, *unknown_kinds(known.assets)):
+    for warning in () if quiet else (*scene.warnings, *unknown_kinds(known.assets)):
         warn(f"warning: {warning}")
     return scene if agent is None else scene.with_agents(*load_agents(agent))
 

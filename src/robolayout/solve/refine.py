@@ -164,6 +164,7 @@ class Solver:
                 asked = best.verdict.soft
                 best = self._near(number, best)
                 if not best.verdict.hard + best.verdict.access and best.verdict.soft <= asked:
+                    self._still(stage, best, self.phase)
                     return best
             best, run = self._polished(stage, number, best)
             if number == 0 and self.config.route_rounds and best.verdict.access:
