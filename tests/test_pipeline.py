@@ -172,3 +172,30 @@ def test_a_second_door_that_a_guess_leaves_no_room_at_is_opened() -> None:
     assert result.report.ok, result.report.violations
     moved = [abs(result.layout[name].x - x) for name, (x, _) in zip(("shelf-0", "shelf-1"), places, strict=True)]
     assert 0.01 < max(moved) < 1.0
+
+
+@pytest.mark.parametrize("seed", [0, 1, 3])
+def test_a_corner_that_leaves_room_for_the_others_is_found_whatever_the_seed(seed: int) -> None:
+    """Of the two corners at the wall only one has room at the right of the bed."""
+    floor = [[0, 0, 0], [4, 0, 0], [4, 2.5, 0], [2.5, 2.5, 0], [2.5, 4.5, 0], [0, 4.5, 0]]
+    sizes = {"bed-0": (2.0, 1.4, 0.5), "night_stand-0": (0.4, 0.45, 0.55)}
+    assets = {
+        name: {
+            "category": name[:-2].replace("_", " "),
+            "onFloor": True,
+            "assetMetadata": {"boundingBox": dict(zip("xyz", size, strict=True))},
+        }
+        for name, size in sizes.items()
+    }
+    scene = {
+        "boundary": {"floor_vertices": floor, "wall_height": 2.6},
+        "doors": [{"wall": 0, "offset": 2.9, "width": 0.9, "height": 2.05}],
+        "agent": {"radius": 0.25, "height": 1.4},
+        "assets": assets,
+    }
+    program = (
+        "solver.against_wall(bed[0], walls[5])\nsolver.corner(bed[0])\n"
+        'solver.next_to(night_stand[0], bed[0], "right")\n'
+    )
+    report = rl.generate(scene, program=program, seed=seed).report
+    assert report.ok, report.violations

@@ -92,6 +92,10 @@ class Relation(ABC):
         """
         return ""
 
+    def ways(self, scene: Scene) -> tuple[Relation, ...]:
+        """Return relations each of which alone makes this one hold, where it leaves open which; else none."""
+        return ()
+
     @classmethod
     def arguments(cls) -> tuple[dataclasses.Field[Any], ...]:
         """Return the declared arguments, in program order."""

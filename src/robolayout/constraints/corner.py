@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from robolayout.constraints._exact import GAP_TOLERANCE, footprint, frame, shape
@@ -42,6 +42,10 @@ class Corner(Relation):
         if self.vertex is None or self.vertex in corners:
             return ""
         return f"vertex {self.vertex} is no corner to stand in; this room has {', '.join(map(str, corners))}"
+
+    def ways(self, scene: Scene) -> tuple[Relation, ...]:
+        """Return one for each corner where the program names none."""
+        return tuple(replace(self, vertex=i) for i in convex_corners(scene.room)) if self.vertex is None else ()
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row per wall of the corner: the near side close to it."""

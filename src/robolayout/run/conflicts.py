@@ -45,8 +45,14 @@ def conflicts(scene: Scene, reconciled: Reconciled, layout: Layout, *, seed: int
     unmet = [s for s in program.statements if not s.relation.check(scene, layout).met]
     if unmet:
         looker = _Looker(scene, reconciled, layout, np.random.default_rng(seed))
-        found |= {statement.number: looker.against(statement) for statement in unmet}
+        found |= {s.number: looker.against(s) + _tried(s, scene) for s in unmet}
     return found
+
+
+def _tried(statement: Statement, scene: Scene) -> str:
+    """Return what else was tried for a statement that leaves open which way it holds."""
+    ways = len(statement.relation.ways(scene))
+    return f"; each of its {ways} ways was tried by itself" if ways else ""
 
 
 class _Looker:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,33 +14,26 @@ from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Pla
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.run.attempt import Attempt, Clock, Progress
 from robolayout.run.edit import as_start, pinned_poses, started
-from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict, vertical_span
-from robolayout.scene.agent import horizontal_reach
+from robolayout.run.verdict import make_judge
+from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict
 from robolayout.solve import (
     PAPER,
-    Enough,
-    Judge,
     Solution,
     SolverConfig,
-    Verdict,
     compile_problem,
-    never,
     silent,
     solve_samples,
     solve_with,
     warm_up,
     warm_up_samples,
 )
-from robolayout.verify import Report, judge_agent, kept_out, overfull, physics, verify
+from robolayout.verify import Report, overfull, verify
 from robolayout.words import Wishes, read_words
 
 if TYPE_CHECKING:
     from robolayout.run.groups import Sample
 
 AgentSpec = Agent | str | Path | Mapping[str, Any]
-
-WALKABLE = 0.98
-"""Share of the free space that the solver wants connected to the door; the report demands 0.95."""
 
 AHEAD = 2
 """Programs that are looked at before one is solved whose guess is not right: what the planner puts in order, the solver
@@ -51,6 +44,9 @@ FORLORN = 0.25
 
 COARSE = 0.25
 """Metres of a cell of the search's floor from which on the report says so: half a person is told apart below it."""
+
+MOST_WAYS = 8
+"""Ways of one statement (the corners of a room) that are tried by themselves where not everything is met."""
 
 ATTEMPT_STRIDE = 1000
 """Added to the planner's seed for each further attempt."""
@@ -350,9 +346,28 @@ def solve(
     """
     if isinstance(program, str):
         program = reconcile(read_program(program, scene), scene, paper=solver == PAPER).program
-    problem = compile_problem(scene, program, seed=seed, pinned=pinned)
     judge = make_judge(scene, program)
-    return solve_with(solver, problem, judge, seed=seed, config=config, progress=progress)
+
+    def solved(way: Program) -> Solution:
+        problem = compile_problem(scene, way, seed=seed, pinned=pinned)
+        return solve_with(solver, problem, judge, seed=seed, config=config, progress=progress)
+
+    best = solved(program)
+    for way in _ways(scene, program, best) if solver == "default" else ():
+        if best.verdict.ok:
+            break
+        best = min(best, solved(way), key=lambda found: found.verdict.merit)
+    return best
+
+
+def _ways(scene: Scene, program: Program, found: Solution) -> Iterator[Program]:
+    """Yield a program with each way of a statement that leaves one open (a corner) and is about something to blame."""
+    blamed = set(found.verdict.culprits)
+    for i, statement in enumerate(program.statements):
+        if blamed.intersection(statement.relation.asset_names()):
+            for way in statement.relation.ways(scene)[:MOST_WAYS]:
+                changed = (*program.statements[:i], replace(statement, relation=way), *program.statements[i + 1 :])
+                yield replace(program, statements=changed)
 
 
 def solve_many(
@@ -384,59 +399,6 @@ def solve_many(
     problems = [compile_problem(scene, program, seed=seed, pinned=pinned) for program in programs]
     judges = [make_judge(scene, program) for program in programs]
     return solve_samples(problems, judges, seed=seed, config=config, progress=progress)
-
-
-def make_judge(scene: Scene, program: Program) -> Judge:
-    """Return the exact verifier as an order on (partial) layouts: what is not placed yet is not counted.
-
-    A body that cannot come in whatever is done has no say. What is cheap is looked at first.
-    """
-    statements = [(s.relation, frozenset(s.relation.asset_names())) for s in program.statements]
-    bodies = [agent for agent in scene.agents if not kept_out(scene, agent)]
-
-    def judge(layout: Layout, enough: Enough = never, /) -> Verdict:
-        placed = set(layout)
-        failing = [name for name in physics(scene, layout).failing if name in placed]
-        found = Verdict(float(len(failing)), 0.0, 0.0, tuple(failing))
-        if enough(found):
-            return found
-        soft, unmet = 0.0, list[str]()
-        for relation, names in statements:
-            if names <= placed and not relation.check(scene, layout).met:
-                soft += float(getattr(relation, "weight", 1.0))
-                unmet += relation.asset_names()
-        access, blamed = 0.0, list[str]()
-        for agent in bodies:
-            if enough(replace(found, access=access, soft=soft)):
-                break
-            missing, to_move = _access(scene, layout, agent)
-            access += missing
-            blamed += to_move
-        return Verdict(found.hard, access, soft, tuple(dict.fromkeys([*failing, *blamed, *unmet])))
-
-    return judge
-
-
-def _access(scene: Scene, layout: Layout, agent: Agent) -> tuple[float, list[str]]:
-    """Return how much an agent cannot get to (in assets; a door counts as one) and which assets to move for it."""
-    found = judge_agent(scene, layout, agent)
-    nav = found.navigation
-    fixable = [
-        name
-        for name in found.short
-        if name in layout and (not nav.reached[name] or _in_height(scene, layout, agent, name))
-    ]
-    unreached = sum(not nav.reached[name] for name in fixable)
-    cut_off = max(0.0, WALKABLE - nav.walkable_ratio) if nav.free.area > 0 else 0.0
-    blamed = [*fixable, *(other for name in fixable for other in found.usage.shutting(name))]
-    blamed += nav.dividing if cut_off else ()
-    blamed += [name for door in nav.shut_doors for name in nav.shutting(door)]
-    return unreached + 0.5 * (len(fixable) - unreached) + cut_off + len(nav.shut_doors), blamed
-
-
-def _in_height(scene: Scene, layout: Layout, agent: Agent, name: str) -> bool:
-    """Return whether moving an asset about could ever bring it into the agent's reach."""
-    return horizontal_reach(agent, *vertical_span(scene.by_name[name], layout[name])) is not None
 
 
 def compare(scene: Scene, agents: tuple[Agent, ...], **options: Any) -> tuple[Result, ...]:
