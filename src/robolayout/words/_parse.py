@@ -338,7 +338,8 @@ class Parser(References):
                 break
             found += [item, *self.pending]
             self.pending = []
-            wants = chunk.value == "amid" and len(found) < 2 and not several(item)
+            pronoun = self.chunks[self.at - 1].kind == "pron"
+            wants = chunk.value == "amid" and len(found) < 2 and not several(item) and not pronoun
             both = chunk.value in ("amid", "facing", "under", "around", "near", "next", "on")
             if not (wants or (both and self._plain_pair(found))):
                 break

@@ -36,6 +36,7 @@ class References:
         self.relative = False
         self.broken = self.having = False
         self.recent: list[Mention] = []
+        self.targets: list[Mention] = []
         self.target: Mention | None = None
 
     def _object(self, chunk: Chunk) -> Mention | Place | None:
@@ -45,7 +46,9 @@ class References:
         following = self.chunks[self.at]
         if following.kind == "thing":
             self.at += 1
-            return self._mention(following, target=True)
+            mention = self._mention(following, target=True)
+            self.targets.append(mention)
+            return mention
         if following.kind == "part":
             self.at += 1
             return self._place_of(following)
@@ -97,12 +100,17 @@ class References:
         if word in ("each other", "one another"):
             return []
         own = {m.thing for m in self.group[-1:]}
-        if self.holder and self.holder[0].thing not in own:
+        one_of_several = word == "it" and bool(self.holder) and self.holder[0].thing.count > 1
+        if self.holder and self.holder[0].thing not in own and not one_of_several:
             return self.holder
         earlier = [m for m in self.recent if m.thing not in own]
         if word in ("them", "they", "both", "the two", "these", "those"):
             several = [m for m in earlier if m.thing.count > 1]
-            return several[-1:] if several and earlier[-1:] == several[-1:] else earlier[-2:] or self.before
+            if several and earlier[-1:] == several[-1:]:
+                return several[-1:]
+            if len(earlier) == 1:  # "a sofa facing the TV and a table between them"
+                earlier += [m for m in self.targets[-1:] if m.thing not in own | {earlier[0].thing}]
+            return earlier[-2:] or self.before
         return earlier[-1:] or self.before[:1] or self.group[:1]
 
     def _mention(self, chunk: Chunk, *, target: bool = False) -> Mention:
