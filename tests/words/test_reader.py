@@ -62,8 +62,14 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("There is a lamp and a book on the desk.", {("on", "table lamp", "desk"), ("on", "book", "desk")}),
         ("The armchair is in the corner and faces the desk.", {("in", "armchair", "corner"), ("facing", "armchair", "desk")}),
         ("a sofa, a piano and a rug between them", {("amid", "rug", "piano"), ("amid", "rug", "sofa")}),
-        ("a sofa facing the TV, a rug between them and a plant in each corner", {("facing", "sofa", "television"), ("amid", "rug", "sofa"), ("amid", "rug", "television"), ("in", "plant", "corner")}),
-        ("two armchairs with a side table between them and a lamp on it", {("amid", "side table", "armchair"), ("on", "table lamp", "side table")}),
+        (
+            "a sofa facing the TV, a rug between them and a plant in each corner",
+            {("facing", "sofa", "television"), ("amid", "rug", "sofa"), ("amid", "rug", "television"), ("in", "plant", "corner")},
+        ),
+        (
+            "two armchairs with a side table between them and a lamp on it",
+            {("amid", "side table", "armchair"), ("on", "table lamp", "side table")},
+        ),
         ("a sofa flanked by two lamps", {("flank", "floor lamp", "sofa")}),
         ("a lamp on the nightstand by the bed", {("on", "table lamp", "night stand"), ("by", "night stand", "bed")}),
         ("a table and ten chairs: four on each long side and one at each end", {("around", "chair", "dining table")}),
