@@ -328,14 +328,14 @@ def _names_a_file(text: str) -> bool:
 def read_scene(
     path: str, agent: str | None, asset_dir: Path | None, knowledge: Sequence[Path] = (), *, quiet: bool = False
 ) -> Scene:
-    """Read a scene, for other agents if given; unless quiet, show what was mended on reading and what is of no known kind."""
+    """Read a scene, for other agents if given; show what was mended on reading and, unless quiet, what is of no known kind."""
     from robolayout.assets import unknown_kinds
     from robolayout.planners import OfflinePlanner
     from robolayout.scene import load_agents, load_scene
 
     scene = load_scene(path, asset_dir)
     known = OfflinePlanner(knowledge).recognised(scene) if knowledge else scene
-    for warning in () if quiet else (*scene.warnings, *unknown_kinds(known.assets)):
+    for warning in (*scene.warnings, *(() if quiet else unknown_kinds(known.assets))):
         warn(f"warning: {warning}")
     return scene if agent is None else scene.with_agents(*load_agents(agent))
 
