@@ -41,7 +41,7 @@ page: web/node_modules ## bundle the viewer of report.html into the package
 	cd web && npm run build --silent
 
 $(STAMP): pyproject.toml constraints.txt
-	@echo "Installing RoboLayout and what it needs into .venv: about 850 MB to fetch and unpack, one to five minutes."
+	@echo "Installing RoboLayout and what it needs into .venv: about 850 MB on disk, one to five minutes."
 	$(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install --progress-bar on --disable-pip-version-check -c constraints.txt -e . | $(SHORT)
 	@touch $@
