@@ -126,6 +126,11 @@ def test_no_third_program_is_asked_for_where_two_are_hopeless() -> None:
     assert not result.report.ok and set(result.layout) == set(many)
 
 
+def test_what_a_program_forgets_is_said() -> None:
+    report = rl.generate(TINY, program="# nothing").report
+    assert report.notes == ("The program says nothing about desk[0], lamp[0].",), report.notes
+
+
 def test_a_scene_for_nobody_is_refused() -> None:
     with pytest.raises(rl.RoboLayoutError, match="agents is empty; name at least one body"):
         replace(rl.scene_from_dict(TINY), agents=())

@@ -182,6 +182,8 @@ class _Run:
     def result(self, best: Attempt, groups: tuple[Group, ...]) -> Result:
         """Return the judged result of what was found."""
         layout, report = best.solution.layout, self.reported(best)
+        if forgotten := best.asked.forgotten():
+            report = report.with_notes((f"The program says nothing about {', '.join(forgotten)}.",))
         return Result(self.scene, groups, best.asked, best.reconciled, layout, report, best.solution)
 
     def whole(self, planner: Planner, program: str | None, attempts: int) -> Attempt:
