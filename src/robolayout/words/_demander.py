@@ -225,10 +225,11 @@ class Demander:
             yield _one(_say("near", AssetRef(a), AssetRef(b), AT_TABLE))
 
     def _row(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        """Side by side: each near the one before, all turned the same way."""
-        for a, b in zip(subjects[1:], subjects[:-1], strict=True):
+        """Side by side: each near the one before; where there are several rows, the first of a row near another one."""
+        for number, a in enumerate(subjects[1:], 1):
+            beside = [*reversed(subjects[:number]), *subjects[number + 1 :]]
             if self._asset(a).on_floor:
-                yield _one(_say("near", AssetRef(a), AssetRef(b), BACK))
+                yield Demand(tuple((_say("near", AssetRef(a), AssetRef(b), BACK),) for b in beside))
 
     def _seen(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         for a, b in self._pairs(subjects, objects):

@@ -212,6 +212,10 @@ class Parser(References):
 
     def _on_rel(self, chunk: Chunk) -> None:
         """A relation: find what it is about, then what it leads to."""
+        if self._of_people():
+            self._objects(chunk)
+            self.said.missed.append(chunk)
+            return
         subjects = self._subjects(chunk.value)
         if chunk.value == "holds" and not subjects:
             self._on_with(chunk)
@@ -242,6 +246,17 @@ class Parser(References):
         self._link(chunk, subjects, objects)
         self.acted = subjects
         self.verb = False
+
+    def _of_people(self) -> bool:
+        """Return whether this clause is about somebody: "guests are received near the door" moves no furniture."""
+        before = self.chunks[: self.at - 1]
+        ends = [i for i, chunk in enumerate(before) if chunk.kind in ("comma", "and", "stop", "colon")]
+        clause = [chunk for chunk in before[ends[-1] + 1 if ends else 0 :] if chunk.kind != "filler"]
+        if len(clause) < 2 or any(chunk.kind in ("thing", "pron") for chunk in clause):
+            return False
+        who, does = clause[0], clause[1].kind in ("verb", "other")
+        unknown = who.kind == "other" and who.value.endswith("s") and not who.value.endswith("ss")
+        return does and (unknown or who.kind in ("function", "people", "body"))
 
     def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention], side: Place) -> bool:
         """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""

@@ -167,13 +167,13 @@ class _Rows:
         own, wanted = self.names.get(thing, ()), thing.count
         nearest = f" ({thing.noun.kind}, {thing.noun.guessed})" if thing.noun.guessed else ""
         bound = {"least": "at least ", "more": "at least ", "most": "at most ", "vague": "some, "}.get(thing.bound, "")
-        vague = thing.number is None and not own
 
         def judge(scene: Scene, layout: Layout) -> Finding:
             alike = [a.name for a in scene.assets if a.name in own or (a.name not in others and fits(a, thing))]
             there = sum(name in layout for name in alike)
-            enough = there <= wanted if thing.bound == "most" else there >= wanted
-            if vague and not there:
+            least = 1 if thing.number is None else wanted  # "shelves" are some, however many
+            enough = there <= wanted if thing.bound == "most" else there >= min(least, wanted)
+            if not alike:
                 return "not understood", "nothing of that name is there"
             if thing.noun.kind.startswith("unknown"):
                 return "not understood", f"no such kind is known; {there} boxes of a usual size stand for it"
