@@ -73,8 +73,6 @@ def toml_value(text: str) -> dict[str, object]:
         raise Unreadable(f"is nested too deeply. At most {MAX_DEPTH} levels are read")
     try:
         value = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise Unreadable(f"is not TOML: {error}") from None
     except (RecursionError, ValueError) as error:
         raise Unreadable(f"is not TOML: {error}") from None
     check_plain(value)

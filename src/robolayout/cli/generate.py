@@ -330,11 +330,13 @@ def read_scene(
 ) -> Scene:
     """Read a scene, for other agents if given; show what was mended on reading and, unless quiet, what is of no known kind."""
     from robolayout.assets import unknown_kinds
-    from robolayout.planners import OfflinePlanner
     from robolayout.scene import load_agents, load_scene
 
-    scene = load_scene(path, asset_dir)
-    known = OfflinePlanner(knowledge).recognised(scene) if knowledge else scene
+    known = scene = load_scene(path, asset_dir)
+    if knowledge:
+        from robolayout.planners import OfflinePlanner
+
+        known = OfflinePlanner(knowledge).recognised(scene)
     for warning in (*scene.warnings, *(() if quiet else unknown_kinds(known.assets))):
         warn(f"warning: {warning}")
     return scene if agent is None else scene.with_agents(*load_agents(agent))

@@ -169,7 +169,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
 
 @dataclass(frozen=True)
 class _Run:
-    """One call of `generate`: the loop over attempts; the loop over groups is in `grouped`."""
+    """One call of `generate`: the loop over attempts; the loop over groups is in `groups`."""
 
     scene: Scene
     seed: int

@@ -42,7 +42,7 @@ class RoomType:
 
 @dataclass(frozen=True)
 class Rooms:
-    """Everything in `knowledge/_rooms.toml`.
+    """Everything in `rooms.toml`.
 
     Attributes:
         rooms: Room types by name.
