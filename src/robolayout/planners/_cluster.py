@@ -8,9 +8,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
+from robolayout.assets import resting_place
 from robolayout.constraints import AssetRef
-from robolayout.constraints.around import Around
+from robolayout.constraints.around import Around, left_gap
 from robolayout.planners._member import Member, box_of
 from robolayout.planners._roles import Cast
 from robolayout.planners._tops import Top
@@ -33,6 +35,9 @@ class Cluster:
         """Return its image left to right."""
         return replace(self, members=tuple(member.mirrored() for member in self.members))
 
+
+SEATS = ("seat", "kids seat", "bar seat")
+"""Roles of what people push under a top when they leave it."""
 
 _SLOT_ORDER = {"around": 0, "front": 1, "behind": 2, "beside": 3, "flank": 4, "setting": 5, "on": 6}
 
@@ -67,7 +72,8 @@ class ClusterBuilder:
             by_role.setdefault(item.role.name, []).append(item)
         for items in sorted(by_role.values(), key=lambda group: (_SLOT_ORDER[_slot(group)], group[0].role.rank)):
             for member in self._slots(anchor, items, placed):
-                lift = anchor.asset.size[2] if _slot(items) in ("on", "setting") else 0.0
+                on_top = _slot(items) in ("on", "setting")
+                lift = resting_place(anchor.asset, self.cast[member.name].asset).height if on_top else 0.0
                 for part in self._members(member.name):
                     moved = part.moved(member.x, member.y, member.yaw)
                     side = member.side if part.name == member.name else part.side
@@ -136,14 +142,18 @@ class ClusterBuilder:
             ax, ay = _half(item)
             yaw = toward if item.joined.faces in ("", "anchor") else toward + math.pi
             yaw = 0.0 if item.joined.faces == "same" else yaw
-            found.append(Member(item.name, sign * (edge + item.joined.gap + ax), y - ay, yaw, side=side))
+            gap = item.joined.gap
+            if item.role.name in SEATS and not taken:
+                at = partial(_before, sign * (edge + ax), sign, y - ay, yaw)
+                gap = min(gap, left_gap(self.scene, [AssetRef(item.name)], AssetRef(anchor.name), at))
+            found.append(Member(item.name, sign * (edge + gap + ax), y - ay, yaw, side=side))
             y -= 2 * ay + 0.12
         return found
 
     def _around(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
         """At the slots of the relation `around`."""
         seats = tuple(AssetRef(item.name) for item in items)
-        slots = Around(seats, AssetRef(anchor.name), items[0].joined.gap).slots(self.scene)
+        slots = Around(seats, AssetRef(anchor.name)).slots(self.scene)
         return [
             Member(item.name, x, y, yaw, side=_side_of(yaw)) for item, (x, y, yaw) in zip(items, slots, strict=True)
         ]
@@ -151,9 +161,19 @@ class ClusterBuilder:
     def _on(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
         """On the anchor's top: place settings before its seats, the rest where its kind belongs."""
         sizes = {name: item.asset.size for name, item in self.cast.items()}
-        seats = [member for member in placed[1:] if self.cast[member.name].role.name == "seat"]
-        top = Top(anchor.asset.size, sizes, placed[1:], self.reachable)
-        return top.put([(item.name, item.joined.at, item.joined.slot) for item in items], seats)
+        place = resting_place(anchor.asset, items[0].asset)
+        x0, y0, x1, y1 = place.rectangle
+        middle = ((x0 + x1) / 2, (y0 + y1) / 2)
+        there = [replace(member, x=member.x - middle[0], y=member.y - middle[1]) for member in placed[1:]]
+        seats = [member for member in there if self.cast[member.name].role.name == "seat"]
+        top = Top((x1 - x0, y1 - y0, place.height), sizes, there, self.reachable)
+        put = top.put([(item.name, item.joined.at, item.joined.slot) for item in items], seats)
+        return [replace(member, x=member.x + middle[0], y=member.y + middle[1]) for member in put]
+
+
+def _before(x: float, sign: float, y: float, yaw: float, gap: float) -> list[tuple[float, float, float]]:
+    """Return the place of a seat `gap` metres farther out than x."""
+    return [(x + sign * gap, y, yaw)]
 
 
 def _slot(items: Sequence[Cast]) -> str:

@@ -190,7 +190,8 @@ class StatementWriter:
         here, there, join = self.site.spots[name], self.site.spots[other], self.cast[name].join
         distance = math.hypot(here.member.x - there.member.x, here.member.y - there.member.y)
         angle = math.degrees(here.member.yaw - there.member.yaw) % 360.0
-        gap = max(0.0, _edge_gap(here.member, self.site.size(name), there.member, self.site.size(other)))
+        gap = _edge_gap(here.member, self.site.size(name), there.member, self.site.size(other))
+        tucked = join is not None and join.slot in ("front", "around") and gap < -0.01
         ahead = distance - (self.site.size(name)[0] + self.site.size(other)[0]) / 2
         return {
             "b": self.site.scene.expressions[other],
@@ -198,9 +199,9 @@ class StatementWriter:
             "bwall": "" if there.wall is None or not self._reaches(here, there.wall) else f"walls[{there.wall}]",
             "near": f"{max(0.0, distance - 0.15):.2f}",
             "far": f"{distance + 0.15:.2f}",
-            "gap": f"{join.gap if join else 0.05:g}",
-            "least": f"{max(0.0, gap - 0.1):.2f}",
-            "most": f"{gap + 0.15:.2f}",
+            "gap": f"{gap if tucked else join.gap if join else 0.05:.3g}",
+            "least": f"{gap - 0.1 if tucked else max(0.0, gap - 0.1):.2f}",
+            "most": f"{max(gap, 0.0) + 0.15:.2f}",
             "angle": f"{round(angle, 1) % 360.0:g}",
             "ahead low": f"{max(0.0, ahead - 0.3):.1f}",
             "ahead high": f"{ahead + 0.3:.1f}",
