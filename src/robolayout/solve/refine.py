@@ -219,17 +219,18 @@ class Solver:
     def _near(self, number: int, best: _Best) -> _Best:
         """Place single things to blame anew, as near to their guesses as can be, as long as the judge likes that better."""
         self._say("mend")
-        self.lead, turn = None, 0
+        self.lead, hopeless = None, set[str]()
         for _ in range(self.effort.nearby if self.effort.repair_rounds else 0):
-            slots = [self.problem.slot[name] for name in best.verdict.culprits if name not in self.problem.pinned]
-            if best.verdict.ok or turn >= min(len(slots), self.effort.turns) or self.spent:
+            names = [name for name in best.verdict.culprits if name not in hopeless | self.problem.pinned]
+            if best.verdict.ok or not names or self.spent:
                 break
             before = best.verdict.worth[:3]
-            for world in self.repairer.near(best.world, slots[turn], self._plan):
+            for world in self.repairer.near(best.world, self.problem.slot[names[0]], self._plan):
                 best = self._best_of([world], number, best)
                 if best.verdict.worth[:3] < before:
                     break
-            turn = 0 if best.verdict.worth[:3] < before else turn + 1
+            else:
+                hopeless.add(names[0])
         return best
 
     def _anew(self, stage: Stage, number: int, best: _Best) -> _Best:
