@@ -292,7 +292,7 @@ class _Run:
 
             with self.clock.station("conflicts"):
                 report = report.with_conflicts(conflicts(self.scene, best.reconciled, layout, seed=self.seed))
-        report = report.with_asked(self.wishes.judged(self.scene, layout))
+        report = report.with_asked(self.wishes.judged(self.scene, layout, report.agents[0].navigation.main))
         cell = cell_size(self.scene.room, (self.config or SolverConfig()).cell, FLOOR.route_cells)
         if cell > COARSE:
             note = f"The room is so large that the search looks for ways on cells of {cell:.2f} m: it may miss narrower gaps."
