@@ -33,7 +33,7 @@ def test_an_answer_that_is_no_completion_is_one_sentence(
     monkeypatch.setenv("OPENAI_API_KEY", "none")
     transport = httpx2.MockTransport(answered)
     monkeypatch.setattr(provider, "create_async_httpx2_client", lambda **_: httpx2.AsyncClient(transport=transport))
-    question = Question("plan", "all", 1, 1, "say", ("what",), (), "key")
+    question = Question("plan", "all", 1, 1, "say", ("what",), "key")
     client = Client(provider.spec_of("openai:m", "http://127.0.0.1:9/v1"), Tape())
     (answer,) = client.ask([question], str)
     assert isinstance(answer, ModelError)
