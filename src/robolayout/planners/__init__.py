@@ -10,6 +10,7 @@ from robolayout.planners._types import Critic, Group, GroupPlanner, Judgement, P
 if TYPE_CHECKING:
     from robolayout.planners.file import FilePlanner
     from robolayout.planners.model.feedback import Feedback
+    from robolayout.planners.model.judge import ModelJudge
     from robolayout.planners.model.planner import ModelPlanner
     from robolayout.planners.model.prompt import poses_text
     from robolayout.planners.model.ranking import Score, rank_samples, score_samples
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 
 _LAZY = {
     "FilePlanner": "file",
+    "ModelJudge": "model.judge",
     "ModelPlanner": "model.planner",
     "OfflinePlanner": "offline",
     "Score": "model.ranking",
@@ -36,6 +38,7 @@ __all__ = [
     "Group",
     "GroupPlanner",
     "Judgement",
+    "ModelJudge",
     "ModelPlanner",
     "OfflinePlanner",
     "Pictures",

@@ -51,6 +51,7 @@ from robolayout._errors import AnswerError, BudgetError, InputError, ModelError
 from robolayout.planners.model.budget import CHARACTERS_PER_TOKEN, Budget, tokens_of
 from robolayout.planners.model.errors import refuses_images, sentence
 from robolayout.planners.model.exchange import Question, Tape
+from robolayout.planners.model.prompt import PROMPT_VERSION
 from robolayout.planners.model.provider import Spec, open_model, price_of
 
 if TYPE_CHECKING:
@@ -189,6 +190,15 @@ class Client:
         spent = self.spent
         cost = None if spent.cost is None else float(spent.cost)
         return Usage(spent.requests, spent.input_tokens, spent.output_tokens, cost)
+
+    def summary(self, did: str) -> str:
+        """Return who did something and what that took, in one sentence."""
+        used = self.usage
+        cost = "an unknown sum" if used.cost is None else f"${used.cost:.4f}"
+        return (
+            f"{self.spec.name} {did} (prompts of version {PROMPT_VERSION}): {used.requests} answers, "
+            f"{used.input_tokens} tokens sent and {used.output_tokens} received, for {cost}."
+        )
 
     def ask(
         self, questions: Sequence[Question], answer: type[T], check: Check | None = None

@@ -15,15 +15,18 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeVar, get_args
 
-from robolayout._errors import AnswerError, BudgetError, InputError, UnknownNameError
+from robolayout._errors import AnswerError, BudgetError, InputError, SceneError, UnknownNameError
 from robolayout.planners._types import Group, Pictures, PlanRequest
 from robolayout.planners.model import prompt as texts
 from robolayout.planners.model.exchange import Picture, Question
 from robolayout.planners.model.grouping import Grouping, Rating, complaint, groups_of
 from robolayout.planners.model.options import ModelOptions
+from robolayout.planners.model.rooms import Furnisher, Furnishing, choices_text
 from robolayout.planners.offline import OfflinePlanner
+from robolayout.planners.sentence import Understanding, scene_from_sentence
 from robolayout.scene import Layout, Scene
 
 if TYPE_CHECKING:
@@ -117,17 +120,30 @@ class ModelPlanner:
             "prompt_version": texts.PROMPT_VERSION,
             "usage": self.usage.to_dict(),
             "warnings": list(self.warnings),
-            "sentences": [self._summary(), *self.warnings],
+            "sentences": [self._client.summary(f"planned in mode {self.mode}"), *self.warnings],
         }
 
-    def _summary(self) -> str:
-        """Return who planned and what it took, in one sentence."""
-        used = self.usage
-        cost = "an unknown sum" if used.cost is None else f"${used.cost:.4f}"
-        return (
-            f"{self.model} planned in mode {self.mode} (prompts of version {texts.PROMPT_VERSION}): {used.requests} answers, "
-            f"{used.input_tokens} tokens sent and {used.output_tokens} received, for {cost}."
-        )
+    def furnish(self, text: str, *, assets: Path | None = None) -> tuple[Scene, Understanding]:
+        """Return a scene for a sentence, and what was understood; by rules where the model cannot.
+
+        Args:
+            text: One or a few sentences.
+            assets: Folder of a user's own assets; its catalogue's things are offered beside the built-in ones.
+        """
+        reader = Furnisher(text, assets)
+        key = texts.digest({"kind": "room", "text": text, "kinds": list(reader.known)})
+        parts = (choices_text(reader.known), f"# The words\n\n{texts.quoted(text)}")
+        question = Question("room", EVERYTHING, 1, 1, texts.prompt("room"), parts, key, seed=self.seed)
+        (answer,) = self._client.ask([question], Furnishing, reader.complaint)
+        if isinstance(answer, Furnishing):
+            try:
+                return reader.scene(answer), reader.understanding(answer)
+            except SceneError as error:
+                answer = AnswerError(str(error))
+        if not isinstance(answer, BudgetError | AnswerError):
+            raise answer
+        self._client.note(f"The words were read by rules instead of by {self.model}: {answer}")
+        return scene_from_sentence(text, seed=self.seed)
 
     def group(self, scene: Scene) -> tuple[Group, ...]:
         """Return all assets in groups, structural first, decorative last; in the mode one_shot in one group."""

@@ -17,7 +17,8 @@ from string import Template
 from robolayout.assets.obstacles import use_sides
 from robolayout.planners._types import Group, PlanRequest
 from robolayout.planners.model.vocabulary import vocabulary
-from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene
+from robolayout.planners.sentence import FULLEST
+from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, agent_names
 
 PROMPT_VERSION = "3"
 """Version of the prompt files; written into every exchange and every report."""
@@ -30,7 +31,10 @@ LONGEST_DESCRIPTION = 400
 def prompt(name: str) -> str:
     """Return the text of one prompt file."""
     text = files("robolayout.planners.model").joinpath("prompts", f"{name}.md").read_text(encoding="utf-8")
-    return Template(text).safe_substitute(vocabulary=vocabulary()) if "$vocabulary" in text else text
+    filled = {"bodies": ", ".join(agent_names()), "fullest": f"{FULLEST:.0%}"}
+    if "$vocabulary" in text:
+        filled["vocabulary"] = vocabulary()
+    return Template(text).safe_substitute(filled)
 
 
 def quoted(value: object) -> str:
