@@ -31,7 +31,7 @@ from robolayout.verify import Report, overfull, verify
 from robolayout.words import Wishes, read_words
 
 if TYPE_CHECKING:
-    from robolayout.run.groups import Sample
+    from robolayout.run.answers import Sample
 
 AgentSpec = Agent | str | Path | Mapping[str, Any]
 
@@ -266,7 +266,7 @@ class _Run:
         """Plan with a model, group by group; the report says who planned."""
         from robolayout.run.groups import GroupedRun
 
-        asking = GroupedRun(self.scene, planner, self, seed=self.seed, clock=self.clock, say=self.say)
+        asking = GroupedRun(self.scene, planner, self, self.wishes, seed=self.seed, clock=self.clock, say=self.say)
         planned = asking.run(groups)
         best, parts = planned.attempt, [planned.to_dict()]
         if isinstance(planner, Critic) and planner.critic:
