@@ -27,6 +27,7 @@ from robolayout.cli.generate import (
     read_scene,
 )
 from robolayout.cli.guard import Unforeseen, main
+from robolayout.cli.many import batch, evaluate
 from robolayout.cli.physics import drive, settle
 from robolayout.cli.pictures import DateOption, render
 from robolayout.cli.terminal import progress, say, show, table
@@ -81,6 +82,8 @@ def _page(
 
 
 app.command()(generate)
+app.command()(batch)
+app.command()(evaluate)
 
 
 @app.command()
