@@ -122,8 +122,10 @@ def contact(folder: Path, rows: Sequence[Mapping[str, Any]]) -> bytes:
     sheet = Image.new("RGB", (across * TILE, down * TILE), "white")
     for number, row in enumerate(there):
         with Image.open(folder / row["path"] / "thumb.png") as picture:
-            tile = picture.convert("RGB").resize((TILE - 4, TILE - 4), Image.Resampling.LANCZOS)
-        sheet.paste(tile, (number % across * TILE + 2, number // across * TILE + 2))
+            tile = picture.convert("RGB")
+        tile.thumbnail((TILE - 4, TILE - 4), Image.Resampling.LANCZOS)
+        left, top = (TILE - tile.width) // 2, (TILE - tile.height) // 2
+        sheet.paste(tile, (number % across * TILE + left, number // across * TILE + top))
     return png(sheet.quantize(256))
 
 
