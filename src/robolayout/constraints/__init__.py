@@ -24,6 +24,7 @@ from robolayout.constraints.any_of import AnyOf
 from robolayout.constraints.around import Around
 from robolayout.constraints.at_window import AtWindow
 from robolayout.constraints.behind import Behind
+from robolayout.constraints.between import BetweenTwo
 from robolayout.constraints.by_door import ByDoor
 from robolayout.constraints.ceiling_above import CeilingAbove
 from robolayout.constraints.centered_on import CenteredOn
@@ -34,6 +35,7 @@ from robolayout.constraints.facing_pair import FacingPair
 from robolayout.constraints.grid import Grid
 from robolayout.constraints.grouped import Grouped
 from robolayout.constraints.in_front_of import InFrontOf
+from robolayout.constraints.in_rows import InRows
 from robolayout.constraints.inside_room import InsideRoom
 from robolayout.constraints.keep_clear import KeepClear
 from robolayout.constraints.left_of import LeftOf
@@ -85,6 +87,8 @@ _BUILT_IN: tuple[type[Relation], ...] = (
     Snug,
     Grouped,
     Toward,
+    InRows,
+    BetweenTwo,
     AnyOf,
 )
 

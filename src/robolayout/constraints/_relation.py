@@ -93,8 +93,8 @@ class Relation(ABC):
         """
         return ""
 
-    def ways(self, scene: Scene) -> tuple[Relation, ...]:
-        """Return relations each of which alone makes this one hold, where it leaves open which; else none."""
+    def ways(self, scene: Scene) -> tuple[Way, ...]:
+        """Return the ways in which it can hold, where it leaves open which; else none."""
         return ()
 
     @classmethod

@@ -8,7 +8,7 @@ from typing import ClassVar
 
 from robolayout.constraints._exact import ANGLE_TOLERANCE, angle_between, frame
 from robolayout.constraints._refs import AssetRef, WallRef
-from robolayout.constraints._relation import Outcome, Relation, argument, best_way
+from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
 from robolayout.constraints._terms import FrameTerm, Term
 from robolayout.scene import Layout, Scene
 
@@ -25,25 +25,27 @@ class AlignWith(Relation):
     b: AssetRef | WallRef | None = argument("asset", "wall", "room", default=None)
     angle: float = argument("number", unit="deg", default=0.0)
 
-    def ways(self, scene: Scene) -> tuple[Relation, ...]:
+    def ways(self, scene: Scene) -> tuple[Way, ...]:
         """Return those along and across each wall where it is aligned with the room."""
         if self.b is not None:
             return ()
         turns = range(0, 360, 90)
         return tuple(
-            replace(self, b=WallRef(wall.index), angle=self.angle + turn) for wall in scene.room.walls for turn in turns
+            (replace(self, b=WallRef(wall.index), angle=self.angle + turn),)
+            for wall in scene.room.walls
+            for turn in turns
         )
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row that sets the heading."""
         if self.b is None:
-            return best_way([(way,) for way in self.ways(scene)], scene, near)[0][0].terms(scene, near)
+            return best_way(self.ways(scene), scene, near)[0][0].terms(scene, near)
         return (FrameTerm(self.a, self.b, heading=math.radians(self.angle)),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """Within 10 degrees."""
         if self.b is None:
-            return best_way([(way,) for way in self.ways(scene)], scene, layout)[1]
+            return best_way(self.ways(scene), scene, layout)[1]
         wanted = frame(scene, layout, self.b).yaw + math.radians(self.angle)
         off = angle_between(layout[self.a.name].yaw, wanted)
         return Outcome(off <= ANGLE_TOLERANCE, off, ANGLE_TOLERANCE, "deg", f"heading {off:.0f} deg off")

@@ -31,6 +31,11 @@ class AnyOf(Relation):
         """Return the names of the assets that it is about, each once."""
         return tuple(ref.name for ref in self.refs() if isinstance(ref, AssetRef))
 
+    def ways(self, scene: Scene) -> tuple[Way, ...]:
+        """Return the choices; of one that is a single statement with ways of its own, these."""
+        opened = (choice[0].ways(scene) if len(choice) == 1 else () for choice in self.choices)
+        return tuple(way for choice, own in zip(self.choices, opened, strict=True) for way in own or (choice,))
+
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return the rows of the choice of which least lacks."""
         return tuple(term for one in best_way(self.choices, scene, near)[0] for term in one.terms(scene, near))

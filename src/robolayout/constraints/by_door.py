@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from robolayout.constraints._exact import GAP_TOLERANCE, footprint, half_size, shape
 from robolayout.constraints._refs import AssetRef, PointRef
-from robolayout.constraints._relation import Outcome, Relation, argument
-from robolayout.constraints._terms import FrameTerm, Term
+from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
+from robolayout.constraints._terms import Term
+from robolayout.constraints.near import Near
 from robolayout.scene import Layout, Scene
 
 
@@ -28,17 +27,17 @@ class ByDoor(Relation):
         """Refuse a room without a door."""
         return "" if scene.room.doors else "this room has no door"
 
+    def ways(self, scene: Scene) -> tuple[Way, ...]:
+        """Return one for each door."""
+        return tuple((Near(self.a, door, self.max_gap),) for door in doorways(scene))
+
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
-        """Return one row: the distance to the nearest door."""
-        pose = near[self.a.name]
-        door = min(doorways(scene), key=lambda ref: math.dist((ref.x, ref.y), (pose.x, pose.y)))
-        return (FrameTerm(self.a, door, distance=(0.0, self.max_gap + min(half_size(scene, self.a)))),)
+        """Return the row of `near` for the nearest door."""
+        return best_way(self.ways(scene), scene, near)[0][0].terms(scene, near)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """The nearest door at most max_gap + 0.05 m from the footprint."""
-        body = footprint(scene, layout, self.a)
-        gap = min(body.distance(shape(scene, layout, door)) for door in doorways(scene))
-        return Outcome(gap <= self.max_gap + GAP_TOLERANCE, gap, self.max_gap, "m", f"{gap:.2f} m from the nearest door")
+        return best_way(self.ways(scene), scene, layout)[1]
 
 
 def doorways(scene: Scene) -> list[PointRef]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome, Relation, argument, best_way
+from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
 from robolayout.constraints._terms import Term
 from robolayout.constraints.near import Near
 from robolayout.scene import Layout, Scene
@@ -26,11 +26,12 @@ class Grouped(Relation):
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return the row of `near` for the nearest of them."""
-        return best_way(self._ways(), scene, near)[0][0].terms(scene, near)
+        return best_way(self.ways(scene), scene, near)[0][0].terms(scene, near)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """As `near`, to one of them."""
-        return best_way(self._ways(), scene, layout)[1]
+        return best_way(self.ways(scene), scene, layout)[1]
 
-    def _ways(self) -> list[tuple[Relation, ...]]:
-        return [(Near(self.a, item, self.max_gap),) for item in self.items]
+    def ways(self, scene: Scene) -> tuple[Way, ...]:
+        """Return one for each of them."""
+        return tuple((Near(self.a, item, self.max_gap),) for item in self.items)

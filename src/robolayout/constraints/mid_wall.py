@@ -25,13 +25,12 @@ class MidWall(Relation):
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return the rows of `against_wall` and `centered_on` for the wall where least lacks."""
-        return tuple(term for one in best_way(self._walls(scene), scene, near)[0] for term in one.terms(scene, near))
+        return tuple(term for one in best_way(self.ways(scene), scene, near)[0] for term in one.terms(scene, near))
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """At a wall as `against_wall`, and within 10 cm of its middle."""
-        return best_way(self._walls(scene), scene, layout)[1]
+        return best_way(self.ways(scene), scene, layout)[1]
 
-    def _walls(self, scene: Scene) -> list[Way]:
-        """Return the statements for each wall."""
-        walls = (way.refs()[1] for way in AgainstWall(self.a).ways(scene))
-        return [(AgainstWall(self.a, wall), CenteredOn(self.a, wall)) for wall in walls]  # type: ignore[arg-type]
+    def ways(self, scene: Scene) -> tuple[Way, ...]:
+        """Return both statements for each wall."""
+        return tuple((one, CenteredOn(self.a, one.refs()[1])) for (one,) in AgainstWall(self.a).ways(scene))

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from robolayout.constraints._exact import GAP_TOLERANCE
 from robolayout.constraints._refs import AssetRef, WallRef
-from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._relation import Outcome, Relation, Way, argument
 from robolayout.constraints._terms import Term
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.scene import Layout, Scene
@@ -26,10 +26,10 @@ class MountedOn(Relation):
     wall: WallRef | None = argument("wall", "none", default=None)
     height: float | None = argument("number", "none", unit="m", default=None)
 
-    def ways(self, scene: Scene) -> tuple[Relation, ...]:
+    def ways(self, scene: Scene) -> tuple[Way, ...]:
         """Return one for each wall where the program names none."""
-        walls = (way.refs()[1] for way in AgainstWall(self.a, self.wall).ways(scene))
-        return tuple(replace(self, wall=wall) for wall in walls if isinstance(wall, WallRef))
+        walls = (one.refs()[1] for (one,) in AgainstWall(self.a, self.wall).ways(scene))
+        return tuple((replace(self, wall=wall),) for wall in walls if isinstance(wall, WallRef))
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row in the wall's frame; the height is kept by construction."""

@@ -27,7 +27,9 @@ class Snug(Relation):
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return the rows of the way of which least lacks."""
-        return tuple(term for one in best_way(self._ways(scene, near), scene, near)[0] for term in one.terms(scene, near))
+        return tuple(
+            term for one in best_way(self._ways(scene, near), scene, near)[0] for term in one.terms(scene, near)
+        )
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """As `corner`, or as `next_to` at its left or right."""
@@ -35,6 +37,8 @@ class Snug(Relation):
 
     def _ways(self, scene: Scene, layout: Layout) -> list[Way]:
         """Return each corner and each neighbour as a way."""
-        others = [a for a in scene.assets if a.on_floor and not a.is_flat and a.name != self.a.name and a.name in layout]
+        others = [
+            a for a in scene.assets if a.on_floor and not a.is_flat and a.name != self.a.name and a.name in layout
+        ]
         corners: list[Way] = [(Corner(self.a, vertex),) for vertex in convex_corners(scene.room)]
         return corners + [(NextTo(self.a, AssetRef(other.name), "beside", CRACK),) for other in others]

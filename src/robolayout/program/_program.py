@@ -93,9 +93,17 @@ class Program:
     dropped: tuple[str, ...] = ()
     expressions: Mapping[str, str] = field(default_factory=dict[str, str], compare=False, repr=False)
 
+    @property
+    def complete(self) -> bool:
+        """Whether it gives a place to everything."""
+        placed = {name for name, guess in self.guesses.items() if guess.position is not None}
+        return placed == set(self.expressions)
+
     def forgotten(self) -> tuple[str, ...]:
         """Return the things, as they are written in a program, that neither a guess nor a statement is about."""
-        said = {name for statement in (*self.statements, *self.wishes) for name in statement.relation.asset_names()} | set(self.guesses)
+        said = {
+            name for statement in (*self.statements, *self.wishes) for name in statement.relation.asset_names()
+        } | set(self.guesses)
         return tuple(written for name, written in self.expressions.items() if name not in said)
 
     def to_text(self) -> str:

@@ -224,7 +224,11 @@ def once(so_far: Accepted, relation: Relation) -> Answer:
 
 def one_wall(so_far: Accepted, relation: Relation) -> Answer:
     """Reject a second wall for the same thing."""
-    if not isinstance(relation, AgainstWall | MountedOn) or relation.wall is None or relation.a.name not in so_far.walls:
+    if (
+        not isinstance(relation, AgainstWall | MountedOn)
+        or relation.wall is None
+        or relation.a.name not in so_far.walls
+    ):
         return None
     return f"{relation.a} is already at walls[{so_far.walls[relation.a.name]}]; a thing has one wall"
 
