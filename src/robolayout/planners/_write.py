@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from robolayout.planners._roles import Cast
 from robolayout.planners.grouping import root
@@ -20,6 +21,9 @@ JOINED = 1.0
 
 WITHIN, BEYOND = 0.06, 0.15
 """Metres by which a gap may be smaller and larger than what is usual."""
+
+WALLS = 0.45
+"""Share of the length of all walls up to which places at them are demanded; what comes later only wishes for one."""
 
 NARROWEST = 0.6
 """Metres that people need to get to a side of a thing."""
@@ -157,13 +161,26 @@ class Writer:
         if modes[0] in ("hang", "ceiling", "rug"):
             yield from self._off_the_floor(item, modes[0])
         elif set(modes) <= {"wall", "corner"}:
-            yield from self._fill(say["wall"], values, bound, name)
+            held = name in self._held and bound is None
+            yield from self._fill(say["wall"], values, None if held else ONLY, name)
         else:
             yield from self._fill(say["middle"], values, bound, name)
             weight = (FIRST if "middle" in modes else ONLY) + item.role.prefer.get("first", 0.0)
             if "wall" in modes:
                 yield from self._fill(say["wall"], values, weight if modes[0] == "wall" else -weight, name)
             yield from self._in_rows(item, "grid" in modes)
+
+    @cached_property
+    def _held(self) -> frozenset[str]:
+        """What the walls hold for certain, in the order of placing."""
+        left = WALLS * sum(wall.length for wall in self.scene.room.walls)
+        found = list[str]()
+        for name in self.order():
+            item = self.cast[name]
+            if item.asset.on_floor and not item.asset.is_flat and set(_modes(item)) <= {"wall", "corner"}:
+                left -= item.asset.size[1]
+                found += [name] if left >= 0.0 and item.join is None and _modes(item) == ["wall"] else []
+        return frozenset(found)
 
     def _in_rows(self, item: Cast, wanted: bool) -> Iterator[Line]:
         """Yield that equal things stand in rows, with the last of them."""
@@ -190,6 +207,9 @@ class Writer:
         owner = None if item.name in self.asked else self._owner(item, over)
         if owner is not None:
             values |= {"b": self._name(owner), "b name": owner}
+        if mode == "ceiling" and owner is not None and self._shared(item, owner):
+            yield Line(f"solver.above({a}, {self._name(owner)})", (item.name, owner))
+            return
         if mode == "rug" and owner is not None:
             side = {"bed": "front", "narrow bed": "left", "child bed": "left"}.get(self.cast[owner].role.name)
             if side:
@@ -197,6 +217,12 @@ class Writer:
         yield from self._fill(item.role.say[mode], values, None, item.name)
         if mode == "ceiling" and owner is None:
             yield Line(f"solver.wish.centered_on({a}, room)", (item.name,))
+
+    def _shared(self, item: Cast, owner: str) -> bool:
+        """Whether something else hangs over the same thing."""
+        others = [o for o in self.cast.values() if o.role is item.role and o.name != item.name and o.role.above]
+        over = [n for role in item.role.above for n, one in self.cast.items() if one.role.name == role]
+        return any(self._owner(other, over) == owner for other in others)
 
     def _owner(self, item: Cast, over: Sequence[str]) -> str | None:
         """Return what a thing hangs over or lies under: of the first with as few others as any, each rug another one."""

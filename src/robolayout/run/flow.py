@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 AgentSpec = Agent | str | Path | Mapping[str, Any]
 
-AHEAD = 2
+AHEAD = 3
 """Rooms that are looked at before one is searched that is not right as it is built or guessed."""
 
 FORLORN = 0.25

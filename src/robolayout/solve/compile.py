@@ -192,14 +192,14 @@ def _depth(name: str, parents: Mapping[str, str]) -> int:
 def _missing(scene: Scene, program: Program, pinned: Mapping[str, Pose], seed: int) -> dict[str, Guess]:
     """Return guesses for what the program does not place: where its statements and wishes have it built, around the rest."""
     placed = {name: guess for name, guess in program.guesses.items() if guess.position is not None}
-    if len(placed.keys() | pinned.keys()) == len(scene.assets):
-        return {}
     left, bottom, right, top = scene.room.bounds
     given = dict(pinned)
     for name, guess in placed.items():
         x, y, z = guess.position or (0.0, 0.0, 0.0)
         if left < x < right and bottom < y < top:
             given.setdefault(name, Pose(x, y, z, guess.yaw or 0.0))
+    if len(placed.keys() | pinned.keys()) == len(scene.assets):
+        return _guesses(Layout(given), placed)
     return _guesses(furnished(scene, program, given, seed), placed)
 
 

@@ -256,7 +256,8 @@ class Attempt:
         self, clusters: Sequence[Cluster], modes: Modes, weights: Mapping[str, float]
     ) -> list[Cluster]:
         """Place what fits well along the walls, put the rest into a grid, and return what fits nowhere."""
-        left = list(clusters)
+        told = [c for c in clusters if self.site.said.about([member.name for member in c.members])]
+        left = [cluster for cluster in clusters if cluster not in told]
         if next(iter(modes)) == "wall":
             left = [cluster for cluster in clusters if not self._place(cluster, {"wall": 0.0}, weights, limit=BAD)]
         for equal in alike(self.site, left):
@@ -264,7 +265,7 @@ class Attempt:
                 if count <= len(equal) and self._place_grid(equal[:count], weights, len(equal) - count):
                     left = [cluster for cluster in left if cluster not in equal[:count]]
                     break
-        return left
+        return [*told, *left]
 
     def _place(
         self, cluster: Cluster, modes: Modes, weights: Mapping[str, float], limit: float | None = None
@@ -282,7 +283,7 @@ class Attempt:
             return True
         if cost > MUCH and limit is None and "middle" not in modes:
             self.missing = before
-            return self._place(cluster, {**modes, "middle": OTHERWISE}, weights)
+            return self._place(cluster, {**modes, "middle": MISSED}, weights)
         step = _Step(partial(_put, batch=batch, row=row), cost, cluster, modes, weights)
         step.put(self.site)
         self.steps.append(step)
