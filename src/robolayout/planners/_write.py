@@ -13,8 +13,8 @@ from robolayout.planners._roles import Cast
 from robolayout.planners.grouping import root
 from robolayout.scene import Scene, Wall
 
-FIRST, ONLY = 0.6, 3.0
-"""Weights of the first of several ways of standing, where the middle of the room is another one and where it is not."""
+FIRST, ONLY = 0.6, 8.0
+"""Weights of the first of several ways of standing, where the middle of the room is as good and where it is a last resort."""
 
 JOINED = 1.0
 """Weight of standing at what a thing joins, where it may stand elsewhere."""
@@ -165,7 +165,7 @@ class Writer:
             yield from self._fill(say["wall"], values, None if held else ONLY, name)
         else:
             yield from self._fill(say["middle"], values, bound, name)
-            weight = (FIRST if "middle" in modes else ONLY) + item.role.prefer.get("first", 0.0)
+            weight = (FIRST if "middle" in modes and "grid" not in modes else ONLY) + item.role.prefer.get("first", 0.0)
             if "wall" in modes:
                 yield from self._fill(say["wall"], values, weight if modes[0] == "wall" else -weight, name)
             yield from self._in_rows(item, "grid" in modes)

@@ -256,8 +256,7 @@ class Attempt:
         self, clusters: Sequence[Cluster], modes: Modes, weights: Mapping[str, float]
     ) -> list[Cluster]:
         """Place what fits well along the walls, put the rest into a grid, and return what fits nowhere."""
-        told = [c for c in clusters if self.site.said.about([member.name for member in c.members])]
-        left = [cluster for cluster in clusters if cluster not in told]
+        left = list(clusters)
         if next(iter(modes)) == "wall":
             left = [cluster for cluster in clusters if not self._place(cluster, {"wall": 0.0}, weights, limit=BAD)]
         for equal in alike(self.site, left):
@@ -265,7 +264,7 @@ class Attempt:
                 if count <= len(equal) and self._place_grid(equal[:count], weights, len(equal) - count):
                     left = [cluster for cluster in left if cluster not in equal[:count]]
                     break
-        return [*told, *left]
+        return left
 
     def _place(
         self, cluster: Cluster, modes: Modes, weights: Mapping[str, float], limit: float | None = None
@@ -369,7 +368,7 @@ class Attempt:
             cost = self.site.base_cost(batch.cluster, batch.poses, clash[free]) / len(clusters)
             last = last_cell(self.site, plan, batch)
             cost += 0.5 * (taste(self.site, batch, weights) + taste(self.site, last, weights))
-            cost += TIGHT * plan.tight + RAGGED * (plan.rows * plan.columns - len(plan.names))
+            cost += self.site.missed(batch.cluster, batch.poses) + TIGHT * plan.tight + RAGGED * (plan.rows * plan.columns - len(plan.names))
             cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5
             ranked += [(float(cost[row]), plan, batch, int(row)) for row in np.argsort(cost, kind="stable")[:4]]
         best: tuple[float, GridPlan, Batch, int] | None = None
