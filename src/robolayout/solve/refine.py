@@ -94,7 +94,7 @@ class Solver:
             best = self._stage(number, world)
             world = best.world
         assert best is not None
-        if best.verdict.hard + best.verdict.access or not self.problem.guessed:
+        if best.verdict.hard + best.verdict.access:
             best = self._repair(best)
         best = best if self.blind else self._restored(best)
         trace = self.runner.trace(self.problem) if self.config.trace else Trace()
@@ -158,22 +158,16 @@ class Solver:
             if stage.moving:
                 self._still(stage, best, self.phase)
             return best
-        if self._guessed(stage):
-            best = self._pushed(stage, number, best)
-            best, run = self._polished(stage, number, best)
-            if number == 0 and self.config.route_rounds and best.verdict.access:
-                best = self._route(stage, run, best)
-            self.blind |= best.verdict.hard + best.verdict.access > BLIND * len(stage.moving)
-            best = best if self.blind else self._near(number, best)
-            self.blind |= best.verdict.soft > BLIND * len(self.problem.relations)
-            if not self.blind and not best.verdict.hard + best.verdict.access:
-                return best
+        best = self._pushed(stage, number, best)
+        best, run = self._polished(stage, number, best)
+        if number == 0 and self.config.route_rounds and best.verdict.access:
+            best = self._route(stage, run, best)
+        self.blind |= best.verdict.hard + best.verdict.access > BLIND * len(stage.moving)
+        best = best if self.blind else self._near(number, best)
+        self.blind |= best.verdict.soft > BLIND * len(self.problem.relations)
+        if not self.blind and not best.verdict.hard + best.verdict.access:
+            return best
         return self._anew(stage, number, best)
-
-    def _guessed(self, stage: Stage) -> bool:
-        """Return whether the program says where things go."""
-        known = {self.problem.slot[name] for name in self.problem.guessed} & set(stage.moving)
-        return 2 * len(known) >= len(stage.moving)
 
     def _pushed(self, stage: Stage, number: int, best: _Best) -> _Best:
         """Return the best of the guess and of what its own statements make of it."""
@@ -239,12 +233,12 @@ class Solver:
         quarter, several = max(self.config.starts // 4, 1), self.config.starts > 1
         run: Run | None = None
         if number == 0:
-            best = self._mended(best, number) if self._guessed(stage) else best
+            best = self._mended(best, number)
             best, run = self._built(stage, starts, quarter if several else 0, best, run)
         if run is None:
             run = self.runner.advance(stage, starts.near(quarter), self.config.polish, "polish")
             best = self._best_of(run.ranked(), number, best)
-        if several and not best.verdict.ok and (number or self._guessed(stage)):
+        if several and not best.verdict.ok:
             self._say("search")
             phase = self.config.tops if number else self.config.search
             far = starts.far(quarter * (3 if number else 1))
