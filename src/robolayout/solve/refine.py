@@ -160,6 +160,8 @@ class Solver:
             return best
         if self._guessed(stage):
             best = self._pushed(stage, number, best)
+            if number and not any(self._at(number, name) for name in best.verdict.culprits):
+                return best
             best, run = self._polished(stage, number, best)
             if number == 0 and self.config.route_rounds and best.verdict.access:
                 best = self._route(stage, run, best)
@@ -191,8 +193,8 @@ class Solver:
         proposals, order = self.builder.proposals, self._order(stage)
         push = pushed(proposals, stage.world, order)
         walls = pushed(proposals, stage.world, order, walls_only=True)
-        starts = Starts(self.problem, stage.world, stage.moving, self.builder).near(BATCH)
-        worlds = _different([push, walls, *starts])[:BATCH]
+        starts = Starts(self.problem, stage.world, stage.moving, self.builder).near(2 * BATCH)
+        worlds = _different([push, walls, *starts])[: 2 * BATCH]
         run = self.runner.advance(stage, worlds, self.config.polish, "polish")
         best = self._best_of(self._sharpened(run, order), number, best)
         if number == 0 and best.verdict.access and self.config.route_rounds:
