@@ -193,8 +193,8 @@ class Solver:
         proposals, order = self.builder.proposals, self._order(stage)
         push = pushed(proposals, stage.world, order)
         walls = pushed(proposals, stage.world, order, walls_only=True)
-        starts = Starts(self.problem, stage.world, stage.moving, self.builder).near(2 * BATCH)
-        worlds = _different([push, walls, *starts])[: 2 * BATCH]
+        starts = Starts(self.problem, stage.world, stage.moving, self.builder).near(BATCH)
+        worlds = _different([push, walls, *starts])[:BATCH]
         run = self.runner.advance(stage, worlds, self.config.polish, "polish")
         best = self._best_of(self._sharpened(run, order), number, best)
         if number == 0 and best.verdict.access and self.config.route_rounds:
