@@ -36,6 +36,7 @@ from robolayout.constraints.grid import Grid
 from robolayout.constraints.grouped import Grouped
 from robolayout.constraints.in_front_of import InFrontOf
 from robolayout.constraints.in_rows import InRows
+from robolayout.constraints.inside import Inside
 from robolayout.constraints.inside_room import InsideRoom
 from robolayout.constraints.keep_clear import KeepClear
 from robolayout.constraints.left_of import LeftOf
@@ -60,6 +61,7 @@ _BUILT_IN: tuple[type[Relation], ...] = (
     AgainstWall,
     DistanceConstraint,
     OnTopOf,
+    Inside,
     AlignWith,
     PointTowards,
     SymmetricPair,

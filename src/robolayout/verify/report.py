@@ -124,6 +124,7 @@ class Report:
             "placed_share": shares["placed_share"],
             "collision_free_share": shares["collision_free_share"],
             "collision_free_scene": shares["collision_free_share"] == 1.0,
+            "collision_free_boxes_share": share(list(self.physics.boxes_apart.values())),
             "in_boundary_share": shares["in_boundary_share"],
             "supported_share": shares["supported_share"],
             "door_clear": self.physics.door_clear,
@@ -150,7 +151,11 @@ class Report:
     @cached_property
     def unmet(self) -> tuple[str, ...]:
         """Names of the figures that fall short of what is demanded; exempt assets are not demanded of an agent."""
-        least = dict.fromkeys(self.figures, 1.0) | vars(self.demands) | {"reachable_share": 0.0}
+        least = (
+            dict.fromkeys(self.figures, 1.0)
+            | vars(self.demands)
+            | {"reachable_share": 0.0, "collision_free_boxes_share": 0.0}
+        )
         if not any(report.short for report in self.agents):
             least |= {"reachable_share_chairs_aside": 0.0, "usable_share": 0.0}
         return tuple(name for name, value in self.figures.items() if value < least[name])
