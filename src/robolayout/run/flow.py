@@ -215,8 +215,6 @@ class _Run:
                 waiting.append(self._tried(*found, judged=ahead > 1))
                 if waiting[-1].amiss == 0.0:
                     break
-                if len(waiting) == 1:
-                    self.prepare(self.scene, 1)
             if not waiting:
                 break
             waiting.sort(key=lambda entry: entry.amiss)
