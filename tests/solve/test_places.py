@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from robolayout.planners._places import WALL_STEP, WALL_STEPS, _offsets
+from robolayout.solve.build.places import WALL_STEP, WALL_STEPS, _offsets
 from robolayout.scene import Room
 
 
