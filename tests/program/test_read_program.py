@@ -204,7 +204,10 @@ MISTAKES = {
     "ä = 1; solver.against_wall(bed[0], walls[7])": ("walls[7]: walls has 4 items (walls[0] to walls[3])", 35),
     "i = 4\nsolver.corner(chair[i])": ("chair[i]: chair has 4 items (chair[0] to chair[3])", 14),
     "solver.facing_pair(bed[0])": ("facing_pair needs b: an asset such as bed[0]. Example: solver.facing", 0),
-    "solver.against_wall(bed[0], bed[0])": ("wall of against_wall takes a wall such as walls[0] or None, not bed[0]", 28),
+    "solver.against_wall(bed[0], bed[0])": (
+        "wall of against_wall takes a wall such as walls[0] or None, not bed[0]",
+        28,
+    ),
     "solver.corner(walls[0])": ("a of corner takes an asset such as bed[0], not walls[0]", 14),
     "solver.corner(chair)": ("a of corner takes an asset such as bed[0], not a list of 4", 14),
     "solver.corner('bed')": ("a of corner takes an asset such as bed[0], not 'bed'", 14),

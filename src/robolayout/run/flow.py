@@ -351,7 +351,7 @@ class _Run:
         return [Attempt(*parts) for parts in zip(asked, reconciled, solutions, strict=True)]
 
 
-def solve(
+def solve(  # noqa: PLR0913 - as `generate`
     scene: Scene,
     program: Program | str,
     *,
@@ -401,7 +401,7 @@ def _ways(scene: Scene, program: Program, found: Solution) -> Iterator[Program]:
                 yield replace(program, statements=changed)
 
 
-def solve_many(
+def solve_many(  # noqa: PLR0913 - as `generate`
     scene: Scene,
     programs: Sequence[Program],
     *,
