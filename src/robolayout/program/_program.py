@@ -78,20 +78,20 @@ class Program:
     Attributes:
         text: The program text that was run.
         statements: What it states, in the order in which it ran.
-        wishes: What it would like, and no more; each with its weight.
         guesses: First poses by asset name, in the order of the scene.
         notes: Lines that it printed.
         dropped: What could not be read and was left out, one message each with line and caret (`read_salvaged`).
         expressions: How each asset is written in program text, by name ("bed-0": "bed[0]").
+        wishes: What it would like, and no more; each with its weight.
     """
 
     text: str = ""
     statements: tuple[Statement, ...] = ()
-    wishes: tuple[Statement, ...] = ()
     guesses: Mapping[str, Guess] = field(default_factory=dict[str, Guess])
     notes: tuple[str, ...] = ()
     dropped: tuple[str, ...] = ()
     expressions: Mapping[str, str] = field(default_factory=dict[str, str], compare=False, repr=False)
+    wishes: tuple[Statement, ...] = ()
 
     @property
     def complete(self) -> bool:

@@ -215,8 +215,6 @@ class _Run:
                 waiting.append(self._tried(*found, judged=ahead > 1))
                 if waiting[-1].amiss == 0.0:
                     break
-                if len(waiting) == 1:
-                    self.prepare(self.scene, 1)
             if not waiting:
                 break
             waiting.sort(key=lambda entry: entry.amiss)
@@ -353,7 +351,7 @@ class _Run:
         return [Attempt(*parts) for parts in zip(asked, reconciled, solutions, strict=True)]
 
 
-def solve(
+def solve(  # noqa: PLR0913 - as `generate`
     scene: Scene,
     program: Program | str,
     *,
@@ -403,7 +401,7 @@ def _ways(scene: Scene, program: Program, found: Solution) -> Iterator[Program]:
                 yield replace(program, statements=changed)
 
 
-def solve_many(
+def solve_many(  # noqa: PLR0913 - as `generate`
     scene: Scene,
     programs: Sequence[Program],
     *,

@@ -62,9 +62,7 @@ def markdown(report: Report) -> str:
             "",
             "As it stands, no chair is moved; demanded is what is reached once the chairs at a thing are moved aside.",
         ]
-    if report.wishes:
-        granted = sum(wish["holds"] == (wish["weight"] > 0) for wish in report.wishes)
-        lines += ["", f"Of {len(report.wishes)} wishes of the program, which nobody demands, {granted} came true."]
+    lines += _granted(report.wishes)
     lines += [line for note in report.notes for line in ("", note)]
     if report.violations:
         lines += ["", "## What is wrong", "", *_listed(report.violations)]
@@ -108,6 +106,12 @@ def _ledger(asked: Sequence[AskedRow]) -> list[str]:
     cells = ((row.words, row.understanding, row.verdict, row.value) for row in asked)
     lines += [f"| {' | '.join(plain(' '.join(text.split())) for text in row)} |" for row in cells]
     return [*lines, "", "## What was checked", ""]
+
+
+def _granted(wishes: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return how many wishes came true."""
+    granted = sum(wish["holds"] == (wish["weight"] > 0) for wish in wishes)
+    return ["", f"Of {len(wishes)} wishes of the program, which nobody demands, {granted} came true."] if wishes else []
 
 
 def _listed(sentences: Iterable[str]) -> list[str]:
