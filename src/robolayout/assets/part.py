@@ -27,6 +27,27 @@ class Material:
     opacity: float = 1.0
 
 
+@dataclass(frozen=True)
+class Joint:
+    """How some parts of a thing, or of a room, move together.
+
+    Attributes:
+        name: What moves ("door 0"); unique in its thing.
+        kind: "hinge" (turns about the axis) or "slide" (moves along it).
+        axis: Unit vector; the positive way opens.
+        at: A point on the axis, in the frame of the parts; metres.
+        span: How far it goes from where it is drawn, (0, open) where that is shut; radians or metres.
+        handle: Where it is taken hold of, as it is drawn; metres.
+    """
+
+    name: str
+    kind: str
+    axis: tuple[float, float, float]
+    at: tuple[float, float, float]
+    span: tuple[float, float]
+    handle: tuple[float, float, float]
+
+
 @dataclass(frozen=True, eq=False)
 class Part:
     """One piece of a mesh.
@@ -37,6 +58,7 @@ class Part:
         faces: (m, 3) vertex indices, counter-clockwise seen from outside.
         material: How it looks.
         convex: Whether it may serve as a collider as it is.
+        joint: With what it moves; None where it stays.
     """
 
     name: str
@@ -44,3 +66,4 @@ class Part:
     faces: NDArray[np.int32]
     material: Material
     convex: bool = True
+    joint: Joint | None = None
