@@ -10,14 +10,16 @@ from robolayout.assets.lexicon import category_of, find_category, unknown_kinds
 
 if TYPE_CHECKING:
     from robolayout.assets.folder import import_folder
+    from robolayout.assets.joints import turned
     from robolayout.assets.meshes import parts
     from robolayout.assets.own import check_meshes, load_mesh_parts
-    from robolayout.assets.part import Material, Part
+    from robolayout.assets.part import Joint, Material, Part
     from robolayout.assets.rooms import RoomStyle, room_parts, room_style
 
 __all__ = [
     "CATALOGUE",
     "Category",
+    "Joint",
     "Material",
     "Part",
     "RoomStyle",
@@ -30,10 +32,12 @@ __all__ = [
     "read_categories",
     "room_parts",
     "room_style",
+    "turned",
     "unknown_kinds",
 ]
 
 _LAZY = {
+    "Joint": "part",
     "Material": "part",
     "Part": "part",
     "RoomStyle": "rooms",
@@ -43,6 +47,7 @@ _LAZY = {
     "parts": "meshes",
     "room_parts": "rooms",
     "room_style": "rooms",
+    "turned": "joints",
 }
 """Names that need numpy or shapely, and the module that holds each."""
 

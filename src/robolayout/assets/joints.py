@@ -183,13 +183,11 @@ def _joint(rule: Rule, group: Sequence[Part], size: tuple[float, float, float]) 
     return Joint(rule.names[0], rule.kind, (u, v, w), (x, y, z), (low, high), (a, b, c))
 
 
-def opened(joint: Joint, points: Vector, share: float = 1.0) -> Vector:
-    """Return points (n, 3) of a moving part where its joint is opened by a share of its way."""
-    far = share * joint.span[1]
+def turned(joint: Joint, points: Vector, far: float) -> Vector:
+    """Return points (n, 3) of what moves where its joint is turned or drawn `far` from where it is now (rad or m)."""
     axis = np.array(joint.axis)
     if joint.kind == "slide":
         return points + far * axis
     c, s = math.cos(far), math.sin(far)
     r = points - joint.at
-    turned = c * r + s * np.cross(axis, r) + (1 - c) * (r @ axis)[:, None] * axis
-    return turned + joint.at
+    return c * r + s * np.cross(axis, r) + (1 - c) * (r @ axis)[:, None] * axis + joint.at
