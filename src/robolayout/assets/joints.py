@@ -164,7 +164,9 @@ def _joint(rule: Rule, group: Sequence[Part], size: tuple[float, float, float]) 
     points = np.concatenate([part.vertices for part in (group if rule.together else group[:1])])
     ends = np.stack([points.min(axis=0), points.max(axis=0)])
     at = np.zeros(3) if rule.together else ends.mean(axis=0)
-    grip = next((part.vertices.mean(axis=0) for part in group if part.name in HANDLES), None)
+    handle = next((part for part in group if part.name in HANDLES), None)
+    grip = None if handle is None else handle.vertices.mean(axis=0)
+    heights = points[:, 2] if handle is None else handle.vertices[:, 2]
     for edge in rule.edges:
         axis, high = EDGES[edge] if edge != AWAY else (1, int(at[1] > (0.0 if grip is None else grip[1])))
         at[axis] = ends[high, axis]
@@ -180,7 +182,15 @@ def _joint(rule: Rule, group: Sequence[Part], size: tuple[float, float, float]) 
     x, y, z = at.tolist()
     u, v, w = (along + 0.0).tolist()
     a, b, c = grip.tolist()
-    return Joint(rule.names[0], rule.kind, (u, v, w), (x, y, z), (low, high), (a, b, c))
+    return Joint(
+        rule.names[0],
+        rule.kind,
+        (u, v, w),
+        (x, y, z),
+        (low, high),
+        (a, b, c),
+        (heights.min().item(), heights.max().item()),
+    )
 
 
 def turned(joint: Joint, points: Vector, far: float) -> Vector:

@@ -38,6 +38,7 @@ class Joint:
         at: A point on the axis, in the frame of the parts; metres.
         span: How far it goes from where it is drawn, (0, open) where that is shut; radians or metres.
         handle: Where it is taken hold of, as it is drawn; metres.
+        hold: Between which heights a hand can take hold of it: those of its handle, else of all of it; metres.
     """
 
     name: str
@@ -46,6 +47,7 @@ class Joint:
     at: tuple[float, float, float]
     span: tuple[float, float]
     handle: tuple[float, float, float]
+    hold: tuple[float, float]
 
 
 @dataclass(frozen=True, eq=False)

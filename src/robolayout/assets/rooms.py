@@ -284,7 +284,7 @@ def _leaf(
     hand = (*wall.point(grip + 0.06), 1.01)
     wide = (-math.pi / 2, 0.0) if door.open else (0.0, math.pi / 2)
     own = name if door.leaves == 1 else f"{name} {'left' if left else 'right'}"
-    joint = Joint(own, "hinge", (0.0, 0.0, up), (x, y, 0.0), wide, hand)
+    joint = Joint(own, "hinge", (0.0, 0.0, up), (x, y, 0.0), wide, hand, (1.0, 1.02))
     for part in built:
         yield replace(part, vertices=turned(joint, part.vertices, -wide[0]), joint=joint)
 
