@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 import shapely
 from shapely import Polygon
+from shapely.geometry.base import BaseGeometry
 
 from robolayout._errors import AssetError
 from robolayout.assets.joints import HANDLES, turned
@@ -32,10 +34,10 @@ class Sweep:
         leaf: Where the open leaf stands beyond the front; empty for drawers, which are pushed back to.
     """
 
-    region: Polygon
+    region: BaseGeometry
     heights: tuple[float, float]
     joint: Joint | None = None
-    leaf: Polygon = Polygon()  # noqa: RUF009 - polygons do not change
+    leaf: BaseGeometry = Polygon()  # noqa: RUF009 - polygons do not change
 
 
 @lru_cache(maxsize=2048)
@@ -70,9 +72,7 @@ def _sweep(joint: Joint, moving: list[Part], asset: Asset) -> Sweep:
     far = np.linspace(0.0, joint.span[1], STEPS + 1 if joint.kind == "hinge" else 2)
     places = [[turned(joint, part.vertices, step) for step in far.tolist()] for part in panels]
     hulls = [
-        shapely.MultiPoint(np.concatenate(pair)[:, :2]).convex_hull
-        for steps in places
-        for pair in zip(steps, steps[1:], strict=False)
+        shapely.MultiPoint(np.concatenate(pair)[:, :2]).convex_hull for steps in places for pair in pairwise(steps)
     ]
     leaf = shapely.union_all([shapely.MultiPoint(steps[-1][:, :2]).convex_hull for steps in places])
     heights = np.concatenate([points[:, 2] for steps in places for points in steps])

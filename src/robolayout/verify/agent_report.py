@@ -116,6 +116,7 @@ class AgentReport:
             },
             "unreached": {name: finite(nav.distances[name]) for name in nav.unreached},
             "moved": {name: list(use.moved) for name, use in self.usage.uses.items() if use.moved},
+            "opened": {name: use.opens for name, use in self.usage.uses.items() if use.opens},
             "unusable": {name: use.reason for name, use in self.usage.uses.items() if not use.usable},
             "drives": {
                 name: {
