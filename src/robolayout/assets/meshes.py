@@ -39,7 +39,8 @@ def parts(asset: Asset, seed: int = 0) -> tuple[Part, ...]:
     category = category_of(asset)
     piece = make_piece(category.name, asset.variable or asset.name, asset.name, asset.size, seed)
     build = read_rows(asset.parts, f"asset {asset.name!r}") if asset.parts else builder_for(category)
-    return jointed(fit(build(piece), asset.size), joints_of(category), asset.size)
+    made = jointed(fit(build(piece), asset.size), joints_of(category), asset.size)
+    return tuple(part for part in made if part.name not in asset.without) if asset.without else made
 
 
 def joints_of(category: Category) -> tuple[Rule, ...]:

@@ -53,10 +53,16 @@ def _placed(found: Boxes, row: int, shape: BaseGeometry) -> BaseGeometry:
 
 
 def opens(found: Boxes, agent: Agent, row: int) -> list[Joint]:
-    """Return what of an asset a body with an arm opens by a handle; nothing where the record only asks for room."""
+    """Return what of an asset a body with an arm opens by a handle; nothing where the record only asks for room.
+
+    Nothing either where all handles are too low or too high for it and its top is not: it uses that.
+    """
     if agent.reach_distance is None:
         return []
-    return [sweep.joint for sweep in sweeps_of(found.assets[row]) if sweep.joint is not None]
+    joints = [sweep.joint for sweep in sweeps_of(found.assets[row]) if sweep.joint is not None]
+    top = float(found.top[row])
+    by_hand = any(_reach(found, agent, row, joint) is not None for joint in joints)
+    return joints if by_hand or horizontal_reach(agent, top, top) is None else []
 
 
 def handle_near(found: Boxes, agent: Agent, row: int, place: Point) -> str:
