@@ -10,6 +10,7 @@ import shapely
 import trimesh
 
 from robolayout.assets import CATALOGUE, Category, Prism, parts, prisms_of, resting_place, surfaces_of
+from robolayout.assets.surfaces import inner_surfaces, named_surfaces
 from robolayout.scene import Asset
 
 
@@ -73,8 +74,9 @@ def test_people_sit_on_seats_and_a_table_leaves_room_for_knees() -> None:
 def test_a_shelf_is_meant_by_name_or_number() -> None:
     stand, box = thing("night stand"), thing("book", (0.2, 0.15, 0.05))
     assert resting_place(stand, box).name == "top"
-    assert resting_place(stand, box, "shelf 1") is resting_place(stand, box, "1")
-    assert resting_place(stand, box, "shelf 1").covered and resting_place(stand, box, "shelf 1").height < 0.2
+    shelf = resting_place(stand, box, named_surfaces(stand, "shelf 1"))
+    assert shelf is resting_place(stand, box, named_surfaces(stand, "1"))
+    assert shelf.covered and shelf.height < 0.2 and inner_surfaces(stand) == (shelf,)
 
 
 def test_a_round_top_is_an_octagon_and_the_arm_of_a_sofa_leaves_its_notch_free() -> None:

@@ -24,8 +24,10 @@ from robolayout.scene import Asset
 
 MOST = 8
 """Prisms of one thing (DESIGN section 6)."""
-SPARE = 0.01
+SPARE = 0.02
 """Share of a thing's box that two prisms may waste when they become one although there are few enough."""
+FLOORWARD = (0.3, 6.0)
+"""Metres of height below which room counts so many times: feet and low bodies pass there, between legs."""
 SLICES = 16
 """Slices that a user's own mesh is looked at in, beside those between its level tops."""
 CELLS = 24
@@ -142,9 +144,14 @@ def _span(points: Array) -> Array:
 
 
 def _volumes(spans: Spans) -> Array:
-    """Return the volumes of prisms around spans."""
+    """Return the volumes of prisms around spans, what is near the floor weighing more."""
     hx, hy, cut = _halves(spans)
-    return (4.0 * hx * hy - 2.0 * cut * cut) * (spans[..., 5] - spans[..., 4])
+    return (4.0 * hx * hy - 2.0 * cut * cut) * (_raised(spans[..., 5]) - _raised(spans[..., 4]))
+
+
+def _raised(z: Array) -> Array:
+    """Return heights where those below `FLOORWARD[0]` are stretched."""
+    return z + (FLOORWARD[1] - 1.0) * np.minimum(z, FLOORWARD[0])
 
 
 def _halves(spans: Spans) -> tuple[Array, Array, Array]:
@@ -170,10 +177,10 @@ def _merged(spans: Spans, spare: float) -> Spans:
 
     def update(i: int) -> None:
         others = np.flatnonzero(alive)
-        both = np.maximum(
-            np.minimum(spans[i, 1:6:2], spans[others, 1:6:2]) - np.maximum(spans[i, 0:6:2], spans[others, 0:6:2]), 0.0
-        )
-        added = _volumes(_joined(spans[i], spans[others])) - volumes[i] - volumes[others] + both.prod(axis=1)
+        low, high = (f(spans[i, 0:6], spans[others, 0:6]) for f in (np.maximum, np.minimum))
+        both = np.maximum(high[:, 1:4:2] - low[:, 0:4:2], 0.0)
+        rise = np.maximum(_raised(high[:, 5]) - _raised(low[:, 4]), 0.0)
+        added = _volumes(_joined(spans[i], spans[others])) - volumes[i] - volumes[others] + both.prod(axis=1) * rise
         waste[i, others] = waste[others, i] = added
         waste[i, i] = np.inf
 

@@ -45,6 +45,8 @@ SOFT = ("seat", "cushion", "mattress", "duvet", "quilt", "blanket", "bed")
 CORNERS, EVENLY, SQUARE = 10, 8, 2
 """Coordinates of corners, and of even steps, between which the largest rectangle of a region is looked for; the latter only
 where the corners have more coordinates along an axis than those of an upright rectangle."""
+RIM = 0.8
+"""Share of its height below which an open surface lies in a thing."""
 EASE = 0.005
 """Metres of height that a thing needs more than its own to be put into a shelf."""
 
@@ -74,6 +76,11 @@ class Surface:
     def rectangle(self) -> tuple[float, float, float, float]:
         """The largest upright rectangle in it: least x and y, greatest x and y in metres."""
         return _largest_rectangle(self.region)
+
+    @property
+    def is_seat(self) -> bool:
+        """Whether people sit or lie on it."""
+        return self.name.startswith("seat")
 
     @property
     def is_wide(self) -> bool:
@@ -116,22 +123,35 @@ def _box_top(asset: Asset) -> Surface:
     return Surface("top", shapely.box(-depth / 2, -width / 2, depth / 2, width / 2), height, np.inf)
 
 
+def outer_surfaces(asset: Asset) -> tuple[Surface, ...]:
+    """Return what lies open on a thing, seats where it has them; all surfaces of a thing that covers them all."""
+    every = surfaces_of(asset)
+    return tuple(s for s in every if s.is_seat) or tuple(s for s in every if not s.covered) or every
+
+
+def inner_surfaces(asset: Asset) -> tuple[Surface, ...]:
+    """Return what lies in a thing: its shelves, else the floor of a box or a basket below its rim."""
+    every = surfaces_of(asset)
+    return tuple(s for s in every if s.covered) or tuple(s for s in every if s.height < RIM * asset.size[2])
+
+
+def named_surfaces(asset: Asset, name: str) -> tuple[Surface, ...]:
+    """Return the surfaces of a name ("shelf 2"), of a kind ("shelf") or of a number from below ("1")."""
+    return tuple(s for i, s in enumerate(surfaces_of(asset)) if name in (s.name, s.name.split()[0], str(i + 1)))
+
+
 @lru_cache(maxsize=4096)
-def resting_place(lower: Asset, upper: Asset, name: str = "") -> Surface:
+def resting_place(lower: Asset, upper: Asset, among: tuple[Surface, ...] | None = None) -> Surface:
     """Return the surface of `lower` on which `upper` stands: the highest that can hold it.
 
-    A seat comes before arms and back, and where nothing holds it wholly, a large open place over which it then reaches; the
-    box's top is left where a thing has no surface at all.
+    Where nothing holds it wholly, it is a large place over which it then reaches; the box's top is left where there is none.
 
     Args:
         lower: What carries.
         upper: What is carried.
-        name: The surface that is meant, where it is said; its number from below will do.
+        among: The surfaces that are meant; None means what lies open, a seat before arms and back.
     """
-    every = surfaces_of(lower)
-    meant = [s for i, s in enumerate(every) if not name or name in (s.name, s.name.split()[0], str(i + 1))]
-    if not name:
-        meant = [s for s in meant if s.name.startswith("seat")] or [s for s in meant if not s.covered] or meant
+    meant = outer_surfaces(lower) if among is None else among
     fit = [s for s in meant if s.holds(upper.size)]
     high = [s for s in meant if upper.size[2] + EASE <= s.free]
     widest = max((s.region.area for s in high), default=0.0)

@@ -30,6 +30,7 @@ from robolayout.constraints.door_clear import DoorClear
 from robolayout.constraints.facing_pair import FacingPair
 from robolayout.constraints.grid import Grid
 from robolayout.constraints.in_front_of import InFrontOf
+from robolayout.constraints.inside import Inside
 from robolayout.constraints.inside_room import InsideRoom
 from robolayout.constraints.keep_clear import KeepClear
 from robolayout.constraints.left_of import LeftOf
@@ -51,6 +52,7 @@ _BUILT_IN: tuple[type[Relation], ...] = (
     AgainstWall,
     DistanceConstraint,
     OnTopOf,
+    Inside,
     AlignWith,
     PointTowards,
     SymmetricPair,
