@@ -90,6 +90,10 @@ def generate(  # noqa: PLR0913 - one parameter per option
     pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw plan, views, animation.")] = True,
     export: Annotated[str, typer.Option("--export", help="Further formats, separated by commas.")] = "",
     walk: Annotated[bool, typer.Option("--walk", help="Also draw the body on its round: walk.gif.")] = False,
+    dress: Annotated[
+        str | None,
+        typer.Option("--dress", help="Small things left about: none, some or full; the scene's own if not given."),
+    ] = None,
     settle: Annotated[bool, typer.Option("--settle", help="Let gravity act in MuJoCo (extra `sim`).")] = False,
     asset_dir: AssetDirOption = None,
     constraints: ConstraintsOption = None,
@@ -116,7 +120,9 @@ def generate(  # noqa: PLR0913 - one parameter per option
     offline = own_planner(knowledge, program, model or base_url or replay)
     other = _not_offline(program, model or base_url or replay)
     config = SolverConfig(starts=starts, trace=pictures).at(effort)
-    arranged = partial(arrange, solver=solver, config=config, start=start, keep=_names(keep), free=_names(free))
+    arranged = partial(
+        arrange, solver=solver, config=config, start=start, keep=_names(keep), free=_names(free), dress=_amount(dress)
+    )
     every_ok = True
     for job in _jobs(scene, agent, asset_dir, (seed, variants), out, knowledge or (), quiet=quiet):
         _check_meshes(job.scene)
@@ -134,6 +140,13 @@ def generate(  # noqa: PLR0913 - one parameter per option
         _tell(result, run, files, quiet=quiet, as_json=as_json)
         every_ok &= result.report.ok
     raise typer.Exit(0 if every_ok else 1)
+
+
+def _amount(dress: str | None) -> str | None:
+    """Return how much is to lie about, refused before any work if it is not known."""
+    from robolayout.scene import check_dress
+
+    return None if dress is None else check_dress(dress)
 
 
 def _names(given: str) -> list[str]:

@@ -13,9 +13,10 @@ from robolayout.floor import FLOOR, cell_size
 from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.run.attempt import Attempt, Clock, Progress
+from robolayout.run.dressing import dressed
 from robolayout.run.edit import as_start, pinned_poses, started
 from robolayout.run.verdict import make_judge
-from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict
+from robolayout.scene import Agent, Layout, Pose, Scene, Trace, check_dress, load_agents, load_scene, scene_from_dict
 from robolayout.solve import (
     PAPER,
     Solution,
@@ -119,6 +120,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     start: Layout | Mapping[str, Any] | str | Path | None = None,
     keep: Sequence[str] = (),
     free: Sequence[str] = (),
+    dress: str | None = None,
 ) -> Result:
     """Lay out a scene and verify the result.
 
@@ -136,13 +138,15 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
             is fitted in.
         keep: With `start`: names of assets that do not move at all.
         free: With `start`: names of the only assets that move, in place of `keep`.
+        dress: How much lies about on the surfaces in the end: "none", "some" or "full"; what the scene says if None.
 
     Returns:
         The layout with its program, decisions and report. No file is written.
 
     Raises:
-        SceneError: What must stand on the floor covers more than the floor; nothing is searched for.
+        SceneError: What must stand on the floor covers more than the floor, or `dress` is none of these; nothing is searched for.
     """
+    amount = None if dress is None else check_dress(dress)
     clock = Clock()
     say = progress or silent
     with clock.station("scene"):
@@ -162,9 +166,9 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         say("plan")
         groups = planner.group(scene)
     if given is None and program is None and isinstance(planner, GroupPlanner):
-        return run.by_groups(planner, groups)
+        return dressed(run.by_groups(planner, groups), amount or scene.dress, seed=seed)
     best = run.whole(planner, program, attempts) if given is None else run.edited(planner, program, given, pinned)
-    return run.result(best, groups)
+    return dressed(run.result(best, groups), amount or scene.dress, seed=seed)
 
 
 @dataclass(frozen=True)

@@ -59,6 +59,11 @@ class Asset:
         return split_name(self.name)[1]
 
     @property
+    def lies_about(self) -> bool:
+        """Whether it is one of the small things that people leave about: counted, but never asked for."""
+        return bool(self.metadata.get(LIES_ABOUT))
+
+    @property
     def is_flat(self) -> bool:
         """Whether it is a flat floor covering (below 3 cm), which never stands in the way (DESIGN section 4)."""
         return self.size[2] < FLAT_HEIGHT and self.on_floor and not self.on_object

@@ -21,14 +21,13 @@ from shapely import Polygon
 from shapely.affinity import affine_transform
 from shapely.geometry.base import BaseGeometry
 
-from robolayout._errors import InputError
 from robolayout._text import utf8
 from robolayout.assets import CATALOGUE, Surface, category_of, surfaces_of
 from robolayout.assets.category import DATA
-from robolayout.scene import Asset, Layout, Pose, Scene, variable_name, vertical_span
+from robolayout.scene import DRESSINGS, Asset, Layout, Pose, Scene, variable_name, vertical_span
 from robolayout.scene.asset import LIES_ABOUT
 
-AMOUNTS: Mapping[str, float] = {"none": 0.0, "some": 0.4, "full": 1.0}
+AMOUNTS: Mapping[str, float] = dict(zip(DRESSINGS, (0.0, 0.4, 1.0), strict=True))
 """How much lies about: which share of the surfaces, and of what fits on them."""
 
 
@@ -83,15 +82,10 @@ def dress(
     Args:
         scene: The scene.
         layout: Where everything stands; what is not placed carries nothing.
-        amount: "none", "some" or "full".
+        amount: One of `DRESSINGS`.
         seed: Settles what lies where.
         config: Numbers; the usual ones if None.
-
-    Raises:
-        InputError: The amount is not known.
     """
-    if amount not in AMOUNTS:
-        raise InputError(f"dress = {amount!r} is not understood; say {', '.join(AMOUNTS)}.")
     if not AMOUNTS[amount]:
         return Dressed(scene, layout, ())
     return _Dresser(scene, layout, AMOUNTS[amount], seed, config or DressConfig()).run()

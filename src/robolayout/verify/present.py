@@ -50,6 +50,14 @@ def rule_rows(report: Report) -> list[list[str]]:
     ]
 
 
+def lying_about(report: Report) -> list[str]:
+    """Return how many small things lie about and how many of them are fetched, in a sentence; nothing where none do."""
+    if not report.dressing:
+        return []
+    can = " and ".join(f"{name} can fetch {count}" for name, count in report.dressing["fetched"].items())
+    return [f"{report.dressing['things']} small things lie about: {can} of them."]
+
+
 def markdown(report: Report) -> str:
     """Return the content of `report.md`: the table, what is wrong, and the way to each asset."""
     lines = [f"# {plain(report.scene.name)}: {'all demands met' if report.ok else 'not all demands are met'}", ""]
@@ -62,7 +70,7 @@ def markdown(report: Report) -> str:
             "",
             "As it stands, no chair is moved; demanded is what is reached once the chairs at a thing are moved aside.",
         ]
-    lines += [line for note in report.notes for line in ("", note)]
+    lines += [line for note in (*lying_about(report), *report.notes) for line in ("", note)]
     if report.violations:
         lines += ["", "## What is wrong", "", *_listed(report.violations)]
     if report.rules:
@@ -146,6 +154,8 @@ def _agent_table(report: AgentReport) -> list[str]:
         reached = "yes" if nav.reached[name] else "**no**"
         usable = _usable(report.usage.uses[name])
         lines.append(f"| {plain(name)} | {reached} | {length} | {passage.shown} | {between} | {usable} |")
-    if report.exempt:
-        lines += ["", *_listed(f"not asked: {reason}." for reason in report.exempt.values())]
+    by_name = nav.scene.by_name
+    aside = [reason for name, reason in report.exempt.items() if not by_name[name].lies_about]
+    if aside:
+        lines += ["", *_listed(f"not asked: {reason}." for reason in aside)]
     return lines

@@ -17,7 +17,6 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout.scene import Agent, Asset, Scene
-from robolayout.scene.asset import LIES_ABOUT
 from robolayout.verify._boxes import Boxes, landings, room_polygon
 from robolayout.verify._obstacles import NOTHING
 from robolayout.verify._space import disc_space, plan_distances, reached_rows
@@ -75,9 +74,7 @@ def exempt_from_reach(scene: Scene, agent: Agent) -> dict[str, str]:
 
     What lies about is counted, never asked for. A body without an arm is asked to get to what stands on the floor only.
     """
-    lying = {
-        a.name: f"{a.name} is one of the things that lie about" for a in scene.assets if a.metadata.get(LIES_ABOUT)
-    }
+    lying = {a.name: f"{a.name} is one of the things that lie about" for a in scene.assets if a.lies_about}
     if agent.reach_distance is not None:
         return lying
     return lying | {
