@@ -10,10 +10,12 @@ from __future__ import annotations
 import math
 import random
 import tomllib
+import zlib
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
+from itertools import count
 from typing import Any
 
 import shapely
@@ -24,6 +26,8 @@ from shapely.geometry.base import BaseGeometry
 from robolayout._text import utf8
 from robolayout.assets import CATALOGUE, Surface, category_of, surfaces_of
 from robolayout.assets.category import DATA
+from robolayout.assets.prisms import piece_spans
+from robolayout.assets.surfaces import LEVEL
 from robolayout.scene import DRESSINGS, Asset, Layout, Pose, Scene, variable_name, vertical_span
 from robolayout.scene.asset import LIES_ABOUT
 
@@ -43,20 +47,27 @@ class DressConfig:
         tries: Places that are tried for a thing that may lie anywhere.
         vary: Share by which sizes vary.
         turn: Degrees by which things on shelves and counters are askew.
-        loose: Least and greatest gap in a row, and between things at a back edge.
-        seat: How far from a table's edge the middle of a seat is that belongs to it.
+        loose: Least and greatest gap in a row.
+        spread: Least and greatest gap between things at a back edge, before there are more or fewer of them.
+        seat: How far ahead of a seat the table begins that belongs to it.
+        above: Height above an open surface that its things may take up.
+        ahead: How far before the back edge a thing is tried, one after the other.
+        level: Most by which the tops under one thing may differ in height.
     """
 
     edge: float = 0.015
     gap: float = 0.012
     air: float = 0.02
     most: int = 150
-    tries: int = 14
+    tries: int = 24
     vary: float = 0.1
     turn: float = 6.0
     loose: tuple[float, float] = (0.0, 0.03)
     spread: tuple[float, float] = (0.03, 0.25)
     seat: float = 0.7
+    above: float = 0.5
+    ahead: tuple[float, ...] = (0.0, 0.03, 0.08, 0.14)
+    level: float = 0.002
 
 
 @dataclass(frozen=True)
@@ -97,6 +108,20 @@ def _data() -> Mapping[str, Any]:
     return tomllib.loads((DATA / "dressing.toml").read_text("utf-8"))
 
 
+def _rules(kind: str, words: str) -> list[Mapping[str, Any]]:
+    """Return the rules for a kind of carrier in a room of which some words are known."""
+    return [
+        rule
+        for rule in _data()["rule"]
+        if kind in rule["on"] and any(word in words for word in rule.get("rooms", [""]))
+    ]
+
+
+def _clears(rules: Sequence[Mapping[str, Any]]) -> tuple[str, ...]:
+    """Return what is drawn on a carrier and makes room for real things."""
+    return tuple(rules[0].get("clears", ())) if rules else ()
+
+
 @dataclass
 class _Place:
     """A surface that is being dressed, in the frame of its carrier."""
@@ -128,46 +153,40 @@ class _Dresser:
 
     def run(self) -> Dressed:
         words = f"{self.scene.name} {self.scene.task_description}".lower().replace("_", " ")
-        self._count = Counter(asset.variable for asset in self.scene.assets)
-        for asset in self.scene.assets:
-            if asset.name in self.layout and not asset.is_flat:
-                self._asset(asset, words)
-        kept = self._kept()
+        standing = [asset for asset in self.scene.assets if asset.name in self.layout and not asset.is_flat]
+        rules = {asset.name: _rules(category_of(asset).name, words) for asset in standing}
+        # shelves last, in an order that the seed settles: those for which nothing is left keep what is drawn on them
+        standing.sort(key=lambda a: (bool(_clears(rules[a.name])), zlib.crc32(utf8(f"{self.seed}/{a.name}"))))
+        for asset in standing:
+            before = len(self.assets)
+            self._asset(asset, rules[asset.name])
+            if len(self.assets) > self.config.most:
+                for extra in self.assets[before:]:
+                    del self.poses[extra.name]
+                del self.assets[before:]
+                self.without.pop(asset.name, None)
         bare = tuple(replace(a, without=self.without.get(a.name, a.without)) for a in self.scene.assets)
-        added = tuple(asset for asset in self.assets if asset.name in kept)
-        layout = Layout({**self.layout, **{asset.name: self.poses[asset.name] for asset in added}})
-        return Dressed(replace(self.scene, assets=(*bare, *added)), layout, tuple(asset.name for asset in added))
-
-    def _kept(self) -> set[str]:
-        """Return which things stay where there are more than wanted: sets whole, of the rest some."""
-        names = [asset.name for asset in self.assets]
-        loose = [name for name in names if "set" not in self._made[name]]
-        many = max(0, len(names) - self.config.most)
-        random.Random(utf8(f"{self.seed}/kept")).shuffle(loose)
-        return set(names) - set(loose[:many])
+        scene, layout = replace(self.scene, assets=(*bare, *self.assets)), Layout({**self.layout, **self.poses})
+        return Dressed(scene, layout, tuple(asset.name for asset in self.assets))
 
     def __post_init__(self) -> None:
-        self._made: dict[str, str] = {}
+        self._had = {category_of(asset).name for asset in self.scene.assets} & set(_data()["once"])
+        self._lists: Counter[str] = Counter()
         self._count: Counter[str] = Counter()
 
-    def _asset(self, asset: Asset, words: str) -> None:
+    def _asset(self, asset: Asset, rules: Sequence[Mapping[str, Any]]) -> None:
         """Dress one thing: first it is cleared of what is drawn on it, then its surfaces are filled."""
-        kind = category_of(asset).name
-        rules = [
-            rule
-            for rule in _data()["rule"]
-            if kind in rule["on"] and any(word in words for word in rule.get("rooms", [""]))
-        ]
-        clears = tuple(dict.fromkeys(part for rule in rules[:1] for part in rule.get("clears", ())))
+        clears = _clears(rules)
         rng = random.Random(utf8(f"{self.seed}/{asset.name}"))
+        if clears and rng.random() > self.amount:
+            return  # it stays as it is drawn
         if clears and asset.path is None:
             self.without[asset.name] = (*asset.without, *clears)
             asset = replace(asset, without=self.without[asset.name])
         for surface in surfaces_of(asset):
             word = surface.name.split()[0]
             rule = next((rule for rule in rules if rule["where"] in (word, "any")), None)
-            wanted = rng.random() < self.amount or (rule is not None and rule["put"] == "places")
-            if rule is not None and wanted:
+            if rule is not None and (rng.random() < self.amount or clears or rule["put"] == "places"):
                 self._surface(asset, surface, rule, rng)
 
     def _surface(self, asset: Asset, surface: Surface, rule: Mapping[str, Any], rng: random.Random) -> None:
@@ -178,9 +197,15 @@ class _Dresser:
         if free.is_empty:
             return
         place = _Place(asset, pose, surface, free, rng)
-        for part in (rule, rule.get("also")):
-            if part is not None:
-                getattr(self, f"_{part['put']}")(place, part)
+        ways = {
+            "row": self._row,
+            "back": self._back,
+            "middle": self._middle,
+            "about": self._about,
+            "places": self._places,
+        }
+        for part in (rule, *rule.get("also", ())):
+            ways[part["put"]](place, part)
 
     def _taken(self, asset: Asset, pose: Pose, surface: Surface) -> BaseGeometry:
         """Return what of a surface is covered by what stands there already, in the carrier's frame."""
@@ -193,21 +218,20 @@ class _Dresser:
             if other.name == asset.name or place is None:
                 continue
             low, high = vertical_span(other, place)
-            if high > level + 1e-6 and low < level + min(surface.free, self._tallest):
+            if high > level + 1e-6 and low < level + min(surface.free, self.config.above):
                 shape = affine_transform(Polygon(place.corners(other.size)), matrix)
                 if shape.intersects(surface.region):
                     found.append(shape.buffer(self.config.gap, join_style="mitre"))
         return shapely.union_all(found)
 
-    @property
-    def _tallest(self) -> float:
-        """The height in metres above an open surface that its things may take up."""
-        return 0.5
-
     def _kind(self, place: _Place, things: Mapping[str, float]) -> Asset | None:
         """Return one of the things that fit under what covers a surface, in a size of its own; None where none does."""
         room = place.surface.free - self.config.air
-        low = [kind for kind in things if CATALOGUE[kind].size[2] * (1 - self.config.vary) <= room]
+        low = [
+            kind
+            for kind in things
+            if CATALOGUE[kind].size[2] * (1 - self.config.vary) <= room and kind not in self._had
+        ]
         if not low:
             return None
         kind = place.rng.choices(low, [things[kind] for kind in low])[0]
@@ -231,7 +255,7 @@ class _Dresser:
             for _ in range(runs):
                 y += thing.size[1] / 2
                 x = ahead - self.config.edge - thing.size[0] / 2
-                fits = self._put(place, thing, (x, y, 0.0), own, "row")
+                fits = self._put(place, thing, (x, y, 0.0), own)
                 y += thing.size[1] / 2 + (
                     self.config.gap if runs > 1 else self.config.gap + place.rng.uniform(*self.config.loose)
                 )
@@ -252,8 +276,13 @@ class _Dresser:
             askew = math.radians(place.rng.uniform(-self.config.turn, self.config.turn))
             half = (thing.size[1] * math.cos(askew) + thing.size[0] * abs(math.sin(askew))) / 2
             deep = (thing.size[0] * math.cos(askew) + thing.size[1] * abs(math.sin(askew))) / 2
-            x = behind + self.config.edge + deep + place.rng.uniform(*self.config.loose)
-            self._put(place, thing, (x, y + half, askew), self._variable(thing.category), "back")
+            own, x = (
+                self._variable(thing.category),
+                behind + self.config.edge + deep + place.rng.uniform(*self.config.loose),
+            )
+            for ahead in self.config.ahead:  # a mirror on the wall, a lamp, or a screen may stand behind
+                if self._put(place, thing, (x + ahead, y + half, askew), own):
+                    break
             y += (
                 2 * half
                 + place.rng.uniform(*self.config.spread)
@@ -266,23 +295,19 @@ class _Dresser:
         thing = self._kind(place, rule["things"])
         if thing is not None:
             middle = place.surface.region.centroid
-            self._put(place, thing, (middle.x, middle.y, 0.0), self._variable(thing.category), "middle")
+            self._put(place, thing, (middle.x, middle.y, 0.0), self._variable(thing.category))
 
     def _about(self, place: _Place, rule: Mapping[str, Any]) -> None:
         """Put things down anywhere."""
         x0, y0, x1, y1 = place.surface.region.bounds
         for _ in range(max(1, round(rule["fill"] * self.amount * place.rng.uniform(0.6, 1.2)))):
-            thing = self._kind(place, rule["things"])
-            if thing is None:
-                return
-            own = self._variable(thing.category)
             for _ in range(self.config.tries):
-                spot = (
-                    place.rng.uniform(x0, x1),
-                    place.rng.uniform(y0, y1),
-                    math.radians(place.rng.gauss(0, 3 * self.config.turn)),
-                )
-                if self._put(place, thing, spot, own, "about"):
+                thing = self._kind(place, rule["things"])
+                if thing is None:
+                    return
+                turn = math.radians(place.rng.gauss(0, 3 * self.config.turn))
+                spot = (place.rng.uniform(x0, x1), place.rng.uniform(y0, y1), turn)
+                if self._put(place, thing, spot, self._variable(thing.category)):
                     break
 
     def _places(self, place: _Place, rule: Mapping[str, Any]) -> None:
@@ -291,69 +316,77 @@ class _Dresser:
             if place.rng.random() > 0.5 + 0.5 * self.amount:
                 continue
             c, s = math.cos(facing), math.sin(facing)
-            for kind, ahead, aside, turn in _data()["sets"][rule["set"]]:
+            for number, (kind, ahead, aside, turn) in enumerate(_data()["sets"][rule["set"]]):
                 thing = Asset("", kind, CATALOGUE[kind].size)
                 away = ahead + thing.size[0] / 2
                 x, y = edge[0] + c * away + s * aside, edge[1] + s * away - c * aside
-                self._put(place, thing, (x, y, facing + math.pi + math.radians(turn)), self._variable(kind), "set")
+                put = self._put(place, thing, (x, y, facing + math.pi + math.radians(turn)), self._variable(kind))
+                if not (put or number):
+                    break  # the place is taken
 
     def _seats(self, place: _Place) -> Iterator[tuple[tuple[float, float], float]]:
         """Yield where the edge of a surface is before each seat, and which way the seat faces, in the carrier's frame."""
         pose, outline = place.pose, place.surface.region.exterior
+        c, s = math.cos(-pose.yaw), math.sin(-pose.yaw)
         for seat in self.scene.assets:
             at = self.layout.get(seat.name)
-            if (
-                at is None
-                or not any(s.name.startswith("seat") for s in _seat_surfaces(seat))
-                or seat.name == place.carrier.name
-            ):
+            if at is None or not _is_seat(seat) or seat.name == place.carrier.name:
                 continue
-            c, s = math.cos(-pose.yaw), math.sin(-pose.yaw)
             x, y = c * (at.x - pose.x) - s * (at.y - pose.y), s * (at.x - pose.x) + c * (at.y - pose.y)
             facing = at.yaw - pose.yaw
-            reach = seat.size[0] / 2 + self.config.seat
-            ray = shapely.LineString(
-                [
-                    (x - math.cos(facing), y - math.sin(facing)),
-                    (x + reach * math.cos(facing), y + reach * math.sin(facing)),
-                ]
-            )
-            met = ray.intersection(outline)
-            if not met.is_empty:
-                first = min(
-                    (tuple(p) for p in shapely.get_coordinates(met)),
-                    key=lambda p: math.dist(p, (x - math.cos(facing), y - math.sin(facing))),
-                )
-                if math.dist(first, (x, y)) <= reach:
-                    yield (float(first[0]), float(first[1])), facing
+            ahead, reach = (math.cos(facing), math.sin(facing)), seat.size[0] / 2 + self.config.seat
+            back = (x - ahead[0], y - ahead[1])
+            ray = shapely.LineString([back, (x + reach * ahead[0], y + reach * ahead[1])])
+            met = shapely.get_coordinates(ray.intersection(outline)).tolist()
+            first = min(met, key=lambda point: math.dist(point, back), default=None)
+            if first is not None and math.dist(first, (x, y)) <= reach:
+                yield (first[0], first[1]), facing
 
     def _variable(self, kind: str) -> str:
         """Return the list that a thing, or a run of equal ones, belongs to: those of one list look alike."""
         stem = variable_name(kind)
-        self._count[f"list {stem}"] += 1
-        return f"{stem}_{self._count[f'list {stem}']}"
+        for number in count(self._lists[stem] + 1):
+            self._lists[stem] = number
+            if f"{stem}_{number}" not in self.scene.variables:
+                break
+        return f"{stem}_{self._lists[stem]}"
 
-    def _put(self, place: _Place, thing: Asset, at: tuple[float, float, float], variable: str, how: str) -> bool:
+    def _height(self, place: _Place, shape: Polygon) -> float | None:
+        """Return the height on which a thing lies level; None where it would lie on an edge."""
+        x0, y0, x1, y1 = shape.bounds
+        a, b, c, d, _, top = piece_spans(place.carrier)[:, :6].T
+        tops = (top <= place.surface.height + self.config.level) & (
+            top > place.surface.height - LEVEL - self.config.level
+        )
+        under = tops & (a < x1) & (b > x0) & (c < y1) & (d > y0)
+        if not under.any():
+            return place.surface.height  # a mesh of the user's own
+        high = top[under].max()
+        whole = under & (a <= x0) & (b >= x1) & (c <= y0) & (d >= y1) & (top > high - self.config.level)
+        return float(high) if whole.any() or high - top[under].min() < self.config.level else None
+
+    def _put(self, place: _Place, thing: Asset, at: tuple[float, float, float], variable: str) -> bool:
         """Put a thing down if it lies free and wholly on its surface; return whether it does."""
         x, y, turn = at
         if thing.size[2] + self.config.air > place.surface.free:
             return False
         shape = Polygon(Pose(x, y, 0.0, turn).corners(thing.size))
-        if not place.free.covers(shape):
+        height = self._height(place, shape)
+        if height is None or not place.free.covers(shape):
             return False
         place.free = place.free.difference(shape.buffer(self.config.gap * 0.9, join_style="mitre"))
         name = f"{variable}-{self._count[variable]}"
         self._count[variable] += 1
         pose, c, s = place.pose, math.cos(place.pose.yaw), math.sin(place.pose.yaw)
-        level = pose.z - place.carrier.size[2] / 2 + place.surface.height
+        level = pose.z - place.carrier.size[2] / 2 + height
         self.assets.append(replace(thing, name=name, on_floor=False, on_object=True, metadata={LIES_ABOUT: True}))
         self.poses[name] = Pose(
             pose.x + c * x - s * y, pose.y + s * x + c * y, level + thing.size[2] / 2, pose.yaw + turn
         )
-        self._made[name] = how
+        self._had |= {thing.category} & set(_data()["once"])
         return True
 
 
-def _seat_surfaces(asset: Asset) -> tuple[Surface, ...]:
-    """Return the surfaces of what people sit on; nothing of other things."""
-    return surfaces_of(asset) if category_of(asset).group == "seating" or "chair" in category_of(asset).name else ()
+def _is_seat(asset: Asset) -> bool:
+    """Return whether a person sits on a thing."""
+    return category_of(asset).movable and any(surface.name.startswith("seat") for surface in surfaces_of(asset))
