@@ -301,11 +301,12 @@ class _Dresser:
         """Put things down anywhere."""
         x0, y0, x1, y1 = place.surface.region.bounds
         for _ in range(max(1, round(rule["fill"] * self.amount * place.rng.uniform(0.6, 1.2)))):
-            for _ in range(self.config.tries):
+            for number in range(self.config.tries):
                 thing = self._kind(place, rule["things"])
                 if thing is None:
                     return
-                turn = math.radians(place.rng.gauss(0, 3 * self.config.turn))
+                loose = 3 * self.config.turn * (1 - number / self.config.tries)  # a tight place wants it straight
+                turn = math.radians(place.rng.gauss(0, loose))
                 spot = (place.rng.uniform(x0, x1), place.rng.uniform(y0, y1), turn)
                 if self._put(place, thing, spot, self._variable(thing.category)):
                     break
