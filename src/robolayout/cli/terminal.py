@@ -73,7 +73,7 @@ def show(report: Report, files: Sequence[Path]) -> None:
         say(f"- and {len(report.violations) - SHOWN} more in the report")
     from robolayout.verify.present import lying_about
 
-    say(*lying_about(report), *report.notes)
+    say(*lying_about(report), *report.notes, *report.opinion.get("sentences", ()))
     if report.not_understood:
         say(report.not_understood)
     say(*map(str, files))
