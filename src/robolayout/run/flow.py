@@ -98,12 +98,15 @@ class Result:
         return f'<div style="display:flex;flex-wrap:wrap;gap:2em;align-items:flex-start">{plan}<div>{shown}</div></div>'
 
 
-def as_scene(scene: Scene | Mapping[str, Any] | str | Path, agent: AgentSpec | None = None) -> Scene:
-    """Return a scene from itself, its dictionary or its file, for another agent if one is given."""
+def as_scene(
+    scene: Scene | Mapping[str, Any] | str | Path, agent: AgentSpec | None = None, dress: str | None = None
+) -> Scene:
+    """Return a scene from itself, its dictionary or its file, for another agent or otherwise dressed if that is said."""
     if isinstance(scene, str | Path):
         scene = load_scene(scene)
     elif not isinstance(scene, Scene):
         scene = scene_from_dict(scene)
+    scene = scene if dress is None else replace(scene, dress=check_dress(dress))
     return scene if agent is None else scene.with_agents(*load_agents(agent))
 
 
@@ -135,23 +138,20 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         solver: Name of a solver: "default", "paper", "paper-unrefined", "trust-constr" or "dual-annealing".
         config: Constants of the default solver.
         progress: Called with the name of each phase.
-        start: A layout, its dictionary or its file, to mend with the least change instead of planning; what it does not place
-            is fitted in.
+        start: A layout, its dictionary or its file, to mend with the least change; what it does not place is fitted in.
         keep: With `start`: names of assets that do not move at all.
-        free: With `start`: names of the only assets that move, in place of `keep`.
-        dress: How much lies about on the surfaces in the end: "none", "some" or "full"; what the scene says if None.
+        free: With `start`: names of the only ones that do, in place of `keep`.
+        dress: How much lies about in the end: "none", "some" or "full"; what the scene says if None.
 
     Returns:
         The layout with its program, decisions and report. No file is written.
 
     Raises:
-        SceneError: What must stand on the floor covers more than the floor, or `dress` is none of these; nothing is searched for.
+        SceneError: What must stand on the floor covers more than the floor; nothing is searched for.
     """
-    amount = None if dress is None else check_dress(dress)
-    clock = Clock()
-    say = progress or silent
+    clock, say = Clock(), progress or silent
     with clock.station("scene"):
-        scene = as_scene(scene, agent)
+        scene = as_scene(scene, agent, dress)
         planner = planner or OfflinePlanner()
         if isinstance(planner, OfflinePlanner):
             scene = planner.recognised(scene)
@@ -167,9 +167,9 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         say("plan")
         groups = planner.group(scene)
     if given is None and program is None and isinstance(planner, GroupPlanner):
-        return dressed(run.by_groups(planner, groups), amount or scene.dress, seed=seed)
+        return run.by_groups(planner, groups)
     best = run.whole(planner, program, attempts) if given is None else run.edited(planner, program, given, pinned)
-    return dressed(run.result(best, groups), amount or scene.dress, seed=seed)
+    return run.result(best, groups)
 
 
 @dataclass(frozen=True)
@@ -189,7 +189,8 @@ class _Run:
         layout, report = best.solution.layout, self.reported(best)
         if forgotten := best.asked.forgotten():
             report = report.with_notes((f"The program says nothing about {', '.join(forgotten)}.",))
-        return Result(self.scene, groups, best.asked, best.reconciled, layout, report, best.solution)
+        found = Result(self.scene, groups, best.asked, best.reconciled, layout, report, best.solution)
+        return dressed(found, self.scene.dress, seed=self.seed)
 
     def whole(self, planner: Planner, program: str | None, attempts: int) -> Attempt:
         """Plan all assets at once; while demands stay unmet ask again, and keep the best."""
@@ -283,9 +284,10 @@ class _Run:
         who = {key: value for part in parts for key, value in part.items()}
         who["sentences"] = [sentence for part in parts for sentence in part["sentences"]]
         report = self.reported(best).with_planner(who)
-        return Result(
+        found = Result(
             self.scene, planned.groups, best.asked, best.reconciled, layout, report, best.solution, planned.samples
         )
+        return dressed(found, self.scene.dress, seed=self.seed)
 
     def reported(self, best: Attempt) -> Report:
         """Judge the whole layout, and look what unmet statements lost to."""
