@@ -70,6 +70,9 @@ def markdown(report: Report) -> str:
             "",
             "As it stands, no chair is moved; demanded is what is reached once the chairs at a thing are moved aside.",
         ]
+    if report.wishes:
+        granted = sum(wish["holds"] == (wish["weight"] > 0) for wish in report.wishes)
+        lines += ["", f"Of {len(report.wishes)} wishes of the program, which nobody demands, {granted} came true."]
     lines += [line for note in (*lying_about(report), *report.notes) for line in ("", note)]
     if report.violations:
         lines += ["", "## What is wrong", "", *_listed(report.violations)]

@@ -101,6 +101,18 @@ class Report:
         return moves(self.scene, self.layout, self.program, tuple(report.agent for report in self.agents))
 
     @cached_property
+    def wishes(self) -> tuple[dict[str, Any], ...]:
+        """What the program would like, and no more: each wish with its weight, whether it holds, and what was measured."""
+        rows: list[dict[str, Any]] = []
+        for wish in self.program.wishes if self.program else ():
+            relation = wish.relation
+            placed = set(relation.asset_names()) <= set(self.layout)
+            outcome = relation.check(self.scene, self.layout) if placed else None
+            holds, text = (outcome.met, outcome.text) if outcome else (False, "not placed")
+            rows.append({"sentence": relation.sentence(), "weight": wish.wish, "holds": holds, "text": text})
+        return tuple(rows)
+
+    @cached_property
     def figures(self) -> dict[str, float | bool]:
         """The figures of DESIGN section 8, by name, in its order."""
         worst = {
@@ -213,6 +225,7 @@ class Report:
             "asked_met_share": self.asked_met_share,
             **self.figures,
             "statements": [item.to_dict() for item in self.statements],
+            "wishes": list(self.wishes),
             "moved": [move.to_dict() for move in self.moved],
             "rules": [result.to_dict() for result in self.rules],
             "violations": list(self.violations),
