@@ -50,6 +50,22 @@ def rule_rows(report: Report) -> list[list[str]]:
     ]
 
 
+def _told(report: Report) -> list[str]:
+    """Return what is said below the table: chairs that are moved aside, wishes, what lies about, notes."""
+    lines: list[str] = []
+    figures = report.figures
+    if figures["reachable_share"] != figures["reachable_share_chairs_aside"]:
+        lines += [
+            "",
+            "As it stands, no chair is moved; demanded is what is reached once the chairs at a thing are moved aside.",
+        ]
+    if report.wishes:
+        granted = sum(wish["holds"] == (wish["weight"] > 0) for wish in report.wishes)
+        lines += ["", f"Of {len(report.wishes)} wishes of the program, which nobody demands, {granted} came true."]
+    lines += [line for note in (*lying_about(report), *report.notes) for line in ("", note)]
+    return lines
+
+
 def lying_about(report: Report) -> list[str]:
     """Return how many small things lie about and how many of them are fetched, in a sentence; nothing where none do."""
     if not report.dressing:
@@ -64,16 +80,7 @@ def markdown(report: Report) -> str:
     lines += _ledger(report.asked)
     lines += ["| check | result | |", "|---|---:|---|"]
     lines += [f"| {name} | {value} | {'ok' if met else '**short**'} |" for name, value, met in report.rows()]
-    figures = report.figures
-    if figures["reachable_share"] != figures["reachable_share_chairs_aside"]:
-        lines += [
-            "",
-            "As it stands, no chair is moved; demanded is what is reached once the chairs at a thing are moved aside.",
-        ]
-    if report.wishes:
-        granted = sum(wish["holds"] == (wish["weight"] > 0) for wish in report.wishes)
-        lines += ["", f"Of {len(report.wishes)} wishes of the program, which nobody demands, {granted} came true."]
-    lines += [line for note in (*lying_about(report), *report.notes) for line in ("", note)]
+    lines += _told(report)
     if report.violations:
         lines += ["", "## What is wrong", "", *_listed(report.violations)]
     if report.rules:
