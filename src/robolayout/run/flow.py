@@ -13,9 +13,10 @@ from robolayout.floor import FLOOR, cell_size
 from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.run.attempt import Attempt, Clock, Progress
+from robolayout.run.dressing import dressed
 from robolayout.run.edit import as_start, pinned_poses, started
 from robolayout.run.verdict import make_judge
-from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict
+from robolayout.scene import Agent, Layout, Pose, Scene, Trace, check_dress, load_agents, load_scene, scene_from_dict
 from robolayout.solve import (
     PAPER,
     UNREFINED,
@@ -96,12 +97,15 @@ class Result:
         return f'<div style="display:flex;flex-wrap:wrap;gap:2em;align-items:flex-start">{plan}<div>{shown}</div></div>'
 
 
-def as_scene(scene: Scene | Mapping[str, Any] | str | Path, agent: AgentSpec | None = None) -> Scene:
-    """Return a scene from itself, its dictionary or its file, for another agent if one is given."""
+def as_scene(
+    scene: Scene | Mapping[str, Any] | str | Path, agent: AgentSpec | None = None, dress: str | None = None
+) -> Scene:
+    """Return a scene from itself, its dictionary or its file, for another agent or otherwise dressed if that is said."""
     if isinstance(scene, str | Path):
         scene = load_scene(scene)
     elif not isinstance(scene, Scene):
         scene = scene_from_dict(scene)
+    scene = scene if dress is None else replace(scene, dress=check_dress(dress))
     return scene if agent is None else scene.with_agents(*load_agents(agent))
 
 
@@ -119,6 +123,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     start: Layout | Mapping[str, Any] | str | Path | None = None,
     keep: Sequence[str] = (),
     free: Sequence[str] = (),
+    dress: str | None = None,
 ) -> Result:
     """Lay out a scene and verify the result.
 
@@ -132,10 +137,10 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         solver: Name of a solver: "default", "paper", "paper-unrefined", "trust-constr" or "dual-annealing".
         config: Constants of the default solver.
         progress: Called with the name of each phase.
-        start: A layout, its dictionary or its file, to mend with the least change instead of planning; what it does not place
-            is fitted in.
+        start: A layout, its dictionary or its file, to mend with the least change; what it does not place is fitted in.
         keep: With `start`: names of assets that do not move at all.
-        free: With `start`: names of the only assets that move, in place of `keep`.
+        free: With `start`: names of the only ones that do, in place of `keep`.
+        dress: How much lies about in the end: "none", "some" or "full"; what the scene says if None.
 
     Returns:
         The layout with its program, decisions and report. No file is written.
@@ -143,10 +148,9 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     Raises:
         SceneError: What must stand on the floor covers more than the floor; nothing is searched for.
     """
-    clock = Clock()
-    say = progress or silent
+    clock, say = Clock(), progress or silent
     with clock.station("scene"):
-        scene = as_scene(scene, agent)
+        scene = as_scene(scene, agent, dress)
         planner = planner or OfflinePlanner()
         if isinstance(planner, OfflinePlanner):
             scene = planner.recognised(scene)
@@ -201,7 +205,8 @@ class _Run:
         layout, report = best.solution.layout, self.reported(best)
         if forgotten := best.asked.forgotten():
             report = report.with_notes((f"The program says nothing about {', '.join(forgotten)}.",))
-        return Result(self.scene, groups, best.asked, best.reconciled, layout, report, best.solution)
+        found = Result(self.scene, groups, best.asked, best.reconciled, layout, report, best.solution)
+        return dressed(found, self.scene.dress, seed=self.seed)
 
     def whole(self, planner: Planner, program: str | None, attempts: int) -> Attempt:
         """Plan all assets at once; while demands stay unmet ask again, and keep the best."""
@@ -295,9 +300,10 @@ class _Run:
         who = {key: value for part in parts for key, value in part.items()}
         who["sentences"] = [sentence for part in parts for sentence in part["sentences"]]
         report = self.reported(best).with_planner(who)
-        return Result(
+        found = Result(
             self.scene, planned.groups, best.asked, best.reconciled, layout, report, best.solution, planned.samples
         )
+        return dressed(found, self.scene.dress, seed=self.seed)
 
     def reported(self, best: Attempt) -> Report:
         """Judge the whole layout, and look what unmet statements lost to."""

@@ -134,6 +134,13 @@ class Report:
         }
 
     @cached_property
+    def dressing(self) -> dict[str, Any]:
+        """How many small things lie about, and how many of them each body can fetch; empty where none do."""
+        lying = [asset.name for asset in self.scene.assets if asset.lies_about and asset.name in self.layout]
+        fetched = {body.agent.name: sum(body.usage.usable[name] for name in lying) for body in self.agents}
+        return {"things": len(lying), "fetched": fetched} if lying else {}
+
+    @cached_property
     def metrics(self) -> Mapping[str, Mapping[str, object]]:
         """Published metrics under their own names and rules; they see only the placed assets."""
         found = published_metrics(self.scene, self.layout)
@@ -232,6 +239,7 @@ class Report:
             "ok": self.ok,
             "metrics": {name: dict(figures) for name, figures in self.metrics.items()},
             "agents": {report.agent.name: report.to_dict() for report in self.agents},
+            **({"dressing": self.dressing} if self.dressing else {}),
             **({"notes": list(self.notes)} if self.notes else {}),
             **({"planner": dict(self.planner)} if self.planner else {}),
             **({"stability": dict(self.stability)} if self.stability else {}),
