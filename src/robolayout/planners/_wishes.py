@@ -16,6 +16,7 @@ from robolayout.words import (
     RoomType,
     Thing,
     WantedOpening,
+    grammar,
     read_text,
     sized,
     wanted_openings,
@@ -62,6 +63,7 @@ class Wishes:
         unwanted: Categories that must not be added.
         openings: Doors and windows that are asked for.
         only: Whether nothing else is wanted.
+        airy: Whether the floor is to stay largely free.
         guesses: What was guessed, one sentence each.
         ignored: Words without a meaning here.
     """
@@ -82,6 +84,7 @@ class Wishes:
     unwanted: frozenset[str]
     openings: tuple[WantedOpening, ...]
     only: bool
+    airy: bool
     guesses: tuple[str, ...]
     ignored: tuple[str, ...]
 
@@ -103,6 +106,9 @@ def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wish
     reading = read_text(text, lexicon)
     room, guesses = _room(reading, rooms)
     things, named = _things(reading, lexicon, rooms, room)
+    moods = set(reading.words_of_taste)
+    if moods & set(grammar().cosy["words"]):
+        things += _cosy(things, frozenset(noun.kind for noun, _ in reading.parsed.refused))
     size, area, height = (reading.measure(kind) for kind in ("size", "area", "height"))
     seats = [thing.people for thing in reading.parsed.things if thing.people]
     spoken = [(chunk.start, chunk.end) for chunk in reading.parsed.missed]
@@ -133,6 +139,7 @@ def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wish
         frozenset(noun.kind for noun, _ in reading.parsed.refused),
         wanted_openings(reading),
         reading.only,
+        bool(moods & grammar().airy),
         tuple(guesses),
         tuple(reading.span(*span) for span in sorted([*spoken, *unknown])),
     )
@@ -150,6 +157,13 @@ def _room(reading: Reading, rooms: Rooms) -> tuple[RoomType, list[str]]:
     best = max(scores, key=lambda name: (scores[name], name == "room"))
     best = best if scores[best] >= LIKELY else "room"
     return rooms.rooms[best], [f"No room was named: {best} was taken."]
+
+
+def _cosy(things: tuple[Wish, ...], unwanted: frozenset[str]) -> tuple[Wish, ...]:
+    """Return what makes a room cosy and is not among the things: something soft, a warm light."""
+    names, lists = {wish.category for wish in things}, grammar().cosy
+    rows = [lists[row] for row in ("soft", "warm") if not names & set(lists[row])]
+    return tuple(Wish(kind, 1) for row in rows for kind in [k for k in row if k not in unwanted][:1])
 
 
 def _belongs(kinds: set[str], room: RoomType) -> float:

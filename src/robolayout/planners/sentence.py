@@ -25,8 +25,8 @@ from robolayout.words import Rooms, RoomType, read_rooms
 FULLEST = 0.55
 """Share of the floor that wished things may take before the wish is called impossible."""
 
-COMFORT = 0.26
-"""Share of the floor up to which further things are added."""
+COMFORT, AIRY = 0.26, 0.15
+"""Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
 
 BASIC = 0.38
 """Share of the floor up to which what such a room always has is added."""
@@ -137,7 +137,7 @@ def scene_from_sentence(
     room = known.rooms.rooms[wishes.room_type]
     wished = _wished(wishes, room)
     size = _room_size(wishes, room, wished, known)
-    _possible(wishes, wished, size, known)
+    _possible(wishes.shape, wished, size, known)
     added = _added(wishes, room, wished, size, known, rng)
     agent = wishes.agent or room.agent
     assumed = (*wishes.guesses, *_assumed(wishes, room, size))
@@ -213,18 +213,15 @@ def _room_size(wishes: Wishes, room: RoomType, wished: Mapping[str, int], known:
     return (round(width, 2), round(depth, 2))
 
 
-def _possible(wishes: Wishes, wished: Mapping[str, int], size: tuple[float, float], known: _Known) -> None:
+def _possible(shape: str, wished: Mapping[str, int], size: tuple[float, float], known: _Known) -> None:
     """Refuse wishes that no arrangement can meet."""
-    floor = size[0] * size[1] * (0.75 if wishes.shape == "L-shaped" else 1.0)
-    asked: dict[str, int] = {}
-    for wish in wishes.things:
-        asked[wish.category] = asked.get(wish.category, 0) + wish.count
+    floor = size[0] * size[1] * (0.75 if shape == "L-shaped" else 1.0)
     need = known.floor_area(wished)
     if need > FULLEST * floor:
-        things = ", ".join(f"{count} x {name}" for name, count in (asked or wished).items())
+        things = ", ".join(f"{count} x {name}" for name, count in wished.items())
         raise SceneError(
             f"{things} need {need:.1f} m2 of floor, and a room of {size[0]:g} x {size[1]:g} m has {floor:.1f} m2, of which "
-            f"{FULLEST:.0%} can be furnished; ask for a room of at least {need / FULLEST:.0f} m2 or for fewer things."
+            f"{FULLEST:.0%} can be furnished; ask for a room of at least {math.ceil(need / FULLEST)} m2 or for fewer things."
         )
     for name in wished:
         kind = known.kinds[name]
@@ -246,6 +243,7 @@ def _added(
     """Return what belongs in such a room and was not named, then extras in random order while there is room."""
     floor = size[0] * size[1] * (0.75 if wishes.shape == "L-shaped" else 1.0)
     asked = {known.head(wish.category) for wish in wishes.things}
+    lasts = {wish.category.split()[-1] for wish in wishes.things}
     heads = asked | {known.head(name) for name in wished if known.head(name) == "bed"}
     added: dict[str, int] = {}
     if wishes.only:
@@ -260,7 +258,8 @@ def _added(
         if (
             name.split()[-1] in wishes.general
             or name in wishes.unwanted
-            or (known.head(name) in heads and known.kinds[name].on_floor)
+            or (known.head(name) in heads)
+            or name.split()[-1] in lasts
             or name in wished
             or name in added
         ):
@@ -272,7 +271,7 @@ def _added(
             if _head(other) not in present and other not in room.base
         }
         group = {name: count, **needs}
-        limit = BASIC if name in room.base else COMFORT
+        limit = AIRY if wishes.airy else BASIC if name in room.base else COMFORT
         if known.floor_area(group) == 0 or known.floor_area({**wished, **added, **group}) <= limit * floor:
             added |= group
     return added

@@ -48,12 +48,14 @@ class Statement:
         line: Line of the program text that states it, counted from 1; 0 if it was not read from text.
         source: That call as it is written, on one line.
         number: Its place among the statements, counted from 1.
+        by: Who asks for it: "user" where it is what the words of the scene say, else "plan".
     """
 
     relation: Relation
     line: int = 0
     source: str = ""
     number: int = 0
+    by: str = "plan"
 
 
 @dataclass(frozen=True)

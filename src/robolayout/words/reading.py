@@ -67,6 +67,14 @@ class Reading:
         return next((measure.values for measure in facts if measure.kind == kind), None)
 
     @property
+    def words_of_taste(self) -> list[str]:
+        """All words of taste, those before nouns too."""
+        styles = grammar().styles
+        said = [chunk.adjectives for chunk in self.parsed.facts] + [thing.adjectives for thing in self.parsed.things]
+        alone = [chunk.value for chunk in self.parsed.facts if chunk.kind == "style"]
+        return list(dict.fromkeys([*alone, *(word for words in said for word in words if word in styles)]))
+
+    @property
     def l_shaped(self) -> bool:
         """Whether the room is to have the shape of an L."""
         rooms = [chunk.adjectives for chunk in self.parsed.facts if chunk.kind == "room"]
@@ -106,7 +114,10 @@ def read_text(text: str, lexicon: Lexicon, given: Sequence[Thing] = ()) -> Readi
     people += [2 for c in parsed.facts if c.kind == "people" and c.value == "couple"] + [parsed.people]
     young = children(parsed) or any(chunk.value == "child_6" for chunk in bodies)
     settle_kinds(parsed)
+    number = bounded(people[0], "people")
     for thing in parsed.things:
+        if number and thing.plural and thing.number is None and thing.noun.kind.split()[-1] == "chair":
+            thing.number = number // thing.times  # "for ten people, with chairs"
         bounded(thing.count, thing.noun.words)
     return Reading(
         read,
@@ -116,7 +127,7 @@ def read_text(text: str, lexicon: Lexicon, given: Sequence[Thing] = ()) -> Readi
         room[1] if room else "",
         bool(room and room[2]),
         bodies[0].value if bodies else "child_6" if young else None,
-        bounded(people[0], "people"),
+        number,
         young,
         any(word.text == "only" for word in words) or "nothing else" in read.lower(),
         len(text) - len(read),
@@ -158,6 +169,10 @@ def _named_room(
         follows = chunks[i + 1].kind if i + 1 < len(chunks) else "stop"
         if last not in places or other or (chunk.number or 1) > 1 or follows not in AFTER_A_PLACE:
             return None, list(chunks)
+        named = [c for c in chunks[i + 1 :] if c.kind == "room" and c.value != "room"]
+        if named:
+            use = Chunk("function", chunk.start, chunk.end, last)
+            return None, [*chunks[:i], use, *chunks[i + 1 :]]
         fact = Chunk("room", chunk.start, chunk.end, places[last], adjectives=chunk.adjectives)
         return (places[last], said, True, fact), [*chunks[:i], fact, *chunks[i + 1 :]]
     return None, list(chunks)
