@@ -50,6 +50,7 @@ TO_ANOTHER: Mapping[str, Ways] = {
     "right": ((("right_of", 0.0, NEAR),),),
     "front": ((("in_front_of", 0.0, AHEAD),),),
     "foot": ((("in_front_of", 0.0, BESIDE),),),
+    "end": ((("in_front_of", 0.0, BESIDE),), (("next_to", "beside", BESIDE),)),
     "aligned": _PARALLEL,
     "square": _BY_RIGHT_ANGLE,
 }

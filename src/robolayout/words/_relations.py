@@ -204,7 +204,9 @@ class Relating(References):
             return [self.target]
         last = self.group[-1:] or list(self.subject)
         if relation == "on" and last and topped(last[0]) and len(self.group) > 1:
-            linked = {m for link in self.said.links if link.relation != "with" for m in link.subjects}
+            it = self.at < len(self.chunks) and self.chunks[self.at].kind == "pron"
+            linked = {m for link in self.said.links if not it or link.relation != "with" for m in link.subjects}
+            linked -= {last[0]}
             return [m for m in self.group if CATALOGUE[m.thing.noun.kind].on_object and m not in linked]
         return last
 
@@ -283,4 +285,7 @@ class Relating(References):
         objects = objects or (
             self.holder if chunk.value in ("next", "flank", "left", "right", "front", "near", "under") else []
         )
+        if chunk.value == "on" and objects:  # "with a lamp, a clock on the desk": the clock is not on what has the lamp
+            own = {mention.thing for mention in subjects}
+            self.said.links[:] = [k for k in self.said.links if k.relation != "with" or k.subjects[0].thing not in own]
         self.said.links.append(Link(chunk.value, tuple(subjects), tuple(objects), chunk.start, chunk.end))
