@@ -7,7 +7,7 @@ catalogue with seeded variety. What was understood, what was assumed and what wa
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -116,7 +116,7 @@ class _Known:
 
 
 def scene_from_sentence(
-    text: str, *, seed: int = 0, variant: int = 0, knowledge: Iterable[str | Path] = ()
+    text: str, *, seed: int = 0, variant: int = 0, knowledge: Iterable[str | Path] = (), fill: float = COMFORT
 ) -> tuple[Scene, Understanding]:
     """Return a scene for a sentence, and what was understood of it.
 
@@ -125,6 +125,7 @@ def scene_from_sentence(
         seed: Settles every choice.
         variant: Number of the variant; different ones have other doors, windows and additions.
         knowledge: Files of your own, whose things and rooms are known besides the built-in ones.
+        fill: Share of the floor up to which further things are added.
 
     Raises:
         SceneError: The sentence is empty, names no room, or wishes more than the room can hold.
@@ -138,7 +139,7 @@ def scene_from_sentence(
     wished = _wished(wishes, room)
     size = _room_size(wishes, room, wished, known)
     _possible(wishes.shape, wished, size, known)
-    added = _added(wishes, room, wished, size, known, rng)
+    added = _added(wishes, room, wished, size, known, (fill, rng))
     agent = wishes.agent or room.agent
     assumed = (*wishes.guesses, *_assumed(wishes, room, size))
     found = Understanding(
@@ -238,9 +239,10 @@ def _added(
     wished: Mapping[str, int],
     size: tuple[float, float],
     known: _Known,
-    rng: np.random.Generator,
+    further: tuple[float, np.random.Generator],
 ) -> dict[str, int]:
     """Return what belongs in such a room and was not named, then extras in random order while there is room."""
+    fill, rng = further
     floor = size[0] * size[1] * (0.75 if wishes.shape == "L-shaped" else 1.0)
     asked = {known.head(wish.category) for wish in wishes.things}
     lasts = {wish.category.split()[-1] for wish in wishes.things}
@@ -271,7 +273,7 @@ def _added(
             if _head(other) not in present and other not in room.base
         }
         group = {name: count, **needs}
-        limit = AIRY if wishes.airy else BASIC if name in room.base else COMFORT
+        limit = AIRY if wishes.airy else BASIC if name in room.base else fill
         if known.floor_area(group) == 0 or known.floor_area({**wished, **added, **group}) <= limit * floor:
             added |= group
     return added
@@ -337,11 +339,12 @@ def _assets(things: Iterable[tuple[Category, int]], rng: np.random.Generator) ->
         scale = 1.0 + 0.06 * float(rng.uniform(-1, 1))
         size = [round(max(0.01, value * (scale if kind.on_floor else 1.0)), 3) for value in kind.size]
         for index in range(count):
-            assets[f"{variable_name(kind.name)}-{index}"] = _asset(kind, size)
+            assets[f"{variable_name(kind.name)}-{index}"] = asset_entry(kind, size)
     return assets
 
 
-def _asset(kind: Category, size: list[float]) -> dict[str, object]:
+def asset_entry(kind: Category, size: Sequence[float]) -> dict[str, object]:
+    """Return a thing of a kind as a scene file has it."""
     sides = own_sides(kind) if kind.like else None
     own = {"like": kind.like, "parts": kind.parts} if kind.like else {}
     return {
@@ -357,4 +360,4 @@ def _asset(kind: Category, size: list[float]) -> dict[str, object]:
     }
 
 
-__all__ = ["Understanding", "scene_from_sentence"]
+__all__ = ["Understanding", "asset_entry", "scene_from_sentence"]

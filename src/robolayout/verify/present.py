@@ -78,6 +78,8 @@ def markdown(report: Report) -> str:
         lines += ["", "## What was moved from its guess", "", *_listed(move.sentence for move in report.moved)]
     for body in report.agents:
         lines += ["", f"## {plain(body.agent.title or body.agent.name)}", "", *_agent_table(body)]
+    if report.opinion:
+        lines += ["", "## What a model thinks", "", *_listed(report.opinion["sentences"])]
     if report.planner:
         lines += ["", "## Who planned", "", *_listed(report.planner.get("sentences", ()))]
     return "\n".join(lines) + "\n"

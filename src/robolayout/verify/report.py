@@ -77,6 +77,7 @@ class Report:
         timing: Wall and CPU seconds per station.
         planner: Who planned and what that took, where that was a model.
         stability: What a simulator found (`robolayout.export.settle`), as plain data; empty if none was asked.
+        opinion: What a model thinks of the room, as plain data; empty if none was asked. It changes no verdict.
         asked: The ledger: one row for each phrase of the user's words; empty where nobody looked.
         notes: What else a reader should know of how the layout was found, in sentences.
         program: The program as asked, with its guesses.
@@ -91,6 +92,7 @@ class Report:
     timing: Mapping[str, Mapping[str, float]] = field(default_factory=dict[str, Mapping[str, float]])
     planner: Mapping[str, Any] = field(default_factory=dict[str, Any])
     stability: Mapping[str, Any] = field(default_factory=dict[str, Any])
+    opinion: Mapping[str, Any] = field(default_factory=dict[str, Any])
     asked: tuple[AskedRow, ...] = ()
     notes: tuple[str, ...] = ()
     program: Program | None = None
@@ -191,6 +193,10 @@ class Report:
         """Return the same report with what a simulator found; the demands do not change."""
         return replace(self, stability=stability)
 
+    def with_opinion(self, opinion: Mapping[str, Any]) -> Report:
+        """Return the same report with what a model thinks of the room; the demands do not change."""
+        return replace(self, opinion=opinion)
+
     def with_notes(self, notes: tuple[str, ...]) -> Report:
         """Return the same report with what else a reader should know."""
         return replace(self, notes=(*self.notes, *notes))
@@ -213,6 +219,7 @@ class Report:
             **({"notes": list(self.notes)} if self.notes else {}),
             **({"planner": dict(self.planner)} if self.planner else {}),
             **({"stability": dict(self.stability)} if self.stability else {}),
+            **({"opinion": dict(self.opinion)} if self.opinion else {}),
         }
 
     def rows(self) -> tuple[tuple[str, str, bool], ...]:
