@@ -36,7 +36,10 @@ def parts(asset: Asset, seed: int = 0) -> tuple[Part, ...]:
             front=front if isinstance(front, str) else None,
         )
     category = category_of(asset)
-    piece = make_piece(category.name, asset.variable or asset.name, asset.name, asset.size, seed)
+    look = asset.metadata.get("look", "")
+    piece = make_piece(
+        category.name, asset.variable or asset.name, asset.name, asset.size, seed, look if isinstance(look, str) else ""
+    )
     build = read_rows(asset.parts, f"asset {asset.name!r}") if asset.parts else builder_for(category)
     return fit(build(piece), asset.size)
 

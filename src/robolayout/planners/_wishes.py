@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
+from robolayout.assets.palette import LOOKS
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import (
     Lexicon,
@@ -64,6 +65,10 @@ class Wishes:
         openings: Doors and windows that are asked for.
         only: Whether nothing else is wanted.
         airy: Whether the floor is to stay largely free.
+        style: Style of the room, in a word that can be drawn.
+        floor: What lies on the floor.
+        floors: What may lie there where nothing is said.
+        looks: What is said of the looks of things, by category.
         guesses: What was guessed, one sentence each.
         ignored: Words without a meaning here.
     """
@@ -85,6 +90,10 @@ class Wishes:
     openings: tuple[WantedOpening, ...]
     only: bool
     airy: bool
+    style: str
+    floor: str
+    floors: tuple[str, ...]
+    looks: Mapping[str, str]
     guesses: tuple[str, ...]
     ignored: tuple[str, ...]
 
@@ -140,6 +149,10 @@ def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wish
         wanted_openings(reading),
         reading.only,
         bool(moods & grammar().airy),
+        reading.style,
+        reading.floor,
+        room.floors,
+        {_shown(t, room, lexicon): ", ".join(t.look) for t in reading.parsed.things if t.look},
         tuple(guesses),
         tuple(reading.span(*span) for span in sorted([*spoken, *unknown])),
     )
@@ -190,8 +203,7 @@ def _things(
         mention.thing for link in reading.parsed.links if link.relation == "stacked" for mention in link.subjects
     }
     for thing in reading.parsed.things:
-        name = usual_there(thing, room) or thing.noun.kind
-        shown = thing.noun.words if thing.noun.kind == name and thing.noun.words not in lexicon.kinds else name
+        name, shown = usual_there(thing, room) or thing.noun.kind, _shown(thing, room, lexicon)
         kind = lexicon.kinds[name]
         like = kind.like or (name if shown != name else "")
         kind = replace(kind, name=shown, like=like, size=sized(kind, thing.adjectives))
@@ -211,10 +223,16 @@ def _things(
     return tuple(Wish(name, count) for name, count in wished.items()), named
 
 
+def _shown(thing: Thing, room: RoomType, lexicon: Lexicon) -> str:
+    """Return the category under which a thing stands in the scene: its own words where no kind of that name is known."""
+    name = usual_there(thing, room) or thing.noun.kind
+    return thing.noun.words if thing.noun.kind == name and thing.noun.words not in lexicon.kinds else name
+
+
 def usual_there(thing: Thing, room: RoomType) -> str | None:
     """Return what a single general word means in a room: a desk of a classroom is a student desk."""
     said = [word for word in thing.noun.said.split() if word not in SIZE_WORDS]
-    if len(said) != 1 or said[0] not in GENERAL or thing.noun.guessed or set(thing.adjectives) - SIZE_WORDS:
+    if len(said) != 1 or said[0] not in GENERAL or thing.noun.guessed or set(thing.adjectives) - SIZE_WORDS - LOOKS:
         return None
     items = [*([room.tables] if room.tables else []), *room.person, *room.base, *room.extras]
     word = said[0] if said else ""

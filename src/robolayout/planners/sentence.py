@@ -15,6 +15,7 @@ import numpy as np
 
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
+from robolayout.assets.palette import PALETTES
 from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import openings
 from robolayout.planners._own import own_sides
@@ -317,29 +318,34 @@ def _scene(
         outline = [(width - x, y) for x, y in reversed(outline)]
     wide = 3.0 if found.agent in ("forklift",) else 0.95 if width * depth < 30 else 1.1
     doors, windows = openings(outline, wide, wishes.openings, rng)
+    style = wishes.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
+    floor = wishes.floor or str(rng.choice(wishes.floors))
     both = {**found.wished, **found.added}
     things = {name: found.wished.get(name, 0) + found.added.get(name, 0) for name in both}
     scene: dict[str, object] = {
         "task_description": found.text,
         "layout_criteria": "",
-        "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in outline], "wall_height": found.height},
+        "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in outline], "wall_height": found.height, "floor": floor},
         "doors": doors,
         "windows": windows,
-        "assets": _assets([(kinds[name], count) for name, count in things.items()], rng),
+        "assets": _assets([(kinds[name], count) for name, count in things.items()], style, wishes.looks, rng),
     }
     if found.agent is not None:
         scene["agent"] = found.agent
     return scene
 
 
-def _assets(things: Iterable[tuple[Category, int]], rng: np.random.Generator) -> dict[str, dict[str, object]]:
-    """Return the asset list; equal things have equal sizes, within 6 % of typical ones."""
+def _assets(
+    things: Iterable[tuple[Category, int]], style: str, looks: Mapping[str, str], rng: np.random.Generator
+) -> dict[str, dict[str, object]]:
+    """Return the asset list; equal things have equal sizes, within 6 % of typical ones, and look alike."""
     assets: dict[str, dict[str, object]] = {}
     for kind, count in things:
         scale = 1.0 + 0.06 * float(rng.uniform(-1, 1))
         size = [round(max(0.01, value * (scale if kind.on_floor else 1.0)), 3) for value in kind.size]
+        look = ", ".join(filter(None, (style, looks.get(kind.name, ""))))
         for index in range(count):
-            assets[f"{variable_name(kind.name)}-{index}"] = asset_entry(kind, size)
+            assets[f"{variable_name(kind.name)}-{index}"] = asset_entry(kind, size) | {"look": look}
     return assets
 
 

@@ -40,6 +40,7 @@ class Grammar:
         airy: Words of rooms whose floor stays largely free.
         cosy: Words of rooms with something soft and a warm light, and which things are that.
         exclusive: Attributes of which a thing has one.
+        floors: Names of floors by what is said of them, or of the style of the room.
     """
 
     phrases: Mapping[str, tuple[str, str]]
@@ -56,6 +57,7 @@ class Grammar:
     airy: frozenset[str]
     cosy: Mapping[str, tuple[str, ...]]
     exclusive: tuple[frozenset[str], ...]
+    floors: Mapping[str, str]
 
 
 @cache
@@ -80,6 +82,7 @@ def grammar() -> Grammar:
         frozenset(data["airy"]["words"]),
         {key: tuple(words) for key, words in data["cosy"].items()},
         tuple(frozenset(words) for words in data["exclusive"].values()),
+        data["floors"],
     )
 
 

@@ -189,6 +189,8 @@ class Parser(Relating):
                 self.said.openings.append(
                     (Place(chunk.value, walls, chunk.number, chunk.plural, chunk.det), (chunk.start, chunk.end))
                 )
+        elif chunk.value == "floor" and chunk.adjectives:
+            self.said.facts.append(Chunk("style", chunk.start, chunk.end, f"{' '.join(chunk.adjectives)} floor"))
         self.broken = True
 
     def _opening_walls(self) -> tuple[str, ...]:

@@ -28,6 +28,8 @@ class Relating(References):
 
     def _fact(self, chunk: Chunk) -> None:
         self.said.facts.append(chunk)
+        for mention in self.subject or self.group if chunk.kind == "style" and self.verb else ():
+            mention.thing.told.append(chunk.value)  # "the bed is brown"
         if chunk.kind == "people" and self.group and chunk.number and self._previous(chunk) == "for":
             self.group[-1].thing.people = chunk.number
         self.broken = True

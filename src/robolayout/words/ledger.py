@@ -160,8 +160,11 @@ class _Rows:
         """Yield facts about the room, counts, relations, refusals, and what was not understood."""
         yield from self._facts()
         parsed = self.reading.parsed
+        looks = {word for thing in parsed.things for word in thing.look}
         for word in self.reading.words_of_taste:
-            yield _mood(word)
+            yield from [] if word in looks else [self._taste(word)]
+        for thing in parsed.things:
+            yield from [self._look(thing)] if thing.look else []
         for thing in parsed.things:
             yield from self._contradiction(thing)
         for place, span in parsed.openings:
@@ -197,6 +200,28 @@ class _Rows:
                 yield _Row(words, "relation", f"what belongs to a {chunk.value}", _as_given)
             elif chunk.kind != "style":
                 yield _Row(words, chunk.kind, "what the room is to be good for", _taste)
+
+    def _taste(self, word: str) -> _Row:
+        """Return the row of a word of taste: some can be measured, some drawn, of the others nothing is known."""
+        if word == self.reading.style:
+            return _Row(word, "style", "colours and materials of the whole room", _as_given)
+        if word.endswith(" floor") and self.reading.floor:
+            floor = self.reading.floor
+            return _Row(
+                word, "style", floor, lambda room: _found(room.scene.room.floor == floor, room.scene.room.floor)
+            )
+        return _mood(word)
+
+    def _look(self, thing: Thing) -> _Row:
+        """Return the row of how a thing is to look."""
+        names = self.names.get(thing, ())
+
+        def judge(room: _Furnished) -> Finding:
+            said = [str(room.scene.by_name[name].metadata.get("look", "")) for name in names]
+            alike = bool(said) and all(word in look.split(", ") for look in said for word in thing.look)
+            return _found(alike, "; ".join(dict.fromkeys(said)))
+
+        return _Row(f"{' '.join(thing.look)} {thing.noun.words}", "style", "how it looks", judge)
 
     def _contradiction(self, thing: Thing) -> Iterator[_Row]:
         """Yield a row that cannot be met where two attributes of a thing exclude each other."""
@@ -319,6 +344,10 @@ def _shown(item: Mention | Place) -> str:
 
 def _unread(words: str, why: str) -> _Row:
     return _Row(words, "not understood", why, lambda room: ("not understood", ""))
+
+
+def _found(alike: bool, said: str) -> Finding:
+    return ("met" if alike else "not judged"), said or "nothing is said of it"
 
 
 def _mood(word: str) -> _Row:

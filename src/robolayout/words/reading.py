@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from robolayout._errors import SceneError
+from robolayout.assets.palette import STYLED, WOODS
 from robolayout.words._chunks import Chunk, Chunker
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
@@ -73,6 +74,19 @@ class Reading:
         said = [chunk.adjectives for chunk in self.parsed.facts] + [thing.adjectives for thing in self.parsed.things]
         alone = [chunk.value for chunk in self.parsed.facts if chunk.kind == "style"]
         return list(dict.fromkeys([*alone, *(word for words in said for word in words if word in styles)]))
+
+    @property
+    def style(self) -> str:
+        """The style of the room, in a word that can be drawn; empty if none is said."""
+        own = {word for thing in self.parsed.things for word in thing.look}
+        return next((word for word in self.words_of_taste if word in STYLED and word not in own | set(WOODS)), "")
+
+    @property
+    def floor(self) -> str:
+        """What lies on the floor, as it is said or as the style has it; empty if neither is."""
+        floors = grammar().floors
+        said = [c.value.removesuffix(" floor").split()[-1] for c in self.parsed.facts if c.value.endswith(" floor")]
+        return next((floors[word] for word in (*said, self.style) if word in floors), "")
 
     @property
     def l_shaped(self) -> bool:
