@@ -49,6 +49,7 @@ class Statement:
         source: That call as it is written, on one line.
         number: Its place among the statements, counted from 1; wishes are counted by themselves.
         wish: Its weight if it is a wish and no demand; below 0 it is rather not wanted.
+        by: Who asks for it: "user" where it is what the words of the scene say, else "plan".
     """
 
     relation: Relation
@@ -56,6 +57,7 @@ class Statement:
     source: str = ""
     number: int = 0
     wish: float | None = None
+    by: str = "plan"
 
 
 @dataclass(frozen=True)

@@ -272,7 +272,7 @@ class _Run:
         """Read a program for the whole scene."""
         with self.clock.station("program"):
             self.say("program")
-            return read_program(text, self.scene)
+            return self.wishes.marked(read_program(text, self.scene))
 
     def _tried(self, seed: int, asked: Program, *, judged: bool) -> _Try:
         """Return a program with the room that is built from it, or that it gives, and how much is wrong with that."""
@@ -310,12 +310,16 @@ class _Run:
         self.say("verify")
         layout = best.solution.layout
         report = verify(self.scene, layout, best.asked)
+        against: dict[int, str] = {}
         if any(not item.met for item in report.statements):
             from robolayout.run.conflicts import conflicts
 
             with self.clock.station("conflicts"):
-                report = report.with_conflicts(conflicts(self.scene, best.reconciled, layout, seed=self.seed))
-        report = report.with_asked(self.wishes.judged(self.scene, layout, report.agents[0].navigation.main))
+                against = conflicts(self.scene, best.reconciled, layout, self.wishes.said, seed=self.seed)
+                report = report.with_conflicts(against)
+        lost = {s.relation: against[s.number] for s in best.asked.statements if s.number in against}
+        walked = report.agents[0].navigation.main
+        report = report.with_asked(self.wishes.judged(self.scene, layout, walked, lost))
         cell = cell_size(self.scene.room, (self.config or SolverConfig()).cell, FLOOR.route_cells)
         if cell > COARSE:
             note = f"The room is so large that the search looks for ways on cells of {cell:.2f} m: it may miss narrower gaps."

@@ -37,6 +37,7 @@ class StatementResult:
         unit: Unit of both.
         text: The measurement in words.
         lost_to: Where it is not met: what meeting it would break, in words; empty if nobody looked.
+        by: Who asks for it: "user" or "plan".
     """
 
     number: int
@@ -49,6 +50,7 @@ class StatementResult:
     unit: str
     text: str
     lost_to: str = ""
+    by: str = "plan"
 
     @property
     def complaint(self) -> str:
