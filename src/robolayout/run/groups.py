@@ -12,8 +12,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from robolayout._errors import AnswerError, BudgetError, ModelError, ProgramError
-from robolayout.planners import Feedback, Group, GroupPlanner, OfflinePlanner, PlanRequest
+from robolayout._errors import AnswerError, ModelError, ProgramError, UnavailableError
+from robolayout.planners import USELESS, Feedback, Group, GroupPlanner, OfflinePlanner, PlanRequest
 from robolayout.program import Guess, Program, Statement, read_program, read_salvaged
 from robolayout.run.answers import Candidate, Question, Sample
 from robolayout.run.attempt import Attempt, Clock, Finisher, Progress, joined_traces
@@ -115,6 +115,7 @@ class GroupedRun:
         self._taken_over: dict[str, str] = {}
         self._given_up: dict[str, str] = {}
         self._reopened: dict[str, str] = {}
+        self._gone: ModelError | None = None  # nobody waits for a dead server once for each group
 
     def run(self, groups: tuple[Group, ...]) -> Planned:
         """Plan one group after the other; what is placed stays, and what is said stays said."""
@@ -199,13 +200,14 @@ class GroupedRun:
         for _ in range(1 + self.planner.retries):
             if (best := question.best()) and best.done:
                 break
-            answer = self._asked(question, feedback, previous)
+            answer = self._gone or self._asked(question, feedback, previous)
             if isinstance(answer, ModelError):
-                if not (self._answered or failure or isinstance(answer, AnswerError | BudgetError)):
+                if not (self._answered or failure or isinstance(answer, USELESS)):
                     raise answer
                 failure = str(answer)
                 if isinstance(answer, AnswerError):
                     continue
+                self._gone = answer if isinstance(answer, UnavailableError) and best is None else self._gone
                 break
             failure, self._answered = "", True
             feedback, previous = self._try(question, answer, self._tries[label])

@@ -47,7 +47,7 @@ from pydantic_ai.models.wrapper import WrapperModel
 from pydantic_ai.settings import ModelSettings
 from pydantic_ai.usage import RequestUsage
 
-from robolayout._errors import AnswerError, BudgetError, InputError, ModelError
+from robolayout._errors import AnswerError, BudgetError, InputError, ModelError, UnavailableError
 from robolayout.planners.model.budget import CHARACTERS_PER_TOKEN, Budget, tokens_of
 from robolayout.planners.model.errors import refuses_images, sentence
 from robolayout.planners.model.exchange import Question, Tape
@@ -65,7 +65,7 @@ MOST_CHARACTERS = 400_000
 
 ASTRAY = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 """What a provider's client trips over in an answer that is JSON but of no form that it knows."""
-FAILURES = {kind.__name__: kind for kind in (ModelError, BudgetError, AnswerError)}
+FAILURES = {kind.__name__: kind for kind in (ModelError, BudgetError, AnswerError, UnavailableError)}
 """How a recorded question may have failed."""
 
 PATIENCE = 3.0
