@@ -193,9 +193,10 @@ class GroupedRun:
         """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable."""
         label, failure = question.group.label, ""
         self.finisher.prepare(question.here, self.planner.samples)
-        feedback, previous = self._reopened.get(label, ""), self._said.pop(label, "")
-        if previous and not feedback:  # it was said before an earlier group was planned again, and may still do
-            feedback, previous = self._try(question, [previous], self._tries[label])
+        feedback, said = self._reopened.get(label, ""), self._said.pop(label, "")
+        previous = said
+        if said and not feedback:  # it was said before an earlier group was planned again, and may still do
+            feedback, previous = self._try(question, [said], self._tries[label])
         question.images = self._pictures(question)
         for _ in range(1 + self.planner.retries):
             if (best := question.best()) and best.done:
@@ -213,7 +214,9 @@ class GroupedRun:
             feedback, previous = self._try(question, answer, self._tries[label])
             best, wish = question.best(), question.reopening(answer)
             if wish is not None and not (best and best.done):
-                return _Reopen(*wish, best.sample.text if best else "", tuple(question.records()))
+                return _Reopen(*wish, tuple(question.records()))
+        if question.best() is None and said:
+            self._try(question, [said], self._tries[label])
         return self._standing(question, failure)
 
     def _standing(self, question: Question, failure: str) -> _Standing:

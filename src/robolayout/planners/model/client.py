@@ -37,7 +37,6 @@ from pydantic_ai.exceptions import (
     ModelAPIError,
     ModelHTTPError,
     UnexpectedModelBehavior,
-    UnsupportedSettingWarning,
 )
 from pydantic_ai.models import Model, ModelRequestParameters
 from pydantic_ai.models.concurrency import ConcurrencyLimitedModel
@@ -289,7 +288,7 @@ class Client:
             return output
 
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", UnsupportedSettingWarning)
+            warnings.simplefilter("ignore")  # what the library has to say is nothing that a user can act on
             result = await agent.run(
                 _content(question),
                 model_settings=self._settings(question),

@@ -49,6 +49,9 @@ def sentence(
         return UnavailableError(
             f"{name} did not answer within {timeout:g} s. Raise --timeout, or choose a faster model."
         )
+    ours = next((cause for cause in _chain(error) if isinstance(cause, UnavailableError)), None)
+    if ours is not None:  # what we refuse to read is no broken connection, whatever a client makes of it
+        return ours
     if isinstance(error, ModelConnectionError):
         return ModelError(
             f"cannot connect to {spec.address} for {name}: {_first_line(str(_root(error)))}. Is the server running, and the address right?"
@@ -112,12 +115,18 @@ def _first_line(text: str) -> str:
     return " ".join(text.split()).rstrip(".") or "no reason given"
 
 
-def _root(error: BaseException) -> BaseException:
-    """Return the first cause of an error ("connection refused" under three wrappings): the system's, if it spoke."""
+def _chain(error: BaseException) -> list[BaseException]:
+    """Return an error and its causes, the first cause last."""
     chain = [error]
     for _ in range(20):
         cause = chain[-1].__cause__ or chain[-1].__context__
         if cause is None:
             break
         chain.append(cause)
+    return chain
+
+
+def _root(error: BaseException) -> BaseException:
+    """Return the first cause of an error ("connection refused" under three wrappings): the system's, if it spoke."""
+    chain = _chain(error)
     return next((cause for cause in reversed(chain) if isinstance(cause, OSError)), chain[-1])
