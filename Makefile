@@ -47,7 +47,7 @@ $(STAMP): pyproject.toml constraints.txt
 	@touch $@
 
 $(DEV): $(STAMP)
-	@echo "Installing what the tests need, simulators and readers of every format among it: about 900 MB more."
+	@echo "Installing what the tests need, simulators and readers of every format among it: about 1.3 GB more."
 	$(BIN)/python -m pip install --progress-bar on --disable-pip-version-check -c constraints.txt -e '.[dev]' | $(SHORT)
 	@touch $@
 

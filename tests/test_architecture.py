@@ -41,6 +41,7 @@ LAYERS: dict[str, float] = {
     **dict.fromkeys(STATIONS, 5),
     "page": 6,
     "run": 7,
+    "many": 7.5,
     "": 8,  # the package's own page, which shows them all
     "cli": 9,
     "__main__": 10,

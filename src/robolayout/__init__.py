@@ -21,6 +21,7 @@ from robolayout._version import __version__ as __version__
 if TYPE_CHECKING:
     from robolayout._errors import InputError, RoboLayoutError
     from robolayout.export import export
+    from robolayout.many import batch, evaluate, rooms
     from robolayout.planners import scene_from_sentence
     from robolayout.program import Program, read_program, reconcile
     from robolayout.render import plan_svg
@@ -57,8 +58,10 @@ _HOMES = {
     "Room": "scene",
     "Scene": "scene",
     "SolverConfig": "solve",
+    "batch": "many",
     "compare": "run.flow",
     "diff": "run.diff",
+    "evaluate": "many",
     "export": "export",
     "generate": "run.flow",
     "judge": "run.judged",
@@ -70,6 +73,7 @@ _HOMES = {
     "read_program": "program",
     "reconcile": "program",
     "render": "render",
+    "rooms": "many",
     "scene_from_dict": "scene",
     "scene_from_sentence": "planners",
     "solve": "run.flow",
@@ -93,8 +97,10 @@ __all__ = [
     "Scene",
     "SolverConfig",
     "__version__",
+    "batch",
     "compare",
     "diff",
+    "evaluate",
     "export",
     "generate",
     "judge",
@@ -106,6 +112,7 @@ __all__ = [
     "read_program",
     "reconcile",
     "render",
+    "rooms",
     "scene_from_dict",
     "scene_from_sentence",
     "solve",

@@ -87,7 +87,25 @@ def test_nodes_carry_what_is_known(scene: Scene, layout: Layout) -> None:
     root = content["nodes"][content["scenes"][0]["nodes"][0]]
     assert root["rotation"] == [-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)]
     assert root["extras"]["routes"] == {"wardrobe-0": [[4.0, 0.5], [4.0, 2.0]]}
-    assert len(root["children"]) == 1 + len(layout)
+    assert len(root["children"]) == 2 + len(layout)  # the room and a camera
+
+
+def test_lamps_give_light(scene: Scene, layout: Layout) -> None:
+    content = document(GLB.write(scene, layout, Options()))
+    lights = [node["name"] for node in content["nodes"] if "KHR_lights_punctual" in node.get("extensions", {})]
+    lamps = [asset.name for asset in scene.assets if "lamp" in asset.category and asset.name in layout]
+    assert lights == [f"{name}.light" for name in lamps]
+    assert lights
+
+
+def test_textures_come_once_and_only_where_they_are_used(scene: Scene, layout: Layout) -> None:
+    content = document(GLB.write(scene, layout, Options()))
+    used = [m["pbrMetallicRoughness"].get("baseColorTexture", {}).get("index") for m in content["materials"]]
+    assert set(used) - {None} == set(range(len(content["textures"])))
+    assert len(content["textures"]) == len(content["images"]) > 2
+    for mesh in content["meshes"]:
+        (primitive,) = mesh["primitives"]
+        assert ("TEXCOORD_0" in primitive["attributes"]) == (used[primitive["material"]] is not None)
 
 
 def test_equal_assets_share_their_meshes() -> None:

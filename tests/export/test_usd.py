@@ -7,7 +7,7 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-from pxr import Gf, Usd, UsdGeom, UsdPhysics, UsdShade, UsdValidation
+from pxr import Gf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdShade, UsdValidation
 
 from robolayout.assets import category_of
 from robolayout.export import EXPORTERS, Options, export
@@ -129,8 +129,30 @@ def test_the_package_is_aligned_and_uncompressed(scene: Scene, layout: Layout, t
     path = tmp_path / "x.usdz"
     path.write_bytes(data)
     with zipfile.ZipFile(path) as package:
-        (entry,) = package.infolist()
-        start = entry.header_offset + 30 + len(entry.filename) + len(entry.extra)
-    assert entry.compress_type == zipfile.ZIP_STORED
-    assert start % 64 == 0
-    assert data[start : start + 8] == b"PXR-USDC"
+        entries = package.infolist()
+    starts = [entry.header_offset + 30 + len(entry.filename) + len(entry.extra) for entry in entries]
+    assert {entry.compress_type for entry in entries} == {zipfile.ZIP_STORED}
+    assert all(start % 64 == 0 for start in starts)
+    assert data[starts[0] : starts[0] + 8] == b"PXR-USDC"
+    assert all(data[start : start + 3] == b"\xff\xd8\xff" for start in starts[1:])
+
+
+def test_the_package_brings_the_textures_that_its_looks_name(scene: Scene, layout: Layout, tmp_path: Path) -> None:
+    path = tmp_path / "x.usdz"
+    path.write_bytes(EXPORTERS["usdz"].write(scene, layout, Options()))
+    stage = Usd.Stage.Open(str(path))
+    with zipfile.ZipFile(path) as package:
+        inside = set(package.namelist()[1:])
+    shaders = [UsdShade.Shader(prim) for prim in stage.Traverse() if prim.IsA(UsdShade.Shader)]
+    named = {shader.GetInput("file").Get().path for shader in shaders if shader.GetIdAttr().Get() == "UsdUVTexture"}
+    assert named == inside
+    assert len(inside) > 1
+
+
+def test_lamps_give_light_and_a_camera_sees_the_room(stage: Usd.Stage, scene: Scene, layout: Layout) -> None:
+    lights = [prim for prim in stage.Traverse() if prim.IsA(UsdLux.SphereLight)]
+    lamps = [asset.name for asset in scene.assets if "lamp" in asset.category and asset.name in layout]
+    assert len(lights) == len(lamps) > 0
+    frustum = UsdGeom.Camera(stage.GetPrimAtPath("/World/Camera")).GetCamera(0).frustum
+    corners = [(x, y, z) for x, y in scene.room.vertices for z in (0.0, scene.room.wall_height)]
+    assert all(frustum.Intersects(Gf.Vec3d(*corner)) for corner in corners)

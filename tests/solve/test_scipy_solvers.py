@@ -81,7 +81,7 @@ def test_annealing_is_bounded_by_evaluations():
 
 
 def test_solvers_by_name():
-    assert solver_names() == ("default", "paper", "trust-constr", "dual-annealing")
+    assert solver_names() == ("default", "paper", "paper-unrefined", "trust-constr", "dual-annealing")
     boxes = problem()
     told: list[str] = []
     solution = solve_with("paper", boxes, overlap_judge(boxes), progress=told.append)
@@ -90,12 +90,12 @@ def test_solvers_by_name():
 
 
 def test_an_unknown_name_is_answered_with_the_known_ones():
-    expected = r"unknown solver 'papr'. Did you mean 'paper'\? Known: default, dual-annealing, paper, trust-constr."
+    expected = r"unknown solver 'papr'. Did you mean 'paper'\? Known: default, dual-annealing, paper, paper-unrefined, trust-constr."
     with pytest.raises(UnknownNameError, match=expected):
         solve_with("papr", problem(), overlap_judge(problem()))
 
 
-@pytest.mark.parametrize("name", ["default", "paper", "trust-constr", "dual-annealing"])
+@pytest.mark.parametrize("name", ["default", "paper", "paper-unrefined", "trust-constr", "dual-annealing"])
 def test_nothing_to_place_is_solved(name):
     nothing = compile_problem(Scene(SQUARE, ()))
     solution = solve_with(name, nothing, overlap_judge(nothing))

@@ -1,4 +1,4 @@
-/** Reads the GLB that RoboLayout writes: indexed triangles with normals and plain colours, nothing else. */
+/** Reads the GLB that RoboLayout writes: indexed triangles with normals, colours and textures; no lights, no camera. */
 import {
   BufferAttribute,
   BufferGeometry,
@@ -8,11 +8,14 @@ import {
   LinearSRGBColorSpace,
   Mesh,
   MeshLambertMaterial,
+  RepeatWrapping,
+  SRGBColorSpace,
+  Texture,
 } from "three";
 
 const JSON_CHUNK = 0x4e4f534a;
 const ARRAYS = { 5126: Float32Array, 5125: Uint32Array };
-const WIDTHS = { SCALAR: 1, VEC3: 3 };
+const WIDTHS = { SCALAR: 1, VEC2: 2, VEC3: 3 };
 
 /** Return the JSON and the binary chunk of a GLB file. */
 function chunks(buffer) {
@@ -40,15 +43,30 @@ function geometry(document, blob, { attributes, indices }) {
   const shape = new BufferGeometry();
   shape.setAttribute("position", attribute(document, blob, attributes.POSITION));
   shape.setAttribute("normal", attribute(document, blob, attributes.NORMAL));
+  if (attributes.TEXCOORD_0 !== undefined) shape.setAttribute("uv", attribute(document, blob, attributes.TEXCOORD_0));
   shape.setIndex(attribute(document, blob, indices));
   return shape;
 }
 
+async function texture(document, blob, { source }) {
+  const { bufferView, mimeType } = document.images[source];
+  const { byteOffset, byteLength } = document.bufferViews[bufferView];
+  const picture = new Blob([blob.slice(byteOffset, byteOffset + byteLength)], { type: mimeType });
+  const found = new Texture(await createImageBitmap(picture));
+  found.wrapS = found.wrapT = RepeatWrapping;
+  found.flipY = false;
+  found.colorSpace = SRGBColorSpace;
+  found.needsUpdate = true;
+  return found;
+}
+
 /** Return a material; the file holds linear light, which is what the renderer counts in. */
-function material(entry) {
-  const [red, green, blue, opacity] = entry.pbrMetallicRoughness.baseColorFactor;
+function material({ pbrMetallicRoughness: look, emissiveFactor = [0, 0, 0] }, textures) {
+  const [red, green, blue, opacity] = look.baseColorFactor;
   return new MeshLambertMaterial({
     color: new Color().setRGB(red, green, blue, LinearSRGBColorSpace),
+    emissive: new Color().setRGB(...emissiveFactor, LinearSRGBColorSpace),
+    map: look.baseColorTexture ? textures[look.baseColorTexture.index] : null,
     opacity,
     transparent: opacity < 1,
     depthWrite: opacity === 1,
@@ -58,9 +76,10 @@ function material(entry) {
 }
 
 /** Return the scene of a GLB file; each node keeps its name and facts in `userData`. */
-export function readGlb(buffer) {
+export async function readGlb(buffer) {
   const { document, blob } = chunks(buffer);
-  const materials = (document.materials ?? []).map(material);
+  const textures = await Promise.all((document.textures ?? []).map((entry) => texture(document, blob, entry)));
+  const materials = (document.materials ?? []).map((entry) => material(entry, textures));
   const shapes = (document.meshes ?? []).map(({ primitives: [primitive] }) => [
     geometry(document, blob, primitive),
     materials[primitive.material],

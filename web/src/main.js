@@ -19,7 +19,7 @@ document.documentElement.dataset.three = REVISION;
 /** Draw in 3D; where the browser cannot, say so: the figures and lists need no picture. */
 async function draw() {
   try {
-    const root = readGlb(readMeshes());
+    const root = await readGlb(readMeshes());
     const room = sortRoom(root, data);
     const stage = makeStage(canvas, root, room, data);
     const overlays = makeOverlays(stage, room.assets, data);

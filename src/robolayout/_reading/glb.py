@@ -40,6 +40,12 @@ def check_glb(data: bytes, *, most_nodes: int, most_triangles: int) -> None:
     _check_pictures(lists["images"], lists["bufferViews"], binary)
 
 
+def glb_notice(data: bytes) -> str:
+    """Return the copyright notice of a file; empty where it states none."""
+    asset = _chunks(data)[0].get("asset")
+    return str(cast(Entry, asset).get("copyright") or "")[:200] if isinstance(asset, dict) else ""
+
+
 def _broken(why: str) -> Unreadable:
     return Unreadable(f"is broken and cannot be used: {why}")
 

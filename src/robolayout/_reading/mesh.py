@@ -1,4 +1,4 @@
-"""Meshes: GLB, OBJ, PLY and STL from bytes, within bounds, as placed triangles with a colour each.
+"""Meshes: GLB, OBJ, PLY and STL from bytes, within bounds, as placed triangles with their looks.
 
 What a file promises is counted before its parser makes room for it. Nothing outside the given bytes is opened: materials
 and textures in separate files are ignored.
@@ -40,6 +40,31 @@ _PIECES = {
 _FACES = {".obj": re.compile(rb"^[ \t]*f\b", re.MULTILINE), ".stl": re.compile(rb"^\s*facet\b", re.MULTILINE)}
 
 
+LARGEST_PICTURE = 1024
+"""Most pixels along a side of a texture; larger ones are made smaller."""
+
+
+UNSAID = [102, 102, 102, 255]
+"""The colour that trimesh gives to what has none, for example where an OBJ's material file is missing."""
+
+
+@dataclass(frozen=True)
+class Look:
+    """What a piece looks like.
+
+    Attributes:
+        color: Red, green, blue (sRGB) and opacity from 0 to 1: of the whole, if there is a picture.
+        roughness: 0 mirror, 1 chalk.
+        metallic: 0 or 1, or between.
+        picture: A JPEG of its surface; None for none.
+    """
+
+    color: tuple[float, float, float, float]
+    roughness: float = 0.8
+    metallic: float = 0.0
+    picture: bytes | None = None
+
+
 @dataclass(frozen=True, eq=False)
 class Piece:
     """One piece of a mesh file in the file's own axes and units.
@@ -48,13 +73,15 @@ class Piece:
         name: Name in the file.
         vertices: (n, 3) in file units, placed by the file's scene.
         faces: (m, 3) vertex indices.
-        color: Red, green, blue and opacity from 0 to 1; None where the file says nothing.
+        look: What it looks like; None where the file says nothing.
+        uv: (n, 2) where its vertices lie in the picture, (0, 0) at the top left; None without a picture.
     """
 
     name: str
     vertices: Array
     faces: NDArray[np.int64]
-    color: tuple[float, float, float, float] | None
+    look: Look | None
+    uv: Array | None = None
 
 
 def mesh_pieces(data: bytes, suffix: str) -> tuple[Piece, ...]:
@@ -113,7 +140,7 @@ def _pieces(data: bytes, kind: str) -> Iterator[Piece]:
     import trimesh
 
     scene = trimesh.load_scene(io.BytesIO(data), file_type=kind, process=False)
-    total = 0
+    total, looks = 0, dict[int, Look | None]()
     for node in sorted(scene.graph.nodes_geometry):
         matrix, key = scene.graph[node]
         mesh = scene.geometry[key]
@@ -122,19 +149,14 @@ def _pieces(data: bytes, kind: str) -> Iterator[Piece]:
         total += len(mesh.faces)
         if total > MAX_TRIANGLES:
             raise Unreadable(f"unfolds to more than {MAX_TRIANGLES} triangles. Simplify it and export it again")
-        piece = _cleaned(str(key), np.asarray(mesh.vertices), np.asarray(mesh.faces), np.asarray(matrix), _color(mesh))
+        piece = _cleaned(str(key), mesh, np.asarray(matrix), looks, kind)
         if piece is not None:
             yield piece
 
 
-def _cleaned(
-    name: str,
-    points: Array,
-    faces: NDArray[np.int64],
-    matrix: Array,
-    color: tuple[float, float, float, float] | None,
-) -> Piece | None:
+def _cleaned(name: str, mesh: Any, matrix: Array, looks: dict[int, Look | None], kind: str) -> Piece | None:
     """Place a piece and drop triangles with unusable numbers; None where nothing is left."""
+    points, faces = np.asarray(mesh.vertices), np.asarray(mesh.faces)
     with np.errstate(all="ignore"):
         placed = points @ matrix[:3, :3].T + matrix[:3, 3]
         usable = np.asarray((np.isfinite(placed) & (np.abs(placed) < FARTHEST)).all(axis=1))
@@ -147,25 +169,63 @@ def _cleaned(
     if mirrored:
         faces = faces[:, ::-1]
     used, index = np.unique(faces, return_inverse=True)
-    return Piece(name, placed[used], index.reshape(-1, 3), color)
-
-
-def _color(mesh: Any) -> tuple[float, float, float, float] | None:
-    """Return the plain colour of a mesh: its material's, times its texture's mean, or its mean vertex colour."""
     visual = mesh.visual
+    key = id(getattr(visual, "material", mesh))
+    if key not in looks:
+        looks[key] = _look(visual, kind)
+    look, uv = looks[key], getattr(visual, "uv", None)
+    if look is None or look.picture is None:
+        return Piece(name, placed[used], index.reshape(-1, 3), look)
+    flipped = np.nan_to_num(np.clip(np.asarray(uv, np.float64)[used], -FARTHEST, FARTHEST)) * (1, -1) + (0, 1)
+    return Piece(name, placed[used], index.reshape(-1, 3), look, flipped)
+
+
+def _look(visual: Any, kind: str) -> Look | None:
+    """Return what a mesh looks like: its material with its picture, or its mean vertex colour; None if it does not say.
+
+    Factors are in linear light in a GLB, as its standard says, and sRGB in other files.
+    """
     if visual is None or not getattr(visual, "defined", False):
         return None
-    color = np.asarray(visual.main_color, dtype=np.float64)[:4] / 255.0 if visual.kind != "texture" else None
-    if color is None:
-        surface = visual.material
-        surface = surface.to_pbr() if hasattr(surface, "to_pbr") else surface
-        factor = getattr(surface, "baseColorFactor", None)
-        color = np.ones(4) if factor is None else np.asarray(factor, dtype=np.float64)
-        color = color / 255.0 if color.max() > 1.0 else color
-        image = getattr(surface, "baseColorTexture", None)
-        if image is not None:
-            mean = np.asarray(image.convert("RGB").resize((16, 16)), dtype=np.float64).mean(axis=(0, 1)) / 255.0
-            color = np.append(color[:3] * mean, color[3] if len(color) > 3 else 1.0)
+    if visual.kind != "texture":
+        return Look(_color(np.asarray(visual.main_color, dtype=np.float64)[:4] / 255.0))
+    surface = visual.material
+    if list(getattr(surface, "diffuse", ())) == UNSAID:
+        return None
+    surface = surface.to_pbr() if hasattr(surface, "to_pbr") else surface
+    factor = getattr(surface, "baseColorFactor", None)
+    color = np.ones(4) if factor is None else np.asarray(factor, dtype=np.float64)
+    color = color / 255.0 if color.max() > 1.0 else color
+    light = color[:3] if kind == "glb" else _to_linear(color[:3])
+    image = getattr(surface, "baseColorTexture", None)
+    if image is not None:
+        light = light * _to_linear(np.asarray(image.convert("RGB"), dtype=np.float64) / 255.0).mean(axis=(0, 1))
+    encoded = np.where(light <= 0.0031308, 12.92 * light, 1.055 * np.maximum(light, 1e-9) ** (1 / 2.4) - 0.055)
+    rough, metal = (getattr(surface, f"{name}Factor", None) for name in ("roughness", "metallic"))
+    return Look(
+        _color(np.append(encoded, color[3:4])),
+        0.8 if rough is None else float(np.clip(np.nan_to_num(rough), 0.0, 1.0)),
+        0.0 if metal is None else float(np.clip(np.nan_to_num(metal), 0.0, 1.0)),
+        None if image is None or getattr(visual, "uv", None) is None else _encoded(image),
+    )
+
+
+def _to_linear(srgb: Array) -> Array:
+    """Return linear light for sRGB values (IEC 61966-2-1)."""
+    return np.where(srgb <= 0.04045, srgb / 12.92, ((np.maximum(srgb, 0.0) + 0.055) / 1.055) ** 2.4)
+
+
+def _encoded(image: Any) -> bytes:
+    """Return a picture as a JPEG of at most `LARGEST_PICTURE` pixels a side."""
+    picture = image.convert("RGB")
+    picture.thumbnail((LARGEST_PICTURE, LARGEST_PICTURE))
+    content = io.BytesIO()
+    picture.save(content, "JPEG", quality=88)
+    return content.getvalue()
+
+
+def _color(color: Array) -> tuple[float, float, float, float]:
+    """Return three or four channels as usable ones, from 0 to 1."""
     red, green, blue = (float(channel) for channel in np.clip(np.nan_to_num(color[:3]), 0.0, 1.0))
     opacity = float(np.clip(np.nan_to_num(color[3], nan=1.0), 0.05, 1.0)) if len(color) > 3 else 1.0
     return round(red, 4), round(green, 4), round(blue, 4), round(opacity, 4)

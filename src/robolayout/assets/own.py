@@ -1,15 +1,16 @@
 """A user's own meshes: read within bounds, turned upright and forwards, scaled into an asset's box.
 
 glTF files are y-up and face +z by their standard; other files are taken z-up facing +x unless their shape or the caller
-says otherwise. Nothing outside the given file is opened: materials and textures in separate files are ignored.
+says otherwise. Nothing outside the given file is opened: materials and textures in separate files are ignored, those in the file kept.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,9 @@ from robolayout._reading import MAX_MESH_BYTES, MESH_SUFFIXES, Checker, regular_
 from robolayout.assets.part import Material, Part
 from robolayout.assets.rows import check_rows
 from robolayout.scene import Scene
+
+if TYPE_CHECKING:
+    from robolayout._reading.mesh import Look
 
 Array = NDArray[np.float64]
 Size = tuple[float, float, float]
@@ -45,13 +49,15 @@ class RawMesh:
         name: Name in the file.
         vertices: (n, 3) in file units.
         faces: (m, 3) vertex indices.
-        material: Its plain colour.
+        material: Its looks.
+        uv: (n, 2) where its vertices lie in its material's picture; None without one.
     """
 
     name: str
     vertices: Array
     faces: NDArray[np.int64]
     material: Material
+    uv: Array | None = None
 
 
 def load_mesh_parts(path: Path, size: Size, *, up: str | None = None, front: str | None = None) -> tuple[Part, ...]:
@@ -75,7 +81,8 @@ def load_mesh_parts(path: Path, size: Size, *, up: str | None = None, front: str
     built: list[Part] = []
     for piece in pieces:
         vertices = np.clip((piece.vertices @ matrix.T - (low + high) / 2) * scale, -half, half)
-        built.append(Part(piece.name, vertices, piece.faces.astype(np.int32), piece.material, convex=False))
+        faces = piece.faces.astype(np.int32)
+        built.append(Part(piece.name, vertices, faces, piece.material, convex=False, uv=piece.uv))
     return _stretched(built, size)
 
 
@@ -130,11 +137,13 @@ def read_pieces(path: Path) -> tuple[RawMesh, ...]:
         raise AssetError(f"mesh {path.name}: format {suffix!r} is not read; use one of {', '.join(MESH_SUFFIXES)}.")
     data = _CHECK.parse(lambda file: regular_bytes(file, MAX_MESH_BYTES), path, f"mesh {path.name}")
     pieces = _CHECK.parse(lambda content: mesh_pieces(content, suffix), data, f"mesh {path.name}")
-    return tuple(RawMesh(piece.name, piece.vertices, piece.faces, _material(piece.color)) for piece in pieces)
+    return tuple(RawMesh(p.name, p.vertices, p.faces, _material(p.look), p.uv) for p in pieces)
 
 
-def _material(color: tuple[float, float, float, float] | None) -> Material:
-    return PLAIN if color is None else Material("own mesh", color[:3], 0.8, 0.0, color[3])
+def _material(look: Look | None) -> Material:
+    if look is None:
+        return PLAIN
+    return Material(PLAIN.name, look.color[:3], look.roughness, look.metallic, look.color[3], texture=look.picture)
 
 
 def check_meshes(scene: Scene) -> None:
@@ -184,17 +193,19 @@ def _by_material(pieces: Sequence[RawMesh]) -> list[RawMesh]:
     groups: dict[Material, list[RawMesh]] = {}
     for piece in pieces:
         groups.setdefault(piece.material, []).append(piece)
-    rows = list(groups.values())
-    if len(rows) > MAX_PARTS:
-        rows = [list(pieces)]
-    return [_joined(row) for row in rows]
+    if len(groups) > MAX_PARTS:
+        plain = replace(pieces[0].material, texture=None)
+        return [_joined([replace(piece, material=plain, uv=None) for piece in pieces])]
+    return [_joined(row) for row in groups.values()]
 
 
 def _joined(row: Sequence[RawMesh]) -> RawMesh:
     """Join pieces into one with the first one's name and material."""
     starts = np.cumsum([0] + [len(piece.vertices) for piece in row])
     faces = np.concatenate([piece.faces + start for piece, start in zip(row, starts, strict=False)])
-    return RawMesh(row[0].name, np.concatenate([piece.vertices for piece in row]), faces, row[0].material)
+    uvs = [piece.uv for piece in row if piece.uv is not None]
+    points = np.concatenate([piece.vertices for piece in row])
+    return RawMesh(row[0].name, points, faces, row[0].material, np.concatenate(uvs) if uvs else None)
 
 
 def _clustered(piece: RawMesh, most: int) -> RawMesh:
@@ -208,7 +219,8 @@ def _clustered(piece: RawMesh, most: int) -> RawMesh:
         index, faces = _in_cells(piece, cells)
     counts = np.bincount(index).astype(np.float64)
     points = np.stack([np.bincount(index, weights=piece.vertices[:, i]) / counts for i in range(3)], axis=1)
-    return RawMesh(piece.name, points, faces, piece.material)
+    first = np.unique(index, return_index=True)[1]
+    return RawMesh(piece.name, points, faces, piece.material, None if piece.uv is None else piece.uv[first])
 
 
 def _in_cells(piece: RawMesh, cells: float) -> tuple[NDArray[np.int64], NDArray[np.int64]]:

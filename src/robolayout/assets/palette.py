@@ -49,7 +49,9 @@ def _palette(entry: Mapping[str, Any]) -> Palette:
     found: dict[str, Any] = {}
     for key, value in entry.items():
         if isinstance(value, list):
-            found[key] = tuple(Material(f"fabric {i}", tuple(color), CLOTH) for i, color in enumerate(value))
+            found[key] = tuple(
+                Material(f"fabric {i}", tuple(color), CLOTH, texture="weave") for i, color in enumerate(value)
+            )
         else:
             found[key] = PLAIN[value] if isinstance(value, str) else _material(value)
     return Palette(**found)

@@ -56,29 +56,39 @@ class RoomStyle:
 
 def _wood(name: str, *colors: tuple[float, float, float]) -> tuple[Material, ...]:
     """Return plank tones."""
-    return tuple(Material(f"{name} floor {i}", color, 0.6) for i, color in enumerate(colors))
+    return tuple(Material(f"{name} floor {i}", color, 0.6, texture="wood") for i, color in enumerate(colors))
+
+
+def _paint(name: str, color: tuple[float, float, float]) -> Material:
+    """Return wall paint."""
+    return Material(f"{name} paint", color, 0.95, texture="plaster")
+
+
+def _leaf(name: str, color: tuple[float, float, float], texture: str | None = None) -> Material:
+    """Return what door leaves are made of."""
+    return Material(f"{name} door", color, 0.6, texture=texture)
 
 
 STYLES = (
     RoomStyle(
         "oak planks", "planks", _wood("oak", (0.76, 0.62, 0.45), (0.72, 0.58, 0.41), (0.79, 0.66, 0.49)),
-        Material("warm white paint", (0.93, 0.91, 0.87), 0.95), PLAIN["white"], Material("white door", (0.91, 0.90, 0.87), 0.6),
+        _paint("warm white", (0.93, 0.91, 0.87)), PLAIN["white"], _leaf("white", (0.91, 0.90, 0.87)),
     ),
     RoomStyle(
         "walnut planks", "planks", _wood("walnut", (0.50, 0.36, 0.25), (0.46, 0.32, 0.22), (0.54, 0.39, 0.28)),
-        Material("linen paint", (0.90, 0.86, 0.79), 0.95), PLAIN["white"], Material("walnut door", (0.48, 0.34, 0.23), 0.6),
+        _paint("linen", (0.90, 0.86, 0.79)), PLAIN["white"], _leaf("walnut", (0.48, 0.34, 0.23), "wood"),
     ),
     RoomStyle(
         "pale ash planks", "planks", _wood("ash", (0.84, 0.77, 0.66), (0.81, 0.73, 0.62), (0.87, 0.80, 0.70)),
-        Material("mist paint", (0.84, 0.87, 0.87), 0.95), PLAIN["white"], Material("grey door", (0.70, 0.72, 0.72), 0.6),
+        _paint("mist", (0.84, 0.87, 0.87)), PLAIN["white"], _leaf("grey", (0.70, 0.72, 0.72)),
     ),
     RoomStyle(
-        "grey tiles", "tiles", (Material("stone tile", (0.76, 0.75, 0.73), 0.4), Material("joint", (0.60, 0.59, 0.58))),
-        Material("clean white paint", (0.94, 0.94, 0.93), 0.95), PLAIN["anthracite"], Material("light door", (0.86, 0.84, 0.80), 0.6),
+        "grey tiles", "tiles", (Material("stone tile", (0.76, 0.75, 0.73), 0.4, texture="stone"), Material("joint", (0.60, 0.59, 0.58))),
+        _paint("clean white", (0.94, 0.94, 0.93)), PLAIN["anthracite"], _leaf("light", (0.86, 0.84, 0.80)),
     ),
     RoomStyle(
-        "sand carpet", "carpet", (Material("sand carpet", (0.78, 0.73, 0.65), 1.0),),
-        Material("sage paint", (0.81, 0.84, 0.78), 0.95), PLAIN["white"], Material("oak door", (0.72, 0.57, 0.40), 0.6),
+        "sand carpet", "carpet", (Material("sand carpet", (0.78, 0.73, 0.65), 1.0, texture="pile"),),
+        _paint("sage", (0.81, 0.84, 0.78)), PLAIN["white"], _leaf("oak", (0.72, 0.57, 0.40), "wood"),
     ),
 )  # fmt: skip
 

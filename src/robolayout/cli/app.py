@@ -26,6 +26,7 @@ from robolayout.cli.generate import (
     read_scene,
 )
 from robolayout.cli.guard import Unforeseen, main
+from robolayout.cli.many import batch, evaluate
 from robolayout.cli.models import BaseUrlOption, MaxCostOption, ReplayOption
 from robolayout.cli.physics import drive, settle
 from robolayout.cli.pictures import DateOption, render
@@ -84,6 +85,8 @@ def _page(
 
 
 app.command()(generate)
+app.command()(batch)
+app.command()(evaluate)
 
 
 @app.command()

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.assets import Material, Part
+from robolayout.assets.textures import coordinates, mean
 
 CREASE = math.cos(math.radians(40.0))
 """Cosine of the angle between two faces above which their edge is drawn sharp."""
@@ -28,11 +29,13 @@ class Surface:
         positions: (n, 3) metres.
         normals: (n, 3) unit vectors, one for each position unless said otherwise.
         indices: (m, 3) counter-clockwise seen from outside.
+        uvs: Texture coordinates, as many as normals; all 0 where the material is plain.
     """
 
     positions: FloatArray
     normals: FloatArray
     indices: IntArray
+    uvs: FloatArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,15 +64,17 @@ def welded(part: Part) -> Surface:
     area = np.linalg.norm(cross, axis=1) / 2
     keep = area > SMALLEST_FACE
     faces, units = faces[keep], cross[keep] / (2 * area[keep, None])
-    return Surface(positions, _corner_normals(positions, faces, units), faces)
+    uvs = coordinates(part)[keep].reshape(-1, 2).astype(np.float64)
+    return Surface(positions, _corner_normals(positions, faces, units), faces, uvs)
 
 
 def surface(part: Part) -> Surface:
     """Return a part's triangles with one normal for each vertex; vertices on sharp edges are repeated."""
     shape = welded(part)
-    corners, indices = _unique_rows(np.round(np.hstack([shape.positions[shape.indices.reshape(-1)], shape.normals]), 9))
-    lengths = np.linalg.norm(corners[:, 3:], axis=1, keepdims=True)
-    return Surface(corners[:, :3], corners[:, 3:] / lengths, indices.reshape(-1, 3))
+    rows = np.hstack([shape.positions[shape.indices.reshape(-1)], shape.normals, shape.uvs])
+    corners, indices = _unique_rows(np.round(rows, 9))
+    lengths = np.linalg.norm(corners[:, 3:6], axis=1, keepdims=True)
+    return Surface(corners[:, :3], corners[:, 3:6] / lengths, indices.reshape(-1, 3), corners[:, 6:])
 
 
 def _unique_rows(rows: FloatArray) -> tuple[FloatArray, IntArray]:
@@ -130,6 +135,7 @@ def _joined(surfaces: list[Surface]) -> Surface:
         np.vstack([s.positions for s in surfaces]),
         np.vstack([s.normals for s in surfaces]),
         np.vstack([s.indices + offset for s, offset in zip(surfaces, offsets, strict=True)]),
+        np.vstack([s.uvs for s in surfaces]),
     )
 
 
@@ -194,6 +200,13 @@ def quaternion(rotation: FloatArray) -> tuple[float, float, float, float]:
 def linear(color: tuple[float, float, float]) -> tuple[float, float, float]:
     """Return an sRGB colour as linear light, which is what GLB and USD store (IEC 61966-2-1)."""
     red, green, blue = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in color)
+    return (red, green, blue)
+
+
+def base_color(material: Material) -> tuple[float, float, float]:
+    """Return the linear colour that a material's texture is multiplied by, so that both together look like its colour."""
+    share = (1.0, 1.0, 1.0) if material.texture is None else mean(material.texture)
+    red, green, blue = (min(channel / part, 1.0) for channel, part in zip(linear(material.color), share, strict=True))
     return (red, green, blue)
 
 

@@ -4,18 +4,24 @@
 # pyright: reportAttributeAccessIssue=false, reportUnknownParameterType=false
 from __future__ import annotations
 
+import hashlib
 import math
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pxr import Gf, Kind, Sdf, Tf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdShade, Vt
+from pxr import Gf, Kind, Sdf, Tf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantics, UsdShade, Vt
 
 from robolayout._text import xml
 from robolayout.assets import Material, Part, category_of, parts, room_parts
+from robolayout.assets.textures import media_type, picture
 from robolayout.export._exporter import Options, is_movable, is_trim, mass, placed
-from robolayout.export._mesh import linear, welded
-from robolayout.scene import Asset, Layout, Pose, Scene
+from robolayout.export._mesh import base_color, linear, welded
+from robolayout.export._scenery import ASPECT, FIELD, LUMENS, WARM, lamp, overview
+from robolayout.scene import Asset, Layout, Pose, Room, Scene
+
+BULB = 0.05
+"""Radius in metres of a lamp's light."""
 
 WORLD, ROOM, ASSETS, LOOKS, ROUTES = "/World", "/World/Room", "/World/Assets", "/World/Looks", "/World/Routes"
 ROUTE_WIDTH = 0.03
@@ -25,8 +31,11 @@ Row = tuple[str, tuple[float, float, float], float, tuple[float, float, float]]
 """Name, position, degrees about z, size."""
 
 
-def build(scene: Scene, layout: Layout, options: Options) -> Any:
-    """Return a stage in memory with the room, all placed assets, materials, physics and routes."""
+def build(scene: Scene, layout: Layout, options: Options, pictures: dict[str, bytes] | None = None) -> Any:
+    """Return a stage in memory with the room, all placed assets, materials, physics, lights, a camera and routes.
+
+    The textures that it refers to are put into `pictures`, by their names beside it; without it there are only colours.
+    """
     stage = Usd.Stage.CreateInMemory()
     UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.z)
     UsdGeom.SetStageMetersPerUnit(stage, 1.0)
@@ -41,12 +50,13 @@ def build(scene: Scene, layout: Layout, options: Options) -> Any:
         group = UsdGeom.Xform.Define(stage, path).GetPrim()
         Usd.ModelAPI(group).SetKind(Kind.Tokens.component if path == ROOM else Kind.Tokens.group)
     UsdGeom.Scope.Define(stage, LOOKS)
-    builder = _Builder(stage)
+    builder = _Builder(stage, pictures)
     room = room_parts(scene.room, seed=options.seed)
     builder.meshes(ROOM, tuple(part for part in room if not is_trim(part)), movable=False)
     builder.meshes(ROOM, tuple(part for part in room if is_trim(part)), movable=False, collides=False)
     for asset, pose in placed(scene, layout):
         builder.asset(asset, pose, movable=is_movable(asset, scene, layout), seed=options.seed)
+    _camera(stage, scene.room)
     _routes(stage, options)
     return stage
 
@@ -54,8 +64,9 @@ def build(scene: Scene, layout: Layout, options: Options) -> Any:
 class _Builder:
     """Adds assets to a stage; equal materials are defined once, and every name becomes a legal, unique prim name."""
 
-    def __init__(self, stage: Any) -> None:
+    def __init__(self, stage: Any, pictures: dict[str, bytes] | None = None) -> None:
         self.stage = stage
+        self.pictures = pictures
         self.looks: dict[object, Any] = {}
         self.taken: set[str] = set()
 
@@ -88,7 +99,14 @@ class _Builder:
             UsdPhysics.RigidBodyAPI.Apply(prim)
             UsdPhysics.MassAPI.Apply(prim).CreateMassAttr(mass(asset))
         self.bind(prim, self.friction(category_of(asset).friction), "physics")
-        self.meshes(str(prim.GetPath()), parts(asset, seed=seed), movable=movable, collides=not asset.is_flat)
+        folder, pieces = str(prim.GetPath()), parts(asset, seed=seed)
+        self.meshes(folder, pieces, movable=movable, collides=not asset.is_flat)
+        if (bulb := lamp(pieces)) is not None:
+            light = UsdLux.SphereLight.Define(self.stage, self.path(folder, "light"))
+            light.CreateRadiusAttr(BULB)
+            light.CreateIntensityAttr(LUMENS / (2 * math.pi * BULB) ** 2)
+            light.CreateColorAttr(Gf.Vec3f(*WARM))
+            light.AddTranslateOp().Set(Gf.Vec3d(*bulb))
 
     def meshes(self, folder: str, pieces: tuple[Part, ...], *, movable: bool, collides: bool = True) -> None:
         """Add one mesh for each part, each its own collider."""
@@ -106,6 +124,11 @@ class _Builder:
             mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
             mesh.CreateExtentAttr(UsdGeom.PointBased.ComputeExtent(points))
             mesh.CreateDoubleSidedAttr(not part.convex)
+            if self.pictures is not None and part.material.texture is not None:
+                places = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(
+                    "st", Sdf.ValueTypeNames.TexCoord2fArray, UsdGeom.Tokens.faceVarying
+                )
+                places.Set(Vt.Vec2fArray.FromNumpy((shape.uvs * (1, -1) + (0, 1)).astype(np.float32)))
             prim = mesh.GetPrim()
             self.bind(prim, self.look(part.material))
             if collides:
@@ -133,9 +156,34 @@ class _Builder:
                 ("opacity", Sdf.ValueTypeNames.Float, material.opacity),
             ):
                 shader.CreateInput(name, kind).Set(value)
+            if material.glow:
+                emitted = Gf.Vec3f(*(channel * material.glow for channel in linear(material.color)))
+                shader.CreateInput("emissiveColor", Sdf.ValueTypeNames.Color3f).Set(emitted)
+            if self.pictures is not None and material.texture is not None:
+                self.textured(path, material, shader, self.pictures)
             look.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
             self.looks[material] = look
         return self.looks[material]
+
+    def textured(self, path: str, material: Material, shader: Any, pictures: dict[str, bytes]) -> None:
+        """Let a look's colour come from its texture, and keep that picture."""
+        data = picture(material.texture or b"")
+        name = f"textures/{hashlib.sha256(data).hexdigest()[:16]}.{media_type(data).partition('/')[2]}"
+        pictures[name] = data
+        place = UsdShade.Shader.Define(self.stage, f"{path}/Place")
+        place.CreateIdAttr("UsdPrimvarReader_float2")
+        place.CreateInput("varname", Sdf.ValueTypeNames.String).Set("st")
+        found = UsdShade.Shader.Define(self.stage, f"{path}/Texture")
+        found.CreateIdAttr("UsdUVTexture")
+        found.CreateInput("file", Sdf.ValueTypeNames.Asset).Set(Sdf.AssetPath(name))
+        found.CreateInput("sourceColorSpace", Sdf.ValueTypeNames.Token).Set("sRGB")
+        found.CreateInput("scale", Sdf.ValueTypeNames.Float4).Set(Gf.Vec4f(*base_color(material), 1.0))
+        for side in ("wrapS", "wrapT"):
+            found.CreateInput(side, Sdf.ValueTypeNames.Token).Set("repeat")
+        result = place.CreateOutput("result", Sdf.ValueTypeNames.Float2)
+        found.CreateInput("st", Sdf.ValueTypeNames.Float2).ConnectToSource(result)
+        color = found.CreateOutput("rgb", Sdf.ValueTypeNames.Float3)
+        shader.GetInput("diffuseColor").ConnectToSource(color)
 
     def friction(self, value: float) -> Any:
         """Return the physics material with a friction coefficient."""
@@ -147,6 +195,18 @@ class _Builder:
             physics.CreateRestitutionAttr(0.0)
             self.looks[value] = look
         return self.looks[value]
+
+
+def _camera(stage: Any, room: Room) -> None:
+    """Add a camera that sees the whole room."""
+    view = overview(room)
+    camera = UsdGeom.Camera.Define(stage, f"{WORLD}/Camera")
+    height = camera.GetVerticalApertureAttr().Get()
+    camera.GetHorizontalApertureAttr().Set(height * ASPECT)
+    camera.GetFocalLengthAttr().Set(height / 2 / math.tan(FIELD / 2))
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[3, :3] = view.rotation.T, view.position
+    camera.AddTransformOp().Set(Gf.Matrix4d(matrix.tolist()))
 
 
 def _approximation(part: Part, movable: bool) -> str:

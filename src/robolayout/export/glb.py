@@ -11,7 +11,7 @@ import json
 import math
 import struct
 from collections.abc import Mapping
-from typing import cast
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,14 +20,21 @@ from robolayout._reading.syntax import Unreadable, decoded, json_value
 from robolayout._text import utf8
 from robolayout._version import __version__
 from robolayout.assets import Material, Part, category_of, parts, room_parts
+from robolayout.assets.textures import media_type, picture
 from robolayout.export._exporter import Contents, Exporter, Json, Options, facts, is_movable, placed, reader
-from robolayout.export._mesh import Surface, linear, merged
-from robolayout.scene import Asset, Layout, Pose, Scene
+from robolayout.export._mesh import Surface, base_color, linear, merged, quaternion
+from robolayout.export._scenery import ASPECT, FIELD, LUMENS, WARM, lamp, overview
+from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
 MAGIC = b"glTF"
 
 FLOAT, UINT32 = 5126, 5125
 VERTICES, INDICES = 34962, 34963
+REPEAT: Json = {"magFilter": 9729, "minFilter": 9987, "wrapS": 10497, "wrapT": 10497}
+"""How all textures are looked up: smoothly, and again and again."""
+LIGHTS = "KHR_lights_punctual"
+BULB: Json = {"type": "point", "color": list(WARM), "intensity": round(LUMENS / (4 * math.pi), 3)}
+"""The light of every lamp, in candela."""
 
 
 class _Builder:
@@ -37,9 +44,13 @@ class _Builder:
         self.nodes: list[Json] = []
         self.meshes: list[Json] = []
         self.materials: list[Json] = []
+        self.textures: list[Json] = []
+        self.images: list[Json] = []
         self.accessors: list[Json] = []
         self.views: list[Json] = []
         self.blob = bytearray()
+        self.cameras: list[Json] = []
+        self.lit = False
         self._known: dict[object, int] = {}
 
     def node(self, name: str, **content: object) -> int:
@@ -48,25 +59,41 @@ class _Builder:
         return len(self.nodes) - 1
 
     def object(self, name: str, pieces: tuple[Part, ...], **content: object) -> int:
-        """Add a node with one child mesh per material; return its index."""
+        """Add a node with one child mesh per material, and a light if it is a lamp; return its index."""
         children = [
             self.node(f"{name}.{material.name}", mesh=self._mesh(name, material, closed, shape))
             for material, closed, shape in merged(pieces)
             if len(shape.indices)
         ]
+        if (bulb := lamp(pieces)) is not None:
+            self.lit = True
+            light = {LIGHTS: {"light": 0}}
+            children.append(self.node(f"{name}.light", translation=list(bulb), extensions=light))
         return self.node(name, **content, **({"children": children} if children else {}))
 
     def turned(self, name: str, child: int) -> int:
         """Add a node that turns this package's axes (front x, up z) into glTF's (front z, up y); return its index."""
         return self.node(name, rotation=[-0.5, -0.5, -0.5, 0.5], children=[child])
 
+    def camera(self, room: Room) -> int:
+        """Add a camera that sees the whole room; return its node's index."""
+        self.cameras.append(
+            {"type": "perspective", "perspective": {"yfov": FIELD, "aspectRatio": ASPECT, "znear": 0.05}}
+        )
+        view = overview(room)
+        w, x, y, z = quaternion(view.rotation)
+        return self.node("camera", camera=0, translation=list(view.position), rotation=[x, y, z, w])
+
     def _mesh(self, name: str, material: Material, closed: bool, shape: Surface) -> int:
-        key = (material, closed, shape.positions.tobytes(), shape.normals.tobytes(), shape.indices.tobytes())
+        arrays = (shape.positions, shape.normals, shape.indices, shape.uvs)
+        key = (material, closed, *(array.tobytes() for array in arrays))
         if key not in self._known:
             attributes = {
                 "POSITION": self._accessor(shape.positions.astype("<f4"), VERTICES),
                 "NORMAL": self._accessor(shape.normals.astype("<f4"), VERTICES),
             }
+            if material.texture is not None:
+                attributes["TEXCOORD_0"] = self._accessor(shape.uvs.astype("<f4"), VERTICES)
             indices = self._accessor(shape.indices.reshape(-1).astype("<u4"), INDICES)
             primitive = {"attributes": attributes, "indices": indices, "material": self._material(material, closed)}
             self.meshes.append({"name": f"{name}.{material.name}", "primitives": [primitive]})
@@ -76,14 +103,18 @@ class _Builder:
     def _material(self, material: Material, closed: bool) -> int:
         key = (material, closed)
         if key not in self._known:
-            entry: Json = {
+            entry: dict[str, Any] = {
                 "name": material.name,
                 "pbrMetallicRoughness": {
-                    "baseColorFactor": [*(round(c, 6) for c in linear(material.color)), material.opacity],
+                    "baseColorFactor": [*(round(c, 6) for c in base_color(material)), material.opacity],
                     "metallicFactor": material.metallic,
                     "roughnessFactor": material.roughness,
                 },
             }
+            if material.texture is not None:
+                entry["pbrMetallicRoughness"]["baseColorTexture"] = {"index": self._texture(material.texture)}
+            if material.glow:
+                entry["emissiveFactor"] = [round(c * material.glow, 6) for c in linear(material.color)]
             if material.opacity < 1:
                 entry["alphaMode"] = "BLEND"
             if not closed:
@@ -92,16 +123,28 @@ class _Builder:
             self._known[key] = len(self.materials) - 1
         return self._known[key]
 
+    def _texture(self, texture: str | bytes) -> int:
+        if texture not in self._known:
+            data = picture(texture)
+            self.images.append({"bufferView": self._view(data), "mimeType": media_type(data)})
+            self.textures.append({"source": len(self.images) - 1, "sampler": 0})
+            self._known[texture] = len(self.textures) - 1
+        return self._known[texture]
+
+    def _view(self, data: bytes, **content: int) -> int:
+        """Add bytes, padded to the four bytes that numbers need; return the index of their view."""
+        self.views.append({"buffer": 0, "byteOffset": len(self.blob), "byteLength": len(data), **content})
+        self.blob += data + bytes(-len(data) % 4)
+        return len(self.views) - 1
+
     def _accessor(self, array: NDArray[np.float32 | np.uint32], target: int) -> int:
-        data = array.tobytes()
-        self.views.append({"buffer": 0, "byteOffset": len(self.blob), "byteLength": len(data), "target": target})
-        self.blob += data
-        entry: Json = {"bufferView": len(self.views) - 1, "count": len(array)}
+        entry: Json = {"bufferView": self._view(array.tobytes(), target=target), "count": len(array)}
         if target == INDICES:
             entry |= {"componentType": UINT32, "type": "SCALAR"}
         else:
             low, high = array.min(axis=0), array.max(axis=0)
-            entry |= {"componentType": FLOAT, "type": "VEC3", "min": low.tolist(), "max": high.tolist()}
+            kind = f"VEC{array.shape[1]}"
+            entry |= {"componentType": FLOAT, "type": kind, "min": low.tolist(), "max": high.tolist()}
         self.accessors.append(entry)
         return len(self.accessors) - 1
 
@@ -110,12 +153,18 @@ class _Builder:
         lists: dict[str, list[Json]] = {
             "meshes": self.meshes,
             "materials": self.materials,
+            "textures": self.textures,
+            "images": self.images,
+            "samplers": [REPEAT] if self.textures else [],
+            "cameras": self.cameras,
             "accessors": self.accessors,
             "bufferViews": self.views,
             "buffers": [{"byteLength": len(self.blob)}] if self.blob else [],
         }
+        lights: Json = {LIGHTS: {"lights": [BULB]}}
         return {
             "asset": {"version": "2.0", "generator": f"robolayout {__version__}"},
+            **({"extensionsUsed": [LIGHTS], "extensions": lights} if self.lit else {}),
             "scene": 0,
             "scenes": [{"nodes": [root]}],
             "nodes": self.nodes,
@@ -147,6 +196,7 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
                 extras={"kind": "asset", **facts(asset, movable=is_movable(asset, scene, layout))},
             )
         )
+    children.append(builder.camera(scene.room))
     turn = math.sqrt(0.5)
     extras: Json = {"kind": "scene", "frame": "z up, metres, box centres, yaw 0 faces +x"}
     if options.agent is not None:

@@ -38,22 +38,23 @@ def write_text(scene: Scene, layout: Layout, options: Options) -> bytes:
 
 
 def write_package(scene: Scene, layout: Layout, options: Options) -> bytes:
-    """Return the scene as a USDZ package: one binary layer, stored uncompressed and aligned, with a fixed date."""
+    """Return the scene as a USDZ package: a binary layer, then its textures; uncompressed, aligned, with a fixed date."""
     _require()
     from robolayout.export._usd_stage import build
 
     with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "scene.usdc"
-        stage = build(scene, layout, options)
+        path, pictures = Path(folder) / "scene.usdc", dict[str, bytes]()
+        stage = build(scene, layout, options, pictures)
         stage.GetRootLayer().Export(str(path))
         content = path.read_bytes()
-    entry = zipfile.ZipInfo("scene.usdc", date_time=(1980, 1, 1, 0, 0, 0))
-    padding = -(30 + len(entry.filename)) % ALIGNMENT
-    padding += ALIGNMENT if padding < 4 else 0
-    entry.extra = b"\x86\x19" + (padding - 4).to_bytes(2, "little") + bytes(padding - 4)
     package = io.BytesIO()
     with zipfile.ZipFile(package, "w", zipfile.ZIP_STORED) as archive:
-        archive.writestr(entry, content)
+        for name, data in {"scene.usdc": content, **dict(sorted(pictures.items()))}.items():
+            entry = zipfile.ZipInfo(name, date_time=(1980, 1, 1, 0, 0, 0))
+            padding = -(package.tell() + 30 + len(entry.filename)) % ALIGNMENT
+            padding += ALIGNMENT if padding < 4 else 0
+            entry.extra = b"\x86\x19" + (padding - 4).to_bytes(2, "little") + bytes(padding - 4)
+            archive.writestr(entry, data)
     return package.getvalue()
 
 

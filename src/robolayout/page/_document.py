@@ -27,16 +27,29 @@ def document(data: Mapping[str, Any], glb: bytes) -> str:
         data: What `content` returns.
         glb: The furnished room as this package's GLB.
     """
-    script, style = _part("viewer.js"), _part("viewer.css")
-    parts = {
-        "policy": _policy(script, style),
+    parts = {"asked": _asked(data.get("asked", ())), "glb": base64.b64encode(glb).decode()}
+    return sealed(_part("page.html"), _part("viewer.js"), _part("viewer.css"), data, **parts)
+
+
+def sealed(template: str, script: str, style: str, data: object, *, images: str = "'none'", **parts: str) -> str:
+    """Return a template with one script, one style and data that nothing runs, under a policy that allows no others.
+
+    Args:
+        template: HTML with {{policy}}, {{style}}, {{script}}, {{data}} and the names of further parts.
+        script: The only script.
+        style: The only style sheet.
+        data: Plain values, which the script reads.
+        images: Where pictures may come from, as the policy says it.
+        parts: Further parts, already harmless.
+    """
+    found = {
+        **parts,
+        "policy": _policy(script, style, images),
         "style": style,
-        "asked": _asked(data.get("asked", ())),
         "script": script,
         "data": json.dumps(data, separators=(",", ":"), allow_nan=False).translate(_ESCAPES),
-        "glb": base64.b64encode(glb).decode(),
     }
-    return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]], _part("page.html"))
+    return re.sub(r"\{\{(\w+)\}\}", lambda match: found[match[1]], template)
 
 
 def _asked(rows: Sequence[Sequence[str]]) -> str:
@@ -51,10 +64,11 @@ def _asked(rows: Sequence[Sequence[str]]) -> str:
     return table.encode("ascii", "xmlcharrefreplace").decode()
 
 
-def _policy(script: str, style: str) -> str:
-    """Return a policy that allows these two texts and nothing else."""
+def _policy(script: str, style: str, images: str) -> str:
+    """Return a policy that allows these two texts, pictures from where it is said, and nothing else."""
+    shown = f"img-src {images}; " if images != "'none'" else ""
     return (
-        f"default-src 'none'; script-src '{_hash(script)}'; style-src '{_hash(style)}'; "
+        f"default-src 'none'; script-src '{_hash(script)}'; style-src '{_hash(style)}'; {shown}"
         "base-uri 'none'; form-action 'none'"
     )
 

@@ -116,7 +116,7 @@ class _Known:
 
 
 def scene_from_sentence(
-    text: str, *, seed: int = 0, variant: int = 0, knowledge: Iterable[str | Path] = ()
+    text: str, *, seed: int = 0, variant: int = 0, knowledge: Iterable[str | Path] = (), fill: float = COMFORT
 ) -> tuple[Scene, Understanding]:
     """Return a scene for a sentence, and what was understood of it.
 
@@ -125,6 +125,7 @@ def scene_from_sentence(
         seed: Settles every choice.
         variant: Number of the variant; different ones have other doors, windows and additions.
         knowledge: Files of your own, whose things and rooms are known besides the built-in ones.
+        fill: Share of the floor up to which further things are added.
 
     Raises:
         SceneError: The sentence is empty, names no room, or wishes more than the room can hold.
@@ -138,7 +139,7 @@ def scene_from_sentence(
     wished = _wished(wishes, room)
     size = _room_size(wishes, room, wished, known)
     _possible(wishes, wished, size, known)
-    added = _added(wishes, room, wished, size, known, rng)
+    added = _added(wishes, room, wished, size, known, (fill, rng))
     agent = wishes.agent or room.agent
     assumed = (*wishes.guesses, *_assumed(wishes, room, size))
     found = Understanding(
@@ -241,9 +242,10 @@ def _added(
     wished: Mapping[str, int],
     size: tuple[float, float],
     known: _Known,
-    rng: np.random.Generator,
+    further: tuple[float, np.random.Generator],
 ) -> dict[str, int]:
     """Return what belongs in such a room and was not named, then extras in random order while there is room."""
+    fill, rng = further
     floor = size[0] * size[1] * (0.75 if wishes.shape == "L-shaped" else 1.0)
     asked = {known.head(wish.category) for wish in wishes.things}
     heads = asked | {known.head(name) for name in wished if known.head(name) == "bed"}
@@ -272,7 +274,7 @@ def _added(
             if _head(other) not in present and other not in room.base
         }
         group = {name: count, **needs}
-        limit = BASIC if name in room.base else COMFORT
+        limit = BASIC if name in room.base else fill
         if known.floor_area(group) == 0 or known.floor_area({**wished, **added, **group}) <= limit * floor:
             added |= group
     return added

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import threading
+from collections.abc import Sequence
 from functools import lru_cache
 from itertools import product
 from typing import Any
@@ -15,13 +16,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout.assets.textures import pixels
 from robolayout.render import _light
-from robolayout.render._mesh import Mesh
+from robolayout.render._mesh import Mesh, linear
 from robolayout.render._rays import Lit, lit_by_sky
 from robolayout.render.camera import NEAR, Camera
 
 SUN_TILE, SUN_COLUMNS = 768, 3
 """Pixels along a side of a light's depth map, and maps along a side of the atlas."""
+
+LARGEST_TEXTURE = 512
+"""Most pixels along a side of a texture; larger pictures of own meshes are made smaller."""
 
 _DEPTH_VERTEX = """
 #version 330
@@ -58,27 +63,37 @@ in vec3 position;
 in vec3 normal;
 in vec4 color;
 in float gloss;
+in float glow;
 in float sky;
+in vec2 uv;
+in int layer;
 in int id;
 centroid out vec3 p;
 centroid out vec3 n;
 centroid out float s;
 flat out vec4 c;
+centroid out vec2 t;
 flat out float g;
+flat out float e;
+flat out int l;
 flat out int i;
 void main() {
-    p = position; n = normal; c = color; g = gloss; s = sky; i = id;
+    p = position; n = normal; c = color; g = gloss; e = glow; s = sky; t = uv; l = layer; i = id;
     gl_Position = camera * vec4(position, 1.0);
 }
 """
 
 _FRAGMENT = """
 uniform vec3 eye;
+uniform sampler2DArray tiles;
 centroid in vec3 p;
 centroid in vec3 n;
 centroid in float s;
+centroid in vec2 t;
 flat in vec4 c;
 flat in float g;
+flat in float e;
+flat in int l;
 out vec4 result;
 void main() {
     vec3 look = normalize(eye - p);
@@ -95,8 +110,9 @@ void main() {
         middle += toward[k];
     }
     float shine = seen * pow(max(dot(m, normalize(normalize(middle) + look)), 0.0), 8.0 + 56.0 * g);
-    vec3 light = vec3(%(sun)s) * sun / float(COUNT) + vec3(%(sky)s) * s + vec3(%(bounce)s) * (%(level)f - %(tilt)f * m.z);
-    vec3 lit = c.rgb * light + 0.25 * g * g * shine / float(COUNT);
+    vec3 light = vec3(%(sun)s) * sun / float(COUNT) + vec3(%(sky)s) * s + vec3(%(bounce)s) * (%(level)f - %(tilt)f * m.z) + e;
+    vec3 texel = texture(tiles, vec3(t, max(l, 0))).rgb;
+    vec3 lit = (l < 0 ? c.rgb : c.rgb * texel) * light + 0.25 * g * g * shine / float(COUNT);
     vec3 over = max(lit - %(shoulder)f, 0.0);
     vec3 bent = min(lit, %(shoulder)f) + (1.0 - %(shoulder)f) * (1.0 - exp(-over / (1.0 - %(shoulder)f)));
     vec3 curve = 1.055 * pow(max(bent, 1e-9), vec3(1.0 / 2.4)) - 0.055;
@@ -178,6 +194,7 @@ class GLRenderer:
         lit = lit_by_sky(mesh, mesh.corners[sky_blockers])
         self._fine, self._places = lit.mesh, lit.places
         self._upload(lit)
+        self._tiles = self._texture_array(mesh.textures)
 
     def color(self, camera: Camera, keep: NDArray[np.bool_]) -> NDArray[np.uint8]:
         """Return the picture (height, width, 3) of the parts where `keep` (parts) holds."""
@@ -195,6 +212,8 @@ class GLRenderer:
         canvas.clear(*_light.BACKGROUND, 1.0)
         context.enable(gl.DEPTH_TEST)
         self._light_up(self._program["shade"], atlas, matrices, toward)
+        self._tiles.use(1)
+        self._program["shade"]["tiles"].value = 1
         shown = keep[self._fine.groups] & self._fine.facing(camera.position)
         context.enable(gl.BLEND)
         context.blend_func = gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA
@@ -241,10 +260,26 @@ class GLRenderer:
             ("3f4", "normal", normals),
             ("4f4", "color", fine.colors[face]),
             ("f4", "gloss", fine.gloss[face]),
+            ("f4", "glow", fine.glow[face]),
             ("f4", "sky", lit.sky),
+            ("2f4", "uv", fine.uvs.reshape(-1, 2)[lit.first]),
+            ("i4", "layer", fine.layers[face]),
             ("i4", "id", fine.ids[face]),
         ]
         self._buffers = {name: self._buffer(data) for _, name, data in self._columns}
+
+    def _texture_array(self, textures: Sequence[str | bytes]) -> Any:
+        """Return all textures, in linear light and of one size, with their smaller copies."""
+        from PIL import Image
+
+        pictures = [Image.fromarray(pixels(texture)) for texture in textures] or [Image.new("RGB", (1, 1))]
+        side = min(max(max(picture.size) for picture in pictures), LARGEST_TEXTURE)
+        layers = [np.asarray(p if p.size == (side, side) else p.resize((side, side))) / 255.0 for p in pictures]
+        data = linear(np.array(layers)).astype(np.float16)
+        array = self._context.texture_array((side, side, len(layers)), 3, data.tobytes(), dtype="f2", alignment=2)
+        array.build_mipmaps()
+        array.filter = (self._gl.LINEAR_MIPMAP_LINEAR, self._gl.LINEAR)
+        return array
 
     def _buffer(self, data: NDArray[Any]) -> Any:
         return self._context.buffer(np.ascontiguousarray(data).tobytes())

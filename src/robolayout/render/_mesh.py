@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.assets import Part, parts, room_parts
+from robolayout.assets.textures import coordinates, mean
 from robolayout.scene import Layout, Pose, Room, Scene
 
 CREASE = 0.80
@@ -19,6 +20,9 @@ SLIVER = 0.1
 
 ROOM = 0
 """Id of floor and walls; asset k of the scene has id k + 1. The background has id -1."""
+
+ROWS = ("corners", "normals", "colors", "gloss", "glow", "uvs", "layers", "ids", "groups")
+"""The fields of a mesh that have a row for each triangle."""
 
 CEILING = "/ceiling"
 FLOOR_STRIP = "/strip"
@@ -34,20 +38,28 @@ class Mesh:
         normals: (n, 3, 3) unit shading normals at the corners.
         colors: (n, 4) linear colour and opacity.
         gloss: (n,) 0 chalk, 1 mirror.
+        glow: (n,) light given off, as a share of the colour.
+        uvs: (n, 3, 2) texture coordinates of the corners.
+        layers: (n,) index of a triangle's texture, whose mean `colors` make up for; -1 for none.
         ids: (n,) ROOM or the asset's place in the scene plus 1.
         groups: (n,) index of the part a triangle belongs to.
         names: Name of each part: "floor", "wall-0", "door-0", "window-0" for the room, the asset's name for assets.
         convex: Whether each part is closed and convex, so that triangles that face away are never seen.
+        textures: What `layers` count.
     """
 
     corners: NDArray[np.float32]
     normals: NDArray[np.float32]
     colors: NDArray[np.float32]
     gloss: NDArray[np.float32]
+    glow: NDArray[np.float32]
+    uvs: NDArray[np.float32]
+    layers: NDArray[np.int32]
     ids: NDArray[np.int32]
     groups: NDArray[np.int32]
     names: tuple[str, ...]
     convex: tuple[bool, ...]
+    textures: tuple[str | bytes, ...] = ()
 
     def __len__(self) -> int:
         return len(self.corners)
@@ -59,8 +71,7 @@ class Mesh:
 
     def take(self, which: NDArray[np.bool_] | NDArray[np.intp]) -> Mesh:
         """Return the triangles where a mask holds, or those with the given indices."""
-        names = ("corners", "normals", "colors", "gloss", "ids", "groups")
-        return replace(self, **{name: getattr(self, name)[which] for name in names})
+        return replace(self, **{name: getattr(self, name)[which] for name in ROWS})
 
     def facing(self, eye: Sequence[float]) -> NDArray[np.bool_]:
         """Return the mask of triangles that may be seen from a point: not those of convex parts that face away."""
@@ -110,6 +121,9 @@ def flat_mesh(corners: NDArray[np.floating], color: Sequence[float], name: str) 
         np.repeat(normal[:, None], 3, axis=1).astype(np.float32),
         np.tile(np.array([*linear(np.array(color)), 1.0], np.float32), (n, 1)),
         np.zeros(n, np.float32),
+        np.zeros(n, np.float32),
+        np.zeros((n, 3, 2), np.float32),
+        np.full(n, -1, np.int32),
         np.full(n, ROOM, np.int32),
         np.zeros(n, np.int32),
         (name,),
@@ -119,10 +133,11 @@ def flat_mesh(corners: NDArray[np.floating], color: Sequence[float], name: str) 
 
 def merge(first: Mesh, second: Mesh) -> Mesh:
     """Return two meshes as one."""
-    second = replace(second, groups=second.groups + np.int32(len(first.names)))
-    fields = ("corners", "normals", "colors", "gloss", "ids", "groups")
-    joined = {name: np.concatenate([getattr(first, name), getattr(second, name)]) for name in fields}
-    return Mesh(**joined, names=first.names + second.names, convex=first.convex + second.convex)
+    textures = tuple(dict.fromkeys(first.textures + second.textures))
+    layers = np.array([*map(textures.index, second.textures), -1], np.int32)[second.layers]
+    second = replace(second, groups=second.groups + np.int32(len(first.names)), layers=layers)
+    joined = {name: np.concatenate([getattr(first, name), getattr(second, name)]) for name in ROWS}
+    return Mesh(**joined, names=first.names + second.names, convex=first.convex + second.convex, textures=textures)
 
 
 def linear(srgb: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -135,7 +150,8 @@ def refined(mesh: Mesh, longest: float, most: int = 120_000) -> Mesh:
 
     Always the longest edge is halved, so neighbours are cut at the same points. Slivers stay as they are.
     """
-    corners, normals, parent = mesh.corners, mesh.normals, np.arange(len(mesh))
+    corners, parent = mesh.corners, np.arange(len(mesh))
+    rest = np.concatenate([mesh.normals, mesh.uvs], axis=2)
     for _ in range(40):
         edges = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
         area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
@@ -145,23 +161,30 @@ def refined(mesh: Mesh, longest: float, most: int = 120_000) -> Mesh:
         turn = (np.argmax(edges[split], axis=1)[:, None] + np.arange(3)) % 3
         rows = np.arange(len(turn))[:, None]
         corners = np.concatenate([corners[~split], *_halves(corners[split][rows, turn])])
-        normals = np.concatenate([normals[~split], *_halves(normals[split][rows, turn])])
+        rest = np.concatenate([rest[~split], *_halves(rest[split][rows, turn])])
         parent = np.concatenate([parent[~split], parent[split], parent[split]])
-    normals = normals / np.maximum(np.linalg.norm(normals, axis=2, keepdims=True), 1e-12)
-    return replace(mesh.take(parent), corners=corners, normals=normals.astype(np.float32))
+    normals = rest[..., :3] / np.maximum(np.linalg.norm(rest[..., :3], axis=2, keepdims=True), 1e-12)
+    return replace(mesh.take(parent), corners=corners, normals=normals.astype(np.float32), uvs=rest[..., 3:])
 
 
 def welded(mesh: Mesh) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Return one corner's index per distinct (position, normal, part), and (n, 3) places in that list per triangle."""
-    columns = [np.round(mesh.corners.reshape(-1, 3) * 1e4), np.round(mesh.normals.reshape(-1, 3) * 30)]
+    """Return one corner's index per distinct (position, normal, texture place, part), and (n, 3) places in that list."""
+    columns = [
+        np.round(mesh.corners.reshape(-1, 3) * 1e4),
+        np.round(mesh.normals.reshape(-1, 3) * 30),
+        np.round(mesh.uvs.reshape(-1, 2) * 1e3),
+    ]
     keys = np.column_stack([*columns, np.repeat(mesh.groups, 3)]).astype(np.int64)
     _, first, place = np.unique(_hash(keys), return_index=True, return_inverse=True)
     return first, place.reshape(-1, 3)
 
 
 def _hash(keys: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Return one number per row of up to 7 integers."""
-    factors = (1_000_003, 73_856_093, 153_230_071_873, 8_743_746_210_143, 15_485_863, 982_451_653, 32_416_190_071)
+    """Return one number per row of up to 9 integers."""
+    factors = (
+        1_000_003, 73_856_093, 153_230_071_873, 8_743_746_210_143, 15_485_863, 982_451_653, 32_416_190_071,
+        2_971_215_073, 433_494_437,
+    )  # fmt: skip
     return keys @ np.array(factors[: keys.shape[1]], dtype=np.int64)
 
 
@@ -184,13 +207,25 @@ def _soup(pieces: Sequence[tuple[Part, str, Pose | None, int]]) -> Mesh:
     x, y = corners[..., 0], corners[..., 1]
     world = np.stack([c * x - s * y, s * x + c * y, corners[..., 2]], axis=-1) + poses[of, None, :3]
     materials = [part.material for part, *_ in pieces]
-    colors = np.array([(*linear(np.clip(np.array(m.color[:3]), 0, 1)), m.opacity) for m in materials], dtype=np.float32)
+    tints = [1.0 if m.texture is None else 1.0 / np.array(mean(m.texture)) for m in materials]
+    colors = np.array(
+        [
+            (*(linear(np.clip(np.array(m.color[:3]), 0, 1)) * tint), m.opacity)
+            for m, tint in zip(materials, tints, strict=True)
+        ],
+        dtype=np.float32,
+    )
+    textures = tuple(dict.fromkeys(m.texture for m in materials if m.texture is not None))
+    layers = np.array([-1 if m.texture is None else textures.index(m.texture) for m in materials], dtype=np.int32)
+    uvs = np.concatenate([coordinates(part) for part, *_ in pieces])
     gloss = np.array([max(1 - m.roughness, 0.6 * m.metallic) for m in materials], dtype=np.float32)
     ids = np.array([number for *_, number in pieces], dtype=np.int32)
     normals = _normals(world, of).astype(np.float32)
     names = tuple(name for _, name, _, _ in pieces)
     convex = tuple(piece[0].convex for piece in pieces)
-    return Mesh(world.astype(np.float32), normals, colors[of], gloss[of], ids[of], of, names, convex)
+    glow = np.array([m.glow for m in materials], dtype=np.float32)
+    rows = (world.astype(np.float32), normals, colors[of], gloss[of], glow[of], uvs, layers[of], ids[of], of)
+    return Mesh(*rows, names, convex, textures)
 
 
 def _normals(corners: NDArray[np.float64], of: NDArray[np.int32]) -> NDArray[np.float64]:

@@ -13,8 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout.assets.textures import pixels
 from robolayout.render import _light
-from robolayout.render._mesh import Mesh, refined, welded
+from robolayout.render._mesh import Mesh, linear, refined, welded
 from robolayout.render.camera import NEAR, Camera
 
 Floats = NDArray[np.float32]
@@ -56,6 +57,7 @@ class RayRenderer:
         self._coarse, self._sun_blockers = mesh, sun_blockers
         lit = lit_by_sky(mesh, mesh.corners[sky_blockers])
         self._fine, self._sky = lit.mesh, lit.sky[lit.places]
+        self._textures = [_levels(texture) for texture in mesh.textures]
 
     def color(self, camera: Camera, keep: NDArray[np.bool_]) -> NDArray[np.uint8]:
         """Return the picture (height, width, 3) of the parts where `keep` (parts) holds."""
@@ -132,20 +134,61 @@ class RayRenderer:
         shine = seen * np.maximum((normals * half).sum(axis=1), 0) ** (8 + 56 * gloss)
         bounce = (_light.BOUNCE_LEVEL - _light.BOUNCE_TILT * normals[:, 2])[:, None] * _light.BOUNCE
         light = _light.SUN * (sun / len(toward))[:, None] + _light.SKY * sky[:, None] + bounce
-        lit = self._fine.colors[face, :3] * light + (0.25 * gloss**2 * shine / len(toward))[:, None]
+        away = np.linalg.norm(np.array(camera.position, np.float32) - points, axis=1)
+        tint = textured(self._fine, self._textures, face, weights, away * 2 * np.tan(camera.fov / 2) / camera.height)
+        light = light + self._fine.glow[face][:, None]
+        lit = self._fine.colors[face, :3] * tint * light + (0.25 * gloss**2 * shine / len(toward))[:, None]
         return lit.astype(np.float32), normals
+
+
+def _levels(texture: str | bytes) -> list[Floats]:
+    """Return a texture in linear light, and halved again and again down to one pixel."""
+    from PIL import Image
+
+    full = Image.fromarray(pixels(texture))
+    levels = max(full.size).bit_length()
+    halved = [full.reduce(2**k) if 2**k <= min(full.size) else full.resize((1, 1)) for k in range(levels)]
+    return [linear(np.asarray(picture) / 255.0).astype(np.float32) for picture in halved]
+
+
+def textured(
+    mesh: Mesh, textures: list[list[Floats]], face: NDArray[np.intp], weights: Floats, pixel: Floats
+) -> Floats:
+    """Return what textures multiply colours (n, 3) with, at faces (n,) and barycentric weights (n, 3).
+
+    `pixel` (n,) is how many metres a pixel shows; the level is taken whose pixels are as large.
+    """
+    tint = np.ones((len(face), 3), np.float32)
+    for number, levels in enumerate(textures):
+        here = np.flatnonzero(mesh.layers[face] == number)
+        if not len(here):
+            continue
+        corners, uvs = mesh.corners[face[here]], mesh.uvs[face[here]]
+        at = np.einsum("nk,nkd->nd", weights[here], uvs)
+        along = np.linalg.norm(np.diff(corners, axis=1), axis=2).max(axis=1)
+        scale = np.linalg.norm(np.diff(uvs, axis=1), axis=2).max(axis=1) / np.maximum(along, 1e-9)
+        texels = np.maximum(pixel[here] * scale * max(levels[0].shape[:2]), 1.0)
+        level = np.minimum(np.log2(texels).round().astype(int), len(levels) - 1)
+        for k in np.unique(level):
+            picture, which = levels[k], level == k
+            height, width = picture.shape[:2]
+            column, row = (np.floor(at[which] % 1.0 * (width, height)).astype(int) % (width, height)).T
+            tint[here[which]] = picture[row, column]
+    return tint
 
 
 def surfaces(mesh: Mesh, camera: Camera) -> tuple[Floats, Floats]:
     """Return linear colour and normal (height, width, 3) of what each pixel shows, smoothed; 0 where there is nothing."""
     columns, rows = np.meshgrid(np.arange(camera.width), np.arange(camera.height))
     centers = np.stack([columns, rows], axis=-1).reshape(-1, 1, 2) + 0.5
-    triangle, u, v, _ = _hits(_scene(mesh.corners), camera, camera.rays((centers + SUBSAMPLES).reshape(-1, 2)))
+    triangle, u, v, far = _hits(_scene(mesh.corners), camera, camera.rays((centers + SUBSAMPLES).reshape(-1, 2)))
     hit = triangle >= 0
     face = triangle[hit]
     weights = np.column_stack([1 - u[hit] - v[hit], u[hit], v[hit]])
     colors, normals = np.zeros((len(hit), 3), np.float32), np.zeros((len(hit), 3), np.float32)
-    colors[hit] = mesh.colors[face, :3]
+    pixel = far[hit] * np.float32(2 * np.tan(camera.fov / 2) / camera.height)
+    tint = textured(mesh, [_levels(texture) for texture in mesh.textures], face, weights.astype(np.float32), pixel)
+    colors[hit] = mesh.colors[face, :3] * tint
     normals[hit] = np.einsum("nk,nkd->nd", weights, mesh.normals[face])
     shape = (camera.height, camera.width, len(SUBSAMPLES), 3)
     return colors.reshape(shape).mean(axis=2), normals.reshape(shape).mean(axis=2)

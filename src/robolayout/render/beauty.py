@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._errors import MissingExtraError
+from robolayout.assets.textures import pixels
 from robolayout.render import _light
-from robolayout.render._mesh import CEILING, Mesh
+from robolayout.render._mesh import CEILING, Mesh, linear
 from robolayout.render._rays import surfaces
 from robolayout.render.camera import Camera
 from robolayout.render.view import Studio, picture_size
@@ -128,17 +129,20 @@ def _world(mi: Any, mesh: Mesh, camera: Camera, samples: int) -> dict[str, Any]:
     above = mesh.named({CEILING})
     if above.any():
         world["integrator"]["hide_emitters"] = False
-        world["ceiling"] = _shape(mi, mesh.take(above), np.array([0.8, 0.8, 0.8, 1.0, 0.0]), "ceiling", INDOORS)
+        world["ceiling"] = _shape(mi, mesh.take(above), np.array([0.8, 0.8, 0.8, 1.0, 0.0, -1.0]), "ceiling", INDOORS)
         mesh = mesh.take(~above)
-    looks, of = np.unique(np.column_stack([mesh.colors, mesh.gloss]).round(4), axis=0, return_inverse=True)
+    looks, of = np.unique(np.column_stack([mesh.colors, mesh.gloss, mesh.layers]).round(4), axis=0, return_inverse=True)
     for number, look in enumerate(looks):
         world[f"shape{number}"] = _shape(mi, mesh.take(of.reshape(-1) == number), look, f"shape{number}")
     return world
 
 
 def _shape(mi: Any, mesh: Mesh, look: NDArray[np.float64], name: str, radiance: float | None = None) -> Any:
-    """Return the Mitsuba mesh of all triangles of one look (linear colour, opacity, gloss), shining if it has a radiance."""
-    color = {"type": "rgb", "value": [float(v) for v in look[:3]]}
+    """Return the Mitsuba mesh of all triangles of one look (linear colour, opacity, gloss, texture), shining if it has a radiance."""
+    color: dict[str, Any] = {"type": "rgb", "value": [float(v) for v in look[:3]]}
+    if look[5] >= 0:
+        tile = linear(pixels(mesh.textures[int(look[5])]) / 255.0) * look[:3]
+        color = {"type": "bitmap", "bitmap": mi.Bitmap(tile.astype(np.float32)), "raw": True}
     surface: dict[str, Any] = {"type": "diffuse", "reflectance": color}
     if look[4] > 0.35:
         roughness = float(max(1 - look[4], 0.12))
@@ -154,10 +158,11 @@ def _shape(mi: Any, mesh: Mesh, look: NDArray[np.float64], name: str, radiance: 
         light = {"type": "area", "radiance": {"type": "rgb", "value": [radiance] * 3}}
         properties["mesh_emitter"] = mi.load_dict(light)
     count = len(mesh)
-    shape = mi.Mesh(name, 3 * count, count, has_vertex_normals=True, props=properties)
+    shape = mi.Mesh(name, 3 * count, count, has_vertex_normals=True, has_vertex_texcoords=True, props=properties)
     values = mi.traverse(shape)
     values["vertex_positions"] = mesh.corners.reshape(-1)
     values["vertex_normals"] = mesh.normals.reshape(-1)
+    values["vertex_texcoords"] = (mesh.uvs * (1, -1) + (0, 1)).astype(np.float32).reshape(-1)
     values["faces"] = np.arange(3 * count, dtype=np.uint32)
     values.update()
     return shape

@@ -18,6 +18,7 @@ from robolayout.run.verdict import make_judge
 from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict
 from robolayout.solve import (
     PAPER,
+    UNREFINED,
     Solution,
     SolverConfig,
     compile_problem,
@@ -129,7 +130,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         agent: The body or bodies to lay out for; the scene's own if None.
         seed: Settles every choice: same input and seed, same layout.
         attempts: Most programs that are asked for, while demands stay unmet; the best verified one is kept.
-        solver: Name of a solver: "default", "paper", "trust-constr" or "dual-annealing".
+        solver: Name of a solver: "default", "paper", "paper-unrefined", "trust-constr" or "dual-annealing".
         config: Constants of the default solver.
         progress: Called with the name of each phase.
         start: A layout, its dictionary or its file, to mend with the least change instead of planning; what it does not place
@@ -292,7 +293,7 @@ class _Run:
 
             with self.clock.station("conflicts"):
                 report = report.with_conflicts(conflicts(self.scene, best.reconciled, layout, seed=self.seed))
-        report = report.with_asked(self.wishes.judged(self.scene, layout))
+        report = report.with_asked(self.wishes.judged(self.scene, layout, report.agents[0].navigation.main))
         cell = cell_size(self.scene.room, (self.config or SolverConfig()).cell, FLOOR.route_cells)
         if cell > COARSE:
             note = f"The room is so large that the search looks for ways on cells of {cell:.2f} m: it may miss narrower gaps."
@@ -306,7 +307,7 @@ class _Run:
 
     def filtered(self, asked: Program, here: Scene) -> Reconciled:
         """Filter a program for a scene, as the solver wants it."""
-        return reconcile(asked, here, paper=self.solver == PAPER)
+        return reconcile(asked, here, paper=self.solver in (PAPER, UNREFINED))
 
     def finished(self, asked: Sequence[Program], here: Scene, placed: Mapping[str, Pose]) -> list[Attempt]:
         """Filter and solve programs for a scene, together; the poses given stay."""
@@ -341,13 +342,13 @@ def solve(
         scene: The scene.
         program: A program, or its text (read and filtered first).
         seed: Settles every choice.
-        solver: Name of a solver: "default", "paper", "trust-constr" or "dual-annealing".
+        solver: Name of a solver: "default", "paper", "paper-unrefined", "trust-constr" or "dual-annealing".
         config: Constants of the default solver.
         pinned: Poses that must stay.
         progress: Called with the name of each phase.
     """
     if isinstance(program, str):
-        program = reconcile(read_program(program, scene), scene, paper=solver == PAPER).program
+        program = reconcile(read_program(program, scene), scene, paper=solver in (PAPER, UNREFINED)).program
     judge = make_judge(scene, program)
 
     def solved(way: Program) -> Solution:

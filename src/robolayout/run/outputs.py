@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -26,6 +27,9 @@ if TYPE_CHECKING:
 
 PICTURE_SIZE = 900
 """Pixels of a side of `top.png` and `view.png`."""
+
+PLAIN = ("scene.json", "layout.json", "report.json")
+"""The files without which a layout cannot be judged again."""
 
 
 def write_result(
@@ -62,20 +66,27 @@ def write_result(
 
 
 def write_files(
-    result: Result | Judged, run: RunFolder, *, pictures: bool, formats: Sequence[str], date: str = ""
+    result: Result | Judged, run: RunFolder, *, pictures: bool, formats: Sequence[str], date: str = "", looks: int = 0
 ) -> list[Path]:
-    """Write the files of a run to where they are made (see `write_result`)."""
+    """Write the files of a run to where they are made (see `write_result`); `looks` is the seed of how things look."""
     folder = run.path
     written = [write_atomic(folder / name, data) for name, data in _texts(result, run.target)]
-    glb = to_bytes(result.scene, result.layout, "glb", partial=True)
+    options = replace(export_options(result.report), seed=looks)
+    glb = to_bytes(result.scene, result.layout, "glb", options=Options(seed=looks), partial=True)
     written.append(write_atomic(folder / "scene.glb", glb))
-    options = export_options(result.report)
     for name in formats:
         if name not in ("glb", "layout"):
             written.append(export(result.scene, result.layout, name, folder=folder, options=options, partial=True))
     if pictures:
-        written += [write_atomic(folder / name, data) for name, data in _pictures(result, glb, date)]
+        written += [write_atomic(folder / name, data) for name, data in _pictures(result, glb, date, looks)]
     return written
+
+
+def write_plain(result: Result | Judged, folder: Path, base: Path) -> None:
+    """Write scene, layout and report alone, the meshes of the scene named from `base`."""
+    for name, data in _texts(result, base):
+        if name in PLAIN:
+            write_atomic(folder / name, data)
 
 
 def page_html(result: Result | Judged) -> str:
@@ -113,7 +124,7 @@ def _texts(result: Result | Judged, folder: Path) -> Iterator[tuple[str, str]]:
     yield "report.md", result.report.to_markdown()
 
 
-def _pictures(result: Result | Judged, glb: bytes, date: str) -> Iterator[tuple[str, str | bytes]]:
+def _pictures(result: Result | Judged, glb: bytes, date: str, looks: int) -> Iterator[tuple[str, str | bytes]]:
     from robolayout.render import Studio, loss_png, plan_svg, progress_gif
 
     marks = [plan_marks(body) for body in result.report.agents]
@@ -122,7 +133,7 @@ def _pictures(result: Result | Judged, glb: bytes, date: str) -> Iterator[tuple[
         file = "plan.svg" if number == 1 else f"plan_{number}_{file_name(body.agent.name)}.svg"
         yield file, plan_svg(result.scene, result.layout, navigation=marks[number - 1], agent=body.agent)
     yield "sheet.pdf", sheet(result.report, date=date)
-    studio = Studio(result.scene, result.layout)
+    studio = Studio(result.scene, result.layout, seed=looks)
     yield "top.png", png(studio.view("top", size=PICTURE_SIZE))
     yield "view.png", png(studio.view("side", size=PICTURE_SIZE))
     if result.trace.losses:

@@ -3,7 +3,7 @@
 from robolayout.solve.compile import Problem, compile_problem
 from robolayout.solve.config import EFFORTS, Effort, SearchConfig, SolverConfig, Weights
 from robolayout.solve.judge import Enough, Judge, Verdict, never
-from robolayout.solve.profiles import PAPER, solve_with, solver_names
+from robolayout.solve.profiles import PAPER, UNREFINED, solve_with, solver_names
 from robolayout.solve.proposals import Proposals, carry
 from robolayout.solve.refine import Solver
 from robolayout.solve.runner import warm_up
@@ -13,6 +13,7 @@ from robolayout.solve.solution import Solution, silent
 __all__ = [
     "EFFORTS",
     "PAPER",
+    "UNREFINED",
     "Effort",
     "Enough",
     "Judge",

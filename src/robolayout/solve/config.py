@@ -56,14 +56,8 @@ class Effort:
     layouts: int = 1500
     """Layouts that the judge looks at in one stage before no further phase or round begins."""
 
-    few: int = 4
-    """Things to blame up to which these alone are mended before everything is polished."""
-
     nearby: int = 30
     """Things that are tried elsewhere near their guess, at most."""
-
-    turns: int = 8
-    """The same in a row without success."""
 
     looked_at: int = 6
     """Of the tries of one thing, so many are judged as they are; at most four of them are polished, too."""
@@ -100,9 +94,7 @@ EFFORTS: Mapping[str, Effort] = MappingProxyType(
     {
         "quick": Effort(
             layouts=300,
-            few=2,
             nearby=8,
-            turns=3,
             looked_at=4,
             put_back=32,
             route_patience=1,
@@ -117,9 +109,7 @@ EFFORTS: Mapping[str, Effort] = MappingProxyType(
         "normal": Effort(),
         "thorough": Effort(
             layouts=6000,
-            few=4,
             nearby=90,
-            turns=24,
             looked_at=8,
             put_back=128,
             route_patience=4,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from types import MappingProxyType
 
 from robolayout._errors import UnknownNameError
@@ -17,6 +18,9 @@ DEFAULT = "default"
 
 PAPER = "paper"
 """The solver that is the paper's algorithm; programs are filtered for it as the paper does."""
+
+UNREFINED = "paper-unrefined"
+"""The same without its last step, to see what that is worth."""
 
 Profile = Callable[[Problem, Judge, int, SolverConfig | None, Progress | None], Solution]
 """Problem, judge, seed, constants of the default search, progress."""
@@ -38,6 +42,15 @@ def _paper(
     return PaperSolver(problem, judge, seed=seed, progress=progress).solve()
 
 
+def _paper_unrefined(
+    problem: Problem, judge: Judge, seed: int, _config: SolverConfig | None, progress: Progress | None
+) -> Solution:
+    from robolayout.solve.paper.solver import PAPER as CONSTANTS
+    from robolayout.solve.paper.solver import PaperSolver
+
+    return PaperSolver(problem, judge, seed=seed, config=replace(CONSTANTS, refine_steps=0), progress=progress).solve()
+
+
 def _trust_constr(
     problem: Problem, judge: Judge, seed: int, _config: SolverConfig | None, progress: Progress | None
 ) -> Solution:
@@ -55,7 +68,13 @@ def _dual_annealing(
 
 
 PROFILES: Mapping[str, Profile] = MappingProxyType(
-    {DEFAULT: _default, PAPER: _paper, "trust-constr": _trust_constr, "dual-annealing": _dual_annealing}
+    {
+        DEFAULT: _default,
+        PAPER: _paper,
+        UNREFINED: _paper_unrefined,
+        "trust-constr": _trust_constr,
+        "dual-annealing": _dual_annealing,
+    }
 )
 """All solvers by name."""
 

@@ -160,12 +160,6 @@ class Solver:
             return best
         if self._guessed(stage):
             best = self._pushed(stage, number, best)
-            if len(best.verdict.culprits) <= self.effort.few:
-                asked = best.verdict.soft
-                best = self._near(number, best)
-                if not best.verdict.hard + best.verdict.access and best.verdict.soft <= asked:
-                    self._still(stage, best, self.phase)
-                    return best
             best, run = self._polished(stage, number, best)
             if number == 0 and self.config.route_rounds and best.verdict.access:
                 best = self._route(stage, run, best)
@@ -219,18 +213,23 @@ class Solver:
     def _near(self, number: int, best: _Best) -> _Best:
         """Place single things to blame anew, as near to their guesses as can be, as long as the judge likes that better."""
         self._say("mend")
-        self.lead, turn = None, 0
+        self.lead, hopeless = None, set[str]()
         for _ in range(self.effort.nearby if self.effort.repair_rounds else 0):
-            slots = [self.problem.slot[name] for name in best.verdict.culprits if name not in self.problem.pinned]
-            if best.verdict.ok or turn >= min(len(slots), self.effort.turns) or self.spent:
+            names = [name for name in best.verdict.culprits if name not in hopeless and self._at(number, name)]
+            if best.verdict.ok or not names or self.spent:
                 break
             before = best.verdict.worth[:3]
-            for world in self.repairer.near(best.world, slots[turn], self._plan):
+            for world in self.repairer.near(best.world, self.problem.slot[names[0]], self._plan):
                 best = self._best_of([world], number, best)
                 if best.verdict.worth[:3] < before:
                     break
-            turn = 0 if best.verdict.worth[:3] < before else turn + 1
+            else:
+                hopeless.add(names[0])
         return best
+
+    def _at(self, number: int, name: str) -> bool:
+        """Return whether a stage may move a thing."""
+        return self.problem.stage[self.problem.slot[name]] == number and name not in self.problem.pinned
 
     def _anew(self, stage: Stage, number: int, best: _Best) -> _Best:
         """Return the best of what is there and of rooms that are built, searched for and packed."""
@@ -362,6 +361,7 @@ class Solver:
 
     def _restored(self, best: _Best) -> _Best:
         """Put back where the program had it what was moved without need."""
+        self._say("restore")
 
         def no_worse(world: Floats) -> bool:
             nonlocal best

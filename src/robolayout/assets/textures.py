@@ -1,0 +1,217 @@
+"""What surfaces are made of, seen close: small tiles made by code, and the pictures that own meshes bring.
+
+A tile is a grey picture that goes on without a seam; a material's colour is multiplied by it, so one tile serves every wood.
+Tiles lie on a part as if it were wrapped: each triangle takes the plane that it faces most, grain along the part's longest edge.
+"""
+
+from __future__ import annotations
+
+import io
+import zlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.assets.part import Part
+
+Array = NDArray[np.float64]
+
+SIDE = 256
+"""Pixels along a side of a tile."""
+
+MEAN = 0.8
+"""Mean of every tile, in linear light: what is darker and what is lighter than the plain colour both have room."""
+
+DARKEST = 1e-3
+"""Least mean of a picture that is reckoned with, in linear light."""
+
+QUALITY = 82
+"""JPEG quality of tiles in files: 10 to 30 kB each."""
+
+
+@dataclass(frozen=True)
+class Tile:
+    """A texture made by code.
+
+    Attributes:
+        metres: Edge of the square that one tile covers.
+        contrast: Standard deviation of its linear values, as a share of their mean.
+        draw: Makes its values (SIDE, SIDE) of any scale from two ramps u, v in [0, 1) and a source of noise.
+    """
+
+    metres: float
+    contrast: float
+    draw: Callable[[Array, Array, _Noise], Array]
+
+
+class _Noise:
+    """Seamless noise of one tile."""
+
+    def __init__(self, name: str) -> None:
+        self._rng = np.random.default_rng(zlib.crc32(name.encode()))
+
+    def __call__(self, along: float, across: float) -> Array:
+        """Return noise (SIDE, SIDE) of unit deviation whose features are so many parts of the tile long and wide."""
+        waves = np.fft.fftfreq(SIDE) * SIDE
+        v, u = np.meshgrid(waves, waves, indexing="ij")
+        keep = np.exp(-0.5 * ((u * along) ** 2 + (v * across) ** 2))
+        field = np.fft.ifft2(np.fft.fft2(self._rng.normal(size=(SIDE, SIDE))) * keep).real
+        return field / max(float(field.std()), 1e-12)
+
+
+def _wood(u: Array, v: Array, noise: _Noise) -> Array:
+    """Return growth rings cut lengthwise, with fibres."""
+    del u
+    rings = np.sin(2 * np.pi * (9 * v + 0.55 * noise(0.5, 0.08)))
+    return rings + 0.5 * noise(0.12, 0.004) + 0.6 * noise(0.5, 0.03)
+
+
+def _weave(u: Array, v: Array, noise: _Noise) -> Array:
+    """Return threads over and under each other."""
+    threads = 32
+    over = (np.floor(u * threads) + np.floor(v * threads)) % 2
+    warp, weft = np.abs(np.sin(np.pi * threads * u)), np.abs(np.sin(np.pi * threads * v))
+    return np.where(over > 0, warp, 0.85 * weft) + 0.12 * noise(0.1, 0.004) + 0.12 * noise(0.004, 0.1)
+
+
+def _pile(u: Array, v: Array, noise: _Noise) -> Array:
+    """Return a carpet's tufts."""
+    del u, v
+    return noise(0.006, 0.006) + 0.35 * noise(0.06, 0.06)
+
+
+def _plaster(u: Array, v: Array, noise: _Noise) -> Array:
+    """Return a rolled wall."""
+    del u, v
+    return noise(0.012, 0.012) + 0.7 * noise(0.1, 0.1)
+
+
+def _stone(u: Array, v: Array, noise: _Noise) -> Array:
+    """Return grains of several sizes."""
+    del u, v
+    return noise(0.2, 0.2) + 0.6 * noise(0.05, 0.05) + 0.35 * noise(0.008, 0.008)
+
+
+def _marble(u: Array, v: Array, noise: _Noise) -> Array:
+    """Return dark veins along folded lines."""
+    lines = np.abs(np.sin(np.pi * (2 * u + v + 0.4 * noise(0.28, 0.28) + 0.03 * noise(0.06, 0.06))))
+    return -np.exp(-8 * lines) + 0.12 * noise(0.15, 0.15)
+
+
+def _brushed(u: Array, v: Array, noise: _Noise) -> Array:
+    """Return fine scratches in one direction."""
+    del u, v
+    return noise(0.3, 0.003)
+
+
+def _brick(u: Array, v: Array, noise: _Noise) -> Array:
+    """Return courses of bricks, every other one shifted by half, in light mortar."""
+    rows, columns = 8, 4
+    row = np.floor(v * rows)
+    across = (u * columns + 0.5 * (row % 2)) % 1.0
+    joint = (np.minimum(across, 1 - across) * 0.25 < 0.011) | (
+        np.minimum(v * rows % 1, 1 - v * rows % 1) * 0.125 < 0.011
+    )
+    brick = 0.35 * np.sin(12.9 * row + 78.2 * np.floor(u * columns + 0.5 * (row % 2)) % columns) + 0.25 * noise(
+        0.01, 0.01
+    )
+    return np.where(joint, 1.6, brick)
+
+
+def _wicker(u: Array, v: Array, noise: _Noise) -> Array:
+    """Return canes around stakes."""
+    canes = 16
+    shift = np.floor(v * canes) % 2
+    return np.abs(np.sin(np.pi * (canes / 2 * u + 0.5 * shift))) * np.abs(np.sin(np.pi * canes * v)) + 0.1 * noise(
+        0.02, 0.02
+    )
+
+
+TILES: Mapping[str, Tile] = {
+    "wood": Tile(0.8, 0.075, _wood),
+    "weave": Tile(0.16, 0.10, _weave),
+    "pile": Tile(0.5, 0.16, _pile),
+    "plaster": Tile(0.7, 0.018, _plaster),
+    "stone": Tile(1.2, 0.07, _stone),
+    "marble": Tile(1.6, 0.09, _marble),
+    "brushed": Tile(0.4, 0.06, _brushed),
+    "brick": Tile(1.0, 0.16, _brick),
+    "wicker": Tile(0.16, 0.22, _wicker),
+}
+"""The textures that materials may name."""
+
+
+@lru_cache(maxsize=64)
+def pixels(texture: str | bytes) -> NDArray[np.uint8]:
+    """Return a texture's sRGB pixels (height, width, 3), the first row at the top: a tile by name, or an encoded picture."""
+    if isinstance(texture, bytes):
+        from PIL import Image
+
+        with Image.open(io.BytesIO(texture)) as picture:
+            return np.asarray(picture.convert("RGB"))
+    tile = TILES[texture]
+    ramp = (np.arange(SIDE) + 0.5) / SIDE
+    v, u = np.meshgrid(ramp, ramp, indexing="ij")
+    values = tile.draw(u, v, _Noise(texture))
+    values = MEAN * (1 + tile.contrast * (values - values.mean()) / max(float(values.std()), 1e-12))
+    encoded = 1.055 * np.clip(values, 0.0031308, 1.0) ** (1 / 2.4) - 0.055
+    return np.repeat(np.round(encoded * 255).astype(np.uint8)[..., None], 3, axis=2)
+
+
+@lru_cache(maxsize=64)
+def picture(texture: str | bytes) -> bytes:
+    """Return a texture as the bytes of a picture file: tiles as grey JPEG, pictures of own meshes as they came."""
+    if isinstance(texture, bytes):
+        return texture
+    from PIL import Image
+
+    content = io.BytesIO()
+    Image.fromarray(pixels(texture)[..., 0]).save(content, "JPEG", quality=QUALITY)
+    return content.getvalue()
+
+
+def media_type(data: bytes) -> str:
+    """Return the media type of a picture file."""
+    return "image/png" if data.startswith(b"\x89PNG") else "image/jpeg"
+
+
+@lru_cache(maxsize=64)
+def mean(texture: str | bytes) -> tuple[float, float, float]:
+    """Return by how much a texture darkens red, green and blue on the whole, in linear light."""
+    if isinstance(texture, str):
+        return (MEAN, MEAN, MEAN)
+    values = pixels(texture) / 255.0
+    linear = np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+    red, green, blue = np.maximum(linear.mean(axis=(0, 1)), DARKEST).tolist()
+    return (red, green, blue)
+
+
+def coordinates(part: Part, turn: Array | None = None) -> NDArray[np.float32]:
+    """Return texture coordinates (m, 3, 2) of the corners of a part's faces; (0, 0) is the top left of the picture.
+
+    Own meshes bring theirs. Tiles are laid on along the two axes across the normal's largest component, the first along the
+    part's longest edge there, from a corner that differs from part to part.
+
+    Args:
+        part: The part.
+        turn: (m, 3) unit normals of the faces, where they are known already.
+    """
+    faces = part.faces
+    texture = part.material.texture
+    if part.uv is not None:
+        return part.uv[faces].astype(np.float32)
+    if not isinstance(texture, str):
+        return np.zeros((len(faces), 3, 2), np.float32)
+    corners = part.vertices[faces]
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) if turn is None else turn
+    extent = np.ptp(part.vertices, axis=0)
+    plane = np.array(
+        [sorted((i for i in range(3) if i != axis), key=lambda i: (-round(extent[i], 4), i)) for axis in range(3)]
+    )
+    axes = plane[np.abs(np.round(normal, 9)).argmax(axis=1)]
+    flat = np.take_along_axis(corners, axes[:, None, :].repeat(3, axis=1), axis=2)
+    start = np.modf(np.abs(part.vertices[0]) * 7.31)[0][axes][:, None, :]
+    return (flat / TILES[texture].metres + start).astype(np.float32)

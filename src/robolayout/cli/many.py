@@ -1,0 +1,141 @@
+"""`robolayout batch` and `robolayout evaluate`: data sets of rooms, and any folder of rooms measured."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from time import monotonic
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from robolayout._errors import InputError
+from robolayout.cli.generate import AgentOption, AssetDirOption, JsonOption, QuietOption
+from robolayout.cli.terminal import progress, say, table, warn
+
+if TYPE_CHECKING:
+    from robolayout.many.batch import Batch, Progress
+
+EVERY = 30.0
+"""Seconds between two lines about the progress where nobody looks at a terminal."""
+
+SHOWN = 12
+"""Reasons and rooms that are said; the index holds all."""
+
+Workers = Annotated[int, typer.Option("--workers", min=1, max=1024, help="Rooms that are made at the same time.")]
+
+
+def batch(  # noqa: PLR0913 - one parameter per option
+    spec: Annotated[str, typer.Argument(help="A SPEC file (TOML), one room in words, or a scene file.")],
+    out: Annotated[
+        Path, typer.Option("--out", help="Folder of the data set: new, or one of the same SPEC to go on with.")
+    ],
+    count: Annotated[int | None, typer.Option("--count", min=1, help="Rooms in all.")] = None,
+    seed: Annotated[int | None, typer.Option("--seed", min=0, help="Settles every choice.")] = None,
+    keys: Annotated[
+        list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="Any key of the SPEC; may be repeated.")
+    ] = None,
+    keep_unmet: Annotated[
+        bool, typer.Option("--keep-unmet", help="Keep rooms that do not meet their demands.")
+    ] = False,
+    workers: Workers = 1,
+    cluster: Annotated[str | None, typer.Option("--cluster", help="ray: make rooms as tasks of a Ray cluster.")] = None,
+    address: Annotated[str, typer.Option("--address", help="Of the cluster; local starts one here.")] = "local",
+    quiet: QuietOption = False,
+    as_json: JsonOption = False,
+) -> None:
+    """Make a data set of many rooms, or go on with one."""
+    from robolayout.many import batch as make
+    from robolayout.many import read_spec
+    from robolayout.many.spec import value_of
+
+    if cluster not in (None, "ray"):
+        raise InputError(f"--cluster {cluster!r} is not known: it is ray, or left out.")
+    changes: dict[str, Any] = {"count": count, "seed": seed, "keep_unmet": keep_unmet or None}
+    for given in keys or ():
+        changes |= value_of(given)
+    ready = read_spec(spec, **{key: value for key, value in changes.items() if value is not None})
+    with progress(quiet or as_json) as tell:
+        told = _lines(tell, quiet=quiet or as_json)
+        found = make(ready, out, workers=workers, cluster=address if cluster else None, progress=told)
+    if as_json:
+        say(json.dumps({**vars(found), "folder": str(found.folder)}))
+    elif not quiet:
+        _tell(found)
+    raise typer.Exit(0 if found.ok else 1)
+
+
+def _lines(tell: Callable[[str], None], *, quiet: bool) -> Callable[[Progress], None]:
+    """Return what shows the progress: on a terminal always, elsewhere a line now and then."""
+    last = monotonic()
+
+    def told(now: Progress) -> None:
+        nonlocal last
+        tell(str(now))
+        if not quiet and not sys.stderr.isatty() and monotonic() - last > EVERY:
+            last = monotonic()
+            warn(str(now))
+
+    return told
+
+
+def _tell(found: Batch) -> None:
+    """Say what became of a batch."""
+    say(f"{found.met} of {found.rooms} rooms meet all their demands.")
+    if found.unmet:
+        say(f"{found.unmet} do not, and were kept.")
+    for index, why in list(found.missing.items())[:SHOWN]:
+        say(f"- room {index} was given up: {why}")
+    if len(found.missing) > SHOWN:
+        say(f"- and {len(found.missing) - SHOWN} more in the index")
+    if found.replaced:
+        rows = [[str(number), why] for why, number in list(found.replaced.items())[:SHOWN]]
+        table(f"{sum(found.replaced.values())} tries were replaced", ["", "why"], rows)
+    say(
+        *(str(found.folder / name) for name in ("index.csv", "index.parquet", "index.html", "contact.png", "README.md"))
+    )
+
+
+def evaluate(  # noqa: PLR0913 - one parameter per option
+    folder: Annotated[
+        Path, typer.Argument(help="A folder of rooms: runs, a batch, scenes with layouts, scene states.")
+    ],
+    against: Annotated[Path | None, typer.Option("--against", help="Another folder, paired with it by name.")] = None,
+    agent: AgentOption = None,
+    by: Annotated[str, typer.Option("--by", help="Group by what a batch drew, such as solver,reach.")] = "",
+    scenes: Annotated[Path | None, typer.Option("--scenes", help="Folder of the scene files, if elsewhere.")] = None,
+    asset_dir: AssetDirOption = None,
+    out: Annotated[Path | None, typer.Option("--out", help="Also write tables and a page with plots here.")] = None,
+    workers: Workers = 1,
+    quiet: QuietOption = False,
+    as_json: JsonOption = False,
+) -> None:
+    """Measure every room of a folder, whoever made it."""
+    from robolayout._files import check_writable
+    from robolayout.many import evaluate as measure
+    from robolayout.many import write_evaluation
+
+    if out is not None:
+        check_writable(out)
+    columns = [name.strip() for name in by.split(",") if name.strip()]
+    with progress(quiet or as_json) as tell:
+        found = measure(
+            folder,
+            against=against,
+            agent=agent,
+            by=columns,
+            scenes=scenes,
+            asset_dir=asset_dir,
+            workers=workers,
+            progress=tell,
+        )
+    files = [] if out is None else write_evaluation(found, out)
+    for name, why in found.skipped.items():
+        warn(f"warning: {name} was not read: {why}")
+    if as_json:
+        say(json.dumps({"rows": found.rows, "skipped": found.skipped}))
+    elif not quiet:
+        say(*found.to_markdown().splitlines(), *map(str, files))
+    raise typer.Exit(0 if found.rows and not found.skipped else 1)

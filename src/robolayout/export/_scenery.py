@@ -1,0 +1,65 @@
+"""What a file holds beside furniture so that it can be looked at: the light of lamps, and a camera that sees the whole room."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from robolayout.assets import Part
+from robolayout.export._mesh import FloatArray
+from robolayout.scene import Room
+
+LAMP = "lampshade"
+"""The material whose parts give a lamp's light."""
+
+LUMENS = 806.0
+"""Light of one lamp: a bulb that replaces one of 60 W (Commission Regulation (EC) No 244/2009, table 6)."""
+
+WARM = (1.0, 0.71, 0.42)
+"""Linear colour of a bulb of about 3000 K."""
+
+FIELD = math.radians(40.0)
+"""Vertical field of view of the camera."""
+
+ASPECT = 4 / 3
+"""Width of its picture by the height."""
+
+
+def lamp(pieces: tuple[Part, ...]) -> tuple[float, float, float] | None:
+    """Return from where in its asset's frame a lamp gives its light, in metres; None for what is no lamp."""
+    shades = [part.vertices for part in pieces if part.material.name == LAMP]
+    if not shades:
+        return None
+    points = np.concatenate(shades)
+    x, y, z = ((points.min(axis=0) + points.max(axis=0)) / 2).tolist()
+    return (x, y, z)
+
+
+@dataclass(frozen=True)
+class Viewpoint:
+    """A camera.
+
+    Attributes:
+        position: Metres in the room's frame.
+        rotation: (3, 3) whose columns are its right, up and backward axes.
+    """
+
+    position: tuple[float, float, float]
+    rotation: FloatArray
+
+
+def overview(room: Room) -> Viewpoint:
+    """Return a camera outside and above, in front of the longest wall without a door, that sees the whole room."""
+    x0, y0, x1, y1 = room.bounds
+    doors = {door.wall for door in room.doors}
+    wall = max(room.walls, key=lambda w: (w.index not in doors, round(w.length, 3), -w.index))
+    back = np.array([-wall.normal[0], -wall.normal[1], 1.2])
+    back /= np.linalg.norm(back)
+    middle = np.array([(x0 + x1) / 2, (y0 + y1) / 2, room.wall_height / 2])
+    reach = math.hypot(x1 - x0, y1 - y0, room.wall_height) / 2
+    right = np.cross((0.0, 0.0, 1.0), back)
+    right /= np.linalg.norm(right)
+    x, y, z = (middle + back * reach / math.sin(FIELD / 2)).tolist()
+    return Viewpoint((x, y, z), np.column_stack([right, np.cross(back, right), back]))

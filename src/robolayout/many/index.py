@@ -1,0 +1,183 @@
+"""What is about the whole set: the index, splits, the card, one picture of all rooms and a page to leaf through."""
+
+from __future__ import annotations
+
+import csv
+import io
+import statistics
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from robolayout._errors import MissingExtraError
+from robolayout._files import write_atomic
+from robolayout._reading import MAX_MESH_BYTES, Unreadable, regular_bytes
+from robolayout._reading.glb import glb_notice
+from robolayout._text import markdown
+from robolayout._version import __version__
+from robolayout.many.page import page
+from robolayout.many.spec import Ready
+from robolayout.many.variety import LEAST
+from robolayout.run.outputs import png
+
+TILE = 160
+"""Pixels of a side of one room in the picture of all."""
+
+MOST_TILES = 600
+"""Rooms in that picture; of more, so many at even distances."""
+
+SHOWN = 12
+"""Reasons that the card tells."""
+
+SUMMED = (
+    "area", "things", "kinds", "collision_free_share", "walkable_ratio", "reachable_share_chairs_aside", "usable_share",
+    "statements_met_share", "asked_met_share", "difference",
+)  # fmt: skip
+"""Figures whose range the card tells."""
+
+
+@dataclass(frozen=True)
+class Table:
+    """A finished set.
+
+    Attributes:
+        ready: What was asked for.
+        folder: Where it is.
+        rows: One row a room, in order.
+        reasons: Why tries were replaced, and how often.
+    """
+
+    ready: Ready
+    folder: Path
+    rows: list[dict[str, Any]]
+    reasons: Mapping[str, int]
+
+
+def write_index(table: Table) -> None:
+    """Write everything that is about the whole set."""
+    folder, rows = table.folder, table.rows
+    spec = table.ready.spec
+    order = np.random.default_rng(spec.seed).permutation(len(rows))
+    test = set(order[: round(spec.test * len(rows))].tolist())
+    for number, row in enumerate(rows):
+        row["split"] = "test" if number in test else "train"
+    for split in ("train", "test"):
+        paths = [f"{row['path']}\n" for row in rows if row["split"] == split and row["status"] != "missing"]
+        write_atomic(folder / f"{split}.txt", "".join(paths))
+    write_rows(folder / "index", rows)
+    write_atomic(folder / "README.md", card(table))
+    write_atomic(folder / "contact.png", contact(folder, rows))
+    write_atomic(folder / "index.html", page(f"{len(rows)} rooms", rows, thumbs=True))
+
+
+def check_tables() -> None:
+    """Raise MissingExtraError where Parquet cannot be written."""
+    if find_spec("pyarrow") is None:
+        raise MissingExtraError("a table in Parquet", "many")
+
+
+def columns(rows: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return the names of all columns, in the order in which they first come."""
+    return list(dict.fromkeys(name for row in rows for name in row))
+
+
+def write_rows(stem: Path, rows: Sequence[Mapping[str, Any]]) -> list[Path]:
+    """Write rows as `<stem>.csv` and `<stem>.parquet`; what a row lacks is empty."""
+    import pyarrow
+    import pyarrow.parquet
+
+    names = columns(rows)
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerows([names, *([row.get(name, "") for name in names] for row in rows)])
+    found = pyarrow.table({name: _column([row.get(name) for row in rows]) for name in names})
+    stream = io.BytesIO()
+    pyarrow.parquet.write_table(found, stream, compression="zstd")
+    files = {".csv": text.getvalue(), ".parquet": stream.getvalue()}
+    return [write_atomic(stem.with_name(stem.name + suffix), data) for suffix, data in files.items()]
+
+
+def _column(values: list[Any]) -> list[Any]:
+    """Return values of one type: whole numbers among others are numbers."""
+    kinds = {type(value) for value in values if value is not None}
+    if kinds == {int, float} or kinds == {bool, float}:
+        return [None if value is None else float(value) for value in values]
+    return values
+
+
+def contact(folder: Path, rows: Sequence[Mapping[str, Any]]) -> bytes:
+    """Return one picture of the rooms, in order."""
+    from PIL import Image
+
+    there = [row for row in rows if row["status"] != "missing"]
+    if len(there) > MOST_TILES:
+        there = [there[round(i)] for i in np.linspace(0, len(there) - 1, MOST_TILES)]
+    across = max(1, int(np.ceil(np.sqrt(1.6 * len(there)))))
+    down = max(1, -(-len(there) // across))
+    sheet = Image.new("RGB", (across * TILE, down * TILE), "white")
+    for number, row in enumerate(there):
+        with Image.open(folder / row["path"] / "thumb.png") as picture:
+            tile = picture.convert("RGB")
+        tile.thumbnail((TILE - 4, TILE - 4), Image.Resampling.LANCZOS)
+        left, top = (TILE - tile.width) // 2, (TILE - tile.height) // 2
+        sheet.paste(tile, (number % across * TILE + left, number // across * TILE + top))
+    return png(sheet.quantize(256))
+
+
+def card(table: Table) -> str:
+    """Return the card of the set in Markdown: how it was made, what it holds, whose things are in it."""
+    rows, spec = table.rows, table.ready.spec
+    count = Counter(row["status"] for row in rows)
+    lines = [f"# {len(rows)} rooms", ""]
+    lines += [f"Made by RoboLayout {__version__} with seed {spec.seed}; `batch.json` holds all that was asked. "]
+    lines += ["Every room was judged exactly for its bodies; its `report.json` says what holds.", ""]
+    lines += [f"- {count['met']} rooms meet all their demands"]
+    lines += [f"- {count['unmet']} rooms do not, and were kept"] if count["unmet"] else []
+    lines += (
+        [f"- {count['missing']} rooms were given up (status `missing`, with the reason)"] if count["missing"] else []
+    )
+    lines += [f"- {sum(table.reasons.values())} tries were replaced"]
+    lines += [f"  - {number} x {markdown(why)}" for why, number in list(table.reasons.items())[:SHOWN]]
+    if spec.distinct:
+        near = sum(row["difference"] < LEAST for row in rows if row["status"] != "missing")
+        lines += [
+            f"- {near} near-duplicates (pairs with less than {LEAST:.0%} of their things at other places) are left"
+        ]
+    lines += ["", "| figure | least | mean | most |", "|---|---:|---:|---:|"]
+    for name in SUMMED:
+        found = [float(row[name]) for row in rows if row.get(name) is not None]
+        if found:
+            lines.append(f"| {name} | {min(found):.3g} | {statistics.fmean(found):.3g} | {max(found):.3g} |")
+    lines += ["", "| rooms of | number |", "|---|---:|"]
+    lines += [f"| {markdown(name)} | {number} |" for name, number in Counter(row["source"] for row in rows).items()]
+    lines += [
+        "",
+        "`index.csv` and `index.parquet` have one row a room; `train.txt` and `test.txt` share the rooms out; ",
+    ]
+    lines += [
+        "`timing.csv` says how long each try took. The rest is the same, byte for byte, whenever and wherever it is made."
+    ]
+    return "\n".join([*lines, *_licences(table.ready)]) + "\n"
+
+
+def _licences(ready: Ready) -> list[str]:
+    """Return whose meshes the set holds, as their files say."""
+    lines = ["", "## Things", "", "Furniture is drawn by RoboLayout (MIT)."]
+    if ready.meshes:
+        lines[-1] += " Own meshes, with the notice that each file holds:"
+        lines += ["", "| mesh | notice |", "|---|---|"]
+        lines += [f"| {markdown(name)} | {markdown(_notice(path))} |" for name, path in sorted(ready.meshes.items())]
+    return lines
+
+
+def _notice(path: Path) -> str:
+    """Return the copyright notice of a mesh file."""
+    try:
+        return glb_notice(regular_bytes(path, MAX_MESH_BYTES)) or "none stated"
+    except Unreadable:  # another format, which has no place for one
+        return "none stated"

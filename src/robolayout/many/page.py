@@ -1,0 +1,48 @@
+"""A page to leaf through rows of rooms with filters; it needs no network and runs nothing that a room says."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Mapping, Sequence
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from robolayout._text import html, printable
+from robolayout.page import sealed
+
+MOST = 5000
+"""Rows that one page holds; the index has all."""
+
+
+def page(
+    title: str, rows: Sequence[Mapping[str, Any]], *, thumbs: bool = False, plots: Mapping[str, bytes] | None = None
+) -> str:
+    """Return the page.
+
+    Args:
+        title: What it is of.
+        rows: One row a room.
+        thumbs: Whether each row's `path` holds a picture `thumb.png`.
+        plots: PNG pictures to show above, by what they show.
+    """
+    names = list(dict.fromkeys(name for row in rows for name in row))
+    cells = [[_shown(row.get(name)) for name in names] for row in rows[:MOST]]
+    note = f"The first {MOST} of {len(rows)} rooms; the index has all." if len(rows) > MOST else ""
+    shown = "".join(
+        f'<figure><img alt="{html(name)}" src="data:image/png;base64,{base64.b64encode(data).decode()}">'
+        f"<figcaption>{html(name)}</figcaption></figure>"
+        for name, data in (plots or {}).items()
+    )
+    data = {"columns": names, "rows": cells, "thumbs": thumbs}
+    parts = {"title": html(title), "note": html(note), "plots": shown}
+    return sealed(_part("many.html"), _part("many.js"), _part("many.css"), data, images="'self' file: data:", **parts)
+
+
+def _shown(value: Any) -> Any:
+    return printable(value) if isinstance(value, str) else value
+
+
+@cache
+def _part(name: str) -> str:
+    return (files("robolayout.many") / "data" / name).read_text(encoding="utf-8").replace("\r\n", "\n")

@@ -1,0 +1,349 @@
+"""One room of a batch: drawn from its number, laid out, judged, and written to bytes; nothing else decides what it is.
+
+    for result in rooms({"rooms": ["bedroom", "office"], "count": 8}, seed=1):
+        ...
+    rooms("many.toml")[731]
+
+A room is a function of the SPEC, its number and its try, so every worker on every machine makes the same one.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from robolayout._errors import InputError, RoboLayoutError
+from robolayout._files import write_atomic
+from robolayout.export import export_all
+from robolayout.many.spec import Ready, Source, Spec, read_spec
+from robolayout.many.variety import Thing, things
+from robolayout.planners import scene_from_sentence
+from robolayout.run.attempt import Clock
+from robolayout.run.flow import Result, generate
+from robolayout.run.folder import RunFolder
+from robolayout.run.outputs import export_options, png, write_files, write_plain
+from robolayout.scene import Scene, layout_digest, load_agent, scene_digest, scene_from_dict, scene_to_dict
+from robolayout.solve import SolverConfig
+from robolayout.verify import Report, verify
+
+SAID = {
+    "size": re.compile(r"\d\s*(x|\u00d7|by|m2|m\u00b2|m\b|sqm|square|metre|meter|cm|ft|feet|foot|')", re.IGNORECASE),
+    "height": re.compile(r"\b(high|height|tall|ceiling)\b", re.IGNORECASE),
+    "shape": re.compile(r"\b([lut]-?shaped|square|round|rectangular)\b", re.IGNORECASE),
+    "doors": re.compile(r"\bdoors?\b", re.IGNORECASE),
+    "windows": re.compile(r"\bwindows?\b", re.IGNORECASE),
+}
+"""What a sentence says itself is not drawn."""
+
+NOBODY = {"name": "nobody", "radius": 0.001, "height": 0.05, "step": 0.03, "reach": 20.0, "reach_high": 20.0}
+"""A body so small that nothing is in its way, for a search that is to know none."""
+
+GRID = 0.05
+"""Metres to which drawn lengths are rounded, as people say them."""
+
+THUMB = 240
+"""Pixels of a side of the small picture that every room has."""
+
+NOTE = "room.json"
+"""A room's row in the index, with what else is needed to go on after a stop."""
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """One room as it was drawn, not yet laid out.
+
+    Attributes:
+        scene: The room with its things and bodies.
+        solver: Name of the solver.
+        reach: Whether the search knows the bodies.
+        seed: Settles plan and looks.
+        facts: What was drawn, for the index.
+    """
+
+    scene: Scene
+    solver: str
+    reach: bool
+    seed: int
+    facts: Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Made:
+    """What became of one try at a room.
+
+    Attributes:
+        why: Why it is not kept; empty if it is.
+        row: Its row in the index.
+        things: What stands where, to tell rooms apart.
+        files: Its files by name.
+        seconds: CPU seconds by station, and the most memory of the process in MB.
+    """
+
+    why: str
+    row: Mapping[str, Any] = field(default_factory=dict[str, Any])
+    things: tuple[Thing, ...] = ()
+    files: Mapping[str, bytes] = field(default_factory=dict[str, bytes])
+    seconds: Mapping[str, float] = field(default_factory=dict[str, float])
+
+
+def draw(ready: Ready, index: int, attempt: int = 0, meshes: Path | None = None) -> Drawn:
+    """Return room number `index` as it is drawn at its `attempt`-th try.
+
+    Where combinations are compared, all of them get the same rooms.
+
+    Args:
+        ready: What is asked for.
+        index: Number of the room, from 0.
+        attempt: Number of the try, from 0.
+        meshes: Folder of the meshes of the catalogues.
+
+    Raises:
+        InputError: This draw is no room (its things do not fit); the next one may be.
+    """
+    turn, which = divmod(index, len(ready.sources))
+    chosen: list[Any] = []
+    if ready.spec.each:
+        for found in ready.choices:
+            turn, number = divmod(turn, len(found))
+            chosen.append(found[number])
+    rng = np.random.default_rng((ready.spec.seed, which, turn, attempt))
+    for found in () if chosen else ready.choices:
+        chosen.append(found[int(rng.integers(len(found)))])
+    bodies, style, solver, reach = chosen
+    source = ready.sources[which]
+    seed = int(rng.integers(2**31))
+    scene = source.scene or _from_words(source, ready.spec, rng, seed, style)
+    if ready.own and meshes is not None:
+        scene = _with_own(scene, ready.own, rng, meshes)
+    scene = scene.with_agents(*bodies) if bodies else scene
+    facts = {"source": source.text, "style": style, "solver": solver, "reach": reach, "seed": seed}
+    facts |= {"bodies": ",".join(agent.name for agent in scene.agents), "text": scene.task_description}
+    return Drawn(scene, solver, reach, seed, facts)
+
+
+def _from_words(source: Source, spec: Spec, rng: np.random.Generator, seed: int, style: str) -> Scene:
+    """Return the scene of a sentence to which everything is added that it leaves open."""
+    width, depth = source.size
+    area, ratio, height, density = (
+        float(rng.uniform(*bounds)) for bounds in (spec.area, spec.ratio, spec.height, spec.density)
+    )
+    doors, windows = (int(rng.integers(low, high + 1)) for low, high in (spec.doors, spec.windows))
+    bent = rng.random() < spec.l_shaped
+    floor, relation = width * depth * area, width / depth * ratio
+    width, depth = (_rounded(side) for side in ((floor * relation) ** 0.5, (floor / relation) ** 0.5))
+    drawn = {
+        "shape": "in an L-shaped room" if bent else "",
+        "size": f"{width:g} x {depth:g} m",
+        "height": f"{_rounded(height):g} m high",
+        "doors": f"with {doors} door{'s' * (doors > 1)}",
+        "windows": f"with {windows} window{'s' * (windows > 1)}",
+    }
+    added = [words for key, words in drawn.items() if words and not SAID[key].search(source.sentence)]
+    text = ", ".join([source.sentence, *added, *([f"{style} style"] if style else [])])
+    return scene_from_sentence(text, seed=seed, fill=density)[0]
+
+
+def _rounded(length: float) -> float:
+    return round(round(length / GRID) * GRID, 2)
+
+
+def _with_own(
+    scene: Scene, own: Mapping[str, Sequence[Mapping[str, Any]]], rng: np.random.Generator, meshes: Path
+) -> Scene:
+    """Return a scene in which things of the catalogues stand for those of their kind; equal things stay equal."""
+    data = scene_to_dict(scene)
+    assets: dict[str, dict[str, Any]] = data["assets"]  # type: ignore[assignment]
+    kinds = sorted({str(entry["category"]) for entry in assets.values()} & set(own))
+    chosen = {kind: own[kind][int(rng.integers(len(own[kind])))] for kind in kinds}
+    data["assets"] = {
+        name: {**entry, **chosen[entry["category"]], "category": entry["category"]}
+        if entry["category"] in chosen
+        else entry
+        for name, entry in assets.items()
+    }
+    return replace(scene_from_dict(data, name=scene.name, asset_dir=meshes), agents=scene.agents)
+
+
+def laid_out(drawn: Drawn, effort: str, *, trace: bool = False) -> Result:
+    """Return a drawn room laid out and judged."""
+    config = SolverConfig(trace=trace).at(effort)
+    if drawn.reach:
+        return generate(drawn.scene, seed=drawn.seed, solver=drawn.solver, config=config)
+    blind = drawn.scene.with_agents(load_agent(NOBODY))
+    result = generate(blind, seed=drawn.seed, solver=drawn.solver, config=config)
+    report = verify(drawn.scene, result.layout, result.program).with_asked(result.report.asked)
+    return replace(result, scene=drawn.scene, report=report)
+
+
+def make(ready: Ready, index: int, attempt: int, meshes: Path | None = None) -> Made:
+    """Return what becomes of one try at a room: its files, or why there are none."""
+    spec, clock = ready.spec, Clock()
+    try:
+        with clock.station("draw"):
+            drawn = draw(ready, index, attempt, meshes)
+        with clock.station("generate"):
+            result = laid_out(drawn, spec.effort, trace=spec.pictures)
+    except RoboLayoutError as error:
+        return Made(str(error).splitlines()[0], seconds=_spent(clock, {}))
+    timing = result.report.timing
+    why = _unmet(result.report)
+    if why and not spec.keep_unmet:
+        return Made(why, seconds=_spent(clock, timing))
+    result = replace(result, report=replace(result.report, timing={}))  # seconds are told apart from what was made
+    with clock.station("write"):
+        files = _files(result, spec, drawn.seed, meshes)
+    row = {**drawn.facts, "attempt": attempt, **figures(result.report), "sha256": _hash(files)}
+    return Made("", row, things(result.scene, result.layout), files, _spent(clock, timing))
+
+
+def _unmet(report: Report) -> str:
+    """Return in a few words which demands are not met; nothing where all are."""
+    asked = [f"asked: {row.words}" for row in report.asked if row.verdict == "unmet"]
+    impossible = ["impossible for the body"] if any(one.impossible for one in report.agents) else []
+    return ", ".join([*report.unmet, *impossible, *asked])
+
+
+def _files(result: Result, spec: Spec, looks: int, meshes: Path | None) -> dict[str, bytes]:
+    """Return the files of a room by name."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        home = meshes or folder  # meshes that rooms share are named from their own folder, wherever the batch lies
+        if spec.files == "run":
+            write_files(result, RunFolder(home, folder), pictures=spec.pictures, formats=spec.formats, looks=looks)
+        else:
+            write_plain(result, folder, home)
+            options = replace(export_options(result.report), seed=looks)
+            export_all(result.scene, result.layout, spec.formats, folder=folder, options=options, partial=True)
+        found = {path.relative_to(folder).as_posix(): path.read_bytes() for path in _below(folder)}
+    return found | {"thumb.png": _thumb(result, found.get("top.png"))}
+
+
+def _thumb(result: Result, drawn: bytes | None) -> bytes:
+    """Return the small picture of a room: from above where that is drawn, else the plan, which costs a fifth."""
+    from PIL import Image
+
+    from robolayout.render import plan_image
+
+    picture = Image.open(BytesIO(drawn)) if drawn else plan_image(result.scene, result.layout, width=2 * THUMB)
+    picture = picture.convert("RGB")
+    picture.thumbnail((THUMB, THUMB), Image.Resampling.LANCZOS)
+    return png(picture.quantize(64))
+
+
+def _below(folder: Path) -> list[Path]:
+    return sorted(path for path in folder.rglob("*") if path.is_file())
+
+
+def _hash(files: Mapping[str, bytes]) -> str:
+    """Return the SHA-256 of all files of a room with their names."""
+    whole = hashlib.sha256()
+    for name, data in sorted(files.items()):
+        whole.update(f"{name}\n{len(data)}\n".encode() + data)
+    return whole.hexdigest()
+
+
+def figures(report: Report) -> dict[str, Any]:
+    """Return every figure of a report in one row: size and counts, ours, and the published ones under their own names."""
+    scene = report.scene
+    xs, ys = zip(*scene.room.vertices, strict=True)
+    width, depth = max(xs) - min(xs), max(ys) - min(ys)
+    row: dict[str, Any] = {"name": scene.name, "ok": report.ok, "width": round(width, 3), "depth": round(depth, 3)}
+    row |= {"area": round(scene.room.area, 3), "height": scene.room.wall_height, "corners": len(xs)}
+    row |= {"doors": len(scene.room.doors), "windows": len(scene.room.windows), "things": len(scene.assets)}
+    row |= {"kinds": len({asset.category for asset in scene.assets}), "violations": len(report.violations)}
+    row |= {**report.figures, "asked_met_share": report.asked_met_share, "statements": len(report.statements)}
+    row["short"] = sum(len(body.short) for body in report.agents)
+    row["exempt"] = sum(len(body.exempt) for body in report.agents)
+    for benchmark, found in report.metrics.items():
+        row |= {f"{benchmark}_{key}": value for key, value in found.items() if isinstance(value, int | float)}
+    return row | {"scene_hash": scene_digest(scene), "layout_hash": layout_digest(report.layout)}
+
+
+def _spent(clock: Clock, timing: Mapping[str, Mapping[str, float]]) -> dict[str, float]:
+    """Return CPU seconds by station, those of `generate` told apart, with the memory of the process."""
+    import resource
+
+    spent = {name: seconds["cpu"] for name, seconds in {**clock.seconds, **timing}.items()}
+    return spent | {"memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024}
+
+
+class Rooms(Sequence[Result]):
+    """The rooms of a SPEC, made when they are asked for; the same number is the same room.
+
+    A room that does not meet its demands is drawn again, as in a batch; that no two are much alike is looked at there only.
+
+    Args:
+        ready: What is asked for.
+        meshes: Folder of the meshes of the catalogues.
+    """
+
+    def __init__(self, ready: Ready, meshes: Path | None = None) -> None:
+        self.ready, self.meshes = ready, meshes
+
+    def __len__(self) -> int:
+        return self.ready.count
+
+    def __getitem__(self, index: Any) -> Any:
+        """Return a room by its number, counted from the end if below 0, or a list of those of a slice.
+
+        Raises:
+            IndexError: There is no such number.
+            InputError: None of the tries met its demands, and those are not to be kept.
+        """
+        if isinstance(index, slice):
+            return [self[number] for number in range(*index.indices(len(self)))]
+        number = range(len(self))[index]
+        why: list[str] = []
+        for attempt in range(self.ready.spec.tries):
+            try:
+                drawn = draw(self.ready, number, attempt, self.meshes)
+                result = laid_out(drawn, self.ready.spec.effort)
+            except InputError as error:
+                why.append(str(error))
+                continue
+            if result.report.ok or self.ready.spec.keep_unmet:
+                return result
+            why.append(_unmet(result.report))
+        raise InputError(
+            f"room {number} does not meet its demands in {len(why)} tries ({why[-1]}); ask for less of it."
+        )
+
+    def __iter__(self) -> Iterator[Result]:
+        return (self[number] for number in range(len(self)))
+
+    def __repr__(self) -> str:
+        return f"Rooms({len(self)} of {json.dumps([source.text for source in self.ready.sources])})"
+
+
+def rooms(spec: str | Path | Mapping[str, Any], seed: int | None = None) -> Rooms:
+    """Return the rooms of a SPEC as a sequence that makes each one when it is asked for.
+
+    Args:
+        spec: A TOML file, its content as a dictionary, or one room: a type, a sentence or a scene file.
+        seed: Settles every choice; the SPEC's own if None.
+
+    Raises:
+        InputError: The SPEC cannot be read.
+    """
+    ready = read_spec(spec, **({} if seed is None else {"seed": seed}))
+    return Rooms(
+        ready, None if not ready.meshes else shelved(ready, Path(tempfile.mkdtemp(prefix="robolayout-meshes-")))
+    )
+
+
+def shelved(ready: Ready, folder: Path) -> Path:
+    """Put the meshes of the catalogues into a folder, under the paths by which rooms name them, and return it."""
+    for name, path in ready.meshes.items():
+        target = folder / name
+        if not target.is_file():
+            write_atomic(target, path.read_bytes())
+    return folder

@@ -1,0 +1,325 @@
+"""What is asked of a batch: a small table of choices and ranges, read and checked before any work.
+
+    rooms = ["bedroom", "an office for two people", "own/kitchen.json"]
+    count = 100
+    bodies = ["adult", "wheelchair"]
+
+Every key has a default but `rooms`; ranges are [least, most]. `Spec` is the table, `Ready` the same with all files read that
+it names, so that a worker needs nothing but it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import Any, cast
+
+from robolayout._errors import InputError, UnknownNameError
+from robolayout._reading import Checker
+from robolayout.assets import find_category
+from robolayout.export import find_exporter
+from robolayout.planners import scene_from_sentence
+from robolayout.scene import Agent, Scene, digest, load_agents, load_scene, scene_digest
+from robolayout.solve import EFFORTS, solver_names
+
+MOST_NAMED = 1000
+"""Entries of one list of a SPEC."""
+
+_CHECK = Checker(InputError)
+
+
+def _bounded(default: Any, least: float, most: float) -> Any:
+    """Return a field of a number or a range with the bounds that it is checked against."""
+    return field(default=default, metadata={"least": least, "most": most})
+
+
+@dataclass(frozen=True)
+class Spec:
+    """What is asked of a batch, as it is written."""
+
+    rooms: tuple[str, ...] = ()
+    """Room types, sentences and scene files (paths from the SPEC's own folder), taken in turn."""
+
+    count: int = _bounded(100, 1, 10_000_000)
+    """Rooms in all; `each` takes its place."""
+
+    each: int = _bounded(0, 0, 10_000)
+    """Where above 0: so many rooms of every combination of rooms, bodies, styles, solvers and reach, for comparing them."""
+
+    seed: int = _bounded(0, 0, 2**31 - 1)
+    """Settles every choice."""
+
+    bodies: tuple[str, ...] = ()
+    """Bodies, one of them for each room; several together with commas. None: those that the room is usually for."""
+
+    styles: tuple[str, ...] = ()
+    """Words of style ("industrial", "Scandinavian"), one of them said of each room that is made from a sentence."""
+
+    area: tuple[float, float] = _bounded((0.8, 1.5), 0.2, 20.0)
+    """Floor area, as a multiple of what is usual for the sentence; where it gives no size itself."""
+
+    ratio: tuple[float, float] = _bounded((0.75, 1.33), 0.2, 5.0)
+    """Width over depth, as a multiple of what is usual."""
+
+    height: tuple[float, float] = _bounded((2.5, 3.0), 2.0, 10.0)
+    """Height of the walls in metres."""
+
+    l_shaped: float = _bounded(0.2, 0.0, 1.0)
+    """Share of the rooms that are L-shaped."""
+
+    doors: tuple[int, int] = _bounded((1, 2), 1, 6)
+    """Doors of a room."""
+
+    windows: tuple[int, int] = _bounded((1, 3), 1, 12)
+    """Windows of a room."""
+
+    density: tuple[float, float] = _bounded((0.15, 0.35), 0.0, 0.5)
+    """Share of the floor up to which things are added to those that such a room must have."""
+
+    catalogues: tuple[str, ...] = ()
+    """Catalogues of own meshes (`robolayout assets import`): where they have a thing of a kind, it is that one."""
+
+    formats: tuple[str, ...] = ()
+    """Export formats beside GLB ("mjcf", "usda")."""
+
+    files: str = "run"
+    """"run": a folder as `generate` writes it; "formats": scene, layout, report and the formats alone."""
+
+    pictures: bool = False
+    """Whether to draw what `generate` draws; a small picture is always drawn."""
+
+    solvers: tuple[str, ...] = ("default",)
+    """Solvers, one of them for each room."""
+
+    reach: tuple[bool, ...] = (True,)
+    """Whether the search knows the body; where not, the layout is made for nobody and judged for the body."""
+
+    effort: str = "normal"
+    """How long to search: quick, normal or thorough."""
+
+    keep_unmet: bool = False
+    """Whether rooms that do not meet their demands are kept rather than replaced."""
+
+    tries: int = _bounded(8, 1, 100)
+    """Rooms that are drawn in the place of one until it is given up, and named."""
+
+    seconds: float = _bounded(300.0, 1.0, 86_400.0)
+    """Seconds after which a worker that is still at one room is ended."""
+
+    memory: float = _bounded(8.0, 1.0, 1024.0)
+    """Gigabytes of a worker's data, beyond which the system refuses it more."""
+
+    test: float = _bounded(0.1, 0.0, 0.9)
+    """Share of the rooms that are set aside for testing."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the table as plain values."""
+        return {one.name: _plain(getattr(self, one.name)) for one in fields(self)}
+
+    @property
+    def distinct(self) -> bool:
+        """Whether a room that is much like an earlier one is replaced; not where combinations are compared."""
+        return not self.each
+
+
+def _plain(value: Any) -> Any:
+    return list(cast("tuple[Any, ...]", value)) if isinstance(value, tuple) else value
+
+
+@dataclass(frozen=True)
+class Source:
+    """One entry of `rooms`, read.
+
+    Attributes:
+        text: The entry as written.
+        scene: The scene of a file; None for a sentence.
+        sentence: The sentence, without the full stop at its end.
+        size: Usual width and depth of such a room in metres.
+    """
+
+    text: str
+    scene: Scene | None = None
+    sentence: str = ""
+    size: tuple[float, float] = (0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Ready:
+    """A SPEC with everything read that it names.
+
+    Attributes:
+        spec: The table.
+        sources: The rooms.
+        bodies: The bodies; None for those that a room is usually for.
+        own: Entries of the catalogues by kind of thing; their paths are from the folder of meshes of the batch.
+        meshes: Mesh files of the catalogues by these paths.
+    """
+
+    spec: Spec
+    sources: tuple[Source, ...]
+    bodies: tuple[tuple[Agent, ...] | None, ...] = (None,)
+    own: Mapping[str, tuple[Mapping[str, Any], ...]] = field(default_factory=dict[str, tuple[Mapping[str, Any], ...]])
+    meshes: Mapping[str, Path] = field(default_factory=dict[str, Path])
+
+    @property
+    def choices(self) -> tuple[tuple[Any, ...], ...]:
+        """What one of is taken for each room, beside the room itself: bodies, styles, solvers, reach."""
+        return (self.bodies, self.spec.styles or ("",), self.spec.solvers, self.spec.reach)
+
+    @property
+    def count(self) -> int:
+        """Rooms in all."""
+        if not self.spec.each:
+            return self.spec.count
+        ways = len(self.sources)
+        for found in self.choices:
+            ways *= len(found)
+        return ways * self.spec.each
+
+    def digest(self) -> str:
+        """Return what tells this batch from others: the table and the content of all files that it names."""
+        rooms = [source.text if source.scene is None else scene_digest(source.scene) for source in self.sources]
+        meshes = {name: hashlib.sha256(path.read_bytes()).hexdigest() for name, path in self.meshes.items()}
+        bodies = [repr(body) for body in self.bodies]
+        return digest([self.spec.to_dict(), rooms, bodies, {key: list(one) for key, one in self.own.items()}, meshes])
+
+
+def read_spec(given: str | Path | Mapping[str, Any], **changes: Any) -> Ready:
+    """Return what a SPEC asks for, checked, with everything read that it names.
+
+    Args:
+        given: A TOML file, its content as a dictionary, or one room: a type, a sentence or a scene file.
+        changes: Keys in place of the file's own.
+
+    Raises:
+        InputError: A key is unknown, a range impossible, a file missing; in one sentence that says where.
+    """
+    base = Path()
+    if isinstance(given, Mapping):
+        table = dict(given)
+    elif str(given).endswith(".toml"):
+        base, table = Path(given).parent, _CHECK.read_toml(Path(given), "SPEC")
+    else:
+        table = {"rooms": [str(given)]}
+    spec = _spec({**table, **changes})
+    sources = tuple(_source(text, base, spec) for text in spec.rooms)
+    bodies = tuple(_bodies(text, base) for text in spec.bodies) or (None,)
+    own, meshes = _catalogues(spec.catalogues, base)
+    return Ready(spec, sources, bodies, own, meshes)
+
+
+def value_of(text: str) -> dict[str, Any]:
+    """Return what "key=value" on a command line says, the value as TOML writes it; a bare word is a text."""
+    key, found, value = text.partition("=")
+    if not found:
+        raise InputError(f"--set {text!r} is no KEY=VALUE, such as count=20 or 'bodies=[\"cat\"]'.")
+    try:
+        return {key.strip(): tomllib.loads(f"v = {value}")["v"]}
+    except tomllib.TOMLDecodeError:
+        return {key.strip(): value.strip()}
+
+
+def _spec(table: Mapping[str, Any]) -> Spec:
+    """Return the table of a SPEC with every value in its right type and within its bounds."""
+    known = {one.name: one for one in fields(Spec)}
+    for key in table:
+        if key not in known:
+            raise UnknownNameError("key in the SPEC", str(key), known)
+    if not table.get("rooms"):
+        raise InputError('the SPEC names no rooms; add them, such as rooms = ["bedroom", "office"].')
+    if table.get("each") and "count" in table:
+        raise InputError("count and each exclude each other: give the number of rooms, or of every combination.")
+    spec = Spec(**{key: _value(key, value, known[key].default, known[key].metadata) for key, value in table.items()})
+    for kind, names, allowed in (
+        ("solver", spec.solvers, solver_names()),
+        ("effort", [spec.effort], EFFORTS),
+        ("files", [spec.files], ("run", "formats")),
+    ):
+        for name in names:
+            if name not in allowed:
+                raise UnknownNameError(kind, name, allowed)
+    for name in spec.formats:
+        find_exporter(name)
+    return spec
+
+
+def _value(key: str, value: object, default: object, bounds: Mapping[str, float]) -> Any:
+    """Return one value of a SPEC, checked by what its default is like."""
+    where = f"{key} in the SPEC"
+    if isinstance(default, bool):
+        return _CHECK.flag(value, where)
+    if isinstance(default, str):
+        return _CHECK.text(value, where)
+    if not isinstance(default, tuple):
+        return _number(value, where, whole=isinstance(default, int), bounds=bounds)
+    if bounds:
+        return _range(value, where, whole=isinstance(default[0], int), bounds=bounds)
+    entries = _CHECK.sequence([value] if isinstance(value, str | bool) else value, where, most=MOST_NAMED)
+    read = _CHECK.flag if key == "reach" else _CHECK.text
+    found = tuple(read(entry, f"{where}: entry {number + 1}") for number, entry in enumerate(entries))
+    if len(set(found)) < len(found) or (default and not found):
+        raise InputError(f"{where} is {list(found)}: name at least one and each once.")
+    return found
+
+
+def _number(value: object, where: str, *, whole: bool, bounds: Mapping[str, float]) -> float | int:
+    found = _CHECK.number(value, where, least=bounds["least"], most=bounds["most"])
+    if whole and found != int(found):
+        raise InputError(f"{where} must be a whole number, but is {found:g}.")
+    return int(found) if whole else found
+
+
+def _range(value: object, where: str, *, whole: bool, bounds: Mapping[str, float]) -> tuple[float, float]:
+    entries = _CHECK.sequence(value, where, most=2) if isinstance(value, list | tuple) else [value, value]
+    if len(entries) != 2:
+        raise InputError(f"{where} must be [least, most] or one number, but is {entries}.")
+    low, high = (_number(entry, where, whole=whole, bounds=bounds) for entry in entries)
+    if low > high:
+        raise InputError(f"{where} is [{low:g}, {high:g}], and nothing lies between; write the smaller number first.")
+    return low, high
+
+
+def _source(text: str, base: Path, spec: Spec) -> Source:
+    """Return one entry of `rooms`; a sentence is read once, so that what cannot be read is known before any work."""
+    if text.endswith(".json"):
+        return Source(text, load_scene(base / text))
+    sentence = " ".join(text.split()).rstrip(".")
+    try:
+        _, found = scene_from_sentence(sentence, seed=spec.seed)
+    except InputError as error:
+        raise InputError(f"rooms in the SPEC: {text!r} is no room: {error}") from None
+    return Source(text, None, sentence, found.size)
+
+
+def _bodies(text: str, base: Path) -> tuple[Agent, ...]:
+    """Return bodies by their names or files."""
+    names = [name.strip() for name in text.split(",") if name.strip()]
+    return load_agents([base / name if (base / name).is_file() else name for name in names])
+
+
+def _catalogues(names: Sequence[str], base: Path) -> tuple[dict[str, tuple[Mapping[str, Any], ...]], dict[str, Path]]:
+    """Return the entries of catalogues by kind of thing, and their meshes by the paths that these have in a batch."""
+    own: dict[str, list[Mapping[str, Any]]] = {}
+    meshes: dict[str, Path] = {}
+    for number, name in enumerate(names):
+        file = base / name
+        data = _CHECK.mapping(_CHECK.read_json(file, "catalogue"), f"catalogue {name}")
+        entries = _CHECK.mapping(_CHECK.required(data, "assets", f"catalogue {name}"), f"catalogue {name}: assets")
+        for key, entry in entries.items():
+            found = dict(_CHECK.mapping(entry, f"catalogue {name}: {key}"))
+            path = _CHECK.text(_CHECK.required(found, "path", f"catalogue {name}: {key}"), f"{name}: {key}: path")
+            if not (file.parent / path).is_file():
+                raise InputError(f"catalogue {name}: the mesh {path!r} of {key!r} does not exist; import it again.")
+            found["path"] = f"{number}/{path}"
+            meshes[found["path"]] = file.parent / path
+            own.setdefault(find_category(str(found.get("category", key))).name, []).append(found)
+    return {kind: tuple(entries) for kind, entries in own.items()}, meshes
+
+
+def changed(before: Mapping[str, Any], spec: Spec) -> list[str]:
+    """Return the keys in which a SPEC differs from one that was written down."""
+    now = spec.to_dict()
+    return [key for key in {**before, **now} if before.get(key) != now.get(key)]

@@ -1,0 +1,235 @@
+"""Who makes the rooms: processes of this machine, or tasks of a Ray cluster; both run one function and know nothing of the set.
+
+A worker that is killed, hangs or runs out of memory costs the room that it was at, which is told as `None`; another takes
+its place. Never more than `slots` rooms are under way, so that what is made never waits in memory.
+"""
+
+from __future__ import annotations
+
+import faulthandler
+import logging
+import os
+import signal
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field
+from functools import cache
+from multiprocessing import connection, get_context
+from multiprocessing.process import BaseProcess
+from pathlib import Path
+from tempfile import mkdtemp
+from typing import Any, Protocol, cast
+
+from robolayout._errors import InputError, MissingExtraError
+from robolayout._files import write_atomic
+from robolayout.many.rooms import Made, make
+from robolayout.many.spec import Ready
+
+AHEAD = 2
+"""Rooms under way for each processor of a cluster: one that is made, one that waits for it."""
+
+TICK = 0.2
+"""Seconds to wait for a worker before something else is looked at."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """One try at a room.
+
+    Attributes:
+        index: Number of the room.
+        attempt: Number of the try.
+    """
+
+    index: int
+    attempt: int
+
+
+class Workers(Protocol):
+    """Makes rooms."""
+
+    slots: int
+
+    def send(self, task: Task) -> None:
+        """Begin one try at a room; the caller keeps within `slots`."""
+        ...
+
+    def done(self) -> Iterator[tuple[Task, Made | None]]:
+        """Yield what has become of tries, None where the worker ended; returns after a moment, with or without any."""
+        ...
+
+    def close(self) -> None:
+        """End everything."""
+        ...
+
+
+@dataclass
+class _Process:
+    """One worker of this machine."""
+
+    process: BaseProcess
+    pipe: connection.Connection
+    task: Task | None = None
+
+
+@dataclass
+class Local:
+    """Processes of this machine, started afresh (nothing is forked) and kept: each loads compiled programs once.
+
+    Attributes:
+        ready: What is asked for.
+        meshes: Folder of the meshes of the catalogues.
+        slots: Number of processes.
+    """
+
+    ready: Ready
+    meshes: Path
+    slots: int
+    _all: list[_Process] = field(default_factory=list[_Process])
+
+    def send(self, task: Task) -> None:
+        """Give a try to an idle process, or to a new one."""
+        free = next((one for one in self._all if one.task is None), None) or self._started()
+        free.task = task
+        with suppress(OSError):  # it has ended; `done` says so
+            free.pipe.send(task)
+
+    def _started(self) -> _Process:
+        context = get_context("spawn")
+        here, there = context.Pipe()
+        process = context.Process(target=_serve, args=(there, self.ready, self.meshes), daemon=True)
+        process.start()
+        there.close()
+        self._all.append(_Process(process, here))
+        return self._all[-1]
+
+    def done(self) -> Iterator[tuple[Task, Made | None]]:
+        """Yield what processes have made, and the tries of those that have ended."""
+        busy = [one for one in self._all if one.task is not None]
+        heard = connection.wait([*(one.pipe for one in busy), *(one.process.sentinel for one in busy)], TICK)
+        for one in busy:
+            if one.pipe in heard or one.process.sentinel in heard:
+                task, one.task = cast(Task, one.task), None
+                try:
+                    yield task, cast(Made, one.pipe.recv())
+                except (EOFError, OSError):
+                    self._all.remove(one)
+                    one.process.join()
+                    yield task, None
+
+    def close(self) -> None:
+        """End all processes."""
+        for one in self._all:
+            one.process.kill()
+        for one in self._all:
+            one.process.join()
+            one.pipe.close()
+        self._all.clear()
+
+
+def _serve(pipe: connection.Connection, ready: Ready, meshes: Path) -> None:
+    """Make what is asked for until the other end is gone."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # an interrupt is for the process that gives the orders
+    with suppress(EOFError, OSError):
+        while True:
+            task = cast(Task, pipe.recv())
+            pipe.send(bounded(ready, task, meshes))
+
+
+def bounded(ready: Ready, task: Task, meshes: Path) -> Made:
+    """Return one try at a room, made within bounds of time and memory; the process ends where it takes too long."""
+    _limit_memory(int(ready.spec.memory * 1e9))
+    with open(os.devnull, "w") as nowhere:
+        faulthandler.dump_traceback_later(ready.spec.seconds, exit=True, file=nowhere)
+        try:
+            return make(ready, task.index, task.attempt, meshes)
+        except MemoryError:
+            return Made(f"took more than {ready.spec.memory:g} GB of memory")
+        finally:
+            faulthandler.cancel_dump_traceback_later()
+
+
+@cache
+def _limit_memory(size: int) -> None:
+    """Let the system refuse this process more data than so many bytes, where it can."""
+    with suppress(ImportError, AttributeError, ValueError, OSError):
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_DATA, (size, resource.getrlimit(resource.RLIMIT_DATA)[1]))
+
+
+class Ray:
+    """Tasks of a Ray cluster.
+
+    Args:
+        ready: What is asked for; it is put into the cluster's store once, and the meshes beside it.
+        address: Of the cluster; "local" starts one on this machine that ends with it.
+        most: Most tasks under way; as many as the cluster has processors if None.
+
+    Raises:
+        MissingExtraError: Ray is not installed.
+        InputError: There is no cluster at that address.
+    """
+
+    def __init__(self, ready: Ready, address: str, most: int | None = None) -> None:
+        try:
+            import ray
+        except ImportError:
+            raise MissingExtraError("--cluster ray", "ray") from None
+        self.ray: Any = ray
+        self.mine = not ray.is_initialized()
+        if self.mine:
+            given: dict[str, Any] = {"address": address} if address != "local" else {"num_cpus": most}
+            try:
+                ray.init(**given, include_dashboard=False, log_to_driver=False, logging_level=logging.ERROR)
+            except (ConnectionError, ValueError, RuntimeError) as error:
+                raise InputError(f"there is no Ray cluster at {address!r}: {str(error).splitlines()[0]}") from None
+        processors = int(ray.cluster_resources().get("CPU", 1))
+        self.slots = AHEAD * min(most or processors, processors)
+        meshes = {name: path.read_bytes() for name, path in ready.meshes.items()}
+        self.given = (ray.put(ready), [ray.put(meshes)])
+        self.function: Any = ray.remote(num_cpus=1, max_retries=0)(_task)
+        self.waiting: dict[Any, Task] = {}
+
+    def send(self, task: Task) -> None:
+        """Submit a try."""
+        self.waiting[self.function.remote(*self.given, task)] = task
+
+    def done(self) -> Iterator[tuple[Task, Made | None]]:
+        """Yield what tasks have made, and the tries of those whose process or node has ended."""
+        found, _ = self.ray.wait(list(self.waiting), timeout=TICK) if self.waiting else ([], [])
+        for reference in found:
+            task = self.waiting.pop(reference)
+            try:
+                yield task, cast(Made, self.ray.get(reference))
+            except self.ray.exceptions.RayTaskError as error:  # a mistake of ours is not hidden
+                raise error.as_instanceof_cause() from None
+            except self.ray.exceptions.RayError:
+                yield task, None
+
+    def close(self) -> None:
+        """Take back what is not done, and leave the cluster."""
+        for reference in self.waiting:
+            self.ray.cancel(reference, force=True)
+        if self.mine:
+            self.ray.shutdown()
+
+
+def _task(ready: Ready, meshes: list[Any], task: Task) -> Made:
+    """Make one try at a room on a node of a cluster."""
+    return bounded(ready, task, _shelf(meshes[0]))
+
+
+@cache
+def _shelf(reference: Any) -> Path:
+    """Return a folder of this process with the meshes of a batch."""
+    import ray
+
+    folder = Path(mkdtemp(prefix="robolayout-meshes-"))
+    for name, data in cast("Mapping[str, bytes]", ray.get(reference)).items():
+        write_atomic(folder / name, data)
+    return folder
+
+
+Start = Callable[[Ready, Path], Workers]
+"""What starts the workers of a batch, from what is asked for and the folder of meshes."""
