@@ -18,7 +18,7 @@ from typing import Any, cast
 
 from robolayout._errors import InputError
 from robolayout._reading import Checker, is_file
-from robolayout.many.rooms import NOTE
+from robolayout.many.room import NOTE
 from robolayout.many.states import FORMAT, read_state
 from robolayout.run.diff import load_judged
 from robolayout.run.judged import Judged, judge
