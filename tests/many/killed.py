@@ -23,8 +23,8 @@ from robolayout.many import batch, dataset, read_spec
 from robolayout.many.room import Made, make
 from robolayout.many.workers import Task
 from robolayout.run import folder
-from sets import tiny_spec
 from stopped import Step, told
+from tiny_sets import tiny_spec
 
 SEED, ROOMS = 0, 5
 

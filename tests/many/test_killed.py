@@ -15,7 +15,7 @@ import pytest
 
 import robolayout as rl
 from running import ROOT
-from sets import tiny_spec, tree
+from tiny_sets import tiny_spec, tree
 
 
 def hidden(folder: Path) -> list[str]:

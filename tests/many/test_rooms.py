@@ -13,7 +13,7 @@ import robolayout as rl
 from robolayout import InputError
 from robolayout.many import read_spec
 from robolayout.many.room import draw, make
-from sets import tiny_spec
+from tiny_sets import tiny_spec
 
 MIXED = {"rooms": ["bedroom", "a bathroom of 3 x 3 m with one window"], "bodies": ["adult", "cat"], "count": 40}
 

@@ -51,7 +51,7 @@ def test_what_is_wrong_is_one_sentence(table: dict[str, Any], said: str) -> None
 
 
 def test_a_file_is_read_and_names_files_from_its_own_folder(tmp_path: Path) -> None:
-    from sets import TINY
+    from tiny_sets import TINY
 
     (tmp_path / "own.json").write_text(json.dumps(TINY))
     spec = tmp_path / "many.toml"
@@ -64,7 +64,7 @@ def test_a_file_is_read_and_names_files_from_its_own_folder(tmp_path: Path) -> N
 
 
 def test_a_changed_file_is_another_batch(tmp_path: Path) -> None:
-    from sets import TINY, tiny_spec
+    from tiny_sets import TINY, tiny_spec
 
     table = tiny_spec(tmp_path)
     before = read_spec(table).digest()

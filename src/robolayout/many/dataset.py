@@ -304,6 +304,7 @@ class _Run:
         """Have a room made again that is much like an earlier one."""
         del self.known[index]
         self.progress.made -= 1
+        self.progress.here -= 1
         self.progress.met -= room.status == "met"
         self.tries[index] = room.replaced
         self._replace(index, f"near-duplicate of room {room.nearest[1]}")
