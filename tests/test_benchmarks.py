@@ -6,7 +6,21 @@ import json
 from pathlib import Path
 
 import pytest
-from benchmarks import ablation, bodies, crowded, examples, exports, many, opening, page, paper, pictures, rough, speed, vlm
+from benchmarks import (
+    ablation,
+    bodies,
+    crowded,
+    examples,
+    exports,
+    many,
+    opening,
+    page,
+    paper,
+    pictures,
+    rough,
+    speed,
+    vlm,
+)
 from benchmarks.measures import SHARES
 from benchmarks.rooms import Crowd, crowd
 from benchmarks.store import Row, Store

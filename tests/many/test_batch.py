@@ -97,7 +97,9 @@ def test_what_a_set_holds(tmp_path: Path, here: list[Here]) -> None:
         assert row["layout_hash"] == report["hashes"]["layout"]
         assert float(row["SceneEval_COL"]) == report["metrics"]["SceneEval"]["COL"]
     splits = [(folder / f"{name}.txt").read_text().split() for name in ("train", "test")]
-    assert [len(split) for split in splits] == [3, 1] and sorted([*splits[0], *splits[1]]) == [row["path"] for row in listed]
+    assert [len(split) for split in splits] == [3, 1] and sorted([*splits[0], *splits[1]]) == [
+        row["path"] for row in listed
+    ]
     assert Image.open(folder / "contact.png").size[0] >= 160
     card = (folder / "README.md").read_text()
     assert "- 4 rooms meet all their demands" in card and "- 0 near-duplicates" in card
