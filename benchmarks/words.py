@@ -5,6 +5,7 @@ only for the figures. After a prompt ("@ ...") come its demands, separated by se
 
     bed 1; plant >=2; coffee table 0       how many there are ("a|b": either word)
     on lamp, desk; between a, b, c         how things stand to each other, or (wall sofa) to the room
+    half left table; path sofa; daylight desk; openmiddle     half of the room, way from a door, window near, middle free
     room office; size 5 x 4; area 20; height 3; body cat; windows 2; doors 1; shape L
 
 Nothing here uses the package's reader, statements or checks: it looks at the dictionaries of `scene.json` and `layout.json`.
@@ -23,6 +24,7 @@ from pathlib import Path
 from typing import Any
 
 from shapely import LineString, Point, Polygon
+from shapely.ops import unary_union
 
 from benchmarks.store import Row
 
@@ -31,7 +33,7 @@ FILES = ("held", "open")
 FACTS = ("room", "size", "area", "height", "body", "windows", "doors", "shape")
 RELATIONS = (
     "on", "next", "near", "far", "front", "behind", "left", "right", "between", "around", "facing", "opposite", "above", "under",
-    "wall", "corner", "atwindow", "atdoor", "middle", "row",
+    "wall", "corner", "atwindow", "atdoor", "middle", "row", "stacked", "pairs", "diagonal", "half", "daylight", "path", "openmiddle",
 )  # fmt: skip
 PLACES = RELATIONS[14:]
 TWO_FRONTS = ("desk", "table", "counter")
@@ -221,12 +223,56 @@ def _at_place(room: Room, kind: str, a: str) -> bool:
         return room.wall_gaps(a)[0] <= 0.15
     if kind == "corner":
         return room.wall_gaps(a)[1] <= 0.35
-    if kind in ("atwindow", "atdoor"):
-        lines = room.openings("windows" if kind == "atwindow" else "doors")
+    if kind in ("path", "diagonal"):
+        return _way_to(room, a) if kind == "path" else _is_diagonal(room, a)
+    if kind in ("atwindow", "atdoor", "daylight"):
+        lines = room.openings("doors" if kind == "atdoor" else "windows")
         return any(line.distance(shape) <= (1.0 if kind == "atwindow" else 2.0) for line in lines)
     xs, ys = zip(*room.floor, strict=True)
     middle = ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2)
     return math.dist((x, y), middle) <= max(0.7, 0.3 * min(max(xs) - min(xs), max(ys) - min(ys)))
+
+
+def _stacked(room: Room, names: list[str]) -> bool:
+    """Whether all but the lowest stand on one of their own kind."""
+    return len(names) > 1 and sum(any(_resting(room, a, b) for b in names if b != a) for a in names) >= len(names) - 1
+
+
+def _in_pairs(room: Room, names: list[str]) -> bool:
+    """Whether each has one of its own kind within 0.6 m."""
+    return all(any(room.gap(a, b) <= 0.6 for b in names if b != a) for a in names)
+
+
+def _is_diagonal(room: Room, a: str) -> bool:
+    return abs(math.remainder(room.pose(a)[2], math.pi / 2)) >= math.radians(20)
+
+
+def _in_half(room: Room, a: str, side: str) -> bool:
+    (x, y, _), shape = room.pose(a), Polygon(room.floor).bounds
+    cx, cy = (shape[0] + shape[2]) / 2, (shape[1] + shape[3]) / 2
+    return {"left": x < cx, "right": x > cx, "front": y < cy, "back": y > cy}[side]
+
+
+def _obstacles(room: Room, but: str = "") -> list[Polygon]:
+    """Return the footprints of what a person walks around."""
+    boxes = {name: room.box(name) for name in room.layout if name != but}
+    return [room.outline(name) for name, (_, _, bottom, top) in boxes.items() if bottom < 1.8 and top > 0.05]
+
+
+def _way_to(room: Room, a: str) -> bool:
+    """Whether a disc 0.5 m wide gets from a door to within 0.5 m of a thing."""
+    blocked = unary_union([shape.buffer(0.25) for shape in _obstacles(room)])
+    free = Polygon(room.floor).buffer(-0.25).difference(blocked)
+    parts = getattr(free, "geoms", [free])
+    doors = room.openings("doors")
+    return any(part.distance(d) <= 0.5 and part.distance(room.outline(a)) <= 0.5 for part in parts for d in doors)
+
+
+def _open_middle(room: Room) -> bool:
+    """Whether nothing stands within 0.15 of the shorter side of the room from its middle."""
+    x0, y0, x1, y1 = Polygon(room.floor).bounds
+    disc = Point((x0 + x1) / 2, (y0 + y1) / 2).buffer(0.15 * min(x1 - x0, y1 - y0))
+    return not any(disc.intersects(shape) for shape in _obstacles(room))
 
 
 def _in_a_row(room: Room, names: list[str]) -> bool:
@@ -246,14 +292,23 @@ def _between(room: Room, a: str, ends: list[str]) -> bool:
     return False
 
 
+WHOLE = {"row": _in_a_row, "stacked": _stacked, "pairs": _in_pairs}
+"""Relations of all things of a kind."""
+
+
 def related(room: Room, demand: Demand, wanted: int) -> bool:
     """Return whether at least `wanted` of the things of a relation stand as it says."""
-    things = room.find(demand.about[0])
+    if demand.kind == "openmiddle":
+        return _open_middle(room)
+    side, _, half = demand.about[0].partition(" ")
+    things = room.find(half if demand.kind == "half" else demand.about[0])
     if not things:
         return False
-    if demand.kind == "row":
-        return len(things) > 1 and _in_a_row(room, things)
-    if demand.kind in PLACES:
+    if demand.kind in WHOLE:
+        return len(things) > 1 and WHOLE[demand.kind](room, things)
+    if demand.kind == "half":
+        good = [a for a in things if _in_half(room, a, side)]
+    elif demand.kind in PLACES:
         good = [a for a in things if _at_place(room, demand.kind, a)]
     elif demand.kind == "between":
         ends = list(dict.fromkeys(name for word in demand.about[1:] for name in room.find(word)))

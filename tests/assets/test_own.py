@@ -10,7 +10,7 @@ import trimesh
 
 from robolayout._errors import AssetError
 from robolayout._reading import MAX_MESH_BYTES
-from robolayout.assets import import_folder, load_mesh_parts, own, parts
+from robolayout.assets import CATALOGUE, import_folder, load_mesh_parts, own, parts
 from robolayout.scene import Asset
 
 SIZE = (0.6, 0.9, 0.8)
@@ -170,6 +170,71 @@ def test_layoutvlm_folders_are_read_as_they_are(tmp_path: Path) -> None:
     (tmp_path / uid / "data.json").write_text(json.dumps(data))
     turned = import_folder(tmp_path)["assets"]["desk-0"]
     assert (turned["front"], turned["assetMetadata"]["boundingBox"]) == ("+x", {"x": 1.5, "y": 0.6, "z": 0.75})
+
+
+AXES = {
+    "+z/+x": np.eye(3),
+    "+y/+z": np.array([[0, 1, 0], [0, 0, 1], [1, 0, 0]]),
+    "-x/-y": np.array([[0, 0, -1], [-1, 0, 0], [0, 1, 0]]),
+}
+"""From depth, width, height to a file's axes, by the file's up and front."""
+
+
+@pytest.mark.parametrize("way", AXES)
+@pytest.mark.parametrize("kind", ["sofa", "office chair", "toilet", "desk"])
+def test_axes_are_found_by_likeness(kind: str, way: str, tmp_path: Path) -> None:
+    size = tuple(1.1 * edge for edge in CATALOGUE[kind].size)
+    pieces = parts(Asset(f"{kind}-0", kind, size), seed=77)  # another variant than those that are compared with
+    joined = trimesh.util.concatenate([trimesh.Trimesh(p.vertices @ AXES[way].T, p.faces) for p in pieces])
+    joined.export(tmp_path / f"{kind.replace(' ', '_')}.ply")
+    (entry,) = import_folder(tmp_path)["assets"].values()
+    assert f"{entry['up']}/{entry['front']}" == way
+    assert entry["assetMetadata"]["boundingBox"] == pytest.approx(dict(zip("xyz", size, strict=True)), abs=1e-3)
+
+
+def test_what_is_unsure_is_said_and_corrected_in_one_file(tmp_path: Path) -> None:
+    _mesh((4.0, 4.0, 4.0)).export(tmp_path / "blue_armchair.ply")
+    found = import_folder(tmp_path)
+    (sentence,) = found["unsure"]
+    assert "blue_armchair-0 (blue_armchair.ply)" in sentence
+    assert "front" in sentence
+    assert "corrections.json" in sentence
+    said = {
+        "blue_armchair.ply": {"up": "+z", "front": "-y", "unit": "m", "size": [0.8, 0.9, 1.0], "category": "armchair"}
+    }
+    (tmp_path / "corrections.json").write_text(json.dumps(said))
+    found = import_folder(tmp_path)
+    (entry,) = found["assets"].values()
+    assert not found["unsure"]
+    assert (entry["up"], entry["front"], entry["unit"]) == ("+z", "-y", "m")
+    assert entry["assetMetadata"]["boundingBox"] == {"x": 0.8, "y": 0.9, "z": 1.0}
+
+
+def test_a_mesh_in_no_unit_is_scaled_to_its_kind(tmp_path: Path) -> None:
+    _mesh((2.0, 2.0, 2.0)).export(tmp_path / "mug.ply")
+    (entry,) = import_folder(tmp_path)["assets"].values()
+    assert (entry["unit"], entry["sure"]["unit"]) == ("none", 0.0)
+    assert max(entry["assetMetadata"]["boundingBox"].values()) < 0.2
+
+
+@pytest.mark.parametrize(
+    ("said", "message"),
+    [
+        ({"sofa.ply": {"up": "top"}}, "corrections.json: sofa.ply: up 'top' is none of"),
+        ({"sofa.ply": {"axis": "+z"}}, "corrections.json: sofa.ply has an unknown field 'axis'; known: category"),
+        ({"sofa.ply": {"size": [1, 2]}}, "corrections.json: sofa.ply: size"),
+        ({"sofa.ply": {"up": "+z", "front": "-z"}}, "must be different axes"),
+        ({"sfa.ply": {}}, "corrects 'sfa.ply', which is no mesh of this folder; nearest: 'sofa.ply'"),
+    ],
+)
+def test_corrections_that_cannot_be_are_explained(said: object, message: str, tmp_path: Path) -> None:
+    _mesh((0.9, 2.0, 0.8)).export(tmp_path / "sofa.ply")
+    (tmp_path / "corrections.json").write_text(json.dumps(said))
+    try:
+        reasons = [row["reason"] for row in import_folder(tmp_path)["skipped"]]
+    except AssetError as error:
+        reasons = [str(error)]
+    assert any(message in reason for reason in reasons), reasons
 
 
 def test_bad_metadata_and_bad_folders_are_explained(tmp_path: Path) -> None:

@@ -78,6 +78,7 @@ def test_an_own_mesh_keeps_its_picture_and_where_it_lies(checkered: Path) -> Non
     assert isinstance(part.material.texture, bytes)
     assert part.material.roughness == pytest.approx(0.3)
     shown = pixels(part.material.texture)
+    assert part.material.color == pytest.approx((0.57, 0.08, 0.57), abs=0.03)  # half red, half blue, in linear light
     places = coordinates(part).mean(axis=1)
     row = np.clip((places[:, 1] * shown.shape[0]).astype(int), 0, shown.shape[0] - 1)
     colors = shown[row, shown.shape[1] // 2].astype(int)

@@ -76,7 +76,7 @@ def test_an_exchange_tells_everything_that_was_said(recorded: tuple[Path, list[o
     assert plan["prompt_version"] and plan["model"] == "openai:gpt-4o"
     assert plan["answer"]["usage"] == {"input_tokens": 1000, "output_tokens": 200, "cost": "0.0045"}
     again = entries["plan", "Sleeping & more", 2, 1, 1]
-    assert "bed-0 is outside." in again["request"]["texts"][1]
+    assert "bed-0 is outside." in again["request"]["texts"][2]
     assert again["answer"]["parts"][0]["content"].startswith("```python\n# again")
 
 

@@ -18,6 +18,7 @@ from robolayout.planners.model.prompt import (
     prompt,
     quoted,
     request_text,
+    retry_text,
     state_text,
 )
 from robolayout.planners.model.vocabulary import entry, vocabulary
@@ -108,17 +109,16 @@ def test_the_state_tells_poses_what_is_to_come_and_what_was_wrong() -> None:
     assert '{"variable": "bed[0]", "position": [1.0, 1.6, 0.25], "rotation": 270, "size": [2.0, 1.4, 0.5]}' in text
     assert "Leave space for night_stand[0] (0.40 x 0.45), picture[0] (0.03 x 0.80)." in text
     assert "program before" not in text
-    again = state_text(
-        PlanRequest(scene, group, placed, "lamp-0 hangs in the air.", previous="```python\nx = 1\n```\n")
-    )
+    assert retry_text(PlanRequest(scene, group, placed)) == ""
+    wrong = PlanRequest(scene, group, placed, "lamp-0 hangs in the air.", previous="```python\nx = 1\n```\n")
+    again = retry_text(wrong)
     assert "lamp-0 hangs in the air." in again
     assert "```python\n\nx = 1\n\n```\n" in again  # line 2 of the answer is line 2 of what is shown
-    assert again.count("```") == 2
+    assert again.count("```") == 2 and "# reopen" not in again
+    assert 'You may ask for "beds", "tables".' in retry_text(dataclasses.replace(wrong, reopen=("beds", "tables")))
 
 
 def test_a_scene_without_doors_says_so() -> None:
-    import dataclasses
-
     scene = small_room()
     bare = dataclasses.replace(scene, room=dataclasses.replace(scene.room, doors=()))
     assert "There is no door." in request_text(bare, None)

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from vlm_rooms import small_room
 
 from robolayout.planners import rank_samples, score_samples
-from robolayout.planners.model.feedback import MOST_LINES, feedback_text
+from robolayout.planners.model.feedback import MOST_LINES, Feedback
 from robolayout.planners.model.ranking import ACCESS, HARD, agreement
 from robolayout.program import Program, read_program
 
@@ -70,15 +70,15 @@ def test_ranking_is_a_permutation_and_never_prefers_the_worse(rows: list[tuple[f
 def test_feedback_tells_line_and_caret_rejections_and_violations() -> None:
     with pytest.raises(Exception) as caught:
         read_program("x = 1\nsolver.against_wal(bed[0], walls[3])", SCENE)
-    text = feedback_text(error=caught.value, rejections=["line 3: a: b."], violations=["bed-0 is outside.\n```"])
+    text = Feedback(error=caught.value, rejections=["line 3: a: b."], violations=["bed-0 is outside.\n```"]).text()
     assert "    line 2: " in text
     assert "^" in text and "against_wall" in text
     assert "left out:\n\n- line 3: a: b." in text
     assert "measured:\n\n- bed-0 is outside. '''" in text
-    assert feedback_text() == ""
+    assert Feedback().text() == ""
 
 
 def test_long_feedback_is_cut() -> None:
-    text = feedback_text(violations=[f"fault {i}" for i in range(100)])
+    text = Feedback(violations=[f"fault {i}" for i in range(100)]).text()
     assert text.count("- fault") == MOST_LINES
     assert text.endswith(f"- and {100 - MOST_LINES} more.")

@@ -7,8 +7,8 @@ import pytest
 
 from robolayout._errors import ModelError
 from robolayout.planners.model import provider
-from robolayout.planners.model.client import Client
-from robolayout.planners.model.exchange import Question, Tape
+from robolayout.planners.model.exchange import Question
+from robolayout.planners.model.options import ModelOptions
 
 pytestmark = pytest.mark.usefixtures("ask_loopback")
 
@@ -33,8 +33,8 @@ def test_an_answer_that_is_no_completion_is_one_sentence(
     monkeypatch.setenv("OPENAI_API_KEY", "none")
     transport = httpx2.MockTransport(answered)
     monkeypatch.setattr(provider, "create_async_httpx2_client", lambda **_: httpx2.AsyncClient(transport=transport))
-    question = Question("plan", "all", 1, 1, "say", ("what",), (), "key")
-    client = Client(provider.spec_of("openai:m", "http://127.0.0.1:9/v1"), Tape())
+    question = Question("plan", "all", 1, 1, "say", ("what",), "key")
+    client = ModelOptions(base_url="http://127.0.0.1:9/v1").open("openai:m")
     (answer,) = client.ask([question], str)
     assert isinstance(answer, ModelError)
     assert said in str(answer) and "\n" not in str(answer)

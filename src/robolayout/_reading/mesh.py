@@ -1,4 +1,4 @@
-"""Meshes: GLB, OBJ, PLY and STL from bytes, within bounds, as placed triangles with their looks.
+"""Meshes: GLB, OBJ, PLY, STL and, of robots, COLLADA from bytes, within bounds, as placed triangles with their looks.
 
 What a file promises is counted before its parser makes room for it. Nothing outside the given bytes is opened: materials
 and textures in separate files are ignored.
@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._reading.glb import check_glb
-from robolayout._reading.syntax import Unreadable
+from robolayout._reading.syntax import Unreadable, decoded, xml_root
 
 Array = NDArray[np.float64]
 
@@ -44,15 +44,19 @@ LARGEST_PICTURE = 1024
 """Most pixels along a side of a texture; larger ones are made smaller."""
 
 
+UNSAID = [102, 102, 102, 255]
+"""The colour that trimesh gives to what has none, for example where an OBJ's material file is missing."""
+
+
 @dataclass(frozen=True)
 class Look:
     """What a piece looks like.
 
     Attributes:
-        color: Red, green, blue (sRGB) and opacity from 0 to 1.
+        color: Red, green, blue (sRGB) and opacity from 0 to 1: of the whole, if there is a picture.
         roughness: 0 mirror, 1 chalk.
         metallic: 0 or 1, or between.
-        picture: A PNG or JPEG that the colour is multiplied with; None for none.
+        picture: A JPEG of its surface; None for none.
     """
 
     color: tuple[float, float, float, float]
@@ -112,6 +116,8 @@ def _check_promises(data: bytes, suffix: str) -> None:
         check_glb(data, most_nodes=MAX_PIECES, most_triangles=MAX_TRIANGLES)
     elif suffix == ".ply":
         _check_ply(data)
+    elif suffix == ".dae":
+        xml_root(decoded(data))
     else:
         for what, found, most in (("pieces", _PIECES, MAX_PIECES), ("triangles", _FACES, MAX_TRIANGLES)):
             if (count := sum(1 for _ in found[suffix].finditer(data))) > most:
@@ -145,12 +151,12 @@ def _pieces(data: bytes, kind: str) -> Iterator[Piece]:
         total += len(mesh.faces)
         if total > MAX_TRIANGLES:
             raise Unreadable(f"unfolds to more than {MAX_TRIANGLES} triangles. Simplify it and export it again")
-        piece = _cleaned(str(key), mesh, np.asarray(matrix), looks)
+        piece = _cleaned(str(key), mesh, np.asarray(matrix), looks, kind)
         if piece is not None:
             yield piece
 
 
-def _cleaned(name: str, mesh: Any, matrix: Array, looks: dict[int, Look | None]) -> Piece | None:
+def _cleaned(name: str, mesh: Any, matrix: Array, looks: dict[int, Look | None], kind: str) -> Piece | None:
     """Place a piece and drop triangles with unusable numbers; None where nothing is left."""
     points, faces = np.asarray(mesh.vertices), np.asarray(mesh.faces)
     with np.errstate(all="ignore"):
@@ -168,7 +174,7 @@ def _cleaned(name: str, mesh: Any, matrix: Array, looks: dict[int, Look | None])
     visual = mesh.visual
     key = id(getattr(visual, "material", mesh))
     if key not in looks:
-        looks[key] = _look(visual)
+        looks[key] = _look(visual, kind)
     look, uv = looks[key], getattr(visual, "uv", None)
     if look is None or look.picture is None:
         return Piece(name, placed[used], index.reshape(-1, 3), look)
@@ -176,25 +182,39 @@ def _cleaned(name: str, mesh: Any, matrix: Array, looks: dict[int, Look | None])
     return Piece(name, placed[used], index.reshape(-1, 3), look, flipped)
 
 
-def _look(visual: Any) -> Look | None:
-    """Return what a mesh looks like: its material with its picture, or its mean vertex colour; None if it does not say."""
+def _look(visual: Any, kind: str) -> Look | None:
+    """Return what a mesh looks like: its material with its picture, or its mean vertex colour; None if it does not say.
+
+    Factors are in linear light in a GLB, as its standard says, and sRGB in other files.
+    """
     if visual is None or not getattr(visual, "defined", False):
         return None
     if visual.kind != "texture":
         return Look(_color(np.asarray(visual.main_color, dtype=np.float64)[:4] / 255.0))
     surface = visual.material
+    if list(getattr(surface, "diffuse", ())) == UNSAID:
+        return None
     surface = surface.to_pbr() if hasattr(surface, "to_pbr") else surface
     factor = getattr(surface, "baseColorFactor", None)
     color = np.ones(4) if factor is None else np.asarray(factor, dtype=np.float64)
     color = color / 255.0 if color.max() > 1.0 else color
-    image = getattr(surface, "baseColorTexture", None) if getattr(visual, "uv", None) is not None else None
+    light = color[:3] if kind == "glb" else _to_linear(color[:3])
+    image = getattr(surface, "baseColorTexture", None)
+    if image is not None:
+        light = light * _to_linear(np.asarray(image.convert("RGB"), dtype=np.float64) / 255.0).mean(axis=(0, 1))
+    encoded = np.where(light <= 0.0031308, 12.92 * light, 1.055 * np.maximum(light, 1e-9) ** (1 / 2.4) - 0.055)
     rough, metal = (getattr(surface, f"{name}Factor", None) for name in ("roughness", "metallic"))
     return Look(
-        _color(color),
+        _color(np.append(encoded, color[3:4])),
         0.8 if rough is None else float(np.clip(np.nan_to_num(rough), 0.0, 1.0)),
         0.0 if metal is None else float(np.clip(np.nan_to_num(metal), 0.0, 1.0)),
-        None if image is None else _encoded(image),
+        None if image is None or getattr(visual, "uv", None) is None else _encoded(image),
     )
+
+
+def _to_linear(srgb: Array) -> Array:
+    """Return linear light for sRGB values (IEC 61966-2-1)."""
+    return np.where(srgb <= 0.04045, srgb / 12.92, ((np.maximum(srgb, 0.0) + 0.055) / 1.055) ** 2.4)
 
 
 def _encoded(image: Any) -> bytes:

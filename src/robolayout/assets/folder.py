@@ -1,11 +1,15 @@
-"""A folder of meshes to a catalogue: units, up axis, box and category of every file, found without asking."""
+"""A folder of meshes to a catalogue: category, unit, axes and box of every file, found without asking.
+
+What is found comes with how sure it is; `corrections.json` in the folder says what was found wrongly.
+"""
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
@@ -16,17 +20,23 @@ from robolayout._reading import MESH_SUFFIXES, Checker, is_file, regular_bytes
 from robolayout._reading.syntax import decoded, json_value
 from robolayout.assets.category import Category
 from robolayout.assets.lexicon import find_category
-from robolayout.assets.own import AXES, Size, extent, fits_y_up, orientation, read_pieces
+from robolayout.assets.likeness import WAYS, sampled, stands
+from robolayout.assets.own import AXES, RawMesh, Size, extent, fits_y_up, orientation, read_pieces
 from robolayout.scene import variable_name
 
 MAX_FILES = 5000
 """Mesh files that are looked at in one folder."""
 MAX_JSON = 1_000_000
 """Largest metadata file in bytes."""
-UNITS = (("m", 1.0), ("cm", 0.01), ("mm", 0.001), ("inch", 0.0254))
+UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "inch": 0.0254}
 """Units that mesh files are drawn in, the likeliest first, and their length in metres."""
+SCALED = "none"
+"""The unit of a mesh that fits its category's size in no unit, and is scaled to it."""
 CLEARLY = math.log(2.0)
-"""Another unit than metres must fit the category's size better by this log ratio."""
+"""Another unit than metres must fit the category's size better by this log ratio; metres that miss by more fit not at all."""
+SURE = 0.3
+"""How sure an axis or unit must be not to be asked about."""
+CORRECTIONS = "corrections.json"
 PLAUSIBLE = (0.02, 6.0)
 """Longest edge in metres of a thing of unknown category."""
 LARGEST = 100.0
@@ -47,6 +57,8 @@ class Guess:
         description: Free words about it.
         flags: Placement flags that the metadata states, by their key in scene files.
         size: Depth, width, height in metres where the metadata states them.
+        unit: Its unit, where the metadata states it.
+        up: Axis that points up, where the metadata states it.
         front: Axis of its front, where the metadata states it.
     """
 
@@ -54,7 +66,19 @@ class Guess:
     description: str
     flags: Mapping[str, bool]
     size: Size | None = None
+    unit: str | None = None
+    up: str | None = None
     front: str | None = None
+
+
+@dataclass(frozen=True)
+class _Found:
+    """What a mesh file was found to be drawn in, and how sure that is, 0 to 1 by field."""
+
+    unit: str
+    up: str
+    front: str
+    sure: Mapping[str, float]
 
 
 def import_folder(directory: Path, *, front: str | None = None, up: str | None = None) -> dict[str, Any]:
@@ -62,14 +86,15 @@ def import_folder(directory: Path, *, front: str | None = None, up: str | None =
 
     Args:
         directory: The folder; LayoutVLM and objathor folders (`<uid>/data.json` with `<uid>.glb`) are read as they are.
-        front: Axis of all files that points forward ("+x"); None follows metadata, then the format.
+            `corrections.json` in it may state category, description, placement flags, unit, up, front and size by path.
+        front: Axis of all files that points forward ("+x"); None follows metadata, then the shape.
         up: Axis of all files that points up ("+y"); None finds it.
 
     Returns:
-        {"assets": {name: entry}, "skipped": [{"path", "reason"}]}; paths are relative to the folder.
+        {"assets": {name: entry}, "skipped": [{"path", "reason"}], "unsure": [sentence]}; paths are relative to the folder.
 
     Raises:
-        AssetError: The folder does not exist or holds no mesh file.
+        AssetError: The folder does not exist, holds no mesh file, or its corrections cannot be read.
         UnknownNameError: There is no such axis.
     """
     if not directory.is_dir():
@@ -79,10 +104,11 @@ def import_folder(directory: Path, *, front: str | None = None, up: str | None =
             raise UnknownNameError("axis", axis, AXES)
     assets: dict[str, Any] = {}
     skipped: list[dict[str, str]] = []
-    for path in _mesh_files(directory):
-        shown = path.relative_to(directory).as_posix()
+    files = {path.relative_to(directory).as_posix(): path for path in _mesh_files(directory)}
+    corrections = _corrections(directory, files)
+    for shown, path in files.items():
         try:
-            name, entry = _entry(path, shown, front=front, up=up)
+            name, entry = _entry(path, shown, corrections.get(shown), front=front, up=up)
         except AssetError as error:
             skipped.append({"path": shown, "reason": str(error)})
             continue
@@ -91,7 +117,32 @@ def import_folder(directory: Path, *, front: str | None = None, up: str | None =
         raise AssetError(
             f"asset folder {directory.name!r} holds no mesh; put {', '.join(MESH_SUFFIXES)} files into it."
         )
-    return {"assets": assets, "skipped": skipped}
+    unsure = [sentence for name, entry in assets.items() for sentence in _unsure(name, entry)]
+    return {"assets": assets, "skipped": skipped, "unsure": unsure}
+
+
+def _corrections(directory: Path, files: Mapping[str, Path]) -> dict[str, Mapping[str, Any]]:
+    """Return what the user says of single files, by path."""
+    path = directory / CORRECTIONS
+    if not is_file(path):
+        return {}
+    said = _json(path)
+    astray = [name for name in said if name not in files]
+    if astray:
+        near = get_close_matches(astray[0], files, 1, 0.0)
+        raise AssetError(
+            f"{CORRECTIONS} corrects {astray[0]!r}, which is no mesh of this folder; nearest: {near[0]!r}."
+        )
+    return {name: _CHECK.mapping(entry, f"{CORRECTIONS}: {name}") for name, entry in said.items()}
+
+
+def _unsure(name: str, entry: Mapping[str, Any]) -> Iterator[str]:
+    """Yield a sentence for each thing that was guessed and may be wrong."""
+    doubts = [f"{key} {entry[key]} ({sure:.0%})" for key, sure in entry["sure"].items() if sure < SURE]
+    if find_category(entry["category"]).group == "unknown":
+        doubts.insert(0, "what it is")
+    if doubts:
+        yield f"{name} ({entry['path']}): {', '.join(doubts)} may be wrong; look at --pictures, correct it in {CORRECTIONS}."
 
 
 def _mesh_files(directory: Path) -> Iterator[Path]:
@@ -112,25 +163,71 @@ def _free(name: str, taken: Mapping[str, Any]) -> str:
     return f"{name}-{index}"
 
 
-def _entry(path: Path, shown: str, *, front: str | None, up: str | None) -> tuple[str, dict[str, Any]]:
+def _entry(
+    path: Path, shown: str, said: Mapping[str, Any] | None, *, front: str | None, up: str | None
+) -> tuple[str, dict[str, Any]]:
     """Return the variable name and the scene entry of one mesh file."""
     guess = _guess(path)
+    guess = replace(guess, up=up or guess.up, front=front or guess.front)
+    guess = guess if said is None else _corrected(guess, said, f"{CORRECTIONS}: {shown}")
     pieces = read_pieces(path)
     edges = extent(pieces)
     words = guess.description + " " + " ".join(piece.name for piece in pieces[:20])
     category = find_category(guess.text, description=words)
-    unit, factor = ("m", 1.0) if guess.size else _unit(edges, category)
-    target = guess.size or category.size
-    upward = up or ("+y" if path.suffix.lower() == ".glb" or fits_y_up(edges, target) else "+z")
-    forward = front or guess.front or ("+z" if upward[1] == "y" else "+x")
-    turned = np.abs(orientation(path, edges, target, up=upward, front=forward)) @ np.array(edges) * factor
-    size = guess.size or (float(turned[0]), float(turned[1]), float(turned[2]))
+    found = _found(path, guess, pieces, category)
+    turned = np.abs(orientation(path, edges, category.size, up=found.up, front=found.front)) @ np.array(edges)
+    factor = UNITS.get(found.unit) or math.exp(float(np.log(np.array(category.size) / np.maximum(turned, 1e-9)).mean()))
+    size = guess.size or (float(turned[0]) * factor, float(turned[1]) * factor, float(turned[2]) * factor)
     if category.group == "unknown" or category.name not in guess.text:
         category = find_category(guess.text, description=words, size=size)
-    return variable_name(guess.text)[:60], _as_scene(shown, guess, category, size, (unit, upward, forward))
+    return variable_name(guess.text)[:60], _as_scene(shown, guess, category, size, found)
 
 
-def _as_scene(shown: str, guess: Guess, category: Category, size: Size, axes: tuple[str, str, str]) -> dict[str, Any]:
+def _corrected(guess: Guess, said: Mapping[str, Any], where: str) -> Guess:
+    """Return a guess with what the user says instead.
+
+    Raises:
+        AssetError: It says what cannot be; the message names file, field and what may stand there.
+    """
+    known = ("category", "description", "unit", "up", "front", "size", *FLAGS)
+    for key in said:
+        if key not in known:
+            raise AssetError(f"{where} has an unknown field {key!r}; known: {', '.join(known)}.")
+    for key, choices in (("unit", [*UNITS, SCALED]), ("up", sorted(AXES)), ("front", sorted(AXES))):
+        if key in said and said[key] not in choices:
+            raise AssetError(f"{where}: {key} {said[key]!r} is none of {', '.join(choices)}.")
+    text, words, flags = _said(said, where)
+    size = said.get("size")
+    edges = None if size is None else _CHECK.numbers(size, f"{where}: size", (3,))
+    for edge in edges or ():
+        _CHECK.number(edge, f"{where}: size", above=0.0, most=LARGEST)
+    return Guess(
+        text or guess.text,
+        words or guess.description,
+        {**guess.flags, **flags},
+        guess.size if edges is None else (edges[0], edges[1], edges[2]),
+        *(said.get(key) or getattr(guess, key) for key in ("unit", "up", "front")),
+    )
+
+
+def _found(path: Path, guess: Guess, pieces: Sequence[RawMesh], category: Category) -> _Found:
+    """Return in which unit and axes a mesh is drawn: as is said, else as the format has it unless the shape says otherwise."""
+    edges, standard = extent(pieces), ("+y", "+z") if path.suffix.lower() == ".glb" else None
+    unit, unit_sure = (guess.unit, 1.0) if guess.unit else ("m", 1.0) if guess.size else _unit(edges, category)
+    fitting = [way for way in WAYS if guess.up in (None, way[0]) and guess.front in (None, way[1])]
+    if not fitting:
+        raise AssetError(f"up {guess.up!r} and front {guess.front!r} must be different axes.")
+    if category.group == "unknown":
+        upward = guess.up or ("+y" if standard or fits_y_up(edges, guess.size or category.size) else "+z")
+        forward = guess.front or ("+z" if upward[1] == "y" else "+x")
+        sure = {"unit": unit_sure, "up": 1.0 if guess.up or standard else 0.0, "front": 1.0 if guess.front else 0.0}
+        return _Found(unit, upward, forward, sure)
+    points = sampled((piece.vertices, piece.faces) for piece in pieces)
+    stand = stands(points, category, standard, fitting)
+    return _Found(unit, stand.up, stand.front, {"unit": unit_sure, "up": stand.up_sure, "front": stand.front_sure})
+
+
+def _as_scene(shown: str, guess: Guess, category: Category, size: Size, found: _Found) -> dict[str, Any]:
     """Return one asset as a scene file writes it, with what was found about the mesh."""
     depth, width, height = (round(max(edge, 0.001), 4) for edge in size)
     return {
@@ -139,28 +236,36 @@ def _as_scene(shown: str, guess: Guess, category: Category, size: Size, axes: tu
         "path": shown,
         **{key: bool(guess.flags.get(key, getattr(category, name))) for key, name in FLAGS.items()},
         "assetMetadata": {"boundingBox": {"x": depth, "y": width, "z": height}},
-        "unit": axes[0],
-        "up": axes[1],
-        "front": axes[2],
+        "unit": found.unit,
+        "up": found.up,
+        "front": found.front,
+        "sure": dict(found.sure),
     }
 
 
 def _unit(edges: Size, category: Category) -> tuple[str, float]:
-    """Return the unit in which the mesh's size is most plausible for its category; metres unless clearly not."""
+    """Return the unit in which the mesh's size is most plausible for its category, and how sure that is.
+
+    It is metres unless another one fits clearly better, and none where none fits.
+    """
     longest = max(edges)
     if longest <= 0.0:
         raise AssetError("the mesh has no extent; export it again.")
     if category.group == "unknown":
-        fits = [pair for pair in UNITS if PLAUSIBLE[0] <= longest * pair[1] <= PLAUSIBLE[1]]
-        return fits[0] if fits else UNITS[0]
+        fits = [unit for unit, factor in UNITS.items() if PLAUSIBLE[0] <= longest * factor <= PLAUSIBLE[1]]
+        return (fits[0], 1.0 / len(fits)) if fits else ("m", 0.0)
     own = sorted(edges)[1:]
     typical = sorted(category.size)[1:]
 
     def misfit(factor: float) -> float:
         return sum(abs(math.log(max(a, 1e-9) * factor / b)) for a, b in zip(own, typical, strict=True)) / 2
 
-    best = min(UNITS[:3], key=lambda pair: misfit(pair[1]))
-    return best if misfit(best[1]) < misfit(1.0) - CLEARLY else UNITS[0]
+    misfits = {unit: misfit(factor) for unit, factor in UNITS.items()}
+    best = min(misfits, key=lambda unit: misfits[unit])
+    best = best if misfits[best] < misfits["m"] - CLEARLY else "m"
+    if misfits[best] > CLEARLY:
+        return SCALED, 0.0
+    return best, round(1.0 - misfits[best] / CLEARLY, 2)
 
 
 def _guess(path: Path) -> Guess:
@@ -216,4 +321,4 @@ def _objathor(path: Path, data: Mapping[str, Any]) -> Guess:
     size = (along, across, height) if view[1] == "z" else (across, along, height)
     _CHECK.required(notes, "category", f"{where}: annotations")
     text, words, flags = _said(notes, f"{where}: annotations")
-    return Guess(text, words, flags, size, view)
+    return Guess(text, words, flags, size, up="+y", front=view)

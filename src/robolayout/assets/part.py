@@ -14,12 +14,12 @@ class Material:
 
     Attributes:
         name: What it is ("oak", "linen").
-        color: sRGB colour, each channel 0 to 1.
+        color: sRGB colour, each channel 0 to 1; with a texture that of the whole, so that it serves where there are no textures.
         roughness: 0 mirror, 1 chalk.
         metallic: 0 or 1.
         opacity: 1 opaque; glass below.
         glow: Light that it gives off, as a share of its colour: shades of lamps, screens.
-        texture: A tile by name ("wood"), which the colour is multiplied with, or the picture of an own mesh; None is plain.
+        texture: A tile by name ("wood"), or the picture of an own mesh; None is plain.
     """
 
     name: str

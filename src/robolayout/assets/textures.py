@@ -25,6 +25,9 @@ SIDE = 256
 MEAN = 0.8
 """Mean of every tile, in linear light: what is darker and what is lighter than the plain colour both have room."""
 
+DARKEST = 1e-3
+"""Least mean of a picture that is reckoned with, in linear light."""
+
 QUALITY = 82
 """JPEG quality of tiles in files: 10 to 30 kB each."""
 
@@ -175,9 +178,15 @@ def media_type(data: bytes) -> str:
     return "image/png" if data.startswith(b"\x89PNG") else "image/jpeg"
 
 
-def mean(texture: str | bytes) -> float:
-    """Return by how much a texture darkens a colour on the whole, which that colour must make up for."""
-    return MEAN if isinstance(texture, str) else 1.0
+@lru_cache(maxsize=64)
+def mean(texture: str | bytes) -> tuple[float, float, float]:
+    """Return by how much a texture darkens red, green and blue on the whole, in linear light."""
+    if isinstance(texture, str):
+        return (MEAN, MEAN, MEAN)
+    values = pixels(texture) / 255.0
+    linear = np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+    red, green, blue = np.maximum(linear.mean(axis=(0, 1)), DARKEST).tolist()
+    return (red, green, blue)
 
 
 def coordinates(part: Part, turn: Array | None = None) -> NDArray[np.float32]:

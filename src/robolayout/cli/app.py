@@ -23,11 +23,11 @@ from robolayout.cli.generate import (
     QuietOption,
     SeedOption,
     generate,
-    own_planner,
     read_scene,
 )
 from robolayout.cli.guard import Unforeseen, main
 from robolayout.cli.many import batch, evaluate
+from robolayout.cli.models import BaseUrlOption, MaxCostOption, ReplayOption
 from robolayout.cli.physics import drive, settle
 from robolayout.cli.pictures import DateOption, render
 from robolayout.cli.terminal import progress, say, show, table
@@ -61,6 +61,9 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
+
+JUDGED = "judged"
+"""Folder of a judge's votes beside the report."""
 
 SceneArgument = Annotated[str, typer.Argument(help="A scene file (JSON).")]
 LayoutArgument = Annotated[Path, typer.Argument(help="A layout file (JSON).")]
@@ -100,6 +103,13 @@ def check(  # noqa: PLR0913 - one parameter per option
     ] = None,
     pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw page, plan and views.")] = True,
     date: DateOption = "",
+    opinion: Annotated[
+        str | None, typer.Option("--judge", help="Also let a model score the room: openai:gpt-4o, ... (docs/vlm.md).")
+    ] = None,
+    votes: Annotated[int, typer.Option("--votes", min=1, max=32, help="How often it scores the room.")] = 3,
+    base_url: BaseUrlOption = None,
+    max_cost: MaxCostOption = None,
+    replay: ReplayOption = None,
     quiet: QuietOption = False,
     as_json: JsonOption = False,
 ) -> None:
@@ -118,6 +128,13 @@ def check(  # noqa: PLR0913 - one parameter per option
     if out is not None:
         check_writable(out)
     judged = judge(given, placed, program)
+    if opinion or replay:
+        from robolayout.planners import ModelJudge
+        from robolayout.run.opinion import scored
+
+        record = out / JUDGED if out is not None and replay is None else None
+        asked = ModelJudge(opinion, votes=votes, base_url=base_url, max_cost=max_cost, replay=replay, exchanges=record)
+        judged = scored(judged, asked)
     files = [] if out is None else write_result(judged, out, pictures=pictures, date=date)
     if as_json:
         say(json.dumps(judged.report.to_dict()))
@@ -143,6 +160,7 @@ def compare(  # noqa: PLR0913 - one parameter per option
 ) -> None:
     """Lay out one room for several bodies, side by side in one picture."""
     from robolayout._files import check_writable, write_atomic
+    from robolayout.planners import OfflinePlanner
     from robolayout.run import flow
     from robolayout.run.outputs import comparison
 
@@ -151,7 +169,7 @@ def compare(  # noqa: PLR0913 - one parameter per option
     given = read_scene(scene, bodies, asset_dir, quiet=quiet)
     check_writable(out.parent)
     with progress(quiet) as tell:
-        planner = own_planner(knowledge)
+        planner = OfflinePlanner(knowledge or ())
         results = flow.compare(given, given.agents, planner=planner, seed=seed, progress=tell)
     write_atomic(out, comparison(results, out.suffix, width=width))
     if not quiet:

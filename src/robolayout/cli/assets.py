@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -14,6 +14,7 @@ from robolayout.cli.terminal import say, table, warn
 
 if TYPE_CHECKING:
     from robolayout.assets import Category
+    from robolayout.scene import Asset
 
 
 def assets(
@@ -34,20 +35,20 @@ def assets(
     from robolayout.assets import CATALOGUE, find_category
 
     if word == "import":
-        _import(folder, out, front)
+        _import(folder, out, front, pictures)
         return
     if folder is not None:
         raise InputError(f"{str(folder)!r} follows {word!r}: put a name of several words in quotes.")
     found = [kind for kind in CATALOGUE.values() if word is None or kind.group == word]
     found = found or [find_category(word or "")]
     if pictures is not None:
-        _draw(found, pictures)
+        _draw([_typical(kind) for kind in found], pictures)
     rows = [[c.name, c.group, " x ".join(f"{v:g}" for v in c.size), ", ".join(c.places), c.source] for c in found]
     table("Catalogue (depth x width x height in metres)", ["category", "group", "size", "place", "source"], rows)
 
 
-def _import(folder: Path | None, out: Path, front: str | None) -> None:
-    """Write the catalogue of a folder, and say what was skipped."""
+def _import(folder: Path | None, out: Path, front: str | None, pictures: Path | None) -> None:
+    """Write the catalogue of a folder, draw it, and say what was skipped and what is unsure."""
     from robolayout._files import write_atomic
     from robolayout.assets import import_folder
 
@@ -58,6 +59,10 @@ def _import(folder: Path | None, out: Path, front: str | None) -> None:
         warn(f"skipped {entry['path']}: {entry['reason']}")
     if not catalogue["assets"]:
         raise AssetError(f"none of the {len(catalogue['skipped'])} meshes in {folder.name!r} can be used.")
+    for sentence in catalogue.pop("unsure"):
+        warn(sentence)
+    if pictures is not None:
+        _draw(_own(catalogue["assets"], folder), pictures)
     meshes, home = folder.resolve(), out.resolve().parent
     if meshes.is_relative_to(home):  # then a scene beside the catalogue finds the meshes by it
         for entry in catalogue["assets"].values():
@@ -65,25 +70,32 @@ def _import(folder: Path | None, out: Path, front: str | None) -> None:
     say(str(write_atomic(out, json.dumps(catalogue, indent=2, ensure_ascii=False) + "\n")))
 
 
-def _draw(found: Sequence[Category], target: Path) -> None:
-    """Draw categories in their typical sizes."""
+def _own(entries: Mapping[str, Any], folder: Path) -> list[Asset]:
+    """Return imported things, each turned as it was understood."""
+    from robolayout.scene import Asset
+
+    found: list[Asset] = []
+    for name, entry in entries.items():
+        x, y, z = (entry["assetMetadata"]["boundingBox"][axis] for axis in "xyz")
+        axes = {"up": entry["up"], "front": entry["front"]}
+        found.append(Asset(name, entry["category"], (x, y, z), path=folder / entry["path"], metadata=axes))
+    return found
+
+
+def _typical(kind: Category) -> Asset:
+    """Return a thing of a category in its typical size."""
+    from robolayout.scene import Asset, variable_name
+
+    flags = {name: getattr(kind, name) for name in ("on_floor", "on_wall", "on_ceiling", "on_object")}
+    return Asset(f"{variable_name(kind.name)}-0", kind.name, kind.size, **flags)
+
+
+def _draw(shown: Sequence[Asset], target: Path) -> None:
+    """Draw things into one picture, each from its front."""
     from robolayout._files import write_atomic
     from robolayout.render import asset_sheet
     from robolayout.run.outputs import png
-    from robolayout.scene import Asset, variable_name
 
     if target.suffix != ".png":
         raise InputError(f"pictures cannot be written to {target}: name a file that ends in .png.")
-    shown = [
-        Asset(
-            f"{variable_name(kind.name)}-0",
-            kind.name,
-            kind.size,
-            on_floor=kind.on_floor,
-            on_wall=kind.on_wall,
-            on_ceiling=kind.on_ceiling,
-            on_object=kind.on_object,
-        )
-        for kind in found
-    ]
     write_atomic(target, png(asset_sheet(shown)))

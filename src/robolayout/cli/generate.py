@@ -9,17 +9,32 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from shutil import copytree
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from robolayout._errors import InputError
 from robolayout._text import file_name
+from robolayout.cli.models import (
+    AtOnceOption,
+    BaseUrlOption,
+    CacheOption,
+    CriticOption,
+    FallbackOption,
+    MaxCostOption,
+    ModelOption,
+    ModeOption,
+    ReplayOption,
+    RetriesOption,
+    SamplesOption,
+    ThinkingOption,
+    TimeoutOption,
+    Who,
+)
 from robolayout.cli.terminal import progress, say, show, warn
 
 if TYPE_CHECKING:
-    from robolayout.planners import Planner, Understanding
+    from robolayout.planners import Planner
     from robolayout.run.flow import Result
     from robolayout.run.folder import RunFolder
     from robolayout.scene import Scene
@@ -48,14 +63,6 @@ EffortOption = Annotated[str, typer.Option("--effort", help="How long to search:
 VariantsOption = Annotated[
     int, typer.Option("--variants", min=1, max=64, help="Different rooms for one sentence or scene file.")
 ]
-ModelOption = Annotated[str | None, typer.Option("--model", help="Let a model plan: openai:gpt-4o, ollama:llava, ...")]
-ModeOption = Annotated[str, typer.Option("--mode", help="grouped, one_shot, no_image or no_constraint (with --model).")]
-SamplesOption = Annotated[int, typer.Option("--samples", min=1, max=16, help="Programs asked for at once.")]
-RetriesOption = Annotated[int, typer.Option("--retries", min=0, max=10, help="Further questions per group.")]
-BaseUrlOption = Annotated[str | None, typer.Option("--base-url", help="An OpenAI-compatible server.")]
-MaxCostOption = Annotated[float | None, typer.Option("--max-cost", help="Most dollars to spend on a model.")]
-TimeoutOption = Annotated[float, typer.Option("--timeout", help="Seconds to wait for a model's answer.")]
-CriticOption = Annotated[bool, typer.Option("--critic", help="Let the model rate the room and amend it once.")]
 ConstraintsOption = Annotated[
     Path | None, typer.Option("--constraints", help="A Python file with constraints of your own; it is run.")
 ]
@@ -68,8 +75,6 @@ StartOption = Annotated[
 ]
 KeepOption = Annotated[str, typer.Option("--keep", help="With --from: what does not move at all, names and commas.")]
 FreeOption = Annotated[str, typer.Option("--free", help="With --from: all that may move, names and commas.")]
-ReplayOption = Annotated[Path | None, typer.Option("--replay", help="Answer from recorded exchanges, offline.")]
-
 
 LONGEST_NAME = 255
 """Characters of a file name at the most, on the usual systems."""
@@ -103,37 +108,62 @@ def generate(  # noqa: PLR0913 - one parameter per option
     base_url: BaseUrlOption = None,
     max_cost: MaxCostOption = None,
     timeout: TimeoutOption = 60.0,
+    thinking: ThinkingOption = None,
+    fallback: FallbackOption = None,
+    at_once: AtOnceOption = None,
+    cache: CacheOption = True,
     replay: ReplayOption = None,
     quiet: QuietOption = False,
     as_json: JsonOption = False,
 ) -> None:
     """Lay out a scene, verify it, and write layout, report, pictures and GLB."""
     from robolayout.run.flow import generate as arrange
-    from robolayout.run.outputs import write_files
     from robolayout.solve import SolverConfig
 
     formats = _checked(export, constraints, settle=settle)
-    offline = own_planner(knowledge, program, model or base_url or replay)
-    other = _not_offline(program, model or base_url or replay)
+    limits = {"base_url": base_url, "max_cost": max_cost, "timeout": timeout, "replay": replay, "cache": cache}
+    limits |= {"thinking": thinking, "fallback": tuple(fallback or ()), "at_once": at_once}
+    asked = {"mode": mode, "samples": samples, "retries": retries, "critic": critic}
+    who = Who(program, model, tuple(knowledge or ()), asked, limits)
     config = SolverConfig(starts=starts, trace=pictures).at(effort)
     arranged = partial(arrange, solver=solver, config=config, start=start, keep=_names(keep), free=_names(free))
-    every_ok = True
-    for job in _jobs(scene, agent, asset_dir, (seed, variants), out, knowledge or (), quiet=quiet):
-        _check_meshes(job.scene)
-        for line in () if quiet or job.understood is None else job.understood.sentences():
-            warn(line)
-        with _output(job.folder) as run, progress(quiet or as_json) as tell:
-            how, limits = (model, mode, samples, retries, critic), (base_url, max_cost, timeout, replay)
-            planner = _model_or_file(program, how, limits, run, job.seed) if other else offline
-            result = arranged(job.scene, planner=planner, seed=job.seed, progress=tell)
-            result = _settled(result, tell) if settle else result
-            tell("write")
-            job.write(run.path)
-            files = write_files(result, run, pictures=pictures, formats=formats)
-            files += _walk(result, run.path) if walk else []
-        _tell(result, run, files, quiet=quiet, as_json=as_json)
-        every_ok &= result.report.ok
-    raise typer.Exit(0 if every_ok else 1)
+    write = partial(_write, pictures=pictures, formats=formats, walk=walk, settle=settle)
+    given = _Given(scene, agent, asset_dir, who.knowledge, quiet, as_json)
+    made = [_laid_out(job, given, who, arranged, write) for job in _jobs(given, who, (seed, variants), out)]
+    raise typer.Exit(0 if all(result.report.ok for result in made) else 1)
+
+
+def _laid_out(
+    job: _Job, given: _Given, who: Who, arranged: Callable[..., Result], write: Callable[..., tuple[Result, list[Path]]]
+) -> Result:
+    """Lay one room out, write its files, and say what came of it."""
+    with _output(job.folder) as run:
+        planner = who.planner(run, job.seed)
+        room = job.scene or _furnished(given, planner, run, job)
+        _check_meshes(room)
+        with progress(given.quiet or given.as_json) as tell:
+            result, files = write(arranged(room, planner=planner, seed=job.seed, progress=tell), run, tell)
+    _tell(result, run, files, quiet=given.quiet, as_json=given.as_json)
+    return result
+
+
+def _write(
+    result: Result,
+    run: RunFolder,
+    tell: Callable[[str], None],
+    *,
+    pictures: bool,
+    formats: list[str],
+    walk: bool,
+    settle: bool,
+) -> tuple[Result, list[Path]]:
+    """Write the files of a run, after asking gravity if so wished; return the run and the files."""
+    from robolayout.run.outputs import write_files
+
+    result = _settled(result, tell) if settle else result
+    tell("write")
+    files = write_files(result, run, pictures=pictures, formats=formats)
+    return result, files + (_walk(result, run.path) if walk else [])
 
 
 def _names(given: str) -> list[str]:
@@ -142,28 +172,47 @@ def _names(given: str) -> list[str]:
 
 
 @dataclass(frozen=True)
+class _Given:
+    """What to lay out, as it was given.
+
+    Attributes:
+        text: A scene file, or a sentence.
+        agent: Bodies in place of its own.
+        asset_dir: Folder of assets.
+        knowledge: Files of the user's own kinds and rooms.
+        quiet: Whether to say nothing but errors.
+        as_json: Whether to say JSON alone.
+    """
+
+    text: str
+    agent: str | None
+    asset_dir: Path | None
+    knowledge: tuple[Path, ...]
+    quiet: bool
+    as_json: bool
+
+    def for_agent(self, scene: Scene) -> Scene:
+        """Return the scene for the bodies that were named."""
+        from robolayout.scene import load_agents
+
+        return scene if self.agent is None else scene.with_agents(*load_agents(self.agent))
+
+
+@dataclass(frozen=True)
 class _Job:
     """One room to lay out.
 
     Attributes:
-        scene: The room.
         folder: Its output folder.
         seed: Settles every choice.
-        understood: What was understood of a sentence; None for a scene file.
+        scene: The room; None where words are still to be read, by whoever plans.
+        variant: Which of several rooms for the same words.
     """
 
-    scene: Scene
     folder: Path
     seed: int
-    understood: Understanding | None = None
-
-    def write(self, folder: Path) -> None:
-        """Write what was understood of a sentence."""
-        from robolayout._files import write_atomic
-
-        if self.understood is not None:
-            text = json.dumps(self.understood.to_dict(), indent=2, ensure_ascii=False) + "\n"
-            write_atomic(folder / "understood.json", text)
+    scene: Scene | None = None
+    variant: int = 0
 
 
 @contextmanager
@@ -230,87 +279,36 @@ def _walk(result: Result, folder: Path) -> list[Path]:
     return [write_atomic(folder / "walk.gif", data)]
 
 
-def _not_offline(program: Path | None, model: object) -> bool:
-    """Return whether something else than the offline planner is asked for; both at once are an error."""
-    if program is not None and model is not None:
-        raise InputError("--program and --model (or --base-url, --replay) exclude each other: give one of them.")
-    return program is not None or model is not None
-
-
-def own_planner(knowledge: list[Path] | None, *others: object) -> Planner | None:
-    """Return the offline planner with the user's own knowledge, if any is given; another planner has no use for it."""
-    from robolayout.planners import OfflinePlanner
-
-    if not knowledge:
-        return None
-    if any(other is not None for other in others):
-        raise InputError("--knowledge is for the offline planner: leave it out, or leave --program and --model out.")
-    return OfflinePlanner(knowledge)
-
-
-def _model_or_file(
-    program: Path | None,
-    how: tuple[str | None, str, int, int, bool],
-    limits: tuple[str | None, float | None, float, Path | None],
-    run: RunFolder,
-    seed: int,
-) -> Planner:
-    from robolayout.planners import FilePlanner, ModelPlanner
-    from robolayout.run.folder import ANSWERS
-
-    if program is not None:
-        return FilePlanner(program)
-    model, mode, samples, retries, critic = how
-    base_url, max_cost, timeout, replay = limits
-    exchanges = run.path / ANSWERS
-    again = replay is not None and replay.resolve() == (run.target / ANSWERS).resolve()
-    if again and replay is not None and replay.is_dir():
-        copytree(replay, exchanges)
-    return ModelPlanner(
-        model,
-        mode=mode,  # type: ignore[arg-type]
-        samples=samples,
-        retries=retries,
-        critic=critic,
-        base_url=base_url,
-        max_cost=max_cost,
-        timeout=timeout,
-        replay=replay,
-        exchanges=None if again else exchanges,
-        seed=seed,
-    )
-
-
-def _jobs(
-    text: str,
-    agent: str | None,
-    asset_dir: Path | None,
-    seed_variants: tuple[int, int],
-    out: Path | None,
-    knowledge: Sequence[Path],
-    *,
-    quiet: bool,
-) -> Iterator[_Job]:
+def _jobs(given: _Given, who: Who, seed_variants: tuple[int, int], out: Path | None) -> Iterator[_Job]:
     """Yield the variants of a scene file (by seed) or of a sentence (by what it leaves open), each with its output folder."""
-    from robolayout.planners import scene_from_sentence
-    from robolayout.scene import load_agents
-
     seed, variants = seed_variants
-
-    def folder(scene: Scene, variant: int) -> Path:
-        whole = out or Path("out") / file_name(scene.name)
-        return whole if variants == 1 else whole / f"variant-{variant}"
-
-    if _names_a_file(text):
-        scene = read_scene(text, agent, asset_dir, knowledge, quiet=quiet)
-        for variant in range(variants):
-            yield _Job(scene, folder(scene, variant), seed + variant)
-        return
+    scene = None
+    if _names_a_file(given.text):
+        scene = read_scene(given.text, given.agent, given.asset_dir, given.knowledge, quiet=given.quiet)
+    whole = out or Path("out") / (file_name(scene.name) if scene else "scene")
     for variant in range(variants):
-        scene, understood = scene_from_sentence(text, seed=seed, variant=variant, knowledge=knowledge)
-        if agent is not None:
-            scene = scene.with_agents(*load_agents(agent))
-        yield _Job(scene, folder(scene, variant), seed, understood)
+        folder = whole if variants == 1 else whole / f"variant-{variant}"
+        by_seed = scene is not None or who.asks_a_model
+        yield _Job(folder, seed + variant * by_seed, scene, variant)
+
+
+def _furnished(given: _Given, planner: Planner | None, run: RunFolder, job: _Job) -> Scene:
+    """Return the scene of a sentence, and write and say what was understood: by the model that plans, else by rules."""
+    from robolayout._files import write_atomic
+    from robolayout.planners import ModelPlanner, scene_from_sentence
+
+    if isinstance(planner, ModelPlanner):
+        scene, understood = planner.furnish(given.text, assets=given.asset_dir)
+    else:
+        scene, understood = scene_from_sentence(
+            given.text, seed=job.seed, variant=job.variant, knowledge=given.knowledge
+        )
+    if not given.quiet:
+        for line in understood.sentences():
+            warn(line)
+    text = json.dumps(understood.to_dict(), indent=2, ensure_ascii=False) + "\n"
+    write_atomic(run.path / "understood.json", text)
+    return given.for_agent(scene)
 
 
 LONGEST_WORD = 45

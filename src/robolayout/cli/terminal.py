@@ -71,7 +71,7 @@ def show(report: Report, files: Sequence[Path]) -> None:
     say(*(f"- {sentence}" for sentence in report.violations[:SHOWN]))
     if len(report.violations) > SHOWN:
         say(f"- and {len(report.violations) - SHOWN} more in the report")
-    say(*report.notes)
+    say(*report.notes, *report.opinion.get("sentences", ()))
     if report.not_understood:
         say(report.not_understood)
     say(*map(str, files))

@@ -205,8 +205,8 @@ def linear(color: tuple[float, float, float]) -> tuple[float, float, float]:
 
 def base_color(material: Material) -> tuple[float, float, float]:
     """Return the linear colour that a material's texture is multiplied by, so that both together look like its colour."""
-    share = 1.0 if material.texture is None else mean(material.texture)
-    red, green, blue = (min(channel / share, 1.0) for channel in linear(material.color))
+    share = (1.0, 1.0, 1.0) if material.texture is None else mean(material.texture)
+    red, green, blue = (min(channel / part, 1.0) for channel, part in zip(linear(material.color), share, strict=True))
     return (red, green, blue)
 
 

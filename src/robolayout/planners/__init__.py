@@ -5,23 +5,27 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from robolayout.planners._types import Critic, Group, GroupPlanner, Judgement, Planner, PlanRequest
+from robolayout.planners._types import Critic, Group, GroupPlanner, Judgement, Pictures, Planner, PlanRequest
 
 if TYPE_CHECKING:
     from robolayout.planners.file import FilePlanner
-    from robolayout.planners.model.feedback import feedback_text
+    from robolayout.planners.model.feedback import Feedback
+    from robolayout.planners.model.judge import ModelJudge
     from robolayout.planners.model.planner import ModelPlanner
+    from robolayout.planners.model.prompt import poses_text
     from robolayout.planners.model.ranking import Score, rank_samples, score_samples
     from robolayout.planners.offline import OfflinePlanner
     from robolayout.planners.sentence import Understanding, scene_from_sentence
 
 _LAZY = {
     "FilePlanner": "file",
+    "ModelJudge": "model.judge",
     "ModelPlanner": "model.planner",
     "OfflinePlanner": "offline",
     "Score": "model.ranking",
     "Understanding": "sentence",
-    "feedback_text": "model.feedback",
+    "Feedback": "model.feedback",
+    "poses_text": "model.prompt",
     "rank_samples": "model.ranking",
     "scene_from_sentence": "sentence",
     "score_samples": "model.ranking",
@@ -29,17 +33,20 @@ _LAZY = {
 
 __all__ = [
     "Critic",
+    "Feedback",
     "FilePlanner",
     "Group",
     "GroupPlanner",
     "Judgement",
+    "ModelJudge",
     "ModelPlanner",
     "OfflinePlanner",
+    "Pictures",
     "PlanRequest",
     "Planner",
     "Score",
     "Understanding",
-    "feedback_text",
+    "poses_text",
     "rank_samples",
     "scene_from_sentence",
     "score_samples",

@@ -51,7 +51,9 @@ class PlanRequest:
         seed: Number that settles every choice; same request, same text.
         previous: The program text that the feedback is about.
         asked: What the user's words ask of the places of things.
-        images: Pictures as PNG bytes: "top" and "side" of the room as it is, and one under each name of an asset to place.
+        images: Pictures as PNG bytes: "plan", "top" and "side" of the room as it is, one under each name of an asset to place,
+            and with feedback "failed", what came of the program before.
+        reopen: Labels of earlier groups that the answer may ask to be planned again.
     """
 
     scene: Scene
@@ -62,6 +64,7 @@ class PlanRequest:
     previous: str = ""
     asked: tuple[Demand, ...] = ()
     images: Mapping[str, bytes] = field(default_factory=dict[str, bytes])
+    reopen: tuple[str, ...] = ()
 
 
 @runtime_checkable
@@ -125,6 +128,11 @@ class GroupPlanner(Planner, Protocol):
     @property
     def pictures(self) -> Pictures:
         """Whether it looks at pictures: at drawn ones, only at their names (a replay), or at none."""
+        ...
+
+    @property
+    def bill(self) -> str:
+        """What it took so far, in words: "$0.0135", or how many answers where no price is known."""
         ...
 
     def plan_many(self, request: PlanRequest, n: int) -> tuple[str, ...]:

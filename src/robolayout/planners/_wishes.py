@@ -172,19 +172,21 @@ def _things(
         for mention in link.subjects
         if lexicon.kinds[link.objects[0].thing.noun.kind].size[2] >= FLAT_HEIGHT
     }
+    stacked = {
+        mention.thing for link in reading.parsed.links if link.relation == "stacked" for mention in link.subjects
+    }
     for thing in reading.parsed.things:
         name = usual_there(thing, room) or thing.noun.kind
+        shown = thing.noun.words if thing.noun.kind == name and thing.noun.words not in lexicon.kinds else name
         kind = lexicon.kinds[name]
-        shown = thing.noun.words if thing.noun.kind == name and thing.noun.words != name else name
-        if shown in lexicon.kinds:
-            shown = name
-        size = sized(kind, thing.adjectives)
+        like = kind.like or (name if shown != name else "")
+        kind = replace(kind, name=shown, like=like, size=sized(kind, thing.adjectives))
         if thing in resting and kind.size[0] * kind.size[1] < CARRIED:
             kind = replace(kind, on_object=True, on_wall=False, on_ceiling=False, on_floor=False)
-        if shown != name or size != kind.size or kind != lexicon.kinds[name]:
-            made = replace(kind, name=shown, size=size, like=kind.like or (name if shown != name else ""))
-            if shown not in named and wished.get(shown, 0) == 0:
-                named[shown] = made
+        if thing in stacked:
+            kind = replace(kind, on_object=True)
+        if kind != lexicon.kinds[name] and wished.get(shown, 0) == 0:
+            named[shown] = kind
         wished[shown] = wished.get(shown, 0) + thing.count
     present = {name.split()[-1] for name in wished}
     for chunk in reading.parsed.facts:

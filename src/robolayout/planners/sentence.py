@@ -7,7 +7,7 @@ catalogue with seeded variety. What was understood, what was assumed and what wa
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -340,11 +340,12 @@ def _assets(things: Iterable[tuple[Category, int]], rng: np.random.Generator) ->
         scale = 1.0 + 0.06 * float(rng.uniform(-1, 1))
         size = [round(max(0.01, value * (scale if kind.on_floor else 1.0)), 3) for value in kind.size]
         for index in range(count):
-            assets[f"{variable_name(kind.name)}-{index}"] = _asset(kind, size)
+            assets[f"{variable_name(kind.name)}-{index}"] = asset_entry(kind, size)
     return assets
 
 
-def _asset(kind: Category, size: list[float]) -> dict[str, object]:
+def asset_entry(kind: Category, size: Sequence[float]) -> dict[str, object]:
+    """Return a thing of a kind as a scene file has it."""
     sides = own_sides(kind) if kind.like else None
     own = {"like": kind.like, "parts": kind.parts} if kind.like else {}
     return {
@@ -360,4 +361,4 @@ def _asset(kind: Category, size: list[float]) -> dict[str, object]:
     }
 
 
-__all__ = ["Understanding", "scene_from_sentence"]
+__all__ = ["Understanding", "asset_entry", "scene_from_sentence"]

@@ -7,6 +7,7 @@
 | `render_asset(asset)` | one asset alone |
 | `asset_sheet(assets)` | many assets, each with its name |
 | `annotate(scene, layout, view=...)` | a view with grid, fronts, names and walls written into it, for a model |
+| `model_plan(scene, layout, marks=...)` | the plan for a model: ticks, names of programs, what must stay free |
 | `plan_svg`, `plan_image`, `plan_pdf` | the plan to scale, with what the agent can do (`PlanMarks`) |
 | `sheet_svg`, `sheet_image`, `sheet_pdf` | the plan as a sheet to print: dimensions, furniture list, findings (`SheetNotes`) |
 | `body_svg`, `body_image`, `body_pdf`, `body_text` | one body to scale, with its reach and what it steps over |
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     from robolayout.render.compare import compare_image, compare_svg
     from robolayout.render.curves import loss_image, loss_png
     from robolayout.render.marks import PlanMarks, gap_ends
+    from robolayout.render.model_plan import model_plan
     from robolayout.render.pictures import png_bytes, run_pictures
     from robolayout.render.plan import draw_plan, plan_image, plan_pdf, plan_svg
     from robolayout.render.sheet import SheetNotes, draw_sheet, sheet_image, sheet_pdf, sheet_svg
@@ -64,6 +66,7 @@ _HOMES = {
     "gap_ends": "marks",
     "loss_image": "curves",
     "loss_png": "curves",
+    "model_plan": "model_plan",
     "plan_image": "plan",
     "plan_pdf": "plan",
     "plan_svg": "plan",
@@ -105,6 +108,7 @@ __all__ = [
     "gap_ends",
     "loss_image",
     "loss_png",
+    "model_plan",
     "plan_image",
     "plan_pdf",
     "plan_svg",

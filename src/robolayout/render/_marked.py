@@ -145,8 +145,8 @@ def draw_labels(
     marks: PlanMarks,
     agent: Agent | None,
     naming: Naming,
-) -> None:
-    """Draw the passages and write the names."""
+) -> frozenset[str]:
+    """Draw the passages and write the names; return what is written."""
     outlines = {n: tuple(place(*c) for c in layout[n].corners(scene.by_name[n].size)) for n in layout}
     solid = [n for n in layout if not scene.by_name[n].is_flat and not scene.by_name[n].on_ceiling]
     obstacles = [outlines[n] for n in solid] + list(naming.obstacles)
@@ -169,8 +169,10 @@ def draw_labels(
         texts = naming.texts
         named = zip((asset.name for asset in scene.assets if asset.name in layout), tags, strict=True)
         tags = [replace(tag, text=texts[n][0], short=texts[n][1]) for n, tag in named if n in texts]
-    for label in place_labels(tags, obstacles, naming.box, naming.sizes, lines):
+    labels = place_labels(tags, obstacles, naming.box, naming.sizes, lines)
+    for label in labels:
         _draw_label(sheet, label)
+    return frozenset(" ".join(label.lines) for label in labels)
 
 
 def _tags(

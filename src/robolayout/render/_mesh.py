@@ -207,7 +207,7 @@ def _soup(pieces: Sequence[tuple[Part, str, Pose | None, int]]) -> Mesh:
     x, y = corners[..., 0], corners[..., 1]
     world = np.stack([c * x - s * y, s * x + c * y, corners[..., 2]], axis=-1) + poses[of, None, :3]
     materials = [part.material for part, *_ in pieces]
-    tints = [1.0 if m.texture is None else 1.0 / mean(m.texture) for m in materials]
+    tints = [1.0 if m.texture is None else 1.0 / np.array(mean(m.texture)) for m in materials]
     colors = np.array(
         [
             (*(linear(np.clip(np.array(m.color[:3]), 0, 1)) * tint), m.opacity)

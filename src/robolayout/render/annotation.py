@@ -17,7 +17,7 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout._errors import UnknownNameError
-from robolayout.render._drawing import Drawing, Point, paint, text_width
+from robolayout.render._drawing import Drawing, Point, Text, paint, text_width
 from robolayout.render.camera import SIDE_POLAR, Camera, spherical_camera
 from robolayout.render.view import TOP_AZIMUTH, Renderer, Studio, picture_size
 from robolayout.scene import Layout, Room, Scene
@@ -39,6 +39,9 @@ SIDE_AZIMUTH = math.radians(-60.0)
 
 ENOUGH = 46.0
 """Pixels between grid points below which only every second, third... one is labelled."""
+
+NUMBER = 9.5
+"""Height of the coordinates in a picture of 768 pixels."""
 
 GRID_COLOR = "#0072b2"
 FRONT_COLOR = "#d55e00"
@@ -156,13 +159,14 @@ def draw_marks(color: NDArray[np.uint8], depth: NDArray[np.float32], camera: Cam
     image = image.resize((camera.width * samples, camera.height * samples), Image.Resampling.NEAREST)
     sheet = Drawing(camera.width, camera.height)
     unit = max(camera.height / 768, 0.6)
-    taken: list[Box] = []
-    _draw_grid(sheet, [m for m in marks if m.kind == "grid"], camera, depth, unit)
+    numbers = _draw_grid(sheet, [m for m in marks if m.kind == "grid"], camera, depth, unit)
     fronts = [m for m in marks if m.kind == "front"]
     _draw_arrows(sheet, fronts, camera, unit)
+    taken = [_text_box(number, unit) for number in numbers]
     others = [m for m in marks if m.kind not in ("grid", "front")]
     for mark in [*others, *fronts]:
         _draw_tag(sheet, mark, camera, taken, unit)
+    sheet.items += numbers  # last, so that no name covers a coordinate
     paint(image, sheet.items, samples)
     return image.reduce(samples) if samples > 1 else image
 
@@ -173,10 +177,13 @@ def _pixel(camera: Camera, place: tuple[float, float, float]) -> Point:
     return (float(pixel[0]), float(pixel[1]))
 
 
-def _draw_grid(sheet: Drawing, grid: Sequence[Mark], camera: Camera, depth: NDArray[np.float32], unit: float) -> None:
-    """Draw grid points, with their coordinates where there is room for them."""
+def _draw_grid(
+    sheet: Drawing, grid: Sequence[Mark], camera: Camera, depth: NDArray[np.float32], unit: float
+) -> list[Text]:
+    """Draw grid points; return their coordinates, where there is room for them."""
     if not grid:
-        return
+        return []
+    numbers: list[Text] = []
     pixels, depths = camera.project([mark.place for mark in grid])
     gap = min((math.dist(pixels[0], p) for p in pixels[1:]), default=ENOUGH)
     every = max(1, math.ceil(ENOUGH * unit / max(gap, 1e-6)))
@@ -192,7 +199,14 @@ def _draw_grid(sheet: Drawing, grid: Sequence[Mark], camera: Camera, depth: NDAr
         sheet.polygon([_disc((u, v), 3.0 * unit)], GRID_COLOR, stroke=WHITE, width=0.8 * unit)
         column, row = np.round((np.array(mark.place[:2]) - corner) / step).astype(int)
         if column % every == 0 and row % every == 0:
-            sheet.words((u, v + 9 * unit), mark.text, 9.5 * unit, color=GRID_COLOR, halo=WHITE)
+            numbers.append(Text((u, v + 9 * unit), mark.text, NUMBER * unit, color=GRID_COLOR, halo=WHITE))
+    return numbers
+
+
+def _text_box(text: Text, unit: float) -> Box:
+    """Return what a text and the point above it cover, pixels."""
+    (x, y), half = text.at, text_width(text.text, text.size) / 2
+    return (x - half, y - 12 * unit, x + half, y + text.size / 2)
 
 
 def _draw_arrows(sheet: Drawing, fronts: Sequence[Mark], camera: Camera, unit: float) -> None:

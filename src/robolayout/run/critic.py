@@ -7,9 +7,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from robolayout._errors import ModelError, ProgramError
-from robolayout.planners import Critic, Judgement, PlanRequest, Score, feedback_text, score_samples
+from robolayout.planners import Critic, Feedback, Judgement, PlanRequest, Score, score_samples
 from robolayout.program import Guess, Program, read_salvaged
 from robolayout.run.attempt import Attempt, Clock, Progress, joined_traces
+from robolayout.run.sight import finished_pictures, room_pictures
 from robolayout.scene import Pose, Scene
 from robolayout.verify import Report, verify
 
@@ -20,9 +21,6 @@ FULL_MARKS = 10
 
 MOST_REASONS, LONGEST_REASON = 5, 300
 """Reasons that are kept, and characters of one."""
-
-PICTURE_SIZE = 768
-"""Pixels of a side of the pictures that a critic sees."""
 
 
 @dataclass(frozen=True)
@@ -118,7 +116,7 @@ class CriticPass:
         request = PlanRequest(
             self.scene,
             placed=room.solution.layout,
-            feedback=feedback_text(wishes=reasons, violations=report.violations),
+            feedback=Feedback(wishes=reasons, violations=report.violations).text(self.scene.expressions),
             previous=room.asked.text,
             images=self._annotated(room),
         )
@@ -143,32 +141,20 @@ class CriticPass:
 
     def _pictures(self, room: Attempt) -> dict[str, bytes]:
         """Return the finished room from above and from the side."""
-        if self.critic.pictures != "drawn":
-            return self._undrawn("finished top", "finished side")
-        from robolayout.render import Studio, png_bytes
-
         with self.clock.station("pictures"):
-            studio = Studio(self.scene, room.solution.layout)
-            return {f"finished {view}": png_bytes(studio.view(view, size=PICTURE_SIZE)) for view in ("top", "side")}
+            return finished_pictures(self.scene, room.solution.layout, self.critic.pictures)
 
     def _annotated(self, room: Attempt) -> dict[str, bytes]:
-        """Return the finished room with grid, names and fronts."""
-        if self.critic.pictures != "drawn":
-            return self._undrawn("top", "side")
-        from robolayout.render import annotate, png_bytes
-
+        """Return the finished room with grid, names and fronts, and its plan."""
         with self.clock.station("pictures"):
-            layout = room.solution.layout
-            return {view: png_bytes(annotate(self.scene, layout, view=view)) for view in ("top", "side")}
-
-    def _undrawn(self, *names: str) -> dict[str, bytes]:
-        return {} if self.critic.pictures == "none" else dict.fromkeys(names, b"")
+            return room_pictures(self.scene, room.solution.layout, (), self.critic.pictures)
 
 
 def summary(report: Report) -> str:
     """Return what the judge measured, for the critic: the short table and what is wrong."""
     lines = [f"- {name}: {value}{'' if met else ' (short of what is demanded)'}" for name, value, met in report.rows()]
-    return "\n".join([*lines, "", feedback_text(violations=report.violations) or "Nothing is wrong."])
+    wrong = Feedback(violations=report.violations).text(report.scene.expressions)
+    return "\n".join([*lines, "", wrong or "Nothing is wrong."])
 
 
 def _unchanged(before: Program, after: Program, room: Attempt) -> list[str]:

@@ -202,7 +202,12 @@ def _violations(before: Report, after: Report) -> Iterator[Change]:
 def _sentences(report: Report) -> Mapping[str, str]:
     """Return what is wrong besides statements, each sentence under itself without its decimal figures."""
     stated = {item.complaint for item in report.statements}
-    return {re.sub(r"\d+\.\d+", "#", text): text for text in report.violations if text not in stated}
+    return {without_figures(text): text for text in report.violations if text not in stated}
+
+
+def without_figures(sentence: str) -> str:
+    """Return a sentence of the judge without its decimal figures: the same complaint measured anew is the same."""
+    return re.sub(r"\d+\.\d+", "#", sentence)
 
 
 def _statements(before: Report, after: Report) -> Iterator[Change]:

@@ -1,60 +1,28 @@
 """Planning with a model: one group after the other, samples, feedback and retries, and the offline planner as the last resort.
 
 Every answer is read, filtered, solved and verified; the samples of one question are solved together. What could not be read,
-was rejected, was forgotten, or is not met goes back to the model. The best verified answer of a group is kept, whenever it came.
+was rejected, was forgotten, or is not met goes back to the model, with a picture of what came of it. The best verified answer
+of a group is kept, whenever it came. A group may ask for an earlier one to be planned again, each at most once.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 from robolayout._errors import AnswerError, BudgetError, ModelError, ProgramError
-from robolayout._text import printable
-from robolayout.planners import Group, GroupPlanner, OfflinePlanner, PlanRequest, Score, feedback_text, score_samples
+from robolayout.planners import Feedback, Group, GroupPlanner, OfflinePlanner, PlanRequest
 from robolayout.program import Guess, Program, Statement, read_program, read_salvaged
+from robolayout.run.answers import Candidate, Question, Sample
 from robolayout.run.attempt import Attempt, Clock, Finisher, Progress, joined_traces
-from robolayout.scene import Layout, Pose, Scene, Trace
+from robolayout.run.diff import without_figures
+from robolayout.run.parts import about, joined, strays
+from robolayout.run.sight import failed_picture, room_pictures
+from robolayout.scene import Layout, Scene, Trace
 from robolayout.verify import Report, verify
-
-
-@dataclass(frozen=True)
-class Sample:
-    """One answer of a model and what came of it.
-
-    Attributes:
-        group: Label of the group that it was asked for.
-        attempt: How often the group was asked for before, plus one.
-        number: Which of the answers to that question, from 1.
-        text: The answer.
-        score: What it achieves; None if it could not be read.
-        error: Why it, or what was left out of it, could not be read.
-        layout: Where it puts the things of the group.
-        kept: Whether this one was taken.
-    """
-
-    group: str
-    attempt: int
-    number: int
-    text: str
-    score: Score | None = None
-    error: str = ""
-    layout: Layout | None = None
-    kept: bool = False
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return the sample as it is written to `samples.json`."""
-        return {
-            "group": self.group,
-            "attempt": self.attempt,
-            "sample": self.number,
-            "kept": self.kept,
-            "score": self.score and self.score.to_dict(),
-            "error": self.error or None,
-            "program": self.text,
-            "layout": self.layout and self.layout.to_dict(),
-        }
+from robolayout.words import Wishes
 
 
 @dataclass(frozen=True)
@@ -68,6 +36,7 @@ class Planned:
         taken_over: Why the offline planner planned a group, by its label.
         given_up: Why a group was not asked for again though something was wrong, by its label.
         left_out: What the kept answers say that could not be read, and what they say nothing about, in sentences.
+        reopened: Why a group was planned again for the sake of a later one, in sentences, by its label.
     """
 
     attempt: Attempt
@@ -76,6 +45,7 @@ class Planned:
     taken_over: Mapping[str, str]
     given_up: Mapping[str, str]
     left_out: tuple[str, ...] = ()
+    reopened: Mapping[str, str] | None = None
 
     def to_dict(self) -> dict[str, Any]:
         """Return what the report says of it: what was taken over, and all of it in sentences."""
@@ -84,88 +54,32 @@ class Planned:
             f"{len(self.samples)} programs were given for {len(self.groups)} groups, {readable} of them could be read.",
             *(f"The offline planner took over group {label!r}: {why}" for label, why in self.taken_over.items()),
             *(f"Group {label!r} was not asked for again: {why}" for label, why in self.given_up.items()),
+            *(f"Group {label!r} was planned again: {why}" for label, why in (self.reopened or {}).items()),
             *self.left_out,
         ]
         return {"taken_over": dict(self.taken_over), "given_up": dict(self.given_up), "sentences": sentences}
 
 
 @dataclass(frozen=True)
-class _Candidate:
-    """One readable answer for a group, solved and verified."""
+class _Standing:
+    """What stands when a group is planned: the room so far, the group's own program, its answers, and what is told of it."""
 
-    sample: Sample
     attempt: Attempt
+    part: Program
     report: Report
-    forgotten: tuple[str, ...]
-    strays: tuple[str, ...]
-    own: frozenset[int]
-    cut: bool
-
-    @property
-    def done(self) -> bool:
-        """Whether there is nothing to ask for again."""
-        return self.attempt.solution.verdict.ok and not self.forgotten and not self.attempt.asked.dropped
-
-    def left_out(self) -> Iterator[str]:
-        """Yield what the report says of what it does not say, or says in vain."""
-        for message in self.attempt.asked.dropped:
-            yield f"Left out of the program: {' '.join(message.split())}"
-        if self.forgotten:
-            yield f"The program says nothing about {', '.join(self.forgotten)}; the solver found places for them."
-
-    def feedback(self) -> str:
-        """Return what to tell the model about it."""
-        decisions = self.attempt.reconciled.decisions
-        rejected = [d.sentence for d in decisions if d.verdict == "rejected" and d.statement.number in self.own]
-        return feedback_text(
-            cut=self.cut,
-            dropped=self.attempt.asked.dropped,
-            rejections=[*rejected, *self.strays],
-            violations=self.report.violations,
-            forgotten=self.forgotten,
-        )
+    text: str
+    samples: tuple[Sample, ...]
+    left_out: tuple[str, ...] = ()
 
 
-@dataclass
-class _Question:
-    """One group in the room as it stands."""
+@dataclass(frozen=True)
+class _Reopen:
+    """A group's wish that an earlier one be planned again."""
 
-    here: Scene
-    group: Group
-    placed: Mapping[str, Pose]
-    before: tuple[Statement, ...]
-    images: Mapping[str, bytes] = field(default_factory=dict[str, bytes])
-    samples: list[Sample] = field(default_factory=list[Sample])
-    candidates: list[_Candidate] = field(default_factory=list[_Candidate])
-
-    def best(self) -> _Candidate | None:
-        """Return the candidate that the judge likes best: hard demands, access, statements; then few things forgotten."""
-        if not self.candidates:
-            return None
-        scores = self.scores()
-        keys = [
-            (*(-part for part in score.key[:3]), len(one.forgotten), -score.key[3], i)
-            for i, (score, one) in enumerate(zip(scores, self.candidates, strict=True))
-        ]
-        return self.candidates[min(keys)[-1]]
-
-    def scores(self) -> tuple[Score, ...]:
-        """Return the scores of all candidates."""
-        return score_samples(
-            [one.report.figures for one in self.candidates], [one.attempt.asked for one in self.candidates]
-        )
-
-    def records(self) -> Iterator[Sample]:
-        """Yield all answers with their scores."""
-        best = self.best()
-        scored = {id(one.sample): (one, score) for one, score in zip(self.candidates, self.scores(), strict=True)}
-        for sample in self.samples:
-            if id(sample) not in scored:
-                yield sample
-                continue
-            one, score = scored[id(sample)]
-            mine = {name: pose for name, pose in one.attempt.solution.layout.items() if name in self.group.items}
-            yield replace(sample, score=score, layout=Layout(mine), kept=one is best)
+    label: str
+    why: str
+    text: str
+    samples: tuple[Sample, ...]
 
 
 class GroupedRun:
@@ -175,6 +89,7 @@ class GroupedRun:
         scene: What is given.
         planner: Who is asked.
         finisher: Filters and solves programs.
+        wishes: What the user's words ask for.
         seed: Settles every choice.
         clock: Where seconds are counted.
         say: Told the name of each phase.
@@ -185,41 +100,68 @@ class GroupedRun:
         scene: Scene,
         planner: GroupPlanner,
         finisher: Finisher,
+        wishes: Wishes,
         *,
         seed: int,
         clock: Clock,
         say: Progress,
     ) -> None:
-        self.scene, self.planner, self.finisher = scene, planner, finisher
+        self.scene, self.planner, self.finisher, self.wishes = scene, planner, finisher, wishes
         self.seed, self.clock, self.say = seed, clock, say
         self._answered = False
+        self._tries = Counter[str]()
         self._samples: list[Sample] = []
+        self._said: dict[str, str] = {}
         self._taken_over: dict[str, str] = {}
         self._given_up: dict[str, str] = {}
-        self._left_out: list[str] = []
+        self._reopened: dict[str, str] = {}
 
     def run(self, groups: tuple[Group, ...]) -> Planned:
         """Plan one group after the other; what is placed stays, and what is said stays said."""
-        placed: dict[str, Pose] = {}
-        best: Attempt | None = None
-        parts: list[tuple[Group, Program]] = []
-        traces: list[Trace] = []
+        stands: list[_Standing] = []
         self._answered = len(groups) > 1
-        for group in groups:
-            names = {*placed, *group.items}
-            here = replace(self.scene, assets=tuple(asset for asset in self.scene.assets if asset.name in names))
-            before = best.asked.statements if best else ()
-            best = self._group(_Question(here, group, placed, before))
-            parts.append((group, replace(best.asked, statements=best.asked.statements[len(before) :])))
-            placed = dict(best.solution.layout)
-            traces.append(best.solution.trace)
-        assert best is not None
-        if not best.solution.verdict.ok and (len(parts) > 1 or self.planner.samples > 1):
-            best = self._once_more(best, traces, alone=len(parts) == 1)
-        if len(parts) > 1 or self.planner.mode == "no_constraint":
-            best = self._joint(best, parts, traces)
+        while len(stands) < len(groups):
+            group = groups[len(stands)]
+            found = self._group(self._question(groups[: len(stands) + 1], stands))
+            if isinstance(found, _Reopen):
+                self._reopen(groups, stands, group.label, found)
+            else:
+                self._samples += found.samples
+                stands.append(found)
+        best, traces = stands[-1].attempt, [standing.attempt.solution.trace for standing in stands]
+        if not best.solution.verdict.ok and (len(groups) > 1 or self.planner.samples > 1):
+            best = self._once_more(best, traces, alone=len(groups) == 1)
+        if len(groups) > 1 or self.planner.mode == "no_constraint":
+            best = self._joint(best, [(g, s.part) for g, s in zip(groups, stands, strict=True)], traces)
         done = tuple(replace(group, rationale=self._rationale(group)) for group in groups)
-        return Planned(best, done, tuple(self._samples), self._taken_over, self._given_up, tuple(self._left_out))
+        left_out = tuple(sentence for standing in stands for sentence in standing.left_out)
+        given = (tuple(self._samples), self._taken_over, self._given_up, left_out, self._reopened)
+        return Planned(best, done, *given)
+
+    def _question(self, groups: tuple[Group, ...], stands: list[_Standing]) -> Question:
+        """Return the question for the last of the groups, in the room as the earlier ones left it."""
+        names = {name for group in groups for name in group.items}
+        here = replace(self.scene, assets=tuple(asset for asset in self.scene.assets if asset.name in names))
+        if not stands:
+            return Question(here, groups[-1], {}, ())
+        last = stands[-1]
+        known = frozenset(map(without_figures, last.report.violations))
+        earlier = tuple(group.label for group in groups[:-1] if group.label not in self._reopened)
+        placed, before = dict(last.attempt.solution.layout), last.attempt.asked.statements
+        return Question(here, groups[-1], placed, before, known, earlier)
+
+    def _reopen(self, groups: tuple[Group, ...], stands: list[_Standing], asking: str, wish: _Reopen) -> None:
+        """Go back to before an earlier group; what was said of the groups after it is tried again before they are asked."""
+        first = next(i for i, group in enumerate(groups) if group.label == wish.label)
+        self._reopened[wish.label] = f"group {asking!r}, which comes later, asks for it: {wish.why}"
+        self._said |= {group.label: s.text for group, s in zip(groups, stands, strict=False) if s.text}
+        self._said[asking] = wish.text
+        again = {group.label for group in groups[first:]}
+        self._samples = [replace(s, kept=s.kept and s.group not in again) for s in (*self._samples, *wish.samples)]
+        for label in again:
+            self._taken_over.pop(label, None)
+            self._given_up.pop(label, None)
+        del stands[first:]
 
     def _rationale(self, group: Group) -> str:
         taken = group.label in self._taken_over
@@ -246,65 +188,80 @@ class GroupedRun:
                 return replace(last, solution=replace(again.solution, trace=joined_traces(traces)))
         return last
 
-    def _group(self, question: _Question) -> Attempt:
+    def _group(self, question: Question) -> _Standing | _Reopen:
         """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable."""
+        label, failure = question.group.label, ""
         self.finisher.prepare(question.here, self.planner.samples)
-        feedback, previous, failure = "", "", ""
-        question.images = self._images(question)
-        for number in range(1, 2 + self.planner.retries):
-            request = self._request(question, feedback, previous)
-            try:
-                with self.clock.station("plan"):
-                    self.say("plan")
-                    texts = self.planner.plan_many(request, self.planner.samples)
-            except AnswerError as error:
-                failure = str(error)
-                continue
-            except ModelError as error:
-                if not (self._answered or failure or isinstance(error, BudgetError)):
-                    raise
-                failure = str(error)
+        feedback, previous = self._reopened.get(label, ""), self._said.pop(label, "")
+        if previous and not feedback:  # it was said before an earlier group was planned again, and may still do
+            feedback, previous = self._try(question, [previous], self._tries[label])
+        question.images = self._pictures(question)
+        for _ in range(1 + self.planner.retries):
+            if (best := question.best()) and best.done:
                 break
-            failure = ""
-            self._answered = True
-            wrong = self._try(question, texts, number)
-            best = question.best()
-            if best is None:
-                previous, feedback = wrong
-                continue
-            if best.done:
+            answer = self._asked(question, feedback, previous)
+            if isinstance(answer, ModelError):
+                if not (self._answered or failure or isinstance(answer, AnswerError | BudgetError)):
+                    raise answer
+                failure = str(answer)
+                if isinstance(answer, AnswerError):
+                    continue
                 break
-            asked = best.attempt.asked
-            previous, feedback = best.sample.text if asked.dropped else asked.text, best.feedback()
-        best = question.best()
-        self._samples += question.records()
+            failure, self._answered = "", True
+            feedback, previous = self._try(question, answer, self._tries[label])
+            best, wish = question.best(), question.reopening(answer)
+            if wish is not None and not (best and best.done):
+                return _Reopen(*wish, best.sample.text if best else "", tuple(question.records()))
+        return self._standing(question, failure)
+
+    def _standing(self, question: Question, failure: str) -> _Standing:
+        """Return the best of the answers to a question, or what the offline planner makes of the group."""
+        best, label, samples = question.best(), question.group.label, tuple(question.records())
+        start = len(question.before)
         if best is None:
-            self._taken_over[question.group.label] = failure or "none of its programs could be read."
-            return self._offline(question)
+            self._taken_over[label] = failure or "none of its programs could be read."
+            attempt = self._offline(question)
+            report = self._judged(question, attempt)
+            part = replace(attempt.asked, statements=attempt.asked.statements[start:])
+            return _Standing(attempt, part, report, "", samples)
         if failure:
-            self._given_up[question.group.label] = failure
-        self._left_out += best.left_out()
-        return best.attempt
+            self._given_up[label] = failure
+        asked = best.attempt.asked
+        part = replace(asked, statements=asked.statements[start:])
+        return _Standing(best.attempt, part, best.report, best.sample.text, samples, tuple(best.left_out()))
 
-    def _offline(self, question: _Question) -> Attempt:
-        """Plan a group by rules."""
-        text = OfflinePlanner().plan(PlanRequest(self.scene, question.group, Layout(question.placed), seed=self.seed))
-        asked = about(read_program(text, self.scene), question.group, question.here, question.before)
-        return self.finisher.finished([asked], question.here, question.placed)[0]
-
-    def _request(self, question: _Question, feedback: str, previous: str) -> PlanRequest:
-        return PlanRequest(
+    def _asked(self, question: Question, feedback: str, previous: str) -> tuple[str, ...] | ModelError:
+        """Ask for programs once; the failure if none came."""
+        group = question.group
+        self._tries[group.label] += 1
+        request = PlanRequest(
             self.scene,
-            question.group,
+            group,
             Layout(question.placed),
             feedback,
             self.seed,
             previous=previous,
-            images=question.images,
+            images=question.images if feedback else {k: v for k, v in question.images.items() if k != "failed"},
+            reopen=question.earlier if feedback else (),
         )
+        try:
+            with self.clock.station("plan"):
+                self.say(f"plan {group.label}, attempt {self._tries[group.label]}, {self.planner.bill} so far")
+                return self.planner.plan_many(request, self.planner.samples)
+        except ModelError as error:
+            return error
 
-    def _try(self, question: _Question, texts: Sequence[str], attempt: int) -> tuple[str, str]:
-        """Solve and verify the answers that can be read, together; return the last one that cannot be, and why."""
+    def _offline(self, question: Question) -> Attempt:
+        """Plan a group by rules."""
+        placed = Layout(question.placed)
+        request = PlanRequest(self.scene, question.group, placed, seed=self.seed, asked=self.wishes.demands)
+        asked = about(
+            read_program(OfflinePlanner().plan(request), self.scene), question.group, question.here, question.before
+        )
+        return self.finisher.finished([asked], question.here, question.placed)[0]
+
+    def _try(self, question: Question, texts: Sequence[str], attempt: int) -> tuple[str, str]:
+        """Solve and verify the answers that can be read, together; return what to tell of them, and the program it is about."""
         wrong = ("", "")
         readable: list[tuple[Sample, Program, Program]] = []
         for number, text in enumerate(texts, 1):
@@ -319,7 +276,7 @@ class GroupedRun:
                 readable.append((sample, read, about(read, question.group, question.here, question.before)))
             except ProgramError as error:
                 sample = replace(sample, error=str(error))
-                wrong = (text, feedback_text(error=error, cut=self.planner.cut_off(text)))
+                wrong = (Feedback(error=error, cut=self.planner.cut_off(text)).text(), text)
             question.samples.append(sample)
         if readable:
             found = self.finisher.finished([asked for *_, asked in readable], question.here, question.placed)
@@ -327,82 +284,46 @@ class GroupedRun:
                 self._candidate(question, sample, read, attempt)
                 for (sample, read, _), attempt in zip(readable, found, strict=True)
             ]
-        return wrong
+        best = question.best()
+        if best is None or best.done:
+            return wrong
+        if self.planner.pictures != "none":
+            question.images = {**question.images, "failed": self._failed(question, best)}
+        return best.feedback(question), best.previous
 
-    def _candidate(self, question: _Question, sample: Sample, read: Program, attempt: Attempt) -> _Candidate:
-        with self.clock.station("verify"):
-            report = verify(question.here, attempt.solution.layout, attempt.asked)
-        own = attempt.asked.statements[len(question.before) :]
+    def _candidate(self, question: Question, sample: Sample, read: Program, attempt: Attempt) -> Candidate:
+        report = self._judged(question, attempt)
+        own: tuple[Statement, ...] = attempt.asked.statements[len(question.before) :]
         said = {name for statement in own for name in statement.relation.asset_names()} | set(attempt.asked.guesses)
-        return _Candidate(
+        return Candidate(
             sample,
             attempt,
             report,
+            () if attempt.solution.verdict.ok and not report.asked else question.wrong(report),
             tuple(read.expressions.get(name, name) for name in question.group.items if name not in said),
-            tuple(_strays(read, question.group, question.here)),
+            tuple(strays(read, question.group, question.here)),
             frozenset(statement.number for statement in own),
             self.planner.cut_off(sample.text),
         )
 
-    def _images(self, question: _Question) -> dict[str, bytes]:
-        """Return the annotated room as it stands and one picture per new kind of asset."""
-        here, layout = question.here, Layout(question.placed)
-        kinds = {here.by_name[name].variable: name for name in reversed(question.group.items)}
-        if self.planner.pictures == "none":
-            return {}
-        if self.planner.pictures == "named":
-            return dict.fromkeys(("top", "side", *sorted(kinds.values())), b"")
-        from robolayout.render import annotate, png_bytes, render_asset
+    def _judged(self, question: Question, attempt: Attempt) -> Report:
+        """Return what the judge says, and with everything placed what is met of the places that the user's words ask for."""
+        layout = attempt.solution.layout
+        with self.clock.station("verify"):
+            report = verify(question.here, layout, attempt.asked)
+            if len(layout) < len(self.scene.assets):
+                return report
+            rows = self.wishes.judged(self.scene, layout)
+        return report.with_asked(tuple(row for row in rows if row.kind == "relation"))
 
+    def _pictures(self, question: Question) -> dict[str, bytes]:
+        """Return the room as it stands and one picture per new kind of thing, as the planner sees them."""
+        drawn = self.planner.pictures
         with self.clock.station("pictures"):
-            images = {view: png_bytes(annotate(here, layout, view=view)) for view in ("top", "side")}
-            return images | {name: png_bytes(render_asset(here.by_name[name])) for name in sorted(kinds.values())}
+            return room_pictures(question.here, Layout(question.placed), question.group.items, drawn)
 
-
-def about(program: Program, group: Group, here: Scene, before: tuple[Statement, ...]) -> Program:
-    """Return what a program says about a group and things already there, after the earlier groups' statements."""
-    mine = set(group.items)
-    new = [statement for statement in program.statements if _concerns(statement, mine, here)]
-    numbered = tuple(replace(statement, number=i) for i, statement in enumerate((*before, *new), 1))
-    return replace(program, statements=numbered, guesses={n: g for n, g in program.guesses.items() if n in mine})
-
-
-def joined(parts: Sequence[tuple[Group, Program]]) -> Program:
-    """Return one program that says what the groups' programs say, in plain statements under a heading for each group.
-
-    Args:
-        parts: Each group with its own statements and guesses.
-    """
-    lines: list[str] = []
-    statements: list[Statement] = []
-    guesses: dict[str, Guess] = {}
-    for group, part in parts:
-        heading = printable(f"{group.label}: {group.rationale}")
-        lines.append(f"# {heading.strip(': ')}")
-        lines += part.to_text().splitlines()
-        for i, statement in enumerate(part.statements):
-            line = len(lines) - len(part.statements) + 1 + i
-            statements.append(Statement(statement.relation, line, lines[line - 1], len(statements) + 1))
-        guesses |= part.guesses
-    text = "".join(f"{line}\n" for line in lines)
-    expressions = {name: text for _, part in parts for name, text in part.expressions.items()}
-    notes = tuple(note for _, part in parts for note in part.notes)
-    dropped = tuple(message for _, part in parts for message in part.dropped)
-    return Program(text, tuple(statements), guesses, notes, dropped, expressions)
-
-
-def _concerns(statement: Statement, mine: set[str], here: Scene) -> bool:
-    """Return whether a statement is about things of a group, and about nothing that is not there yet."""
-    names = set(statement.relation.asset_names())
-    return bool(names & mine) and names <= set(here.by_name)
-
-
-def _strays(program: Program, group: Group, here: Scene) -> Iterator[str]:
-    """Yield what is wrong with statements that are left out because of the things that they are about."""
-    mine = set(group.items)
-    for statement in program.statements:
-        if not _concerns(statement, mine, here):
-            later = [n for n in statement.relation.asset_names() if n not in here.by_name]
-            names = ", ".join(program.expressions.get(name, name) for name in later)
-            reason = f"{names} comes later" if later else "it is not about a thing of this group"
-            yield f"line {statement.line}: {statement.source}: {reason}."
+    def _failed(self, question: Question, found: Candidate) -> bytes:
+        """Return the picture of what came of a program."""
+        drawn = self.planner.pictures == "drawn"
+        with self.clock.station("pictures"):
+            return failed_picture(found.report, found.attempt.asked, set(question.group.items)) if drawn else b""

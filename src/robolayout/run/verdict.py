@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
 
+from robolayout.constraints import Relation
 from robolayout.program import Program
-from robolayout.scene import Agent, Layout, Scene, vertical_span
+from robolayout.scene import Agent, Layout, Pose, Scene, vertical_span
 from robolayout.scene.agent import horizontal_reach
 from robolayout.solve import Enough, Judge, Verdict, never
 from robolayout.verify import judge_agent, kept_out, physics
@@ -19,7 +21,7 @@ def make_judge(scene: Scene, program: Program) -> Judge:
 
     A body that cannot come in whatever is done has no say. What is cheap is looked at first.
     """
-    statements = [(s.relation, frozenset(s.relation.asset_names())) for s in program.statements]
+    statements = [_Asked(s.relation, frozenset(s.relation.asset_names())) for s in program.statements]
     bodies = [agent for agent in scene.agents if not kept_out(scene, agent)]
 
     def judge(layout: Layout, enough: Enough = never, /) -> Verdict:
@@ -29,10 +31,10 @@ def make_judge(scene: Scene, program: Program) -> Judge:
         if enough(found):
             return found
         soft, unmet = 0.0, list[str]()
-        for relation, names in statements:
-            if names <= placed and not relation.check(scene, layout).met:
-                soft += float(getattr(relation, "weight", 1.0))
-                unmet += relation.asset_names()
+        for asked in statements:
+            if asked.names <= placed and not asked.met(scene, layout):
+                soft += float(getattr(asked.relation, "weight", 1.0))
+                unmet += asked.relation.asset_names()
         access, blamed = 0.0, list[str]()
         for agent in bodies:
             if enough(replace(found, access=access, soft=soft)):
@@ -43,6 +45,39 @@ def make_judge(scene: Scene, program: Program) -> Judge:
         return Verdict(found.hard, access, soft, tuple(dict.fromkeys([*failing, *blamed, *unmet])))
 
     return judge
+
+
+class _Read(Mapping[str, Pose]):
+    """The poses of a layout, and which of them somebody looked at; None where there was none."""
+
+    def __init__(self, poses: Mapping[str, Pose]) -> None:
+        self.poses, self.read = poses, dict[str, Pose | None]()
+
+    def __getitem__(self, name: str) -> Pose:
+        self.read[name] = self.poses.get(name)
+        return self.poses[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.poses)
+
+    def __len__(self) -> int:
+        return len(self.poses)
+
+
+@dataclass
+class _Asked:
+    """One statement; it is measured again only where a pose that it looked at has changed."""
+
+    relation: Relation
+    names: frozenset[str]
+    _read: dict[str, Pose | None] = field(default_factory=dict[str, Pose | None])
+    _met: bool = False
+
+    def met(self, scene: Scene, layout: Layout) -> bool:
+        if not self._read or any(layout.get(name) != pose for name, pose in self._read.items()):
+            seen = _Read(layout.poses)
+            self._met, self._read = self.relation.check(scene, Layout(seen)).met, seen.read
+        return self._met
 
 
 def _access(scene: Scene, layout: Layout, agent: Agent) -> tuple[float, list[str]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import jax.numpy as jnp
-from jax.lax import cond
+from jax.lax import cond, stop_gradient
 from jaxtyping import Array, Float
 
 from robolayout._geometry import (
@@ -130,6 +130,7 @@ def losses(local: Poses, arrays: Arrays, routes: Routes, near: Near, weights: We
     """
     body = bodies(world_poses(local, arrays), arrays)
     framed, mirrored = statement_residuals(body, arrays)
+    body = body._replace(c=stop_gradient(body.c), s=stop_gradient(body.s))  # things make way, they do not turn out of it
     scale = weights.saturation
     pull = jnp.sum(scale * jnp.log1p(framed / scale) * arrays.frame_row[:, -1], axis=-1)
     pull += jnp.sum(scale * jnp.log1p(mirrored / scale) * arrays.mirror_weight, axis=-1)

@@ -126,18 +126,20 @@ class Repair:
             plan_for: Plans routes in a layout.
         """
         stage = make_stage(self.problem, self.problem.stage[slot], world)
-        poses = self._around(slot, world)
+        free = not any(term.heading is not None or term.look is not None for term in self.proposals.rows(slot))
+        turned = [_turned(world[[slot]], quarter) for quarter in (2, 1, 3) if free]
+        poses = np.concatenate([*turned, self._around(slot, world)])
         batch = np.repeat(world[None], len(poses), axis=0)
         for one, pose in zip(batch, poses, strict=True):
             carry(self.problem, one, slot, pose)
         size = 8 * stage.slots
         same = pack([plan_for(world)] * self.runner.share, size)
         found = self.runner.evaluate(stage, batch, lambda _part: same)
-        chosen: list[int] = []
+        chosen = list(range(len(turned)))  # first as it stands, only turned: a guess is sooner wrong in this than in its place
         for k in np.argsort(found.energy, kind="stable").tolist():
             if not chosen or np.abs(poses[chosen] - poses[k]).max(axis=1).min() > ALIKE:
                 chosen.append(k)
-            if len(chosen) == self.config.effort.looked_at:
+            if len(chosen) == len(turned) + self.config.effort.looked_at:
                 break
         yield from batch[chosen]
         picked = batch[chosen[:BATCH]]
@@ -158,9 +160,6 @@ class Repair:
         for term in rows * 2:
             whole = nearest(self.problem, term, slot, whole, world)
         found = [whole, walls, *free]
-        if not any(term.heading is not None or term.look is not None for term in rows):
-            close = np.concatenate([whole[: 1 + 8 * TURNING], free[0][: 1 + 8 * TURNING]])
-            found += [_turned(close, quarter) for quarter in (1, 2, 3)]
         poses = np.concatenate(found)
         _, first = np.unique(np.round(poses / SAME), axis=0, return_index=True)
         return poses[np.sort(first)]

@@ -62,6 +62,9 @@ def markdown(report: Report) -> str:
             "",
             "As it stands, no chair is moved; demanded is what is reached once the chairs at a thing are moved aside.",
         ]
+    if report.wishes:
+        granted = sum(wish["holds"] == (wish["weight"] > 0) for wish in report.wishes)
+        lines += ["", f"Of {len(report.wishes)} wishes of the program, which nobody demands, {granted} came true."]
     lines += [line for note in report.notes for line in ("", note)]
     if report.violations:
         lines += ["", "## What is wrong", "", *_listed(report.violations)]
@@ -78,6 +81,8 @@ def markdown(report: Report) -> str:
         lines += ["", "## What was moved from its guess", "", *_listed(move.sentence for move in report.moved)]
     for body in report.agents:
         lines += ["", f"## {plain(body.agent.title or body.agent.name)}", "", *_agent_table(body)]
+    if report.opinion:
+        lines += ["", "## What a model thinks", "", *_listed(report.opinion["sentences"])]
     if report.planner:
         lines += ["", "## Who planned", "", *_listed(report.planner.get("sentences", ()))]
     return "\n".join(lines) + "\n"

@@ -75,6 +75,7 @@ class Report:
         timing: Wall and CPU seconds per station.
         planner: Who planned and what that took, where that was a model.
         stability: What a simulator found (`robolayout.export.settle`), as plain data; empty if none was asked.
+        opinion: What a model thinks of the room, as plain data; empty if none was asked. It changes no verdict.
         asked: The ledger: one row for each phrase of the user's words; empty where nobody looked.
         notes: What else a reader should know of how the layout was found, in sentences.
         program: The program as asked, with its guesses.
@@ -89,6 +90,7 @@ class Report:
     timing: Mapping[str, Mapping[str, float]] = field(default_factory=dict[str, Mapping[str, float]])
     planner: Mapping[str, Any] = field(default_factory=dict[str, Any])
     stability: Mapping[str, Any] = field(default_factory=dict[str, Any])
+    opinion: Mapping[str, Any] = field(default_factory=dict[str, Any])
     asked: tuple[AskedRow, ...] = ()
     notes: tuple[str, ...] = ()
     program: Program | None = None
@@ -97,6 +99,18 @@ class Report:
     def moved(self) -> tuple[Move, ...]:
         """What is not where the program put it, how far it went, and what it would violate there; the farthest first."""
         return moves(self.scene, self.layout, self.program, tuple(report.agent for report in self.agents))
+
+    @cached_property
+    def wishes(self) -> tuple[dict[str, Any], ...]:
+        """What the program would like, and no more: each wish with its weight, whether it holds, and what was measured."""
+        rows: list[dict[str, Any]] = []
+        for wish in self.program.wishes if self.program else ():
+            relation = wish.relation
+            placed = set(relation.asset_names()) <= set(self.layout)
+            outcome = relation.check(self.scene, self.layout) if placed else None
+            holds, text = (outcome.met, outcome.text) if outcome else (False, "not placed")
+            rows.append({"sentence": relation.sentence(), "weight": wish.wish, "holds": holds, "text": text})
+        return tuple(rows)
 
     @cached_property
     def figures(self) -> dict[str, float | bool]:
@@ -189,6 +203,10 @@ class Report:
         """Return the same report with what a simulator found; the demands do not change."""
         return replace(self, stability=stability)
 
+    def with_opinion(self, opinion: Mapping[str, Any]) -> Report:
+        """Return the same report with what a model thinks of the room; the demands do not change."""
+        return replace(self, opinion=opinion)
+
     def with_notes(self, notes: tuple[str, ...]) -> Report:
         """Return the same report with what else a reader should know."""
         return replace(self, notes=(*self.notes, *notes))
@@ -200,6 +218,7 @@ class Report:
             "asked_met_share": self.asked_met_share,
             **self.figures,
             "statements": [item.to_dict() for item in self.statements],
+            "wishes": list(self.wishes),
             "moved": [move.to_dict() for move in self.moved],
             "rules": [result.to_dict() for result in self.rules],
             "violations": list(self.violations),
@@ -211,6 +230,7 @@ class Report:
             **({"notes": list(self.notes)} if self.notes else {}),
             **({"planner": dict(self.planner)} if self.planner else {}),
             **({"stability": dict(self.stability)} if self.stability else {}),
+            **({"opinion": dict(self.opinion)} if self.opinion else {}),
         }
 
     def rows(self) -> tuple[tuple[str, str, bool], ...]:

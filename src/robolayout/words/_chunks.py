@@ -26,6 +26,10 @@ MARKS = {
 }
 
 
+HEAPS, HEAPED = ("stack", "pile"), ("stacked", "piled")
+"""Words for things one on top of the other: before "of", and of the things."""
+
+
 @dataclass(frozen=True)
 class Chunk:
     """A phrase.
@@ -137,6 +141,8 @@ class Chunker:
             return False
         if phrase in ("face", "before", "row"):
             return phrase == "face"
+        if phrase in HEAPED or phrase in ("diagonal", "angled"):
+            return not self._continues(end - 1) or following in JOINING
         return True
 
     def _bound(self, at: int) -> tuple[str, int]:
@@ -262,7 +268,7 @@ class Chunker:
                 if chunk and not (chunk[0] == "function" and start and self.lexicon.noun(run[start - 1 : start])):
                     kind, value, noun = chunk
                     plural = kind in ("thing", "part") and _plural(tail[-1], noun)
-                    adjectives = tuple(run[:start])
+                    adjectives = (*run[:start], *(HEAPED[:1] if set(HEAPS) & set(self.words[at:i]) else ()))
                     return Chunk(kind, at, i + end, value, noun, det, number, bound, plural, adjectives, rows=rows)
             if not told or self._does(run):
                 break

@@ -24,11 +24,50 @@ ACROSS = 12.0
 FAR_SHARE, MIDDLE_SHARE = 0.4, 0.2
 """Shares of the room's longest and shortest side: least distance of "far from", most distance of "in the middle"."""
 
+OPEN_SHARE = 0.16
+"""Share of the room's shorter side that stays free to each side of its middle where that is to be open."""
+
+DAYLIGHT = 1.8
+"""Metres from a window within which a place has daylight: about one and a half times the height of its head over a table."""
+
 LEAST_FAR, LEAST_MIDDLE = 1.5, 0.5
 """Metres: the same in small rooms."""
 
 SEATS = ("chair", "stool", "armchair", "sofa", "bench", "recliner", "seat")
 """Last words of what one sits on."""
+
+
+_BY_RIGHT_ANGLE = ((("align_with", 90.0),), (("align_with", 270.0),))
+_PARALLEL = ((("align_with", 0.0),), (("align_with", 180.0),))
+Ways = tuple[tuple[tuple[str | float, ...], ...], ...]
+"""Ways, each of statements, each with its further arguments."""
+
+TO_ANOTHER: Mapping[str, Ways] = {
+    "next": ((("near", BESIDE),),),
+    "near": ((("near", NEAR),),),
+    "by": ((("near", AT_TABLE),),),
+    "left": ((("left_of", 0.0, NEAR),),),
+    "right": ((("right_of", 0.0, NEAR),),),
+    "front": ((("in_front_of", 0.0, AHEAD),),),
+    "foot": ((("in_front_of", 0.0, BESIDE),),),
+    "aligned": _PARALLEL,
+    "square": _BY_RIGHT_ANGLE,
+}
+"""What a thing is asked to be to another one, or to a place of the room, by the word of the list."""
+
+IN_A_CHAIN: Mapping[str, Ways] = {
+    "abreast": ((("near", AT_TABLE),),),
+    "parallel": _PARALLEL,
+    "stacked": ((("on_top_of",),),),
+}
+"""What each of several is asked to be to the one before it."""
+
+BY_TWOS: Mapping[str, Ways] = {
+    "mutual": ((("facing_pair",),),),
+    "pairs": ((("near", AT_TABLE),),),
+    "backs": ((("behind", 0.0, AT_TABLE), ("align_with", 180.0)),),
+}
+"""What the second of every two is asked to be to the first."""
 
 
 class Demander:
@@ -46,8 +85,17 @@ class Demander:
     def demands(self, link: Link) -> tuple[Demand, ...]:
         """Return what a link asks for; nothing where it cannot be said."""
         subjects = [name for mention in link.subjects for name in self._named(mention)]
+        if link.relation == "open":
+            subjects = [asset.name for asset in self.scene.assets if asset.on_floor and not asset.is_flat]
         if not subjects:
             return ()
+        if link.relation in TO_ANOTHER:
+            return tuple(self._to_another(TO_ANOTHER[link.relation], subjects, link.objects))
+        if link.relation in IN_A_CHAIN:
+            return tuple(_way(IN_A_CHAIN[link.relation], b, a) for a, b in pairwise(subjects))
+        if link.relation in BY_TWOS:
+            twos = zip(subjects[::2], subjects[1::2], strict=False)
+            return tuple(_way(BY_TWOS[link.relation], b, a) for a, b in twos)
         make = getattr(self, f"_{link.relation}", None)
         return tuple(make(subjects, link.objects)) if make else ()
 
@@ -61,7 +109,7 @@ class Demander:
     def _others(self, objects: Sequence[Mention | Place]) -> list[str]:
         return [name for item in objects if isinstance(item, Mention) for name in self._named(item)]
 
-    def _pairs(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[tuple[str, str]]:
+    def _matched(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[tuple[str, str]]:
         """Yield each subject with what it stands to: in equal shares where there are several."""
         others = self._others(objects)
         for i, name in enumerate(subjects):
@@ -79,7 +127,7 @@ class Demander:
         place = self._place(objects)
         if place is not None:
             yield from self._at_place(subjects, place, on=True)
-        for a, b in self._pairs(subjects, objects):
+        for a, b in self._matched(subjects, objects):
             yield self._resting(a, b)
 
     def _resting(self, a: str, b: str) -> Demand:
@@ -94,33 +142,24 @@ class Demander:
         place = self._place(objects)
         if place is not None:
             yield from self._at_place(subjects, place)
-        for a, b in self._pairs(subjects, objects):
+        for a, b in self._matched(subjects, objects):
             yield self._resting(a, b)
 
     def _with(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """What a thing has: on it, if it can stand nowhere else, else at it."""
-        for a, b in self._pairs(subjects, objects):
+        for a, b in self._matched(subjects, objects):
             asset = self._asset(a)
             if asset.on_object and not asset.on_floor:
                 yield self._resting(a, b)
             elif asset.on_floor:
                 yield _one(_say("near", AssetRef(a), AssetRef(b), BESIDE))
 
-    def _next(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        yield from self._close(subjects, objects, BESIDE)
-
-    def _near(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        yield from self._close(subjects, objects, NEAR)
-
-    def _by(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        yield from self._close(subjects, objects, AT_TABLE)
-
-    def _close(self, subjects: Sequence[str], objects: Sequence[Mention | Place], gap: float) -> Iterator[Demand]:
+    def _to_another(self, ways: Ways, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         place = self._place(objects)
         if place is not None:
             yield from self._at_place(subjects, place)
-        for a, b in self._pairs(subjects, objects):
-            yield _one(_say("near", AssetRef(a), AssetRef(b), gap))
+        for a, b in self._matched(subjects, objects):
+            yield _way(ways, a, b)
 
     def _far(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         x0, y0, x1, y1 = self.room.bounds
@@ -130,7 +169,7 @@ class Demander:
         for a in subjects:
             for point in points:
                 yield _one(_say("distance_constraint", AssetRef(a), point, least))
-        for a, b in self._pairs(subjects, objects):
+        for a, b in self._matched(subjects, objects):
             yield _one(_say("distance_constraint", AssetRef(a), AssetRef(b), least))
 
     def _flank(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
@@ -139,7 +178,7 @@ class Demander:
         if place is not None:
             yield from self._at_place(subjects, place)
         by: dict[str, list[str]] = {}
-        for a, b in self._pairs(subjects, objects):
+        for a, b in self._matched(subjects, objects):
             by.setdefault(b, []).append(a)
         for b, items in by.items():
             sides = [("left", "right")[i % 2] for i in range(len(items))]
@@ -154,37 +193,16 @@ class Demander:
                 )
             )
 
-    def _left(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        yield from self._side("left_of", subjects, objects, NEAR)
-
-    def _right(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        yield from self._side("right_of", subjects, objects, NEAR)
-
-    def _front(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        place = self._place(objects)
-        if place is not None:
-            yield from self._at_place(subjects, place)
-        yield from self._side("in_front_of", subjects, objects, AHEAD)
-
-    def _foot(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        yield from self._side("in_front_of", subjects, objects, BESIDE)
-
     def _behind(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Behind a thing; who sits behind a desk sits at the side from which it is used."""
-        for a, b in self._pairs(subjects, objects):
+        for a, b in self._matched(subjects, objects):
             ways = [(_say("behind", AssetRef(a), AssetRef(b), 0.0, BACK),)]
             if self._is(a, SEATS) and self._is(b, ("desk", "counter")):
                 ways.insert(0, (_say("in_front_of", AssetRef(a), AssetRef(b), 0.0, BACK),))
             yield Demand(tuple(ways))
 
-    def _side(
-        self, relation: str, subjects: Sequence[str], objects: Sequence[Mention | Place], most: float
-    ) -> Iterator[Demand]:
-        for a, b in self._pairs(subjects, objects):
-            yield _one(_say(relation, AssetRef(a), AssetRef(b), 0.0, most))
-
     def _around(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        for a, b in self._pairs(subjects, objects):
+        for a, b in self._matched(subjects, objects):
             near = _say("near", AssetRef(a), AssetRef(b), NEAR if self._is(a, ("armchair", "sofa", "bag")) else BESIDE)
             yield Demand(((near, _say("point_towards", AssetRef(a), AssetRef(b))) if self._turns(a) else (near,),))
 
@@ -198,7 +216,7 @@ class Demander:
             for a in subjects:
                 ways = [(_say("point_towards", AssetRef(a), point),) for point in self._points(place)]
                 yield from [Demand(tuple(ways))] if ways else []
-        for a, b in self._pairs(subjects, objects):
+        for a, b in self._matched(subjects, objects):
             yield _one(_say("in_front_of", AssetRef(a), AssetRef(b), 0.0, ACROSS))
 
     def _facing(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
@@ -216,13 +234,35 @@ class Demander:
             if ways:
                 yield Demand(tuple(ways))
 
-    def _mutual(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        for a, b in zip(subjects[::2], subjects[1::2], strict=False):
-            yield _one(_say("facing_pair", AssetRef(a), AssetRef(b)))
+    def _diagonal(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        yield from self._turned_from(subjects, [WallRef(0)], (45.0, 135.0, 225.0, 315.0))
 
-    def _abreast(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        for a, b in zip(subjects[1:], subjects[:-1], strict=True):
-            yield _one(_say("near", AssetRef(a), AssetRef(b), AT_TABLE))
+    def _turned_from(
+        self, subjects: Sequence[str], others: Sequence[AssetRef | WallRef], angles: Sequence[float]
+    ) -> Iterator[Demand]:
+        """Yield that each thing is turned by one of some angles (degrees) from another."""
+        for a in subjects:
+            yield Demand(tuple((_say("align_with", AssetRef(a), b, angle),) for b in others for angle in angles))
+
+    def _mirrored(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        others = self._others(objects)
+        for a, b in zip(subjects[::2], subjects[1::2], strict=False):
+            yield from [_one(_say("symmetric_pair", AssetRef(a), AssetRef(b), AssetRef(c))) for c in others[:1]]
+
+    def _lit(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        """In daylight: not far from a window."""
+        for a in subjects:
+            ways = [(_say("near", AssetRef(a), point, DAYLIGHT),) for point in self._points(Place("window"))]
+            yield from [Demand(tuple(ways))] if ways else []
+
+    def _open(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        """The middle of the room stays free: each thing stands in one of the four strips around it."""
+        x0, y0, x1, y1 = self.room.bounds
+        x, y = _centre(self.scene)
+        half = max(LEAST_MIDDLE, OPEN_SHARE * min(x1 - x0, y1 - y0))
+        strips = ((x0, y0, x - half, y1), (x + half, y0, x1, y1), (x0, y0, x1, y - half), (x0, y + half, x1, y1))
+        for a in subjects:
+            yield Demand(tuple((_say("zone", AssetRef(a), _rectangle(*strip)),) for strip in strips))
 
     def _row(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Side by side: each near the one before; where there are several rows, the first of a row near another one."""
@@ -232,7 +272,7 @@ class Demander:
                 yield Demand(tuple((_say("near", AssetRef(a), AssetRef(b), BACK),) for b in beside))
 
     def _seen(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        for a, b in self._pairs(subjects, objects):
+        for a, b in self._matched(subjects, objects):
             yield _one(_say("point_towards", AssetRef(b), AssetRef(a)))
 
     def _under(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
@@ -244,7 +284,7 @@ class Demander:
         for a in subjects:
             if self._asset(a).is_flat and others:
                 yield _one(_say("under", AssetRef(a), tuple(AssetRef(b) for b in others if b != a)))
-        for a, b in self._pairs(subjects, objects):
+        for a, b in self._matched(subjects, objects):
             below = self._asset(b).on_wall or self._asset(b).on_ceiling
             if below and not self._asset(b).on_floor:
                 yield _one(_say("above", AssetRef(b), AssetRef(a)))
@@ -255,7 +295,7 @@ class Demander:
         place = self._place(objects)
         if place is not None:
             yield from self._at_place(subjects, place)
-        for a, b in self._pairs(subjects, objects):
+        for a, b in self._matched(subjects, objects):
             ways = [(_say("above", AssetRef(a), AssetRef(b)),)]
             if self._asset(a).on_object:
                 ways.append((_say("on_top_of", AssetRef(a), AssetRef(b)),))
@@ -278,7 +318,7 @@ class Demander:
         place = self._place(objects)
         if place is not None:
             yield from self._at_place(subjects, place, on=True)
-        for a, b in self._pairs(subjects, objects):
+        for a, b in self._matched(subjects, objects):
             yield _one(_say("near", AssetRef(a), AssetRef(b), BESIDE / 2))
 
     def _corner(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
@@ -301,7 +341,7 @@ class Demander:
                 ]
                 yield from [Demand(tuple(ways))] if ways else []
             return
-        for a, b in self._pairs(subjects, objects):
+        for a, b in self._matched(subjects, objects):
             yield (
                 self._resting(a, b)
                 if self._asset(a).on_object or self._asset(b).is_flat
@@ -338,15 +378,14 @@ class Demander:
         elif place.name == "side" and place.words:
             yield from ((_say("zone", ref, half),) for half in self._halves(place))
 
-    def _halves(self, place: Place) -> Iterator[tuple[tuple[float, float], ...]]:
+    def _halves(self, place: Place) -> Iterator[tuple[PointRef, ...]]:
         """Yield the half of the room that the words name, as seen on the plan."""
         x0, y0, x1, y1 = self.room.bounds
         x, y = (x0 + x1) / 2, (y0 + y1) / 2
         halves = {"left": (x0, y0, x, y1), "right": (x, y0, x1, y1), "back": (x0, y, x1, y1), "front": (x0, y0, x1, y)}
         for word in place.words:
             if word in halves:
-                a, b, c, d = halves[word]
-                yield ((a, b), (c, b), (c, d), (a, d))
+                yield _rectangle(*halves[word])
 
     def _walls(self, place: Place) -> list[Wall]:
         return walls_meant(self.scene, place, self.names)
@@ -374,6 +413,11 @@ class Demander:
         return any(text.endswith(word) for text in (asset.category, asset.like) for word in words)
 
 
+def _rectangle(x0: float, y0: float, x1: float, y1: float) -> tuple[PointRef, ...]:
+    corners = ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
+    return tuple(PointRef(round(x, 3), round(y, 3)) for x, y in corners)
+
+
 def _turned(side: str) -> str:
     return {"left": "right", "right": "left"}[side]
 
@@ -386,6 +430,11 @@ def _centre(scene: Scene) -> tuple[float, float]:
 
 def _say(relation: str, *arguments: object) -> Relation:
     return RELATIONS[relation](*arguments)
+
+
+def _way(ways: Ways, a: str, b: str) -> Demand:
+    """Return a demand on two things from its ways."""
+    return Demand(tuple(tuple(_say(str(name), AssetRef(a), AssetRef(b), *more) for name, *more in way) for way in ways))
 
 
 def _one(relation: Relation) -> Demand:

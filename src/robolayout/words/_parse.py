@@ -28,10 +28,12 @@ REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on"}
 AIDS = {"wheelchair": "wheelchair", "walker": "elder_walker"}
 """Bodies by what they use; what a room is to contain is a thing."""
 
-ALONE = frozenset(
-    ("next", "row", "pairs", "mutual", "abreast", "middle", "flank", "left", "right", "front", "near", "under")
-)
+_ALONE = "next row pairs backs stacked diagonal lit parallel mutual abreast middle flank left right front near under"
+ALONE = frozenset(_ALONE.split())
 """Relations that may stand without an object."""
+
+SAID_OF = {"stacked": "stacked", "piled": "stacked", "diagonal": "diagonal", "angled": "diagonal"}
+"""Relations that stand before a noun."""
 
 
 class Parser(References):
@@ -163,6 +165,8 @@ class Parser(References):
             return
         mention = self._mention(chunk)
         self.recent.append(mention)
+        for word in set(SAID_OF) & set(chunk.adjectives):
+            self.said.links.append(Link(SAID_OF[word], (mention,), (), chunk.start, chunk.end))
         if chunk.det == "each" and self.group and self._previous(chunk) == "for":
             self.group[-1].thing.times = mention.thing.count
             self._link(Chunk("rel", chunk.start, chunk.end, "with"), self.group[-1:], [mention])
@@ -210,8 +214,31 @@ class Parser(References):
             return self.chunks[index + 1].adjectives
         return ()
 
+    def _of_the_room(self, chunk: Chunk) -> bool:
+        """Note what is asked of the room itself: an open middle, a way to something, daylight at it."""
+        if chunk.value not in ("open", "way", "light"):
+            return False
+        found: list[Mention | Place] = []
+        while chunk.value != "open" and self.at < len(self.chunks):
+            following = self.chunks[self.at]
+            after = self.chunks[self.at + 1 : self.at + 2]
+            joins = following.kind == "and" and found and after and (after[0].kind == "part" or after[0].det == "the")
+            if following.kind == "filler" or joins:
+                self.at += 1
+            elif (item := self._object(chunk)) is not None:
+                found.append(item)
+            else:
+                break
+        things = tuple(item for item in found if isinstance(item, Mention)) if chunk.value == "light" else ()
+        named = {"light": "lit"}.get(chunk.value, chunk.value)
+        self.said.links.append(Link(named, things, () if things else tuple(found), chunk.start, chunk.end))
+        self.broken = True
+        return True
+
     def _on_rel(self, chunk: Chunk) -> None:
         """A relation: find what it is about, then what it leads to."""
+        if self._of_the_room(chunk):
+            return
         if self._of_people():
             self._objects(chunk)
             self.said.missed.append(chunk)

@@ -6,8 +6,13 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from shapely import LineString
+from shapely.geometry.base import BaseGeometry
+
 from robolayout.assets import category_of
-from robolayout.scene import Layout, Scene
+from robolayout.constraints import AssetRef
+from robolayout.constraints._exact import footprint
+from robolayout.scene import Layout, Opening, Scene
 from robolayout.words._demander import Demander
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._match import fits, stand_ins
@@ -49,6 +54,18 @@ class AskedRow:
 
 Finding = tuple[Verdict, str]
 
+UP_TO = 0.5
+"""Metres between a body's edge and what a way leads up to."""
+
+
+@dataclass(frozen=True)
+class _Furnished:
+    """What rows are judged by: a scene, a layout of it, and where the centre of its first body gets to from the door."""
+
+    scene: Scene
+    layout: Layout
+    walked: BaseGeometry | None = None
+
 
 @dataclass(frozen=True)
 class _Row:
@@ -57,7 +74,7 @@ class _Row:
     words: str
     kind: str
     understanding: str
-    judge: Callable[[Scene, Layout], Finding]
+    judge: Callable[[_Furnished], Finding]
     things: tuple[str, ...] = ()
     demands: tuple[Demand, ...] = ()
 
@@ -77,13 +94,20 @@ class Wishes:
         """What must hold about where things stand."""
         return tuple(demand for row in self.rows for demand in row.demands)
 
-    def judged(self, scene: Scene, layout: Layout) -> tuple[AskedRow, ...]:
-        """Return every row with its verdict in a layout; what is not placed meets nothing."""
+    def judged(self, scene: Scene, layout: Layout, walked: BaseGeometry | None = None) -> tuple[AskedRow, ...]:
+        """Return every row with its verdict in a layout; what is not placed meets nothing.
+
+        Args:
+            scene: The scene.
+            layout: Where things stand.
+            walked: Where the centre of the first body gets to from the door; None leaves ways unjudged.
+        """
         found: list[AskedRow] = []
+        room = _Furnished(scene, layout, walked)
         for row in self.rows:
             missing = [name for name in row.things if name not in layout]
             lost: Finding = ("unmet", f"{' and '.join(missing)} not placed")
-            verdict, value = lost if missing else row.judge(scene, layout)
+            verdict, value = lost if missing else row.judge(room)
             found.append(AskedRow(row.words, row.kind, row.understanding, row.things, verdict, value))
         return tuple(found)
 
@@ -154,8 +178,8 @@ class _Rows:
     def _opening(self, place: Place, words: str) -> _Row:
         wanted = place.number or (2 if place.plural else 1)
 
-        def judge(scene: Scene, layout: Layout) -> Finding:
-            there = len(scene.room.windows if place.name == "window" else scene.room.doors)
+        def judge(room: _Furnished) -> Finding:
+            there = len(room.scene.room.windows if place.name == "window" else room.scene.room.doors)
             enough = there == wanted if place.number else there >= wanted
             return ("met" if enough else "unmet"), f"{there} there"
 
@@ -168,9 +192,9 @@ class _Rows:
         nearest = f" ({thing.noun.kind}, {thing.noun.guessed})" if thing.noun.guessed else ""
         bound = {"least": "at least ", "more": "at least ", "most": "at most ", "vague": "some, "}.get(thing.bound, "")
 
-        def judge(scene: Scene, layout: Layout) -> Finding:
-            alike = [a.name for a in scene.assets if a.name in own or (a.name not in others and fits(a, thing))]
-            there = sum(name in layout for name in alike)
+        def judge(room: _Furnished) -> Finding:
+            alike = [a.name for a in room.scene.assets if a.name in own or (a.name not in others and fits(a, thing))]
+            there = sum(name in room.layout for name in alike)
             least = 1 if thing.number is None else wanted  # "shelves" are some, however many
             enough = there <= wanted if thing.bound == "most" else there >= min(least, wanted)
             if not alike:
@@ -185,6 +209,8 @@ class _Rows:
     def _relation(self, link: Link) -> _Row:
         """Return the row of a relation."""
         words = self.reading.span(link.start, link.end)
+        if link.relation == "way":
+            return self._way(link, words)
         about = ", ".join(_shown(mention) for mention in link.subjects)
         to = " and ".join(_shown(item) for item in link.objects)
         understanding = f"{about} {words} {to}".strip()
@@ -192,8 +218,9 @@ class _Rows:
         if not demands:
             return _unread(understanding, "nothing that the vocabulary can say")
 
-        def judge(scene: Scene, layout: Layout) -> Finding:
-            outcomes = [demand.measure(scene, layout) if demand.names() <= set(layout) else None for demand in demands]
+        def judge(room: _Furnished) -> Finding:
+            placed = set(room.layout)
+            outcomes = [d.measure(room.scene, room.layout) if d.names() <= placed else None for d in demands]
             bad = [outcome for outcome in outcomes if outcome is None or not outcome.met]
             shown = next((outcome for outcome in bad or outcomes if outcome is not None), None)
             text = shown.text if shown is not None else "not placed"
@@ -205,9 +232,37 @@ class _Rows:
         said = "; ".join(dict.fromkeys(_said(demand) for demand in demands[:2])) + (" ..." if len(demands) > 2 else "")
         return _Row(understanding, "relation", said, judge, things, demands)
 
+    def _way(self, link: Link, words: str) -> _Row:
+        """Return the row of a way: the body gets up to each of the things and places that are named."""
+        to = " and ".join(_shown(item) for item in link.objects)
+        named = [self.names.get(item.thing, ()) for item in link.objects if isinstance(item, Mention)]
+        things = tuple(name for names in named for name in names)
+        room = self.scene.room
+        openings: dict[str, tuple[Opening, ...]] = {"door": room.doors, "window": room.windows}
+        places = [openings[item.name] for item in link.objects if isinstance(item, Place) and item.name in openings]
+        if not things and not any(places):
+            return _unread(f"{words} {to}".strip(), "nothing that a way can lead to")
+
+        def judge(furnished: _Furnished) -> Finding:
+            if furnished.walked is None:
+                return "not judged", ""
+            radius = furnished.scene.agents[0].radius
+            away = [
+                footprint(furnished.scene, furnished.layout, AssetRef(n)).distance(furnished.walked) for n in things
+            ]
+            for found in places:
+                lines = [
+                    LineString([room.walls[o.wall].point(o.offset + part * o.width) for part in (0, 1)]) for o in found
+                ]
+                away += [min(line.distance(furnished.walked) for line in lines)] if lines else []
+            ends = max(0.0, max(away) - radius)
+            return ("met" if ends <= UP_TO else "unmet"), f"the way ends {ends:.2f} m before it"
+
+        return _Row(f"{words} {to}".strip(), "way", "a way for the body", judge, things)
+
     def _refusal(self, noun: str, kind: str, words: str) -> _Row:
-        def judge(scene: Scene, layout: Layout) -> Finding:
-            there = [asset.name for asset in scene.assets if category_of(asset).name == kind]
+        def judge(room: _Furnished) -> Finding:
+            there = [asset.name for asset in room.scene.assets if category_of(asset).name == kind]
             return ("unmet" if there else "met"), f"{', '.join(there) or 'none'} there"
 
         return _Row(words, "refusal", f"no {noun}", judge)
@@ -227,20 +282,20 @@ def _shown(item: Mention | Place) -> str:
 
 
 def _unread(words: str, why: str) -> _Row:
-    return _Row(words, "not understood", why, lambda scene, layout: ("not understood", ""))
+    return _Row(words, "not understood", why, lambda room: ("not understood", ""))
 
 
-def _as_given(scene: Scene, layout: Layout) -> Finding:
+def _as_given(room: _Furnished) -> Finding:
     return "met", "as given"
 
 
-def _taste(scene: Scene, layout: Layout) -> Finding:
+def _taste(room: _Furnished) -> Finding:
     return "not judged", ""
 
 
-def _for_body(name: str) -> Callable[[Scene, Layout], Finding]:
-    def judge(scene: Scene, layout: Layout) -> Finding:
-        bodies = ", ".join(agent.name for agent in scene.agents)
+def _for_body(name: str) -> Callable[[_Furnished], Finding]:
+    def judge(room: _Furnished) -> Finding:
+        bodies = ", ".join(agent.name for agent in room.scene.agents)
         return ("met" if name in bodies else "not judged"), f"laid out for {bodies}"
 
     return judge
@@ -250,18 +305,19 @@ def _measured(words: str, kind: str, values: tuple[float, ...]) -> _Row:
     """Return the row of a measure of the room."""
     shown = " x ".join(f"{value:g}" for value in values)
 
-    def judge(scene: Scene, layout: Layout) -> Finding:
-        x0, y0, x1, y1 = scene.room.bounds
+    def judge(room: _Furnished) -> Finding:
+        given = room.scene.room
+        x0, y0, x1, y1 = given.bounds
         if kind == "size":
             sides = sorted((x1 - x0, y1 - y0))
             off = max(abs(a - b) for a, b in zip(sides, sorted(values), strict=True))
             return ("met" if off <= SIZE_OFF else "unmet"), f"{x1 - x0:.2f} x {y1 - y0:.2f} m"
         if kind == "area":
-            off = abs(scene.room.area - values[0]) / values[0]
-            return ("met" if off <= AREA_OFF else "unmet"), f"{scene.room.area:.1f} m2"
+            off = abs(given.area - values[0]) / values[0]
+            return ("met" if off <= AREA_OFF else "unmet"), f"{given.area:.1f} m2"
         if kind == "height":
-            off = abs(scene.room.wall_height - values[0])
-            return ("met" if off <= SIZE_OFF else "unmet"), f"{scene.room.wall_height:.2f} m"
+            off = abs(given.wall_height - values[0])
+            return ("met" if off <= SIZE_OFF else "unmet"), f"{given.wall_height:.2f} m"
         return "not judged", ""
 
     units = {"area": " m2", "grid": ""}.get(kind, " m")

@@ -13,7 +13,7 @@ from collections.abc import Callable, Coroutine, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from decimal import Decimal
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from pydantic import BaseModel
 from pydantic_ai import (
@@ -31,8 +31,17 @@ from pydantic_ai import (
     UsageLimits,
     UserContent,
 )
-from pydantic_ai.exceptions import AgentRunError, ModelHTTPError, UnexpectedModelBehavior, UnsupportedSettingWarning
+from pydantic_ai.exceptions import (
+    AgentRunError,
+    FallbackExceptionGroup,
+    ModelAPIError,
+    ModelHTTPError,
+    UnexpectedModelBehavior,
+    UnsupportedSettingWarning,
+)
 from pydantic_ai.models import Model, ModelRequestParameters
+from pydantic_ai.models.concurrency import ConcurrencyLimitedModel
+from pydantic_ai.models.fallback import FallbackModel
 from pydantic_ai.models.function import FunctionModel
 from pydantic_ai.models.wrapper import WrapperModel
 from pydantic_ai.settings import ModelSettings
@@ -42,7 +51,11 @@ from robolayout._errors import AnswerError, BudgetError, InputError, ModelError
 from robolayout.planners.model.budget import CHARACTERS_PER_TOKEN, Budget, tokens_of
 from robolayout.planners.model.errors import refuses_images, sentence
 from robolayout.planners.model.exchange import Question, Tape
+from robolayout.planners.model.prompt import PROMPT_VERSION
 from robolayout.planners.model.provider import Spec, open_model, price_of
+
+if TYPE_CHECKING:
+    from robolayout.planners.model.options import ModelOptions
 
 T = TypeVar("T")
 Check = Callable[[Any], str | None]
@@ -117,7 +130,7 @@ class _Taped(WrapperModel):
             told = self._answer["usage"]["cost"]
             cost, received = None if told is None else Decimal(told), response.usage.output_tokens
         except ASTRAY as error:
-            told = " ".join(f"{type(error).__name__} {error}".split())[:100]
+            told = self._tape.scrub(" ".join(f"{type(error).__name__} {error}".split()))[:100]
             raise UnexpectedModelBehavior(f"an answer of another form than asked for ({told})") from error
         finally:
             budget.settle(reserved, cost, received)
@@ -146,20 +159,20 @@ class Client:
     """Asks questions, concurrently, and keeps count.
 
     Args:
-        spec: Which model, and where it is.
+        specs: Which model, and where it is; then those that stand in for it.
         tape: Where answers are recorded or come from.
-        timeout: Seconds for one try.
-        max_cost: US dollars that may be spent; None is without limit.
+        options: How it is asked.
     """
 
-    def __init__(self, spec: Spec, tape: Tape, *, timeout: float = 60.0, max_cost: float | None = None) -> None:
-        self.spec, self.tape, self.timeout = spec, tape, timeout
-        self.budget = Budget(None if max_cost is None else Decimal(str(max_cost)), self._price)
+    def __init__(self, specs: tuple[Spec, ...], tape: Tape, options: ModelOptions) -> None:
+        self.specs, self.spec, self.tape, self.options = specs, specs[0], tape, options
+        most = options.max_cost
+        self.budget = Budget(None if most is None else Decimal(str(most)), self._price)
         self.sees = True
         self.notes: list[str] = []
         self.cut = set[str]()
         self.spent = RunUsage()
-        self._model: Model | None = None
+        self._models: tuple[Model, ...] = ()
 
     def note(self, sentence: str) -> None:
         """Say once what did not go as asked."""
@@ -167,7 +180,9 @@ class Client:
             self.notes.append(sentence)
 
     def _price(self, sent: int, received: int) -> Decimal | None:
-        return None if self._model is None else price_of(self._model, sent, received)
+        """Return the price at the dearest of the models that may answer; None where none has one."""
+        prices = (price_of(model, sent, received) for model in self._models)
+        return max((price for price in prices if price is not None), default=None)
 
     @property
     def usage(self) -> Usage:
@@ -176,27 +191,53 @@ class Client:
         cost = None if spent.cost is None else float(spent.cost)
         return Usage(spent.requests, spent.input_tokens, spent.output_tokens, cost)
 
+    def summary(self, did: str) -> str:
+        """Return who did something and what that took, in one sentence."""
+        used = self.usage
+        cost = "an unknown sum" if used.cost is None else f"${used.cost:.4f}"
+        return (
+            f"{self.spec.name} {did} (prompts of version {PROMPT_VERSION}): {used.requests} answers, "
+            f"{used.input_tokens} tokens sent and {used.output_tokens} received, for {cost}."
+        )
+
     def ask(
         self, questions: Sequence[Question], answer: type[T], check: Check | None = None
     ) -> list[T | InputError | ModelError]:
         """Return one answer or error per question, in order.
 
         Args:
-            questions: What to ask, at the same time.
+            questions: What to ask, at the same time; under a budget one first, whose cost tells how many more fit.
             answer: `str`, or a type that the answer must have.
             check: What is wrong with an answer, in words; the model is asked again, at most twice.
         """
-        return _run(self._ask_all(questions, answer, check))
+        ahead = 1 if self.budget.most is not None else len(questions)
+        parts = [part for part in (questions[:ahead], questions[ahead:]) if part]
+        return [found for part in parts for found in _run(self._ask_all(part, answer, check))]
 
     async def _ask_all(
         self, questions: Sequence[Question], answer: type[T], check: Check | None
     ) -> list[T | InputError | ModelError]:
-        priced = self.budget.most is not None
-        model = FunctionModel(_never) if self.tape.replay else open_model(self.spec, priced=priced)
-        self._model = None if self.tape.replay else model
+        model = self._opened()
         async with model:
             asked = [self._settled(model, question, answer, check) for question in questions]
             return list(await asyncio.gather(*asked))
+
+    def _opened(self) -> Model:
+        """Return the model to ask: with those that stand in for it, and no more questions at once than allowed."""
+        if self.tape.replay:
+            return FunctionModel(_never)
+        self._models = tuple(open_model(spec, priced=self.budget.most is not None) for spec in self.specs)
+        model = self._models[0]
+        if len(self._models) > 1:
+            model = FallbackModel(*self._models, fallback_on=self._falls)
+        at_once = self.options.at_once
+        return model if at_once is None else ConcurrencyLimitedModel(model, at_once)
+
+    def _falls(self, error: Exception) -> bool:
+        """Return whether the next model is asked after an error, and note that it is."""
+        if isinstance(error, ModelAPIError):
+            self.note(f"{sentence(error, self.spec, self.options.timeout, self.tape.scrub)} The next model was asked.")
+        return isinstance(error, ModelAPIError)
 
     async def _settled(
         self, model: Model, question: Question, answer: type[T], check: Check | None
@@ -204,19 +245,22 @@ class Client:
         """Ask one question; without pictures if the model turns out not to see."""
         if question.images and not self._takes_pictures(model, question):
             self._blind()
-            question = replace(question, images=())
+            question = replace(question, parts=question.texts)
         taped = _Taped(model, self, question)
         try:
             return await self._run_agent(taped, question, answer, check)
-        except InputError as error:
-            return error
-        except ModelError as error:
-            failure = error
+        except (InputError, ModelError) as error:
+            failure = type(error)(self.tape.scrub(str(error)))
+            if isinstance(failure, InputError):
+                return failure
+        except FallbackExceptionGroup as group:
+            last = group.exceptions[-1]
+            failure = sentence(last, self.specs[-1], self.options.timeout, self.tape.scrub)
         except AgentRunError as error:
             if question.images and isinstance(error, ModelHTTPError) and refuses_images(error):
                 self._blind()
                 return await self._settled(model, question, answer, check)
-            failure = sentence(error, self.spec, self.timeout, self.tape.scrub)
+            failure = sentence(error, self.spec, self.options.timeout, self.tape.scrub)
         taped.fail(failure)
         return failure
 
@@ -264,11 +308,16 @@ class Client:
         return ToolOutput(answer) if tools else PromptedOutput(answer)
 
     def _settings(self, question: Question) -> ModelSettings:
+        options = self.options
         settings = ModelSettings(
-            timeout=self.timeout,
-            request_timeout=PATIENCE * self.timeout,
+            timeout=options.timeout,
+            request_timeout=PATIENCE * options.timeout,
             temperature=question.temperature,
         )
+        if options.thinking is not None:
+            settings["thinking"] = options.thinking
+        if options.cache:
+            settings["cache"] = {"messages": False}
         if self.spec.seeded:
             settings["seed"] = question.seed
         return settings
@@ -310,9 +359,9 @@ def from_answer(answer: Mapping[str, Any]) -> ModelResponse:
 
 
 def _content(question: Question) -> list[UserContent]:
-    content: list[UserContent] = [*question.texts]
-    for label, data in question.images:
-        content += [label, BinaryContent(data, media_type="image/png")]
+    content: list[UserContent] = []
+    for part in question.parts:
+        content += [part] if isinstance(part, str) else [part[0], BinaryContent(part[1], media_type="image/png")]
     return content
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable
+from typing import cast
 
 from pydantic_ai.exceptions import (
-    AgentRunError,
     ModelAuthenticationError,
     ModelConnectionError,
     ModelContextWindowExceededError,
@@ -35,7 +35,7 @@ def refuses_images(error: ModelHTTPError) -> bool:
 
 
 def sentence(
-    error: AgentRunError,
+    error: Exception,
     spec: Spec,
     timeout: float,
     scrub: Callable[[str], str],
@@ -58,7 +58,7 @@ def unquoted(reason: str) -> str:
     return re.sub(r"\s*[:,]?\s*(body: )?[{\[<].*$", "", reason) or "it does not have the form asked for"
 
 
-def _http_sentence(error: AgentRunError, name: str, reason: str) -> str | None:
+def _http_sentence(error: Exception, name: str, reason: str) -> str | None:
     if not isinstance(error, ModelHTTPError):
         return None
     status = error.status_code
@@ -83,13 +83,21 @@ def _http_sentence(error: AgentRunError, name: str, reason: str) -> str | None:
     )
 
 
-def _reason(error: AgentRunError) -> str:
+def _reason(error: Exception) -> str:
     """Return the provider's own message, on one line."""
     body = getattr(error, "body", None)
     if isinstance(body, dict):
-        found = body.get("message") or body.get("error") or body  # pyright: ignore[reportUnknownMemberType]
-        body = found if isinstance(found, str) else json.dumps(found, default=str)
-    return _first_line(str(body or error.message))
+        body = _message(cast("dict[str, object]", body))
+    return _first_line(str(body or getattr(error, "message", "") or error))
+
+
+def _message(body: dict[str, object]) -> str:
+    """Return the words in an error's body: OpenAI's has a message, Anthropic's an error with a message."""
+    inner = body.get("error")
+    found = body.get("message") or (
+        cast("dict[str, object]", inner).get("message") if isinstance(inner, dict) else inner
+    )
+    return found if isinstance(found, str) else json.dumps(found or body, default=str)
 
 
 def _first_line(text: str) -> str:

@@ -26,7 +26,10 @@ from robolayout.planners.model.prompt import PROMPT_VERSION, digest
 FORMAT = 1
 """Version of the exchange files."""
 
-NAME = re.compile(r"(group|plan|rate|amend)-[a-z0-9-]*attempt\d+-sample\d+(-turn\d+)?\.json")
+KINDS = ("room", "group", "plan", "rate", "amend", "judge")
+"""What a model may be asked for."""
+
+NAME = re.compile(rf"({'|'.join(KINDS)})-[a-z0-9-]*attempt\d+-sample\d+(-turn\d+)?\.json")
 """Names of exchange files."""
 
 COST = re.compile(r"\d{1,12}(\.\d{1,30})?(E[+-]?\d{1,2})?", re.ASCII)
@@ -41,18 +44,21 @@ MOST_TOKENS = 10**12
 _CHECK = Checker(InputError)
 
 
+Picture = tuple[str, bytes]
+"""The line above a picture, and the picture as PNG."""
+
+
 @dataclass(frozen=True)
 class Question:
     """One question to a model.
 
     Attributes:
-        kind: "group", "plan", "rate" or "amend".
+        kind: One of `KINDS`.
         label: The group it is about.
         attempt: How often this was asked before, plus one.
         sample: Which of several answers to the same question, from 1.
         instructions: The system prompt.
-        texts: The user's message, in parts.
-        images: Label and PNG bytes of each picture.
+        parts: The user's message: texts, and pictures as label and PNG bytes; what changes least between questions comes first.
         key: Hash of what the question rests on.
         temperature: How freely the model answers.
         seed: Settles the answer, where the provider can.
@@ -63,11 +69,20 @@ class Question:
     attempt: int
     sample: int
     instructions: str
-    texts: tuple[str, ...]
-    images: tuple[tuple[str, bytes], ...]
+    parts: tuple[str | Picture, ...]
     key: str
     temperature: float = 0.3
     seed: int = 0
+
+    @property
+    def texts(self) -> tuple[str, ...]:
+        """The texts of the user's message."""
+        return tuple(part for part in self.parts if isinstance(part, str))
+
+    @property
+    def images(self) -> tuple[Picture, ...]:
+        """The pictures of the user's message."""
+        return tuple(part for part in self.parts if not isinstance(part, str))
 
     @property
     def state(self) -> str:

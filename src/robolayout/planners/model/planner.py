@@ -13,23 +13,26 @@ resort are the pipeline's.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast, get_args
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, get_args
 
-from robolayout._errors import AnswerError, BudgetError, InputError, MissingExtraError, UnknownNameError
+from robolayout._errors import AnswerError, BudgetError, InputError, SceneError, UnknownNameError
 from robolayout.planners._types import Group, Pictures, PlanRequest
 from robolayout.planners.model import prompt as texts
-from robolayout.planners.model.exchange import Question, Tape
+from robolayout.planners.model.exchange import Picture, Question
 from robolayout.planners.model.grouping import Grouping, Rating, complaint, groups_of
+from robolayout.planners.model.options import ModelOptions
+from robolayout.planners.model.rooms import Furnisher, Furnishing, choices_text
 from robolayout.planners.offline import OfflinePlanner
+from robolayout.planners.sentence import Understanding, scene_from_sentence
 from robolayout.scene import Layout, Scene
 
 if TYPE_CHECKING:
     from pydantic_ai.models import Model
 
-    from robolayout.planners.model.client import Client, Usage
+    from robolayout.planners.model.client import Usage
 
 T = TypeVar("T")
 
@@ -49,17 +52,13 @@ class ModelPlanner:
             replay needs none.
         mode: One of `MODES`.
         samples: Programs to draw per group; the pipeline keeps the best.
-        critic: Whether the model looks at the finished room and may amend its program once.
         retries: Further attempts that the pipeline may ask for per group.
-        base_url: Address of an OpenAI-compatible server.
-        max_cost: US dollars that may be spent; what the next answer will most likely cost is set aside before it is asked for.
-        exchanges: Folder to which every exchange is written, without secrets.
-        replay: Folder of such exchanges to answer from, without any network.
-        timeout: Seconds for one try of one question.
+        critic: Whether the model looks at the finished room and may amend its program once.
         seed: Settles the answers, where the provider can.
+        options: How the model is asked, as the attributes of `ModelOptions` (`max_cost=0.5`, `replay=folder`).
     """
 
-    def __init__(  # noqa: PLR0913 - the command line's options, keyword-only
+    def __init__(
         self,
         model: str | Model | None = None,
         *,
@@ -67,22 +66,18 @@ class ModelPlanner:
         samples: int = 1,
         retries: int = 3,
         critic: bool = False,
-        base_url: str | None = None,
-        max_cost: float | None = None,
-        exchanges: str | Path | None = None,
-        replay: str | Path | None = None,
-        timeout: float = 60.0,
         seed: int = 0,
+        **options: Any,
     ) -> None:
         if mode not in MODES:
             raise UnknownNameError("mode", mode, MODES)
-        _check_numbers(samples=samples, retries=retries, timeout=timeout, max_cost=max_cost)
-        if model is None and replay is None:
-            raise InputError("a model is needed: give one such as openai:gpt-4o, or a recording to replay.")
+        if not 1 <= samples <= 64:
+            raise InputError(f"samples is {samples}; give a number from 1 to 64.")
+        if not 0 <= retries <= 20:
+            raise InputError(f"retries is {retries}; give a number from 0 to 20.")
         self.mode: Mode = mode
         self.samples, self.retries, self.critic, self.seed = samples, retries, critic, seed
-        tape = Tape(Path(exchanges) if exchanges else None, Path(replay) if replay else None)
-        self._client = _client(model, tape, base_url, timeout, max_cost)
+        self._client = ModelOptions(**options).open(model)
         self._asked: Counter[tuple[str, str, str]] = Counter()
 
     def __repr__(self) -> str:
@@ -110,6 +105,12 @@ class ModelPlanner:
         """What did not go as asked, one sentence each."""
         return tuple(dict.fromkeys([*self._client.notes, *self._client.tape.notes]))
 
+    @property
+    def bill(self) -> str:
+        """What it took so far, in words."""
+        used = self.usage
+        return f"{used.requests} answers" if used.cost is None else f"${used.cost:.4f}"
+
     def to_dict(self) -> dict[str, Any]:
         """Return who planned, for the report: model, mode, prompts, usage, warnings."""
         return {
@@ -119,17 +120,30 @@ class ModelPlanner:
             "prompt_version": texts.PROMPT_VERSION,
             "usage": self.usage.to_dict(),
             "warnings": list(self.warnings),
-            "sentences": [self._summary(), *self.warnings],
+            "sentences": [self._client.summary(f"planned in mode {self.mode}"), *self.warnings],
         }
 
-    def _summary(self) -> str:
-        """Return who planned and what it took, in one sentence."""
-        used = self.usage
-        cost = "an unknown sum" if used.cost is None else f"${used.cost:.4f}"
-        return (
-            f"{self.model} planned in mode {self.mode} (prompts of version {texts.PROMPT_VERSION}): {used.requests} answers, "
-            f"{used.input_tokens} tokens sent and {used.output_tokens} received, for {cost}."
-        )
+    def furnish(self, text: str, *, assets: Path | None = None) -> tuple[Scene, Understanding]:
+        """Return a scene for a sentence, and what was understood; by rules where the model cannot.
+
+        Args:
+            text: One or a few sentences.
+            assets: Folder of a user's own assets; its catalogue's things are offered beside the built-in ones.
+        """
+        reader = Furnisher(text, assets)
+        key = texts.digest({"kind": "room", "text": text, "kinds": list(reader.known)})
+        parts = (choices_text(reader.known), f"# The words\n\n{texts.quoted(text)}")
+        question = Question("room", EVERYTHING, 1, 1, texts.prompt("room"), parts, key, seed=self.seed)
+        (answer,) = self._client.ask([question], Furnishing, reader.complaint)
+        if isinstance(answer, Furnishing):
+            try:
+                return reader.scene(answer), reader.understanding(answer)
+            except SceneError as error:
+                answer = AnswerError(str(error))
+        if not isinstance(answer, BudgetError | AnswerError):
+            raise answer
+        self._client.note(f"The words were read by rules instead of by {self.model}: {answer}")
+        return scene_from_sentence(text, seed=self.seed)
 
     def group(self, scene: Scene) -> tuple[Group, ...]:
         """Return all assets in groups, structural first, decorative last; in the mode one_shot in one group."""
@@ -137,7 +151,7 @@ class ModelPlanner:
         if self.mode == "one_shot" or len(scene.assets) < 2:
             return (Group(EVERYTHING, "All at once.", tuple(asset.name for asset in scene.assets)),)
         question = self._question(
-            scene, None, "group", instructions="group", parts=(texts.request_text(scene, None, names=True),)
+            scene, None, "group", instructions="group", parts=[texts.request_text(scene, None, names=True)]
         )
         (answer,) = self._client.ask([question], Grouping, lambda given: complaint(scene, given))
         if isinstance(answer, BudgetError | AnswerError):
@@ -158,21 +172,20 @@ class ModelPlanner:
         if request.group and request.group.label == EVERYTHING:
             request = replace(request, group=None)
         guess = "guess" if self.mode == "no_constraint" else "plan"
-        first = self._question(
-            request.scene,
-            request.group,
-            "plan",
-            instructions=guess,
-            parts=(texts.request_text(request.scene, request.group), texts.state_text(request)),
-            images=request.images,
-        )
+        images = dict(request.images)
+        failed = images.pop("failed", None)
+        parts = [
+            texts.request_text(request.scene, request.group),
+            texts.state_text(request),
+            *self._shown(images),
+            texts.retry_text(request),
+            *self._shown({} if failed is None else {"failed": failed}),
+        ]
+        first = self._question(request.scene, request.group, "plan", instructions=guess, parts=parts)
         free = 0.3 if n == 1 else 0.8
         seed = (self.seed + request.seed) * 1000 + first.attempt * 100
         questions = [replace(first, sample=i + 1, seed=seed + i, temperature=free) for i in range(n)]
-        ahead = 1 if self._client.budget.most is not None else n  # what one costs tells how many more fit
-        answers = [
-            answer for part in (questions[:ahead], questions[ahead:]) if part for answer in self._client.ask(part, str)
-        ]
+        answers = self._client.ask(questions, str)
         texts_ = tuple(answer for answer in answers if isinstance(answer, str))
         failures = [answer for answer in answers if not isinstance(answer, str)]
         if not texts_:
@@ -194,78 +207,42 @@ class ModelPlanner:
             images: "finished top" and "finished side" as PNG bytes.
             report: What the judge measured, in words.
         """
-        parts = (
+        parts = [
             texts.request_text(scene, None),
             f"# Where everything stands\n\n{texts.poses_text(scene, layout)}\n\n# What was measured\n\n{report}",
-        )
-        question = self._question(scene, None, "rate", instructions="rate", parts=parts, images=images)
+            *self._shown(images),
+        ]
+        question = self._question(scene, None, "rate", instructions="rate", parts=parts)
         (answer,) = self._client.ask([question], Rating)
         return _sound(answer)
 
     def amend(self, request: PlanRequest) -> str:
         """Return the whole program, amended: `previous` is the program, `placed` the room, `feedback` what is wished for."""
-        parts = (texts.request_text(request.scene, None), texts.amend_text(request))
-        question = self._question(request.scene, None, "amend", instructions="plan", parts=parts, images=request.images)
+        parts = [texts.request_text(request.scene, None), texts.amend_text(request), *self._shown(request.images)]
+        question = self._question(request.scene, None, "amend", instructions="plan", parts=parts)
         (answer,) = self._client.ask([question], str)
         return _sound(answer)
 
+    def _shown(self, images: Mapping[str, bytes]) -> list[Picture]:
+        """Return pictures with the lines above them; none for a model that does not look."""
+        shown = () if self.pictures == "none" else texts.images_in_order(images)
+        return [(texts.image_label(name), data) for name, data in shown]
+
     def _question(
-        self,
-        scene: Scene,
-        group: Group | None,
-        kind: str,
-        *,
-        instructions: str,
-        parts: tuple[str, ...],
-        images: Mapping[str, bytes] | None = None,
+        self, scene: Scene, group: Group | None, kind: str, *, instructions: str, parts: Sequence[str | Picture]
     ) -> Question:
         """Return a question with its place in the job: the same one asked again is the next attempt."""
         data = {"mode": self.mode, **texts.given_data(scene, group, kind)}
         label = group.label if group else EVERYTHING
         key = texts.digest(data)
         self._asked[kind, label, key] += 1
-        shown = () if self.pictures == "none" else texts.images_in_order(images or {})
+        said = tuple(part for part in parts if part)
         return Question(
-            kind,
-            label,
-            self._asked[kind, label, key],
-            1,
-            texts.prompt(instructions),
-            parts,
-            tuple((texts.image_label(name), data) for name, data in shown),
-            key,
-            seed=self.seed,
+            kind, label, self._asked[kind, label, key], 1, texts.prompt(instructions), said, key, seed=self.seed
         )
-
-
-def _client(
-    model: str | Model | None, tape: Tape, base_url: str | None, timeout: float, max_cost: float | None
-) -> Client:
-    """Return the client; raises `MissingExtraError` without the model library."""
-    try:
-        from robolayout.planners.model.client import Client
-        from robolayout.planners.model.provider import Spec, spec_of
-    except ImportError as error:
-        if (error.name or "").partition(".")[0] not in ("pydantic_ai", "genai_prices", "httpx2", "openai"):
-            raise
-        raise MissingExtraError("the planner with a model", "vlm") from None
-    spec = Spec(tape.model) if tape.replay else spec_of(cast("str | Model", model), base_url)
-    tape.model = spec.name
-    return Client(spec, tape, timeout=timeout, max_cost=max_cost)
 
 
 def _sound(answer: T | Exception) -> T:
     if isinstance(answer, Exception):
         raise answer
     return answer
-
-
-def _check_numbers(*, samples: int, retries: int, timeout: float, max_cost: float | None) -> None:
-    if not 1 <= samples <= 64:
-        raise InputError(f"samples is {samples}; give a number from 1 to 64.")
-    if not 0 <= retries <= 20:
-        raise InputError(f"retries is {retries}; give a number from 0 to 20.")
-    if not 0 < timeout <= 3600:
-        raise InputError(f"the timeout is {timeout:g} s; give more than 0 and at most 3600.")
-    if max_cost is not None and not 0 < max_cost < 1e6:
-        raise InputError(f"the maximum cost is {max_cost:g} dollars; give more than 0.")

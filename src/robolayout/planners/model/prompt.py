@@ -17,9 +17,10 @@ from string import Template
 from robolayout.assets.obstacles import use_sides
 from robolayout.planners._types import Group, PlanRequest
 from robolayout.planners.model.vocabulary import vocabulary
-from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene
+from robolayout.planners.sentence import FULLEST
+from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, agent_names
 
-PROMPT_VERSION = "2"
+PROMPT_VERSION = "3"
 """Version of the prompt files; written into every exchange and every report."""
 
 LONGEST_DESCRIPTION = 400
@@ -30,7 +31,10 @@ LONGEST_DESCRIPTION = 400
 def prompt(name: str) -> str:
     """Return the text of one prompt file."""
     text = files("robolayout.planners.model").joinpath("prompts", f"{name}.md").read_text(encoding="utf-8")
-    return Template(text).safe_substitute(vocabulary=vocabulary()) if "$vocabulary" in text else text
+    filled = {"bodies": ", ".join(agent_names()), "fullest": f"{FULLEST:.0%}"}
+    if "$vocabulary" in text:
+        filled["vocabulary"] = vocabulary()
+    return Template(text).safe_substitute(filled)
 
 
 def quoted(value: object) -> str:
@@ -89,7 +93,7 @@ def request_text(scene: Scene, group: Group | None, *, names: bool = False) -> s
 
 
 def state_text(request: PlanRequest) -> str:
-    """Return where things are, what comes later, and what was wrong before."""
+    """Return where things are, and what comes later."""
     scene, placed = request.scene, request.placed or {}
     now = set(request.group.items) if request.group else {asset.name for asset in scene.assets}
     written = scene.expressions
@@ -99,13 +103,21 @@ def state_text(request: PlanRequest) -> str:
         for asset in scene.assets
         if asset.name not in placed and asset.name not in now
     ]
-    text = Template(prompt("state")).substitute(
+    return Template(prompt("state")).substitute(
         placed=poses_text(scene, there) or "Nothing is placed yet.",
         later=f"Leave space for {', '.join(later)}." if later else "Nothing: this is the last group.",
     )
+
+
+def retry_text(request: PlanRequest) -> str:
+    """Return the program before, what came of it, and which earlier groups may be planned again; empty at first."""
     if not request.feedback:
+        return ""
+    text = Template(prompt("retry")).substitute(previous=_unfenced(request), feedback=request.feedback)
+    if not request.reopen:
         return text
-    return text + "\n" + Template(prompt("retry")).substitute(previous=_unfenced(request), feedback=request.feedback)
+    labels = ", ".join(quoted(label) for label in request.reopen)
+    return text + "\n" + Template(prompt("reopen")).substitute(labels=labels)
 
 
 def amend_text(request: PlanRequest) -> str:
@@ -215,6 +227,11 @@ def placed_data(asset: Asset, pose: Pose) -> dict[str, object]:
 def image_label(name: str) -> str:
     """Return the line above an image."""
     return {
+        "plan": "The plan of the room, seen from straight above without perspective: ticks in metres along its edges, footprints "
+        "with their fronts, names (a number stands for the name below), blue what the body gets to from the first door, hatched "
+        "what must stay free, the body to scale in the door. Measure here.",
+        "failed": "What came of your program, as a plan: dashed where it had put things, arrows to where they stand now, "
+        "crossed out what the body does not get to.",
         "top": "The room from above: a grid with coordinates in metres, names, arrows along the fronts, wall numbers. "
         "Check your guesses against the grid.",
         "side": "The room from the side, with the same marks.",
@@ -225,7 +242,7 @@ def image_label(name: str) -> str:
 
 def images_in_order(images: Mapping[str, bytes]) -> tuple[tuple[str, bytes], ...]:
     """Return images with the room first, assets by name."""
-    rank = {name: i for i, name in enumerate(("finished top", "finished side", "top", "side"))}
+    rank = {name: i for i, name in enumerate(("finished top", "finished side", "plan", "top", "side"))}
     return tuple(sorted(images.items(), key=lambda entry: (rank.get(entry[0], len(rank)), entry[0])))
 
 

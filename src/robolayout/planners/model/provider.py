@@ -43,7 +43,8 @@ class Spec:
 
     Attributes:
         name: The model as the user wrote it ("openai:gpt-4o").
-        base_url: Address of an OpenAI-compatible server; None asks the provider itself.
+        base_url: Address of a server that speaks Anthropic's protocol (provider "anthropic") or OpenAI's; None asks the provider
+            itself.
         model: A ready model of pydantic-ai, used instead.
     """
 
@@ -59,14 +60,12 @@ class Spec:
     @property
     def prompted(self) -> bool:
         """Whether typed answers are asked for in words: servers of one's own often have no tools."""
-        return self.model is None and (self.base_url is not None or self.provider == "ollama")
+        return self.model is None and self.provider != "anthropic" and self.base_url is not None
 
     @property
     def seeded(self) -> bool:
         """Whether the provider takes a seed."""
-        return self.model is None and (
-            self.base_url is not None or self.provider in ("openai-chat", "ollama", "google")
-        )
+        return self.prompted or (self.model is None and self.provider in ("openai-chat", "google"))
 
     @property
     def address(self) -> str:
@@ -129,6 +128,8 @@ def open_model(spec: Spec, *, priced: bool) -> Model:
     try:
         if spec.model is not None:
             model = spec.model
+        elif spec.provider == "anthropic":
+            model = _anthropic(spec)
         elif spec.base_url is not None or spec.provider in ("openai", "openai-chat"):
             model = _compatible(spec)
         else:
@@ -148,6 +149,15 @@ def _compatible(spec: Spec) -> Model:
     name = spec.name.partition(":")[2] if spec.provider in ("openai", "openai-chat", "ollama") else spec.name
     provider = OllamaProvider if spec.provider == "ollama" else OpenAIProvider
     return OpenAIChatModel(name, provider=provider(base_url=spec.base_url, http_client=client))
+
+
+def _anthropic(spec: Spec) -> Model:
+    """Return a model that is asked by Anthropic's messages."""
+    from pydantic_ai.models.anthropic import AnthropicModel
+    from pydantic_ai.providers.anthropic import AnthropicProvider
+
+    provider = AnthropicProvider(base_url=spec.base_url, http_client=_capped_client())
+    return AnthropicModel(spec.name.partition(":")[2], provider=provider)
 
 
 def _refusal(spec: Spec, error: UserError) -> str:

@@ -1,0 +1,140 @@
+"""How a mesh of unknown axes stands: turned each of 24 ways and compared with the things of this catalogue that it is said to be.
+
+Points drawn evenly on both surfaces, each fitted into a unit box, are compared by their mean distance to the nearest point of
+the other (Chamfer distance); how unevenly the box would have to be stretched counts, too. The difference between the best way
+and the best one with another axis says how sure that axis is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import product
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.assets.category import Category
+from robolayout.assets.meshes import builder_for, fit
+from robolayout.assets.palette import make_piece
+
+if TYPE_CHECKING:
+    from scipy.spatial import KDTree
+
+Array = NDArray[np.float64]
+Faces = Iterable[tuple[Array, NDArray[np.integer]]]
+
+SAMPLES = 500
+"""Points on a surface."""
+
+SEEDS = range(4)
+"""Seeds whose variants of a thing are compared with."""
+
+STRETCH = 0.08
+"""What an edge too long by a factor of e counts, in edges of the unit box."""
+
+STANDARD = (0.1, 0.03)
+"""What it counts if the axis that points up, or forward, is not where the file's format puts it: the second is often wrong."""
+
+CERTAIN = 0.05
+"""Difference in edges of the unit box from which on an axis is certain."""
+
+SIGNED = tuple(sign + axis for axis in "xyz" for sign in "+-")
+WAYS = tuple((up, front) for up, front in product(SIGNED, SIGNED) if up[1] != front[1])
+"""The 24 ways to stand: the axis that points up and the one that points forward."""
+
+
+@dataclass(frozen=True)
+class Stand:
+    """How a mesh stands.
+
+    Attributes:
+        up: Axis that points up.
+        front: Axis that points forward.
+        up_sure: How sure the one is, 0 to 1.
+        front_sure: How sure the other is, if the first is right.
+    """
+
+    up: str
+    front: str
+    up_sure: float
+    front_sure: float
+
+
+def sampled(surfaces: Faces, seed: int = 0) -> Array:
+    """Return SAMPLES points (n, 3) spread evenly over triangles."""
+    corners = np.concatenate([points[np.asarray(faces)] for points, faces in surfaces])
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    rng = np.random.default_rng(seed)
+    if not area.sum() > 0:
+        return corners.reshape(-1, 3)[:SAMPLES]
+    chosen = corners[rng.choice(len(corners), SAMPLES, p=area / area.sum())]
+    a, b = np.sort(rng.random((2, SAMPLES)), axis=0)
+    return np.einsum("kn,nkd->nd", np.array([a, b - a, 1 - b]), chosen)
+
+
+def stands(
+    points: Array, category: Category, standard: tuple[str, str] | None, allowed: Sequence[tuple[str, str]]
+) -> Stand:
+    """Return how a mesh most likely stands.
+
+    Args:
+        points: (n, 3) points on it, in its own axes.
+        category: What it is said to be.
+        standard: Up and front as the file's format has them, None where it has no rule.
+        allowed: The ways that are open, some of `WAYS`.
+    """
+    misfits = {way: _misfit(points, way, category, standard) for way in allowed}
+    up, front = min(misfits, key=lambda way: misfits[way])
+    others = [misfit for way, misfit in misfits.items() if way[0] != up]
+    turned = [misfit for way, misfit in misfits.items() if way[0] == up and way[1] != front]
+    best = misfits[up, front]
+    return Stand(up, front, _sure(others, best), _sure(turned, best))
+
+
+def _sure(others: Sequence[float], best: float) -> float:
+    return 1.0 if not others else round(min((min(others) - best) / CERTAIN, 1.0), 2)
+
+
+def _misfit(points: Array, way: tuple[str, str], category: Category, standard: tuple[str, str] | None) -> float:
+    """Return how unlike a mesh that stands in one way is to its category."""
+    from scipy.spatial import KDTree
+
+    up, front = (_axis(name) for name in way)
+    turned = points @ np.array([front, np.cross(up, front), up]).T
+    edges = np.maximum(np.ptp(turned, axis=0), 1e-9)
+    stretch = np.log(edges / np.array(category.size))
+    here = _unit(turned)
+    tree = KDTree(here)
+    apart = min(
+        (float(other.query(here)[0].mean()) + float(tree.query(there)[0].mean())) / 2
+        for there, other in _models(category)
+    )
+    off = sum(cost for cost, a, b in zip(STANDARD, way, standard or way, strict=True) if a != b)
+    return apart + STRETCH * float(np.ptp(stretch)) + off
+
+
+def _axis(name: str) -> Array:
+    return (1.0 if name[0] == "+" else -1.0) * np.eye(3)["xyz".index(name[1])]
+
+
+def _unit(points: Array) -> Array:
+    """Return points fitted into a unit box about the origin."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    return (points - (low + high) / 2) / np.maximum(high - low, 1e-9)
+
+
+@lru_cache(maxsize=32)
+def _models(category: Category) -> tuple[tuple[Array, KDTree], ...]:
+    """Return points on variants of a category's own thing, and a tree to find the nearest of them."""
+    from scipy.spatial import KDTree
+
+    found: list[tuple[Array, KDTree]] = []
+    for seed in SEEDS:
+        piece = make_piece(category.name, category.name, category.name, category.size, seed)
+        built = fit(builder_for(category)(piece), category.size)
+        points = _unit(sampled((part.vertices, part.faces) for part in built))
+        found.append((points, KDTree(points)))
+    return tuple(found)

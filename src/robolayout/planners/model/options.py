@@ -1,0 +1,87 @@
+"""How a model is asked: where it is, what it may cost, what stands in for it; the same for planner, critic and judge."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal, cast, get_args
+
+from robolayout._errors import InputError, MissingExtraError, UnknownNameError
+from robolayout.planners.model.exchange import Tape
+
+if TYPE_CHECKING:
+    from pydantic_ai.models import Model
+
+    from robolayout.planners.model.client import Client
+
+Thinking = Literal["minimal", "low", "medium", "high"]
+THINKING: tuple[Thinking, ...] = get_args(Thinking)
+"""How much a model may think before it answers, where it can."""
+
+
+@dataclass(frozen=True)
+class ModelOptions:
+    """How a model is asked.
+
+    Attributes:
+        base_url: Address of a server: Anthropic's protocol for "anthropic:...", else OpenAI's.
+        max_cost: US dollars that may be spent; what the next answer will most likely cost is set aside before it is asked for.
+        exchanges: Folder to which every exchange is written, without secrets.
+        replay: Folder of such exchanges to answer from, without any network.
+        timeout: Seconds for one try of one question.
+        thinking: One of `THINKING`; None is the model's own habit.
+        fallback: Models to ask, in order, where the first one cannot be had.
+        at_once: Questions under way at the same time, at most; None is as many as there are.
+        cache: Whether the provider is asked to keep what all questions share, where that must be asked for.
+    """
+
+    base_url: str | None = None
+    max_cost: float | None = None
+    exchanges: str | Path | None = None
+    replay: str | Path | None = None
+    timeout: float = 60.0
+    thinking: Thinking | None = None
+    fallback: tuple[str, ...] = ()
+    at_once: int | None = None
+    cache: bool = True
+
+    def __post_init__(self) -> None:
+        """Check every number and name.
+
+        Raises:
+            InputError: One cannot be meant.
+        """
+        if not 0 < self.timeout <= 3600:
+            raise InputError(f"the timeout is {self.timeout:g} s; give more than 0 and at most 3600.")
+        if self.max_cost is not None and not 0 < self.max_cost < 1e6:
+            raise InputError(f"the maximum cost is {self.max_cost:g} dollars; give more than 0.")
+        if self.at_once is not None and not 1 <= self.at_once <= 64:
+            raise InputError(f"{self.at_once} questions at once; give a number from 1 to 64.")
+        if self.thinking is not None and self.thinking not in THINKING:
+            raise UnknownNameError("level of thinking", self.thinking, THINKING)
+
+    def open(self, model: str | Model | None) -> Client:
+        """Return a client for a model; a replay needs none.
+
+        Raises:
+            InputError: There is neither a model nor a recording, or no such model.
+            MissingExtraError: The model library is not installed.
+        """
+        if model is None and self.replay is None:
+            raise InputError("a model is needed: give one such as openai:gpt-4o, or a recording to replay.")
+        record, replay = (Path(folder) if folder else None for folder in (self.exchanges, self.replay))
+        tape = Tape(record, replay)
+        try:
+            from robolayout.planners.model.client import Client
+            from robolayout.planners.model.provider import Spec, spec_of
+        except ImportError as error:
+            if (error.name or "").partition(".")[0] not in ("pydantic_ai", "genai_prices", "httpx2", "openai"):
+                raise
+            raise MissingExtraError("asking a model", "vlm") from None
+        if tape.replay:
+            specs = [Spec(tape.model)]
+        else:
+            specs = [spec_of(cast("str | Model", model), self.base_url)]
+            specs += [spec_of(name, None) for name in self.fallback]
+        tape.model = specs[0].name
+        return Client(tuple(specs), tape, self)

@@ -1,0 +1,208 @@
+"""From words to a scene by a model: the room and its things as it answers them, read and checked as any scene file is."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from pydantic import BaseModel, Field
+
+from robolayout._errors import SceneError
+from robolayout._reading import Checker
+from robolayout.assets import CATALOGUE
+from robolayout.planners.sentence import FULLEST, Understanding, asset_entry
+from robolayout.scene import Layout, Pose, Scene, agent_names, scene_from_dict, variable_name
+from robolayout.words import read_words
+
+FILE = "catalogue.json"
+"""What a user's own catalogue is called in the folder of assets (`robolayout assets import`)."""
+
+GIVEN = ("count", "opening", "refusal", "room size", "room area", "room height")
+"""Rows of the ledger that a scene meets or not before anything is placed."""
+
+_CHECK = Checker(SceneError)
+
+
+class Thing(BaseModel):
+    """Some things of one kind."""
+
+    kind: str = Field(description="a kind of the list, word for word, or a short name of your own")
+    count: int = Field(ge=1, le=200)
+    size: list[float] | None = Field(default=None, description="depth, width, height in metres, if not as listed")
+    place: Literal["floor", "wall", "ceiling", "object"] | None = Field(default=None, description="where it may be")
+    description: str = ""
+    asked: bool = Field(default=True, description="whether the words ask for it")
+
+
+class Gap(BaseModel):
+    """A door or a window."""
+
+    wall: int
+    offset: float
+    width: float
+    height: float
+    sill: float = Field(default=0.9, description="of a window, metres above the floor")
+
+
+class Furnishing(BaseModel):
+    """A room and what is in it."""
+
+    room_type: str
+    corners: list[list[float]] = Field(description="[x, y] of the floor's corners, counter-clockwise, metres")
+    wall_height: float
+    doors: list[Gap]
+    windows: list[Gap]
+    body: str | None = None
+    things: list[Thing]
+    assumed: list[str] = Field(default_factory=list, description="one sentence for each choice of yours")
+
+
+@dataclass(frozen=True)
+class Choice:
+    """A kind of thing that a model may choose.
+
+    Attributes:
+        size: Depth, width and height in metres.
+        places: Where it may be.
+        entry: What a scene file says of it.
+    """
+
+    size: tuple[float, float, float]
+    places: tuple[str, ...]
+    entry: Mapping[str, object]
+
+
+def choices(folder: Path | None) -> dict[str, Choice]:
+    """Return the built-in kinds by name, then those of a user's own catalogue, which take the place of built-in ones.
+
+    Raises:
+        SceneError: The catalogue cannot be read.
+    """
+    found = {kind.name: Choice(kind.size, kind.places, asset_entry(kind, kind.size)) for kind in CATALOGUE.values()}
+    if folder is None or not (folder / FILE).is_file():
+        return found
+    data = _CHECK.mapping(_CHECK.read_json(folder / FILE, "catalogue"), FILE)
+    keys = _CHECK.mapping(_CHECK.required(data, "assets", FILE), f"{FILE}: assets")
+    for own in scene_from_dict(_bare({key: {"from": key} for key in keys}), base=folder, asset_dir=folder).assets:
+        flags = {"floor": own.on_floor, "wall": own.on_wall, "ceiling": own.on_ceiling, "object": own.on_object}
+        found[own.name] = Choice(own.size, tuple(place for place, on in flags.items() if on), {"from": own.name})
+    return found
+
+
+def choices_text(known: Mapping[str, Choice]) -> str:
+    """Return the kinds as lines of the prompt."""
+    rows = (f"{name}: {' x '.join(f'{v:g}' for v in one.size)}, {', '.join(one.places)}" for name, one in known.items())
+    return "# The kinds\n\n" + "\n".join(row.replace("`", "'") for row in rows)
+
+
+class Furnisher:
+    """Reads what a model answered to a sentence.
+
+    Args:
+        text: The sentence.
+        folder: Folder of a user's own assets, with a catalogue or without.
+    """
+
+    def __init__(self, text: str, folder: Path | None) -> None:
+        self.text, self.folder, self.known = text, folder, choices(folder)
+
+    def complaint(self, answer: Furnishing) -> str | None:
+        """Return what is wrong with an answer, for the model to mend; None if nothing is."""
+        try:
+            scene = self.scene(answer)
+        except SceneError as error:
+            return f"The room cannot be read: {error}"
+        wrong = list(self._unmet(scene))
+        taken = sum(a.size[0] * a.size[1] for a in scene.assets if a.on_floor and not a.is_flat)
+        if taken > FULLEST * scene.room.area:
+            wrong.append(
+                f"what stands on the floor covers {taken:.1f} m2 of {scene.room.area:.1f} m2, at most {FULLEST:.0%} may be"
+            )
+        return f"The words are not met: {'; '.join(wrong)}. Answer again." if wrong else None
+
+    def _unmet(self, scene: Scene) -> Iterator[str]:
+        """Yield what the words ask of the room and its things and is not there."""
+        there = Layout({asset.name: Pose(0.0, 0.0, 0.0, 0.0) for asset in scene.assets})
+        for row in read_words(scene).judged(scene, there):
+            nothing = row.kind == "count" and row.verdict == "not understood"
+            if row.kind in GIVEN and (row.verdict == "unmet" or nothing):
+                yield f"{row.words!r} asks for {row.understanding}, and it is: {row.value}"
+
+    def scene(self, answer: Furnishing) -> Scene:
+        """Return the scene of an answer; raises `SceneError` for what no scene file may say."""
+        return scene_from_dict(self._data(answer), base=self.folder, asset_dir=self.folder)
+
+    def understanding(self, answer: Furnishing) -> Understanding:
+        """Return what was understood, as for a sentence that is read without a model."""
+        scene = self.scene(answer)
+        x0, y0, x1, y1 = scene.room.bounds
+        wished, added = Counter[str](), Counter[str]()
+        for thing in answer.things:
+            (wished if thing.asked else added)[thing.kind] += thing.count
+        shape = "rectangular" if len(answer.corners) == 4 else f"{len(answer.corners)}-cornered"
+        return Understanding(
+            self.text.strip(),
+            " ".join(answer.room_type.split()),
+            (round(x1 - x0, 2), round(y1 - y0, 2)),
+            shape,
+            scene.room.wall_height,
+            answer.body,
+            wished,
+            added,
+            tuple(" ".join(sentence.split()) for sentence in answer.assumed),
+            (),
+        )
+
+    def _data(self, answer: Furnishing) -> dict[str, object]:
+        """Return an answer as the content of a scene file."""
+        counts: dict[str, int] = {}
+        assets: dict[str, object] = {}
+        for thing in answer.things:
+            stem, entry = variable_name(thing.kind), self._entry(thing)
+            for _ in range(thing.count):
+                assets[f"{stem}-{counts.setdefault(stem, 0)}"] = entry
+                counts[stem] += 1
+        data = _bare(assets) | {
+            "task_description": self.text.strip(),
+            "boundary": {
+                "floor_vertices": [[*point, 0.0] for point in answer.corners],
+                "wall_height": answer.wall_height,
+            },
+            "doors": [door.model_dump(exclude={"sill"}) for door in answer.doors],
+            "windows": [window.model_dump() for window in answer.windows],
+        }
+        if self.folder is None or not (self.folder / FILE).is_file():
+            del data["catalogue"]
+        if answer.body is not None and answer.body not in agent_names():
+            raise SceneError(f"there is no body {answer.body!r}; known are {', '.join(agent_names())}.")
+        return data | ({} if answer.body is None else {"agent": answer.body})
+
+    def _entry(self, thing: Thing) -> dict[str, object]:
+        """Return a thing as a scene file has it."""
+        choice = self.known.get(thing.kind) or self.known.get(thing.kind.lower())
+        size = thing.size or (choice and choice.size)
+        place = thing.place or (choice and choice.places[0])
+        if size is None or place is None or len(size) != 3:
+            raise SceneError(
+                f"{thing.kind!r} is no kind of the list: give its size (depth, width, height) and its place."
+            )
+        entry: dict[str, object] = dict(choice.entry) if choice else {"category": thing.kind}
+        if choice is None or thing.place is not None:
+            entry |= {f"on{at.title()}": at == place for at in ("floor", "wall", "ceiling", "object")}
+        if "from" not in entry:
+            entry["assetMetadata"] = {"boundingBox": dict(zip("xyz", size, strict=True))}
+        return entry | ({"description": thing.description} if thing.description else {})
+
+
+def _bare(assets: Mapping[str, object]) -> dict[str, object]:
+    """Return a scene file's content of a plain room, with a user's catalogue."""
+    square = [[0.0, 0.0, 0.0], [50.0, 0.0, 0.0], [50.0, 50.0, 0.0], [0.0, 50.0, 0.0]]
+    return {
+        "task_description": "",
+        "boundary": {"floor_vertices": square, "wall_height": 20.0},
+        "catalogue": FILE,
+        "assets": dict(assets),
+    }

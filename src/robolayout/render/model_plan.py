@@ -1,0 +1,185 @@
+"""The plan for a model that answers in coordinates: ticks along the edges, names of programs, what must stay free."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import shapely
+
+from robolayout.assets import category_of
+from robolayout.render._architecture import THICKNESS, Place, draw_floor, draw_walls, swings
+from robolayout.render._drawing import Drawing, Point, draw_image, text_width
+from robolayout.render._marked import Naming, draw_labels, draw_marks, millimetres
+from robolayout.render.annotation import DOOR_COLOR, GRID_COLOR, WALL_COLOR, WHITE
+from robolayout.render.contents import draw_contents
+from robolayout.render.marks import PlanMarks
+from robolayout.render.palette import INK, QUIET, TIGHT
+from robolayout.render.plan import draw_legend
+from robolayout.scene import Agent, Layout, Room, Scene, Wall
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+LONGEST = 150.0
+"""Millimetres that the longer side of the room takes."""
+
+EDGE = 12.0
+"""Millimetres around the walls, for ticks and the names of walls, doors and windows."""
+
+NAMED_AT = 8.5
+"""Millimetres from the outside of a wall to its name: farther out than the numbers of the ticks."""
+
+SIZES = (3.4, 3.0, 2.6, 2.2)
+"""Font sizes that are tried for a name, millimetres: the smallest has 12 pixels in a picture of 1,024."""
+
+TEXT = 2.6
+"""Font size of ticks, walls, openings and the key, millimetres."""
+
+TICKS = 25
+"""Most ticks with a number along one side; where whole metres are more, every second, fifth ... is written."""
+
+HATCH = 2.2
+"""Millimetres between the lines that cross out what must stay free."""
+
+
+def model_plan(
+    scene: Scene, layout: Layout, *, marks: PlanMarks | None = None, agent: Agent | None = None, size: int = 1024
+) -> Image:
+    """Return the plan of a room for a model: seen from straight above, so that lengths are lengths everywhere.
+
+    Args:
+        scene: The scene.
+        layout: Poses of what is placed so far; it may be empty.
+        marks: What the body can do there; where things were meant to stand, as ghosts.
+        agent: The body, drawn to scale at the entrance.
+        size: Pixels of the picture's longer side.
+    """
+    sheet = _sheet(scene, layout, marks or PlanMarks(), agent)
+    return draw_image(sheet, round(size * sheet.width / max(sheet.width, sheet.height)))
+
+
+def _sheet(scene: Scene, layout: Layout, marks: PlanMarks, agent: Agent | None) -> Drawing:
+    """Return the drawing, with a key below it for the things whose names find no place."""
+    x0, y0, x1, y1 = scene.room.bounds
+    k = LONGEST / max(x1 - x0, y1 - y0)
+    edge = EDGE + THICKNESS * k
+    width, height = max((x1 - x0) * k + 2 * edge, 0.6 * LONGEST), (y1 - y0) * k + 2 * edge
+    left = (width - (x1 - x0) * k) / 2
+    sheet = Drawing(width, height)
+
+    def place(x: float, y: float) -> Point:
+        return (left + (x - x0) * k, edge + (y1 - y) * k)
+
+    shown = replace(marks, routes={}, arcs=(), parts=())
+    draw_floor(sheet, scene.room, place)
+    draw_contents(sheet, scene, layout, shown, place)
+    for area in _kept_free(scene, layout):
+        _draw_hatched(sheet, [place(*corner) for corner in area])
+    _draw_ticks(sheet, scene.room, place)
+    draw_marks(sheet, shown, agent, place)
+    draw_walls(sheet, scene.room, place)
+    _draw_names(sheet, scene.room, place)
+    numbers = {asset.name: f"#{i}" for i, asset in enumerate(scene.assets, 1)}
+    texts = {name: (scene.expressions[name], numbers[name]) for name in layout}
+    box = (left - 1, edge - 1, width - left + 1, height - edge + 1)
+    naming = Naming(box, texts, SIZES, lines=swings(scene.room))
+    written = draw_labels(sheet, scene, layout, place, shown, agent, naming)
+    _draw_key(sheet, scene, {name: numbers[name] for name in layout if texts[name][0] not in written})
+    sheet.height += 2 * TEXT
+    draw_legend(sheet, shown, (4.0, sheet.height - TEXT), width - 8.0)
+    return sheet
+
+
+def _kept_free(scene: Scene, layout: Layout) -> Iterator[Sequence[Point]]:
+    """Yield the outlines of what must stay free: landings, and where doors and drawers of placed things open; metres."""
+    yield from (scene.room.landing(door) for door in scene.room.doors)
+    for name, pose in layout.items():
+        asset = scene.by_name[name]
+        reach = category_of(asset).open_depth
+        if reach > 0:
+            (depth, width, _), (c, s) = asset.size, pose.forward
+            near, far = depth / 2, depth / 2 + reach
+            corners = ((near, -width / 2), (far, -width / 2), (far, width / 2), (near, width / 2))
+            yield [(pose.x + c * x - s * y, pose.y + s * x + c * y) for x, y in corners]
+
+
+def _draw_hatched(sheet: Drawing, corners: Sequence[Point]) -> None:
+    """Cross out an area."""
+    area = shapely.Polygon(corners)
+    low_x, low_y, high_x, high_y = area.bounds
+    drop = high_y - low_y
+    for i in range(math.ceil((high_x - low_x + drop) / HATCH)):
+        x = low_x - drop + i * HATCH
+        crossed = shapely.intersection(area, shapely.LineString([(x, high_y), (x + drop, low_y)]))
+        if crossed.geom_type == "LineString" and not crossed.is_empty:
+            sheet.line([(p[0], p[1]) for p in crossed.coords], TIGHT, width=0.15)
+    sheet.polygon([corners], None, stroke=TIGHT, width=0.25, dash=(1.0, 0.6))
+
+
+def _draw_ticks(sheet: Drawing, room: Room, place: Place) -> None:
+    """Draw a line for every metre and its number at both ends."""
+    x0, y0, x1, y1 = room.bounds
+    step = next(s for s in (1, 2, 5, 10, 20, 50, 100, 1000) if max(x1 - x0, y1 - y0) / s <= TICKS)
+    out = THICKNESS * millimetres(place) + 0.5
+    for low, high, across in ((x0, x1, (y0, y1)), (y0, y1, (x0, x1))):
+        upright = across == (y0, y1) and low == x0 and high == x1
+        for number in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1):
+            value = float(number * step)
+            ends = [place(value, end) if upright else place(end, value) for end in across]
+            sheet.line(ends, GRID_COLOR, width=0.1, dash=(0.5, 1.2))
+            for (x, y), sign in zip(ends, (1, -1), strict=True):
+                dx, dy = (0.0, sign) if upright else (-sign, 0.0)
+                start = (x + dx * out, y + dy * out)
+                sheet.line([start, (start[0] + 1.5 * dx, start[1] + 1.5 * dy)], GRID_COLOR, width=0.3)
+                sheet.words((start[0] + 3.6 * dx, start[1] + 3.2 * dy), f"{value:g}", TEXT, color=GRID_COLOR)
+
+
+def _draw_names(sheet: Drawing, room: Room, place: Place) -> None:
+    """Write the names of doors, windows and walls outside the room, farther out than the ticks; a wall where it is clear."""
+    k = millimetres(place)
+    named = [("door", i, door) for i, door in enumerate(room.doors)]
+    named += [("window", i, window) for i, window in enumerate(room.windows)]
+    taken: dict[int, list[tuple[float, float]]] = {}
+    for what, number, opening in named:
+        wall, text = room.walls[opening.wall], f"{what} {number}"
+        taken.setdefault(wall.index, []).append((opening.center, text_width(text, TEXT) / k))
+        ends = [place(*wall.point(s)) for s in (opening.offset, opening.offset + opening.width)]
+        sheet.line(ends, DOOR_COLOR, width=0.8)
+        _write(sheet, wall, opening.center, text, DOOR_COLOR, place)
+    for wall in room.walls:
+        text = f"walls[{wall.index}]"
+        half, others = text_width(text, TEXT) / k, taken.get(wall.index, ())
+        spots = (wall.length * share for share in (0.5, 0.3, 0.7, 0.15, 0.85))
+        clear = (s for s in spots if all(abs(s - at) > (half + other) / 2 for at, other in others))
+        spot = next(clear, wall.length / 2)
+        _write(sheet, wall, spot, text, WALL_COLOR, place)
+
+
+def _write(sheet: Drawing, wall: Wall, along: float, text: str, color: str, place: Place) -> None:
+    """Write a name outside a wall, upright where the wall is upright on the sheet."""
+    (x, y), (ox, oy) = place(*wall.point(along)), place(*wall.point(along, -1.0))
+    k = math.dist((x, y), (ox, oy))
+    ux, uy, away = (ox - x) / k, (oy - y) / k, THICKNESS * k + NAMED_AT
+    angle = 90.0 if abs(ux) > abs(uy) else 0.0
+    sheet.words((x + ux * away, y + uy * away), text, TEXT, color=color, angle=angle, halo=WHITE)
+
+
+def _draw_key(sheet: Drawing, scene: Scene, numbers: Mapping[str, str]) -> None:
+    """Write below the plan which names the numbers stand for."""
+    x, y = 4.0, sheet.height + 0.5 * TEXT
+    for name, number in numbers.items():
+        text = f"{number} {scene.expressions[name]}"
+        needed = text_width(text, TEXT) + 3.0
+        if x + needed > sheet.width:
+            x, y = 4.0, y + 1.5 * TEXT
+        sheet.words((x, y), text, TEXT, color=INK, anchor="start")
+        x += needed
+    if numbers:
+        sheet.height = y + TEXT
+        sheet.line([(4.0, sheet.height), (sheet.width - 4.0, sheet.height)], QUIET, width=0.1)
+
+
+__all__ = ["model_plan"]

@@ -1,0 +1,189 @@
+"""What a model answered for one group, what came of it, and what it is told when it is asked again."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from robolayout.planners import Feedback, Group, Score, poses_text, score_samples
+from robolayout.program import Statement
+from robolayout.run.attempt import Attempt
+from robolayout.run.diff import without_figures
+from robolayout.scene import Layout, Pose, Scene
+from robolayout.verify import Report
+
+REOPEN = re.compile(r"^[ \t]*#[ \t]*reopen:?[ \t]+(.{1,300}?):[ \t]*(.{1,300})", re.IGNORECASE | re.MULTILINE)
+"""A line by which an answer asks for an earlier group to be planned again: its label, and what should be otherwise."""
+
+
+@dataclass(frozen=True)
+class Sample:
+    """One answer of a model and what came of it.
+
+    Attributes:
+        group: Label of the group that it was asked for.
+        attempt: How often the group was asked for before, plus one.
+        number: Which of the answers to that question, from 1.
+        text: The answer.
+        score: What it achieves; None if it could not be read.
+        error: Why it, or what was left out of it, could not be read.
+        layout: Where it puts the things of the group.
+        kept: Whether this one was taken.
+    """
+
+    group: str
+    attempt: int
+    number: int
+    text: str
+    score: Score | None = None
+    error: str = ""
+    layout: Layout | None = None
+    kept: bool = False
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the sample as it is written to `samples.json`."""
+        return {
+            "group": self.group,
+            "attempt": self.attempt,
+            "sample": self.number,
+            "kept": self.kept,
+            "score": self.score and self.score.to_dict(),
+            "error": self.error or None,
+            "program": self.text,
+            "layout": self.layout and self.layout.to_dict(),
+        }
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """One readable answer for a group, solved and verified.
+
+    Attributes:
+        sample: The answer.
+        attempt: What came of it.
+        report: What the judge says.
+        wrong: What the judge finds wrong that was not wrong before this group, and what of the brief is not met, in sentences.
+        forgotten: Things of the group that it says nothing about, as programs write them.
+        strays: Statements about things that are not this group's business, and why they were left out.
+        own: Numbers of its own statements.
+        cut: Whether it was cut off at its end.
+    """
+
+    sample: Sample
+    attempt: Attempt
+    report: Report
+    wrong: tuple[str, ...]
+    forgotten: tuple[str, ...]
+    strays: tuple[str, ...]
+    own: frozenset[int]
+    cut: bool
+
+    @property
+    def done(self) -> bool:
+        """Whether there is nothing that this group could be asked to mend."""
+        return not self.wrong and not self.forgotten and not self.attempt.asked.dropped
+
+    @property
+    def unmet(self) -> int:
+        """How many phrases of the brief are not met."""
+        return sum(row.verdict == "unmet" for row in self.report.asked)
+
+    @property
+    def previous(self) -> str:
+        """Its text as the model is shown it: with the lines that messages name."""
+        return self.sample.text if self.attempt.asked.dropped else self.attempt.asked.text
+
+    def left_out(self) -> Iterator[str]:
+        """Yield what the report says of what it does not say, or says in vain."""
+        for message in self.attempt.asked.dropped:
+            yield f"Left out of the program: {' '.join(message.split())}"
+        if self.forgotten:
+            yield f"The program says nothing about {', '.join(self.forgotten)}; the solver found places for them."
+
+    def feedback(self, question: Question) -> str:
+        """Return what to tell the model about it: only what this group can change."""
+        decisions = self.attempt.reconciled.decisions
+        rejected = [d.sentence for d in decisions if d.verdict == "rejected" and d.statement.number in self.own]
+        layout, scene = self.attempt.solution.layout, question.here
+        mine = Layout({name: pose for name, pose in layout.items() if name in question.group.items})
+        found = Feedback(
+            cut=self.cut,
+            dropped=self.attempt.asked.dropped,
+            rejections=[*rejected, *self.strays],
+            violations=self.wrong,
+            forgotten=self.forgotten,
+            stands=poses_text(scene, mine),
+            moved=[move.sentence for move in self.report.moved if move.asset in mine],
+        )
+        return found.text(scene.expressions)
+
+
+@dataclass
+class Question:
+    """One group in the room as it stands.
+
+    Attributes:
+        here: The scene with the things of this group and those before it.
+        group: The group.
+        placed: Where the things before it stand.
+        before: What was said about them.
+        known: What was wrong before this group, without figures.
+        earlier: Labels of earlier groups that may be asked to be planned again.
+        images: The room as it stands, and the things to place.
+        samples: All answers.
+        candidates: Those that could be read.
+    """
+
+    here: Scene
+    group: Group
+    placed: Mapping[str, Pose]
+    before: tuple[Statement, ...]
+    known: frozenset[str] = frozenset()
+    earlier: tuple[str, ...] = ()
+    images: Mapping[str, bytes] = field(default_factory=dict[str, bytes])
+    samples: list[Sample] = field(default_factory=list[Sample])
+    candidates: list[Candidate] = field(default_factory=list[Candidate])
+
+    def wrong(self, report: Report) -> tuple[str, ...]:
+        """Return what is wrong that was not wrong before this group, in sentences."""
+        return tuple(text for text in report.violations if without_figures(text) not in self.known)
+
+    def best(self) -> Candidate | None:
+        """Return the candidate that the judge likes best: hard demands, access, the brief, statements; then few forgotten."""
+        if not self.candidates:
+            return None
+        keys = [
+            (*(-part for part in score.key[:2]), one.unmet, -score.key[2], len(one.forgotten), -score.key[3], i)
+            for i, (score, one) in enumerate(zip(self.scores(), self.candidates, strict=True))
+        ]
+        return self.candidates[min(keys)[-1]]
+
+    def reopening(self, texts: Sequence[str]) -> tuple[str, str] | None:
+        """Return which earlier group an answer asks to plan again, and what should be otherwise there; None if none does."""
+        labels = {label.casefold(): label for label in self.earlier}
+        for text in texts:
+            for said, why in REOPEN.findall(text):
+                label = labels.get(said.strip("`'\" ").casefold())
+                if label is not None:
+                    return label, " ".join(why.split())
+        return None
+
+    def scores(self) -> tuple[Score, ...]:
+        """Return the scores of all candidates."""
+        return score_samples(
+            [one.report.figures for one in self.candidates], [one.attempt.asked for one in self.candidates]
+        )
+
+    def records(self) -> Iterator[Sample]:
+        """Yield all answers with their scores."""
+        best = self.best()
+        scored = {id(one.sample): (one, score) for one, score in zip(self.candidates, self.scores(), strict=True)}
+        for sample in self.samples:
+            if id(sample) not in scored:
+                yield sample
+                continue
+            one, score = scored[id(sample)]
+            mine = {name: pose for name, pose in one.attempt.solution.layout.items() if name in self.group.items}
+            yield replace(sample, score=score, layout=Layout(mine), kept=one is best)

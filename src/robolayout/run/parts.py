@@ -1,0 +1,60 @@
+"""Programs of groups: what one says about its own group, and all of them as one program."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from robolayout._text import printable
+from robolayout.planners import Group
+from robolayout.program import Guess, Program, Statement
+from robolayout.scene import Scene
+
+
+def about(program: Program, group: Group, here: Scene, before: tuple[Statement, ...]) -> Program:
+    """Return what a program says about a group and things already there, after the earlier groups' statements."""
+    mine = set(group.items)
+    new = [statement for statement in program.statements if _concerns(statement, mine, here)]
+    numbered = tuple(replace(statement, number=i) for i, statement in enumerate((*before, *new), 1))
+    return replace(program, statements=numbered, guesses={n: g for n, g in program.guesses.items() if n in mine})
+
+
+def joined(parts: Sequence[tuple[Group, Program]]) -> Program:
+    """Return one program that says what the groups' programs say, in plain statements under a heading for each group.
+
+    Args:
+        parts: Each group with its own statements and guesses.
+    """
+    lines: list[str] = []
+    statements: list[Statement] = []
+    guesses: dict[str, Guess] = {}
+    for group, part in parts:
+        heading = printable(f"{group.label}: {group.rationale}")
+        lines.append(f"# {heading.strip(': ')}")
+        lines += part.to_text().splitlines()
+        for i, statement in enumerate(part.statements):
+            line = len(lines) - len(part.statements) + 1 + i
+            statements.append(Statement(statement.relation, line, lines[line - 1], len(statements) + 1))
+        guesses |= part.guesses
+    text = "".join(f"{line}\n" for line in lines)
+    expressions = {name: text for _, part in parts for name, text in part.expressions.items()}
+    notes = tuple(note for _, part in parts for note in part.notes)
+    dropped = tuple(message for _, part in parts for message in part.dropped)
+    return Program(text, tuple(statements), guesses, notes, dropped, expressions)
+
+
+def _concerns(statement: Statement, mine: set[str], here: Scene) -> bool:
+    """Return whether a statement is about things of a group, and about nothing that is not there yet."""
+    names = set(statement.relation.asset_names())
+    return bool(names & mine) and names <= set(here.by_name)
+
+
+def strays(program: Program, group: Group, here: Scene) -> Iterator[str]:
+    """Yield what is wrong with statements of a program that are left out because of the things that they are about."""
+    mine = set(group.items)
+    for statement in program.statements:
+        if not _concerns(statement, mine, here):
+            later = [n for n in statement.relation.asset_names() if n not in here.by_name]
+            names = ", ".join(program.expressions.get(name, name) for name in later)
+            reason = f"{names} comes later" if later else "it is not about a thing of this group"
+            yield f"line {statement.line}: {statement.source}: {reason}."
