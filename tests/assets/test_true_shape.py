@@ -10,6 +10,7 @@ import shapely
 import trimesh
 
 from robolayout.assets import CATALOGUE, Category, Prism, parts, prisms_of, resting_place, surfaces_of
+from robolayout.assets.mass import centre_of_mass, part_masses
 from robolayout.assets.surfaces import inner_surfaces, named_surfaces
 from robolayout.scene import Asset
 
@@ -110,3 +111,21 @@ def test_own_meshes_have_shapes_and_surfaces_too(tmp_path: Path) -> None:
 def test_what_nobody_knows_is_its_box() -> None:
     (box,) = prisms_of(Asset("thingummy-0", "thingummy", (0.5, 0.4, 0.3)))
     assert (box.hx, box.hy, box.low, box.high) == (0.25, 0.2, 0.0, 0.3)
+
+
+@pytest.mark.parametrize("name", sorted(name for name, c in CATALOGUE.items() if c.on_floor or c.on_object))
+def test_nothing_falls_over_by_itself(name: str) -> None:
+    """The centre of mass lies over the hull of what touches the ground, by a tilt of a degree and a half or more."""
+    asset = thing(name)
+    x, y, z = centre_of_mass(asset)
+    feet = [shapely.Polygon(prism.outline) for prism in prisms_of(asset) if prism.low < 0.02]
+    hull, middle = shapely.union_all(feet).convex_hull, shapely.Point(x, y)
+    assert hull.covers(middle)
+    assert asset.is_flat or hull.boundary.distance(middle) > np.tan(np.radians(1.5)) * (z + asset.size[2] / 2)
+
+
+def test_shades_are_light_and_cupboards_hollow() -> None:
+    lamp, cupboard = thing("floor lamp"), thing("wardrobe")
+    assert centre_of_mass(lamp)[2] < 0.1
+    weights, _ = part_masses(parts(cupboard))
+    assert 40 < weights.sum() < 250

@@ -37,7 +37,10 @@ def parts(asset: Asset, seed: int = 0) -> tuple[Part, ...]:
             front=front if isinstance(front, str) else None,
         )
     category = category_of(asset)
-    piece = make_piece(category.name, asset.variable or asset.name, asset.name, asset.size, seed)
+    look = asset.metadata.get("look", "")
+    piece = make_piece(
+        category.name, asset.variable or asset.name, asset.name, asset.size, seed, look if isinstance(look, str) else ""
+    )
     build = read_rows(asset.parts, f"asset {asset.name!r}") if asset.parts else builder_for(category)
     made = jointed(fit(build(piece), asset.size), joints_of(category), asset.size)
     return tuple(part for part in made if part.name not in asset.without) if asset.without else made

@@ -96,9 +96,40 @@ STYLES = (
 )  # fmt: skip
 
 
-def room_style(seed: int) -> RoomStyle:
-    """Return the style of a seed."""
-    return STYLES[seed % len(STYLES)]
+def _tiled(name: str, tile: tuple[float, float, float], joint: tuple[float, float, float]) -> RoomStyle:
+    """Return a style with tiles on the floor."""
+    return replace(
+        STYLES[3],
+        name=name,
+        tones=(Material(f"{name} floor", tile, 0.35, texture="stone"), Material("joint", joint)),
+        trim=PLAIN["white"],
+    )
+
+
+def _even(name: str, color: tuple[float, float, float], roughness: float, texture: str | None) -> RoomStyle:
+    """Return a style with one sheet on the floor."""
+    tones = (Material(f"{name} floor", color, roughness, texture=texture),)
+    return replace(STYLES[4], name=name, tones=tones, wall=STYLES[0].wall, door=STYLES[3].door)
+
+
+FLOORS = {
+    style.name: style
+    for style in (
+        *STYLES,
+        _tiled("white tiles", (0.90, 0.90, 0.89), (0.74, 0.74, 0.73)),
+        _tiled("marble tiles", (0.93, 0.92, 0.90), (0.83, 0.82, 0.80)),
+        _tiled("terracotta tiles", (0.72, 0.46, 0.34), (0.60, 0.52, 0.45)),
+        _even("concrete", (0.64, 0.63, 0.61), 0.9, "stone"),
+        _even("rubber", (0.24, 0.25, 0.27), 0.95, None),
+        _even("grey carpet", (0.52, 0.53, 0.55), 1.0, "pile"),
+    )
+}
+"""Styles by the name of their floor."""
+
+
+def room_style(seed: int, floor: str = "") -> RoomStyle:
+    """Return the style with a floor of that name, else that of a seed."""
+    return FLOORS.get(floor) or STYLES[seed % len(STYLES)]
 
 
 def room_parts(room: Room, *, style: RoomStyle | None = None, seed: int = 0) -> tuple[Part, ...]:
@@ -106,10 +137,10 @@ def room_parts(room: Room, *, style: RoomStyle | None = None, seed: int = 0) -> 
 
     Args:
         room: The room; it may be concave.
-        style: How it looks; None takes the style of `seed`.
+        style: How it looks; None takes the style that the room's floor names, else that of `seed`.
         seed: Picks a style where none is given.
     """
-    look = style or room_style(seed)
+    look = style or room_style(seed, room.floor)
     built = [*_floor(room, look), *_walls(room, look)]
     for i, door in enumerate(room.doors):
         built += _door(room.walls[door.wall], door, f"door-{i}", look)

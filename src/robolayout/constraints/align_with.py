@@ -15,7 +15,7 @@ from robolayout.scene import Layout, Scene
 
 @dataclass(frozen=True)
 class AlignWith(Relation):
-    """The front of `a` is turned by `angle` degrees (counter-clockwise) from the front of `b`, or a wall's direction; room: square to any wall."""
+    """The front of `a` is turned by `angle` degrees (counter-clockwise) from that of `b`, or a wall's direction; room: square to any."""
 
     name: ClassVar[str] = "align_with"
     orients: ClassVar[bool] = True

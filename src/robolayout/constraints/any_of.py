@@ -13,10 +13,10 @@ from robolayout.scene import Layout, Scene
 
 @dataclass(frozen=True)
 class AnyOf(Relation):
-    """One of `choices` holds, whichever: each of them a statement, or a list of statements that hold together."""
+    """At least one of `choices` holds, whichever: each a statement, or a list of statements that hold together."""
 
     name: ClassVar[str] = "any_of"
-    moves: ClassVar[tuple[str, ...]] = ()
+    moves: ClassVar[tuple[str, ...]] = ("choices",)
     surrogate: ClassVar[bool] = True  # as what it is made of
     example: ClassVar[str] = "solver.any_of([solver.corner(plant[0], 0), solver.near(plant[0], sofa[0])])"
 

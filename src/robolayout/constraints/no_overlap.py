@@ -59,6 +59,13 @@ def _meeting(a: Asset, b: Asset, apart: float) -> tuple[tuple[Prism, Prism], ...
     return tuple(kept)
 
 
+def prisms_meet(one: tuple[Asset, Pose], other: tuple[Asset, Pose], margin: float = 0.0) -> bool:
+    """Return whether prisms of two things are less than `margin` metres apart in plan at one height."""
+    (a, here), (b, there) = one, other
+    apart = vertical_span(b, there)[0] - vertical_span(a, here)[0]
+    return any(_placed(p, here).distance(_placed(q, there)) < margin for p, q in _meeting(a, b, round(apart, 4)))
+
+
 @dataclass(frozen=True)
 class NoOverlap(Relation):
     """No two things at the same height overlap in plan; flat rugs may lie under furniture."""

@@ -49,6 +49,7 @@ class Statement:
         source: That call as it is written, on one line.
         number: Its place among the statements, counted from 1; wishes are counted by themselves.
         wish: Its weight if it is a wish and no demand; below 0 it is rather not wanted.
+        by: Who asks for it: "user" where it is what the words of the scene say, else "plan".
     """
 
     relation: Relation
@@ -56,6 +57,7 @@ class Statement:
     source: str = ""
     number: int = 0
     wish: float | None = None
+    by: str = "plan"
 
 
 @dataclass(frozen=True)
@@ -78,20 +80,20 @@ class Program:
     Attributes:
         text: The program text that was run.
         statements: What it states, in the order in which it ran.
-        wishes: What it would like, and no more; each with its weight.
         guesses: First poses by asset name, in the order of the scene.
         notes: Lines that it printed.
         dropped: What could not be read and was left out, one message each with line and caret (`read_salvaged`).
         expressions: How each asset is written in program text, by name ("bed-0": "bed[0]").
+        wishes: What it would like, and no more; each with its weight.
     """
 
     text: str = ""
     statements: tuple[Statement, ...] = ()
-    wishes: tuple[Statement, ...] = ()
     guesses: Mapping[str, Guess] = field(default_factory=dict[str, Guess])
     notes: tuple[str, ...] = ()
     dropped: tuple[str, ...] = ()
     expressions: Mapping[str, str] = field(default_factory=dict[str, str], compare=False, repr=False)
+    wishes: tuple[Statement, ...] = ()
 
     @property
     def complete(self) -> bool:

@@ -46,7 +46,8 @@ def read_program(text: str, scene: Scene, limits: Limits | None = None) -> Progr
         if (guess := _guess(written[asset.name], poses[asset.name], source)) is not None
     }
     notes = tuple(recorded["notes"])
-    return Program(source.text, said.statements(), said.statements(wishes=True), guesses, notes, expressions=written)
+    wishes = said.statements(wishes=True)
+    return Program(source.text, said.statements(), guesses, notes, expressions=written, wishes=wishes)
 
 
 def read_salvaged(text: str, scene: Scene, limits: Limits | None = None) -> Program:

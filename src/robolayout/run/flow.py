@@ -220,8 +220,6 @@ class _Run:
                 waiting.append(self._tried(*found, judged=ahead > 1))
                 if waiting[-1].amiss == 0.0:
                     break
-                if len(waiting) == 1:
-                    self.prepare(self.scene, 1)
             if not waiting:
                 break
             waiting.sort(key=lambda entry: entry.amiss)
@@ -274,7 +272,7 @@ class _Run:
         """Read a program for the whole scene."""
         with self.clock.station("program"):
             self.say("program")
-            return read_program(text, self.scene)
+            return self.wishes.marked(read_program(text, self.scene))
 
     def _tried(self, seed: int, asked: Program, *, judged: bool) -> _Try:
         """Return a program with the room that is built from it, or that it gives, and how much is wrong with that."""
@@ -312,12 +310,16 @@ class _Run:
         self.say("verify")
         layout = best.solution.layout
         report = verify(self.scene, layout, best.asked)
+        against: dict[int, str] = {}
         if any(not item.met for item in report.statements):
             from robolayout.run.conflicts import conflicts
 
             with self.clock.station("conflicts"):
-                report = report.with_conflicts(conflicts(self.scene, best.reconciled, layout, seed=self.seed))
-        report = report.with_asked(self.wishes.judged(self.scene, layout, report.agents[0].navigation.main))
+                against = conflicts(self.scene, best.reconciled, layout, self.wishes.said, seed=self.seed)
+                report = report.with_conflicts(against)
+        lost = {s.relation: against[s.number] for s in best.asked.statements if s.number in against}
+        walked = report.agents[0].navigation.main
+        report = report.with_asked(self.wishes.judged(self.scene, layout, walked, lost))
         cell = cell_size(self.scene.room, (self.config or SolverConfig()).cell, FLOOR.route_cells)
         if cell > COARSE:
             note = f"The room is so large that the search looks for ways on cells of {cell:.2f} m: it may miss narrower gaps."
@@ -359,7 +361,7 @@ class _Run:
         return [Attempt(*parts) for parts in zip(asked, reconciled, solutions, strict=True)]
 
 
-def solve(
+def solve(  # noqa: PLR0913 - as `generate`
     scene: Scene,
     program: Program | str,
     *,
@@ -409,7 +411,7 @@ def _ways(scene: Scene, program: Program, found: Solution) -> Iterator[Program]:
                 yield replace(program, statements=changed)
 
 
-def solve_many(
+def solve_many(  # noqa: PLR0913 - as `generate`
     scene: Scene,
     programs: Sequence[Program],
     *,

@@ -41,7 +41,7 @@ def read_room(data: Mapping[str, object], warnings: list[str]) -> Room:
     height = _CHECK.number(
         _CHECK.required(boundary, "wall_height", "boundary"), "boundary.wall_height", above=0.0, most=100.0
     )
-    room = Room(vertices, height)
+    room = Room(vertices, height, floor=_CHECK.text(boundary.get("floor", ""), "boundary.floor", most=40))
     _check_shape(room)
     _check_units(room, warnings)
     doors = _openings(data, "doors", room)
@@ -57,7 +57,8 @@ def read_room(data: Mapping[str, object], warnings: list[str]) -> Room:
 def write_room(room: Room) -> dict[str, object]:
     """Return the keys "boundary", "doors" and "windows" of a scene file."""
     return {
-        "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in room.vertices], "wall_height": room.wall_height},
+        "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in room.vertices], "wall_height": room.wall_height}
+        | ({"floor": room.floor} if room.floor else {}),
         "doors": [
             {"wall": d.wall, "offset": d.offset, "width": d.width, "height": d.height}
             | {key: value for key in ("sill", *LEAF) if (value := getattr(d, key)) != getattr(Opening, key)}
@@ -203,9 +204,9 @@ def _turned(room: Room) -> Room:
         offset = max(length - opening.offset - opening.width, 0.0)
         return replace(opening, wall=count - 1 - opening.wall, offset=offset)
 
-    return Room(
+    return replace(
+        room,
         vertices=(room.vertices[0], *reversed(room.vertices[1:])),
-        wall_height=room.wall_height,
         doors=tuple(moved(door) for door in room.doors),
         windows=tuple(moved(window) for window in room.windows),
     )

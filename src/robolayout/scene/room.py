@@ -103,12 +103,14 @@ class Room:
         wall_height: Height of walls and ceiling in metres.
         doors: Doors; the first one is where agents enter.
         windows: Windows.
+        floor: Name of what lies on the floor ("oak planks", "marble tiles"); where it is empty or unknown, the seed picks.
     """
 
     vertices: tuple[Point, ...]
     wall_height: float
     doors: tuple[Opening, ...] = ()
     windows: tuple[Opening, ...] = ()
+    floor: str = ""
 
     @cached_property
     def walls(self) -> tuple[Wall, ...]:

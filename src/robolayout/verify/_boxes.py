@@ -15,6 +15,7 @@ from shapely import Polygon
 from shapely.affinity import affine_transform
 
 from robolayout.assets import category_of, prisms_of, surfaces_of
+from robolayout.assets.mass import centre_of_mass
 from robolayout.scene import Asset, Layout, Room, Scene
 from robolayout.scene.asset import FLAT_HEIGHT
 from robolayout.verify.limits import AT, CARRIED, LOWER, STEADY, WITHIN
@@ -106,7 +107,9 @@ class Boxes:
     def overhang(self, row: int, contacts: Iterable[Any]) -> float:
         """Return by how many metres an asset's centre of mass lies too far out over what it lies on; 0 or less where it stands."""
         hull = shapely.union_all(list(contacts)).convex_hull
-        middle, depth = shapely.Point(self.centers[row]), min(self.assets[row].size[:2])
+        (u, v, _), (x, y, _, yaw) = centre_of_mass(self.assets[row]), self.poses[row]
+        c, s = math.cos(yaw), math.sin(yaw)
+        middle, depth = shapely.Point(x + c * u - s * v, y + s * u + c * v), min(self.assets[row].size[:2])
         inward = hull.boundary.distance(middle) if hull.covers(middle) else -hull.distance(middle)
         return min(STEADY[0], STEADY[1] * depth) - inward
 

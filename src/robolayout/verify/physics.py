@@ -2,7 +2,7 @@
 
 The exact checks of the implicit relations (DESIGN section 4), measured with Shapely on the finished layout. Two assets
 collide when prisms of theirs share more than 1e-4 m2 in plan and more than 1 cm of height; rugs below 3 cm never collide.
-What stands on a thing lies on one of its surfaces with its middle over that.
+What stands on a thing lies on one of its surfaces with its centre of mass over that.
 """
 
 from __future__ import annotations
@@ -88,7 +88,6 @@ class Physics:
         return {
             "placed_share": share(list(self.placed.values())),
             "collision_free_share": share(list(self.collision_free.values())),
-            "collision_free_boxes_share": share(list(self.boxes_apart.values())),
             "in_boundary_share": share(list(self.in_boundary.values())),
             "supported_share": share(list(self.supported.values())),
         }
@@ -242,7 +241,7 @@ def _floating_sentence(scene: Scene, found: Boxes, row: int, limits: PhysicsLimi
     under = " and ".join(found.names[lower] for lower in contacts)
     over = found.overhang(row, contacts.values()) if contacts else 0.0
     if over > 0.0:
-        return f"{name} is not supported: its middle lies {over:.3f} m too far out over {under}."
+        return f"{name} is not supported: its centre of mass lies {over:.3f} m too far out over {under}."
     if contacts:
         return f"{name} is not supported: it stands on {under}, which nothing holds."
     below = np.flatnonzero(found.placed & (found.top <= found.bottom[row] + 1e-9))

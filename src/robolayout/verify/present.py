@@ -59,9 +59,7 @@ def _told(report: Report) -> list[str]:
             "",
             "As it stands, no chair is moved; demanded is what is reached once the chairs at a thing are moved aside.",
         ]
-    if report.wishes:
-        granted = sum(wish["holds"] == (wish["weight"] > 0) for wish in report.wishes)
-        lines += ["", f"Of {len(report.wishes)} wishes of the program, which nobody demands, {granted} came true."]
+    lines += _granted(report.wishes)
     lines += [line for note in (*lying_about(report), *report.notes) for line in ("", note)]
     return lines
 
@@ -123,6 +121,12 @@ def _ledger(asked: Sequence[AskedRow]) -> list[str]:
     cells = ((row.words, row.understanding, row.verdict, row.value) for row in asked)
     lines += [f"| {' | '.join(plain(' '.join(text.split())) for text in row)} |" for row in cells]
     return [*lines, "", "## What was checked", ""]
+
+
+def _granted(wishes: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return how many wishes came true."""
+    granted = sum(wish["holds"] == (wish["weight"] > 0) for wish in wishes)
+    return ["", f"Of {len(wishes)} wishes of the program, which nobody demands, {granted} came true."] if wishes else []
 
 
 def _listed(sentences: Iterable[str]) -> list[str]:

@@ -37,6 +37,7 @@ class StatementResult:
         unit: Unit of both.
         text: The measurement in words.
         lost_to: Where it is not met: what meeting it would break, in words; empty if nobody looked.
+        by: Who asks for it: "user" or "plan".
     """
 
     number: int
@@ -49,6 +50,7 @@ class StatementResult:
     unit: str
     text: str
     lost_to: str = ""
+    by: str = "plan"
 
     @property
     def complaint(self) -> str:
@@ -124,6 +126,7 @@ class Report:
             "placed_share": shares["placed_share"],
             "collision_free_share": shares["collision_free_share"],
             "collision_free_scene": shares["collision_free_share"] == 1.0,
+            "collision_free_boxes_share": share(list(self.physics.boxes_apart.values())),
             "in_boundary_share": shares["in_boundary_share"],
             "supported_share": shares["supported_share"],
             "door_clear": self.physics.door_clear,
@@ -157,7 +160,11 @@ class Report:
     @cached_property
     def unmet(self) -> tuple[str, ...]:
         """Names of the figures that fall short of what is demanded; exempt assets are not demanded of an agent."""
-        least = dict.fromkeys(self.figures, 1.0) | vars(self.demands) | {"reachable_share": 0.0}
+        least = (
+            dict.fromkeys(self.figures, 1.0)
+            | vars(self.demands)
+            | {"reachable_share": 0.0, "collision_free_boxes_share": 0.0}
+        )
         if not any(report.short for report in self.agents):
             least |= {"reachable_share_chairs_aside": 0.0, "usable_share": 0.0}
         return tuple(name for name, value in self.figures.items() if value < least[name])

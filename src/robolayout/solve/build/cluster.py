@@ -8,9 +8,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
+from robolayout.assets import resting_place
 from robolayout.constraints import AssetRef
-from robolayout.constraints.around import Around
+from robolayout.constraints.around import Around, left_gap
 from robolayout.scene import Scene
 from robolayout.solve.build.member import Member, box_of
 from robolayout.solve.build.tops import Top
@@ -67,7 +69,8 @@ class ClusterBuilder:
             by_kind.setdefault(item.kind, []).append(item)
         for items in sorted(by_kind.values(), key=lambda group: (_SLOT_ORDER[_slot(group)], group[0].turn)):
             for member in self._slots(anchor, items, placed):
-                lift = anchor.asset.size[2] if _slot(items) in ("on", "setting") else 0.0
+                on_top = _slot(items) in ("on", "setting")
+                lift = resting_place(anchor.asset, self.wants[member.name].asset).height if on_top else 0.0
                 for part in self._members(member.name):
                     moved = part.moved(member.x, member.y, member.yaw)
                     side = member.side if part.name == member.name else part.side
@@ -133,15 +136,18 @@ class ClusterBuilder:
         y, found = width / 2, list[Member]()
         for item in items:
             ax, ay = _half(item)
-            place = (sign * (edge + item.joined.gap + ax), y - ay)
-            found.append(Member(item.name, *place, item.joined.yaw or 0.0, side=side))
+            yaw, gap = item.joined.yaw or 0.0, item.joined.gap
+            if _seats(item) and not taken:
+                at = partial(_before, sign * (edge + ax), sign, y - ay, yaw)
+                gap = min(gap, left_gap(self.scene, [AssetRef(item.name)], AssetRef(anchor.name), at))
+            found.append(Member(item.name, sign * (edge + gap + ax), y - ay, yaw, side=side))
             y -= 2 * ay + 0.12
         return found
 
     def _around(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """At the slots of the relation `around`."""
         seats = tuple(AssetRef(item.name) for item in items)
-        slots = Around(seats, AssetRef(anchor.name), items[0].joined.gap).slots(self.scene)
+        slots = Around(seats, AssetRef(anchor.name)).slots(self.scene)
         return [
             Member(item.name, x, y, yaw, side=_side_of(yaw)) for item, (x, y, yaw) in zip(items, slots, strict=True)
         ]
@@ -149,14 +155,24 @@ class ClusterBuilder:
     def _on(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """On the anchor's top: place settings before its seats, the rest where its kind belongs."""
         sizes = {name: item.asset.size for name, item in self.wants.items()}
-        seats = {member.name: member for member in placed[1:] if self._seated(member)}
-        top = Top(anchor.asset.size, sizes, placed[1:], self.reachable, list(seats.values()))
-        return top.put([(item.name, item.joined.at, seats.get(item.joined.seat)) for item in items])
+        place = resting_place(anchor.asset, items[0].asset)
+        x0, y0, x1, y1 = place.rectangle
+        middle = ((x0 + x1) / 2, (y0 + y1) / 2)
+        there = [replace(member, x=member.x - middle[0], y=member.y - middle[1]) for member in placed[1:]]
+        seats = {m.name: m for m in there if m.bottom == 0.0 and _seats(self.wants[m.name])}
+        top = Top((x1 - x0, y1 - y0, place.height), sizes, there, self.reachable, list(seats.values()))
+        put = top.put([(item.name, item.joined.at, seats.get(item.joined.seat)) for item in items])
+        return [replace(member, x=member.x + middle[0], y=member.y + middle[1]) for member in put]
 
-    def _seated(self, member: Member) -> bool:
-        """Whether somebody sits there, looking at what carries things."""
-        want = self.wants[member.name]
-        return want.category.movable and want.asset.on_floor and member.bottom == 0.0
+
+def _seats(want: Want) -> bool:
+    """Whether somebody sits there who pushes it under a top on leaving."""
+    return want.category.movable and want.asset.on_floor
+
+
+def _before(x: float, sign: float, y: float, yaw: float, gap: float) -> list[tuple[float, float, float]]:
+    """Return the place of a seat `gap` metres farther out than x."""
+    return [(x + sign * gap, y, yaw)]
 
 
 def _slot(items: Sequence[Want]) -> str:

@@ -22,6 +22,7 @@ from robolayout.constraints.under import Under
 from robolayout.program import Program
 from robolayout.scene import Layout, Pose, Scene
 from robolayout.solve.build.member import Member
+from robolayout.solve.rows import missed
 
 Poses = NDArray[np.float64]
 """(n, 3) metres and radians."""
@@ -117,24 +118,11 @@ class Said:
 
     def _missed(self, term: FrameTerm, moving: Mapping[str, Poses], placed: Mapping[str, Member]) -> Poses:
         """Return by how many metres or radians (n,) a row is missed."""
-        a, half_a = self._poses(term.a, moving, placed)
-        b, half_b = self._poses(term.b, moving, placed)
+        a, half = self._poses(term.a, moving, placed)
+        b, other = self._poses(term.b, moving, placed)
         c, s = np.cos(b[:, 2]), np.sin(b[:, 2])
         dx, dy = a[:, 0] - b[:, 0], a[:, 1] - b[:, 1]
-        u, v, turn = c * dx + s * dy, c * dy - s * dx, a[:, 2] - b[:, 2]
-        ec, es = np.abs(np.cos(turn)), np.abs(np.sin(turn))
-        across = np.abs(v) if term.fold else v
-        missed = _beyond(u, term.along, ec * half_a[0] + es * half_a[1])
-        missed = missed + _beyond(across, term.across, es * half_a[0] + ec * half_a[1])
-        low, high = term.distance
-        away = np.hypot(np.maximum(np.abs(u) - half_b[0], 0.0) if isinstance(term.b, WallRef) else u, v)
-        missed += np.maximum(low - away, 0.0) + (np.maximum(away - high, 0.0) if high < FAR else 0.0)
-        if term.heading is not None:
-            missed += np.abs(_wrapped(turn - term.heading))
-        if term.look is not None:
-            off = np.abs(_wrapped(turn + term.look - np.arctan2(-v, -u)))
-            missed += np.maximum(0.0, off - np.arctan2(min(half_b), np.maximum(away, 0.1)))
-        return missed
+        return missed(term, np.column_stack([c * dx + s * dy, c * dy - s * dx, a[:, 2] - b[:, 2]]), half, other)
 
     def _poses(
         self, ref: AssetRef | WallRef | PointRef, moving: Mapping[str, Poses], placed: Mapping[str, Member]
@@ -161,12 +149,3 @@ def _built_in(relation: Relation) -> bool:
 
 def _pose(scene: Scene, member: Member) -> Pose:
     return Pose(member.x, member.y, member.bottom + scene.by_name[member.name].size[2] / 2, member.yaw)
-
-
-def _beyond(value: Poses, bounds: Interval, extent: Poses) -> Poses:
-    low = np.maximum(bounds.low - (value - bounds.low_extent * extent), 0.0)
-    return low + np.maximum(value + bounds.high_extent * extent - bounds.high, 0.0)
-
-
-def _wrapped(angle: Poses) -> Poses:
-    return (angle + math.pi) % (2 * math.pi) - math.pi
