@@ -53,7 +53,9 @@ def test_a_body_stands_beside_the_open_leaf() -> None:
     assert use.opens in ("door 0", "door 1") and use.stand is not None
     swept = Swept.of(usage(scene, layout, ARM)._judge.found, [0])  # pyright: ignore[reportPrivateUsage]
     assert all(isinstance(zone, Polygon) for zone in swept.zones)
-    leaves = (Polygon(((0.6, y), (1.1, y), (1.1, y + s * 0.018), (0.6, y + s * 0.018))) for y, s in ((2.0, 1), (3.0, -1)))
+    leaves = (
+        Polygon(((0.6, y), (1.1, y), (1.1, y + s * 0.018), (0.6, y + s * 0.018))) for y, s in ((2.0, 1), (3.0, -1))
+    )
     assert max(leaf.distance(Point(use.stand)) for leaf in leaves) >= ARM.radius - 1e-6
 
 
