@@ -5,7 +5,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from robolayout.planners._types import Critic, Group, GroupPlanner, Judgement, Pictures, Planner, PlanRequest
+from robolayout.planners._types import USELESS, Critic, Group, GroupPlanner, Judgement, Pictures, Planner, PlanRequest
 
 if TYPE_CHECKING:
     from robolayout.planners.file import FilePlanner
@@ -32,6 +32,7 @@ _LAZY = {
 }
 
 __all__ = [
+    "USELESS",
     "Critic",
     "Feedback",
     "FilePlanner",
