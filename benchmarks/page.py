@@ -528,7 +528,29 @@ def words(rows: Rows, images: Path) -> str:
         "(`benchmarks/prompts/`), checked by a script that knows nothing of the reader. *Ledger agrees*: of the demands "
         "that have a row of the ledger, those to which both give the same verdict.\n"
     )
-    return f"## Words\n\n{intro}\n{table(heads, lines)}"
+    return f"## Words\n\n{intro}\n{table(heads, lines)}\n{_words_by_kind(rows)}"
+
+
+def _words_by_kind(rows: Rows) -> str:
+    """Return how many demands of each single kind are met."""
+    from benchmarks.words import FILES, RELATIONS, prompts
+
+    asked: dict[str, list[int]] = {}
+    for column, file in enumerate(FILES):
+        for number, prompt in enumerate(prompts(file)):
+            row = rows.get(f"{file}/{number:03}")
+            if row is None:
+                continue
+            unmet = [text.split()[0] for text in str(row.get("unmet", "")).split("; ") if text]
+            for demand in prompt.demands:
+                counts = asked.setdefault(demand.kind, [0, 0, 0, 0])
+                counts[2 * column + 1] += 1
+                lost = "refused" in row or demand.kind in unmet
+                counts[2 * column] += not lost
+                if lost and demand.kind in unmet:
+                    unmet.remove(demand.kind)
+    lines = [[kind, _of(*asked[kind][:2]), _of(*asked[kind][2:])] for kind in ("count", *RELATIONS) if kind in asked]
+    return table(["demand", "set aside", "of development"], lines)
 
 
 def _of(part: int, whole: int) -> str:
