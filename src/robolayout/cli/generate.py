@@ -58,7 +58,9 @@ SeedOption = Annotated[int, typer.Option("--seed", min=0, help="Settles every ch
 QuietOption = Annotated[bool, typer.Option("--quiet", help="Print nothing but errors.")]
 JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON for machines.")]
 StartsOption = Annotated[int, typer.Option("--starts", min=1, max=256, help="Starts of the search.")]
-SolverOption = Annotated[str, typer.Option("--solver", help="default, paper, paper-unrefined, trust-constr or dual-annealing.")]
+SolverOption = Annotated[
+    str, typer.Option("--solver", help="default, paper, paper-unrefined, trust-constr or dual-annealing.")
+]
 EffortOption = Annotated[str, typer.Option("--effort", help="How long to search: quick, normal or thorough.")]
 VariantsOption = Annotated[
     int, typer.Option("--variants", min=1, max=64, help="Different rooms for one sentence or scene file.")

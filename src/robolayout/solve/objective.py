@@ -130,7 +130,9 @@ def losses(local: Poses, arrays: Arrays, routes: Routes, near: Near, weights: We
     """
     body = bodies(world_poses(local, arrays), arrays)
     framed, mirrored = statement_residuals(body, arrays)
-    body = body._replace(c=stop_gradient(body.c), s=stop_gradient(body.s))  # things make way, they do not turn out of it
+    body = body._replace(
+        c=stop_gradient(body.c), s=stop_gradient(body.s)
+    )  # things make way, they do not turn out of it
     scale = weights.saturation
     pull = jnp.sum(scale * jnp.log1p(framed / scale) * arrays.frame_row[:, -1], axis=-1)
     pull += jnp.sum(scale * jnp.log1p(mirrored / scale) * arrays.mirror_weight, axis=-1)

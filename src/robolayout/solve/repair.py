@@ -135,7 +135,9 @@ class Repair:
         size = 8 * stage.slots
         same = pack([plan_for(world)] * self.runner.share, size)
         found = self.runner.evaluate(stage, batch, lambda _part: same)
-        chosen = list(range(len(turned)))  # first as it stands, only turned: a guess is sooner wrong in this than in its place
+        chosen = list(
+            range(len(turned))
+        )  # first as it stands, only turned: a guess is sooner wrong in this than in its place
         for k in np.argsort(found.energy, kind="stable").tolist():
             if not chosen or np.abs(poses[chosen] - poses[k]).max(axis=1).min() > ALIKE:
                 chosen.append(k)
