@@ -95,7 +95,7 @@ def test_what_is_not_placed_meets_nothing() -> None:
 
 
 def test_nothing_is_dropped() -> None:
-    rows = judged("A cosy bedroom where the bed gleams, stacked.")
+    rows = judged("A quiet bedroom where the bed gleams, stacked.")
     assert {row.verdict for row in rows} >= {"met", "not judged", "not understood"}
     assert "gleams" in [row.words for row in rows]
 

@@ -276,7 +276,7 @@ class GroupedRun:
                     self.say("program")
                     read = read_salvaged(text, self.scene)
                 if self.planner.mode == "no_constraint":
-                    read = replace(read, statements=())
+                    read = replace(read, statements=(), wishes=())
                 sample = replace(sample, error="\n".join(read.dropped))
                 readable.append((sample, read, about(read, question.group, question.here, question.before)))
             except ProgramError as error:
@@ -299,7 +299,8 @@ class GroupedRun:
     def _candidate(self, question: Question, sample: Sample, read: Program, attempt: Attempt) -> Candidate:
         report = self._judged(question, attempt)
         own: tuple[Statement, ...] = attempt.asked.statements[len(question.before) :]
-        said = {name for statement in own for name in statement.relation.asset_names()} | set(attempt.asked.guesses)
+        told = (*own, *attempt.asked.wishes)
+        said = {name for one in told for name in one.relation.asset_names()} | set(attempt.asked.guesses)
         return Candidate(
             sample,
             attempt,

@@ -37,6 +37,10 @@ class Grammar:
         kinds: Nearest kinds of nouns that the catalogue does not have.
         heads: Nearest kinds by last word.
         places: Nearest room types of places by last word.
+        airy: Words of rooms whose floor stays largely free.
+        cosy: Words of rooms with something soft and a warm light, and which things are that.
+        exclusive: Attributes of which a thing has one.
+        floors: Names of floors by what is said of them, or of the style of the room.
     """
 
     phrases: Mapping[str, tuple[str, str]]
@@ -50,6 +54,10 @@ class Grammar:
     kinds: Mapping[str, str]
     heads: Mapping[str, str]
     places: Mapping[str, str]
+    airy: frozenset[str]
+    cosy: Mapping[str, tuple[str, ...]]
+    exclusive: tuple[frozenset[str], ...]
+    floors: Mapping[str, str]
 
 
 @cache
@@ -71,6 +79,10 @@ def grammar() -> Grammar:
         data["kinds"],
         data["heads"],
         data["places"],
+        frozenset(data["airy"]["words"]),
+        {key: tuple(words) for key, words in data["cosy"].items()},
+        tuple(frozenset(words) for words in data["exclusive"].values()),
+        data["floors"],
     )
 
 

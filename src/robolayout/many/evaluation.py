@@ -21,7 +21,7 @@ from robolayout._text import markdown
 from robolayout.many.found import Found, find_rooms
 from robolayout.many.index import check_tables, columns, write_rows
 from robolayout.many.page import page
-from robolayout.many.rooms import figures
+from robolayout.many.room import figures
 from robolayout.many.statistics import Mean, means, sign_test
 from robolayout.run.folder import open_folder
 from robolayout.scene import Agent, load_agents
