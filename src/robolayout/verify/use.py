@@ -26,7 +26,7 @@ from robolayout.scene.agent import TOUCH, horizontal_reach
 from robolayout.verify._approaches import approaches, needs_no_use
 from robolayout.verify._boxes import room_polygon, share, shared_area
 from robolayout.verify._knees import frontal, is_sat_at
-from robolayout.verify._sides import side_edge, strips
+from robolayout.verify._sides import side_edge
 from robolayout.verify._stances import Stances
 from robolayout.verify._swept import Swept, handle_heights, handle_near
 from robolayout.verify.heading import HeadingSpace
