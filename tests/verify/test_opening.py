@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import pytest
 from shapely import Point, Polygon
+from verify_rooms import DISC, furnished, on_floor, square, thing
 
 from robolayout.scene import Agent, Asset
 from robolayout.verify import usage
 from robolayout.verify._swept import Swept
-from verify_rooms import DISC, furnished, on_floor, square, thing
 
 ARM = replace(DISC, reach_distance=0.9, reach_low=0.2, reach_high=1.8)
 WARDROBE = thing("wardrobe-0", (0.6, 1.0, 2.0), "wardrobe")
