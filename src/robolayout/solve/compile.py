@@ -163,7 +163,7 @@ def compile_problem(
     guesses |= _missing(scene, program or Program(), pinned or {}, seed) if built is None else _guesses(built, guesses)
     plan = {name: (*guess.position[:2], guess.yaw or 0.0) for name, guess in guesses.items() if guess.position}
     parents = _parents(scene, relations, plan)
-    _rest(scene, guesses, parents)
+    _rest(scene, {name: guesses[name] for name in said}, parents)
     heights = _heights(scene, relations, guesses, parents)
     index = {asset.name: i for i, asset in enumerate(scene.assets)}
     poses: dict[str, Pose] = {}
@@ -240,6 +240,8 @@ def _rest(scene: Scene, guesses: Mapping[str, Guess], parents: dict[str, str]) -
         if name in parents or bottom <= LEVEL or not (asset.on_floor or asset.on_object):
             continue
         for other, under in known.items():
+            if other == name:
+                continue
             size = scene.by_name[other].size
             c, s = under.forward
             dx, dy = pose.x - under.x, pose.y - under.y
