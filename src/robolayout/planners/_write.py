@@ -160,6 +160,8 @@ class Writer:
         bound = JOINED if item.join or name in self.asked else None
         if modes[0] in ("hang", "ceiling", "rug"):
             yield from self._off_the_floor(item, modes[0])
+        elif modes == ["corner"]:
+            yield from self._fill(say["corner"], values, bound, name)
         elif set(modes) <= {"wall", "corner"}:
             held = name in self._held and bound is None
             yield from self._fill(say["wall"], values, None if held else ONLY, name)

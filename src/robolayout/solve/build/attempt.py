@@ -364,11 +364,8 @@ class Attempt:
             cost = self.site.base_cost(batch.cluster, batch.poses, clash[free]) / len(clusters)
             last = last_cell(self.site, plan, batch)
             cost += 0.5 * (taste(self.site, batch, weights) + taste(self.site, last, weights))
-            cost += (
-                self.site.missed(batch.cluster, batch.poses)
-                + TIGHT * plan.tight
-                + RAGGED * (plan.rows * plan.columns - len(plan.names))
-            )
+            cost += self.site.missed(batch.cluster, batch.poses)
+            cost += TIGHT * plan.tight + RAGGED * (plan.rows * plan.columns - len(plan.names))
             cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5
             ranked += [(float(cost[row]), plan, batch, int(row)) for row in np.argsort(cost, kind="stable")[:4]]
         best: tuple[float, GridPlan, Batch, int] | None = None
