@@ -126,7 +126,7 @@ def test_two_plates_in_mid_air_do_not_hold_each_other_up():
     judged = physics(*furnished(square(), (a, on_floor(a, 2, 2, bottom=1.0)), (b, on_floor(b, 2, 2, bottom=1.008))))
     assert judged.supported == {"plate-0": False, "plate-1": False}
     assert judged.reasons == (
-        "plate-0 is not supported: it stands on plate-1, which nothing holds.",
+        "plate-0 is not supported: its bottom is at 1.00 m, the floor at 0.00 m.",
         "plate-1 is not supported: it stands on plate-0, which nothing holds.",
     )
 

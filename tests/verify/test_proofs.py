@@ -129,7 +129,7 @@ def test_a_floor_too_small_for_its_furniture():
     assert impossible(Scene(square(doors=()), tuple(big)), DISC) == ()
     assert impossible(Scene(square(doors=(DOOR,)), tuple(big)), DISC) == (
         "The 4 assets that stand on the floor cover 16.00 m2, the floor outside door landings has 15.19 m2: they cannot all "
-        "stand apart. Most is taken by 4 x box (16.00 m2). Leave out big-0, or give the room 16.9 m2 or more.",
+        "stand apart. Most is taken by 4 x thing (16.00 m2). Leave out big-0, or give the room 16.9 m2 or more.",
     )
 
 

@@ -20,6 +20,7 @@ KEYS = [
     "placed_share",
     "collision_free_share",
     "collision_free_scene",
+    "collision_free_boxes_share",
     "in_boundary_share",
     "supported_share",
     "door_clear",

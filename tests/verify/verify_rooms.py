@@ -14,7 +14,7 @@ def square(side: float = 4.0, *, doors: tuple[Opening, ...] = (DOOR,), height: f
     return Room(((0.0, 0.0), (side, 0.0), (side, side), (0.0, side)), height, doors)
 
 
-def thing(name: str, size: tuple[float, float, float], category: str = "box", **flags: object) -> Asset:
+def thing(name: str, size: tuple[float, float, float], category: str = "thing", **flags: object) -> Asset:
     return Asset(name, category, size, **flags)  # type: ignore[arg-type]
 
 

@@ -11,20 +11,14 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from robolayout._errors import AssetError
 from robolayout.assets.lexicon import category_of
-from robolayout.assets.part import Part
+from robolayout.assets.prisms import prisms_of
 from robolayout.scene import Agent, Asset
 
 SOLID = 0.9
-"""Share of a box's floor from which on its parts stand in the way as the box does."""
-MANY = 64
-"""More pieces than this stand in the way as the box does."""
-FINE = 0.01
-"""Metres between the points by which a user's own mesh is looked at."""
-
+"""Share of a box's floor from which on its prisms stand in the way as the box does."""
 TOUCHING = 1e-6
-"""Metres of height by which a part must reach into a body's heights."""
+"""Metres of height by which a prism must reach into a body's heights."""
 
 Pieces = NDArray[np.float64]
 """(m, 4): how far a rectangle's middle lies ahead and left of its asset's, half its depth, half its width; metres."""
@@ -59,32 +53,20 @@ def pieces(asset: Asset, z: float, agent: Agent) -> tuple[Pieces, bool]:
     whole = np.array([[0.0, 0.0, asset.size[0] / 2, asset.size[1] / 2]])
     if not blocks(asset, z, agent):
         return whole[:0], False
-    if z + asset.size[2] / 2 <= agent.height:
-        return whole, False
-    found = _met(asset, round(agent.step - z, 6), round(agent.height - z, 6))
+    bottom = z - asset.size[2] / 2
+    found = _met(asset, round(agent.step - bottom, 6), round(agent.height - bottom, 6))
     return (whole, False) if found is None else (found, True)
 
 
 @lru_cache(maxsize=4096)
 def _met(asset: Asset, low: float, high: float) -> Pieces | None:
-    """Return the pieces of an asset between two heights above its middle; None where they are as good as its box."""
-    from robolayout.assets.meshes import parts
-
-    try:
-        made = parts(asset)
-    except AssetError:
+    """Return the prisms of an asset between two heights above its bottom; None where they are as good as its box."""
+    met = [p for p in prisms_of(asset) if p.high - low > TOUCHING and high - p.low > TOUCHING]
+    spans = {(p.x - p.hx, p.x + p.hx, p.y - p.hy, p.y + p.hy) for p in met}
+    kept = sorted(s for s in spans if not any(s != t and _holds(t, s) for t in spans))
+    if _covered(kept) >= SOLID * asset.size[0] * asset.size[1]:
         return None
-    ranges: list[tuple[float, float, float, float]] = []
-    for part in made:
-        x, y, z = part.vertices.T
-        if z.max() - low > TOUCHING and high - z.min() > TOUCHING:
-            outline = (x.min(), x.max(), y.min(), y.max())
-            ranges += [outline] if part.convex else _blobs(part, low, high)
-    spans = sorted(set(ranges))
-    spans = [s for s in spans if not any(s != t and _holds(t, s) for t in spans)]
-    if len(spans) > MANY or _covered(spans) >= SOLID * asset.size[0] * asset.size[1]:
-        return None
-    return np.array([((a + b) / 2, (c + d) / 2, (b - a) / 2, (d - c) / 2) for a, b, c, d in spans]).reshape(-1, 4)
+    return np.array([((a + b) / 2, (c + d) / 2, (b - a) / 2, (d - c) / 2) for a, b, c, d in kept]).reshape(-1, 4)
 
 
 def _holds(outer: tuple[float, ...], inner: tuple[float, ...]) -> bool:
@@ -102,33 +84,3 @@ def _covered(spans: list[tuple[float, float, float, float]]) -> float:
             area += (high - low) * max(0.0, stop - max(start, reached))
             reached = max(reached, stop)
     return area
-
-
-def _blobs(part: Part, low: float, high: float) -> list[tuple[float, float, float, float]]:
-    """Return the ranges of the connected spots that a surface covers, seen from above, between two heights."""
-    from robolayout._grid import components
-
-    corners = part.vertices[part.faces]
-    met = corners[(corners[:, :, 2].max(axis=1) > low) & (corners[:, :, 2].min(axis=1) < high)]
-    small = np.linalg.norm(np.ptp(met, axis=1), axis=1) <= FINE
-    points = np.concatenate([met[small].reshape(-1, 3), *(_sprinkled(triangle) for triangle in met[~small])])
-    points = points[(points[:, 2] >= low) & (points[:, 2] <= high), :2]
-    if not len(points):
-        return []
-    start = points.min(axis=0)
-    cells = np.floor((points - start) / FINE).astype(np.intp)
-    mask = np.zeros(cells.max(axis=0) + 1, dtype=np.bool_)
-    mask[cells[:, 0], cells[:, 1]] = True
-    label, counts = components(mask)
-    spot = label[cells[:, 0], cells[:, 1]]
-    groups = [points[spot == number] for number in range(1, len(counts) + 1)]
-    return [(float(g[:, 0].min()), float(g[:, 0].max()), float(g[:, 1].min()), float(g[:, 1].max())) for g in groups]
-
-
-def _sprinkled(triangle: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return points over a triangle, about `FINE` apart, its corners among them."""
-    a, b, c = triangle
-    count = 1 + int(max(np.linalg.norm(b - a), np.linalg.norm(c - a), np.linalg.norm(c - b)) / FINE)
-    i, j = np.meshgrid(np.arange(count + 1), np.arange(count + 1))
-    u, v = (grid[i + j <= count][:, None] / count for grid in (i, j))
-    return a + u * (b - a) + v * (c - a)

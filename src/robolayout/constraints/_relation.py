@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import dataclasses
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -92,8 +93,8 @@ class Relation(ABC):
         """
         return ""
 
-    def ways(self, scene: Scene) -> tuple[Relation, ...]:
-        """Return relations each of which alone makes this one hold, where it leaves open which; else none."""
+    def ways(self, scene: Scene) -> tuple[Way, ...]:
+        """Return the ways in which it can hold, where it leaves open which; else none."""
         return ()
 
     @classmethod
@@ -130,6 +131,26 @@ class Relation(ABC):
             text = _shown(value)
             shown.append(text if not shown or "number" not in field.metadata["takes"] else f"{field.name}={text}")
         return f"{self.name}({', '.join(shown)})"
+
+
+Way = tuple[Relation, ...]
+"""Relations that hold together."""
+
+
+def best_way(ways: Sequence[Way], scene: Scene, layout: Layout) -> tuple[Way, Outcome]:
+    """Return which of several ways holds best in a layout, and its worst outcome; of equals the first.
+
+    Args:
+        ways: Relations that hold together, for each way.
+        scene: The scene.
+        layout: Poses of all their assets.
+    """
+
+    def short(outcome: Outcome) -> tuple[bool, float]:
+        return (not outcome.met, outcome.value - outcome.limit)
+
+    measured = [(way, max((one.check(scene, layout) for one in way), key=short)) for way in ways]
+    return min(measured, key=lambda entry: short(entry[1]))
 
 
 def _shown(value: object) -> str:

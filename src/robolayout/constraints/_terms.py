@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from robolayout.assets.prisms import Prism
 from robolayout.constraints._refs import AssetRef, Ref
 
 FAR = 1.0e3
@@ -116,10 +117,19 @@ class ClearTerm:
 
 @dataclass(frozen=True)
 class OverlapTerm:
-    """One row of the overlap kernel: the footprints of `a` and `b` keep apart."""
+    """One row of the overlap kernel: a prism of `a` and one of `b`, which share a height, keep apart in plan.
+
+    Attributes:
+        a: A thing.
+        b: Another one.
+        first: The prism of `a`.
+        second: The prism of `b`.
+    """
 
     a: AssetRef
     b: AssetRef
+    first: Prism
+    second: Prism
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 from typing import ClassVar
 
 from robolayout.constraints._assignment import assignment
@@ -11,13 +13,48 @@ from robolayout.constraints._exact import ANGLE_TOLERANCE, GAP_TOLERANCE, facing
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
-from robolayout.scene import Layout, Scene
+from robolayout.constraints.no_overlap import prisms_meet
+from robolayout.scene import Asset, Layout, Pose, Scene
 
 Slot = tuple[float, float, float]
 """Place of a seat's centre in the table's frame (metres) and its heading there (radians)."""
 
 SLACK = 0.03
 """Metres by which a seat may stand beside its slot."""
+
+USUAL = 0.05
+"""Metres from the edge at which a seat stands that does not go under."""
+
+TUCKED = (0.18, 0.12, 0.06)
+"""Metres by which people leave a seat under a table, the first that is free."""
+
+SPARE = 0.02
+"""Metres that stay free above and beside a seat that is left under a table."""
+
+
+def left_gap(scene: Scene, items: Sequence[AssetRef], b: AssetRef, slots: Callable[[float], Sequence[Slot]]) -> float:
+    """Return the gap at which people leave seats at a table: less than 0 where they go under, `USUAL` where they do not.
+
+    Args:
+        scene: The scene.
+        items: The seats.
+        b: The table.
+        slots: Places of the seats for a gap in metres.
+    """
+    return _left_gap(tuple(scene.by_name[item.name] for item in items), scene.by_name[b.name], slots)
+
+
+def _left_gap(seats: tuple[Asset, ...], table: Asset, slots: Callable[[float], Sequence[Slot]]) -> float:
+    """Return the first gap at which no seat meets the table or another seat."""
+    for tuck in TUCKED:
+        there = [(table, Pose(0.0, 0.0, table.size[2] / 2, 0.0))]
+        there += [
+            (seat, Pose(x, y, seat.size[2] / 2 + SPARE, yaw))
+            for seat, (x, y, yaw) in zip(seats, slots(-tuck), strict=False)
+        ]
+        if not any(prisms_meet(one, other, SPARE) for one, other in combinations(there, 2)):
+            return -tuck
+    return USUAL
 
 
 def _side_slots(count: int, side: str, table: tuple[float, float], depth: float, gap: float) -> list[Slot]:
@@ -51,7 +88,7 @@ def shares(count: int, table: tuple[float, float], width: float) -> dict[str, in
 
 @dataclass(frozen=True)
 class Around(Relation):
-    """The `items` stand evenly around `b`, `gap` m from its edge, each facing it."""
+    """The `items` stand evenly around `b`, `gap` m from its edge (None: as people leave them, under it), each facing it."""
 
     name: ClassVar[str] = "around"
     moves: ClassVar[tuple[str, ...]] = ("items",)
@@ -61,16 +98,20 @@ class Around(Relation):
 
     items: tuple[AssetRef, ...] = argument("asset", many=True)
     b: AssetRef = argument("asset")
-    gap: float = argument("number", unit="m", default=0.05)
+    gap: float | None = argument("number", "none", unit="m", default=None)
 
     def slots(self, scene: Scene) -> tuple[Slot, ...]:
         """Return the place and heading of each item in b's frame."""
+        gap = left_gap(scene, self.items, self.b, lambda gap: self._slots(scene, gap)) if self.gap is None else self.gap
+        return self._slots(scene, gap)
+
+    def _slots(self, scene: Scene, gap: float) -> tuple[Slot, ...]:
         table = half_size(scene, self.b)
         sizes = [scene.by_name[item.name].size for item in self.items]
         depth, width = max(s[0] for s in sizes), max(s[1] for s in sizes)
         slots: list[Slot] = []
         for side, count in shares(len(self.items), table, width).items():
-            slots += _side_slots(count, side, table, depth, self.gap)
+            slots += _side_slots(count, side, table, depth, gap)
         return tuple(slots)
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
@@ -91,9 +132,9 @@ class Around(Relation):
         )
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """Each item faces b and stands at most gap + 0.35 m from its edge."""
+        """Each item faces b and stands at most gap (0.05 if None) + 0.35 m from its edge."""
         table = footprint(scene, layout, self.b)
-        limit = self.gap + 0.30
+        limit = (USUAL if self.gap is None else self.gap) + 0.30
         gaps = [table.distance(footprint(scene, layout, item)) for item in self.items]
         turned = max(facing_error(scene, layout, item, self.b) for item in self.items)
         met = max(gaps) <= limit + GAP_TOLERANCE and turned <= ANGLE_TOLERANCE

@@ -3,28 +3,67 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import combinations
 from typing import ClassVar
 
+import shapely
+from shapely import Polygon
+
+from robolayout.assets import Prism, prisms_of
 from robolayout.constraints._exact import common_area, footprint
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation
 from robolayout.constraints._terms import OverlapTerm, Term
-from robolayout.scene import Asset, Layout, Scene, vertical_span
+from robolayout.scene import Asset, Layout, Pose, Scene, vertical_span
 
 OVERLAP_AREA = 1e-4
-"""Square metres of common footprint from which on two things collide (DESIGN section 4)."""
+"""Square metres of common plan from which on two prisms collide (DESIGN section 4)."""
 
 OVERLAP_HEIGHT = 0.01
-"""Metres of common height from which on two things collide (DESIGN section 4)."""
+"""Metres of common height from which on two prisms collide (DESIGN section 4)."""
 
 
 def share_height(a: Asset, b: Asset, layout: Layout) -> bool:
-    """Return whether two things are at the same height somewhere; rugs never count."""
+    """Return whether the boxes of two things are at the same height somewhere; rugs never count."""
     if a.is_flat or b.is_flat:
         return False
     (low_a, high_a), (low_b, high_b) = vertical_span(a, layout[a.name]), vertical_span(b, layout[b.name])
     return min(high_a, high_b) - max(low_a, low_b) > OVERLAP_HEIGHT
+
+
+def meeting_prisms(a: Asset, b: Asset, layout: Layout) -> tuple[tuple[Prism, Prism], ...]:
+    """Return the prisms of two things that would collide over one another: pairs of one height, but none that others imply."""
+    if not share_height(a, b, layout):
+        return ()
+    apart = vertical_span(b, layout[b.name])[0] - vertical_span(a, layout[a.name])[0]
+    return _meeting(a, b, round(apart, 4))
+
+
+@lru_cache(maxsize=1 << 14)
+def _meeting(a: Asset, b: Asset, apart: float) -> tuple[tuple[Prism, Prism], ...]:
+    """Return the pairs of prisms of one height where b stands `apart` metres higher than a.
+
+    A pair within another one in plan says nothing that the other does not say.
+    """
+    pairs = [
+        (p, q)
+        for p in prisms_of(a)
+        for q in prisms_of(b)
+        if min(p.high, q.high + apart) - max(p.low, q.low + apart) > OVERLAP_HEIGHT
+    ]
+    kept: list[tuple[Prism, Prism]] = []
+    for pair in sorted(pairs, key=lambda pair: -pair[0].hx * pair[0].hy * pair[1].hx * pair[1].hy):
+        if not any(pair[0].within(p) and pair[1].within(q) for p, q in kept):
+            kept.append(pair)
+    return tuple(kept)
+
+
+def prisms_meet(one: tuple[Asset, Pose], other: tuple[Asset, Pose], margin: float = 0.0) -> bool:
+    """Return whether prisms of two things are less than `margin` metres apart in plan at one height."""
+    (a, here), (b, there) = one, other
+    apart = vertical_span(b, there)[0] - vertical_span(a, here)[0]
+    return any(_placed(p, here).distance(_placed(q, there)) < margin for p, q in _meeting(a, b, round(apart, 4)))
 
 
 @dataclass(frozen=True)
@@ -37,21 +76,28 @@ class NoOverlap(Relation):
     example: ClassVar[str] = ""
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
-        """Return one row per pair of things that share a height."""
+        """Return one row per pair of prisms that share a height."""
         return tuple(
-            OverlapTerm(AssetRef(a.name), AssetRef(b.name))
+            OverlapTerm(AssetRef(a.name), AssetRef(b.name), first, second)
             for a, b in combinations(scene.assets, 2)
-            if share_height(a, b, near)
+            for first, second in meeting_prisms(a, b, near)
         )
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """At most 1e-4 m2 of common footprint for every pair that shares more than 1 cm of height."""
+        """At most 1e-4 m2 in common for every pair of prisms that share more than 1 cm of height."""
         worst, text = 0.0, "nothing overlaps"
         placed = [asset for asset in scene.assets if asset.name in layout]
         shapes = {asset.name: footprint(scene, layout, AssetRef(asset.name)) for asset in placed}
         for a, b in combinations(placed, 2):
-            if share_height(a, b, layout):
-                area = common_area(shapes[a.name], shapes[b.name])
-                if area > max(worst, OVERLAP_AREA):
-                    worst, text = area, f"{a.name} and {b.name} overlap by {area:.4f} m2"
+            if shapely.intersects(shapes[a.name], shapes[b.name]):
+                for first, second in meeting_prisms(a, b, layout):
+                    area = common_area(_placed(first, layout[a.name]), _placed(second, layout[b.name]))
+                    if area > max(worst, OVERLAP_AREA):
+                        worst, text = area, f"{a.name} and {b.name} overlap by {area:.4f} m2"
         return Outcome(worst <= OVERLAP_AREA, worst, OVERLAP_AREA, "m2", text)
+
+
+def _placed(prism: Prism, pose: Pose) -> Polygon:
+    """Return the outline of a prism in the room."""
+    (c, s), x, y = pose.forward, pose.x, pose.y
+    return Polygon([(x + c * u - s * v, y + s * u + c * v) for u, v in prism.outline])

@@ -5,44 +5,72 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+import numpy as np
 from shapely import Point
 
-from robolayout.constraints._exact import footprint, half_size
+from robolayout.assets import Surface, resting_place, surfaces_of
+from robolayout.assets.surfaces import named_surfaces, outer_surfaces
+from robolayout.constraints._exact import frame
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
-from robolayout.scene import Layout, Scene, vertical_span
+from robolayout.scene import Asset, Layout, Scene, vertical_span
 
 SUPPORT_TOLERANCE = 0.02
-"""Metres between a thing's bottom and the top that carries it (DESIGN section 4)."""
+"""Metres between a thing's bottom and the surface that carries it (DESIGN section 4)."""
 
 
 @dataclass(frozen=True)
 class OnTopOf(Relation):
-    """`a` stands on top of `b`, its footprint over b's."""
+    """`a` stands on top of `b`: on its highest place that can hold it (a cushion on the seat), or on the `surface` named so."""
 
     name: ClassVar[str] = "on_top_of"
     hard: ClassVar[bool] = True
-    surrogate: ClassVar[bool] = True  # its whole footprint stays over b, where the check wants the centre
+    surrogate: ClassVar[bool] = True  # its whole footprint stays over the place, where the check wants the centre
     example: ClassVar[str] = "solver.on_top_of(lamp[0], night_stand[0])"
 
     a: AssetRef = argument("asset")
     b: AssetRef = argument("asset")
+    surface: str | int = argument("text", "integer", default="")
+
+    def meant(self, scene: Scene) -> tuple[Surface, ...]:
+        """Return the surfaces of b that will do."""
+        lower = scene.by_name[self.b.name]
+        return named_surfaces(lower, str(self.surface)) if self.surface else self.usual(lower)
+
+    @staticmethod
+    def usual(lower: Asset) -> tuple[Surface, ...]:
+        """Return the surfaces that are meant where none is named."""
+        return outer_surfaces(lower)
+
+    def place(self, scene: Scene) -> Surface:
+        """Return the surface of b on which a is put."""
+        return resting_place(scene.by_name[self.b.name], scene.by_name[self.a.name], self.meant(scene))
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
-        """Return one row: a's footprint inside b's (its centre, where a is the larger one)."""
-        ahx, ahy = half_size(scene, self.a)
-        bhx, bhy = half_size(scene, self.b)
-        inside = 1.0 if max(ahx, ahy) <= min(bhx, bhy) or (ahx <= bhx and ahy <= bhy) else 0.0
-        along, across = Interval(-bhx, bhx, inside, inside), Interval(-bhy, bhy, inside, inside)
+        """Return one row: a's footprint inside the largest rectangle of its place (its centre, where a is the larger one)."""
+        x0, y0, x1, y1 = self.place(scene).rectangle
+        size = scene.by_name[self.a.name].size
+        inside = float(all(np.less_equal(np.sort(size[:2]), np.sort([x1 - x0, y1 - y0]))))
+        along, across = Interval(x0, x1, inside, inside), Interval(y0, y1, inside, inside)
         return (FrameTerm(self.a, self.b, along=along, across=across),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """Its bottom within 2 cm of the top of b, and its centre over b's footprint."""
+        """Its bottom within 2 cm of a surface that will do, and its centre over that."""
         bottom, _ = vertical_span(scene.by_name[self.a.name], layout[self.a.name])
-        _, top = vertical_span(scene.by_name[self.b.name], layout[self.b.name])
-        pose = layout[self.a.name]
-        over = footprint(scene, layout, self.b).distance(Point(pose.x, pose.y)) < 1e-6
-        gap = abs(bottom - top)
-        text = f"bottom {gap:.3f} m from the top of {self.b}" + ("" if over else ", centre not over it")
-        return Outcome(gap <= SUPPORT_TOLERANCE and over, gap, SUPPORT_TOLERANCE, "m", text)
+        low, _ = vertical_span(scene.by_name[self.b.name], layout[self.b.name])
+        centre = Point(frame(scene, layout, self.b).point(layout[self.a.name].x, layout[self.a.name].y))
+        found = [
+            (s.region.distance(centre) > 1e-6, abs(bottom - low - s.height), s.name)
+            for s in (*self.meant(scene), self.place(scene))
+        ]
+        beside, gap, name = min(found)
+        text = f"bottom {gap:.3f} m from the {name} of {self.b}" + (", centre not over it" if beside else "")
+        return Outcome(gap <= SUPPORT_TOLERANCE and not beside, gap, SUPPORT_TOLERANCE, "m", text)
+
+    def fault(self, scene: Scene) -> str:
+        """Return which surfaces there are, where the named one is none of them."""
+        if not self.surface or self.meant(scene):
+            return ""
+        known = ", ".join(s.name for s in surfaces_of(scene.by_name[self.b.name]))
+        return f"{self.b} has no surface {self.surface!r}; it has {known or 'none'}"

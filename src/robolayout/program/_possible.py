@@ -13,6 +13,7 @@ from collections.abc import Iterable, Mapping
 
 from shapely import Point, Polygon
 
+from robolayout.assets import resting_place
 from robolayout.constraints import AssetRef, Ref, WallRef
 from robolayout.scene import Asset, Room, Scene, Wall
 
@@ -48,7 +49,8 @@ def height_span(scene: Scene, name: str, parents: Mapping[str, str], mounted: Ma
     asset, ceiling = scene.by_name[name], scene.room.wall_height
     height = asset.size[2]
     if name in parents:
-        bottom = height_span(scene, parents[name], parents, mounted)[1]
+        bottom = height_span(scene, parents[name], parents, mounted)[0]
+        bottom += resting_place(scene.by_name[parents[name]], asset).height
     elif asset.on_ceiling and not asset.on_floor:
         bottom = ceiling - height
     elif asset.on_wall and not asset.on_floor:

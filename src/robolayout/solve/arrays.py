@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 Array = Any
-"""A NumPy or JAX array; the fields below say its shape. K starts, A asset slots, F fixed bodies, P pairs, R frame rows,
+"""A NumPy or JAX array; the fields below say its shape. K starts, A asset slots, F fixed bodies, S prisms, P pairs, R frame rows,
 M mirror rows, G clear boxes, E room edges, Q inner corners, T route points."""
 
 
@@ -19,7 +19,9 @@ class Arrays(NamedTuple):
         limit: (A, 2) half sizes in metres of the rectangle around the anchor that a slot's box stays in.
         free: (A,) 1 where the slot moves in this stage.
         fixed: (F, 7) walls and points as bodies (x, y, cos, sin, half x, half y, core).
-        pairs: (P, 2) slots that must not overlap; twice the same for padding.
+        prism_slot: (S,) slot that each prism belongs to.
+        prism: (S, 5) centre and half size in the frame of the slot, and how much its corners are cut, metres.
+        pairs: (P, 2) prisms that must not overlap; twice the same for padding.
         edges: (E, 4) room outline.
         inner: (Q, 2) corners of the room that point inwards.
         inside: (A,) weight of staying in the room, where the rectangle alone does not keep a slot in it.
@@ -39,6 +41,8 @@ class Arrays(NamedTuple):
     limit: Array
     free: Array
     fixed: Array
+    prism_slot: Array
+    prism: Array
     pairs: Array
     edges: Array
     inner: Array
@@ -57,7 +61,7 @@ class Near(NamedTuple):
     """What may touch within the next steps.
 
     Attributes:
-        pairs: (M, 2) slots, or (K, M, 2) each start's own.
+        pairs: (M, 2) prisms, or (K, M, 2) each start's own.
         clears: (C, 2) clear box and slot, or (K, C, 2) each start's own.
     """
 

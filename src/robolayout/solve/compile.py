@@ -13,7 +13,9 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
+from shapely import Point
 
+from robolayout.assets import Surface, resting_place, surfaces_of
 from robolayout.constraints import IMPLICIT, AssetRef, FrameTerm, Relation, Term, WallRef
 from robolayout.constraints.against_wall import wall_term
 from robolayout.constraints.mounted_on import MountedOn
@@ -21,6 +23,7 @@ from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.floor import Contents
 from robolayout.program import Guess, Program
 from robolayout.scene import Asset, Layout, Pose, Scene
+from robolayout.solve.build import furnished
 
 Floats = NDArray[np.float64]
 
@@ -49,6 +52,7 @@ class Problem:
         stage: Stage in which each asset is placed.
         pinned: Names of assets that keep the pose of the guess.
         guessed: Names of assets to which the program itself gave a place.
+        resting: The surface of its carrier on which each asset stands; None where it is the room.
     """
 
     scene: Scene
@@ -58,6 +62,7 @@ class Problem:
     stage: tuple[int, ...]
     pinned: frozenset[str] = frozenset()
     guessed: tuple[str, ...] = ()
+    resting: tuple[Surface | None, ...] = ()
 
     @cached_property
     def names(self) -> tuple[str, ...]:
@@ -140,22 +145,31 @@ class Problem:
 
 
 def compile_problem(
-    scene: Scene, program: Program | None = None, *, seed: int = 0, pinned: Mapping[str, Pose] | None = None
+    scene: Scene,
+    program: Program | None = None,
+    *,
+    seed: int = 0,
+    pinned: Mapping[str, Pose] | None = None,
+    built: Layout | None = None,
 ) -> Problem:
     """Return the problem of placing a scene's assets by a program.
 
     Args:
         scene: The scene.
         program: Guesses and statements, already filtered; None has neither.
-        seed: Seed of the random guesses for assets that the program does not place.
+        seed: Settles where things are built that the program does not place.
         pinned: Poses that must stay.
+        built: Poses of such things, where they are known.
     """
     relations = tuple(statement.relation for statement in program.statements) if program else ()
     guesses = dict(program.guesses) if program else {}
-    plan = _complete(scene, guesses, np.random.default_rng(seed))
+    said = tuple(a.name for a in scene.assets if a.name in guesses and guesses[a.name].position is not None)
+    guesses |= _missing(scene, program or Program(), pinned or {}, seed) if built is None else _guesses(built, guesses)
+    plan = {name: (*guess.position[:2], guess.yaw or 0.0) for name, guess in guesses.items() if guess.position}
     parents = _parents(scene, relations, plan)
     _rest(scene, guesses, parents)
-    heights = _heights(scene, relations, guesses, parents)
+    resting = _resting(scene, relations, parents)
+    heights = _heights(scene, relations, guesses, parents, resting)
     index = {asset.name: i for i, asset in enumerate(scene.assets)}
     poses: dict[str, Pose] = {}
     for asset in scene.assets:
@@ -169,8 +183,16 @@ def compile_problem(
         tuple(index.get(parents.get(asset.name, ""), -1) for asset in scene.assets),
         tuple(_depth(asset.name, parents) for asset in scene.assets),
         frozenset(pinned or ()),
-        tuple(a.name for a in scene.assets if a.name in guesses and guesses[a.name].position is not None),
+        said,
+        tuple(resting.get(asset.name) for asset in scene.assets),
     )
+
+
+def _resting(scene: Scene, relations: Iterable[Relation], parents: Mapping[str, str]) -> dict[str, Surface]:
+    """Return the surfaces on which things stand: as the program says, else the highest that can hold them."""
+    said = {r.a.name: r.place(scene) for r in relations if isinstance(r, OnTopOf) and parents.get(r.a.name) == r.b.name}
+    usual = {a: resting_place(scene.by_name[b], scene.by_name[a]) for a, b in parents.items() if a not in said}
+    return said | usual
 
 
 def _depth(name: str, parents: Mapping[str, str]) -> int:
@@ -180,22 +202,23 @@ def _depth(name: str, parents: Mapping[str, str]) -> int:
     return depth
 
 
-def _complete(
-    scene: Scene, guesses: Mapping[str, Guess], rng: np.random.Generator
-) -> dict[str, tuple[float, float, float]]:
-    """Return (x, y, yaw) for every asset: the program's guess, or a random place inside the room."""
-    plan: dict[str, tuple[float, float, float]] = {}
-    x0, y0, x1, y1 = scene.room.bounds
-    for asset in scene.assets:
-        guess = guesses.get(asset.name)
-        yaw = float(rng.integers(4)) * math.pi / 2
-        position = (float(rng.uniform(x0, x1)), float(rng.uniform(y0, y1)))
-        if guess is not None and guess.yaw is not None:
-            yaw = guess.yaw
-        if guess is not None and guess.position is not None:
-            position = guess.position[:2]
-        plan[asset.name] = (*position, yaw)
-    return plan
+def _missing(scene: Scene, program: Program, pinned: Mapping[str, Pose], seed: int) -> dict[str, Guess]:
+    """Return guesses for what the program does not place: where its statements and wishes have it built, around the rest."""
+    placed = {name: guess for name, guess in program.guesses.items() if guess.position is not None}
+    left, bottom, right, top = scene.room.bounds
+    given = dict(pinned)
+    for name, guess in placed.items():
+        x, y, z = guess.position or (0.0, 0.0, 0.0)
+        if left < x < right and bottom < y < top:
+            given.setdefault(name, Pose(x, y, z, guess.yaw or 0.0))
+    if len(placed.keys() | pinned.keys()) == len(scene.assets):
+        return _guesses(Layout(given), placed)
+    return _guesses(furnished(scene, program, given, seed), placed)
+
+
+def _guesses(built: Layout, placed: Mapping[str, Guess]) -> dict[str, Guess]:
+    """Return the poses of what is built and not placed as guesses."""
+    return {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in built.items() if name not in placed}
 
 
 def _parents(
@@ -222,7 +245,7 @@ def _parents(
 
 
 def _rest(scene: Scene, guesses: Mapping[str, Guess], parents: dict[str, str]) -> None:
-    """Add what stands on another thing by its guess, centre over it and bottom at its top, though no statement says so."""
+    """Add what stands on another thing by its guess, centre over a surface and bottom at its height, though no statement says so."""
     known = {name: Pose(*g.position, g.yaw or 0.0) for name, g in guesses.items() if g.position is not None}
     for name, pose in known.items():
         asset = scene.by_name[name]
@@ -230,13 +253,22 @@ def _rest(scene: Scene, guesses: Mapping[str, Guess], parents: dict[str, str]) -
         if name in parents or bottom <= LEVEL or not (asset.on_floor or asset.on_object):
             continue
         for other, under in known.items():
-            size = scene.by_name[other].size
-            c, s = under.forward
-            dx, dy = pose.x - under.x, pose.y - under.y
-            over = abs(c * dx + s * dy) <= size[0] / 2 and abs(c * dy - s * dx) <= size[1] / 2
-            if over and abs(under.z + size[2] / 2 - bottom) <= LEVEL and other not in parents:
+            if other not in parents and other != name and _lies_on(scene, pose, bottom, (other, under)):
                 parents[name] = other
                 break
+
+
+def _lies_on(scene: Scene, pose: Pose, bottom: float, lower: tuple[str, Pose]) -> bool:
+    """Return whether a thing's centre is over a surface of another, its bottom at that height."""
+    name, under = lower
+    size, (c, s) = scene.by_name[name].size, under.forward
+    dx, dy = pose.x - under.x, pose.y - under.y
+    at = Point(c * dx + s * dy, c * dy - s * dx)
+    if abs(at.x) > size[0] / 2 or abs(at.y) > size[1] / 2 or bottom > under.z + size[2] / 2 + LEVEL:
+        return False
+    tops = [*surfaces_of(scene.by_name[name]), None]
+    heights = [size[2] if top is None else top.height for top in tops if top is None or top.region.intersects(at)]
+    return min(abs(under.z - size[2] / 2 + height - bottom) for height in heights) <= LEVEL
 
 
 def _carries(carrier: Asset, asset: Asset) -> bool:
@@ -247,7 +279,11 @@ def _carries(carrier: Asset, asset: Asset) -> bool:
 
 
 def _heights(
-    scene: Scene, relations: Sequence[Relation], guesses: Mapping[str, Guess], parents: Mapping[str, str]
+    scene: Scene,
+    relations: Sequence[Relation],
+    guesses: Mapping[str, Guess],
+    parents: Mapping[str, str],
+    resting: Mapping[str, Surface],
 ) -> dict[str, float]:
     """Return the height of every box centre: on the floor, on its carrier, on the wall or at the ceiling."""
     mounted = {r.a.name: r.height for r in relations if isinstance(r, MountedOn) and r.height is not None}
@@ -262,7 +298,7 @@ def _heights(
         half, ceiling = asset.size[2] / 2, scene.room.wall_height
         if asset.name in parents:
             carrier = scene.by_name[parents[asset.name]]
-            return height(carrier.name) + carrier.size[2] / 2 + half
+            return height(carrier.name) - carrier.size[2] / 2 + resting[asset.name].height + half
         if asset.on_ceiling and not asset.on_floor:
             return ceiling - half
         if asset.on_wall and not asset.on_floor:

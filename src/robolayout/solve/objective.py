@@ -11,6 +11,7 @@ from robolayout._geometry import (
     FrameRow,
     compose,
     corners,
+    cut_separation,
     frame_residual,
     intersection_over_union,
     mirror_residual,
@@ -65,18 +66,25 @@ def statement_residuals(body: Body, arrays: Arrays) -> tuple[Array, Array]:
     return frame_residual(a, b, row), mirror_residual(left, right, axis, arrays.mirror_normal)
 
 
-def overlap_depths(body: Body, pairs: Array, weights: Weights) -> Array:
-    """Return by how many metres each pair of slots goes into each other, margin included; 0 for a slot and itself."""
-    depth = penetration(take(body, pairs[..., 0]), take(body, pairs[..., 1]), weights.margin)
-    return jnp.where(pairs[..., 0] == pairs[..., 1], 0.0, depth)
+def prisms(body: Body, arrays: Arrays) -> Body:
+    """Return the prisms (starts, S) where their slots are."""
+    return _within(take(body, arrays.prism_slot), arrays.prism)
 
 
-def overlap_losses(body: Body, pairs: Array, weights: Weights) -> Array:
-    """Return the loss of each pair of slots by how deep they are in each other, or by their intersection over union."""
+def overlap_gaps(prisms: Body, pairs: Array, cut: Array) -> Array:
+    """Return how many metres each pair of prisms is apart, less than 0 where they overlap; infinite for one and itself."""
+    a, b = take(prisms, pairs[..., 0]), take(prisms, pairs[..., 1])
+    apart = cut_separation(a, b, cut[pairs[..., 0]], cut[pairs[..., 1]])
+    return jnp.where(pairs[..., 0] == pairs[..., 1], jnp.inf, apart)
+
+
+def overlap_losses(body: Body, arrays: Arrays, pairs: Array, weights: Weights) -> Array:
+    """Return the loss of each pair of prisms by how deep they are in each other, or by their intersection over union."""
+    shapes = prisms(body, arrays)
     if not weights.iou:
-        return hard(overlap_depths(body, pairs, weights), weights)
+        return hard(jnp.maximum(weights.margin - overlap_gaps(shapes, pairs, arrays.prism[:, 4]), 0.0), weights)
     same = pairs[..., 0] == pairs[..., 1]
-    first, second = take(body, pairs[..., 0]), take(body, pairs[..., 1])
+    first, second = take(shapes, pairs[..., 0]), take(shapes, pairs[..., 1])
     # A slot that is only there to fill a list has no size: its share of itself is 0 / 0, whose slope spoils all others.
     sized = first._replace(hx=jnp.where(same, 1.0, first.hx), hy=jnp.where(same, 1.0, first.hy))
     shared = intersection_over_union(sized, second)
@@ -94,8 +102,12 @@ def boundary_depths(slots: Body, arrays: Arrays) -> Array:
 
 def strips(body: Body, arrays: Arrays) -> Body:
     """Return the clear boxes (starts, G) where their owners are."""
-    owner = take(body, arrays.clear_owner)
-    cx, cy, hx, hy = (arrays.clear_box[:, i] for i in range(4))
+    return _within(take(body, arrays.clear_owner), arrays.clear_box)
+
+
+def _within(owner: Body, box: Array) -> Body:
+    """Return boxes, rows (n, 4 or more) of centre and half size in the frames of their owners, where these are."""
+    cx, cy, hx, hy = (box[:, i] for i in range(4))
     return owner._replace(
         x=owner.x + owner.c * cx - owner.s * cy,
         y=owner.y + owner.s * cx + owner.c * cy,
@@ -117,7 +129,7 @@ def route_depths(body: Body, routes: Routes) -> Array:
 
 
 def everything(arrays: Arrays) -> Near:
-    """Return all pairs of slots, and all of clear boxes and slots."""
+    """Return all pairs of prisms, and all of clear boxes and slots."""
     boxes, slots = arrays.clear_weight.shape
     grid = jnp.stack(jnp.meshgrid(jnp.arange(boxes), jnp.arange(slots), indexing="ij"), axis=-1)
     return Near(arrays.pairs, grid.reshape(-1, 2))
@@ -138,7 +150,7 @@ def losses(local: Poses, arrays: Arrays, routes: Routes, near: Near, weights: We
     pull += jnp.sum(scale * jnp.log1p(mirrored / scale) * arrays.mirror_weight, axis=-1)
     clear = hard(clear_depths(body, arrays, near.clears, weights), weights)
     return Losses(
-        overlap=jnp.sum(overlap_losses(body, near.pairs, weights), axis=-1),
+        overlap=jnp.sum(overlap_losses(body, arrays, near.pairs, weights), axis=-1),
         boundary=_boundary(body, arrays, weights),
         clear=jnp.sum(clear * arrays.clear_weight[near.clears[..., 0], near.clears[..., 1]], axis=-1),
         statements=pull,

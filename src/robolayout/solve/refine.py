@@ -86,7 +86,7 @@ class Solver:
             best = self._stage(number, world)
             world = best.world
         assert best is not None
-        if best.verdict.hard + best.verdict.access or not self.problem.guessed:
+        if best.verdict.hard + best.verdict.access:
             best = self._repair(best)
         best = best if self.blind else self._restored(best)
         trace = self.runner.trace(self.problem) if self.config.trace else Trace()
@@ -152,30 +152,24 @@ class Solver:
             if stage.moving:
                 self._still(stage, best, self.phase)
             return best
-        if self._guessed(stage):
-            best = self._pushed(stage, number, best)
-            if number and not any(self._at(number, name) for name in best.verdict.culprits):
-                return best
-            best, run = self._polished(stage, number, best)
-            self.blind |= self._amiss(stage, best) > self.effort.lost
-            if number == 0 and self.config.route_rounds and best.verdict.access and not self.blind:
-                best, run = self._opened(stage, run, best)
-                best = self._route(stage, run, best)
-            self.blind |= self._amiss(stage, best) > self.effort.blind
-            best = best if self.blind else self._near(number, best)
-            self.blind |= best.verdict.soft > self.effort.blind * len(self.problem.relations)
-            if not self.blind and not best.verdict.hard + best.verdict.access:
-                return best
+        best = self._pushed(stage, number, best)
+        if number and not any(self._at(number, name) for name in best.verdict.culprits):
+            return best
+        best, run = self._polished(stage, number, best)
+        self.blind |= self._amiss(stage, best) > self.effort.lost
+        if number == 0 and self.config.route_rounds and best.verdict.access and not self.blind:
+            best, run = self._opened(stage, run, best)
+            best = self._route(stage, run, best)
+        self.blind |= self._amiss(stage, best) > self.effort.blind
+        best = best if self.blind else self._near(number, best)
+        self.blind |= best.verdict.soft > self.effort.blind * len(self.problem.relations)
+        if not self.blind and not best.verdict.hard + best.verdict.access:
+            return best
         return self._anew(stage, number, best)
 
     def _amiss(self, stage: Stage, best: _Best) -> float:
         """Return the share of what a stage moves that is out of place or out of reach."""
         return (best.verdict.hard + best.verdict.access) / len(stage.moving)
-
-    def _guessed(self, stage: Stage) -> bool:
-        """Return whether the program says where things go."""
-        known = {self.problem.slot[name] for name in self.problem.guessed} & set(stage.moving)
-        return 2 * len(known) >= len(stage.moving)
 
     def _pushed(self, stage: Stage, number: int, best: _Best) -> _Best:
         """Return the best of the guess and of what its own statements make of it."""
@@ -241,12 +235,12 @@ class Solver:
         quarter, several = max(self.config.starts // 4, 1), self.config.starts > 1
         run: Run | None = None
         if number == 0:
-            best = self._mended(best, number) if self._guessed(stage) else best
+            best = self._mended(best, number)
             best, run = self._built(stage, starts, quarter if several else 0, best, run)
         if run is None:
             run = self.runner.advance(stage, starts.near(quarter), self.config.polish, "polish")
             best = self._best_of(run.ranked(), number, best)
-        if several and not best.verdict.ok and (number or self._guessed(stage)):
+        if several and not best.verdict.ok:
             self._say("search")
             phase = self.config.tops if number else self.config.search
             far = starts.far(quarter * (3 if number else 1))

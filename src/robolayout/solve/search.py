@@ -15,7 +15,7 @@ from jaxtyping import Array, Float
 from robolayout._geometry import Body, extents, separation
 from robolayout.solve.arrays import HISTORY, SNAPSHOTS, Arrays, Found, Losses, Near, Routes, Schedule
 from robolayout.solve.config import Weights
-from robolayout.solve.objective import bodies, everything, losses, strips, take, total, world_poses
+from robolayout.solve.objective import bodies, everything, losses, overlap_gaps, prisms, strips, total, world_poses
 
 PAIRS_PER_SLOT, CLEARS_PER_SLOT = 3, 1
 """Nearest pairs that every step looks at."""
@@ -39,10 +39,9 @@ class _State(NamedTuple):
 
 
 def nearest(local: Array, arrays: Arrays) -> Near:
-    """Return for each start the pairs that are nearest to touching: of slots, and of clear boxes and slots."""
+    """Return for each start the pairs that are nearest to touching: of prisms, and of clear boxes and slots."""
     table = bodies(world_poses(local, arrays), arrays)
-    apart = separation(take(table, arrays.pairs[:, 0]), take(table, arrays.pairs[:, 1]))
-    apart = jnp.where(arrays.pairs[:, 0] == arrays.pairs[:, 1], jnp.inf, apart)
+    apart = overlap_gaps(prisms(table, arrays), arrays.pairs, arrays.prism[:, 4])
     boxes = Body(*(field[:, :, None] for field in strips(table, arrays)))
     slots = Body(*(field[:, None, : arrays.half.shape[0]] for field in table))
     out = jnp.where(arrays.clear_weight > 0.0, separation(boxes, slots), jnp.inf)

@@ -12,6 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout.assets import Prism
+from robolayout.assets.prisms import MOST
 from robolayout.constraints import (
     AssetRef,
     ClearTerm,
@@ -129,7 +131,8 @@ def make_stage(problem: Problem, number: int, world: Floats) -> Stage:
     half[:count] = problem.half
     inside = np.zeros(size)
     inside[[i for i in rows.inside if not _held(problem, i)]] = 1.0
-    tables = {**rows.frames(size), **rows.mirrors(size), **rows.clears(problem, size)}
+    every = size * (size - 1) // 2
+    tables = {**rows.prisms(size), **rows.frames(size), **rows.mirrors(size), **rows.clears(problem, size)}
     arrays = Arrays(
         half=half,
         anchor=anchor,
@@ -137,7 +140,7 @@ def make_stage(problem: Problem, number: int, world: Floats) -> Stage:
         limit=limit,
         free=free,
         fixed=_padded(rows.fixed, bucket(len(rows.fixed), (2 * size, 4 * size)), [FAR_AWAY, FAR_AWAY, 1, 0, 0, 0, 0]),
-        pairs=_padded(rows.pairs, size * (size - 1) // 2, [0, 0], np.int32),
+        pairs=_padded(rows.pairs, bucket(len(rows.pairs), (every, 4 * every, 16 * every)), [0, 0], np.int32),
         edges=_edges(problem),
         inner=_inner_corners(problem),
         inside=inside,
@@ -188,9 +191,20 @@ def _frames(problem: Problem, number: int, world: Floats, size: int) -> tuple[Fl
                 parent = problem.parent[parent]
             carrier[i] = parent
         else:
-            anchor[i] = world[parent]
-            limit[i] = np.maximum(problem.half[parent], problem.half[i].min())
+            anchor[i], limit[i] = _on_top(problem, i, world[parent])
     return anchor, carrier, limit
+
+
+def _on_top(problem: Problem, slot: int, carrier: Floats) -> tuple[Floats, Floats]:
+    """Return the middle (x, y, cos, sin) and the half sizes of what a slot may take of the surface on which it stands."""
+    place = problem.resting[slot]
+    x0, y0, x1, y1 = (
+        place.rectangle if place else (*-problem.half[problem.parent[slot]], *problem.half[problem.parent[slot]])
+    )
+    c, s = carrier[2:]
+    u, v = (x0 + x1) / 2, (y0 + y1) / 2
+    half = np.array([x1 - x0, y1 - y0]) / 2
+    return carrier + np.array([c * u - s * v, s * u + c * v, 0.0, 0.0]), np.maximum(half, problem.half[slot].min())
 
 
 def _edges(problem: Problem) -> Floats:
@@ -233,6 +247,7 @@ class _Rows:
             [*wall.midpoint, *wall.direction, wall.length / 2, 0.0, wall.length / 2] for wall in walls
         ]
         self.pairs: list[list[int]] = []
+        self.prism: dict[tuple[int, Prism], int] = {}
         self.inside: set[int] = set()
         self.frame: list[FrameTerm] = []
         self.mirror: list[MirrorTerm] = []
@@ -243,8 +258,9 @@ class _Rows:
         for term in self._terms(problem):
             if isinstance(term, OverlapTerm):
                 pair = [problem.slot[term.a.name], problem.slot[term.b.name]]
-                if self._at_hand(pair) and self.moving & set(pair):
-                    self.pairs.append(pair)
+                if self._at_hand(pair) and self.moving & set(pair) and not self._carried(*pair):
+                    prisms = zip(pair, (term.first, term.second), strict=True)
+                    self.pairs.append([self.prism.setdefault(key, len(self.prism)) for key in prisms])
             elif isinstance(term, InsideTerm):
                 if problem.slot[term.a.name] in self.moving:
                     self.inside.add(problem.slot[term.a.name])
@@ -278,6 +294,23 @@ class _Rows:
             return self.size + ref.index
         self.fixed.append([ref.x, ref.y, math.cos(ref.yaw), math.sin(ref.yaw), 0.0, 0.0, 0.0])
         return self.size + len(self.fixed) - 1
+
+    def _carried(self, a: int, b: int) -> bool:
+        """Return whether one of two slots lies wholly on a surface of the other, which keeps it off whatever rises there."""
+        parent, resting = self.problem.parent, self.problem.resting
+        for lower, upper in ((a, b), (b, a)):
+            place = resting[upper]
+            if parent[upper] == lower and place is not None:
+                return place.holds(self.problem.scene.assets[upper].size)
+        return False
+
+    def prisms(self, size: int) -> dict[str, Floats]:
+        """Return the prisms that pairs are made of; one that fills the table lies far away."""
+        rows = [[p.x, p.y, p.hx, p.hy, p.cut] for _, p in self.prism]
+        return {
+            "prism_slot": _padded([[slot] for slot, _ in self.prism], MOST * size, [0], np.int32)[:, 0],
+            "prism": _padded(rows, MOST * size, [FAR_AWAY, FAR_AWAY, 0.0, 0.0, 0.0]),
+        }
 
     def frames(self, size: int) -> dict[str, Floats]:
         """Return the frame rows; fixed points are added to `fixed` on the way."""

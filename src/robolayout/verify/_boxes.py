@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from typing import Any
@@ -11,11 +12,13 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 from shapely import Polygon
+from shapely.affinity import affine_transform
 
-from robolayout.assets import category_of
+from robolayout.assets import category_of, prisms_of, surfaces_of
+from robolayout.assets.mass import centre_of_mass
 from robolayout.scene import Asset, Layout, Room, Scene
 from robolayout.scene.asset import FLAT_HEIGHT
-from robolayout.verify.limits import AT, CARRIED
+from robolayout.verify.limits import AT, CARRIED, LOWER, STEADY, WITHIN
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,6 +53,7 @@ class Boxes:
     movable: NDArray[np.bool_]
     open_depth: NDArray[np.float64]
     _chairs_at: dict[int, frozenset[int]] = field(default_factory=dict[int, frozenset[int]], repr=False)
+    _shapes: dict[int, Any] = field(default_factory=dict[int, Any], repr=False)
 
     def meeting(self, step: float, height: float) -> NDArray[np.intp]:
         """Return the rows whose boxes meet the heights [step, height] and that are no rugs."""
@@ -77,19 +81,85 @@ class Boxes:
             self._chairs_at[row] = frozenset() if self.chairs[row] else frozenset(chairs[near].tolist())
         return self._chairs_at[row]
 
-    def held_by(self, among: NDArray[np.bool_], tolerance: float = CARRIED) -> NDArray[np.intp]:
-        """Return (n,) which of the assets `among` is under each: its top at the asset's bottom, the centre over it; else -1."""
-        gap = np.abs(self.top[None, :] - self.bottom[:, None])
-        near = (gap <= tolerance + 1e-9) & among
-        np.fill_diagonal(near, val=False)
-        row, under = np.nonzero(near)
-        over = shapely.intersects_xy(self.footprints[under], *self.centers[row].T)
-        row, under = row[over], under[over]
-        order = np.lexsort((under, gap[row, under], row))
-        rows, first = np.unique(row[order], return_index=True)
+    def held_by(self, among: NDArray[np.bool_]) -> NDArray[np.intp]:
+        """Return (n,) which of the assets `among` carries each, what lies under its middle first; -1 where it would fall."""
         result = np.full(len(self.names), -1, dtype=np.intp)
-        result[rows] = under[order][first]
+        for row, contacts in self.contacts.items():
+            kept = {lower: area for lower, area in contacts.items() if among[lower]}
+            if kept and self.overhang(row, kept.values()) <= 0.0:
+                result[row] = max(kept, key=lambda lower: (kept[lower].area, -lower))
         return result
+
+    @cached_property
+    def contacts(self) -> dict[int, dict[int, Any]]:
+        """For each asset above the floor, where it lies on surfaces of others: their rows and the area in contact."""
+        found: dict[int, dict[int, Any]] = {}
+        raised = np.flatnonzero(self.placed & (self.bottom > CARRIED))
+        for row in raised.tolist():
+            level = self.bottom[row]
+            under = self.placed & (self.bottom < level - LOWER) & (self.top >= level - CARRIED - 1e-9)
+            near = np.flatnonzero(under)
+            near = near[shapely.intersects(self.footprints[near], self.footprints[row])]
+            touched = {int(lower): self._contact(row, int(lower)) for lower in near}
+            found[row] = {lower: area for lower, area in touched.items() if area.area > 0.0}
+        return found
+
+    def overhang(self, row: int, contacts: Iterable[Any]) -> float:
+        """Return by how many metres an asset's centre of mass lies too far out over what it lies on; 0 or less where it stands."""
+        hull = shapely.union_all(list(contacts)).convex_hull
+        (u, v, _), (x, y, _, yaw) = centre_of_mass(self.assets[row]), self.poses[row]
+        c, s = math.cos(yaw), math.sin(yaw)
+        middle, depth = shapely.Point(x + c * u - s * v, y + s * u + c * v), min(self.assets[row].size[:2])
+        inward = hull.boundary.distance(middle) if hull.covers(middle) else -hull.distance(middle)
+        return min(STEADY[0], STEADY[1] * depth) - inward
+
+    def _contact(self, row: int, lower: int) -> Any:
+        """Return where an asset's base lies on surfaces of another."""
+        level = self.bottom[row] - self.bottom[lower]
+        regions = [s.region for s in surfaces_of(self.assets[lower]) if abs(s.height - level) <= CARRIED + 1e-9]
+        if not regions:
+            return Polygon()
+        x, y, _, yaw = self.poses[lower]
+        c, s = math.cos(yaw), math.sin(yaw)
+        there = [affine_transform(region, [c, -s, s, c, x, y]) for region in regions]
+        return shapely.union_all(there).intersection(self.base(row))
+
+    def base(self, row: int) -> Any:
+        """Return what an asset stands on the ground with: the hull of its lowest prisms."""
+        outlines, low, _ = self.shape(row)
+        return shapely.union_all(outlines[low <= low.min() + CARRIED]).convex_hull
+
+    def shape(self, row: int) -> tuple[NDArray[np.object_], NDArray[np.float64], NDArray[np.float64]]:
+        """Return the prisms of a placed asset: outlines in plan, and between which heights each stands, metres."""
+        if row not in self._shapes:
+            ring, low, high = _prism_table(self.assets[row])
+            x, y, _, yaw = self.poses[row]
+            turn = np.array([[math.cos(yaw), math.sin(yaw)], [-math.sin(yaw), math.cos(yaw)]])
+            outlines = np.asarray(shapely.polygons(ring @ turn + (x, y)), dtype=object)
+            self._shapes[row] = (outlines, low + self.bottom[row], high + self.bottom[row])
+        return self._shapes[row]
+
+    def lies_in(self, row: int, lower: int, sunk: float) -> bool:
+        """Return whether an asset lies wholly on a surface of another, `sunk` metres in it at most, and below what covers that."""
+        pose, level = self.poses[lower], self.bottom[row] - self.bottom[lower]
+        x, y, _, yaw = pose
+        c, s = math.cos(yaw), math.sin(yaw)
+        foot = affine_transform(self.footprints[row], [c, s, -s, c, -c * x - s * y, s * x - c * y])
+        height = self.assets[row].size[2]
+        return any(
+            -sunk <= level - place.height <= CARRIED
+            and height <= place.free + CARRIED
+            and place.region.buffer(WITHIN).covers(foot)
+            for place in surfaces_of(self.assets[lower])
+        )
+
+
+@lru_cache(maxsize=1024)
+def _prism_table(asset: Asset) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Return the outlines (k, 8, 2) of an asset's prisms in its frame, and where they begin and end above its bottom."""
+    shape = prisms_of(asset)
+    ends = np.array([(prism.low, prism.high) for prism in shape])
+    return np.array([prism.outline for prism in shape]), ends[:, 0], ends[:, 1]
 
 
 @dataclass(frozen=True, eq=False)

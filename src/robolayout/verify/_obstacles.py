@@ -1,13 +1,14 @@
-"""What stands in a body's way: the rectangles around the parts of assets that meet its heights.
+"""What stands in a body's way: the rectangles around the prisms of assets that meet its heights.
 
-An asset that ends below the body's height is in the way with its whole box. Of a higher one only the parts count that meet
-[step, height]: four legs for a vacuum cleaner under a bed, the post of a lamp for a child. Each part counts with the
-rectangle around it, in the asset's own frame; where these fill nearly the whole box, the box is taken. What a person moves
-in daily use (a chair) stands in the way of walking, but a body with an arm moves it away from what it stands at.
+Of an asset only the prisms count that meet [step, height]: four legs for a vacuum cleaner under a bed, the post of a lamp for
+a child, both arms of a corner sofa but not the floor between them. Where these fill nearly the whole box, the box is taken.
+What a person moves in daily use (a chair) stands in the way of walking, but a body with an arm moves it away from what it
+stands at.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -15,18 +16,14 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from robolayout._errors import AssetError
+from robolayout.assets import prisms_of
 from robolayout.scene import Agent, Asset
 from robolayout.verify._boxes import Boxes, corners
 
 FILLED = 0.9
-"""Share of a box's footprint from which on its parts count as the whole box."""
-MOST = 64
-"""Rectangles of one asset beyond which the whole box is taken."""
+"""Share of a box's footprint from which on its prisms count as the whole box."""
 ROUNDING = 1e-6
 """Metres of height that may be shared by rounding."""
-WELDED = 1e-4
-"""Metres within which corners of a user's own mesh are one."""
 
 Rectangles = NDArray[np.float64]
 """(m, 4): least x, least y, greatest x, greatest y in metres, in the frame of an asset."""
@@ -80,8 +77,7 @@ def obstacles(found: Boxes, agent: Agent) -> Obstacles:
     shelter: list[int] = []
     for row in met.tolist():
         low, high = agent.step - float(found.bottom[row]), agent.height - float(found.bottom[row])
-        open_ = found.top[row] > agent.height + ROUNDING
-        pieces = part_rectangles(found.assets[row], round(low, 6), round(high, 6)) if open_ else None
+        pieces = part_rectangles(found.assets[row], round(low, 6), round(high, 6))
         if pieces is None:
             whole.append(row)
         else:
@@ -109,70 +105,21 @@ def _placed(poses: NDArray[np.float64], rectangles: Rectangles) -> NDArray[np.ob
 
 @lru_cache(maxsize=8192)
 def part_rectangles(asset: Asset, low: float, high: float) -> Rectangles | None:
-    """Return the rectangles around an asset's parts between two heights; None where they make up its whole box.
+    """Return the rectangles around an asset's prisms between two heights; None where they make up its whole box.
 
     Args:
         asset: The asset.
         low: Metres above its own bottom.
         high: Metres above its own bottom.
     """
-    from robolayout.assets.meshes import parts
-
-    try:
-        pieces = parts(asset)
-    except AssetError:
-        return None
-    level = -asset.size[2] / 2
-    around: list[tuple[float, ...]] = []
-    for part in pieces:
-        if part.convex:
-            least, most = part.vertices.min(axis=0), part.vertices.max(axis=0)
-            if most[2] - level > low + ROUNDING and least[2] - level < high - ROUNDING:
-                around.append((*least[:2], *most[:2]))
-        else:
-            around += _pieces_between(part.vertices, part.faces, low + level, high + level)
-    kept = _outermost(np.array(around).reshape(-1, 4))
+    met = [p for p in prisms_of(asset) if p.high > low + ROUNDING and p.low < high - ROUNDING]
+    kept = _outermost([(p.x - p.hx, p.y - p.hy, p.x + p.hx, p.y + p.hy) for p in met])
     covered = shapely.union_all(shapely.box(*kept.T)).area
-    return None if len(kept) > MOST or covered >= FILLED * asset.size[0] * asset.size[1] else kept
+    return None if covered >= FILLED * asset.size[0] * asset.size[1] else kept
 
 
-def _outermost(rectangles: Rectangles) -> Rectangles:
+def _outermost(rows: Iterable[tuple[float, ...]]) -> Rectangles:
     """Return the rectangles that lie in no other one."""
-    rectangles = np.array(sorted(set(map(tuple, rectangles.tolist())))).reshape(-1, 4)
+    rectangles = np.array(sorted(set(rows))).reshape(-1, 4)
     inside = (rectangles[:, None, :2] >= rectangles[None, :, :2]) & (rectangles[:, None, 2:] <= rectangles[None, :, 2:])
     return rectangles[inside.all(axis=2).sum(axis=1) == 1]
-
-
-def _pieces_between(
-    vertices: NDArray[np.float64], faces: NDArray[np.int32], low: float, high: float
-) -> list[tuple[float, ...]]:
-    """Return the rectangle around each connected piece of a closed surface between two heights."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
-    z = vertices[faces][:, :, 2]
-    cut = faces[(z.max(axis=1) > low + ROUNDING) & (z.min(axis=1) < high - ROUNDING)]
-    if not len(cut):
-        return []
-    _, welded = np.unique(np.round(vertices / WELDED), axis=0, return_inverse=True)
-    edges = welded.reshape(-1)[cut][:, [0, 1, 1, 2]].reshape(-1, 2)
-    size = int(edges.max()) + 1
-    _, label = connected_components(coo_array((np.ones(len(edges)), edges.T), shape=(size, size)), directed=False)
-    piece = label[welded.reshape(-1)[cut[:, 0]]]
-    found: list[tuple[float, ...]] = []
-    for number in sorted(set(piece.tolist())):
-        points = _between(vertices[cut[piece == number]], low, high)
-        found.append((*points.min(axis=0), *points.max(axis=0)))
-    return found
-
-
-def _between(triangles: NDArray[np.float64], low: float, high: float) -> NDArray[np.float64]:
-    """Return the corners (n, 2) in plan of triangles cut off below one height and above another."""
-    start, end = triangles.reshape(-1, 3), np.roll(triangles, -1, axis=1).reshape(-1, 3)
-    found = [start[(start[:, 2] >= low) & (start[:, 2] <= high), :2]]
-    for level in (low, high):
-        crossing = (start[:, 2] < level) != (end[:, 2] < level)
-        a, b = start[crossing], end[crossing]
-        share = ((level - a[:, 2]) / (b[:, 2] - a[:, 2]))[:, None]
-        found.append(a[:, :2] + share * (b[:, :2] - a[:, :2]))
-    return np.concatenate(found)

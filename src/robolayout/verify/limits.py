@@ -15,7 +15,17 @@ AT = 0.30
 """Metres within which a movable thing (a chair) stands at another (a table)."""
 
 CARRIED = 0.02
-"""Metres between an asset and the top of what carries it (DESIGN section 4)."""
+"""Metres between an asset and the surface that carries it (DESIGN section 4)."""
+
+LOWER = 1e-3
+"""Metres by which what carries something begins below it, so that no two things carry each other."""
+
+STEADY = (0.005, 0.05)
+"""Metres, or the share of its shorter side where that is less, by which the centre of mass of a thing lies within what
+carries it."""
+
+WITHIN = 0.005
+"""Metres by which a thing may reach over the edge of a surface and still lie in it."""
 
 REACH_SLACK = 1e-6
 """Metres of rounding that a distance may be above the reach."""

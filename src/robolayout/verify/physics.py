@@ -1,7 +1,8 @@
 """Physics: is everything placed, apart, inside, held, and are the doors clear?
 
 The exact checks of the implicit relations (DESIGN section 4), measured with Shapely on the finished layout. Two assets
-collide when their footprints share more than 1e-4 m2 and their heights more than 1 cm; rugs below 3 cm never collide.
+collide when prisms of theirs share more than 1e-4 m2 in plan and more than 1 cm of height; rugs below 3 cm never collide.
+What stands on a thing lies on one of its surfaces with its centre of mass over that.
 """
 
 from __future__ import annotations
@@ -62,6 +63,7 @@ class Physics:
         in_boundary: Lies inside the room.
         supported: Stands on, touches or hangs from what it should.
         collisions: Colliding pairs.
+        boxes_apart: Its box shares no space with another asset's: the published rule.
         obstructions: What stands in door landings.
         reasons: For each failing asset, sentences with numbers; in the order of the scene.
     """
@@ -71,6 +73,7 @@ class Physics:
     in_boundary: Mapping[str, bool]
     supported: Mapping[str, bool]
     collisions: tuple[Collision, ...]
+    boxes_apart: Mapping[str, bool]
     obstructions: tuple[Obstruction, ...]
     reasons: tuple[str, ...]
 
@@ -112,6 +115,7 @@ def physics(scene: Scene, layout: Layout, limits: PhysicsLimits | None = None) -
     found = boxes(scene, layout)
     pairs = collisions(found, limits)
     hit = {name for pair in pairs for name in (pair.a, pair.b)}
+    near = {row for pair in _box_pairs(found, limits) for row in pair}
     inside = _inside(scene, found, limits)
     held = _held(scene, found, limits)
     blocked = obstructions(scene, found, limits)
@@ -128,13 +132,26 @@ def physics(scene: Scene, layout: Layout, limits: PhysicsLimits | None = None) -
         in_boundary=_verdicts(found, inside),
         supported=_verdicts(found, held),
         collisions=pairs,
+        boxes_apart={
+            n: bool(p) and i not in near for i, (n, p) in enumerate(zip(found.names, found.placed, strict=True))
+        },
         obstructions=blocked,
         reasons=tuple(sentences),
     )
 
 
 def collisions(found: Boxes, limits: PhysicsLimits) -> tuple[Collision, ...]:
-    """Return all pairs that share more footprint and height than allowed; rugs aside."""
+    """Return all pairs whose prisms share more plan and height than allowed; rugs, and what lies in another thing, aside."""
+    hits = ((pair, _deepest(found, *pair, limits)) for pair in _box_pairs(found, limits))
+    return tuple(
+        Collision(found.names[a], found.names[b], *deepest)
+        for (a, b), deepest in hits
+        if deepest[0] > limits.area and not (found.lies_in(a, b, limits.height) or found.lies_in(b, a, limits.height))
+    )
+
+
+def _box_pairs(found: Boxes, limits: PhysicsLimits) -> list[tuple[int, int]]:
+    """Return all pairs whose boxes share more plan and height than allowed; rugs aside."""
     rows = np.flatnonzero(found.placed & ~found.flat)
     footprints = found.footprints[rows]
     first, second = STRtree(footprints).query(footprints, predicate="intersects")
@@ -143,13 +160,19 @@ def collisions(found: Boxes, limits: PhysicsLimits) -> tuple[Collision, ...]:
     a, b = rows[first[order]], rows[second[order]]
     height = np.minimum(found.top[a], found.top[b]) - np.maximum(found.bottom[a], found.bottom[b])
     tall = height > limits.height + 1e-9
-    a, b, height = a[tall], b[tall], height[tall]
-    area = shared_area(found.footprints[a], found.footprints[b])
-    return tuple(
-        Collision(found.names[i], found.names[j], float(shared), float(tallness))
-        for i, j, shared, tallness in zip(a, b, area, height, strict=True)
-        if shared > limits.area
-    )
+    a, b = a[tall], b[tall]
+    hit = shared_area(found.footprints[a], found.footprints[b]) > limits.area
+    return list(zip(a[hit].tolist(), b[hit].tolist(), strict=True))
+
+
+def _deepest(found: Boxes, a: int, b: int, limits: PhysicsLimits) -> tuple[float, float]:
+    """Return the largest area in m2 that a prism of one asset shares with one of another, and the height that these share."""
+    (outlines, low, high), (others, bottom, top) = found.shape(a), found.shape(b)
+    height = np.minimum(high[:, None], top) - np.maximum(low[:, None], bottom)
+    i, j = np.nonzero(height > limits.height + 1e-9)
+    area = shared_area(outlines[i], others[j])
+    worst = int(np.argmax(area)) if len(area) else -1
+    return (float(area[worst]), float(height[i[worst], j[worst]])) if worst >= 0 else (0.0, 0.0)
 
 
 def obstructions(scene: Scene, found: Boxes, limits: PhysicsLimits) -> tuple[Obstruction, ...]:
@@ -186,7 +209,7 @@ def _held(scene: Scene, found: Boxes, limits: PhysicsLimits) -> NDArray[np.bool_
     wall = shapely.distance(found.footprints, walls) <= tolerance
     held = found.placed & ((stands & floor) | (on_wall & wall) | (found.ceiling & ceiling))
     while True:  # a step up the trees that grow from floor, walls and ceiling; what no tree carries is not held
-        carried = stands & ~held & (found.held_by(held, limits.support) >= 0)
+        carried = stands & ~held & (found.held_by(held) >= 0)
         if not carried.any():
             return held
         held |= carried
@@ -214,9 +237,13 @@ def _floating_sentence(scene: Scene, found: Boxes, row: int, limits: PhysicsLimi
     if asset.on_wall:
         gap = found.footprints[row].distance(room_polygon(scene.room).exterior)
         return f"{name} should hang on a wall but is {gap:.2f} m from the nearest one."
-    carrier = int(found.held_by(found.placed, limits.support)[row])
-    if carrier >= 0:
-        return f"{name} is not supported: it stands on {found.names[carrier]}, which nothing holds."
+    contacts = found.contacts.get(row, {})
+    under = " and ".join(found.names[lower] for lower in contacts)
+    over = found.overhang(row, contacts.values()) if contacts else 0.0
+    if over > 0.0:
+        return f"{name} is not supported: its centre of mass lies {over:.3f} m too far out over {under}."
+    if contacts:
+        return f"{name} is not supported: it stands on {under}, which nothing holds."
     below = np.flatnonzero(found.placed & (found.top <= found.bottom[row] + 1e-9))
     under = below[shapely.intersects_xy(found.footprints[below], *found.centers[row])]
     base = (

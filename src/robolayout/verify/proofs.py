@@ -11,11 +11,13 @@ import itertools
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from robolayout.assets import prisms_of
 from robolayout.scene import Agent, Asset, Scene
 from robolayout.verify._boxes import Boxes, landings, room_polygon
 from robolayout.verify._obstacles import NOTHING
@@ -28,6 +30,8 @@ NEIGHBOURS = 12
 """Obstacles nearest to an unreached asset that are tried in pairs (66 pairs of 12)."""
 NAMED = 3
 """Things, or kinds of things, that a sentence names."""
+HEIGHTS = tuple(0.05 * step for step in range(1, 31))
+"""Metres above the floor at which it is counted what all things fill."""
 TRIALS = 400
 """Sets of assets that are tried in all, some 4 ms each with 40 assets."""
 
@@ -72,11 +76,12 @@ class Remedies:
 def exempt_from_reach(scene: Scene, agent: Agent) -> dict[str, str]:
     """Return which assets a body is not asked to reach, in any layout, and why.
 
-    A body without an arm is asked to get to what stands on the floor only.
+    What lies about is counted, never asked for. A body without an arm is asked to get to what stands on the floor only.
     """
+    lying = {a.name: f"{a.name} is one of the things that lie about" for a in scene.assets if a.lies_about}
     if agent.reach_distance is not None:
-        return {}
-    return {
+        return lying
+    return lying | {
         asset.name: f"{agent.name} has no arm and {asset.name} does not stand on the floor"
         for asset in scene.assets
         if not (asset.on_floor or asset.on_ceiling)
@@ -88,12 +93,13 @@ def exempt_from_use(scene: Scene, agent: Agent) -> dict[str, str]:
 
     Those it is not asked to reach, and what can only stand on the floor and ends below the heights that its arm gets to.
     """
+    lying = exempt_from_reach(scene, agent)
     if agent.reach_distance is None:
-        return exempt_from_reach(scene, agent)
+        return lying
     down_to = agent.reach_low
     if agent.shoulder_height is not None:
         down_to = max(down_to, agent.shoulder_height - agent.reach)
-    return {
+    return lying | {
         asset.name: f"{asset.name} ends {asset.size[2]:.2f} m high and {agent.name} reaches down to {down_to:.2f} m"
         for asset in scene.assets
         if asset.size[2] < down_to - REACH_SLACK
@@ -124,23 +130,26 @@ def impossible(scene: Scene, agent: Agent) -> tuple[str, ...]:
 def overfull(scene: Scene) -> tuple[str, ...]:
     """Return why the floor is too small for what must stand on it, whatever the layout, and what would help; else nothing.
 
-    Counted are the footprints of what can only stand on the floor; rugs, and what may also stand on other things or hang, aside.
+    Counted is what can only stand on the floor, rugs and what may also stand on other things or hang aside, with what it fills at
+    that height at which all together fill most: no two can be there in one place.
     """
     floor, limits = room_polygon(scene.room), PhysicsLimits()
     standing = [a for a in scene.assets if a.on_floor and not (a.is_flat or a.on_wall or a.on_ceiling or a.on_object)]
-    standing.sort(key=_footprint, reverse=True)
-    needed = sum(map(_footprint, standing))
+    filled = np.array([_filled(asset) for asset in standing]).reshape(len(standing), len(HEIGHTS))
+    fills = dict(zip(standing, filled[:, int(filled.sum(axis=0).argmax())].tolist(), strict=True))
+    standing.sort(key=lambda asset: -fills[asset])
+    needed = sum(fills.values())
     clear = float(shapely.union_all(landings(scene.room)).intersection(floor).area) if scene.room.doors else 0.0
     room = floor.buffer(limits.boundary).area - clear + limits.area * len(standing)  # what the judge tolerates
     if needed <= max(room, floor.area - clear):
         return ()
-    left = needed - np.cumsum([_footprint(asset) for asset in standing])
+    left = needed - np.cumsum([fills[asset] for asset in standing])
     many = int(np.argmax(left <= floor.area - clear)) + 1
     out = [asset.name for asset in standing[:many]]
     others = f" and {many - NAMED} more" if many > NAMED else ""
     areas: dict[str, list[float]] = {}
     for asset in standing:
-        areas.setdefault(asset.category, []).append(_footprint(asset))
+        areas.setdefault(asset.category, []).append(fills[asset])
     most = sorted(areas.items(), key=lambda item: -sum(item[1]))[:NAMED]
     taken = ", ".join(f"{len(each)} x {kind} ({sum(each):.2f} m2)" for kind, each in most)
     return (
@@ -150,8 +159,12 @@ def overfull(scene: Scene) -> tuple[str, ...]:
     )
 
 
-def _footprint(asset: Asset) -> float:
-    return asset.size[0] * asset.size[1]
+@lru_cache(maxsize=1024)
+def _filled(asset: Asset) -> tuple[float, ...]:
+    """Return how many square metres an asset that stands on the floor fills at each of `HEIGHTS`."""
+    slack = PhysicsLimits().height
+    at = [[p.outline for p in prisms_of(asset) if p.low + slack <= z <= p.high - slack] for z in HEIGHTS]
+    return tuple(float(shapely.union_all(shapely.polygons(rings)).area) if rings else 0.0 for rings in at)
 
 
 def _shut_out(scene: Scene, agent: Agent) -> list[str]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
+from itertools import combinations
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,13 +12,12 @@ from robolayout.constraints import (
     AssetRef,
     FrameTerm,
     MirrorTerm,
-    OverlapTerm,
     PairwiseTerm,
     ReachablePairwise,
     Ref,
-    Term,
     WallRef,
 )
+from robolayout.constraints.no_overlap import share_height
 from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.stage import SLOT_BUCKETS, bucket
@@ -99,23 +99,22 @@ def make_table(problem: Problem, *, held: bool) -> Table:
 
 
 def overlap_pairs(problem: Problem) -> set[tuple[int, int]]:
-    """Return the pairs of slots that must not overlap: those at one height, stacks aside."""
-    return {pair for pair, term in _unstacked(problem, problem.implicit_terms) if isinstance(term, OverlapTerm)}
+    """Return the pairs of slots whose boxes must not overlap: those at one height, stacks aside."""
+    assets = problem.scene.assets
+    pairs = combinations(range(len(assets)), 2)
+    return {(a, b) for a, b in pairs if _apart(problem, a, b) and share_height(assets[a], assets[b], problem.guess)}
 
 
 def reach_pairs(problem: Problem) -> dict[tuple[int, int], float]:
     """Return the pairs that must let the agent pass, with the metres between their centres that this takes."""
     terms = ReachablePairwise().terms(problem.scene, problem.guess)
-    return {pair: term.required for pair, term in _unstacked(problem, terms) if isinstance(term, PairwiseTerm)}
+    rows = ((problem.slot[t.a.name], problem.slot[t.b.name], t.required) for t in terms if isinstance(t, PairwiseTerm))
+    return {(a, b): required for a, b, required in rows if _apart(problem, a, b)}
 
 
-def _unstacked(problem: Problem, terms: Iterable[Term]) -> Iterable[tuple[tuple[int, int], Term]]:
-    """Yield the terms about two things neither of which stands on the other, with their slots."""
-    for term in terms:
-        if isinstance(term, OverlapTerm | PairwiseTerm):
-            a, b = problem.slot[term.a.name], problem.slot[term.b.name]
-            if problem.parent[a] != b and problem.parent[b] != a:
-                yield (a, b), term
+def _apart(problem: Problem, a: int, b: int) -> bool:
+    """Return whether neither of two slots stands on the other."""
+    return problem.parent[a] != b and problem.parent[b] != a
 
 
 class _Bodies:

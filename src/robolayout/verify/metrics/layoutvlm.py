@@ -16,6 +16,6 @@ def layoutvlm(scene: Scene, layout: Layout) -> dict[str, float]:
     judged = physics(scene, layout)
     there = [name for name, placed in judged.placed.items() if placed]
     return {
-        "CF": 100 * share([judged.collision_free[name] for name in there]),
+        "CF": 100 * share([judged.boxes_apart[name] for name in there]),
         "IB": 100 * share([judged.in_boundary[name] for name in there]),
     }

@@ -1,6 +1,6 @@
 """SceneEval's metrics that need no language model: COL, NAV, ACC, OOB, SUP, opening clearance.
 
-Objects are the placed assets. Where SceneEval uses an object's mesh (COL, OOB) its box stands in: numbers compare with
+Objects are the placed assets. Where SceneEval uses an object's mesh, its shape (COL) or box (OOB) stands in: numbers compare with
 boxes, not with scans. The functional sides that SceneEval asks a language model for are the asset's use sides.
 """
 
@@ -22,7 +22,7 @@ from robolayout.scene import Layout, Opening, Room, Scene
 from robolayout.verify._boxes import Boxes, boxes, room_polygon, share
 from robolayout.verify._sides import side_edge, strip
 from robolayout.verify.metrics._raster import raster
-from robolayout.verify.metrics.support import supported
+from robolayout.verify.metrics.support import NEAR, supported
 
 ROBOT_WIDTH = 0.2
 """Metres."""
@@ -96,31 +96,40 @@ def sceneeval(scene: Scene, layout: Layout) -> SceneEval:
 
 
 def colliding(found: Boxes) -> set[str]:
-    """Return objects whose box surfaces still meet another's after that one is moved 5 mm off."""
+    """Return objects whose prisms' surfaces still meet another's after that one is moved 5 mm off."""
     rows = np.flatnonzero(found.placed)
     first, second = shapely.STRtree(found.footprints[rows]).query(found.footprints[rows], predicate="intersects")
     hit: set[str] = set()
     for a, b in zip(rows[first].tolist(), rows[second].tolist(), strict=True):
-        if a < b and _surfaces_meet(found, a, b, (0.0, 0.0, 0.0)) and _surfaces_meet(found, a, b, _nudge(found, a, b)):
+        if a >= b or found.lies_in(a, b, NEAR) or found.lies_in(b, a, NEAR):
+            continue
+        contacts = _contacts(found, a, b, (0.0, 0.0, 0.0))
+        if contacts and _contacts(found, a, b, _nudge(found, b, contacts)):
             hit |= {found.names[a], found.names[b]}
     return hit
 
 
-def _surfaces_meet(found: Boxes, a: int, b: int, offset: tuple[float, float, float]) -> bool:
-    """Tell whether two box surfaces intersect when b is moved; a box wholly inside another does not count."""
-    moved = shapely.transform(found.footprints[b], lambda points: points + np.array(offset[:2]))
-    bottom, top = found.bottom[b] + offset[2], found.top[b] + offset[2]
-    if not found.footprints[a].intersects(moved) or found.top[a] < bottom or top < found.bottom[a]:
-        return False
-    in_a = found.footprints[a].contains_properly(moved) and found.bottom[a] < bottom and top < found.top[a]
-    in_b = moved.contains_properly(found.footprints[a]) and bottom < found.bottom[a] and found.top[a] < top
-    return not (in_a or in_b)
+def _contacts(found: Boxes, a: int, b: int, offset: tuple[float, float, float]) -> list[tuple[BaseGeometry, float]]:
+    """Return where surfaces of prisms meet when b is moved: area in plan and height; one wholly inside another does not count."""
+    shift = np.array(offset[:2])
+    meets: list[tuple[BaseGeometry, float]] = []
+    for one, low, high in zip(*found.shape(a), strict=True):
+        for still, bottom, top in zip(*found.shape(b), strict=True):
+            other = shapely.transform(still, lambda points: points + shift)
+            start, end = max(low, bottom + offset[2]), min(high, top + offset[2])
+            if start > end or not one.intersects(other):
+                continue
+            in_a = one.contains_properly(other) and low < bottom + offset[2] and top + offset[2] < high
+            in_b = other.contains_properly(one) and bottom + offset[2] < low and high < top + offset[2]
+            if not (in_a or in_b):
+                meets.append((one.intersection(other), (start + end) / 2))
+    return meets
 
 
-def _nudge(found: Boxes, a: int, b: int) -> tuple[float, float, float]:
-    """Return 5 mm from the middle of the contact towards the middle of b."""
-    contact = found.footprints[a].intersection(found.footprints[b]).centroid
-    height = (max(found.bottom[a], found.bottom[b]) + min(found.top[a], found.top[b])) / 2
+def _nudge(found: Boxes, b: int, contacts: list[tuple[BaseGeometry, float]]) -> tuple[float, float, float]:
+    """Return 5 mm from the middle of the contacts towards the middle of b."""
+    contact = shapely.union_all([place for place, _ in contacts]).centroid
+    height = float(np.mean([level for _, level in contacts]))
     middle = (*found.centers[b], (found.bottom[b] + found.top[b]) / 2)
     away = np.array(middle) - (contact.x, contact.y, height)
     length = float(np.linalg.norm(away))

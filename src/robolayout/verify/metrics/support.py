@@ -1,7 +1,7 @@
 """SceneEval's SUP: does each object rest on, hang at or hang from what should hold it?
 
-SceneEval asks a language model what holds an object; here its flags and its height say so. Its box stands in for its mesh, and
-an even lattice of points on the face that is held stands in for random ones.
+SceneEval asks a language model what holds an object; here its flags and its height say so. Its box stands in for its mesh, the
+surfaces of what carries it for that one's, and an even lattice of points on the face that is held stands in for random ones.
 """
 
 from __future__ import annotations
@@ -50,11 +50,8 @@ def supported(scene: Scene, found: Boxes, row: int) -> bool:
         gap = found.bottom[row] + BACK
         touching = inside & bool(0.0 <= gap < NEAR)
     else:
-        touching = np.zeros(len(points), dtype=bool)
-        gaps = found.bottom[row] + BACK - found.top
-        for other in np.flatnonzero(found.placed & (gaps >= 0.0) & (gaps < NEAR)):
-            if other != row:
-                touching |= np.asarray(shapely.intersects_xy(found.footprints[other], points[:, 0], points[:, 1]))
+        below = shapely.union_all([area for area in found.contacts.get(row, {}).values()])
+        touching = np.asarray(shapely.intersects_xy(below, points[:, 0], points[:, 1]))
     return _balanced(points[touching], found.centers[row])
 
 

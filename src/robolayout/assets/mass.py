@@ -1,0 +1,80 @@
+"""Where the mass of a thing is: its parts by what they are made of, hollow ones hollow, feet that carry something tall weighted."""
+
+from __future__ import annotations
+
+import tomllib
+from functools import cache, lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout._errors import AssetError
+from robolayout.assets.category import DATA
+from robolayout.assets.part import Part
+from robolayout.scene import Asset
+
+LOW = (0.2, 0.06)
+"""Share of a thing's height, and metres, below both of which a foot ends that is weighted."""
+
+
+@lru_cache(maxsize=2048)
+def centre_of_mass(asset: Asset) -> tuple[float, float, float]:
+    """Return the centre of mass of a thing in its own frame, metres; the middle of its box where it cannot be drawn."""
+    from robolayout.assets.meshes import parts
+
+    try:
+        made = parts(asset)
+    except AssetError:
+        return (0.0, 0.0, 0.0)
+    weights, middles = part_masses(made)
+    x, y, z = (weights @ middles / weights.sum()).tolist()
+    return (x, y, z)
+
+
+def part_masses(made: tuple[Part, ...]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the masses (n,) of parts in kg and their centres of mass (n, 3) in metres.
+
+    A part weighs density x min(volume, surface x wall): a board is solid, a cupboard is five boards.
+
+    Args:
+        made: Parts of one thing.
+    """
+    z = np.concatenate([part.vertices[:, 2] for part in made])
+    low, reach = z.min(), np.ptp(z)
+    weights, middles = np.empty(len(made)), np.empty((len(made), 3))
+    for i, part in enumerate(made):
+        density, wall, feet = _bulk(part.material.name)
+        top = part.vertices[:, 2].max() - low
+        weighted = top <= min(LOW[0] * reach, LOW[1]) and any(word in part.name for word in feet)
+        volume, surface, inner, outer = _measured(part)
+        hollow = surface * wall < volume and not weighted
+        weights[i] = max(density * (surface * wall if hollow else volume), 1e-9)
+        middles[i] = outer if hollow else inner
+    return weights, middles
+
+
+def _measured(part: Part) -> tuple[float, float, NDArray[np.float64], NDArray[np.float64]]:
+    """Return volume and surface of a part, and the middles of both."""
+    corners = part.vertices[part.faces]
+    middle = part.vertices.mean(axis=0)
+    a, b, c = (corners[:, i] - middle for i in range(3))
+    cross = np.cross(b - a, c - a)
+    areas = np.linalg.norm(cross, axis=1) / 2
+    sixth = np.einsum("ij,ij->i", a, np.cross(b, c)) / 6
+    volume = float(abs(sixth.sum()))
+    outer = middle + areas @ (a + b + c) / (3 * max(areas.sum(), 1e-12))
+    inner = middle + sixth @ (a + b + c) / (4 * sixth.sum()) if volume > 1e-12 else outer
+    return volume, float(areas.sum()), inner, outer
+
+
+def _bulk(name: str) -> tuple[float, float, tuple[str, ...]]:
+    """Return density in kg/m3 and wall thickness in metres of a material, and the words for feet that are weighted."""
+    data = _data()
+    row = next((row for row in data["bulk"] if any(word in name for word in row["of"])), data["usual"])
+    return float(row["density"]), float(row["wall"]), tuple(data["feet"])
+
+
+@cache
+def _data() -> dict[str, Any]:
+    return tomllib.loads((DATA / "bulk.toml").read_text("utf-8"))

@@ -1,0 +1,274 @@
+"""The shape of a thing: at most eight upright prisms that hold all its parts.
+
+A prism is a rectangle in plan, its corners cut off alike where nothing reaches them (a round top is an octagon), over an
+interval of heights. Each convex part is one to begin with, and each slice of a user's own mesh a few; then those two are
+made one again and again that add the least empty room. Chairs so keep their backs, tables the room for knees.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from robolayout._errors import AssetError
+from robolayout.assets.lexicon import category_of
+from robolayout.assets.part import Part
+from robolayout.scene import Asset
+
+MOST = 8
+"""Prisms of one thing (DESIGN section 6)."""
+SPARE = 0.02
+"""Share of a thing's box that two prisms may waste when they become one although there are few enough."""
+FLOORWARD = (0.3, 6.0)
+"""Metres of height below which room counts so many times: feet and low bodies pass there, between legs."""
+SLICES = 16
+"""Slices that a user's own mesh is looked at in, beside those between its level tops."""
+CELLS = 24
+"""Cells along an edge of a slice of a user's own mesh."""
+RECTANGLES = 6
+"""Rectangles by which a slice of a user's own mesh is covered."""
+FLAT = 0.99
+"""Least cosine between up and the normal of a face of a user's own mesh that lies level."""
+TOP = (0.01, 0.01)
+"""Metres of height within which faces of a user's own mesh are one top, and square metres from which on it ends a slice."""
+LEAST_CUT = 0.05
+"""Share of the shorter half side below which a corner is not cut off."""
+
+Array = NDArray[np.float64]
+Spans = NDArray[np.float64]
+"""(n, 10): least and greatest x, y, z, x + y and x - y of the points of a piece; metres, z from the bottom of the thing."""
+
+
+@dataclass(frozen=True)
+class Prism:
+    """An upright prism in the frame of a thing: origin in the middle of its box in plan, front along +x; metres.
+
+    Attributes:
+        x: Middle of the rectangle.
+        y: Middle of the rectangle.
+        hx: Half its depth.
+        hy: Half its width.
+        cut: How much of either side each cut corner takes.
+        low: Metres above the bottom of the thing where it begins.
+        high: Metres above the bottom of the thing where it ends.
+    """
+
+    x: float
+    y: float
+    hx: float
+    hy: float
+    cut: float
+    low: float
+    high: float
+
+    @cached_property
+    def outline(self) -> tuple[tuple[float, float], ...]:
+        """Its eight corners, counter-clockwise from the front right one."""
+        u, v = self.hx - self.cut, self.hy - self.cut
+        ring = ((self.hx, -v), (self.hx, v), (u, self.hy), (-u, self.hy))
+        return tuple((self.x + sign * a, self.y + sign * b) for sign in (1, -1) for a, b in ring)
+
+    def within(self, other: Prism) -> bool:
+        """Return whether it lies in another one in plan; a cut corner of the other that it does not share says no."""
+        inside = (
+            abs(self.x - other.x) + self.hx <= other.hx + 1e-6 and abs(self.y - other.y) + self.hy <= other.hy + 1e-6
+        )
+        if not inside or not other.cut:
+            return inside
+        reach = abs(self.x - other.x) + abs(self.y - other.y) + self.hx + self.hy - self.cut
+        return reach <= other.hx + other.hy - other.cut + 1e-6
+
+
+@lru_cache(maxsize=4096)
+def prisms_of(asset: Asset) -> tuple[Prism, ...]:
+    """Return the prisms of a thing, the lowest first; its box where nobody knows what it looks like."""
+    depth, width, height = asset.size
+    box = (Prism(0.0, 0.0, depth / 2, width / 2, 0.0, 0.0, height),)
+    if asset.is_flat or (asset.path is None and not asset.parts and category_of(asset).group == "unknown"):
+        return box
+    try:
+        spans = piece_spans(asset)
+    except AssetError:
+        return box
+    merged = _merged(spans, SPARE * depth * width * height)
+    found = sorted((_prism(span) for span in merged.tolist()), key=lambda p: (p.low, p.high, p.x, p.y, p.hx, p.hy))
+    return tuple(found) or box
+
+
+@lru_cache(maxsize=256)
+def piece_spans(asset: Asset) -> Spans:
+    """Return what the pieces of a thing span: one row a convex part, some rows a slice of a user's own mesh.
+
+    Raises:
+        AssetError: The thing's mesh or rows cannot be read.
+    """
+    from robolayout.assets.meshes import parts
+
+    level = asset.size[2] / 2
+    rows: list[Array] = []
+    for part in parts(asset):
+        rows += [_span(part.vertices)] if part.convex else list(_slices(part))
+    spans = np.array(rows).reshape(-1, 10)
+    spans[:, 4:6] += level
+    return spans
+
+
+def level_tops(part: Part, thick: float) -> Iterator[tuple[float, Any]]:
+    """Yield the level tops of a part: height in the part's frame and outline; a user's own mesh has one every `thick` metres."""
+    if part.convex:
+        z = part.vertices[:, 2]
+        level = part.vertices[z >= z.max() - 1e-4, :2]
+        if len(level) > 2:
+            yield float(z.max()), shapely.convex_hull(shapely.multipoints(level))
+        return
+    corners = part.vertices[part.faces]
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    up = normal[:, 2] > FLAT * np.maximum(np.linalg.norm(normal, axis=1), 1e-12)
+    bins = np.round(corners[up][:, :, 2].mean(axis=1) / thick)
+    for number in np.unique(bins):
+        some = corners[up][bins == number]
+        yield float(some[:, :, 2].max()), shapely.union_all(shapely.polygons(some[:, :, :2]), grid_size=1e-5)
+
+
+def _span(points: Array) -> Array:
+    """Return what points span."""
+    x, y, z = points.T
+    return np.array([f(a) for a in (x, y, z, x + y, x - y) for f in (np.min, np.max)])
+
+
+def _volumes(spans: Spans) -> Array:
+    """Return the volumes of prisms around spans, what is near the floor weighing more."""
+    hx, hy, cut = _halves(spans)
+    return (4.0 * hx * hy - 2.0 * cut * cut) * (_raised(spans[..., 5]) - _raised(spans[..., 4]))
+
+
+def _raised(z: Array) -> Array:
+    """Return heights where those below `FLOORWARD[0]` are stretched."""
+    return z + (FLOORWARD[1] - 1.0) * np.minimum(z, FLOORWARD[0])
+
+
+def _halves(spans: Spans) -> tuple[Array, Array, Array]:
+    """Return half sides of prisms around spans, and by how much their corners are cut."""
+    hx, hy = (spans[..., 1] - spans[..., 0]) / 2, (spans[..., 3] - spans[..., 2]) / 2
+    x, y = (spans[..., 1] + spans[..., 0]) / 2, (spans[..., 3] + spans[..., 2]) / 2
+    far = [spans[..., 7] - x - y, x + y - spans[..., 6], spans[..., 9] - x + y, x - y - spans[..., 8]]
+    cut = np.clip(hx + hy - np.max(far, axis=0), 0.0, np.minimum(hx, hy))
+    return hx, hy, np.where(cut < LEAST_CUT * np.minimum(hx, hy), 0.0, cut)
+
+
+def _joined(first: Spans, second: Spans) -> Spans:
+    """Return what pairs of pieces span together."""
+    return np.where(np.arange(10) % 2 == 0, np.minimum(first, second), np.maximum(first, second))
+
+
+def _merged(spans: Spans, spare: float) -> Spans:
+    """Return at most `MOST` spans that hold all of them, made one where that wastes the least, or less than `spare` m3."""
+    spans = np.unique(np.round(spans, 6), axis=0)
+    volumes = _volumes(spans)
+    waste = np.full((len(spans), len(spans)), np.inf)
+    alive = np.ones(len(spans), dtype=bool)
+
+    def update(i: int) -> None:
+        others = np.flatnonzero(alive)
+        low, high = (f(spans[i, 0:6], spans[others, 0:6]) for f in (np.maximum, np.minimum))
+        both = np.maximum(high[:, 1:4:2] - low[:, 0:4:2], 0.0)
+        rise = np.maximum(_raised(high[:, 5]) - _raised(low[:, 4]), 0.0)
+        added = _volumes(_joined(spans[i], spans[others])) - volumes[i] - volumes[others] + both.prod(axis=1) * rise
+        waste[i, others] = waste[others, i] = added
+        waste[i, i] = np.inf
+
+    for i in range(len(spans)):
+        update(i)
+    while (count := int(alive.sum())) > 1:
+        i, j = divmod(int(np.argmin(waste)), len(spans))
+        if count <= MOST and waste[i, j] > spare:
+            break
+        spans[i] = _joined(spans[i], spans[j])
+        volumes[i] = _volumes(spans[i])
+        alive[j] = False
+        waste[j, :] = waste[:, j] = np.inf
+        update(i)
+    return spans[alive]
+
+
+def _prism(span: list[float]) -> Prism:
+    hx, hy, cut = (float(value) for value in _halves(np.array(span)))
+    return Prism((span[0] + span[1]) / 2, (span[2] + span[3]) / 2, hx, hy, cut, span[4], span[5])
+
+
+def _slices(part: Part) -> Iterator[Array]:
+    """Yield what rectangles span that cover a mesh, slice by slice; its level tops end slices."""
+    z = part.vertices[:, 2]
+    tops = [height for height, area in level_tops(part, TOP[0]) if area.area > TOP[1]]
+    edges = np.unique(np.round([*np.linspace(z.min(), z.max(), SLICES + 1), *tops[:SLICES]], 4))
+    edges = edges[np.concatenate([[True], np.diff(edges) > 1e-3])]
+    edges[-1] = max(edges[-1], z.max())
+    triangles = part.vertices[part.faces]
+    step = max(np.ptp(part.vertices[:, :2], axis=0).max() / CELLS, 1e-3)
+    for low, high in pairwise(edges.tolist()):
+        met = triangles[(triangles[:, :, 2].max(axis=1) > low + 1e-6) & (triangles[:, :, 2].min(axis=1) < high - 1e-6)]
+        if len(met):
+            points = np.concatenate([_clipped(triangle, low, high, step) for triangle in met])
+            yield from _covers(points, step)
+
+
+def _clipped(triangle: Array, low: float, high: float, step: float) -> Array:
+    """Return points over what of a triangle lies between two heights, at most about `step` apart, its corners among them."""
+    for level, sign in ((low, 1.0), (high, -1.0)):
+        above = sign * (triangle[:, 2] - level)
+        after = np.roll(triangle, -1, axis=0)
+        crossing = above * np.roll(above, -1) < 0.0
+        share = (above / np.where(crossing, above - np.roll(above, -1), 1.0))[crossing, None]
+        cuts = triangle[crossing] + share * (after[crossing] - triangle[crossing])
+        order = np.argsort(np.concatenate([np.flatnonzero(above >= 0.0), np.flatnonzero(crossing) + 0.5]))
+        triangle = np.concatenate([triangle[above >= 0.0], cuts])[order]
+        if not len(triangle):
+            return triangle
+    middle, after = triangle.mean(axis=0), np.roll(triangle, -1, axis=0)
+    count = 1 + int(np.ptp(triangle, axis=0)[:2].max() / step)
+    along, inward = (
+        np.linspace(0.0, 1.0, count + 1)[axis] for axis in (np.s_[None, :, None, None], np.s_[:, None, None, None])
+    )
+    rim = triangle + along * (after - triangle)
+    return (rim + inward * (middle - rim)).reshape(-1, 3) if count > 1 else triangle
+
+
+def _covers(points: Array, step: float) -> Iterator[Array]:
+    """Yield what rectangles span that cover points and what these enclose in plan."""
+    from scipy.ndimage import binary_fill_holes
+
+    cells = np.floor((points[:, :2] - points[:, :2].min(axis=0)) / step).astype(np.intp)
+    mask = np.zeros(cells.max(axis=0) + 1, dtype=bool)
+    mask[cells[:, 0], cells[:, 1]] = True
+    full = np.asarray(binary_fill_holes(mask))
+    left = mask.copy()
+    for number in range(RECTANGLES):
+        if not left.any():
+            return
+        i, j, k, m = _largest(full, left) if number < RECTANGLES - 1 else (0, full.shape[0], 0, full.shape[1])
+        inside = (cells[:, 0] >= i) & (cells[:, 0] < j) & (cells[:, 1] >= k) & (cells[:, 1] < m)
+        inside &= left[cells[:, 0], cells[:, 1]] | (number < RECTANGLES - 1)
+        yield _span(points[inside])
+        left[i:j, k:m] = False
+
+
+def _largest(full: NDArray[np.bool_], left: NDArray[np.bool_]) -> tuple[int, int, int, int]:
+    """Return the rows and columns of the rectangle of full cells that holds the most cells that are left."""
+    best, found = 0, (0, 1, 0, 1)
+    count = np.pad(left.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
+    for i in range(full.shape[0]):
+        for j in range(i + 1, full.shape[0] + 1):
+            row = full[i:j].all(axis=0)
+            ends = np.flatnonzero(np.diff(np.concatenate([[False], row, [False]])))
+            for k, m in zip(ends[::2], ends[1::2], strict=True):
+                held = int(count[j, m] - count[i, m] - count[j, k] + count[i, k])
+                if held > best:
+                    best, found = held, (i, j, int(k), int(m))
+    return found

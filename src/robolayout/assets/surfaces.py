@@ -1,0 +1,253 @@
+"""Where a thing can hold others: its tops, seats, shelves and floors, found from its parts.
+
+A surface is what lies level, faces up and is not built over: tops of parts at one height, less what rises from them. What
+is covered by the thing itself is a shelf, with the free height below what covers it; the rest is open. Names follow from
+that and from the parts: "top", "seat", "shelf 1" (the lowest), so that a program can say which is meant.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from itertools import pairwise, product
+from typing import Any
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely import Polygon
+
+from robolayout._errors import AssetError
+from robolayout.assets.prisms import level_tops, piece_spans
+from robolayout.scene import Asset
+
+LEVEL = 0.012
+"""Metres of height within which tops are one surface: seams of a seat, a duvet's edge."""
+SEAM = 0.015
+"""Metres between tops at one height that are one surface all the same; half of it is closed from either side."""
+RISES = 0.06
+"""Metres above a surface below which a part over it stands on it; what begins higher covers it."""
+LEAST_AREA = 0.0025
+"""Square metres below which a top holds nothing."""
+LEAST_SIDE = 0.03
+"""Metres across below which a top holds nothing."""
+LEAST_SHELF, LEAST_FREE = 0.01, 0.1
+"""Square metres, and metres of free height, below which what is covered holds nothing."""
+LEDGE = 0.03
+"""Share of the largest surface of a thing below which another one is a ledge that nobody puts things on."""
+PLAN = [0, 2, 1, 3]
+"""Columns of a span that are its rectangle in plan: least x and y, greatest x and y."""
+SIMPLE = 0.004
+"""Metres by which a surface's outline may be straightened."""
+SOFT = ("seat", "cushion", "mattress", "duvet", "quilt", "blanket", "bed")
+"""Words in names of parts that people sit or lie on."""
+CORNERS, EVENLY, SQUARE = 10, 8, 2
+"""Coordinates of corners, and of even steps, between which the largest rectangle of a region is looked for; the latter only
+where the corners have more coordinates along an axis than those of an upright rectangle."""
+RIM = 0.8
+"""Share of its height below which an open surface lies in a thing."""
+EASE = 0.005
+"""Metres of height that a thing needs more than its own to be put into a shelf."""
+
+
+@dataclass(frozen=True)
+class Surface:
+    """A level place of a thing that can hold others.
+
+    Attributes:
+        name: "top", "seat", "shelf 2", "step 1"; unique within the thing.
+        region: Its outline in plan, in the frame of the thing (origin in the middle of its box, front along +x), metres.
+        height: Metres above the bottom of the thing.
+        free: Metres of free height above it; infinite where nothing covers it.
+    """
+
+    name: str
+    region: Polygon
+    height: float
+    free: float
+
+    @property
+    def covered(self) -> bool:
+        """Whether the thing itself covers it: what lies there is in the thing."""
+        return np.isfinite(self.free)
+
+    @cached_property
+    def rectangle(self) -> tuple[float, float, float, float]:
+        """The largest upright rectangle in it: least x and y, greatest x and y in metres."""
+        return _largest_rectangle(self.region)
+
+    @property
+    def is_seat(self) -> bool:
+        """Whether people sit or lie on it."""
+        return self.name.startswith("seat")
+
+    @property
+    def is_wide(self) -> bool:
+        """Whether something that is no thread lies on it."""
+        x0, y0, x1, y1 = self.rectangle
+        return min(x1 - x0, y1 - y0) >= LEAST_SIDE / 2
+
+    def holds(self, size: tuple[float, float, float]) -> bool:
+        """Return whether a thing of that depth, width and height lies wholly on it, one way round or the other."""
+        x0, y0, x1, y1 = self.rectangle
+        small, large = sorted(size[:2])
+        least, most = sorted((x1 - x0, y1 - y0))
+        return small <= least + SIMPLE and large <= most + SIMPLE and size[2] + EASE <= self.free
+
+
+@lru_cache(maxsize=1024)
+def surfaces_of(asset: Asset) -> tuple[Surface, ...]:
+    """Return the surfaces of a thing, the lowest first; its box's top where it cannot be drawn.
+
+    Args:
+        asset: The thing.
+    """
+    from robolayout.assets.meshes import parts
+
+    try:
+        made = parts(asset)
+    except AssetError:
+        return (_box_top(asset),)
+    level = asset.size[2] / 2
+    tops = [(z + level, area, part.name) for part in made for z, area in level_tops(part, LEVEL)]
+    spans = piece_spans(asset)
+    found = [piece for group in _levels(sorted(tops, key=lambda top: top[0])) for piece in _pieces(group, spans)]
+    least = LEDGE * max((surface.region.area for surface, _ in found), default=0.0)
+    return tuple(_named(item for item in found if item[0].region.area >= least and item[0].is_wide))
+
+
+def _box_top(asset: Asset) -> Surface:
+    """Return the top of an asset's box."""
+    depth, width, height = asset.size
+    return Surface("top", shapely.box(-depth / 2, -width / 2, depth / 2, width / 2), height, np.inf)
+
+
+def outer_surfaces(asset: Asset) -> tuple[Surface, ...]:
+    """Return what lies open on a thing, seats where it has them; all surfaces of a thing that covers them all."""
+    every = surfaces_of(asset)
+    return tuple(s for s in every if s.is_seat) or tuple(s for s in every if not s.covered) or every
+
+
+def inner_surfaces(asset: Asset) -> tuple[Surface, ...]:
+    """Return what lies in a thing: its shelves, else the floor of a box or a basket below its rim."""
+    every = surfaces_of(asset)
+    return tuple(s for s in every if s.covered) or tuple(s for s in every if s.height < RIM * asset.size[2])
+
+
+def named_surfaces(asset: Asset, name: str) -> tuple[Surface, ...]:
+    """Return the surfaces of a name ("shelf 2"), of a kind ("shelf") or of a number from below ("1")."""
+    return tuple(s for i, s in enumerate(surfaces_of(asset)) if name in (s.name, s.name.split()[0], str(i + 1)))
+
+
+@lru_cache(maxsize=4096)
+def resting_place(lower: Asset, upper: Asset, among: tuple[Surface, ...] | None = None) -> Surface:
+    """Return the surface of `lower` on which `upper` stands: the highest that can hold it.
+
+    Where nothing holds it wholly, it is a large place over which it then reaches; the box's top is left where there is none.
+
+    Args:
+        lower: What carries.
+        upper: What is carried.
+        among: The surfaces that are meant; None means what lies open, a seat before arms and back.
+    """
+    meant = outer_surfaces(lower) if among is None else among
+    fit = [s for s in meant if s.holds(upper.size)]
+    high = [s for s in meant if upper.size[2] + EASE <= s.free]
+    widest = max((s.region.area for s in high), default=0.0)
+    broad = [s for s in high if s.region.area >= widest / 2]
+    return max(fit or broad or [_box_top(lower)], key=lambda s: s.height)
+
+
+def _levels(tops: list[tuple[float, Any, str]]) -> Iterator[list[tuple[float, Any, str]]]:
+    """Yield tops of one height together; those that hold nothing by themselves may do so together."""
+    group: list[tuple[float, Any, str]] = []
+    for top in tops:
+        if group and top[0] - group[0][0] > LEVEL:
+            yield group
+            group = []
+        group.append(top)
+    if group:
+        yield group
+
+
+def _pieces(group: list[tuple[float, Any, str]], spans: NDArray[np.float64]) -> Iterator[tuple[Surface, str]]:
+    """Yield what is left of the tops at one height, open and covered, with the name of the part that gives most of it."""
+    areas = [area for _, area, _ in group]
+    if sum(area.area for area in areas) < LEAST_AREA:
+        return
+    height = group[-1][0]
+    whole = shapely.union_all(areas).buffer(SEAM / 2, join_style="mitre").buffer(-SEAM / 2, join_style="mitre")
+    word = max(group, key=lambda top: top[1].area)[2]
+    over = (spans[:, 5] > height + LEVEL) & (spans[:, 0] < whole.bounds[2]) & (spans[:, 1] > whole.bounds[0])
+    rising = over & (spans[:, 4] < height + RISES)
+    clear = whole.difference(_boxes(spans[rising]))
+    above = spans[over & ~rising]
+    cover = _boxes(above)
+    for piece in _worth(clear.difference(cover)):
+        yield Surface("", piece, height, np.inf), word
+    for piece in _worth(clear.intersection(cover)):
+        met = shapely.area(shapely.intersection(shapely.box(*above[:, PLAN].T), piece))
+        free = float(above[met > LEAST_AREA / 10, 4].min(initial=np.inf)) - height
+        if free >= LEAST_FREE and piece.area >= LEAST_SHELF:
+            yield Surface("", piece, height, free), word
+
+
+def _boxes(spans: NDArray[np.float64]) -> Any:
+    """Return what parts cover in plan, by the rectangles around them."""
+    return shapely.union_all(shapely.box(*spans[:, PLAN].T)) if len(spans) else Polygon()
+
+
+def _worth(region: Any) -> Iterator[Polygon]:
+    """Yield the pieces of a region that can hold something."""
+    opened = region.buffer(-LEAST_SIDE / 2, join_style="mitre").buffer(LEAST_SIDE / 2, join_style="mitre")
+    for piece in shapely.get_parts(opened.simplify(SIMPLE)):
+        if piece.geom_type == "Polygon" and piece.area >= LEAST_AREA:
+            yield piece
+
+
+def _named(found: Iterable[tuple[Surface, str]]) -> Iterator[Surface]:
+    """Yield surfaces with names: shelves and steps are counted from below."""
+    ordered = sorted(found, key=lambda item: (item[0].height, item[0].region.centroid.coords[0]))
+    highest = max((s.height for s, _ in ordered if not s.covered), default=0.0)
+    words = [
+        "shelf" if s.covered else "seat" if _soft(word) else "top" if s.height == highest else "step"
+        for s, word in ordered
+    ]
+    for i, (surface, _) in enumerate(ordered):
+        alone = words.count(words[i]) == 1 and words[i] != "shelf"
+        yield replace(surface, name=words[i] if alone else f"{words[i]} {words[: i + 1].count(words[i])}")
+
+
+def _soft(part: str) -> bool:
+    """Return whether people sit or lie on a part of that name."""
+    return "back" not in part and any(word in part for word in SOFT)
+
+
+def _largest_rectangle(region: Polygon) -> tuple[float, float, float, float]:
+    """Return the largest upright rectangle between coordinates of the corners of a polygon that lies in it."""
+    points = shapely.get_coordinates(region)
+    xs, ys = (_thinned(points[:, i]) for i in (0, 1))
+    cells = shapely.box(*np.array([(a, c, b, d) for (a, b), (c, d) in product(pairwise(xs), pairwise(ys))]).T)
+    shapely.prepare(region)
+    grown = region.buffer(SIMPLE / 2)
+    inside = shapely.covers(grown, cells).reshape(len(xs) - 1, len(ys) - 1)
+    best, found = 0.0, (xs[0], ys[0], xs[0], ys[0])
+    for i, j in product(range(len(xs) - 1), repeat=2):
+        if j < i:
+            continue
+        full = inside[i : j + 1].all(axis=0)
+        edges = np.flatnonzero(np.diff(np.concatenate([[False], full, [False]])))
+        for k, m in zip(edges[::2], edges[1::2], strict=True):
+            area = (xs[j + 1] - xs[i]) * (ys[m] - ys[k])
+            if area > best:
+                best, found = area, (xs[i], ys[k], xs[j + 1], ys[m])
+    return found
+
+
+def _thinned(values: NDArray[np.float64]) -> list[float]:
+    """Return coordinates in order: some of the corners', and some evenly between their ends."""
+    distinct = np.unique(np.round(values, 6))
+    kept = np.linspace(0, len(distinct) - 1, min(len(distinct), CORNERS)).round().astype(int)
+    between = np.linspace(distinct[0], distinct[-1], EVENLY) if len(distinct) > SQUARE else distinct[:0]
+    return np.unique(np.concatenate([distinct[kept], between])).tolist()

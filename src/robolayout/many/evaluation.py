@@ -1,0 +1,295 @@
+"""Any folder of rooms measured: our figures and the published ones, per room and in sum, against another folder if asked."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import closing
+from dataclasses import dataclass
+from functools import partial
+from multiprocessing import get_context
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout._errors import InputError, RoboLayoutError
+from robolayout._files import write_atomic
+from robolayout._text import markdown
+from robolayout.many.found import Found, find_rooms
+from robolayout.many.index import check_tables, columns, write_rows
+from robolayout.many.page import page
+from robolayout.many.room import figures
+from robolayout.many.statistics import Mean, means, sign_test
+from robolayout.run.folder import open_folder
+from robolayout.scene import Agent, load_agents
+
+LOWER = ("COL", "Col_", "OOB", "R_out", "violations", "short", "exempt", "regions")
+"""Parts of the names of figures of which less is better."""
+
+PLOTTED = 24
+"""Figures that a plot shows."""
+
+
+@dataclass(frozen=True)
+class Paired:
+    """A figure in two folders, room by room.
+
+    Attributes:
+        difference: Mean of this folder less the other one, over the rooms that both have.
+        better: Rooms in which it is better here.
+        worse: Rooms in which it is worse here.
+        chance: Probability of so uneven a share by chance (sign test).
+    """
+
+    difference: Mean
+    better: int
+    worse: int
+    chance: float
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """What was measured in a folder.
+
+    Attributes:
+        rows: One row a room: its name, what a batch drew, and every figure.
+        skipped: Rooms that could not be read, with the reason.
+        groups: Names of what rooms are grouped by, then the means of each figure by group; the whole has the name "all".
+        against: Each figure in pairs with the other folder; empty without one.
+        unpaired: Names of rooms that only one of the two folders has.
+    """
+
+    rows: tuple[Mapping[str, Any], ...]
+    skipped: Mapping[str, str]
+    groups: Mapping[str, Mapping[str, Mean]]
+    against: Mapping[str, Paired]
+    unpaired: tuple[str, ...] = ()
+
+    def to_markdown(self) -> str:
+        """Return the tables: means by group, and the differences to the other folder."""
+        names = list(self.groups)
+        lines = ["| figure | " + " | ".join(markdown(f"{name} ({len_of(self.groups[name])})") for name in names) + " |"]
+        lines += ["|---|" + "---:|" * len(names)]
+        for figure in self.groups["all"]:
+            cells = (self.groups[name].get(figure) for name in names)
+            lines.append(f"| {figure} | " + " | ".join("-" if cell is None else shown(cell) for cell in cells) + " |")
+        if self.against:
+            lines += ["", "| figure | difference | better | worse | by chance |", "|---|---:|---:|---:|---:|"]
+            for figure, pair in self.against.items():
+                cells = [shown(pair.difference), str(pair.better), str(pair.worse), f"{pair.chance:.3g}"]
+                lines.append(f"| {figure} | {' | '.join(cells)} |")
+        if self.skipped:
+            lines += [
+                "",
+                "Not read:",
+                "",
+                *(f"- {markdown(name)}: {markdown(why)}" for name, why in self.skipped.items()),
+            ]
+        if self.unpaired:
+            lines += ["", f"Only in one of the folders: {', '.join(map(markdown, self.unpaired))}."]
+        return "\n".join(lines) + "\n"
+
+
+def len_of(found: Mapping[str, Mean]) -> int:
+    """Return the number of rooms of a group."""
+    return max((mean.count for mean in found.values()), default=0)
+
+
+def shown(mean: Mean) -> str:
+    """Return a mean with its interval."""
+    return f"{mean.mean:.4g} [{mean.low:.4g}, {mean.high:.4g}]"
+
+
+def evaluate(  # noqa: PLR0913 - the public page of everything that can be chosen
+    folder: str | Path,
+    *,
+    against: str | Path | None = None,
+    agent: Any = None,
+    by: Sequence[str] = (),
+    scenes: str | Path | None = None,
+    asset_dir: str | Path | None = None,
+    workers: int = 1,
+    progress: Callable[[str], None] | None = None,
+) -> Evaluation:
+    """Measure every room of a folder, whoever made it.
+
+    Args:
+        folder: Folder of rooms; what is found in it is on the page docs/many.md.
+        against: Another folder, whose rooms are paired with these by name.
+        agent: The body or bodies to judge for; each room's own if None.
+        by: Columns by which rooms are grouped ("solver", "reach").
+        scenes: Folder of the scene files, where they are not beside the layouts.
+        asset_dir: Folder of assets that scenes refer to.
+        workers: Processes.
+        progress: Told the name of each room.
+
+    Raises:
+        InputError: A folder holds no room, or no room has a column of `by`.
+    """
+    agents = () if agent is None else load_agents(agent)
+    where = None if asset_dir is None else Path(asset_dir)
+    measured = partial(_measured, agents=agents, asset_dir=where, workers=workers, tell=progress or (lambda name: None))
+    places = None if scenes is None else Path(scenes)
+    rooms = find_rooms(Path(folder), places)
+    others = [] if against is None else find_rooms(Path(against), places)
+    rows, skipped = measured(rooms)
+    groups = _groups(rows, by) if rows else {"all": {}}
+    if not others:
+        return Evaluation(tuple(rows), skipped, groups, {})
+    there, also = measured(others)
+    before = {row["room"]: row for row in there}
+    pairs = [(row, before[row["room"]]) for row in rows if row["room"] in before]
+    if not pairs:
+        raise InputError(f"no room of {folder} has a namesake in {against}: rooms are paired by their names.")
+    alone = {row["room"] for row in rows} ^ set(before)
+    return Evaluation(tuple(rows), {**skipped, **also}, groups, _paired(pairs), tuple(sorted(alone)))
+
+
+def _measured(
+    rooms: Sequence[Found], agents: tuple[Agent, ...], asset_dir: Path | None, workers: int, tell: Callable[[str], None]
+) -> tuple[list[dict[str, Any]], dict[str, str]]:
+    """Return a row for every room that can be read, and why the others cannot."""
+    rows: list[dict[str, Any]] = []
+    skipped: dict[str, str] = {}
+    one = partial(_row, agents=agents, asset_dir=asset_dir)
+    with closing(_Mapped(min(workers, len(rooms)))) as mapped:
+        for room, found in zip(rooms, mapped(one, rooms), strict=True):
+            tell(room.name)
+            if isinstance(found, str):
+                skipped[room.name] = found
+            else:
+                rows.append(found)
+    return rows, skipped
+
+
+class _Mapped:
+    """`map`, by so many processes where there is more than one."""
+
+    def __init__(self, workers: int) -> None:
+        self.pool = ProcessPoolExecutor(workers, get_context("spawn")) if workers > 1 else None
+
+    def __call__(self, function: Callable[[Found], Any], rooms: Sequence[Found]) -> Any:
+        return map(function, rooms) if self.pool is None else self.pool.map(function, rooms)
+
+    def close(self) -> None:
+        """End the processes."""
+        if self.pool is not None:
+            self.pool.shutdown(cancel_futures=True)
+
+
+def _row(room: Found, agents: tuple[Agent, ...], asset_dir: Path | None) -> dict[str, Any] | str:
+    try:
+        judged = room.judged(agents, asset_dir)
+    except RoboLayoutError as error:
+        return str(error).splitlines()[0]
+    bodies = ",".join(agent.name for agent in judged.scene.agents)
+    return {"room": room.name, **room.facts, "bodies": bodies, **figures(judged.report)}
+
+
+def numbers(rows: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return the names of the columns that are figures."""
+    drawn = ("seed", "room", "reach")
+    return [
+        name
+        for name in columns(rows)
+        if name not in drawn and all(isinstance(row.get(name), int | float | None) for row in rows)
+    ]
+
+
+def _table(rows: Sequence[Mapping[str, Any]], names: Sequence[str]) -> NDArray[np.float64]:
+    values = [[row.get(name) for name in names] for row in rows]
+    return np.array([[np.nan if value is None else float(value) for value in row] for row in values], dtype=float)
+
+
+def _groups(rows: Sequence[Mapping[str, Any]], by: Sequence[str]) -> dict[str, dict[str, Mean]]:
+    """Return the means of each figure over all rooms and by group."""
+    for name in by:
+        if not any(name in row for row in rows):
+            raise InputError(f"no room has {name!r} to group by; there is {', '.join(columns(rows))}.")
+    members: dict[str, list[Mapping[str, Any]]] = {"all": list(rows)}
+    for row in rows if by else ():
+        members.setdefault(", ".join(f"{name} {row.get(name, '-')}" for name in by), []).append(row)
+    names = numbers(rows)
+    return {
+        group: dict(zip(names, means(_table(found, names)), strict=True))
+        for group, found in sorted(members.items(), key=lambda item: item[0] != "all")
+    }
+
+
+def _paired(pairs: Sequence[tuple[Mapping[str, Any], Mapping[str, Any]]]) -> dict[str, Paired]:
+    """Return the differences of each figure that both folders have."""
+    names = [name for name in numbers([here for here, _ in pairs]) if all(name in there for _, there in pairs)]
+    apart = _table([here for here, _ in pairs], names) - _table([there for _, there in pairs], names)
+    found: dict[str, Paired] = {}
+    for column, (name, mean) in enumerate(zip(names, means(apart), strict=True)):
+        sign = -1.0 if any(part in name for part in LOWER) else 1.0
+        better, worse = int((sign * apart[:, column] > 0).sum()), int((sign * apart[:, column] < 0).sum())
+        found[name] = Paired(mean, better, worse, sign_test(better, worse))
+    return found
+
+
+def write_evaluation(found: Evaluation, folder: str | Path) -> list[Path]:
+    """Write an evaluation: the rows and the sums as CSV and Parquet, the tables in Markdown, a page with plots.
+
+    Raises:
+        MissingExtraError: pyarrow is not installed.
+        OutputError: The folder cannot be written.
+    """
+    check_tables()
+    sums = [
+        {"group": group, "figure": name, **vars(mean)}
+        for group, part in found.groups.items()
+        for name, mean in part.items()
+    ]
+    sums += [
+        {"group": "against", "figure": name, **vars(pair.difference), "better": pair.better, "worse": pair.worse, "chance": pair.chance}
+        for name, pair in found.against.items()
+    ]  # fmt: skip
+    with open_folder(Path(folder)) as run:
+        written = [*write_rows(run.path / "rooms", found.rows), *write_rows(run.path / "figures", sums)]
+        written.append(write_atomic(run.path / "report.md", found.to_markdown()))
+        title = f"{len(found.rows)} rooms evaluated"
+        written.append(write_atomic(run.path / "index.html", page(title, found.rows, plots=_plots(found))))
+        return [run.place(path) for path in written]
+
+
+def _plots(found: Evaluation) -> dict[str, bytes]:
+    """Return the plots of a page: means by group, and differences."""
+    shares = [
+        n for n, mean in found.groups["all"].items() if n.endswith(("_share", "_ratio")) or n == "ok" if mean.count
+    ]
+    plots = {f"means with {len_of(part)} rooms": {} for part in [found.groups["all"]]}
+    title = next(iter(plots))
+    plots[title] = {group: {name: part[name] for name in shares[:PLOTTED]} for group, part in found.groups.items()}
+    if found.against:
+        names = [name for name, pair in found.against.items() if pair.better + pair.worse][:PLOTTED]
+        plots["differences, this folder less the other"] = {"": {n: found.against[n].difference for n in names}}
+    return {name: _drawn(bars) for name, bars in plots.items() if any(bars.values())}
+
+
+def _drawn(bars: Mapping[str, Mapping[str, Mean]]) -> bytes:
+    """Return means with their intervals as a PNG, one line a figure, one colour a group."""
+    from matplotlib.figure import Figure
+
+    names = list(next(iter(bars.values())))
+    figure = Figure(figsize=(8.0, 0.8 + 0.28 * len(names) + 0.12 * len(bars)), layout="constrained")
+    axes: Any = figure.subplots()
+    step = 0.7 / len(bars)
+    for number, (group, part) in enumerate(bars.items()):
+        found = [part[name] for name in names]
+        ends = np.array([[m.mean - m.low for m in found], [m.high - m.mean for m in found]])
+        places = np.arange(len(names)) + step * (number - (len(bars) - 1) / 2)
+        axes.errorbar(
+            [m.mean for m in found], places, xerr=np.maximum(ends, 0.0), fmt="o", capsize=2, ms=4, label=group
+        )
+    axes.set_yticks(range(len(names)), names)
+    axes.invert_yaxis()
+    axes.grid(alpha=0.3)
+    if len(bars) > 1:
+        axes.legend(frameon=False, fontsize=8)
+    stream = io.BytesIO()
+    figure.savefig(stream, format="png", dpi=110, metadata={"Software": ""})
+    return stream.getvalue()

@@ -1,0 +1,397 @@
+"""One pass over everything in a room: big things first, each at its best place; what is then in the way is moved once more."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+
+import numpy as np
+
+from robolayout.solve.build.cluster import Cluster, ClusterBuilder
+from robolayout.solve.build.grid import grid_batches, last_cell, put_grid
+from robolayout.solve.build.member import GridPlan, Member
+from robolayout.solve.build.overhead import hang, overhead
+from robolayout.solve.build.places import Batch, batches, centroid
+from robolayout.solve.build.rugs import lay_rugs
+from robolayout.solve.build.said import MISSED
+from robolayout.solve.build.site import Site
+from robolayout.solve.build.sorts import alike, given_up
+from robolayout.solve.build.taste import keep_sight, looks, taste
+from robolayout.solve.build.wants import Want
+
+UNREACHED = 8.0
+"""Cost of an asset that the agent cannot get to."""
+
+CUT_OFF = 40.0
+"""Cost of all of the free floor being out of the agent's way."""
+
+INEXACT = 30.0
+"""Cost of a place where something touches, by the exact check."""
+
+SHUT = 18.0
+"""Cost of a place where a door or drawer does not open."""
+
+CHECKED = 300
+"""Best places that are checked exactly before one is taken."""
+
+TRIALS = 8
+"""Places for which it is found out what they cut off."""
+
+CLOSE, WIDEN = 0.3, 0.04
+"""Metres between places of which both are tried, and how much more for each one that did harm."""
+
+HARMLESS = 0.8
+"""Cost of what a place cuts off below which it is taken at once."""
+
+HOPELESS = 6.0
+"""Cost for each thing of a grid above which they are rather placed one by one."""
+
+MOVES = 3
+"""Most times in one attempt that things are moved once more."""
+
+SINGLES = 3
+"""Most single things that are tried in another place, and most unreached things that are given room."""
+
+AROUND = (3, 6)
+"""How many things around one that is not reached are placed anew together."""
+
+NOWHERE = 50.0
+"""Cost of a cluster for which there is no place at all."""
+
+BAD = 2.5
+"""Cost above which a place counts as bad enough to try something else."""
+
+SHARES = (1.0, 0.85, 0.7, 0.5)
+"""Shares of a set of equal things for which a grid is tried; the rest stands where it can."""
+
+TIGHT, RAGGED = 1.2, 1.0
+"""Cost of a grid whose neighbours touch, and of each place that its last row leaves empty."""
+
+MUCH = 10.0
+"""Cost of a place above which a cluster rather comes apart."""
+
+STRAY = 2.0
+"""Cost of each thing that is left over from its grid; rows are worth more than each thing's own best place."""
+
+SHUFFLE = 0.35
+"""Standard deviation of the turns of kinds from one attempt to the next, in places."""
+
+MOOD = 0.5
+"""Standard deviation of the logarithm by which wishes vary from one attempt to the next."""
+
+OTHERWISE = 0.6
+"""Cost of standing in a way that nothing says."""
+
+Modes = Mapping[str, float]
+"""Ways of standing, the best first, with what each costs."""
+
+Choice = tuple[float, Batch, int]
+"""A place: its cost, the batch that it is in, and its row there."""
+
+
+def _put(site: Site, batch: Batch, row: int) -> None:
+    """Put a cluster at one place of a batch."""
+    wall = int(batch.walls[row])
+    anchor = batch.anchors[row] if batch.anchors else ""
+    site.put(batch.cluster, batch.poses[row], batch.mode, wall if wall >= 0 else None, anchor or None)
+    keep_sight(site, batch.cluster.anchor)
+
+
+def _close(batch: Batch, row: int, other: Batch, at: int, limit: float) -> bool:
+    """Whether two places are less than so many metres apart and face the same way."""
+    step = np.abs(batch.poses[row] - other.poses[at])
+    return batch.cluster == other.cluster and bool(step[:2].max() < limit and step[2] < 0.1)
+
+
+@dataclass(frozen=True, eq=False)
+class _Step:
+    """One thing that was done: how to do it again on another site, what it cost, and how to do it otherwise.
+
+    Attributes:
+        put: Does it.
+        cost: Of the place.
+        cluster: What was placed; None for what is not placed otherwise (a grid, a board).
+        modes: Ways of standing that were open to it.
+        weights: What it prefers.
+    """
+
+    put: Callable[[Site], None]
+    cost: float = 0.0
+    cluster: Cluster | None = None
+    modes: Modes = field(default_factory=dict[str, float])
+    weights: Mapping[str, float] = field(default_factory=dict[str, float])
+
+
+class Attempt:
+    """One pass over all assets."""
+
+    def __init__(self, site: Site, builder: ClusterBuilder, rng: np.random.Generator, *, calm: bool) -> None:
+        self.base = site.copy()
+        self.site = site
+        self.builder = builder
+        self.rng = rng
+        self.calm = calm
+        self.steps: list[_Step] = []
+        self.missing = 0
+        self.trials = TRIALS
+
+    def furnish_floor(self) -> float:
+        """Place what stands on the floor, and boards that the rest looks at; return the total cost."""
+        for items in self._turns(last=False):
+            self._place_kind(items)
+        return self.total()
+
+    def rearrange(self) -> float:
+        """Move single things once more while something is out of the way; return the total cost."""
+        for _ in range(MOVES):
+            if not self._move_some():
+                break
+        return self.total()
+
+    def total(self) -> float:
+        """Return the cost of the room as it is."""
+        return sum(step.cost for step in self.steps) + looks(self.site) + _harm(self.site)
+
+    @property
+    def serves(self) -> bool:
+        """Whether everything is reached and used, and every door and drawer opens."""
+        return _harm(self.site) < UNREACHED and all(step.cost < SHUT for step in self.steps)
+
+    def _move_some(self) -> bool:
+        """Take some clusters out and put each where it is less in the way; False if nothing gets better."""
+        before, steps, site = _harm(self.site), self.steps, self.site
+        if before < UNREACHED:
+            return False
+        self.trials = 2 * TRIALS
+        for out in self._in_the_way(before):
+            self.site, self.steps = self._without(out), [step for step in steps if step not in out]
+            self.missing = len(self.site.unreached())
+            for step in out:
+                if step.cluster is not None:
+                    self._place(step.cluster, step.modes, step.weights)
+            if _harm(self.site) < before - UNREACHED / 2:
+                return True
+            self.site, self.steps = site, steps
+        return False
+
+    def _in_the_way(self, harm: float) -> Iterator[list[_Step]]:
+        """Yield what to move: single things without which more is reached, then what stands around the unreached."""
+        movable = [step for step in self.steps if step.cluster is not None]
+        left = [(_harm(self._without([step], trial=True)), i) for i, step in enumerate(movable)]
+        yield from ([movable[i]] for value, i in sorted(left)[:SINGLES] if value < harm - UNREACHED / 2)
+        for name in self.site.unreached()[:SINGLES]:
+            here = self.site.spots[name].member
+            near = sorted(range(len(movable)), key=lambda i: self._apart(movable[i], here))
+            yield from ([movable[i] for i in sorted(near[:count])] for count in AROUND)
+
+    def _apart(self, step: _Step, here: Member) -> float:
+        """Return metres between a place and the nearest thing of a step's cluster."""
+        spots = (self.site.spots[member.name].member for member in step.cluster.members) if step.cluster else ()
+        return min(
+            math.hypot(spot.x - here.x, spot.y - here.y) - min(self.site.size(spot.name)[:2]) / 2 for spot in spots
+        )
+
+    def _without(self, out: Sequence[_Step], *, trial: bool = False) -> Site:
+        """Return the site with everything done again but some steps."""
+        site = self.base.copy(trial=trial)
+        for step in self.steps:
+            if step not in out:
+                step.put(site)
+        return site
+
+    def furnish_walls(self) -> None:
+        """Hang and lay the rest, where the agents reach it over the finished floor."""
+        self.site.survey()
+        for items in self._turns(last=True):
+            self._place_kind(items)
+
+    def _turns(self, *, last: bool) -> list[list[Want]]:
+        """Return what stands by itself and has no place yet, kind by kind, big things first."""
+        by_kind: dict[str, list[Want]] = {}
+        for item in self.site.wants.values():
+            if item.anchor is None and item.name not in self.site.spots and (item.name in self.site.late) == last:
+                by_kind.setdefault(item.kind, []).append(item)
+        nudge = 0.0 if self.calm else SHUFFLE
+        turns = [(turn + nudge * self.rng.normal(), turn, items) for turn, items in enumerate(by_kind.values())]
+        for *_, items in turns:
+            items.sort(key=lambda item: -item.asset.size[0] * item.asset.size[1])
+        return [items for *_, items in sorted(turns, key=lambda entry: entry[:2])]
+
+    def _place_kind(self, items: Sequence[Want]) -> None:
+        flat = [item.name for item in items if item.asset.is_flat]
+        hung, high = ([item.name for item in items if getattr(item, way)] for way in ("hung", "overhead"))
+        standing = [item.name for item in items if item.standing]
+        for name in hung:
+            hang(self.site, name, self.rng)
+        overhead(self.site, high)
+        lay_rugs(self.site, flat)
+        there = [name for name in (*hung, *high, *flat) if name in self.site.spots]
+        self.steps += [_Step(partial(Site.settle, name=name, spot=self.site.spots[name])) for name in there]
+        clusters = [self.builder.build(name) for name in standing]
+        if not clusters:
+            return
+        weights, modes = self._weights(items[0].weights), items[0].stands
+        if items[0].rows is not None:
+            clusters = self._in_rows(clusters, modes, weights)
+        for cluster in clusters:
+            self._place(cluster, self._open_to(cluster, modes), weights)
+
+    def _open_to(self, cluster: Cluster, modes: Modes) -> Modes:
+        """Return the ways of standing that a cluster is open to: all, where in none of its own it meets what the user asks."""
+        if not self.site.said.about([member.name for member in cluster.members]):
+            return modes
+        own = batches(self.site, cluster, modes)
+        if any(float(self.site.missed(batch.cluster, batch.poses).min()) < MISSED for batch in own):
+            return modes
+        return dict.fromkeys(("wall", "corner", "middle"), OTHERWISE) | dict(modes)
+
+    def _weights(self, wishes: Mapping[str, float]) -> dict[str, float]:
+        if self.calm:
+            return dict(wishes)
+        return {key: value * float(np.exp(self.rng.normal(0.0, MOOD))) for key, value in wishes.items()}
+
+    def _in_rows(self, clusters: Sequence[Cluster], modes: Modes, weights: Mapping[str, float]) -> list[Cluster]:
+        """Place what fits well along the walls, put the rest into a grid, and return what fits nowhere."""
+        left = list(clusters)
+        if next(iter(modes)) == "wall":
+            left = [cluster for cluster in clusters if not self._place(cluster, {"wall": 0.0}, weights, limit=BAD)]
+        for equal in alike(self.site, left):
+            for count in sorted({max(2, round(len(equal) * share)) for share in SHARES}, reverse=True):
+                if count <= len(equal) and self._place_grid(equal[:count], weights, len(equal) - count):
+                    left = [cluster for cluster in left if cluster not in equal[:count]]
+                    break
+        return left
+
+    def _place(self, cluster: Cluster, modes: Modes, weights: Mapping[str, float], limit: float | None = None) -> bool:
+        """Put a cluster at its best place; with a limit only if that place is no worse than it."""
+        ranked = self._ranked(batches(self.site, cluster, modes), weights, modes)
+        if not ranked:
+            return False if limit is not None else self._anywhere(cluster)
+        before = self.missing
+        cost, batch, row = self._choose(ranked)
+        if limit is not None and cost > limit:
+            self.missing = before
+            return False
+        if cost > MUCH and limit is None and len(cluster.members) > 1 and self._split(cluster, modes, weights):
+            return True
+        if cost > MUCH and limit is None and "middle" not in modes:
+            self.missing = before
+            return self._place(cluster, {**modes, "middle": MISSED}, weights)
+        step = _Step(partial(_put, batch=batch, row=row), cost, cluster, modes, weights)
+        step.put(self.site)
+        self.steps.append(step)
+        return True
+
+    def _ranked(self, found: Sequence[Batch], weights: Mapping[str, float], modes: Modes) -> list[Choice]:
+        """Return the `CHECKED` best places of all batches, best first."""
+        choices: list[Choice] = []
+        for batch in found:
+            cost = self.site.base_cost(batch.cluster, batch.poses) + taste(self.site, batch, weights)
+            cost += self.site.missed(batch.cluster, batch.poses)
+            cost += modes[batch.mode]
+            cost += 0.0 if self.calm else self.rng.random(len(cost)) * 0.1
+            best = np.argsort(cost, kind="stable")[:CHECKED]
+            choices += [(float(cost[row]), batch, int(row)) for row in best]
+        return sorted(choices, key=lambda choice: choice[0])[:CHECKED]
+
+    def _choose(self, ranked: Sequence[Choice]) -> Choice:
+        """Return the first place that is exactly free and cuts nothing off, or else the one that does least harm."""
+        best, rejected, left = None, list[Choice](), dict[float, int]()
+        for cost, batch, row in ranked:
+            if best is not None and cost > best[0]:
+                break
+            if any(_close(batch, row, other, at, CLOSE + WIDEN * len(rejected)) for _, other, at in rejected):
+                continue
+            fault = self.site.fault(batch.cluster, batch.poses[row])
+            if fault:
+                wrong = cost + (INEXACT if fault == "touches" else SHUT)
+                best = min((c for c in (best, (wrong, batch, row)) if c), key=lambda choice: choice[0])
+                continue
+            trial = self.site.copy(trial=True)
+            _put(trial, batch, row)
+            missing = len(trial.unreached())
+            harm = UNREACHED * max(0, missing - self.missing) + CUT_OFF * trial.cut_off
+            left[cost + harm] = missing
+            best = min((c for c in (best, (cost + harm, batch, row)) if c), key=lambda choice: choice[0])
+            rejected.append((cost, batch, row))
+            if harm < HARMLESS or len(rejected) >= self.trials:
+                break
+        chosen = best or ranked[0]
+        self.missing = left.get(chosen[0], self.missing)
+        return chosen
+
+    def _split(self, cluster: Cluster, modes: Modes, weights: Mapping[str, float]) -> bool:
+        """Place a cluster that fits nowhere as a whole: some floor things that can stand alone are placed on their own."""
+        loose = [m for m in cluster.members[1:] if self._stands_alone(m.name)]
+        out, rest = list[str](), cluster
+        for out in given_up(loose):
+            gone = {m.name for name in out for m in self.builder.build(name).members}
+            rest = replace(cluster, members=tuple(m for m in cluster.members if m.name not in gone))
+            if len(out) < len(loose):
+                found = self._ranked(batches(self.site, rest, modes), weights, modes)
+                if found and found[0][0] <= MUCH:
+                    break
+        if not out:
+            return False
+        self._place(rest, modes, weights)
+        for name in out:
+            want = self.site.wants[name]
+            self._place(self.builder.build(name), want.stands, want.weights)
+        return True
+
+    def _stands_alone(self, name: str) -> bool:
+        item = self.site.wants[name]
+        return item.loose and item.asset.on_floor
+
+    def _anywhere(self, cluster: Cluster) -> bool:
+        """Put a cluster for which no place was found into the middle; the solver has to see."""
+        pose = np.array([*centroid(self.site), 0.0])
+        self.steps.append(_Step(lambda site: site.put(cluster, pose, "middle", None, None), NOWHERE))
+        self.steps[-1].put(self.site)
+        return True
+
+    def _place_grid(self, clusters: Sequence[Cluster], weights: Mapping[str, float], strays: int) -> bool:
+        """Put equal clusters into their best grid, so many others being left; False if none is good."""
+        ranked: list[tuple[float, GridPlan, Batch, int]] = []
+        for plan, batch in grid_batches(self.site, clusters):
+            clash = self.site.clash(batch.cluster, batch.poses, limit=1.0)
+            free = clash <= 1.0
+            if not free.any():
+                continue
+            batch = replace(batch, poses=batch.poses[free], walls=batch.walls[free])
+            cost = self.site.base_cost(batch.cluster, batch.poses, clash[free]) / len(clusters)
+            last = last_cell(self.site, plan, batch)
+            cost += 0.5 * (taste(self.site, batch, weights) + taste(self.site, last, weights))
+            cost += (
+                self.site.missed(batch.cluster, batch.poses)
+                + TIGHT * plan.tight
+                + RAGGED * (plan.rows * plan.columns - len(plan.names))
+            )
+            cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5
+            ranked += [(float(cost[row]), plan, batch, int(row)) for row in np.argsort(cost, kind="stable")[:4]]
+        best: tuple[float, GridPlan, Batch, int] | None = None
+        before, tried = len(self.site.unreached()), 0
+        for cost, plan, batch, row in sorted(ranked, key=lambda entry: entry[0]):
+            if cost > HOPELESS or tried >= 3 * TRIALS or (best is not None and cost > best[0]):
+                break
+            if not self.site.fault(batch.cluster, batch.poses[row]):
+                tried += 1
+                trial = self.site.copy(trial=True)
+                put_grid(trial, clusters, plan, batch.poses[row])
+                harm = UNREACHED * max(0, len(trial.unreached()) - before) + CUT_OFF * trial.cut_off
+                harm /= len(clusters) ** 0.5
+                if best is None or cost + harm < best[0]:
+                    best = (cost + harm, plan, batch, row)
+        if best is None or best[0] > HOPELESS:
+            return False
+        put = partial(put_grid, clusters=clusters, plan=best[1], frame=best[2].poses[best[3]])
+        self.steps.append(_Step(put, best[0] * len(clusters) ** 0.5 + STRAY * strays))
+        put(self.site)
+        return True
+
+
+def _harm(site: Site) -> float:
+    """Return the cost of what the agents do not get to or cannot use, and of the floor that is cut off."""
+    return UNREACHED * len(site.unreached()) + CUT_OFF * site.cut_off

@@ -1,0 +1,188 @@
+"""Things that stand together, laid out around the one they join: a bed with its night stands and their lamps.
+
+A cluster lives in the frame of its anchor: origin at the anchor's centre, x along its front, metres and radians.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+
+from robolayout.assets import resting_place
+from robolayout.constraints import AssetRef
+from robolayout.constraints.around import Around, left_gap
+from robolayout.scene import Scene
+from robolayout.solve.build.member import Member, box_of
+from robolayout.solve.build.tops import Top
+from robolayout.solve.build.wants import Want
+
+
+@dataclass(frozen=True)
+class Cluster:
+    """Assets placed as one.
+
+    Attributes:
+        anchor: Name of the asset whose frame it is.
+        members: All assets, the anchor first.
+    """
+
+    anchor: str
+    members: tuple[Member, ...]
+
+    def mirrored(self) -> Cluster:
+        """Return its image left to right."""
+        return replace(self, members=tuple(member.mirrored() for member in self.members))
+
+
+_SLOT_ORDER = {"around": 0, "front": 1, "behind": 2, "beside": 3, "flank": 4, "setting": 5, "on": 6}
+
+
+class ClusterBuilder:
+    """Lays out what joins what.
+
+    Args:
+        scene: The scene.
+        wants: What is said of every asset.
+    """
+
+    def __init__(self, scene: Scene, wants: Mapping[str, Want]) -> None:
+        self.scene = scene
+        self.wants = wants
+        self.followers: dict[str, list[Want]] = {}
+        for item in wants.values():
+            if item.anchor is not None:
+                self.followers.setdefault(item.anchor, []).append(item)
+        self.reachable = max(0.05, scene.agent.reach - scene.agent.radius - 0.05)
+
+    def build(self, name: str) -> Cluster:
+        """Return the cluster of an asset and everything that joins it."""
+        return Cluster(name, tuple(self._members(name)))
+
+    def _members(self, name: str) -> list[Member]:
+        """Return the asset at the origin and its followers around it, nearest kinds first."""
+        anchor = self.wants[name]
+        placed = [Member(name, 0.0, 0.0, 0.0)]
+        by_kind: dict[str, list[Want]] = {}
+        for item in self.followers.get(name, ()):
+            by_kind.setdefault(item.kind, []).append(item)
+        for items in sorted(by_kind.values(), key=lambda group: (_SLOT_ORDER[_slot(group)], group[0].turn)):
+            for member in self._slots(anchor, items, placed):
+                on_top = _slot(items) in ("on", "setting")
+                lift = resting_place(anchor.asset, self.wants[member.name].asset).height if on_top else 0.0
+                for part in self._members(member.name):
+                    moved = part.moved(member.x, member.y, member.yaw)
+                    side = member.side if part.name == member.name else part.side
+                    placed.append(replace(moved, bottom=part.bottom + lift, side=side))
+        return placed
+
+    def _slots(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
+        solvers: dict[str, Callable[[Want, Sequence[Want], Sequence[Member]], list[Member]]] = {
+            "beside": self._beside,
+            "flank": self._flank,
+            "front": self._front,
+            "behind": self._front,
+            "around": self._around,
+            "on": self._on,
+            "setting": self._on,
+        }
+        return solvers[_slot(items)](anchor, items, placed)
+
+    def _beside(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
+        """Left, right, left, ... with the backs in line, each outside of what stands there already."""
+        bx, by = _half(anchor)
+        reach = {"left": by, "right": by}
+        for member in placed[1:]:
+            if member.side in reach and member.bottom == 0.0 and self.wants[member.name].anchor == anchor.name:
+                box = box_of(member, self.wants[member.name].asset.size)
+                reach[member.side] = max(reach[member.side], box[3], -box[1])
+        found: list[Member] = []
+        for item in items:
+            ax, ay = _half(item)
+            side = item.joined.side or min(reach, key=lambda s: (round(reach[s], 6), s))
+            y = reach[side] + item.joined.gap + ay
+            reach[side] = y + ay
+            found.append(Member(item.name, ax - bx, y if side == "left" else -y, item.joined.yaw or 0.0, side=side))
+        return found
+
+    def _flank(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
+        """Left and right of the anchor, looking at it; further ones beside the first."""
+        _, by = _half(anchor)
+        found: list[Member] = []
+        for i, item in enumerate(items):
+            ax, ay = _half(item)
+            side, row = item.joined.side or ("left", "right")[i % 2], i // 2
+            sign = 1.0 if side == "left" else -1.0
+            found.append(
+                Member(
+                    item.name, row * (2 * ay + 0.1), sign * (by + item.joined.gap + ax), -sign * math.pi / 2, side=side
+                )
+            )
+        return found
+
+    def _front(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
+        """Side by side before the front (or behind the back), facing the anchor unless told otherwise."""
+        bx, _ = _half(anchor)
+        sign = 1.0 if _slot(items) == "front" else -1.0
+        side = "front" if sign > 0 else "back"
+        taken = [
+            box_of(m, self.wants[m.name].asset.size)
+            for m in placed[1:]
+            if m.side == side and m.bottom == 0.0 and self.wants[m.name].anchor == anchor.name
+        ]
+        edge = max([bx] + [box[2] if sign > 0 else -box[0] for box in taken])
+        width = sum(item.asset.size[1] + 0.12 for item in items) - 0.12
+        y, found = width / 2, list[Member]()
+        for item in items:
+            ax, ay = _half(item)
+            yaw, gap = item.joined.yaw or 0.0, item.joined.gap
+            if _seats(item) and not taken:
+                at = partial(_before, sign * (edge + ax), sign, y - ay, yaw)
+                gap = min(gap, left_gap(self.scene, [AssetRef(item.name)], AssetRef(anchor.name), at))
+            found.append(Member(item.name, sign * (edge + gap + ax), y - ay, yaw, side=side))
+            y -= 2 * ay + 0.12
+        return found
+
+    def _around(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
+        """At the slots of the relation `around`."""
+        seats = tuple(AssetRef(item.name) for item in items)
+        slots = Around(seats, AssetRef(anchor.name)).slots(self.scene)
+        return [
+            Member(item.name, x, y, yaw, side=_side_of(yaw)) for item, (x, y, yaw) in zip(items, slots, strict=True)
+        ]
+
+    def _on(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
+        """On the anchor's top: place settings before its seats, the rest where its kind belongs."""
+        sizes = {name: item.asset.size for name, item in self.wants.items()}
+        place = resting_place(anchor.asset, items[0].asset)
+        x0, y0, x1, y1 = place.rectangle
+        middle = ((x0 + x1) / 2, (y0 + y1) / 2)
+        there = [replace(member, x=member.x - middle[0], y=member.y - middle[1]) for member in placed[1:]]
+        seats = {m.name: m for m in there if m.bottom == 0.0 and _seats(self.wants[m.name])}
+        top = Top((x1 - x0, y1 - y0, place.height), sizes, there, self.reachable, list(seats.values()))
+        put = top.put([(item.name, item.joined.at, seats.get(item.joined.seat)) for item in items])
+        return [replace(member, x=member.x + middle[0], y=member.y + middle[1]) for member in put]
+
+
+def _seats(want: Want) -> bool:
+    """Whether somebody sits there who pushes it under a top on leaving."""
+    return want.category.movable and want.asset.on_floor
+
+
+def _before(x: float, sign: float, y: float, yaw: float, gap: float) -> list[tuple[float, float, float]]:
+    """Return the place of a seat `gap` metres farther out than x."""
+    return [(x + sign * gap, y, yaw)]
+
+
+def _slot(items: Sequence[Want]) -> str:
+    return items[0].joined.slot
+
+
+def _half(item: Want) -> tuple[float, float]:
+    return (item.asset.size[0] / 2, item.asset.size[1] / 2)
+
+
+def _side_of(yaw: float) -> str:
+    """Return the side of a table on which a seat with that heading stands."""
+    return ("back", "right", "front", "left")[round(yaw / (math.pi / 2)) % 4]

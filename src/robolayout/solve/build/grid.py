@@ -1,0 +1,131 @@
+"""Equal things in rows and columns: shelves with aisles, pupils before a board, tables of a cafe."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.solve.build.cluster import Cluster
+from robolayout.solve.build.member import GridPlan, Member, Rect, box_of
+from robolayout.solve.build.places import Batch, room_yaws, targets
+from robolayout.solve.build.site import Site
+
+TIGHTEST = 0.5
+"""Metres between things in a row up to which these may stand closer where there is no room for it."""
+
+
+def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[GridPlan, Batch]]:
+    """Yield every arrangement of equal clusters in a grid, with the places for its middle."""
+    rows = site.wants[clusters[0].anchor].rows
+    if rows is None:
+        return
+    paired = rows.backs == "paired"
+    extent = _extent(site, clusters[0])
+    size = site.size(clusters[0].anchor)
+    between = (extent[2] - extent[0] - size[0], extent[3] - extent[1] - size[1])
+    aisle0, gap0 = max(rows.aisle, site.corridor), rows.gap
+    names = tuple(cluster.anchor for cluster in clusters)
+    for columns in range(1, len(names) + 1):
+        count = math.ceil(len(names) / columns)
+        if columns * (count - 1) >= len(names):
+            continue
+        for wider, closer in ((1.0, 1.0), (1.0, 0.1), (1.35, 1.0), (1.35, 0.1), (1.8, 1.8)):
+            if closer < 1.0 and gap0 > TIGHTEST:
+                continue
+            aisle = round(between[0] + aisle0 * wider, 2)
+            gap = round(between[1] + gap0 * (closer if gap0 > 0.3 else 1.0), 2)
+            plan = GridPlan(names, count, columns, aisle, gap, paired, closer < 1.0)
+            cluster = _cluster(clusters, plan, size)
+            poses = _poses(site, cluster)
+            if len(poses):
+                yield plan, Batch("grid", cluster, poses, np.full(len(poses), -1))
+
+
+def _extent(site: Site, cluster: Cluster) -> Rect:
+    boxes = [box_of(m, site.size(m.name)) for m in cluster.members if site.on_floor(m)]
+    return (
+        min(b[0] for b in boxes),
+        min(b[1] for b in boxes),
+        max(b[2] for b in boxes),
+        max(b[3] for b in boxes),
+    )
+
+
+def _cluster(clusters: Sequence[Cluster], plan: GridPlan, size: tuple[float, float, float]) -> Cluster:
+    """Return all clusters as one, in the frame of the first: rows go backwards, columns to the right."""
+    members = [
+        member.moved(x, y, yaw)
+        for cluster, (x, y, yaw) in zip(clusters, cell_poses(plan, size), strict=True)
+        for member in cluster.members
+    ]
+    return Cluster(plan.names[0], tuple(members))
+
+
+def cell_poses(plan: GridPlan, size: tuple[float, float, float]) -> list[tuple[float, float, float]]:
+    """Return the place of each anchor in the frame of the first."""
+    found: list[tuple[float, float, float]] = []
+    x = 0.0
+    for row in range(plan.rows):
+        turned = plan.paired and row % 2 == 1
+        if row:
+            x -= size[0] + (0.03 if turned else plan.aisle)
+        for column in range(plan.columns):
+            if len(found) < len(plan.names):
+                found.append((x, -column * (size[1] + plan.gap), math.pi if turned else 0.0))
+    return found
+
+
+def last_cell(site: Site, plan: GridPlan, batch: Batch) -> Batch:
+    """Return the places of the last anchor of a grid in place of those of its first."""
+    cell = np.array(cell_poses(plan, site.size(plan.names[0]))[-1])
+    c, s = np.cos(batch.poses[:, 2]), np.sin(batch.poses[:, 2])
+    x = batch.poses[:, 0] + c * cell[0] - s * cell[1]
+    y = batch.poses[:, 1] + s * cell[0] + c * cell[1]
+    return replace(batch, poses=np.stack([x, y, batch.poses[:, 2]], axis=1))
+
+
+def put_grid(site: Site, clusters: Sequence[Cluster], plan: GridPlan, frame: NDArray[np.float64]) -> None:
+    """Put equal clusters into the cells of a grid whose first cell is at `frame`."""
+    x, y, yaw = frame.tolist()
+    for cluster, cell in zip(clusters, cell_poses(plan, site.size(plan.names[0])), strict=True):
+        pose = Member("", *cell).moved(x, y, yaw)
+        site.put(cluster, np.array([pose.x, pose.y, pose.yaw]), "grid", None, None)
+        site.spots[cluster.anchor] = replace(site.spots[cluster.anchor], grid=plan)
+
+
+def _poses(site: Site, cluster: Cluster) -> NDArray[np.float64]:
+    """Return places (n, 3) of the first anchor such that the whole block lies within the room's bounds."""
+    box = _extent(site, cluster)
+    middle = ((box[0] + box[2]) / 2, (box[1] + box[3]) / 2)
+    left, bottom, right, top = site.room.bounds
+    found: list[tuple[float, float, float]] = []
+    for yaw in _yaws(site, cluster.anchor):
+        c, s = math.cos(yaw), math.sin(yaw)
+        hx = (abs(c) * (box[2] - box[0]) + abs(s) * (box[3] - box[1])) / 2
+        hy = (abs(s) * (box[2] - box[0]) + abs(c) * (box[3] - box[1])) / 2
+        for x in _steps(left + hx, right - hx, site.corridor):
+            for y in _steps(bottom + hy, top - hy, site.corridor):
+                found.append((x - c * middle[0] + s * middle[1], y - s * middle[0] - c * middle[1], yaw))
+    return np.array(found).reshape(-1, 3)
+
+
+def _steps(low: float, high: float, corridor: float) -> list[float]:
+    """Return places between two ends, and those that leave just a corridor between the block and either end."""
+    if high < low:
+        return []
+    count = max(2, min(7, math.ceil((high - low) / 0.3) + 1))
+    marks = [*np.linspace(low, high, count), low + corridor, high - corridor]
+    return sorted({round(float(v), 4) for v in marks if low <= v <= high})
+
+
+def _yaws(site: Site, anchor: str) -> list[float]:
+    """Return the headings to try: one if there is something to face, else along and across the room."""
+    face = site.wants[anchor].face
+    there = targets(site, anchor)
+    if face and there:
+        return [site.spots[there[0]].member.yaw + (0.0 if face.away else math.pi)]
+    return room_yaws(site)

@@ -1,0 +1,292 @@
+"""Things off the floor: on walls and under the ceiling."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+import shapely
+
+from robolayout.assets.obstacles import use_sides
+from robolayout.floor import rect_points
+from robolayout.scene import Wall
+from robolayout.solve.build.cluster import Cluster
+from robolayout.solve.build.form import corners_of
+from robolayout.solve.build.member import Member
+from robolayout.solve.build.places import WALL_GAP, targets, wall_yaw
+from robolayout.solve.build.site import Site, Spot
+from robolayout.solve.build.taste import nearness
+
+EYE = 1.5
+"""Metres at which the middle of a picture hangs."""
+
+ASIDE = (0.0, 0.5, -0.5, 1.0, -1.0)
+"""Metres by which a ceiling thing moves aside for another."""
+
+CLEAR_ABOVE = 0.12
+"""Metres between a piece of furniture and what hangs over it."""
+
+
+def hang(site: Site, name: str, rng: np.random.Generator) -> None:
+    """Hang a thing where a wall is free: over what it belongs to, else where there is most room around it.
+
+    Where that is out of reach, another hung thing makes way if both hang within reach then.
+    """
+    places = _hung_places(site, name, rng)
+    if not places or (places[0][0] >= OUT_OF_REACH and site.standings and _with_another(site, name, rng)):
+        return
+    spot = places[0][1]
+    site.settle(name, spot)
+    if site.standings and _juts_out(site, spot.member) > 0:
+        site.floor.take(site.floor.shadow(corners_of(spot.member, site.size(name))))
+        site.survey()
+
+
+def _hung_places(site: Site, name: str, rng: np.random.Generator) -> list[tuple[float, Spot]]:
+    """Return the places to hang a thing with their costs, best first."""
+    found: list[tuple[float, float, Spot]] = []
+    for wall in site.room.walls:
+        for t in _hang_offsets(site, name, wall):
+            cost, spot = _hang_cost(site, name, wall, t)
+            found.append((cost + 0.2 * float(rng.random()), cost, spot))
+    return [(cost, spot) for _, cost, spot in sorted(found, key=lambda entry: entry[0])]
+
+
+def _with_another(site: Site, name: str, rng: np.random.Generator) -> bool:
+    """Hang a thing together with another that hangs already and makes way for it, both within reach; False if none does."""
+    hung = [n for n, s in site.spots.items() if s.mode == "hang" and n in site.late]
+    for other in [n for n in hung if site.size(n)[0] <= THIN][:MAKING_WAY]:
+        before = site.spots[other]
+        site.lift(other)
+        tried: list[Spot] = []
+        for cost, spot in _hung_places(site, name, rng):
+            if cost >= OUT_OF_REACH or len(tried) == PLACES:
+                break
+            if any(_near(spot, known) for known in tried):
+                continue
+            tried.append(spot)
+            site.settle(name, spot)
+            places = _hung_places(site, other, rng)
+            if places and places[0][0] < OUT_OF_REACH:
+                site.settle(other, places[0][1])
+                return True
+            site.lift(name)
+        site.settle(other, before)
+    return False
+
+
+def _near(spot: Spot, other: Spot) -> bool:
+    """Whether two places are all but the same."""
+    return math.dist((spot.member.x, spot.member.y), (other.member.x, other.member.y)) < APART_BY
+
+
+MAKING_WAY, PLACES, APART_BY = 3, 6, 0.25
+"""Hung things that are asked to make way for another, places that are tried for it each time, and metres between these."""
+
+COVERED = 80.0
+"""Cost of hanging where another thing already is; more than of all that a body may miss together."""
+
+OUT_OF_REACH = 10.0
+"""Cost of hanging what is used higher than the shortest arm gets, or where a door or drawer opens."""
+
+APART = 0.01
+"""Metres that a hung thing keeps from what stands or hangs beside it at the least."""
+
+CROWDED = 8.0
+"""Cost of hanging where all of the floor that it is used from is taken."""
+
+JUTS_OUT = 12.0
+"""Cost of hanging in the way of a body."""
+
+THIN = 0.1
+"""Metres that a thing may stand out from its wall without being in the way."""
+
+TAKE_HOLD = 0.05
+"""Metres that a thing begins below the top of the reach."""
+
+
+def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
+    width = site.size(name)[1]
+    low, high = width / 2 + WALL_GAP - 1e-6, wall.length - width / 2 - WALL_GAP + 1e-6
+    marks = [wall.length / 2, *np.arange(low + 0.04, high, 0.15)]
+    marks += [(span.rect[0] + span.rect[2]) / 2 for span in site.spans if span.wall == wall.index]
+    return sorted({round(float(t), 3) for t in marks if low <= t <= high})
+
+
+def _reach_top(site: Site) -> float:
+    """Return the highest lower edge, in metres, of what every agent with an arm can still take hold of."""
+    return min((a.reach_high for a in site.scene.agents if a.reach_distance is not None), default=9.0) - TAKE_HOLD
+
+
+def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot]:
+    want, (depth, width, height) = site.wants[name], site.size(name)
+    owner, bonus, lift = _below(site, name, wall, t)
+    middle = max(want.height or max(EYE, 0.4 + height / 2), lift + CLEAR_ABOVE + height / 2)
+    used = bool(use_sides(site.scene.by_name[name]))
+    if used:
+        middle = min(middle, _reach_top(site) + height / 2)
+    middle = min(max(middle, lift + CLEAR_ABOVE + height / 2), site.room.wall_height - height / 2 - 0.03)
+    takers = site.wall_takers(wall)
+    rect = (t - width / 2, middle - height / 2, t + width / 2, middle + height / 2)
+    yaw = wall_yaw(wall)
+    member = Member(name, *wall.point(t, depth / 2 + WALL_GAP / 2), yaw, middle - height / 2)
+    covered = site.wall_conflict(rect, takers, APART)
+    cost = COVERED * (covered > 0.0) + 20.0 * covered
+    cost += OUT_OF_REACH * (used and middle - height / 2 > _reach_top(site) + TAKE_HOLD)
+    cost += 1.2 * site.wall_conflict((rect[0] - 0.4, rect[1], rect[2] + 0.4, rect[3]), takers)
+    cost += 0.8 * abs(t - wall.length / 2) / wall.length * (1 + want.weights.get("mid_wall", 0.0)) - bonus
+    cost += max(want.walls.values(), default=0.0) - want.walls.get(wall.index, 0.0)
+    if member.bottom < 2.0 and _in_landing(site, member):
+        cost += 30.0
+    cost += JUTS_OUT * _juts_out(site, member)
+    outline = shapely.Polygon(corners_of(member, site.size(name)))
+    cost += OUT_OF_REACH * bool(shapely.intersects(outline, site.openings).any())
+    cost += _crowding(site, name, member) + _sight(site, name, member) + _far(site, name, member)
+    cost += CROWDED * _used_room(site, name, member)
+    cost += float(
+        site.missed(Cluster(name, (Member(name, 0.0, 0.0, 0.0),)), np.array([[member.x, member.y, member.yaw]]))[0]
+    )
+    for names, weight in want.near:
+        cost += weight * float(nearness(site, np.array([[member.x, member.y]]), names, far=weight < 0)[0])
+    if want.weights.get("by_door"):
+        cost -= want.weights["by_door"] * _door_cost(site, member)
+    return cost, Spot(member, "hang", wall.index, owner)
+
+
+def _below(site: Site, name: str, wall: Wall, t: float) -> tuple[str | None, float, float]:
+    """Return what stands below that place and the thing belongs over, what that is worth, and the height it reaches."""
+    over, width = site.wants[name].over, site.size(name)[1]
+    here = [s for s in site.spans if s.wall == wall.index and site.spots[s.name].mode != "hang"]
+    close = [s for s in here if s.depth <= 0.15 and s.rect[0] < t + width / 2 and s.rect[2] > t - width / 2]
+    top = max((s.rect[3] for s in close if s.rect[3] < 1.6), default=0.0)
+    hung_over = {s.anchor for s in site.spots.values() if s.mode == "hang"}
+    for span in here:
+        centred = abs((span.rect[0] + span.rect[2]) / 2 - t) < 0.03
+        if span.name in over and centred and site.spots[span.name].wall == wall.index and span.name not in hung_over:
+            return span.name, 6.0 - over.index(span.name), top
+    return None, 0.0, top
+
+
+def _used_room(site: Site, name: str, member: Member) -> float:
+    """Return the share of the floor before a hung thing, as deep as its role wants it clear, that is taken."""
+    ahead, (depth, width, _) = site.wants[name].clear.get("front", 0.0), site.size(name)
+    if not ahead:
+        return 0.0
+    points = rect_points((depth / 2, -width / 2, depth / 2 + ahead, width / 2), 0.0)
+    pose = np.array([[member.x, member.y, member.yaw]])
+    return float(site.floor.maps().taken[site.floor.under(points, pose)].mean())
+
+
+def _crowding(site: Site, name: str, member: Member) -> float:
+    """Return a cost for hanging close to others of its kind, so that pictures spread over the room."""
+    if any(weight > 0 for _, weight in site.wants[name].near):
+        return 0.0
+    same = [s.member for n, s in site.spots.items() if site.wants[n].kind == site.wants[name].kind and s.mode == "hang"]
+    return sum(max(0.0, 2.0 - math.hypot(m.x - member.x, m.y - member.y)) for m in same)
+
+
+def _in_landing(site: Site, member: Member) -> bool:
+    outline = shapely.Polygon(corners_of(member, site.size(member.name)))
+    return any(shapely.Polygon(site.room.landing(door)).intersects(outline) for door in site.room.doors)
+
+
+def _juts_out(site: Site, member: Member) -> float:
+    """Return the share of a hung thing that is in the way of a body over free floor; what is thin is not."""
+    depth, width, _ = site.size(member.name)
+    if depth <= THIN or member.bottom >= max(agent.height for agent in site.scene.agents):
+        return 0.0
+    points = rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.02)
+    pose = np.array([[member.x, member.y, member.yaw]])
+    return 1.0 - float(site.floor.maps().taken[site.floor.under(points, pose)].mean())
+
+
+def _far(site: Site, name: str, member: Member) -> float:
+    """Return a cost for hanging where some agent cannot reach or use it; nothing while the floor is still empty."""
+    if not site.standings:
+        return 0.0
+    return 10.0 * (not site.serves(site.claim(Spot(member, "hang"))))
+
+
+def _door_cost(site: Site, member: Member) -> float:
+    """Return how far the nearest door is, as a share of the room."""
+    points = [site.room.walls[d.wall].point(d.center) for d in site.room.doors]
+    away = [math.dist(point, (member.x, member.y)) for point in points]
+    return -min(away) / math.sqrt(site.room.area) if away else 0.0
+
+
+def _sight(site: Site, name: str, member: Member) -> float:
+    """Return a cost for not being in front of what it serves (a screen before its sofa)."""
+    face = site.wants[name].face
+    costs = [0.0]
+    for other in targets(site, name) if face else ():
+        target = site.spots[other].member
+        dx, dy = member.x - target.x, member.y - target.y
+        away = max(math.hypot(dx, dy), 1e-6)
+        seen = (dx * math.cos(target.yaw) + dy * math.sin(target.yaw)) / away
+        costs.append((face.weight if face else 0.0) * (1 - seen))
+    return max(costs)
+
+
+def overhead(site: Site, names: Sequence[str]) -> None:
+    """Hang ceiling things: one over each thing they belong to, the rest evenly over the room."""
+    free: list[str] = []
+    owned: dict[str, list[str]] = {}
+    for name in names:
+        owners = [n for n in site.wants[name].over if n in site.spots]
+        if owners:
+            owned.setdefault(min(owners, key=lambda n: (len(owned.get(n, ())), owners.index(n))), []).append(name)
+        else:
+            free.append(name)
+    for owner, lamps in owned.items():
+        _over(site, owner, lamps)
+    for name, point in zip(free, _spread(site, len(free)), strict=True):
+        _hang_from_ceiling(site, name, point, 0.0, None)
+
+
+def _over(site: Site, owner: str, lamps: Sequence[str]) -> None:
+    """Hang lamps over a thing: one over its middle, several along it."""
+    there, (depth, width, _) = site.spots[owner].member, site.size(owner)
+    for i, name in enumerate(lamps):
+        turned = site.size(name)[1] > site.size(name)[0] and depth > width
+        along = (2 * (i + 0.5) / len(lamps) - 1) * max(depth, width) / 2
+        spot = Member(name, *((along, 0.0) if depth > width else (0.0, along)), math.pi / 2 if turned else 0.0)
+        world = spot.moved(there.x, there.y, there.yaw)
+        _hang_from_ceiling(site, name, (world.x, world.y), world.yaw, owner if len(lamps) == 1 else None)
+
+
+def _hang_from_ceiling(site: Site, name: str, point: tuple[float, float], yaw: float, owner: str | None) -> None:
+    bottom = site.room.wall_height - site.size(name)[2]
+    apart = [point, *((point[0] + dx, point[1] + dy) for dx in ASIDE for dy in ASIDE)]
+    if owner is None:
+        point = next((p for p in apart if _is_free_above(site, name, p)), point)
+    site.settle(name, Spot(Member(name, *point, yaw, bottom), "ceiling", None, owner))
+
+
+def _spread(site: Site, count: int) -> list[tuple[float, float]]:
+    """Return points that share the floor evenly, by a few rounds of Lloyd's algorithm from a fixed start."""
+    if not count:
+        return []
+    i, j = np.nonzero(site.floor.inside)
+    stride = max(1, len(i) // 4000)
+    points = np.stack([i[::stride], j[::stride]], -1) + 0.5
+    order = (
+        np.lexsort((points[:, 1], points[:, 0]))
+        if np.ptp(points[:, 0]) > np.ptp(points[:, 1])
+        else np.lexsort(points.T)
+    )
+    seeds = np.array([part.mean(0) for part in np.array_split(points[order], count)])
+    for _ in range(30):
+        nearest = np.argmin(((points[:, None] - seeds[None]) ** 2).sum(-1), axis=1)
+        seeds = np.array([points[nearest == k].mean(0) if (nearest == k).any() else seeds[k] for k in range(count)])
+    world = seeds * site.floor.cell + np.asarray(site.floor.origin)
+    return [(float(x), float(y)) for x, y in world]
+
+
+def _is_free_above(site: Site, name: str, point: tuple[float, float]) -> bool:
+    """Whether nothing else hangs from the ceiling there and the whole thing is inside the room."""
+    outline = shapely.Polygon(corners_of(Member(name, *point, 0.0), site.size(name)))
+    others = [shapely.Polygon(corners_of(s.member, site.size(n))) for n, s in site.spots.items() if s.mode == "ceiling"]
+    return shapely.Polygon(site.room.vertices).covers(outline) and not any(
+        outline.intersects(other) for other in others
+    )

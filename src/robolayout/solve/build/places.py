@@ -1,0 +1,162 @@
+"""Places where a cluster could stand: along walls, in corners, on the open floor, before what it faces, on a wall, overhead."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout.constraints.corner import convex_corners
+from robolayout.scene import Wall
+from robolayout.solve.build.cluster import Cluster
+from robolayout.solve.build.site import AT_WALL, Poses, Site
+
+WALL_STEP = 0.1
+"""Metres between places tried along a wall."""
+
+WALL_STEPS = 300
+"""Most such places of one wall: from 30 m on they lie further apart."""
+
+WALL_GAP = 0.01
+"""Metres left between a back and its wall."""
+
+DOOR_MARGIN = 0.05
+"""Metres left beside a door."""
+
+
+@dataclass(frozen=True)
+class Batch:
+    """Places of one kind for one cluster.
+
+    Attributes:
+        mode: How the anchor stands there.
+        cluster: The cluster, perhaps mirrored.
+        poses: (n, 3) metres and radians, of the anchor.
+        walls: Index of the wall of each place, or -1.
+        anchors: Name of what each place is for ("" if nothing).
+    """
+
+    mode: str
+    cluster: Cluster
+    poses: Poses
+    walls: NDArray[np.int64]
+    anchors: tuple[str, ...] = ()
+
+
+def batches(site: Site, cluster: Cluster, modes: Sequence[str]) -> list[Batch]:
+    """Return all places for a floor cluster, for it and its mirror image."""
+    found: list[Batch] = []
+    lopsided = len(cluster.members) > 1 and any(abs(m.y) > 0.02 for m in cluster.members)
+    for variant in (cluster, cluster.mirrored()) if lopsided else (cluster,):
+        for mode in modes:
+            poses, walls, anchors = _PLACES[mode](site, variant)
+            if len(poses):
+                found.append(Batch(mode, variant, np.array(poses), np.array(walls), tuple(anchors)))
+    return found
+
+
+Found = tuple[Sequence[tuple[float, float, float]] | Poses, list[int], list[str]]
+
+
+def wall_yaw(wall: Wall) -> float:
+    """Return the heading of a thing whose back is at the wall, radians."""
+    return math.atan2(wall.normal[1], wall.normal[0])
+
+
+def _offsets(site: Site, wall: Wall, width: float) -> list[float]:
+    """Return places along a wall for a thing of that width: both ends, the middle, beside what stands there, and steps."""
+    low, high = width / 2 + WALL_GAP, wall.length - width / 2 - WALL_GAP
+    if high < low:
+        return []
+    marks = [low, high, wall.length / 2]
+    for span in site.spans:
+        if span.wall == wall.index and span.depth <= AT_WALL and span.rect[1] < 0.01:
+            marks += [span.rect[0] - width / 2 - 0.02, span.rect[2] + width / 2 + 0.02]
+    for opening in (*site.room.doors, *site.room.windows):
+        if opening.wall == wall.index:
+            ends = (opening.offset - DOOR_MARGIN, opening.offset + opening.width + DOOR_MARGIN)
+            marks += [ends[0] - width / 2, ends[1] + width / 2, opening.center]
+    marks += list(np.arange(low, high, max(WALL_STEP, wall.length / WALL_STEPS)))
+    return sorted({round(float(t), 3) for t in marks if low - 1e-6 <= t <= high + 1e-6})
+
+
+def _at_walls(site: Site, cluster: Cluster) -> Found:
+    depth, width, _ = site.size(cluster.anchor)
+    back = max(depth / 2, *(-site.behind(member) for member in cluster.members))
+    poses, walls = list[tuple[float, float, float]](), list[int]()
+    for wall in site.room.walls:
+        yaw, offsets = wall_yaw(wall), _offsets(site, wall, width)
+        poses += [(*wall.point(t, back + WALL_GAP), yaw) for t in offsets]
+        walls += [wall.index] * len(offsets)
+    return poses, walls, [""] * len(poses)
+
+
+def _in_corners(site: Site, cluster: Cluster) -> Found:
+    depth, width, _ = site.size(cluster.anchor)
+    poses, walls = list[tuple[float, float, float]](), list[int]()
+    corners, count = set(convex_corners(site.room)), len(site.room.walls)
+    for wall in site.room.walls:
+        for t, vertex in ((width / 2 + 0.04, wall.index), (wall.length - width / 2 - 0.04, (wall.index + 1) % count)):
+            if width < wall.length and vertex in corners:
+                poses.append((*wall.point(t, depth / 2 + 0.04), wall_yaw(wall)))
+                walls.append(wall.index)
+    return poses, walls, [""] * len(poses)
+
+
+def room_yaws(site: Site) -> list[float]:
+    """Return the four headings along and across the longest wall."""
+    longest = max(site.room.walls, key=lambda wall: (wall.length, -wall.index))
+    base = wall_yaw(longest)
+    return [base + k * math.pi / 2 for k in range(4)]
+
+
+def _in_the_middle(site: Site, cluster: Cluster) -> Found:
+    left, bottom, right, top = site.room.bounds
+    step = max(0.15, math.sqrt((right - left) * (top - bottom)) / 30)
+    xs, ys = np.arange(left + 0.3, right - 0.29, step), np.arange(bottom + 0.3, top - 0.29, step)
+    grid = np.stack(np.meshgrid(xs, ys, indexing="ij"), -1).reshape(-1, 2)
+    grid = np.concatenate([grid, [centroid(site)]])
+    frames = np.column_stack([grid, np.zeros(len(grid))])
+    blocked = site.floor.maps().barred[site.floor.under(np.zeros((1, 2)), frames)][:, 0] > 0
+    free = grid[~blocked]
+    poses = np.concatenate([np.column_stack([free, np.full(len(free), yaw)]) for yaw in room_yaws(site)])
+    return poses, [-1] * len(poses), [""] * len(poses)
+
+
+def _before_what_it_faces(site: Site, cluster: Cluster) -> Found:
+    face = site.wants[cluster.anchor].face
+    poses, names = list[tuple[float, float, float]](), list[str]()
+    for name in targets(site, cluster.anchor):
+        target = site.spots[name].member
+        if face is None:
+            break
+        turn = 0.0 if face.away else math.pi
+        low, high = face.distance
+        for distance in np.arange(low, min(high, 8.0) + 0.01, 0.1):
+            x = target.x + float(distance) * math.cos(target.yaw)
+            y = target.y + float(distance) * math.sin(target.yaw)
+            poses.append((x, y, target.yaw + turn))
+            names.append(name)
+    return poses, [-1] * len(poses), names
+
+
+def targets(site: Site, name: str) -> list[str]:
+    """Return the placed assets that an asset should face."""
+    face = site.wants[name].face
+    return [other for other in face.names if other in site.spots] if face else []
+
+
+def centroid(site: Site) -> tuple[float, float]:
+    """Return the middle of the room's floor (inside it, for concave rooms: the inner cell nearest to it)."""
+    return site.floor.middle
+
+
+_PLACES = {
+    "wall": _at_walls,
+    "corner": _in_corners,
+    "middle": _in_the_middle,
+    "facing": _before_what_it_faces,
+}

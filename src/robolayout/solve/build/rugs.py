@@ -1,0 +1,140 @@
+"""Rugs under or beside what they belong to, and mats of their own side by side on free floor."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+import shapely
+
+from robolayout.floor import rect_points
+from robolayout.solve.build.cluster import Cluster
+from robolayout.solve.build.form import corners_of
+from robolayout.solve.build.grid import cell_poses
+from robolayout.solve.build.member import GridPlan, Member
+from robolayout.solve.build.places import centroid, room_yaws
+from robolayout.solve.build.site import Poses, Site, Spot
+
+Pose = tuple[float, float, float]
+
+UNDER_BED = 0.25
+"""Metres by which a rug beside a narrow bed lies under it."""
+
+FOOT = 0.3
+"""Part of a thing's depth by which a rug lies before its middle, if it is to lie toward its front."""
+
+LEAST_UNDER = 0.01
+"""Square metres of a rug that lie under its owner at the least."""
+
+BETWEEN = 0.4
+"""Metres between two mats."""
+
+WANTED = 0.3
+"""Weight of floor that others are used from, against that of floor which is covered."""
+
+MOST_COVERED = 0.02
+"""Share of a block of mats that may lie under things before they are laid one by one."""
+
+
+def lay_rugs(site: Site, names: Sequence[str]) -> None:
+    """Lay each rug where it belongs, moved and turned so that it fits the room, and mats of one size in a block."""
+    free: dict[tuple[float, float, float], list[str]] = {}
+    for name in names:
+        owner = next((n for n in site.wants[name].over if n in site.spots), None)
+        if owner is None:
+            free.setdefault(site.size(name), []).append(name)
+        else:
+            site.settle(name, Spot(_fitted(site, name, _at_owner(site, name, owner), owner), "rug", None, owner))
+    for equal in free.values():
+        _lay_free(site, equal)
+
+
+def _at_owner(site: Site, name: str, owner: str) -> Pose:
+    """Return where a rug belongs: under a thing, toward the side that is said, or beside it."""
+    there, (depth, width, _), join = site.spots[owner].member, site.size(owner), site.wants[name].join
+    if join is None or join.slot != "beside":
+        ahead = FOOT * depth if join is not None else 0.0
+        return _pose(Member(name, ahead, 0.0, 0.0).moved(there.x, there.y, there.yaw))
+    rug, short = site.size(name), min(site.size(name)[:2])
+    aside = width / 2 + short / 2 - UNDER_BED
+    turn = 0.0 if rug[1] == short else math.pi / 2
+    sides = [Member(name, 0.0, y, turn).moved(there.x, there.y, there.yaw) for y in (aside, -aside)]
+    covered = _covered(site, rug, np.array([_pose(side) for side in sides]))
+    return _pose(sides[int(np.argmin(covered))])
+
+
+def _pose(member: Member) -> Pose:
+    return (member.x, member.y, member.yaw)
+
+
+def _covered(site: Site, size: tuple[float, float, float], poses: Poses, wanted: float = 0.0) -> Poses:
+    """Return the share (n,) of a flat thing that is under others, outside the room, in a landing, or `wanted` by others."""
+    points = rect_points((-size[0] / 2, -size[1] / 2, size[0] / 2, size[1] / 2), 0.0, 0.15)
+    maps, under = site.floor.maps(), site.floor.under(points, poses)
+    return maps.barred[under].mean(axis=1) + wanted * maps.wanted[under].mean(axis=1)
+
+
+def _lay_free(site: Site, names: Sequence[str]) -> None:
+    """Lay equal mats in rows on free floor, near the middle; one by one where no such block is free."""
+    count = len(names)
+    rows = [k for k in range(1, count + 1) if count % k == 0]
+    plans = [GridPlan(tuple(names), k, count // k, BETWEEN, BETWEEN, paired=False) for k in rows]
+    (_, pose), plan = min(((_free_floor(site, plan), plan) for plan in plans), key=lambda entry: entry[0][0])
+    cells = [Member(n, *c).moved(*pose) for n, c in zip(names, cell_poses(plan, site.size(names[0])), strict=True)]
+    if max(_covered(site, site.size(names[0]), np.array([_pose(cell) for cell in cells]))) > MOST_COVERED and count > 1:
+        for name in names:
+            _lay_free(site, [name])
+        return
+    for cell in cells:
+        fitted = _fitted(site, cell.name, _pose(cell)) if count == 1 else cell
+        site.settle(cell.name, Spot(fitted, "rug", grid=plan if count > 1 else None))
+
+
+def _free_floor(site: Site, plan: GridPlan) -> tuple[float, Pose]:
+    """Return cost and place of the first mat for the best place of a block: free floor, off other mats, near the middle."""
+    left, bottom, right, top = site.room.bounds
+    xs, ys = np.arange(left, right, 0.2), np.arange(bottom, top, 0.2)
+    size, middle = site.size(plan.names[0]), centroid(site)
+    cells = [Member("", *cell) for cell in cell_poses(plan, size)]
+    centre = (np.mean([cell.x for cell in cells]), np.mean([cell.y for cell in cells]))
+    cells = [replace(cell, x=cell.x - centre[0], y=cell.y - centre[1]) for cell in cells]
+    poses = np.array([(x, y, yaw) for yaw in room_yaws(site)[:2] for x in xs for y in ys])
+    cost = 0.3 * np.hypot(poses[:, 0] - middle[0], poses[:, 1] - middle[1])
+    c, s = np.cos(poses[:, 2]), np.sin(poses[:, 2])
+    others = [spot.member for spot in site.spots.values() if spot.mode == "rug"]
+    for cell in cells:
+        x, y = poses[:, 0] + c * cell.x - s * cell.y, poses[:, 1] + s * cell.x + c * cell.y
+        cost += 6.0 * _covered(site, size, np.stack([x, y, poses[:, 2]], axis=1), WANTED)
+        for other in others:
+            away = np.hypot(x - other.x, y - other.y) / ((size[0] + size[1]) / 2)
+            cost += 4.0 * np.maximum(0.0, 1.0 - away)
+    cost += site.missed(Cluster(plan.names[0], (Member(plan.names[0], 0.0, 0.0, 0.0),)), poses)
+    best = int(np.argmin(cost))
+    first = cells[0].moved(*(float(value) for value in poses[best]))
+    return float(cost[best]), _pose(first)
+
+
+def _fitted(site: Site, name: str, pose: Pose, owner: str | None = None) -> Member:
+    """Return the place nearest to `pose`, turned by a right angle if need be, where a flat thing is inside the room.
+
+    Where it lies under an owner it stays under it.
+    """
+    shifts = [0.1 * k for k in range(-8, 9)]
+    options = sorted(
+        (abs(dx) + abs(dy) + (0.3 if turn else 0.0), turn, dx, dy)
+        for turn in (0.0, math.pi / 2)
+        for dx in shifts
+        for dy in shifts
+    )
+    poses = np.array([(pose[0] + dx, pose[1] + dy, pose[2] + turn) for _, turn, dx, dy in options])
+    room = shapely.Polygon(site.room.vertices).buffer(0.005, join_style="mitre")
+    outlines = shapely.polygons([corners_of(Member(name, *pose), site.size(name)) for pose in poses.tolist()])
+    cost = np.round(shapely.area(shapely.difference(outlines, room)), 4)
+    if owner is not None:
+        shared = shapely.area(shapely.intersection(outlines, site.foot(owner)))
+        cost += shapely.area(outlines) * (shared < LEAST_UNDER)
+    best = int(np.argmin(cost))
+    x, y, yaw = poses[best].tolist()
+    return Member(name, x, y, yaw)

@@ -1,0 +1,35 @@
+"""Assets sorted before they are placed: by manner of standing, into sets of the same make, and what a cluster gives up first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from robolayout.solve.build.cluster import Cluster
+from robolayout.solve.build.member import Member
+from robolayout.solve.build.site import Site
+
+SIDES = (("front",), ("left",), ("left", "front"), ("left", "right"))
+"""Sides whose things a cluster gives up, the fewest first; it is tried mirrored, too."""
+
+
+def alike(site: Site, clusters: Sequence[Cluster]) -> list[list[Cluster]]:
+    """Return clusters in sets of the same make: anchors and followers of the same sizes."""
+    sets: dict[tuple[object, ...], list[Cluster]] = {}
+    for cluster in clusters:
+        key = tuple(
+            (site.wants[m.name].kind, *(round(v, 1) for v in site.size(m.name)[:2]))
+            for m in cluster.members
+            if site.on_floor(m)
+        )
+        sets.setdefault(key, []).append(cluster)
+    return list(sets.values())
+
+
+def given_up(loose: Sequence[Member]) -> Iterator[list[str]]:
+    """Yield which things a cluster gives up that fits nowhere as a whole: those at some sides, at last all."""
+    for sides in SIDES:
+        names = [member.name for member in loose if member.side in sides]
+        if 0 < len(names) < len(loose):
+            yield names
+    if loose:
+        yield [member.name for member in loose]

@@ -1,0 +1,152 @@
+"""What makes one free place better than another: costs between 0 and about 6 per wish, smaller is better."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Mapping, Sequence
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from robolayout.constraints.by_door import doorways
+from robolayout.solve.build.form import corners_of
+from robolayout.solve.build.places import Batch, centroid, targets
+from robolayout.solve.build.site import Site, Spot
+
+Cost = NDArray[np.float64]
+
+BLOCKED_WINDOW = 5.0
+"""Cost of a tall thing that hides a whole window or a board."""
+
+HIDDEN = 0.75
+"""Cost of something in between a seat and its screen."""
+
+LOW = 0.65
+"""Metres of height of what one looks over."""
+
+
+def taste(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
+    """Return the cost (n,) of a batch of places for the wishes of its anchor."""
+    cost = np.zeros(len(batch.poses))
+    if batch.mode in ("wall", "corner"):
+        cost += _along_walls(site, batch, weights)
+    spread = math.sqrt(site.room.area)
+    xy = batch.poses[:, :2]
+    if weights.get("by_door") and site.room.doors:
+        away = np.min([np.hypot(xy[:, 0] - d.x, xy[:, 1] - d.y) for d in doorways(site.scene)], axis=0) / spread
+        weight = weights["by_door"]
+        cost += -weight * np.maximum(0.0, 1.0 - away) if weight < 0 else weight * np.minimum(away, 1.5)
+    if weights.get("middle"):
+        x, y = centroid(site)
+        cost += weights["middle"] * np.hypot(xy[:, 0] - x, xy[:, 1] - y) / spread
+    for names, weight in site.wants[batch.cluster.anchor].near:
+        cost += weight * nearness(site, xy, names, far=weight < 0)
+    return cost + _facing(site, batch.cluster.anchor, batch.poses)
+
+
+def looks(site: Site) -> float:
+    """Return how badly everything that is placed looks at what it should face, whichever was placed first."""
+    standing = [(name, spot.member) for name, spot in site.spots.items() if spot.mode not in ("hang", "join")]
+    return sum(float(_facing(site, name, np.array([[m.x, m.y, m.yaw]]))[0]) for name, m in standing)
+
+
+def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
+    """Return the cost of where on its wall a thing stands and what it hides there."""
+    _, width, height = site.size(batch.cluster.anchor)
+    crown = max(member.bottom + site.size(member.name)[2] for member in batch.cluster.members)
+    wished = site.wants[batch.cluster.anchor].walls
+    elsewhere = max(wished.values(), default=0.0)
+    cost = np.zeros(len(batch.poses))
+    for wall in site.room.walls:
+        rows = batch.walls == wall.index
+        if not rows.any():
+            continue
+        along = (batch.poses[rows, :2] - np.asarray(wall.start)) @ np.asarray(wall.direction)
+        half, span = width / 2, max(wall.length - width, 0.05)
+        part = weights.get("mid_wall", 0.0) * np.abs(along - wall.length / 2) / (span / 2)
+        part += weights.get("corner", 0.0) * np.minimum(along - half, wall.length - half - along) / (span / 2)
+        part += elsewhere - wished.get(wall.index, 0.0)
+        lit = np.zeros(len(along))
+        hidden = np.zeros(len(along))
+        for (start, low, end, high), kind in site.wall_takers(wall):
+            cover = np.clip(np.minimum(along + half, end) - np.maximum(along - half, start), 0.0, None)
+            if kind == "window":
+                lit = np.maximum(lit, cover / width)
+            if kind != "door" and low > 0.1:
+                tall = min(1.0, max(0.0, (height if kind == "window" else crown) - low) / (0.6 * max(high - low, 0.1)))
+                hidden += cover / (end - start) * (tall if kind == "window" else float(tall > 0))
+        window = weights.get("at_window", 0.0)
+        part += window * (1 - np.minimum(lit * 1.5, 1.0)) if window > 0 else -window * np.minimum(lit * 1.5, 1.0)
+        cost[rows] = part + BLOCKED_WINDOW * np.minimum(hidden, 1.0)
+    return cost + weights.get("snug", 0.0) * _loose_ends(site, batch, width)
+
+
+def _loose_ends(site: Site, batch: Batch, width: float) -> Cost:
+    """Return how many of the two sides of a thing at a wall have an open gap beside them (0 to 1)."""
+    taken = site.floor.maps().taken
+    sides = [np.array([(0.0, y)]) for y in (width / 2 + 0.12, -width / 2 - 0.12)]
+    return 1.0 - np.mean([taken[site.floor.under(side, batch.poses)][:, 0] for side in sides], axis=0)
+
+
+def nearness(site: Site, xy: NDArray[np.float64], names: Sequence[str], *, far: bool = False) -> Cost:
+    """Return the distance to the nearest of some things as a share of the room, or how much it lacks to be `far`, below 0."""
+    there = [site.spots[name].member for name in names if name in site.spots]
+    if not there:
+        return np.zeros(len(xy))
+    away = np.min([np.hypot(xy[:, 0] - m.x, xy[:, 1] - m.y) for m in there], axis=0) / math.sqrt(site.room.area)
+    return -np.maximum(0.0, 1.0 - away) if far else away
+
+
+def _facing(site: Site, anchor: str, poses: NDArray[np.float64]) -> Cost:
+    """Return how badly a thing, and the screen that stands on it, looks at (or away from) what it should face."""
+    carried = [item.name for item in site.wants.values() if item.anchor == anchor]
+    return sum((_looking(site, name, anchor, poses) for name in (anchor, *carried)), np.zeros(len(poses)))
+
+
+def _looking(site: Site, name: str, anchor: str, poses: NDArray[np.float64]) -> Cost:
+    """Return how badly a thing would face what its role faces, if its anchor were at these places."""
+    face = site.wants[name].face
+    names = targets(site, name)
+    if face is None or not names:
+        return np.zeros(len(poses))
+    costs: list[Cost] = []
+    low, high = face.distance
+    for other in names:
+        target = site.spots[other].member
+        dx, dy = target.x - poses[:, 0], target.y - poses[:, 1]
+        away = np.hypot(dx, dy)
+        turn = poses[:, 2] + (math.pi if face.away else 0.0)
+        ahead = (dx * np.cos(turn) + dy * np.sin(turn)) / np.maximum(away, 1e-6)
+        seen = -(dx * math.cos(target.yaw) + dy * math.sin(target.yaw)) / np.maximum(away, 1e-6)
+        outside = np.maximum(low - away, 0.0) + np.maximum(away - high, 0.0)
+        cost = 1.5 * (1 - ahead) + 1.5 * (1 - seen) + 2.0 * np.minimum(outside, 2.0)
+        if not face.away:
+            cost += HIDDEN * _hidden(site, {anchor, name}, site.spots[other], poses)
+        costs.append(cost)
+    return face.weight * np.min(costs, axis=0)
+
+
+def keep_sight(site: Site, name: str) -> None:
+    """Ask that nothing is put between a seat that was placed and the screen that it looks at."""
+    face, there = site.wants[name].face, targets(site, name)
+    if site.trial or face is None or face.away or not there:
+        return
+    here, target = site.spots[name].member, site.spots[there[0]].member
+    away = math.hypot(target.x - here.x, target.y - here.y)
+    line = np.linspace((here.x, here.y), (target.x, target.y), 2 + int(away / 0.15))
+    site.floor.want(np.concatenate([line, line + np.array((0.2, 0.0)), line + np.array((0.0, 0.2))]), 1.0)
+
+
+def _hidden(site: Site, own: Collection[str], target: Spot, poses: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return whether something higher than a low table stands between places and what they look at."""
+    member = target.member
+    between = [
+        corners_of(spot.member, site.size(name))
+        for name, spot in site.spots.items()
+        if name not in own and name != member.name and site.on_floor(spot.member) and site.size(name)[2] >= LOW
+    ]
+    if not between:
+        return np.zeros(len(poses), np.bool_)
+    ends = np.stack([np.broadcast_to((member.x, member.y), (len(poses), 2)), poses[:, :2]], axis=1)
+    return np.asarray(shapely.intersects(shapely.linestrings(ends), shapely.union_all(shapely.polygons(between))))

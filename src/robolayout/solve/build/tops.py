@@ -1,0 +1,130 @@
+"""Small things on a top: place settings before seats, the rest where their kind belongs and a hand can get them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from robolayout.solve.build.member import MARGIN, Member, Rect, Size, box_of, overlaps
+
+STEP = 0.04
+"""Metres between the places tried on a top."""
+
+HAND = 0.32
+"""Metres from the middle of a desk to where a right hand lies beside the keyboard, for who sits before its front."""
+
+
+class Top:
+    """The top of one asset and what stands on it.
+
+    Args:
+        size: Size of the asset below.
+        sizes: Sizes of all assets by name.
+        placed: What stands at or on the asset already, in its frame.
+        reach: How far from the edge a thing may stand to be reached by the agent, metres.
+        seats: Who sits at it.
+    """
+
+    def __init__(
+        self, size: Size, sizes: Mapping[str, Size], placed: Sequence[Member], reach: float, seats: Sequence[Member]
+    ) -> None:
+        self.half = (size[0] / 2, size[1] / 2)
+        self.sizes = sizes
+        self.reach = reach
+        self.seated, self.faced = len(seats) > 1, bool(seats)
+        self.on_top = [member for member in placed if abs(member.bottom - size[2]) < 1e-6]
+        self.taken: list[Rect] = [box_of(member, sizes[member.name]) for member in self.on_top]
+
+    def put(self, items: Sequence[tuple[str, str, Member | None]]) -> list[Member]:
+        """Place things given as (name, where, whose seat it is laid for) and return them."""
+        found: list[Member] = []
+        in_line = {} if self.faced else self._in_line(items)
+        for i, (name, at, seat) in enumerate(items):
+            if seat is not None:
+                member = self._at_seat(name, at, seat)
+                if not any(overlaps(box_of(member, self.sizes[name]), other) for other in self.taken):
+                    found.append(self._keep(member))
+                    continue
+            found.append(self._keep(in_line.get(name) or self._free(name, at, i, len(items))))
+        return found
+
+    def _in_line(self, items: Sequence[tuple[str, str, Member | None]]) -> dict[str, Member]:
+        """Return places side by side for several things of one kind that fit so, if the top is bare."""
+        widths = [self.sizes[name][1] for name, _, _ in items]
+        spare = 2 * self.half[1] - sum(widths)
+        deepest = max((self.sizes[name][0] for name, _, _ in items), default=0.0)
+        if len(items) < 2 or self.taken or spare < 0.03 * len(items) or deepest > 2 * self.half[0]:
+            return {}
+        y, found = -self.half[1], dict[str, Member]()
+        for (name, at, _), width in zip(items, widths, strict=True):
+            y += spare / (2 * len(items)) + width / 2
+            x, _ = self._wanted(at, 0, 2, (max(self.half[0] - self.sizes[name][0] / 2, 0.0), 0.0))
+            found[name] = Member(name, x, y, 0.0)
+            y += spare / (2 * len(items)) + width / 2
+        return found
+
+    def _keep(self, member: Member) -> Member:
+        self.on_top.append(member)
+        self.taken.append(box_of(member, self.sizes[member.name]))
+        return member
+
+    def _at_seat(self, name: str, at: str, seat: Member) -> Member:
+        """Return where a plate, a glass or a fork belongs before a seat, heading as the guest looks."""
+        plate = next((self.sizes[m.name] for m in self.on_top if m.side == seat.name), (0.26, 0.26, 0.02))
+        ax, ay = self.sizes[name][0] / 2, self.sizes[name][1] / 2
+        beside = plate[1] / 2 + MARGIN + ay
+        inward, left = {
+            "plate": (ax, 0.0),
+            "left": (max(ax, plate[0] / 2), beside),
+            "right": (max(ax, plate[0] / 2), -beside),
+            "far left": (max(ax, plate[0] / 2), beside + 0.07),
+            "far right": (max(ax, plate[0] / 2), -beside - 0.07),
+            "glass": (max(ax, 0.2 * plate[0]), -beside - 0.08),
+            "beyond": (plate[0] + MARGIN + ax, 0.0),
+        }[at]
+        c, s = round(math.cos(seat.yaw)), round(math.sin(seat.yaw))
+        inward += MARGIN
+        if at == "glass" and self._inner(seat, left) > self.reach >= self._inner(seat, -left):
+            left = -left  # a hand comes from the end of the table: nobody stands where the chair is
+        if c:
+            x, y = -c * (self.half[0] - inward), seat.y + c * left
+        else:
+            x, y = seat.x - s * left, -s * (self.half[1] - inward)
+        return Member(name, x, y, seat.yaw, side=seat.name)
+
+    def _inner(self, seat: Member, left: float) -> float:
+        """Return metres from a place so far to the left of a seat to the end of the table."""
+        c, s = round(math.cos(seat.yaw)), round(math.sin(seat.yaw))
+        return self.half[1] - abs(seat.y + c * left) if c else self.half[0] - abs(seat.x - s * left)
+
+    def _free(self, name: str, at: str, i: int, count: int) -> Member:
+        """Return the free place nearest to where the i-th of `count` such things belongs."""
+        depth, width, _ = self.sizes[name]
+        turned = (depth > 2 * self.half[0] or width > 2 * self.half[1]) and depth <= 2 * self.half[1]
+        hx, hy = (width / 2, depth / 2) if turned else (depth / 2, width / 2)
+        rx, ry = max(self.half[0] - hx, 0.0), max(self.half[1] - hy, 0.0)
+        wx, wy = self._wanted(at, i, count, (rx, ry))
+        wx += max(0.0, hx - self.half[0])
+        xs = [-rx + k * STEP for k in range(int(2 * rx / STEP) + 1)] + [wx]
+        ys = [-ry + k * STEP for k in range(int(2 * ry / STEP) + 1)] + [wy]
+        places = sorted((math.hypot(x - wx, y - wy), x, y) for x in xs for y in ys)
+        for _, x, y in places:
+            if not any(overlaps((x - hx, y - hy, x + hx, y + hy), other, MARGIN) for other in self.taken):
+                return Member(name, x, y, math.pi / 2 if turned else 0.0)
+        return Member(name, wx, wy, math.pi / 2 if turned else 0.0)
+
+    def _wanted(self, at: str, i: int, count: int, room: tuple[float, float]) -> tuple[float, float]:
+        """Return where the i-th of `count` things belongs on a top, within (+-room) of its middle."""
+        rx, ry = room
+        y = 0.0 if count == 1 else ry * (2 * (i + 0.5) / count - 1)
+        if at == "back":
+            return (-rx if self.faced else max(-rx, rx - self.reach), y)
+        if at == "front":
+            return (max(0.0, rx - 0.03), y)
+        if at == "front left":
+            return (max(0.0, rx - 0.03), min(ry, HAND))
+        if at == "left":
+            return (0.0, ry * 0.85 if count == 1 else y)
+        if self.seated:
+            return (0.0, y if count > 1 else max(0.0, ry - self.reach + 0.05))
+        return (0.0 if rx <= self.reach else max(0.0, rx - self.reach), y)
