@@ -388,15 +388,16 @@ def solve(  # noqa: PLR0913 - as `generate`
         program = reconcile(read_program(program, scene), scene, paper=solver in (PAPER, UNREFINED)).program
     judge = make_judge(scene, program)
 
-    def solved(way: Program) -> Solution:
+    def solved(way: Program, config: SolverConfig | None) -> Solution:
         problem = compile_problem(scene, way, seed=seed, pinned=pinned, built=built)
         return solve_with(solver, problem, judge, seed=seed, config=config, progress=progress)
 
-    best = solved(program)
+    best = solved(program, config)
+    brief = (config or SolverConfig()).at("quick")
     for way in _ways(scene, program, best) if solver == "default" else ():
         if best.verdict.ok:
             break
-        best = min(best, solved(way), key=lambda found: found.verdict.merit)
+        best = min(best, solved(way, brief), key=lambda found: found.verdict.merit)
     return best
 
 
