@@ -15,8 +15,8 @@ from robolayout.assets.part import Material
 CLOTH = 0.95
 """Roughness of fabrics."""
 
-SOFT = ("seating", "sleeping", "textiles")
-"""Groups whose colour is that of their cloth."""
+SOFT = ("seating", "textiles")
+"""Groups whose colour is that of their cloth, as it is of beds."""
 
 
 @dataclass(frozen=True)
@@ -200,7 +200,7 @@ def make_piece(
     cloth = next((CLOTHS[word] for word in said if word in CLOTHS), fabric)
     color = next((COLORS[word] for word in said if word in COLORS), None)
     if color is not None:
-        soft = CATALOGUE[kind].group in SOFT if kind in CATALOGUE else False
+        soft = kind.endswith("bed") or (kind in CATALOGUE and CATALOGUE[kind].group in SOFT)
         palette = palette if soft or wood is not None else replace(palette, wood=color, front=color)
         cloth, accent, bedding = (replace(m, name=color.name, color=color.color) for m in (cloth, accent, bedding))
     return Piece(*size, palette, cloth, accent, bedding, kind, rng.randrange(12), f"{seed}/{name}")

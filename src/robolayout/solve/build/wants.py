@@ -285,7 +285,9 @@ class _Reading:
         modes = self._modes()
         if "hang" in modes:
             return {"hang": 0.0}
-        if "corner" in modes and (modes["corner"] <= 0 or (math.isinf(modes.get("wall", 0)) and modes["corner"] < LEADS)):
+        if "corner" in modes and (
+            modes["corner"] <= 0 or (math.isinf(modes.get("wall", 0)) and modes["corner"] < LEADS)
+        ):
             del modes["corner"]  # a wall's ends are corners, too
         if not any(math.isinf(weight) for weight in modes.values()):
             modes["facing" if face is not None and not face.away else "middle"] = 0.0
