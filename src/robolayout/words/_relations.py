@@ -72,6 +72,8 @@ class Relating(References):
 
     def _on_rel(self, chunk: Chunk) -> None:
         """A relation: find what it is about, then what it leads to."""
+        if chunk.value == "open" and self.verb and self.subject:  # "the table stands free in the middle"
+            chunk = replace(chunk, value="middle")
         if self._of_the_room(chunk) or (chunk.value == "in" and self._in_an_aid()):
             return
         if self._of_people():
