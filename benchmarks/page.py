@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import statistics
+from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
@@ -259,18 +261,88 @@ def crowded(rows: Rows, images: Path) -> str:
 
 def ablation(rows: Rows, images: Path) -> str:
     """Return the table of what each part is worth."""
-    groups: dict[str, list[Row]] = {}
+    groups: dict[tuple[str, str], dict[str, Row]] = {}
     for key, row in rows.items():
-        groups.setdefault(key.split("/")[0], []).append(row)
-    heads = ["solver", "runs", "hard demands met", "all demands met", *HEADS, "wall s", "CPU s"]
-    lines = [[k, *summary(v), *(f"{mean(v, n):.1f}" for n in ("wall", "cpu"))] for k, v in groups.items()]
+        name, family, case = key.split("/", 2)
+        groups.setdefault((family, name), {})[case] = row
+    heads = ["family", "solver", "runs", "hard demands met", "all demands met", "reachable", "usable", "statements met"]
+    heads += ["moved, m", "CPU s", "other layouts than the default's", "made by"]
+    lines: list[list[str]] = []
+    for (family, name), found in sorted(
+        groups.items(), key=lambda item: (item[0][0], item[0][1] != "default", item[0])
+    ):
+        runs, plain = list(found.values()), groups[family, "default"]
+        shares = [f"{mean(runs, n):.2f}" for n in ("reachable_share", "usable_share", "statements_met_share", "moved")]
+        other = sum(row["layout"] != plain[case]["layout"] for case, row in found.items())
+        lines.append([family, name, *summary(runs)[:3], *shares, f"{mean(runs, 'cpu'):.1f}", str(other), _phases(runs)])
     intro = (
-        "The same programs without guesses that help: crowded rooms of 20 assets (30 and 45 % filled) with blind guesses, "
-        "bedroom and living room for a wheelchair with the planner's statements but none of its guesses, and four tasks with "
-        "a model's rough guess; "
-        "one attempt each.\n"
+        "The solver without one of its parts, or with other numbers of starts (the default has 16): crowded rooms with blind "
+        "guesses, examples for a wheelchair with the planner's statements but no guesses, tasks with a model's rough guess "
+        "(below); one attempt each. A row that makes no other layouts than the default changes nothing in its family.\n"
     )
     return f"## What each part is worth\n\n{intro}\n{table(heads, lines)}"
+
+
+def _phases(runs: list[Row]) -> str:
+    """Return which phases made the winning layouts, and how often."""
+    counts = Counter(row["phase"] for row in runs)
+    return ", ".join(
+        f"{phase} {count}" for phase, count in sorted(counts.items(), key=lambda item: (-item[1], item[0]))
+    )
+
+
+def paper(rows: Rows, images: Path) -> str:
+    """Return the table of the paper's experiments, by solver and whether it knows the body."""
+    groups: dict[str, list[Row]] = {}
+    for key, row in rows.items():
+        _, solver, reach, _ = key.split("/")
+        groups.setdefault(f"{solver}, {reach}", []).append(row)
+    heads = ["solver", "runs", "hard demands met", "all demands met", *HEADS, "CPU s"]
+    lines = [[name, *summary(found), f"{mean(found, 'cpu'):.1f}"] for name, found in sorted(groups.items())]
+    rooms = sorted({key.split("/")[0].replace("_", " ") for key in rows})
+    intro = (
+        f"`benchmarks/paper.toml`, as far as it has been measured: {', '.join(rooms)}; for the robot that it names. *No reach*: made for "
+        "nobody, judged for the body. *Unrefined*: the paper's algorithm without its last step.\n"
+    )
+    return f"## The paper's experiments\n\n{intro}\n{table(heads, lines)}"
+
+
+def many(rows: Rows, images: Path) -> str:
+    """Return the table of how fast rooms are made side by side, and what a large set is like."""
+    side = {key.partition("/")[2]: row for key, row in rows.items() if key.startswith("workers/")}
+    alone = side.get("1 process")
+    lines: list[list[str]] = []
+    for name, row in side.items():
+        rate = 60 * row["rooms"] / row["wall"]
+        count = int(re.findall(r"\d+", name)[0])
+        share = f"{rate / (count * 60 * alone['rooms'] / alone['wall']):.0%}" if alone else "-"
+        cells = [f"{rate:.0f}", f"{60 / row['cpu']:.0f}", share, f"{row['cpu']:.2f}"]
+        lines.append([name, str(row["rooms"]), *cells, *(f"{row[part]:.2f}" for part in ("draw", "generate", "write"))])
+    heads = [
+        "workers",
+        "rooms",
+        "rooms a minute",
+        "a minute and core",
+        "efficiency",
+        "CPU s a room",
+        "drawing",
+        "laying out",
+        "writing",
+    ]
+    parts = [
+        "## Many rooms\n\nMixed rooms of ten kinds for six bodies, without pictures; start of the workers included.\n"
+    ]
+    parts.append(table(heads, lines))
+    for key, row in rows.items():
+        if key.startswith("large/"):
+            near, memory = row["near"] / row["tries"], f"{row['first']:.0f} and {row['last']:.0f} MB"
+            parts.append(
+                f"{row['rooms']} rooms with {key.partition('/')[2]}: {row['met']} meet all demands, {row['missing']} were given up; "
+                f"{row['tries'] - row['rooms']} tries were replaced, {near:.1%} of all as near-duplicates, and none is left (least "
+                f"difference {row['least']:.2f}); {60 / row['cpu']:.0f} rooms a minute and core; memory of a process over the first "
+                f"and the last hundred {memory}; {1000 * row['mb'] / row['rooms']:.0f} kB a room.\n"
+            )
+    return "\n".join(parts)
 
 
 def rough(rows: Rows, images: Path) -> str:
@@ -290,7 +362,7 @@ def rough(rows: Rows, images: Path) -> str:
         f"**{mean(found, 'moved'):.2f}** / {max(row['farthest'] for row in found):.2f}",
         f"{mean(found, 'turned'):.0f}",
     ]
-    last = [*means, str(sum(row["needless"] for row in found)), "", f"{mean(found, 'cpu'):.1f}"]
+    last = [*means, str(sum(row["needless"] for row in found)), _phases(found), f"{mean(found, 'cpu'):.1f}"]
     hard = f"{mean(found, 'hard_ok'):.0%}"
     lines.append(["all", "", hard, "", str(sum(row["short"] for row in found)), " / ".join(total), *last])
     heads = ["room", "assets", "hard demands met", "walkable", "out of reach", "statements met: guess / result / asked"]
@@ -456,7 +528,29 @@ def words(rows: Rows, images: Path) -> str:
         "(`benchmarks/prompts/`), checked by a script that knows nothing of the reader. *Ledger agrees*: of the demands "
         "that have a row of the ledger, those to which both give the same verdict.\n"
     )
-    return f"## Words\n\n{intro}\n{table(heads, lines)}"
+    return f"## Words\n\n{intro}\n{table(heads, lines)}\n{_words_by_kind(rows)}"
+
+
+def _words_by_kind(rows: Rows) -> str:
+    """Return how many demands of each single kind are met."""
+    from benchmarks.words import FILES, RELATIONS, prompts
+
+    asked: dict[str, list[int]] = {}
+    for column, file in enumerate(FILES):
+        for number, prompt in enumerate(prompts(file)):
+            row = rows.get(f"{file}/{number:03}")
+            if row is None:
+                continue
+            unmet = [text.split()[0] for text in str(row.get("unmet", "")).split("; ") if text]
+            for demand in prompt.demands:
+                counts = asked.setdefault(demand.kind, [0, 0, 0, 0])
+                counts[2 * column + 1] += 1
+                lost = "refused" in row or demand.kind in unmet
+                counts[2 * column] += not lost
+                if lost and demand.kind in unmet:
+                    unmet.remove(demand.kind)
+    lines = [[kind, _of(*asked[kind][:2]), _of(*asked[kind][2:])] for kind in ("count", *RELATIONS) if kind in asked]
+    return table(["demand", "set aside", "of development"], lines)
 
 
 def _of(part: int, whole: int) -> str:
@@ -471,6 +565,8 @@ SECTIONS: dict[str, Callable[[Rows, Path], str]] = {
     "crowded": crowded,
     "ablation": ablation,
     "rough": rough,
+    "paper": paper,
+    "many": many,
     "vlm": vlm,
     "pictures": pictures,
     "exports": exports,

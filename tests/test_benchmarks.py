@@ -6,7 +6,21 @@ import json
 from pathlib import Path
 
 import pytest
-from benchmarks import ablation, bodies, crowded, examples, exports, opening, page, pictures, rough, speed, vlm
+from benchmarks import (
+    ablation,
+    bodies,
+    crowded,
+    examples,
+    exports,
+    many,
+    opening,
+    page,
+    paper,
+    pictures,
+    rough,
+    speed,
+    vlm,
+)
 from benchmarks.measures import SHARES
 from benchmarks.rooms import Crowd, crowd
 from benchmarks.store import Row, Store
@@ -34,7 +48,7 @@ def test_rooms_are_as_full_as_they_claim_and_their_programs_read(asked: Crowd) -
 
 
 def test_every_section_has_cases_with_names_of_their_own() -> None:
-    for section in (examples, exports, opening, pictures, bodies, speed, crowded, ablation, rough, vlm):
+    for section in (examples, exports, opening, pictures, bodies, speed, crowded, ablation, rough, paper, many, vlm):
         for quick in (True, False):
             keys = [key for key, _ in section.cases(quick)]
             assert keys and len(set(keys)) == len(keys)

@@ -13,6 +13,7 @@ RoboLayoutError
 │   └── MissingExtraError      an optional dependency is not installed
 └── ModelError                 a model provider failed or its answers stayed unusable
     ├── BudgetError            the money allowed for a model does not reach for its next answer
+    ├── UnavailableError       a model's server is busy, broken, slow, or answers what is no answer
     └── AnswerError            a model answered, but its answers stayed unusable
 """
 
@@ -137,6 +138,10 @@ class ModelError(RoboLayoutError):
 
 class BudgetError(ModelError):
     """The money allowed for a model does not reach for its next answer; a room is made all the same."""
+
+
+class UnavailableError(ModelError):
+    """A model's server is busy, broken, slow, or answers what is no answer; a room is made all the same."""
 
 
 class AnswerError(ModelError):

@@ -11,10 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely import Polygon, unary_union
 
-from robolayout.assets import CATALOGUE, parts
+from robolayout.assets import CATALOGUE, Material, parts
 from robolayout.assets.category import Category
 from robolayout.assets.meshes import builder_for, fit
-from robolayout.assets.palette import PALETTES, make_piece
+from robolayout.assets.palette import CLOTHS, COLORS, PALETTES, STYLED, WOODS, make_piece
 from robolayout.scene import Asset
 
 FLICKER = 4e-4
@@ -135,3 +135,25 @@ def test_materials_are_in_range() -> None:
     for palette in PALETTES:
         for material in (palette.wood, palette.wood_dark, palette.front, *palette.fabrics, *palette.accents):
             assert all(0.0 <= channel <= 1.0 for channel in material.color)
+
+
+@pytest.mark.parametrize(
+    ("kind", "look", "color"),
+    [
+        ("armchair", "bohemian, blue", COLORS["blue"]),
+        ("wardrobe", "industrial, white", COLORS["white"]),
+        ("coffee table", "oak, walnut", WOODS["walnut"]),
+        ("sofa", "scandinavian, leather", CLOTHS["leather"]),
+        ("bookshelf", "scandinavian", STYLED["scandinavian"].wood),
+    ],
+)
+def test_a_look_settles_what_a_thing_is_made_of(kind: str, look: str, color: Material) -> None:
+    depth, width, height = CATALOGUE[kind].size
+    asset = Asset("x-0", kind, (depth, width, height), metadata={"look": look})
+    one, other = ({part.material.color for part in parts(asset, seed)} for seed in (0, 3))
+    assert color.color in one and color.color in other
+
+
+def test_a_look_that_says_nothing_changes_nothing() -> None:
+    plain, odd = (Asset("sofa-0", "sofa", (0.9, 2.0, 0.8), metadata=look) for look in ({}, {"look": "made of cheese"}))
+    assert [part.material for part in parts(plain, 2)] == [part.material for part in parts(odd, 2)]

@@ -1,6 +1,7 @@
 """The room's own parts: floor area, walls outside and cut around openings, concave and slanted rooms, bounded size."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from hypothesis import strategies as st
 from shapely import Point, Polygon
 
 from robolayout.assets import Part, room_parts, room_style
-from robolayout.assets.rooms import STYLES, THICKNESS
+from robolayout.assets.rooms import FLOORS, STYLES, THICKNESS
 from robolayout.scene import Opening, Room
 
 RECTANGLE = Room(
@@ -121,3 +122,14 @@ def test_any_star_shaped_room_works(radii: list[float], seed: int) -> None:
     assert _volume(built[0]) == pytest.approx(room.area * 0.059)
     assert all(np.isfinite(part.vertices).all() for part in built)
     assert sum(len(part.faces) for part in built if part.name == "floor") < 900
+
+
+@pytest.mark.parametrize("name", sorted(FLOORS))
+def test_a_floor_that_is_named_lies_there_whatever_the_seed(name: str) -> None:
+    room = replace(RECTANGLE, floor=name)
+    looks = {seed: {part.material for part in room_parts(room, seed=seed) if part.name == "floor"} for seed in (0, 1)}
+    assert looks[0] == looks[1] and looks[0] & set(FLOORS[name].tones)
+
+
+def test_a_floor_that_nobody_knows_is_left_to_the_seed() -> None:
+    assert room_style(2, "lava") is room_style(2) is STYLES[2]

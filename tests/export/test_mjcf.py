@@ -34,9 +34,10 @@ def sim(scene: Scene, layout: Layout) -> tuple[mujoco.MjModel, mujoco.MjData]:
     return loaded(scene, layout, Options(agent=DEFAULT_AGENT, routes=ROUTES))
 
 
-def test_every_asset_is_a_body_at_its_pose(sim: tuple, layout: Layout) -> None:
+def test_every_asset_is_a_body_at_its_pose(sim: tuple, scene: Scene, layout: Layout) -> None:
     model, data = sim
-    assert model.nbody == 1 + 1 + len(layout) + 1
+    moving = {part.joint for asset in scene.assets for part in parts(asset) if part.joint is not None}
+    assert model.nbody == 1 + 1 + len(scene.room.doors) + len(layout) + len(moving) + 1
     for name, pose in layout.items():
         assert data.body(name).xpos == pytest.approx((pose.x, pose.y, pose.z), abs=1e-9)
         w, x, y, z = data.body(name).xquat
@@ -54,7 +55,7 @@ def test_movable_things_are_free_and_weigh_what_they_should(sim: tuple, scene: S
     assert free == FREE
     for asset in scene.assets:
         if not asset.is_flat:
-            assert model.body(asset.name).mass == pytest.approx(mass(asset), rel=1e-5)
+            assert model.body(asset.name).subtreemass == pytest.approx(mass(asset), rel=1e-5)
 
 
 def test_friction_is_that_of_the_category(sim: tuple, scene: Scene) -> None:
@@ -112,10 +113,10 @@ def test_the_agent_is_a_planar_base_with_world_coordinates(sim: tuple, scene: Sc
 
 def test_the_base_goes_where_its_actuators_say(scene: Scene) -> None:
     model, data = loaded(scene, Layout({}), Options(agent=DEFAULT_AGENT, routes=ROUTES))
-    data.ctrl[:] = (3.5, 1.5, 0.0)
+    data.ctrl[:] = (-0.5, 1.0, 0.3)
     for _ in range(int(3 / model.opt.timestep)):
         mujoco.mj_step(model, data)
-    assert data.qpos[-3:] == pytest.approx((3.5, 1.5, 0.0), abs=0.01)
+    assert data.qpos[-3:] == pytest.approx((3.5, 1.5, math.pi / 2 + 0.3), abs=0.01)
 
 
 @pytest.mark.parametrize("length", [None, 1.2])
@@ -146,7 +147,9 @@ def test_urdf_loads_with_the_same_bodies_and_masses(scene: Scene, layout: Layout
     model = mujoco.MjModel.from_xml_path(str(export(scene, layout, "urdf", folder=tmp_path)))
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    assert {model.body(i).name for i in range(1, model.nbody)} == FREE
+    moving = {f"{a.name}/{part.joint.name}" for a in scene.assets for part in parts(a) if part.joint is not None}
+    assert {model.body(i).name for i in range(1, model.nbody)} == FREE | moving
+    assert {model.joint(f"{name}/joint").range[1] > 0 for name in moving} == {True}
     for name in FREE:
         pose = layout[name]
         assert model.body(name).mass == pytest.approx(mass(scene.by_name[name]), rel=1e-6)
@@ -154,7 +157,7 @@ def test_urdf_loads_with_the_same_bodies_and_masses(scene: Scene, layout: Layout
         matrix = data.body(name).xmat.reshape(3, 3)
         assert matrix[:2, 0] == pytest.approx(pose.forward, abs=1e-6)
     root = ET.parse(tmp_path / "den.urdf").getroot()
-    assert {link.get("name") for link in root.iter("link")} == {"room", *layout}
+    assert {link.get("name") for link in root.iter("link")} == {"room", *layout} | moving
     fixed = {joint.find("child").get("link") for joint in root.iter("joint") if joint.get("type") == "fixed"}
     assert fixed == set(layout) - FREE
 

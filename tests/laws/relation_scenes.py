@@ -10,6 +10,7 @@ from __future__ import annotations
 import ast
 import dataclasses
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cache, partial
 
@@ -62,9 +63,7 @@ class Case:
     @property
     def movers(self) -> set[str]:
         """Names of the assets that the relation says it moves."""
-        values = [getattr(self.relation, name) for name in self.relation.moves]
-        flat = [item for value in values for item in (value if isinstance(value, tuple) else (value,))]
-        return {item.name for item in flat if isinstance(item, AssetRef)}
+        return set(moved_by(self.relation))
 
     @property
     def rows(self) -> int:
@@ -74,6 +73,19 @@ class Case:
         """Return poses (slots, 3) as a layout."""
         named = zip(self.scene.assets, poses[: len(self.scene.assets)].tolist(), strict=True)
         return Layout({a.name: replace(self.near[a.name], x=x, y=y, yaw=yaw) for a, (x, y, yaw) in named})
+
+
+def moved_by(relation: Relation) -> Iterator[str]:
+    """Yield the names of the assets that a relation moves; where it is made of others, of what these move."""
+    waiting: list[object] = [getattr(relation, name) for name in relation.moves]
+    while waiting:
+        value = waiting.pop()
+        if isinstance(value, tuple):
+            waiting += value
+        elif isinstance(value, Relation):
+            yield from moved_by(value)
+        elif isinstance(value, AssetRef):
+            yield value.name
 
 
 def scene_of(example: str, rng: np.random.Generator, room: str = "rectangle", **options: object) -> Scene:
@@ -91,7 +103,8 @@ def scene_of(example: str, rng: np.random.Generator, room: str = "rectangle", **
         assets += [Asset(f"{variable}-{i}", kind.name, size, **flags) for i in range(count)]
     assets += [Asset(f"bystander-{i}", "box", (0.5, 0.9, 1.2)) for i in range(min(2, SLOTS - len(assets)))]
     door = Opening(0, 1.0, 0.9, 2.05)
-    return Scene(Room(ROOMS[room], 2.8, doors=(door,)), tuple(assets), **options)
+    window = Opening(1, 1.5, 1.4, 1.2, 0.9)
+    return Scene(Room(ROOMS[room], 2.8, doors=(door,), windows=(window,)), tuple(assets), **options)
 
 
 def vary(relation: Relation, scene: Scene, rng: np.random.Generator, chance: float = 0.5) -> Relation:
@@ -116,7 +129,8 @@ def vary(relation: Relation, scene: Scene, rng: np.random.Generator, chance: flo
             swaps += [0.0, 37.0, 90.0, -135.0]
         if swaps and rng.random() < chance:
             changes[field.name] = swaps[int(rng.integers(len(swaps)))]
-    return replace(relation, **changes)
+    changed = replace(relation, **changes)
+    return relation if changed.fault(scene) else changed
 
 
 def stage_arrays(problem: Problem) -> Arrays:
@@ -203,6 +217,10 @@ def case(name: str, variant: int) -> Case:
         relation = vary(relation, scene, rng, 1.0 if variant == 1 else 0.5)
     problem = flat_problem(scene, relation)
     arrays, random = stage_arrays(problem), anywhere(scene, rng)
+    if relation.as_guessed:
+        start = [(pose.x, pose.y, pose.yaw) for pose in (problem.guess[asset.name] for asset in scene.assets)]
+        others = [i for i, asset in enumerate(scene.assets) if asset.name not in set(moved_by(relation))]
+        random[:, others] = np.array(start)[others]
     satisfied = descend(random, arrays, *STATED)
     return Case(scene, relation, problem.guess, arrays, satisfied, random)
 

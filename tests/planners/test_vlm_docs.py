@@ -38,3 +38,10 @@ def test_the_table_of_modes_is_complete() -> None:
     )
     assert tuple(mode for mode, _ in rows) == MODES
     assert [mode for mode, pictures in rows if pictures == "no"] == ["no_image"]
+
+
+def test_the_prompt_of_the_judge_is_on_the_page() -> None:
+    shown = re.search(
+        r"<!-- judge\.md -->\n```text\n(.*?)^```", (ROOT / "docs/vlm.md").read_text(), re.DOTALL | re.MULTILINE
+    )
+    assert shown and shown[1] == (ROOT / "src/robolayout/planners/model/prompts/judge.md").read_text()

@@ -107,16 +107,17 @@ def test_a_good_model_furnishes_the_room(room: Path) -> None:
     report = valid(out)
     assert report["statements_met_share"] == 1.0
     who = report["planner"]
-    assert (who["model"], who["mode"], who["prompt_version"]) == ("openai:gpt-4o", "grouped", "2")
+    assert (who["model"], who["mode"], who["prompt_version"]) == ("openai:gpt-4o", "grouped", "3")
     assert who["usage"] == {"requests": 3, "input_tokens": 3000, "output_tokens": 600, "cost": pytest.approx(0.0135)}
     assert who["taken_over"] == {} and who["warnings"] == []
     assert "3 answers, 3000 tokens sent and 600 received, for $0.0135." in (out / "report.md").read_text()
     assert [group["label"] for group in read(out, "grouping.json")] == ["sleeping", "decoration"]
     assert len(list((out / "exchanges").glob("*.json"))) == 3
     first, second = server.seen[1:]
-    assert [label.partition(":")[0].partition(" looks")[0] for label in first.labels] == [
+    assert [label.partition(":")[0].partition(" looks")[0].partition(",")[0] for label in first.labels] == [
+        "The plan of the room",
         "The room from above",
-        "The room from the side, with the same marks.",
+        "The room from the side",
         *('What "bed-0"', 'What "lamp-0"', 'What "night_stand-0"'),
     ]
     assert all(image.width >= 256 and len(image.convert("L").getcolors(256) or []) > 5 for image in first.images)
@@ -210,7 +211,7 @@ def test_what_is_wrong_in_the_room_goes_back_in_numbers(room: Path) -> None:
         ran, _ = generate(server, room)
     assert ran.code == 0, ran
     told = server.seen[2].user.partition("# What came of it")[2]
-    assert "night_stand-0" in told and " is not met: " in told and " m" in told
+    assert "night_stand[0]" in told and " is not met: " in told and " m" in told
 
 
 def test_the_offline_planner_takes_over_from_one_that_never_succeeds(room: Path) -> None:
@@ -240,23 +241,36 @@ def test_a_busy_server_is_waited_for(room: Path, status: int) -> None:
 @pytest.mark.parametrize(
     ("reply", "words"),
     [
-        (Reply("out of breath", 500, {"retry-after-ms": "10"}), "openai:gpt-4o failed after several tries (500)"),
-        (
-            Reply("out of breath", 429, {"retry-after-ms": "10"}),
-            "openai:gpt-4o is still busy after several tries (429)",
-        ),
-        (Reply("x" * 10_000_000), "the server answered with more than 4 MB"),
         (Reply("no such model", 404, {"X-Code": "model_not_found"}), "there is no model 'openai:gpt-4o' (404)"),
         (Reply("who are you?", 401), "openai:gpt-4o refused the key (401): who are you?"),
     ],
-    ids=["500", "429", "10 MB", "404", "401"],
+    ids=["404", "401"],
 )
 @pytest.mark.parametrize("mode", ["no_image", "one_shot"])
-def test_a_server_that_never_answers_is_an_error(room: Path, reply: Reply, words: str, mode: str) -> None:
+def test_what_the_user_must_mend_is_an_error(room: Path, reply: Reply, words: str, mode: str) -> None:
     with serving(lambda *_: reply) as server:
         ran, out = generate(server, room, "--mode", mode)
     refused(ran, words)
     assert not (out / "layout.json").exists()
+
+
+@pytest.mark.parametrize(
+    ("reply", "words", "questions"),
+    [
+        (Reply("out of breath", 500, {"retry-after-ms": "10"}), "openai:gpt-4o failed after several tries (500)", 6),
+        (Reply("x" * 10_000_000), "the server answered with more than 4 MB", 2),
+    ],
+    ids=["500", "10 MB"],
+)
+def test_a_server_that_never_answers_is_given_up_soon_and_there_is_a_room(
+    room: Path, reply: Reply, words: str, questions: int
+) -> None:
+    with serving(lambda *_: reply) as server:
+        ran, out = generate(server, room)
+    assert ran.code == 0, ran
+    assert len(server.seen) <= questions, "groups and one program, each with the client's own tries"
+    taken = valid(out)["planner"]["taken_over"]
+    assert len(taken) == len(read(out, "grouping.json")) and all(words in why for why in taken.values())
 
 
 @pytest.mark.parametrize(
@@ -280,7 +294,9 @@ def test_one_that_breaks_down_in_the_middle_is_taken_over_with_the_reason(room: 
 def test_a_slow_model_is_not_waited_for_for_ever(room: Path) -> None:
     with serving(lambda *_: Reply(GROUPING, wait=30)) as server:
         ran, _ = generate(server, room, "--timeout", "0.3")
-    refused(ran, "openai:gpt-4o did not answer within 0.3 s. Raise --timeout, or choose a faster model.")
+    assert ran.code == 0, ran
+    (why,) = set(valid(room.parent / "out")["planner"]["taken_over"].values())
+    assert why == "openai:gpt-4o did not answer within 0.3 s. Raise --timeout, or choose a faster model."
 
 
 @pytest.mark.parametrize(
@@ -547,7 +563,7 @@ def test_a_critic_amends_once_and_only_for_the_better(
         assert "- statements met: 1.00" in seen.user
         seen = next(seen for seen in server.seen if kind(seen) == "amend")
         assert "bed[0] is far from the door: move it to walls[1]." in seen.user
-        assert seen.labels[0].startswith("The room from above: a grid")
+        assert seen.labels[0].startswith("The plan of the room")
     assert ((out / "program.py").read_text() == AMENDED) is kept
     again = room.parent / "again"
     mode = () if len(scores) == 2 else ("--mode", "no_image")

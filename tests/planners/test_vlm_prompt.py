@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import dataclasses
 import hashlib
 import json
 import math
@@ -26,7 +27,7 @@ from robolayout.program import read_program
 from robolayout.scene import Layout, Pose, scene_from_dict
 from robolayout.verify import verify
 
-PROMPTS = {"1": "8f85f866ccd8c53d", "2": "be03445e465c28a7"}
+PROMPTS = {"1": "8f85f866ccd8c53d", "2": "be03445e465c28a7", "3": "b20e1dddb2b4d1a1"}
 BED = Group("sleeping", "The bed rules.", ("bed-0", "lamp-0"), ("lamp-0 beside bed-0",))
 
 

@@ -1,4 +1,7 @@
-"""A loopback server that speaks OpenAI's chat completions and plays models good and bad, for tests: real HTTP, no network."""
+"""A loopback server that speaks OpenAI's chat completions and Anthropic's messages, and plays models good and bad.
+
+Real HTTP, no network: the protocol is that of the path that is asked.
+"""
 
 from __future__ import annotations
 
@@ -28,6 +31,8 @@ class Reply:
     tool: str = ""
     untold: bool = False
     finish: str = ""
+    body: bytes = b""
+    tokens: tuple[int, int] = (1000, 200)
 
 
 @dataclass
@@ -43,6 +48,9 @@ class Seen:
 
     @property
     def system(self) -> str:
+        given = self.body.get("system")
+        if given is not None:
+            return given if isinstance(given, str) else "\n".join(block["text"] for block in given)
         return "\n".join(m["content"] for m in self.body["messages"] if m["role"] in ("system", "developer"))
 
     @property
@@ -59,7 +67,8 @@ class Loopback:
         self._server = ThreadingHTTPServer(("127.0.0.1", 0), self._handler())
         self._server.daemon_threads = True
         self._server.handle_error = lambda *_: None  # a client that hangs up early is part of the play
-        self.url = f"http://127.0.0.1:{self._server.server_port}/v1"
+        self.root = f"http://127.0.0.1:{self._server.server_port}"
+        self.url = f"{self.root}/v1"
         self._thread = threading.Thread(target=self._server.serve_forever, args=(0.02,), daemon=True)
         self._thread.start()
 
@@ -96,9 +105,13 @@ class Loopback:
                         loop._busy -= 1
 
             def _send(self, reply: Reply, body: dict[str, Any]) -> None:
-                data = json.dumps(_completion(reply, body)).encode()
+                said = _message if self.path.split("?")[0].endswith("/messages") else _completion
+                told, form = said(reply, body), "application/json"
+                data = reply.body or json.dumps(told).encode()
+                if said is _message and body.get("stream") and reply.status == 200 and not reply.body:
+                    data, form = _events(told), "text/event-stream"
                 self.send_response(reply.status)
-                for name, value in {"Content-Type": "application/json", **reply.headers}.items():
+                for name, value in {"Content-Type": form, **reply.headers}.items():
                     self.send_header(name, value)
                 self.send_header("Content-Length", str(len(data)))
                 self.end_headers()
@@ -129,7 +142,33 @@ def _completion(reply: Reply, body: dict[str, Any]) -> dict[str, Any]:
         "choices": [
             {"index": 0, "message": message, "finish_reason": reply.finish or ("tool_calls" if reply.tool else "stop")}
         ],
-        **({} if reply.untold else {"usage": {"prompt_tokens": 1000, "completion_tokens": 200, "total_tokens": 1200}}),
+        **({} if reply.untold else {"usage": _tokens(reply, "prompt_tokens", "completion_tokens")}),
+    }
+
+
+def _tokens(reply: Reply, *names: str) -> dict[str, int]:
+    return dict(zip(names, reply.tokens, strict=True)) | (
+        {"total_tokens": sum(reply.tokens)} if "prompt_tokens" in names else {}
+    )
+
+
+def _message(reply: Reply, body: dict[str, Any]) -> dict[str, Any]:
+    """Return an answer as Anthropic gives it; to a question with a tool JSON is the tool's input."""
+    if reply.status != 200:
+        return {"type": "error", "error": {"type": "api_error", "message": reply.text}}
+    block: dict[str, Any] = {"type": "text", "text": reply.text}
+    if body.get("tools") and reply.text.startswith("{"):
+        block = {"type": "tool_use", "id": "toolu_1", "name": body["tools"][0]["name"], "input": json.loads(reply.text)}
+    ends = {"length": "max_tokens", "content_filter": "refusal", "": "end_turn"}
+    return {
+        "id": "msg_1",
+        "type": "message",
+        "role": "assistant",
+        "model": body["model"],
+        "content": [block],
+        "stop_reason": "tool_use" if block["type"] == "tool_use" else ends[reply.finish],
+        "stop_sequence": None,
+        "usage": _tokens(reply, "input_tokens", "output_tokens"),
     }
 
 
@@ -145,14 +184,40 @@ def _read(body: dict[str, Any], headers: dict[str, str]) -> Seen:
         for part in [{"type": "text", "text": content}] if isinstance(content, str) else content:
             if part["type"] == "text":
                 texts.append(part["text"])
+            elif part["type"] == "tool_result":
+                texts.append(json.dumps(part["content"]))
             else:
-                head, _, data = part["image_url"]["url"].partition(",")
-                assert head == "data:image/png;base64", head
+                data = part["source"]["data"] if part["type"] == "image" else _png_of(part["image_url"]["url"])
                 picture = Image.open(io.BytesIO(base64.b64decode(data, validate=True)))
                 picture.load()
                 images.append(picture)
                 labels.append(texts[-1])
     return Seen(texts, images, labels, headers, body, time.monotonic())
+
+
+def _events(message: dict[str, Any]) -> bytes:
+    """Return an answer of Anthropic's as the stream in which it comes."""
+    (block,), used = message["content"], message["usage"]
+    delta, empty = {"type": "text_delta", "text": block.get("text", "")}, {"type": "text", "text": ""}
+    if block["type"] == "tool_use":
+        delta, empty = {"type": "input_json_delta", "partial_json": json.dumps(block["input"])}, block | {"input": {}}
+    start = message | {"content": [], "stop_reason": None, "usage": used | {"output_tokens": 1}}
+    ends = {key: message[key] for key in ("stop_reason", "stop_sequence")}
+    events: list[dict[str, Any]] = [
+        {"type": "message_start", "message": start},
+        {"type": "content_block_start", "index": 0, "content_block": empty},
+        {"type": "content_block_delta", "index": 0, "delta": delta},
+        {"type": "content_block_stop", "index": 0},
+        {"type": "message_delta", "delta": ends, "usage": {"output_tokens": used["output_tokens"]}},
+        {"type": "message_stop"},
+    ]
+    return "".join(f"event: {event['type']}\ndata: {json.dumps(event)}\n\n" for event in events).encode()
+
+
+def _png_of(url: str) -> str:
+    head, _, data = url.partition(",")
+    assert head == "data:image/png;base64", head
+    return data
 
 
 @contextmanager

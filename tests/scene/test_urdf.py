@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 import trimesh
 
-from robolayout._errors import AgentError
+from robolayout._errors import AgentError, UnknownNameError
 from robolayout.scene import load_agent
 
 
@@ -113,7 +113,12 @@ def test_meshes(tmp_path: Path, filename: str) -> None:
         (link('<cone radius="1"/>'), "<'cone'> is no shape; allowed are box, cylinder, sphere and mesh."),
         (link(""), "a <collision> has no <geometry>."),
         (link(CYLINDER, origin='<origin rpy="a b c"/>'), "rpy must be 3 numbers, but is 'a b c'."),
-        (link('<mesh filename="x.dae"/>'), "mesh 'x.dae' is of no kind that is read (.stl, .obj, .ply); convert it."),
+        (
+            link('<mesh filename="x.fbx"/>'),
+            "mesh 'x.fbx' is of no kind that is read (.stl, .obj, .ply, .dae); convert it.",
+        ),
+        (link('<mesh filename="bomb.dae"/>'), "mesh bomb.dae has a document type or entities, which are not allowed"),
+        (link('<mesh filename="broken.dae"/>'), "mesh broken.dae is broken and cannot be used"),
         (link('<mesh filename="x.stl"/>'), "mesh 'x.stl' is not in the model's folder or package; put it there."),
         (link('<mesh filename="/../../etc/x.stl"/>'), "is not in the model's folder or package; put it there."),
         (link('<mesh filename="package://../../x.stl"/>'), "is not in the model's folder or package; put it there."),
@@ -124,7 +129,7 @@ def test_meshes(tmp_path: Path, filename: str) -> None:
         (link('<mesh filename="broken.ply"/>'), "mesh broken.ply is broken and cannot be used: "),
         (
             '<xacro:macro xmlns:xacro="x"/>' + link(CYLINDER),
-            "has xacro commands; run xacro first and give the plain URDF.",
+            "has xacro commands (<xacro:, line 2); run xacro first and give the plain URDF.",
         ),
         ("<link", "is not XML: not well-formed"),
         (link('<sphere radius="15"/>'), "height (metres) must be at most 20, but is 30"),
@@ -134,6 +139,8 @@ def test_meshes(tmp_path: Path, filename: str) -> None:
 def test_wrong_models(tmp_path: Path, body: str, message: str) -> None:
     (tmp_path / "broken.stl").write_bytes(b"solid x\nfacet normal\n" + bytes(range(200)))
     (tmp_path / "broken.ply").write_bytes(b"ply\nformat")
+    (tmp_path / "broken.dae").write_bytes(b"<COLLADA/>")
+    (tmp_path / "bomb.dae").write_bytes(b'<!DOCTYPE x [<!ENTITY a "b">]><COLLADA>&a;</COLLADA>')
     with pytest.raises(AgentError) as caught:
         load_agent(write(tmp_path, body))
     assert message in str(caught.value)
@@ -170,3 +177,77 @@ def test_a_deep_or_crowded_model_is_refused(tmp_path: Path) -> None:
     many = '<link name="base">' + f"<collision><geometry>{CYLINDER}</geometry></collision>" * 2001 + "</link>"
     with pytest.raises(AgentError, match="has 2001 <link/collision> elements; at most 2000 are allowed"):
         load_agent(write(tmp_path, many))
+
+
+def arm(limits: str, xyz: str = "0 0 0.5") -> str:
+    """A disc with an arm of two boxes of 0.5 m; at zero it is stretched out ahead."""
+    limit = f'<limit lower="{limits.split()[0]}" upper="{limits.split()[1]}" effort="1" velocity="1"/>'
+    box = link('<box size="0.5 0.06 0.06"/>', "{}", '<origin xyz="0.25 0 0"/>')
+
+    def hinge(parent: str, child: str, at: str) -> str:
+        return (
+            f'<joint name="{child}_joint" type="revolute"><parent link="{parent}"/><child link="{child}"/>'
+            f'<origin xyz="{at}"/><axis xyz="0 1 0"/>{limit}</joint>'
+        )
+
+    body = link('<cylinder radius="0.25" length="0.4"/>')
+    return (
+        body
+        + box.format("upper")
+        + box.format("gripper")
+        + hinge("base", "upper", xyz)
+        + hinge("upper", "gripper", "0.5 0 0")
+    )
+
+
+def test_an_arm_is_folded_over_the_base(tmp_path: Path) -> None:
+    agent = load_agent(write(tmp_path, arm("-3.0 3.0")))
+    assert agent.circumradius < 0.45  # stretched out it is 1 m
+    assert "its arms folded" in agent.sources["radius"].text
+
+
+def test_an_arm_that_cannot_fold_stays_out(tmp_path: Path) -> None:
+    agent = load_agent(write(tmp_path, arm("-0.1 0.1")))
+    assert agent.length == pytest.approx(1.25, abs=0.02)
+
+
+def test_reach_is_what_the_hand_gets_to(tmp_path: Path) -> None:
+    agent = load_agent(write(tmp_path, arm("-3.0 3.0")))
+    assert agent.reach_distance is not None
+    assert 0.3 < agent.reach_distance <= 0.5  # the gripper's own joint is 0.5 m from the shoulder
+    assert agent.shoulder_height == pytest.approx(0.7, abs=0.1)
+    assert agent.reach_high == pytest.approx(1.1, abs=0.1)
+    assert "gripper" in agent.sources["reach_distance"].text
+
+
+def test_a_profile_names_a_model_and_its_pose(tmp_path: Path) -> None:
+    write(tmp_path, arm("-3.0 3.0"))
+    profile = tmp_path / "mine.toml"
+    profile.write_text('urdf = "robot.urdf"\nheight = 1.7\n[pose]\nupper_joint = -1.5708\n')
+    agent = load_agent(profile)
+    assert agent.height == 1.7
+    assert agent.circumradius < 0.32  # straight up, 3 cm to each side
+    profile.write_text('urdf = "robot.urdf"\n[pose]\nuper_joint = 0\n')
+    with pytest.raises(UnknownNameError, match="upper_joint"):
+        load_agent(profile)
+    profile.write_text('urdf = "robot.urdf"\n[pose]\nupper_joint = 4\n')
+    with pytest.raises(AgentError, match="upper_joint' must be at most 3"):
+        load_agent(profile)
+
+
+def test_a_car_needs_the_circle_that_it_steers(tmp_path: Path) -> None:
+    def wheel(name: str, x: float, y: float, parent: str) -> str:
+        return link('<cylinder radius="0.1" length="0.04"/>', name, '<origin rpy="1.5708 0 0"/>') + (
+            f'<joint name="{name}_turn" type="continuous"><parent link="{parent}"/><child link="{name}"/>'
+            f'<origin xyz="{x} {y} 0"/><axis xyz="0 1 0"/></joint>'
+        )
+
+    body = link('<box size="0.9 0.4 0.1"/>', origin='<origin xyz="0.3 0 0.1"/>') + wheel("rear", 0, 0.2, "base")
+    body += '<link name="knuckle"/>' + wheel("front", 0, 0, "knuckle")
+    body += (
+        '<joint name="steer" type="revolute"><parent link="base"/><child link="knuckle"/><origin xyz="0.6 0.2 0"/>'
+        '<axis xyz="0 0 1"/><limit lower="-0.5" upper="0.5" effort="1" velocity="1"/></joint>'
+    )
+    agent = load_agent(write(tmp_path, body))
+    assert agent.turning_diameter is not None
+    assert agent.turning_diameter > 2 * 0.6 / math.tan(0.5)

@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from shapely import Polygon
 
+from robolayout.program import read_program
 from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene
 from robolayout.words import AskedRow, read_words
 
@@ -57,6 +59,19 @@ def verdict(text: str, kind: str, layout: Layout = PLACED) -> str:
         ("The bed faces the desk.", False),
         ("The bed is between the night stands.", True),
         ("The desk is between the night stands.", False),
+        ("The bed is in the left half.", True),
+        ("The desk is in the front half of the room.", False),
+        ("There is daylight at the desk.", True),
+        ("The night stands are in pairs.", False),
+        ("The night stands are parallel to each other.", True),
+        ("The bed stands at a right angle to the desk.", True),
+        ("The bed is parallel to the desk.", False),
+        ("The bed stands diagonally.", False),
+        ("The two night stands stand back to back.", False),
+        ("The night stands are stacked.", False),
+        ("The two night stands stand symmetrically on both sides of the bed.", True),
+        ("The room is open in the middle.", False),
+        ("The night stands stand in a row.", False),
     ],
 )
 def test_relations_are_measured_in_the_layout(text: str, met: bool) -> None:
@@ -95,9 +110,50 @@ def test_what_is_not_placed_meets_nothing() -> None:
 
 
 def test_nothing_is_dropped() -> None:
-    rows = judged("A cosy bedroom where the bed gleams, stacked.")
+    rows = judged("A quiet bedroom where the bed gleams, stacked.")
     assert {row.verdict for row in rows} >= {"met", "not judged", "not understood"}
     assert "gleams" in [row.words for row in rows]
+
+
+def test_a_way_ends_where_the_body_gets_to() -> None:
+    text = "There is a clear path from the door to the desk."
+    near, far = Polygon([(1, 0.4), (4, 0.4), (4, 3), (1, 3)]), Polygon([(0.4, 0.4), (1, 0.4), (1, 1), (0.4, 1)])
+    given = Scene(ROOM, (BED, *STANDS, LAMP, DESK), text)
+    found = [read_words(given).judged(given, PLACED, walked)[-1] for walked in (near, far, None)]
+    assert [row.verdict for row in found] == ["met", "unmet", "not judged"]
+    assert found[1].value == "the way ends 2.14 m before it"
+
+
+def test_attributes_that_exclude_each_other_are_said() -> None:
+    rows = [row for row in judged("A round square desk.") if row.kind == "attribute"]
+    assert [(row.words, row.understanding, row.verdict) for row in rows] == [
+        ("A round square desk", "round and square exclude each other", "unmet")
+    ]
+
+
+def test_two_moods_are_measured_and_the_others_are_not() -> None:
+    rows = {row.words: (row.verdict, row.value) for row in judged("An airy, cosy, quiet bedroom.")}
+    assert rows["airy"] == ("met", "it takes 22%")
+    assert rows["cosy"] == ("unmet", "none and table lamp")
+    assert rows["quiet"][0] == "not judged"
+
+
+def test_what_stands_against_a_wish_is_named() -> None:
+    given = Scene(ROOM, (BED, *STANDS, LAMP, DESK), "The bed is against the east wall. The desk is against the wall.")
+    wishes = read_words(given)
+    (bed, *_) = wishes.said
+    (row,) = [
+        row
+        for row in wishes.judged(given, PLACED, against={bed: "the wish 'desk against wall'"})
+        if row.verdict == "unmet"
+    ]
+    assert row.value.endswith("; against it: the wish 'desk against wall'")
+
+
+def test_statements_say_who_asks_for_them() -> None:
+    given = Scene(ROOM, (BED, *STANDS, LAMP, DESK), "The bed is against the west wall.")
+    program = read_program("solver.against_wall(bed[0], walls[3])\nsolver.against_wall(desk[0], walls[2])", given)
+    assert [statement.by for statement in read_words(given).marked(program).statements] == ["user", "plan"]
 
 
 def test_no_words_no_rows() -> None:

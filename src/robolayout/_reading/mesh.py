@@ -1,4 +1,4 @@
-"""Meshes: GLB, OBJ, PLY and STL from bytes, within bounds, as placed triangles with their looks.
+"""Meshes: GLB, OBJ, PLY, STL and, of robots, COLLADA from bytes, within bounds, as placed triangles with their looks.
 
 What a file promises is counted before its parser makes room for it. Nothing outside the given bytes is opened: materials
 and textures in separate files are ignored.
@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._reading.glb import check_glb
-from robolayout._reading.syntax import Unreadable
+from robolayout._reading.syntax import Unreadable, decoded, xml_root
 
 Array = NDArray[np.float64]
 
@@ -116,6 +116,8 @@ def _check_promises(data: bytes, suffix: str) -> None:
         check_glb(data, most_nodes=MAX_PIECES, most_triangles=MAX_TRIANGLES)
     elif suffix == ".ply":
         _check_ply(data)
+    elif suffix == ".dae":
+        xml_root(decoded(data))
     else:
         for what, found, most in (("pieces", _PIECES, MAX_PIECES), ("triangles", _FACES, MAX_TRIANGLES)):
             if (count := sum(1 for _ in found[suffix].finditer(data))) > most:

@@ -10,21 +10,25 @@ from robolayout.assets.lexicon import category_of, find_category, unknown_kinds
 
 if TYPE_CHECKING:
     from robolayout.assets.folder import import_folder
+    from robolayout.assets.joints import turned
     from robolayout.assets.meshes import parts
     from robolayout.assets.own import check_meshes, load_mesh_parts
-    from robolayout.assets.part import Material, Part
+    from robolayout.assets.part import Joint, Material, Part
     from robolayout.assets.prisms import Prism, prisms_of
     from robolayout.assets.rooms import RoomStyle, room_parts, room_style
     from robolayout.assets.surfaces import Surface, resting_place, surfaces_of
+    from robolayout.assets.sweeps import Sweep, sweeps_of
 
 __all__ = [
     "CATALOGUE",
     "Category",
+    "Joint",
     "Material",
     "Part",
     "Prism",
     "RoomStyle",
     "Surface",
+    "Sweep",
     "category_of",
     "check_meshes",
     "find_category",
@@ -37,15 +41,19 @@ __all__ = [
     "room_parts",
     "room_style",
     "surfaces_of",
+    "sweeps_of",
+    "turned",
     "unknown_kinds",
 ]
 
 _LAZY = {
+    "Joint": "part",
     "Material": "part",
     "Part": "part",
     "Prism": "prisms",
     "RoomStyle": "rooms",
     "Surface": "surfaces",
+    "Sweep": "sweeps",
     "check_meshes": "own",
     "import_folder": "folder",
     "load_mesh_parts": "own",
@@ -55,6 +63,8 @@ _LAZY = {
     "room_parts": "rooms",
     "room_style": "rooms",
     "surfaces_of": "surfaces",
+    "sweeps_of": "sweeps",
+    "turned": "joints",
 }
 """Names that need numpy or shapely, and the module that holds each."""
 

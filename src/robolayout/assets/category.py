@@ -20,7 +20,7 @@ HEADS = ("group", "role")
 NEEDED = ("size", "place", "use_sides", "synonyms")
 FURTHER: Mapping[str, tuple[type, ...]] = {
     "open_depth": (float, int), "movable": (bool,), "mass": (float, int), "friction": (float, int), "role": (str,),
-    "source": (str,), "parts": (str,),
+    "source": (str,), "parts": (str,), "joints": (str,),
 }  # fmt: skip
 """What else a record may say, and the kinds of value."""
 
@@ -48,6 +48,7 @@ class Category:
         role: What it is for in a room, by name; empty where size and placement decide.
         parts: What it is made of, one row a part (docs/assets.md), or the name of the category that is drawn alike; empty
             where a function draws it.
+        joints: What of it moves, one row a joint (docs/assets.md); empty where doors and drawers move as usual.
     """
 
     name: str
@@ -67,6 +68,7 @@ class Category:
     like: str = ""
     role: str = ""
     parts: str = ""
+    joints: str = ""
 
     @property
     def places(self) -> tuple[str, ...]:

@@ -9,6 +9,7 @@ import numpy as np
 
 from robolayout.assets.category import CATALOGUE, Category
 from robolayout.assets.furniture import BUILDERS, Builder
+from robolayout.assets.joints import Rule, jointed, read_joints
 from robolayout.assets.lexicon import category_of
 from robolayout.assets.palette import make_piece
 from robolayout.assets.part import Part
@@ -36,9 +37,21 @@ def parts(asset: Asset, seed: int = 0) -> tuple[Part, ...]:
             front=front if isinstance(front, str) else None,
         )
     category = category_of(asset)
-    piece = make_piece(category.name, asset.variable or asset.name, asset.name, asset.size, seed)
+    look = asset.metadata.get("look", "")
+    piece = make_piece(
+        category.name, asset.variable or asset.name, asset.name, asset.size, seed, look if isinstance(look, str) else ""
+    )
     build = read_rows(asset.parts, f"asset {asset.name!r}") if asset.parts else builder_for(category)
-    return fit(build(piece), asset.size)
+    made = jointed(fit(build(piece), asset.size), joints_of(category), asset.size)
+    return tuple(part for part in made if part.name not in asset.without) if asset.without else made
+
+
+def joints_of(category: Category) -> tuple[Rule, ...]:
+    """Return how parts of a category move: what its record says, or that which it is drawn alike."""
+    alike = CATALOGUE.get(category.parts) or CATALOGUE.get(category.like)
+    if not category.joints and alike is not None:
+        return joints_of(alike)
+    return read_joints(category.joints, f"{category.name!r} in group {category.group!r}")
 
 
 def builder_for(category: Category) -> Builder:

@@ -5,15 +5,18 @@ from __future__ import annotations
 import random
 import tomllib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from robolayout._text import utf8
-from robolayout.assets.category import DATA
+from robolayout.assets.category import CATALOGUE, DATA
 from robolayout.assets.part import Material
 
 CLOTH = 0.95
 """Roughness of fabrics."""
+
+SOFT = ("seating", "textiles")
+"""Groups whose colour is that of their cloth, as it is of beds."""
 
 
 @dataclass(frozen=True)
@@ -62,6 +65,21 @@ PLAIN: Mapping[str, Material] = {key: _material(entry) for key, entry in _FILE["
 """Materials that are the same in every room, by the names that rows use."""
 PALETTES = tuple(_palette(entry) for entry in _FILE["palettes"])
 """The palettes that a seed picks from."""
+STYLED: Mapping[str, Palette] = {palette.wood.name: palette for palette in PALETTES} | {
+    word: palette
+    for entry in _FILE["styled"]
+    for palette in [_palette({key: value for key, value in entry.items() if key != "words"})]
+    for word in entry["words"]
+}
+"""Palettes by the words that a look names them with: a style, or the main wood of one that seeds pick."""
+COLORS: Mapping[str, Material] = {word: Material(word, tuple(color), CLOTH) for word, color in _FILE["colors"].items()}
+"""Colours that a look may name."""
+WOODS: Mapping[str, Material] = {word: _material(entry) for word, entry in _FILE["woods"].items()}
+"""What a look may say that tables and cupboards are made of."""
+CLOTHS: Mapping[str, Material] = {word: _material(entry) for word, entry in _FILE["cloths"].items()}
+"""What a look may say that seats are covered with."""
+LOOKS = frozenset((*STYLED, *COLORS, *WOODS, *CLOTHS))
+"""Every word that a look may name."""
 BRIGHT = tuple(PLAIN[name] for name in ("red", "orange", "yellow", "green", "blue", "pink"))
 """Toy and packaging colours."""
 SPINES = tuple(material for name, material in PLAIN.items() if name.endswith("-cloth"))
@@ -160,9 +178,29 @@ def material_of(name: str, p: Piece) -> Material:
     return CHOSEN[name](p) if name in CHOSEN else PLAIN[name]
 
 
-def make_piece(kind: str, variable: str, name: str, size: tuple[float, float, float], seed: int) -> Piece:
-    """Choose materials: the palette by seed, the rest by the asset's list, so that chairs of one list match."""
+def make_piece(
+    kind: str, variable: str, name: str, size: tuple[float, float, float], seed: int, look: str = ""
+) -> Piece:
+    """Choose materials: as its look says, else the palette by seed, the rest by the asset's list, so that chairs of one list match.
+
+    Args:
+        kind: Name of the category.
+        variable: The asset's list.
+        name: The asset's name.
+        size: Depth, width and height in metres.
+        seed: Picks the palette where the look names none.
+        look: Words of `LOOKS`, separated by commas ("bohemian, blue").
+    """
     rng = random.Random(utf8(f"{seed}/{variable}"))
-    palette = PALETTES[seed % len(PALETTES)]
+    said = [word.strip() for word in look.split(",")]
+    palette = next((STYLED[word] for word in said if word in STYLED), PALETTES[seed % len(PALETTES)])
+    wood = next((WOODS[word] for word in said[1:] if word in WOODS), None)
+    palette = palette if wood is None else replace(palette, wood=wood, front=wood)
     fabric, accent, bedding = (rng.choice(row) for row in (palette.fabrics, palette.accents, palette.bedding))
-    return Piece(*size, palette, fabric, accent, bedding, kind, rng.randrange(12), f"{seed}/{name}")
+    cloth = next((CLOTHS[word] for word in said if word in CLOTHS), fabric)
+    color = next((COLORS[word] for word in said if word in COLORS), None)
+    if color is not None:
+        soft = kind.endswith("bed") or (kind in CATALOGUE and CATALOGUE[kind].group in SOFT)
+        palette = palette if soft or wood is not None else replace(palette, wood=color, front=color)
+        cloth, accent, bedding = (replace(m, name=color.name, color=color.color) for m in (cloth, accent, bedding))
+    return Piece(*size, palette, cloth, accent, bedding, kind, rng.randrange(12), f"{seed}/{name}")

@@ -31,6 +31,29 @@ class Material:
     texture: str | bytes | None = None
 
 
+@dataclass(frozen=True)
+class Joint:
+    """How some parts of a thing, or of a room, move together.
+
+    Attributes:
+        name: What moves ("door 0"); unique in its thing.
+        kind: "hinge" (turns about the axis) or "slide" (moves along it).
+        axis: Unit vector; the positive way opens.
+        at: A point on the axis, in the frame of the parts; metres.
+        span: How far it goes from where it is drawn, (0, open) where that is shut; radians or metres.
+        handle: Where it is taken hold of, as it is drawn; metres.
+        hold: Between which heights a hand can take hold of it: those of its handle, else of all of it; metres.
+    """
+
+    name: str
+    kind: str
+    axis: tuple[float, float, float]
+    at: tuple[float, float, float]
+    span: tuple[float, float]
+    handle: tuple[float, float, float]
+    hold: tuple[float, float]
+
+
 @dataclass(frozen=True, eq=False)
 class Part:
     """One piece of a mesh.
@@ -42,6 +65,7 @@ class Part:
         material: How it looks.
         convex: Whether it may serve as a collider as it is.
         uv: (n, 2) where its vertices lie in its material's picture; None for tiles, which are laid on by shape.
+        joint: With what it moves; None where it stays.
     """
 
     name: str
@@ -50,3 +74,4 @@ class Part:
     material: Material
     convex: bool = True
     uv: NDArray[np.float64] | None = None
+    joint: Joint | None = None

@@ -8,15 +8,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
 from shapely import Polygon, box, constrained_delaunay_triangles
 from shapely.geometry.base import BaseGeometry
 
+from robolayout.assets.joints import turned
 from robolayout.assets.palette import PLAIN
-from robolayout.assets.part import Material, Part
+from robolayout.assets.part import Joint, Material, Part
 from robolayout.assets.shapes import prism
 from robolayout.scene import Opening, Point, Room, Wall
 
@@ -26,6 +27,8 @@ SLAB = 0.06
 """Thickness of the floor below z = 0 in metres."""
 FRAME = 0.05
 """Width of door and window frames in metres."""
+LEAF = (-0.075, -0.035)
+"""Between which depths into the room a shut leaf hangs, in metres."""
 SKIRTING = (0.008, 0.07)
 """Depth into the room and height of the skirting board in metres."""
 MAX_STRIPS = 60
@@ -93,9 +96,40 @@ STYLES = (
 )  # fmt: skip
 
 
-def room_style(seed: int) -> RoomStyle:
-    """Return the style of a seed."""
-    return STYLES[seed % len(STYLES)]
+def _tiled(name: str, tile: tuple[float, float, float], joint: tuple[float, float, float]) -> RoomStyle:
+    """Return a style with tiles on the floor."""
+    return replace(
+        STYLES[3],
+        name=name,
+        tones=(Material(f"{name} floor", tile, 0.35, texture="stone"), Material("joint", joint)),
+        trim=PLAIN["white"],
+    )
+
+
+def _even(name: str, color: tuple[float, float, float], roughness: float, texture: str | None) -> RoomStyle:
+    """Return a style with one sheet on the floor."""
+    tones = (Material(f"{name} floor", color, roughness, texture=texture),)
+    return replace(STYLES[4], name=name, tones=tones, wall=STYLES[0].wall, door=STYLES[3].door)
+
+
+FLOORS = {
+    style.name: style
+    for style in (
+        *STYLES,
+        _tiled("white tiles", (0.90, 0.90, 0.89), (0.74, 0.74, 0.73)),
+        _tiled("marble tiles", (0.93, 0.92, 0.90), (0.83, 0.82, 0.80)),
+        _tiled("terracotta tiles", (0.72, 0.46, 0.34), (0.60, 0.52, 0.45)),
+        _even("concrete", (0.64, 0.63, 0.61), 0.9, "stone"),
+        _even("rubber", (0.24, 0.25, 0.27), 0.95, None),
+        _even("grey carpet", (0.52, 0.53, 0.55), 1.0, "pile"),
+    )
+}
+"""Styles by the name of their floor."""
+
+
+def room_style(seed: int, floor: str = "") -> RoomStyle:
+    """Return the style with a floor of that name, else that of a seed."""
+    return FLOORS.get(floor) or STYLES[seed % len(STYLES)]
 
 
 def room_parts(room: Room, *, style: RoomStyle | None = None, seed: int = 0) -> tuple[Part, ...]:
@@ -103,10 +137,10 @@ def room_parts(room: Room, *, style: RoomStyle | None = None, seed: int = 0) -> 
 
     Args:
         room: The room; it may be concave.
-        style: How it looks; None takes the style of `seed`.
+        style: How it looks; None takes the style that the room's floor names, else that of `seed`.
         seed: Picks a style where none is given.
     """
-    look = style or room_style(seed)
+    look = style or room_style(seed, room.floor)
     built = [*_floor(room, look), *_walls(room, look)]
     for i, door in enumerate(room.doors):
         built += _door(room.walls[door.wall], door, f"door-{i}", look)
@@ -263,24 +297,37 @@ def _frame(wall: Wall, hole: Opening, name: str, tone: Material, *, depth: Point
 
 
 def _door(wall: Wall, door: Opening, name: str, look: RoomStyle) -> Iterator[Part]:
-    """Yield a closed door: frame, leaf, a raised panel and a handle."""
+    """Yield a door: the frame, and its leaves as they stand."""
     yield from _frame(wall, door, name, look.trim, depth=(-THICKNESS + 0.004, -0.002))
     t = min(FRAME, 0.15 * door.width, 0.15 * door.height)
     near, far, top = door.offset + t + 0.003, door.offset + door.width - t - 0.003, door.height - t - 0.003
-    yield _bar(name, look.door, wall, (near, far), (-0.075, -0.035), (0.004, top))
-    if door.width > 1.4:
-        yield _bar(
-            name,
-            PLAIN["anthracite"],
-            wall,
-            (door.center - 0.004, door.center + 0.004),
-            (-0.077, -0.033),
-            (0.006, top - 0.002),
-        )
+    if door.leaves == 1:
+        yield from _leaf(wall, door, name, look, (near, far, top), left=door.hinge == "left")
+        return
+    for ends, left in (((near, door.center - 0.002), False), ((door.center + 0.002, far), True)):
+        yield from _leaf(wall, door, name, look, (*ends, top), left=left)
+
+
+def _leaf(
+    wall: Wall, door: Opening, name: str, look: RoomStyle, face: tuple[float, float, float], *, left: bool
+) -> Iterator[Part]:
+    """Yield a leaf, a raised panel and a handle; they turn about the edge at the side they swing to."""
+    near, far, top = face
     inset = 0.14 * (far - near)
-    yield _bar(name, look.trim, wall, (near + inset, far - inset), (-0.034, -0.029), (0.55 * top, top - inset))
-    grip = near + 0.06
-    yield _bar(name, PLAIN["steel"], wall, (grip, grip + 0.12), (-0.033, -0.012), (1.0, 1.02))
+    grip = near + 0.06 if left else far - 0.18
+    built = (
+        _bar(name, look.door, wall, (near, far), LEAF, (0.004, top)),
+        _bar(name, look.trim, wall, (near + inset, far - inset), (-0.034, -0.029), (0.55 * top, top - inset)),
+        _bar(name, PLAIN["steel"], wall, (grip, grip + 0.12), (-0.033, -0.012), (1.0, 1.02)),
+    )
+    x, y = wall.point(far if left else near, LEAF[1] if door.swing == "in" else LEAF[0])
+    up = 1.0 if left == (door.swing == "out") else -1.0
+    hand = (*wall.point(grip + 0.06), 1.01)
+    wide = (-math.pi / 2, 0.0) if door.open else (0.0, math.pi / 2)
+    own = name if door.leaves == 1 else f"{name} {'left' if left else 'right'}"
+    joint = Joint(own, "hinge", (0.0, 0.0, up), (x, y, 0.0), wide, hand, (1.0, 1.02))
+    for part in built:
+        yield replace(part, vertices=turned(joint, part.vertices, -wide[0]), joint=joint)
 
 
 def _window(wall: Wall, window: Opening, name: str, look: RoomStyle) -> Iterator[Part]:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import errno
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 from typer.core import TyperGroup
 
-from robolayout._errors import InputError
+from robolayout._errors import InputError, UnknownNameError
 from robolayout._version import __version__
 from robolayout.cli.assets import assets
 from robolayout.cli.bodies import agents
@@ -28,12 +29,14 @@ from robolayout.cli.generate import (
 from robolayout.cli.guard import Unforeseen, main
 from robolayout.cli.many import batch, evaluate
 from robolayout.cli.models import BaseUrlOption, MaxCostOption, ReplayOption
-from robolayout.cli.physics import drive, settle
+from robolayout.cli.physics import DoorsOption, drive, settle, standing
 from robolayout.cli.pictures import DateOption, render
 from robolayout.cli.terminal import progress, say, show, table
 
 __all__ = ["app", "main"]
 
+BODIES = ("none", "base")
+"""What of a body a file may hold."""
 
 REFUSALS = (errno.ENAMETOOLONG, errno.EACCES, errno.EPERM, errno.ELOOP, errno.ENOTDIR, errno.EISDIR, errno.EROFS)
 """What a system says of a path that is no good, rather than of one that should be there and is not."""
@@ -181,7 +184,7 @@ def compare(  # noqa: PLR0913 - one parameter per option
 
 
 @app.command()
-def export(
+def export(  # noqa: PLR0913 - one parameter per option
     scene: SceneArgument,
     layout: LayoutArgument,
     to: Annotated[
@@ -190,6 +193,10 @@ def export(
     out: Annotated[Path, typer.Option("--out", help="Folder to write to.")] = Path(),
     partial: Annotated[bool, typer.Option("--partial", help="Leave assets without a pose out.")] = False,
     agent: AgentOption = None,
+    body: Annotated[
+        str, typer.Option("--body", help="What of the body goes into MJCF: none, or base (its driving base).")
+    ] = "base",
+    doors: DoorsOption = "swinging",
     asset_dir: AssetDirOption = None,
 ) -> None:
     """Write a layout for simulators and viewers."""
@@ -207,7 +214,10 @@ def export(
     for name in names:
         find_exporter(name)
     check_writable(out)
-    options = export_options(verify(given, placed))
+    if body not in BODIES:
+        raise UnknownNameError("body to export", body, BODIES)
+    options = replace(export_options(verify(given, placed)), leaves=standing(doors))
+    options = options if body == "base" else replace(options, agent=None)
     for path in export_all(given, placed, names, folder=out, options=options, partial=partial):
         say(str(path))
 

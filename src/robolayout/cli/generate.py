@@ -97,6 +97,10 @@ def generate(  # noqa: PLR0913 - one parameter per option
     pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw plan, views, animation.")] = True,
     export: Annotated[str, typer.Option("--export", help="Further formats, separated by commas.")] = "",
     walk: Annotated[bool, typer.Option("--walk", help="Also draw the body on its round: walk.gif.")] = False,
+    dress: Annotated[
+        str | None,
+        typer.Option("--dress", help="Small things left about: none, some or full; the scene's own if not given."),
+    ] = None,
     settle: Annotated[bool, typer.Option("--settle", help="Let gravity act in MuJoCo (extra `sim`).")] = False,
     asset_dir: AssetDirOption = None,
     constraints: ConstraintsOption = None,
@@ -128,7 +132,9 @@ def generate(  # noqa: PLR0913 - one parameter per option
     asked = {"mode": mode, "samples": samples, "retries": retries, "critic": critic}
     who = Who(program, model, tuple(knowledge or ()), asked, limits)
     config = SolverConfig(starts=starts, trace=pictures).at(effort)
-    arranged = partial(arrange, solver=solver, config=config, start=start, keep=_names(keep), free=_names(free))
+    arranged = partial(
+        arrange, solver=solver, config=config, start=start, keep=_names(keep), free=_names(free), dress=_amount(dress)
+    )
     write = partial(_write, pictures=pictures, formats=formats, walk=walk, settle=settle)
     given = _Given(scene, agent, asset_dir, who.knowledge, quiet, as_json)
     made = [_laid_out(job, given, who, arranged, write) for job in _jobs(given, who, (seed, variants), out)]
@@ -166,6 +172,13 @@ def _write(
     tell("write")
     files = write_files(result, run, pictures=pictures, formats=formats)
     return result, files + (_walk(result, run.path) if walk else [])
+
+
+def _amount(dress: str | None) -> str | None:
+    """Return how much is to lie about, refused before any work if it is not known."""
+    from robolayout.scene import check_dress
+
+    return None if dress is None else check_dress(dress)
 
 
 def _names(given: str) -> list[str]:

@@ -16,7 +16,7 @@ from robolayout.cli.generate import AgentOption, AssetDirOption, JsonOption, Qui
 from robolayout.cli.terminal import progress, say, table, warn
 
 if TYPE_CHECKING:
-    from robolayout.many.batch import Batch, Progress
+    from robolayout.many.dataset import Batch, Progress
 
 EVERY = 30.0
 """Seconds between two lines about the progress where nobody looks at a terminal."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from robolayout._errors import InputError
+from robolayout._errors import InputError, UnknownNameError
 from robolayout.cli.generate import AgentOption, AssetDirOption, JsonOption, QuietOption, read_scene
 from robolayout.cli.terminal import say, table
 
@@ -19,6 +19,17 @@ if TYPE_CHECKING:
 SceneArgument = Annotated[str, typer.Argument(help="A scene file (JSON).")]
 LayoutArgument = Annotated[Path, typer.Argument(help="A layout file (JSON).")]
 ReportOption = Annotated[Path | None, typer.Option("--report", "--out", help="Also write it here (JSON).")]
+
+DoorsOption = Annotated[str, typer.Option("--doors", help="How the room's doors stand: swinging, open or shut.")]
+
+
+def standing(doors: str) -> str:
+    """Return how the room's doors stand, if it is known."""
+    from robolayout.export import LEAVES
+
+    if doors not in LEAVES:
+        raise UnknownNameError("way for doors to stand", doors, LEAVES)
+    return doors
 
 
 def settle(
@@ -45,11 +56,12 @@ def settle(
     raise typer.Exit(1 if found.violations else 0)
 
 
-def drive(
+def drive(  # noqa: PLR0913 - one parameter per option
     scene: SceneArgument,
     layout: LayoutArgument,
     report: ReportOption = None,
     agent: AgentOption = None,
+    doors: DoorsOption = "open",
     asset_dir: AssetDirOption = None,
     quiet: QuietOption = False,
     as_json: JsonOption = False,
@@ -60,15 +72,16 @@ def drive(
     from robolayout.scene import load_layout
     from robolayout.verify import verify
 
+    leaves = standing(doors)
     _check(report)
     given = read_scene(scene, agent, asset_dir)
     placed = load_layout(layout, given)
-    found = run(given, placed, given.agent, export_options(verify(given, placed)).routes)
+    found = run(given, placed, given.agent, export_options(verify(given, placed)).routes, leaves=leaves)
     _write(report, found)
     if as_json:
         say(json.dumps(found.to_dict()))
     elif not quiet:
-        say(f"{len(found.contacts)} contacts with furniture on all routes of {given.agent.name}")
+        say(f"{len(found.contacts)} contacts on all routes of {given.agent.name}, the room's doors {doors}")
         for sentence in found.violations:
             say(f"- {sentence}")
     raise typer.Exit(1 if found.violations else 0)

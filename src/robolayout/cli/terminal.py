@@ -71,7 +71,9 @@ def show(report: Report, files: Sequence[Path]) -> None:
     say(*(f"- {sentence}" for sentence in report.violations[:SHOWN]))
     if len(report.violations) > SHOWN:
         say(f"- and {len(report.violations) - SHOWN} more in the report")
-    say(*report.notes, *report.opinion.get("sentences", ()))
+    from robolayout.verify.present import lying_about
+
+    say(*lying_about(report), *report.notes, *report.opinion.get("sentences", ()))
     if report.not_understood:
         say(report.not_understood)
     say(*map(str, files))

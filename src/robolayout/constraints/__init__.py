@@ -5,7 +5,7 @@ from importlib.metadata import entry_points
 from robolayout.constraints._exact import ANGLE_TOLERANCE
 from robolayout.constraints._refs import AssetRef, PointRef, Ref, WallRef
 from robolayout.constraints._registry import RELATIONS, register, register_file
-from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
 from robolayout.constraints._terms import (
     FAR,
     ClearTerm,
@@ -20,8 +20,12 @@ from robolayout.constraints._terms import (
 from robolayout.constraints.above import Above
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
+from robolayout.constraints.any_of import AnyOf
 from robolayout.constraints.around import Around
+from robolayout.constraints.at_window import AtWindow
 from robolayout.constraints.behind import Behind
+from robolayout.constraints.between import BetweenTwo
+from robolayout.constraints.by_door import ByDoor
 from robolayout.constraints.ceiling_above import CeilingAbove
 from robolayout.constraints.centered_on import CenteredOn
 from robolayout.constraints.corner import Corner
@@ -29,11 +33,14 @@ from robolayout.constraints.distance_constraint import DistanceConstraint
 from robolayout.constraints.door_clear import DoorClear
 from robolayout.constraints.facing_pair import FacingPair
 from robolayout.constraints.grid import Grid
+from robolayout.constraints.grouped import Grouped
 from robolayout.constraints.in_front_of import InFrontOf
+from robolayout.constraints.in_rows import InRows
 from robolayout.constraints.inside import Inside
 from robolayout.constraints.inside_room import InsideRoom
 from robolayout.constraints.keep_clear import KeepClear
 from robolayout.constraints.left_of import LeftOf
+from robolayout.constraints.mid_wall import MidWall
 from robolayout.constraints.mounted_on import MountedOn
 from robolayout.constraints.near import Near
 from robolayout.constraints.next_to import NextTo
@@ -44,7 +51,9 @@ from robolayout.constraints.reachable_pairwise import ReachablePairwise
 from robolayout.constraints.right_of import RightOf
 from robolayout.constraints.room_to_open import RoomToOpen
 from robolayout.constraints.row import Row
+from robolayout.constraints.snug import Snug
 from robolayout.constraints.symmetric_pair import SymmetricPair
+from robolayout.constraints.toward import Toward
 from robolayout.constraints.under import Under
 from robolayout.constraints.zone import Zone
 
@@ -74,6 +83,15 @@ _BUILT_IN: tuple[type[Relation], ...] = (
     Above,
     KeepClear,
     Zone,
+    AtWindow,
+    ByDoor,
+    MidWall,
+    Snug,
+    Grouped,
+    Toward,
+    InRows,
+    BetweenTwo,
+    AnyOf,
 )
 
 
@@ -104,7 +122,9 @@ __all__ = [
     "Relation",
     "Term",
     "WallRef",
+    "Way",
     "argument",
+    "best_way",
     "register",
     "register_file",
 ]

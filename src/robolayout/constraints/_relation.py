@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import dataclasses
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -61,6 +62,7 @@ class Relation(ABC):
         implicit: Whether it belongs to every program and cannot be written in one.
         surrogate: Whether the terms ask for more than the check, such as a whole footprint where the check wants the
             centre. The laws then hold one direction only: residual 0 means that the check passes.
+        as_guessed: Whether its rows hold only while what it refers to stays where it is guessed.
         example: One line of program text that uses it.
     """
 
@@ -70,6 +72,7 @@ class Relation(ABC):
     hard: ClassVar[bool] = False
     implicit: ClassVar[bool] = False
     surrogate: ClassVar[bool] = False
+    as_guessed: ClassVar[bool] = False
     example: ClassVar[str]
 
     @abstractmethod
@@ -92,8 +95,8 @@ class Relation(ABC):
         """
         return ""
 
-    def ways(self, scene: Scene) -> tuple[Relation, ...]:
-        """Return relations each of which alone makes this one hold, where it leaves open which; else none."""
+    def ways(self, scene: Scene) -> tuple[Way, ...]:
+        """Return the ways in which it can hold, where it leaves open which; else none."""
         return ()
 
     @classmethod
@@ -130,6 +133,26 @@ class Relation(ABC):
             text = _shown(value)
             shown.append(text if not shown or "number" not in field.metadata["takes"] else f"{field.name}={text}")
         return f"{self.name}({', '.join(shown)})"
+
+
+Way = tuple[Relation, ...]
+"""Relations that hold together."""
+
+
+def best_way(ways: Sequence[Way], scene: Scene, layout: Layout) -> tuple[Way, Outcome]:
+    """Return which of several ways holds best in a layout, and its worst outcome; of equals the first.
+
+    Args:
+        ways: Relations that hold together, for each way.
+        scene: The scene.
+        layout: Poses of all their assets.
+    """
+
+    def short(outcome: Outcome) -> tuple[bool, float]:
+        return (not outcome.met, outcome.value - outcome.limit)
+
+    measured = [(way, max((one.check(scene, layout) for one in way), key=short)) for way in ways]
+    return min(measured, key=lambda entry: short(entry[1]))
 
 
 def _shown(value: object) -> str:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from robolayout.constraints._exact import ANGLE_TOLERANCE, GAP_TOLERANCE, angle_between, footprint, frame
 from robolayout.constraints._refs import AssetRef, WallRef
-from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
 from robolayout.constraints._terms import FrameTerm, Interval, Term
 from robolayout.scene import Layout, Scene
 
@@ -43,7 +43,7 @@ def wall_outcome(a: AssetRef, wall: WallRef, scene: Scene, layout: Layout) -> Ou
 
 @dataclass(frozen=True)
 class AgainstWall(Relation):
-    """The back of `a` stands at `wall` and `a` faces into the room; `weight` says how much it matters."""
+    """The back of `a` stands at `wall` (None: any wall) and `a` faces into the room; `weight` says how much it matters."""
 
     name: ClassVar[str] = "against_wall"
     orients: ClassVar[bool] = True
@@ -53,13 +53,25 @@ class AgainstWall(Relation):
     example: ClassVar[str] = "solver.against_wall(bed[0], walls[2])"
 
     a: AssetRef = argument("asset")
-    wall: WallRef = argument("wall")
+    wall: WallRef | None = argument("wall", "none", default=None)
     weight: float = argument("number", default=1.0)
+
+    def ways(self, scene: Scene) -> tuple[Way, ...]:
+        """Return one for each wall where the program names none, of those that are wide enough for it if any is."""
+        if self.wall is not None:
+            return ()
+        walls, width = scene.room.walls, scene.by_name[self.a.name].size[1]
+        able = [wall for wall in walls if wall.length >= width] or walls
+        return tuple((replace(self, wall=WallRef(wall.index)),) for wall in able)
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row in the wall's frame."""
+        if self.wall is None:
+            return best_way(self.ways(scene), scene, near)[0][0].terms(scene, near)
         return (wall_term(self.a, self.wall, scene, self.weight),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """Within 5 cm of the wall's line, over its segment, front within 10 degrees of its inward normal."""
+        if self.wall is None:
+            return best_way(self.ways(scene), scene, layout)[1]
         return wall_outcome(self.a, self.wall, scene, layout)

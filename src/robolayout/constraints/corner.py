@@ -8,7 +8,7 @@ from typing import ClassVar
 
 from robolayout.constraints._exact import GAP_TOLERANCE, footprint, frame, shape
 from robolayout.constraints._refs import AssetRef, WallRef
-from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._relation import Outcome, Relation, Way, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
 from robolayout.scene import Layout, Room, Scene
 
@@ -43,9 +43,9 @@ class Corner(Relation):
             return ""
         return f"vertex {self.vertex} is no corner to stand in; this room has {', '.join(map(str, corners))}"
 
-    def ways(self, scene: Scene) -> tuple[Relation, ...]:
+    def ways(self, scene: Scene) -> tuple[Way, ...]:
         """Return one for each corner where the program names none."""
-        return tuple(replace(self, vertex=i) for i in convex_corners(scene.room)) if self.vertex is None else ()
+        return tuple((replace(self, vertex=i),) for i in convex_corners(scene.room)) if self.vertex is None else ()
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row per wall of the corner: the near side close to it."""

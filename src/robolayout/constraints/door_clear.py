@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -12,7 +13,7 @@ from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import Outcome, Relation
 from robolayout.constraints._terms import ClearTerm, Term
 from robolayout.constraints.no_overlap import OVERLAP_AREA
-from robolayout.scene import LANDING_DEPTH, Layout, Scene, vertical_span
+from robolayout.scene import Layout, Opening, Room, Scene, vertical_span
 
 CLEAR_HEIGHT = 2.0
 """Metres above the floor up to which a door's landing stays free (DESIGN section 4)."""
@@ -20,7 +21,7 @@ CLEAR_HEIGHT = 2.0
 
 @dataclass(frozen=True)
 class DoorClear(Relation):
-    """Nothing below 2 m stands within a door's width and 0.9 m of it; rugs may lie there."""
+    """Nothing below 2 m stands within a door's width and 0.9 m of it, nor where a leaf swings in; rugs may lie there."""
 
     name: ClassVar[str] = "door_clear"
     hard: ClassVar[bool] = True
@@ -32,8 +33,8 @@ class DoorClear(Relation):
         return tuple(
             ClearTerm(
                 WallRef(door.wall),
-                (door.center - scene.room.walls[door.wall].length / 2, LANDING_DEPTH / 2),
-                (door.width / 2, LANDING_DEPTH / 2),
+                (door.center - scene.room.walls[door.wall].length / 2, _depth(scene.room, door) / 2),
+                (door.width / 2, _depth(scene.room, door) / 2),
                 (0.0, CLEAR_HEIGHT),
             )
             for door in scene.room.doors
@@ -52,3 +53,9 @@ class DoorClear(Relation):
                 if area > max(worst, OVERLAP_AREA):
                     worst, text = area, f"{name} takes {area:.3f} m2 of the landing of door {number}"
         return Outcome(worst <= OVERLAP_AREA, worst, OVERLAP_AREA, "m2", text)
+
+
+def _depth(room: Room, door: Opening) -> float:
+    """Return how deep a door's landing is, in metres."""
+    near, _, _, beyond = room.landing(door)
+    return math.dist(near, beyond)

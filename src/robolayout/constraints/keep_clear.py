@@ -7,7 +7,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from typing import ClassVar
 
-from shapely import box
+from shapely import Polygon, box
 from shapely.affinity import rotate, translate
 
 from robolayout.constraints._exact import common_area, footprint, half_size
@@ -67,10 +67,23 @@ def strip_outcome(
     Rugs and what is exempt may lie there.
     """
     (x, y), (hx, hy) = place
+    return region_outcome(
+        scene, layout, owner, box(x - hx, y - hy, x + hx, y + hy), strip_span(scene, layout, owner), exempt
+    )
+
+
+def region_outcome(
+    scene: Scene,
+    layout: Layout,
+    owner: AssetRef,
+    region: Polygon,
+    heights: tuple[float, float],
+    exempt: Collection[str] = (),
+) -> Outcome:
+    """Return how much of a region in its owner's frame, between two heights of the room, is taken by the worst thing."""
     pose = layout[owner.name]
-    strip = rotate(box(x - hx, y - hy, x + hx, y + hy), pose.yaw, origin=(0, 0), use_radians=True)
-    strip = translate(strip, pose.x, pose.y)
-    low, high = strip_span(scene, layout, owner)
+    strip = translate(rotate(region, pose.yaw, origin=(0, 0), use_radians=True), pose.x, pose.y)
+    low, high = heights
     taken, culprit = 0.0, ""
     for asset in scene.assets:
         if asset.name == owner.name or asset.is_flat or asset.name not in layout or asset.name in exempt:

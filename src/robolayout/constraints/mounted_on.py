@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from robolayout.constraints._exact import GAP_TOLERANCE
 from robolayout.constraints._refs import AssetRef, WallRef
-from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._relation import Outcome, Relation, Way, argument
 from robolayout.constraints._terms import Term
-from robolayout.constraints.against_wall import wall_outcome, wall_term
+from robolayout.constraints.against_wall import AgainstWall
 from robolayout.scene import Layout, Scene
 
 
 @dataclass(frozen=True)
 class MountedOn(Relation):
-    """`a` hangs at `wall`, facing into the room, its centre `height` m above the floor (None: as usual for such a thing)."""
+    """`a` hangs at `wall` (None: any wall), facing into the room, its centre `height` m up (None: as usual for such a thing)."""
 
     name: ClassVar[str] = "mounted_on"
     orients: ClassVar[bool] = True
@@ -23,16 +23,21 @@ class MountedOn(Relation):
     example: ClassVar[str] = "solver.mounted_on(picture[0], walls[2], height=1.5)"
 
     a: AssetRef = argument("asset")
-    wall: WallRef = argument("wall")
+    wall: WallRef | None = argument("wall", "none", default=None)
     height: float | None = argument("number", "none", unit="m", default=None)
+
+    def ways(self, scene: Scene) -> tuple[Way, ...]:
+        """Return one for each wall where the program names none."""
+        walls = (one.refs()[1] for (one,) in AgainstWall(self.a, self.wall).ways(scene))
+        return tuple((replace(self, wall=wall),) for wall in walls if isinstance(wall, WallRef))
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row in the wall's frame; the height is kept by construction."""
-        return (wall_term(self.a, self.wall, scene, 1.0),)
+        return AgainstWall(self.a, self.wall).terms(scene, near)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """At the wall as `against_wall`, and its centre within 5 cm of the height."""
-        outcome = wall_outcome(self.a, self.wall, scene, layout)
+        outcome = AgainstWall(self.a, self.wall).check(scene, layout)
         off = 0.0 if self.height is None else abs(layout[self.a.name].z - self.height)
         text = outcome.text + (f", {off:.2f} m off its height" if off > GAP_TOLERANCE else "")
         return Outcome(outcome.met and off <= GAP_TOLERANCE, max(outcome.value, off), GAP_TOLERANCE, "m", text)

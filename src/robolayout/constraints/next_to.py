@@ -14,7 +14,7 @@ from robolayout.scene import Layout, Scene
 
 @dataclass(frozen=True)
 class NextTo(Relation):
-    """`a` stands close to `b` on a `side` of it ("beside" is left or right), at most `max_gap` m from edge to edge."""
+    """`a` stands close to `b` on a `side` of it ("beside" is left or right), `min_gap` to `max_gap` m from edge to edge."""
 
     name: ClassVar[str] = "next_to"
     example: ClassVar[str] = 'solver.next_to(night_stand[0], bed[0], "left")'
@@ -23,11 +23,12 @@ class NextTo(Relation):
     b: AssetRef = argument("asset")
     side: str = argument("text", choices=SIDES, default="beside")
     max_gap: float = argument("number", unit="m", default=0.3)
+    min_gap: float = argument("number", unit="m", default=0.0)
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row in b's frame."""
-        return side_terms(self.a, self.b, self.side, (0.0, self.max_gap), scene)
+        return side_terms(self.a, self.b, self.side, (self.min_gap, self.max_gap), scene)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """Gap within [-0.05, max_gap + 0.05] m, centre within b's extent along that side."""
-        return side_outcome(self.a, self.b, self.side, (0.0, self.max_gap), scene, layout)
+        """Gap within [min_gap - 0.05, max_gap + 0.05] m, centre within b's extent along that side."""
+        return side_outcome(self.a, self.b, self.side, (self.min_gap, self.max_gap), scene, layout)

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from robolayout.assets import category_of
+from robolayout.assets import category_of, sweeps_of
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation
 from robolayout.constraints._terms import ClearTerm, Term
-from robolayout.constraints.keep_clear import side_box, strip_outcome, strip_span
+from robolayout.constraints.keep_clear import region_outcome, strip_span
 from robolayout.scene import Asset, Layout, Scene
 
 
@@ -22,7 +22,7 @@ class RoomToOpen(Relation):
     example: ClassVar[str] = ""
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
-        """Return one strip per thing that opens."""
+        """Return one strip per thing that opens: what holds all that it sweeps."""
         exempt = _movable(scene)
         return tuple(
             ClearTerm(AssetRef(a.name), *_strip(a), strip_span(scene, near, AssetRef(a.name)), exempt, hard=False)
@@ -30,17 +30,20 @@ class RoomToOpen(Relation):
         )
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """At most 0.01 m2 of the footprint of anything that stays put in any strip."""
+        """At most 0.01 m2 of the footprint of anything that stays put in what any door, drawer or flap sweeps."""
         outcomes = [
-            strip_outcome(scene, layout, AssetRef(asset.name), _strip(asset), _movable(scene))
+            region_outcome(scene, layout, AssetRef(asset.name), sweep.region, heights, _movable(scene))
             for asset in _opening(scene)
             if asset.name in layout
+            for sweep in sweeps_of(asset)
+            for z in (layout[asset.name].z,)
+            for heights in ((z + sweep.heights[0], z + sweep.heights[1]),)
         ]
         return max(outcomes, key=lambda o: o.value, default=Outcome(True, 0.0, 0.0, "m2", "nothing opens"))
 
 
 def _opening(scene: Scene) -> list[Asset]:
-    return [asset for asset in scene.assets if category_of(asset).open_depth > 0 and not asset.on_ceiling]
+    return [asset for asset in scene.assets if sweeps_of(asset) and not asset.on_ceiling]
 
 
 def _movable(scene: Scene) -> frozenset[str]:
@@ -48,4 +51,9 @@ def _movable(scene: Scene) -> frozenset[str]:
 
 
 def _strip(asset: Asset) -> tuple[tuple[float, float], tuple[float, float]]:
-    return side_box((asset.size[0] / 2, asset.size[1] / 2), "front", category_of(asset).open_depth)
+    """Return centre and half size, in the thing's frame, of the rectangle around what it sweeps."""
+    bounds = [sweep.region.bounds for sweep in sweeps_of(asset)]
+    (x0, y0), (x1, y1) = (
+        tuple(pick(box[i] for box in bounds) for i in axes) for pick, axes in ((min, (0, 1)), (max, (2, 3)))
+    )
+    return ((x0 + x1) / 2, (y0 + y1) / 2), ((x1 - x0) / 2, (y1 - y0) / 2)

@@ -19,7 +19,7 @@ from types import MappingProxyType
 from robolayout._errors import UnknownNameError
 from robolayout._files import write_atomic
 from robolayout._text import file_name
-from robolayout.export._exporter import Contents, Exporter, Options, Routes, check_layout
+from robolayout.export._exporter import LEAVES, Contents, Exporter, Options, Routes, check_layout
 from robolayout.export.dxf import DXF
 from robolayout.export.glb import GLB
 from robolayout.export.layout_json import LAYOUT_JSON
@@ -33,6 +33,7 @@ from robolayout.scene import Layout, Scene
 
 __all__ = [
     "EXPORTERS",
+    "LEAVES",
     "Contents",
     "Drive",
     "Driven",

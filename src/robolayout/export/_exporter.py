@@ -28,17 +28,23 @@ _ASTRAY = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, 
 """What a reader trips over in bytes of another form."""
 
 
+LEAVES = ("swinging", "open", "shut")
+"""How doors of a room stand in a simulator: as in the scene and free to turn, or fixed, open or shut."""
+
+
 @dataclass(frozen=True)
 class Options:
     """What may go into a file beside the scene and the layout.
 
     Attributes:
         agent: The body whose base is added where the format can hold one (MJCF); None leaves it out.
+        leaves: How the doors of the room stand in a simulator (MJCF): one of `LEAVES`.
         routes: Routes of that agent, kept as metadata or lines where the format has a place.
         seed: Seed of the parametric meshes.
     """
 
     agent: Agent | None = None
+    leaves: str = "swinging"
     routes: Routes = field(default_factory=dict[str, Sequence[Point]])
     seed: int = 0
 

@@ -2,21 +2,24 @@
 
 Every asset is a body of its name. Parts that are boxes become box geoms, other convex parts inline meshes, which MuJoCo collides by
 their hulls. Movable things on the floor or on other things have a free joint and a mass; what is fixed, on a wall or at the ceiling has
-none. The floor collides as a plane. An agent, if asked for, is a planar base: two slides and a hinge whose positions are its world
-x, y and yaw, each with a position actuator.
+none. What of a thing moves (doors, drawers, lids) is a body inside its own, with a hinge or a slide and a site at its handle. The
+floor collides as a plane. An agent, if asked for, is a planar base: two slides and a hinge whose positions are its world x, y and
+yaw; each has an actuator whose control is how far it is to be from its start, so that with all controls at zero nothing moves.
+The keyframe `home` is the layout.
 """
 
 from __future__ import annotations
 
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 
 import numpy as np
 
 from robolayout._reading.syntax import Unreadable, decoded, xml_root
-from robolayout.assets import Material, Part, category_of, parts, room_parts
+from robolayout.assets import Joint, Material, Part, category_of, parts, room_parts, turned
 from robolayout.export._exporter import (
     Contents,
     Exporter,
@@ -30,7 +33,7 @@ from robolayout.export._exporter import (
     reader,
 )
 from robolayout.export._mesh import Box, as_box, quaternion, volume
-from robolayout.scene import Agent, Asset, Layout, Pose, Scene, vertical_span
+from robolayout.scene import Agent, Asset, Layout, Point, Pose, Scene, Wall, vertical_span
 
 THINNEST = 5e-4
 """Half thickness in metres that a collider has at least; thinner parts become boxes of that thickness."""
@@ -44,9 +47,19 @@ BALLAST = 4.0
 SMALLEST_VOLUME = 1e-8
 """Volume in cubic metres below which a part collides as its box."""
 
+LEAF_MASS = 600.0
+"""Kilograms per cubic metre of the leaf of a door: wood."""
+
 AGENT = "agent"
 AGENT_MASS = 60.0
 """Mass of the planar base in kg (a person; judgement)."""
+
+INSIDE, PACE = 0.6, 0.05
+"""Metres inside the door at which a body without routes starts, and between the places that are tried on a route."""
+STICTION = {"hinge": 1.0, "slide": 5.0}
+"""Friction of a joint of furniture in N m or N: what it takes to move a cabinet's door or drawer (judgement); a flap stays shut."""
+DRAG = {"hinge": 0.5, "slide": 10.0}
+"""Damping of such a joint in N m s/rad or N s/m."""
 
 STIFFNESS, DAMPING = 20_000.0, 2_200.0
 """Gains of the base's actuators in N/m and N s/m (for the hinge N m/rad and N m s/rad): critically damped for its mass."""
@@ -63,6 +76,8 @@ class _Model:
     assets: ET.Element
     world: ET.Element
     contact: ET.Element
+    actuators: ET.Element
+    home: list[float] = field(default_factory=list[float])
     known: dict[object, str] = field(default_factory=dict[object, str])
 
 
@@ -84,10 +99,13 @@ def build(scene: Scene, layout: Layout, options: Options, *, free: Free) -> byte
         "friction": "0.6 0.005 0.0001",
     }
     ET.SubElement(room, "geom", plane)
-    for number, part in enumerate(room_parts(scene.room, seed=options.seed)):
-        if np.ptp(part.vertices[:, 2]) > THINNEST:
-            kind = "look" if is_trim(part) or part.name == "floor" else "fixed"
-            _geom(model, room, part, {"name": f"{own}/{part.name}/{number}", "class": kind})
+    shown = [part for part in room_parts(scene.room, seed=options.seed) if np.ptp(part.vertices[:, 2]) > THINNEST]
+    bodies = _jointed(model, room, own, [_stood(part, options.leaves) for part in shown])
+    for number, part in enumerate(shown):
+        kind = "look" if is_trim(part) or part.name == "floor" else "fixed"
+        note = {"name": f"{own}/{part.name}/{number}", "class": kind}
+        weight = {"mass": f"{LEAF_MASS * volume(part):.9g}"} if part.joint in bodies else {}
+        _geom(model, bodies.get(part.joint, room), _stood(part, options.leaves), note | weight)
     custom = ET.SubElement(model.root, "custom")
     for asset, pose in placed(scene, layout):
         _asset(model, asset, pose, seed=options.seed, free=free(asset, scene, layout))
@@ -100,6 +118,8 @@ def build(scene: Scene, layout: Layout, options: Options, *, free: Free) -> byte
     _rugs(model, scene, layout)
     if options.agent is not None:
         _agent(model, free_name(AGENT, scene), options.agent, start(scene, options))
+    key = {"name": "home", "qpos": " ".join(map(repr, model.home)), "ctrl": " ".join("0" * len(model.actuators))}
+    ET.SubElement(ET.SubElement(model.root, "keyframe"), "key", {name: text for name, text in key.items() if text})
     return dump_xml(model.root)
 
 
@@ -127,7 +147,7 @@ def _start(scene: Scene) -> _Model:
     world = ET.SubElement(root, "worldbody")
     sun = {"directional": "true", "pos": "0 0 6", "dir": "0.35 -0.25 -1", "diffuse": "0.4 0.4 0.4"}
     ET.SubElement(world, "light", sun | {"specular": "0.05 0.05 0.05"})
-    return _Model(root, assets, world, ET.SubElement(root, "contact"))
+    return _Model(root, assets, world, ET.SubElement(root, "contact"), ET.SubElement(root, "actuator"))
 
 
 def _asset(model: _Model, asset: Asset, pose: Pose, *, seed: int, free: bool) -> None:
@@ -137,7 +157,9 @@ def _asset(model: _Model, asset: Asset, pose: Pose, *, seed: int, free: bool) ->
     body = ET.SubElement(model.world, "body", {"name": asset.name, **place})
     if free:
         ET.SubElement(body, "freejoint", name=asset.name)
+        model.home += [pose.x, pose.y, pose.z, math.cos(half), 0.0, 0.0, math.sin(half)]
     pieces = tuple(_footed(part, -asset.size[2] / 2) for part in parts(asset, seed=seed))
+    bodies = _jointed(model, body, asset.name, pieces)
     volumes = [_weight(part, -asset.size[2] / 2) for part in pieces]
     friction = f"{category_of(asset).friction:.6g} 0.005 0.0001"
     kind = "look" if asset.is_flat else "free" if free else "fixed"
@@ -145,7 +167,32 @@ def _asset(model: _Model, asset: Asset, pose: Pose, *, seed: int, free: bool) ->
         note = {"name": f"{asset.name}/{part.name}/{number}", "class": kind}
         if not asset.is_flat:
             note |= {"mass": f"{mass(asset) * share / sum(volumes):.9g}", "friction": friction}
-        _geom(model, body, part, note)
+        _geom(model, bodies.get(part.joint, body), part, note)
+
+
+def _stood(part: Part, leaves: str) -> Part:
+    """Return a part of the room as its door stands: fixed, open or shut, unless it swings."""
+    if part.joint is None or leaves == "swinging":
+        return part
+    far = part.joint.span[leaves == "open"]
+    return replace(part, vertices=turned(part.joint, part.vertices, far), joint=None)
+
+
+def _jointed(model: _Model, body: ET.Element, name: str, pieces: Sequence[Part]) -> Mapping[Joint | None, ET.Element]:
+    """Add a body for each joint of a thing and return it by the joint; what moves does not collide with its own thing."""
+    bodies: dict[Joint | None, ET.Element] = {}
+    for joint in dict.fromkeys(part.joint for part in pieces if part.joint is not None):
+        own = f"{name}/{joint.name}"
+        bodies[joint] = ET.SubElement(body, "body", name=own)
+        place = {"axis": _numbers(np.array(joint.axis)), "pos": _numbers(np.array(joint.at))}
+        turns = {"range": _numbers(np.array(joint.span)), "damping": f"{DRAG[joint.kind]:g}"}
+        stiff = {"frictionloss": f"{STICTION[joint.kind]:g}", "armature": "0.01"}
+        ET.SubElement(bodies[joint], "joint", {"name": own, "type": joint.kind, **place, **turns, **stiff})
+        ET.SubElement(bodies[joint], "site", name=f"{own}/handle", pos=_numbers(np.array(joint.handle)), size="0.01")
+        for other in (name, *(str(item.get("name")) for key, item in bodies.items() if key != joint)):
+            ET.SubElement(model.contact, "exclude", body1=own, body2=other)
+        model.home.append(0.0)
+    return bodies
 
 
 def _geom(model: _Model, body: ET.Element, part: Part, note: dict[str, str]) -> None:
@@ -247,16 +294,37 @@ def _pair(model: _Model, rug: Asset, asset: Asset) -> None:
 
 
 def start(scene: Scene, options: Options) -> Pose:
-    """Return where the agent starts: at its first route's start, else inside the first door, else mid-room."""
+    """Return where the agent starts: on its first route, or inside the first door, clear of the leaf; else mid-room."""
+    agent, room = options.agent, scene.room
+    wall = room.walls[room.doors[0].wall] if room.doors else None
     for line in options.routes.values():
         if len(line) > 1:
-            return Pose(line[0][0], line[0][1], 0.0, math.atan2(line[1][1] - line[0][1], line[1][0] - line[0][0]))
-    if scene.room.doors:
-        wall = scene.room.walls[scene.room.doors[0].wall]
-        x, y = wall.point(scene.room.doors[0].center, 0.6)
-        return Pose(x, y, 0.0, math.atan2(wall.normal[1], wall.normal[0]))
-    low_x, low_y, high_x, high_y = scene.room.bounds
+            poses = [*_along(line), Pose(*line[0], 0.0, 0.0)]
+            return next((pose for pose in poses if wall is None or _clear(wall, agent, pose)), poses[0])
+    if wall is not None:
+        heading = math.atan2(wall.normal[1], wall.normal[0])
+        poses = [Pose(*wall.point(room.doors[0].center, depth), 0.0, heading) for depth in (INSIDE, 2 * INSIDE)]
+        return next((pose for pose in poses if _clear(wall, agent, pose)), poses[-1])
+    low_x, low_y, high_x, high_y = room.bounds
     return Pose((low_x + high_x) / 2, (low_y + high_y) / 2, 0.0, 0.0)
+
+
+def _along(line: Sequence[Point]) -> Iterator[Pose]:
+    """Yield poses along a line, `PACE` apart, that face ahead."""
+    for (ax, ay), (bx, by) in pairwise(line):
+        length = math.dist((ax, ay), (bx, by))
+        for step in range(math.ceil(length / PACE)):
+            share = step * PACE / length
+            yield Pose(ax + share * (bx - ax), ay + share * (by - ay), 0.0, math.atan2(by - ay, bx - ax))
+
+
+def _clear(wall: Wall, agent: Agent | None, pose: Pose) -> bool:
+    """Return whether an agent's body lies wholly on the room's side of a wall."""
+    away = (pose.x - wall.start[0]) * wall.normal[0] + (pose.y - wall.start[1]) * wall.normal[1]
+    if agent is None or agent.length is None or agent.width is None:
+        return away >= (agent.radius if agent else 0.0) - THINNEST
+    ahead = math.cos(pose.yaw) * wall.normal[0] + math.sin(pose.yaw) * wall.normal[1]
+    return away >= abs(ahead) * agent.length / 2 + math.sqrt(1 - min(1.0, ahead * ahead)) * agent.width / 2
 
 
 def _agent(model: _Model, own: str, agent: Agent, pose: Pose) -> None:
@@ -274,15 +342,15 @@ def _agent(model: _Model, own: str, agent: Agent, pose: Pose) -> None:
     for name, (kind, value) in joints.items():
         axis = axes.get(name, "0 0 1")
         ET.SubElement(body, "joint", name=f"{own}/{name}", type=kind, axis=axis, ref=repr(value))
+        gains = {"gainprm": f"{STIFFNESS:.6g}", "biasprm": f"{STIFFNESS * value:.17g} {-STIFFNESS:.6g} {-DAMPING:.6g}"}
+        drive = {"gaintype": "fixed", "biastype": "affine", "joint": f"{own}/{name}"}
+        ET.SubElement(model.actuators, "general", {"name": f"{own}/{name}", **drive, **gains})
+        model.home.append(value)
     shape = {"type": "cylinder", "size": f"{agent.radius:.9g} {half:.9g}"}
     if agent.length is not None and agent.width is not None:
         shape = {"type": "box", "size": f"{agent.length / 2:.9g} {agent.width / 2:.9g} {half:.9g}"}
     look = {"rgba": "0.15 0.45 0.75 0.6", "friction": "0 0 0", "condim": "1", "mass": f"{AGENT_MASS:.6g}"}
     ET.SubElement(body, "geom", {"name": f"{own}/body", "pos": f"0 0 {low + half:.9g}", **shape, **look})
-    actuators = ET.SubElement(model.root, "actuator")
-    for name in joints:
-        gains = {"kp": f"{STIFFNESS:.6g}", "kv": f"{DAMPING:.6g}"}
-        ET.SubElement(actuators, "position", {"name": f"{own}/{name}", "joint": f"{own}/{name}", **gains})
 
 
 @reader("MJCF file")

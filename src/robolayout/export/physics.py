@@ -54,7 +54,7 @@ class Motion:
     """How far one asset moved.
 
     Attributes:
-        displacement: Metres between where its centre was and where it came to rest.
+        displacement: Metres between where its centre was and where it came to rest, or one of its handles if that is more.
         tilt: Radians between its upright axis and the vertical.
     """
 
@@ -227,10 +227,14 @@ def settle(scene: Scene, layout: Layout, seconds: float = 5.0, *, seed: int = 0)
     mujoco.mj_forward(model, data)
     names = [asset.name for asset in scene.assets if asset.name in layout]
     before = {name: data.body(name).xpos.copy() for name in names}
+    handles, held = data.site_xpos.copy(), [str(model.body(root).name) for root in model.body_rootid[model.site_bodyid]]
     for _ in range(math.ceil(seconds / model.opt.timestep)):
         mujoco.mj_step(model, data)
     mujoco.mj_forward(model, data)
     motions = {name: _motion(before[name], data.body(name).xpos, data.body(name).xmat) for name in names}
+    for name, moved in zip(held, np.linalg.norm(data.site_xpos - handles, axis=1).tolist(), strict=True):
+        if name in motions and moved > motions[name].displacement:
+            motions[name] = replace(motions[name], displacement=moved)
     unplaced = tuple(asset.name for asset in scene.assets if asset.name not in layout)
     return Settled(seconds, motions, unplaced)
 
@@ -244,7 +248,14 @@ def _motion(before: FloatArray, after: FloatArray, axes: FloatArray) -> Motion:
 
 
 def drive(
-    scene: Scene, layout: Layout, agent: Agent, routes: Routes, speed: float = 0.5, *, footprint: bool = False
+    scene: Scene,
+    layout: Layout,
+    agent: Agent,
+    routes: Routes,
+    speed: float = 0.5,
+    *,
+    footprint: bool = False,
+    leaves: str = "open",
 ) -> Driven:
     """Drive an agent's base along its routes and report what it touches.
 
@@ -260,6 +271,7 @@ def drive(
         speed: Metres per second.
         footprint: Drive the rectangular footprint of a body that has one instead: it faces along the line and turns on
             the spot at corners, which takes more room than a route for its disc grants.
+        leaves: How the doors of the room stand, one of `LEAVES`; a body that comes in finds them open.
 
     Raises:
         LayoutError: The layout does not fit the scene.
@@ -270,7 +282,7 @@ def drive(
     body = replace(agent, radius=agent.radius - MARGIN, length=None, width=None)
     if agent.length and agent.width and footprint:
         body = replace(agent, length=agent.length - 2 * MARGIN, width=agent.width - 2 * MARGIN)
-    model, data = _model(build(scene, layout, Options(agent=body, routes=lines), free=_never))
+    model, data = _model(build(scene, layout, Options(agent=body, leaves=leaves, routes=lines), free=_never))
     return Driven(
         agent.name,
         {name: _drive(model, data, line, speed, turns=body.length is not None) for name, line in lines.items()},
@@ -286,7 +298,7 @@ def _drive(model: Any, data: Any, line: Sequence[Point], speed: float, *, turns:
     wanted = np.stack([np.interp(clock, times, column) for column in path.T], axis=1)
     rates = np.gradient(wanted, step, axis=0)
     push = np.gradient(rates, step, axis=0) * np.array([AGENT_MASS, AGENT_MASS, 0.0])
-    controls = wanted + rates * (DAMPING / STIFFNESS) + push / STIFFNESS
+    controls = wanted - model.key_qpos[0, -3:] + rates * (DAMPING / STIFFNESS) + push / STIFFNESS
     mujoco.mj_resetData(model, data)
     places = [int(model.jnt_qposadr[joint]) for joint in model.actuator_trnid[:3, 0]]
     data.qpos[places] = wanted[0]
@@ -307,7 +319,7 @@ def _touched(model: Any, data: Any) -> set[str]:
     names: set[str] = set()
     base = int(model.jnt_bodyid[model.actuator_trnid[0, 0]])
     for geom in map(int, data.contact.geom[: data.ncon].flat):
-        body = int(model.geom_bodyid[geom])
+        body = int(model.body_rootid[model.geom_bodyid[geom]])
         if body != base:
             names.add(str(model.geom(geom).name.split("/")[1] if body == ROOM_BODY else model.body(body).name))
     return names

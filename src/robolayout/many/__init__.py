@@ -1,8 +1,8 @@
 """Many rooms: datasets by one command, as a sequence in a training loop, and any folder of rooms evaluated."""
 
-from robolayout.many.batch import batch
-from robolayout.many.evaluate import evaluate, write_evaluation
-from robolayout.many.rooms import Rooms, rooms
+from robolayout.many.dataset import batch
+from robolayout.many.evaluation import evaluate, write_evaluation
+from robolayout.many.room import Rooms, rooms
 from robolayout.many.spec import Spec, read_spec
 
 __all__ = ["Rooms", "Spec", "batch", "evaluate", "read_spec", "rooms", "write_evaluation"]

@@ -18,7 +18,7 @@ from typing import Any, cast
 
 from robolayout._errors import InputError
 from robolayout._reading import Checker, is_file
-from robolayout.many.rooms import NOTE
+from robolayout.many.room import NOTE
 from robolayout.many.states import FORMAT, read_state
 from robolayout.run.diff import load_judged
 from robolayout.run.judged import Judged, judge
@@ -72,7 +72,7 @@ def find_rooms(folder: Path, scenes: Path | None = None) -> list[Found]:
     """
     if not folder.is_dir():
         raise InputError(f"{folder} is no folder; name one with scenes and layouts in it.")
-    found = [room for here, names, files in os.walk(folder) for room in _here(Path(here), sorted(names), files, scenes)]
+    found = [room for here, names, files in os.walk(folder) for room in _here(Path(here), names, files, scenes)]
     named = [Found(_name(room, folder), room.layout, room.scene, room.facts) for room in found]
     if not named:
         raise InputError(
@@ -99,7 +99,7 @@ def _here(here: Path, names: list[str], files: Sequence[str], scenes: Path | Non
         yield Found("", here / "layout.json", scenes / f"{here.name}.json")
     for file in sorted(files):
         path = here / file
-        if not file.endswith(".json") or file.endswith(("layout.json", NOTE)):
+        if not file.endswith(".json") or file.endswith("layout.json"):
             continue
         places = (f"{path.stem}.layout.json", f"{path.stem}_layout.json", f"{path.stem}/layout.json")
         layout = next((here / place for place in places if is_file(here / place)), None)

@@ -70,7 +70,8 @@ def _read(data: Json, name: str, asset_dir: Path | None) -> tuple[Scene, Layout]
         key = str(thing.get("id") or thing["index"])
         assets[key] = _asset(thing, scales, asset_dir)
         poses[key] = Pose(matrix[12], matrix[13], matrix[14], math.atan2(matrix[9], matrix[8]))
-    return scene_from_dict({**content, "assets": assets}, name=name), Layout(poses)
+    scene = scene_from_dict({**content, "assets": assets}, name=name, asset_dir=asset_dir)
+    return scene, Layout(poses)
 
 
 def _asset(thing: Json, scales: Sequence[float], asset_dir: Path | None) -> dict[str, Any]:

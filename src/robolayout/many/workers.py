@@ -22,7 +22,7 @@ from typing import Any, Protocol, cast
 
 from robolayout._errors import InputError, MissingExtraError
 from robolayout._files import write_atomic
-from robolayout.many.rooms import Made, make
+from robolayout.many.room import Made, make
 from robolayout.many.spec import Ready
 
 AHEAD = 2

@@ -141,7 +141,9 @@ def _asset(report: AgentReport, name: str) -> dict[str, Any]:
     else:
         moved = f", once {' and '.join(use.moved)} stands aside" if use.moved else ""
         how = f", {use.approach}" if use.approach else ""
-        rows.append(("Used", (f"yes, from its {use.side}{how}" if use.side else "yes, from any side") + moved, True))
+        by = f", by the handle of {use.opens}" if use.opens else ""
+        side = f"yes, from its {use.side}{how}" if use.side else "yes, from any side"
+        rows.append(("Used", side + by + moved, True))
     return {"state": state, "stand": use.stand and listed(use.stand), "rows": rows}
 
 

@@ -6,8 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, Protocol, runtime_checkable
 
+from robolayout._errors import AnswerError, BudgetError, UnavailableError
 from robolayout.scene import Layout, Scene
 from robolayout.words import Demand
+
+USELESS = (AnswerError, BudgetError, UnavailableError)
+"""Failures of a model that nobody has to mend first: rules take over from it."""
 
 Pictures = Literal["drawn", "named", "none"]
 """How a planner is shown pictures."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
+from robolayout.assets.palette import LOOKS
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import (
     Lexicon,
@@ -16,6 +17,7 @@ from robolayout.words import (
     RoomType,
     Thing,
     WantedOpening,
+    grammar,
     read_text,
     sized,
     wanted_openings,
@@ -62,6 +64,11 @@ class Wishes:
         unwanted: Categories that must not be added.
         openings: Doors and windows that are asked for.
         only: Whether nothing else is wanted.
+        airy: Whether the floor is to stay largely free.
+        style: Style of the room, in a word that can be drawn.
+        floor: What lies on the floor.
+        floors: What may lie there where nothing is said.
+        looks: What is said of the looks of things, by category.
         guesses: What was guessed, one sentence each.
         ignored: Words without a meaning here.
     """
@@ -82,6 +89,11 @@ class Wishes:
     unwanted: frozenset[str]
     openings: tuple[WantedOpening, ...]
     only: bool
+    airy: bool
+    style: str
+    floor: str
+    floors: tuple[str, ...]
+    looks: Mapping[str, str]
     guesses: tuple[str, ...]
     ignored: tuple[str, ...]
 
@@ -103,6 +115,9 @@ def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wish
     reading = read_text(text, lexicon)
     room, guesses = _room(reading, rooms)
     things, named = _things(reading, lexicon, rooms, room)
+    moods = set(reading.words_of_taste)
+    if moods & set(grammar().cosy["words"]):
+        things += _cosy(things, frozenset(noun.kind for noun, _ in reading.parsed.refused))
     size, area, height = (reading.measure(kind) for kind in ("size", "area", "height"))
     seats = [thing.people for thing in reading.parsed.things if thing.people]
     spoken = [(chunk.start, chunk.end) for chunk in reading.parsed.missed]
@@ -133,6 +148,11 @@ def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wish
         frozenset(noun.kind for noun, _ in reading.parsed.refused),
         wanted_openings(reading),
         reading.only,
+        bool(moods & grammar().airy),
+        reading.style,
+        reading.floor,
+        room.floors,
+        {_shown(t, room, lexicon): ", ".join(t.look) for t in reading.parsed.things if t.look},
         tuple(guesses),
         tuple(reading.span(*span) for span in sorted([*spoken, *unknown])),
     )
@@ -150,6 +170,13 @@ def _room(reading: Reading, rooms: Rooms) -> tuple[RoomType, list[str]]:
     best = max(scores, key=lambda name: (scores[name], name == "room"))
     best = best if scores[best] >= LIKELY else "room"
     return rooms.rooms[best], [f"No room was named: {best} was taken."]
+
+
+def _cosy(things: tuple[Wish, ...], unwanted: frozenset[str]) -> tuple[Wish, ...]:
+    """Return what makes a room cosy and is not among the things: something soft, a warm light."""
+    names, lists = {wish.category for wish in things}, grammar().cosy
+    rows = [lists[row] for row in ("soft", "warm") if not names & set(lists[row])]
+    return tuple(Wish(kind, 1) for row in rows for kind in [k for k in row if k not in unwanted][:1])
 
 
 def _belongs(kinds: set[str], room: RoomType) -> float:
@@ -176,8 +203,7 @@ def _things(
         mention.thing for link in reading.parsed.links if link.relation == "stacked" for mention in link.subjects
     }
     for thing in reading.parsed.things:
-        name = usual_there(thing, room) or thing.noun.kind
-        shown = thing.noun.words if thing.noun.kind == name and thing.noun.words not in lexicon.kinds else name
+        name, shown = usual_there(thing, room) or thing.noun.kind, _shown(thing, room, lexicon)
         kind = lexicon.kinds[name]
         like = kind.like or (name if shown != name else "")
         kind = replace(kind, name=shown, like=like, size=sized(kind, thing.adjectives))
@@ -197,10 +223,16 @@ def _things(
     return tuple(Wish(name, count) for name, count in wished.items()), named
 
 
+def _shown(thing: Thing, room: RoomType, lexicon: Lexicon) -> str:
+    """Return the category under which a thing stands in the scene: its own words where no kind of that name is known."""
+    name = usual_there(thing, room) or thing.noun.kind
+    return thing.noun.words if thing.noun.kind == name and thing.noun.words not in lexicon.kinds else name
+
+
 def usual_there(thing: Thing, room: RoomType) -> str | None:
     """Return what a single general word means in a room: a desk of a classroom is a student desk."""
     said = [word for word in thing.noun.said.split() if word not in SIZE_WORDS]
-    if len(said) != 1 or said[0] not in GENERAL or thing.noun.guessed or set(thing.adjectives) - SIZE_WORDS:
+    if len(said) != 1 or said[0] not in GENERAL or thing.noun.guessed or set(thing.adjectives) - SIZE_WORDS - LOOKS:
         return None
     items = [*([room.tables] if room.tables else []), *room.person, *room.base, *room.extras]
     word = said[0] if said else ""

@@ -1,157 +1,351 @@
-"""From places to program text: guesses, and the statements that the knowledge says follow from them.
+"""From roles to program text: what is demanded of each thing, and what it would like. Where things stand is not said.
 
 Only names from the scene's variables, numbers and the templates of the knowledge files enter the text; descriptions never do.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
-from robolayout.constraints import Relation
-from robolayout.planners._member import GridPlan, Member, Size, box_of
 from robolayout.planners._roles import Cast
-from robolayout.planners._site import Site, Spot, along_wall
-from robolayout.program import Program
+from robolayout.planners.grouping import root
 from robolayout.scene import Scene, Wall
+
+FIRST, ONLY = 0.6, 8.0
+"""Weights of the first of several ways of standing, where the middle of the room is as good and where it is a last resort."""
+
+JOINED = 1.0
+"""Weight of standing at what a thing joins, where it may stand elsewhere."""
+
+WITHIN, BEYOND = 0.06, 0.15
+"""Metres by which a gap may be smaller and larger than what is usual."""
+
+WALLS = 0.45
+"""Share of the length of all walls up to which places at them are demanded; what comes later only wishes for one."""
+
+NARROWEST = 0.6
+"""Metres that people need to get to a side of a thing."""
+
+WISHES = {"centre": "mid_wall({a})", "corner": "corner({a})", "window": "at_window({a})", "tuck": "snug({a})"}
+"""What the preferences of roles are as wishes; those of `_Thing.wishes` aside."""
 
 
 @dataclass(frozen=True)
 class Line:
-    """One statement of the program and the assets that it is about, its subject first."""
+    """One line of the program and the assets that it is about, its subject first."""
 
     text: str
     names: tuple[str, ...]
 
 
-def guess_lines(site: Site, name: str) -> list[str]:
-    """Return the two lines that set an asset's initial place and heading."""
-    member, height = site.spots[name].member, site.size(name)[2]
-    label = site.scene.expressions[name]
-    degrees = round(math.degrees(member.yaw) % 360.0, 1) % 360.0
-    position = ", ".join(f"{round(value, 3):g}" for value in (member.x, member.y, member.bottom + height / 2))
-    return [f"{label}.position = [{position}]", f"{label}.rotation = [{degrees:g}]"]
+@dataclass(frozen=True)
+class Writer:
+    """Writes what the knowledge says of a cast.
 
-
-def asked_lines(scene: Scene, ways: Sequence[tuple[Sequence[Relation], bool]]) -> list[str]:
-    """Return what the user's words ask as statements, each once."""
-    program = Program(expressions=scene.expressions)
-    return list(dict.fromkeys(f"solver.{program.call(relation)}" for way, _ in ways for relation in way))
-
-
-class StatementWriter:
-    """Fills the statement templates of the knowledge for a furnished site.
-
-    Args:
-        site: Where everything is.
+    Attributes:
+        scene: The scene.
+        cast: Its assets in their roles.
+        asked: Things of which the user's words say where they stand: roles only wish then.
     """
 
-    def __init__(self, site: Site) -> None:
-        self.site = site
-        self.cast: Mapping[str, Cast] = site.cast
+    scene: Scene
+    cast: Mapping[str, Cast]
+    asked: frozenset[str] = frozenset()
 
-    def lines(self) -> list[Line]:
-        """Return all statements, asset by asset in the order of placing; sets of assets speak with their last one."""
-        found: list[Line] = []
-        for name in self.site.spots:
-            found += self._alone(name)
-            found += self._together(name)
-        return found
+    def order(self) -> list[str]:
+        """Return all assets, what is placed first first: low ranks, big things, and what joins a thing right after it."""
+        return sorted(self.cast, key=self._turn)
 
-    def _alone(self, name: str) -> Iterator[Line]:
-        """Yield what is said about one asset."""
-        spot, item = self.site.spots[name], self.cast[name]
-        if spot.mode == "given":
+    def _turn(self, name: str) -> tuple[object, ...]:
+        top = self.cast[root(self.cast, name)]
+        own = self.cast[name]
+        return (top.role.rank, -_area(top), top.name, name != top.name, own.role.rank)
+
+    def lines(self, name: str) -> Iterator[Line]:
+        """Yield what is said of one asset; sets of assets speak with their last one."""
+        item = self.cast[name]
+        alone = item.join is None or (item.join.loose and item.asset.on_floor)
+        if item.join is not None:
+            yield from self._joined(item)
+        if alone:
+            yield from self._standing(item)
+            yield from self._wishes(item)
+        yield from self._cleared(item)
+        yield from self._faced(item)
+
+    # at something else
+
+    def _joined(self, item: Cast) -> Iterator[Line]:
+        join, weight = item.joined, JOINED if item.joined.loose else None
+        values = self._values(item) | self._about(item)
+        yield from self._fill(join.say, values, weight, item.name)
+        yield from self._on_top(item)
+        peers = self._peers(item)
+        if peers[-1] == item.name:
+            items = "[" + ", ".join(self._name(peer) for peer in peers) + "]"
+            yield from self._fill(join.all, values | {"items": items}, weight, *peers)
+            for first, second in zip(peers[::2], peers[1::2], strict=False):
+                if self.scene.by_name[first].size == self.scene.by_name[second].size:
+                    pair = values | {"a": self._name(first), "a2": self._name(second)}
+                    yield from self._fill(join.pair, pair, weight, first, second)
+
+    def _peers(self, item: Cast) -> list[str]:
+        """Return what joins the same thing in the same role, in order."""
+        return [n for n, one in self.cast.items() if one.anchor == item.anchor and one.role is item.role and one.join]
+
+    def _on_top(self, item: Cast) -> Iterator[Line]:
+        """Yield where on a top a thing belongs: toward an edge, or beside the plate of its guest."""
+        join, a, b = item.joined, self._name(item.name), self._name(item.anchor or "")
+        halves = {"hand": ("front", "left"), "side": ("left",), "front": ("front",), "back": ("back",)}
+        if join.slot == "on":
+            for side in halves.get(join.at, ()):
+                yield Line(f'solver.wish.toward({a}, {b}, "{side}")', (item.name, item.anchor or ""))
+        plates = [
+            n for n, one in self.cast.items() if one.anchor == item.anchor and one.join and one.join.at == "plate"
+        ]
+        number = self._peers(item).index(item.name)
+        said = {
+            "left": "left_of({a}, {p}, 0, 0.3)",
+            "right": "right_of({a}, {p}, 0, 0.3)",
+            "far left": "left_of({a}, {p}, 0.06, 0.4)",
+            "far right": "right_of({a}, {p}, 0.06, 0.4)",
+            "glass": 'next_to({a}, {p}, "beside", 0.4, 0.06)',
+            "beyond": "in_front_of({a}, {p}, 0, 0.3)",
+        }
+        if join.slot == "setting" and join.at in said and number < len(plates):
+            text = said[join.at].format(a=a, p=self._name(plates[number]))
+            yield Line(f"solver.wish.{text}", (item.name, plates[number]))
+
+    def _about(self, item: Cast) -> dict[str, str]:
+        """Return what a template may say about an asset and the one that it joins."""
+        join, anchor = item.joined, self.cast[item.anchor or ""]
+        number = self._peers(item).index(item.name)
+        before = self._taken(item, number)
+        values = {
+            "b": self._name(anchor.name),
+            "b name": anchor.name,
+            "side": '"beside"',
+            "gap": f"{join.gap:g}",
+            "least": f"{max(0.0, join.gap - WITHIN):g}",
+            "most": f"{join.gap + BEYOND + before:.2f}",
+        }
+        turned = {"front": 180.0, "behind": 0.0, "beside": 0.0}.get(join.slot)
+        if turned is not None:
+            away = 180.0 if join.faces == "away" else 0.0
+            values["angle"] = f"{0.0 if join.faces == 'same' else (turned + away) % 360.0:g}"
+        seats = [n for n, one in self.cast.items() if one.anchor == anchor.name and one.role.name.endswith("seat")]
+        if number < len(seats):
+            values |= {"seat": self._name(seats[number]), "seat name": seats[number]}
+        return values
+
+    def _taken(self, item: Cast, number: int) -> float:
+        """Return metres that others may take between a thing and what it joins."""
+        slot = item.joined.slot
+        others = [o for o in self.cast.values() if o.anchor == item.anchor and o.join and o.joined.slot == slot]
+        if slot in ("front", "behind"):
+            return sum(max(o.asset.size[0] for o in others if o.role is role) for role in _roles(others, item))
+        if slot == "beside":
+            rank = [o.name for o in others].index(item.name)
+            return sum(o.asset.size[1] + o.joined.gap for o in others[: rank // 2 * 2 : 2]) if rank > 1 else 0.0
+        return 0.0
+
+    # by itself
+
+    def _standing(self, item: Cast) -> Iterator[Line]:
+        """Yield how a thing stands by itself: demanded where its role leaves no other way, else wished."""
+        modes, name = _modes(item), item.name
+        values, say = self._values(item), item.role.say
+        bound = JOINED if item.join or name in self.asked else None
+        if modes[0] in ("hang", "ceiling", "rug"):
+            yield from self._off_the_floor(item, modes[0])
+        elif modes == ["corner"]:
+            yield from self._fill(say["corner"], values, bound, name)
+        elif set(modes) <= {"wall", "corner"}:
+            held = name in self._held and bound is None
+            yield from self._fill(say["wall"], values, None if held else ONLY, name)
+        else:
+            yield from self._fill(say["middle"], values, bound, name)
+            open_floor = {"middle", "facing"} & set(modes) and "grid" not in modes
+            weight = (FIRST if open_floor else ONLY) + item.role.prefer.get("first", 0.0)
+            if "wall" in modes:
+                yield from self._fill(say["wall"], values, weight if modes[0] == "wall" else -weight, name)
+            yield from self._in_rows(item, "grid" in modes)
+
+    @cached_property
+    def _held(self) -> frozenset[str]:
+        """What the walls hold for certain, in the order of placing."""
+        left = WALLS * sum(wall.length for wall in self.scene.room.walls)
+        found = list[str]()
+        for name in self.order():
+            item = self.cast[name]
+            if item.asset.on_floor and not item.asset.is_flat and set(_modes(item)) <= {"wall", "corner"}:
+                left -= item.asset.size[1]
+                found += [name] if left >= 0.0 and item.join is None and _modes(item) == ["wall"] else []
+        return frozenset(found)
+
+    def _in_rows(self, item: Cast, wanted: bool) -> Iterator[Line]:
+        """Yield that equal things stand in rows, with the last of them."""
+        equal = [n for n, one in self.cast.items() if one.role is item.role and one.anchor is None]
+        if wanted and len(equal) > 1 and equal[-1] == item.name:
+            prefer, items = item.role.prefer, "[" + ", ".join(self._name(n) for n in equal) + "]"
+            gap = prefer.get("gap", self._corridor)
+            backs = ', backs="paired"' if prefer.get("paired", 0) > 0 else ""
+            text = f"in_rows({items}, {prefer.get('aisle', self._corridor):g}, {gap:g}{backs}, weight={FIRST:g})"
+            yield Line(f"solver.wish.{text}", tuple(equal))
+
+    def _off_the_floor(self, item: Cast, mode: str) -> Iterator[Line]:
+        """Yield where a thing hangs or lies."""
+        a, values = self._name(item.name), self._values(item)
+        over = [n for role in item.role.above for n, one in self.cast.items() if one.role.name == role]
+        if mode == "hang":
+            yield from self._fill(item.role.say["hang"], values, None, item.name)
+            if item.role.height:
+                yield Line(f"solver.wish.mounted_on({a}, None, {item.role.height:g})", (item.name,))
+            if over:
+                ways = [f"above({a}, {self._name(n)})" for n in over]
+                yield _wish(_either(ways), None, item.name, *over)
             return
-        templates = item.joined.say if spot.mode == "join" and item.join else item.role.say.get(spot.mode, ())
-        yield from self._fill(templates, self._values(name), name)
-        face = item.role.face
-        target = spot.anchor or self._faced(name)
-        if face and target and spot.mode != "join" and self.cast[target].role.name in face.roles:
-            yield from self._fill(face.say, {**self._values(name), **self._about(name, target)}, name)
+        owner = None if item.name in self.asked else self._owner(item, over)
+        if owner is not None:
+            values |= {"b": self._name(owner), "b name": owner}
+        if mode == "ceiling" and owner is not None and self._shared(item, owner):
+            yield Line(f"solver.above({a}, {self._name(owner)})", (item.name, owner))
+            return
+        if mode == "rug" and owner is not None:
+            side = {"bed": "front", "narrow bed": "left", "child bed": "left"}.get(self.cast[owner].role.name)
+            if side:
+                yield Line(f'solver.wish.toward({a}, {self._name(owner)}, "{side}")', (item.name, owner))
+        yield from self._fill(item.role.say[mode], values, None, item.name)
+        if mode == "ceiling" and owner is None:
+            yield Line(f"solver.wish.centered_on({a}, room)", (item.name,))
 
-    def _faced(self, name: str) -> str | None:
-        """Return what an asset ended up facing (or turning its back to), if anything near its axis."""
-        face, here = self.cast[name].role.face, self.site.spots[name].member
-        for role in face.roles if face else ():
-            for other, spot in self.site.spots.items():
-                if self.cast[other].role.name == role and other != name:
-                    dx, dy = spot.member.x - here.x, spot.member.y - here.y
-                    turn = here.yaw + (0.0 if face and face.how == "toward" else math.pi)
-                    away = math.hypot(dx, dy)
-                    low, high = face.distance if face else (0.0, 0.0)
-                    ahead = dx * math.cos(turn) + dy * math.sin(turn)
-                    if ahead > 0.9 * away and low - 0.3 <= away <= high + 0.3:
-                        return other
+    def _shared(self, item: Cast, owner: str) -> bool:
+        """Whether something else hangs over the same thing."""
+        others = [o for o in self.cast.values() if o.role is item.role and o.name != item.name and o.role.above]
+        over = [n for role in item.role.above for n, one in self.cast.items() if one.role.name == role]
+        return any(self._owner(other, over) == owner for other in others)
+
+    def _owner(self, item: Cast, over: Sequence[str]) -> str | None:
+        """Return what a thing hangs over or lies under: of the first with as few others as any, each rug another one."""
+        equal = [n for n, one in self.cast.items() if _modes(one)[0] == _modes(item)[0] and one.role.above]
+        taken: dict[str, int] = {}
+        for name in equal:
+            its = [n for role in self.cast[name].role.above for n, one in self.cast.items() if one.role.name == role]
+            free = [n for n in its if not (taken.get(n) and _modes(item)[0] == "rug")]
+            best = min(free, key=lambda n: (taken.get(n, 0), its.index(n)), default=None)
+            if name == item.name:
+                return best
+            if best is not None:
+                taken[best] = taken.get(best, 0) + 1
         return None
 
-    def _together(self, name: str) -> Iterator[Line]:
-        """Yield what is said about a set of assets, once its last one is placed."""
-        spot, item = self.site.spots[name], self.cast[name]
-        if spot.grid is not None and spot.grid.names[-1] == name:
-            yield from self._grid(spot.grid)
-        if spot.mode != "join" or item.join is None or item.anchor is None:
-            return
-        peers = [
-            other
-            for other, s in self.site.spots.items()
-            if s.mode == "join" and self.cast[other].anchor == item.anchor and self.cast[other].role is item.role
-        ]
-        if peers[-1] != name:
-            return
-        values = self._values(peers[0]) | {"items": self._list(peers)}
-        yield from self._fill(item.join.all, values, *peers)
-        for first, second in self._pairs(peers):
-            values = self._values(first) | {"a2": self.site.scene.expressions[second]}
-            yield from self._fill(item.join.pair, values, first, second)
+    # what it would like
 
-    def _pairs(self, peers: Sequence[str]) -> Iterator[tuple[str, str]]:
-        """Yield pairs on opposite sides of their anchor and of the same size."""
-        left = [n for n in peers if self.site.spots[n].member.side == "left"]
-        right = [n for n in peers if self.site.spots[n].member.side == "right"]
-        for first, second in zip(left, right, strict=False):
-            if self.site.size(first) == self.site.size(second):
-                yield first, second
+    def _wishes(self, item: Cast) -> Iterator[Line]:
+        """Yield what a role prefers about the place of a thing."""
+        a = self._name(item.name)
+        prefer = dict(item.role.prefer)
+        if _modes(item)[0] == "corner":
+            prefer["corner"] = prefer.get("corner", 0.0) + FIRST
+        for key, weight in prefer.items():
+            if key.startswith(("near ", "far ")):
+                yield from self._grouped(item, key, weight)
+                continue
+            text = WISHES.get(key, "").format(a=a)
+            if key == "window" and not self.scene.room.windows:
+                continue
+            if key == "door" and self.scene.room.doors:
+                text, weight = f"by_door({a})", -weight
+            if key == "middle":
+                text = f"centered_on({a}, room)"
+            if key == "long":
+                hangs = "mounted_on" if _modes(item)[0] == "hang" else "against_wall"
+                wall = max(self.scene.room.walls, key=lambda w: (round(w.length, 3), -w.index))
+                text = f"{hangs}({a}, walls[{wall.index}])"
+            if text:
+                yield _wish(text, weight, item.name)
 
-    def _grid(self, plan: GridPlan) -> Iterator[Line]:
-        """Yield the statements of a block: one grid, or rows that stand back to back; its first thing has a heading."""
-        yield Line(f"solver.align_with({self._name(plan.names[0])}, {self._straight(plan.names[0])})", (plan.names[0],))
-        if not plan.paired:
-            items = self._list(plan.names)
-            text = f"solver.grid({items}, {plan.rows}, {plan.columns}, aisle={plan.aisle:g}, gap={plan.gap:g})"
-            yield Line(text, plan.names)
+    def _grouped(self, item: Cast, key: str, weight: float) -> Iterator[Line]:
+        word, role = key.split(" ", 1)
+        others = [n for n, one in self.cast.items() if one.role.name == role and n != item.name]
+        if others:
+            items = ", ".join(self._name(n) for n in others)
+            yield _wish(
+                f"grouped({self._name(item.name)}, [{items}])",
+                weight if word == "near" else -weight,
+                item.name,
+                *others,
+            )
+
+    def _cleared(self, item: Cast) -> Iterator[Line]:
+        """Yield the sides that a thing wants clear, where its kind does not say it."""
+        if item.role.prefer.get("any_side", 0) > 0 or not item.asset.on_floor:
             return
-        rows = [plan.names[i : i + plan.columns] for i in range(0, len(plan.names), plan.columns)]
-        for number, names in enumerate(rows):
-            if number:
-                yield from self._next_row(plan, number, names[0], rows[number - 1][0])
-            if len(names) > 1:
-                in_order = names[::-1] if number % 2 else names
-                yield Line(f"solver.row({self._list(in_order)}, gap={plan.gap:g})", in_order)
+        for side, depth in item.role.clear.items():
+            for one in ("left", "right") if side == "side" else (side,):
+                wide = depth if depth > 0 else self._corridor
+                yield _wish(f'keep_clear({self._name(item.name)}, "{one}", {wide:g})', None, item.name)
 
-    def _next_row(self, plan: GridPlan, number: int, head: str, before: str) -> Iterator[Line]:
-        """Yield how the first thing of a row stands to the first thing of the row before, to which it is turned round."""
-        here, there, names = self._name(head), self._name(before), (head, before)
-        yield Line(f"solver.align_with({here}, {there}, 180)", names)
-        if number % 2:
-            yield Line(f"solver.behind({here}, {there}, 0, 0.1)", names)
-        else:
-            yield Line(f"solver.in_front_of({here}, {there}, {plan.aisle - 0.1:g}, {plan.aisle + 1:g})", names)
+    def _faced(self, item: Cast) -> Iterator[Line]:
+        """Yield what a thing looks at."""
+        face, a = item.role.face, self._name(item.name)
+        names = self._faces(item)
+        if face is None or not names:
+            return
+        angle = "" if face.how == "toward" else ", 180"
+        looks = [f"point_towards({a}, {self._name(n)}{angle})" for n in names]
+        yield _wish(_either(looks), face.weight, item.name, *names)
+        if face.distance != (0.0, 20.0):
+            low, high = self._edges(item, names[0])
+            yield _wish(f"in_front_of({a}, {self._name(names[0])}, {low:g}, {high:g})", None, item.name, names[0])
+
+    def _faces(self, item: Cast) -> list[str]:
+        """Return what a thing should face: all of the first role that is there."""
+        for role in item.role.face.roles if item.role.face else ():
+            found = [n for n, one in self.cast.items() if one.role.name == role and n != item.name]
+            if found:
+                return found
+        return []
+
+    def _edges(self, item: Cast, other: str) -> tuple[float, float]:
+        """Return the distances of a thing to what it faces from edge to edge, metres."""
+        low, high = item.role.face.distance if item.role.face else (0.0, 0.0)
+        apart = (item.asset.size[0] + self.scene.by_name[other].size[0]) / 2
+        return round(max(0.0, low - apart), 2), round(max(0.1, high - apart), 2)
+
+    # templates
+
+    @property
+    def _corridor(self) -> float:
+        """Metres that the widest body needs to pass."""
+        return round(max(NARROWEST, 2 * max(agent.radius for agent in self.scene.agents) + 0.1), 2)
 
     def _name(self, name: str) -> str:
-        return self.site.scene.expressions[name]
+        return self.scene.expressions[name]
 
-    def _straight(self, name: str) -> str:
-        """Return the longest wall and the angle to it, as the last two arguments of `align_with`."""
-        wall = max(self.site.room.walls, key=lambda w: (round(w.length, 3), -w.index))
-        angle = math.degrees(self.site.spots[name].member.yaw - math.atan2(wall.direction[1], wall.direction[0]))
-        return f"walls[{wall.index}], {round(angle % 360.0, 1) % 360.0:g}"
+    def _values(self, item: Cast) -> dict[str, str]:
+        """Return everything that a template may name for an asset by itself."""
+        values = {
+            "a": self._name(item.name),
+            "wall": "None",
+            "vertex": "None",
+            "straight": "room",
+            "height": f"{item.role.height:g}" if item.role.height else "None",
+            "depth": f"{max(item.category.open_depth, 0.5):g}",
+        }
+        names = self._faces(item)
+        if item.join is None and names and item.role.face:
+            low, high = self._edges(item, names[0])
+            near, far = item.role.face.distance
+            ends = {"near": near, "far": far, "ahead low": low, "ahead high": high}
+            values |= {"b": self._name(names[0]), "b name": names[0]} | {k: f"{v:g}" for k, v in ends.items()}
+        return values
 
-    def _list(self, names: Sequence[str]) -> str:
-        return "[" + ", ".join(self.site.scene.expressions[name] for name in names) + "]"
-
-    def _fill(self, templates: Sequence[str], values: Mapping[str, str], *names: str) -> Iterator[Line]:
+    def _fill(
+        self, templates: Iterable[str], values: Mapping[str, str], weight: float | None, *names: str
+    ) -> Iterator[Line]:
         """Yield the filled templates; one that needs a missing value is left out, "else" follows a left-out one."""
         skipped = False
         for template in templates:
@@ -163,68 +357,42 @@ class StatementWriter:
             skipped = bool(needed)
             if not needed:
                 about = [values[f"{key} name"] for key in ("b", "seat") if f"{{{key}}}" in text]
-                yield Line(f"solver.{text.format_map(values)}", tuple(dict.fromkeys((*names, *about))))
-
-    def _values(self, name: str) -> dict[str, str]:
-        """Return everything that a template may name for an asset."""
-        spot, item = self.site.spots[name], self.cast[name]
-        values = {
-            "a": self.site.scene.expressions[name],
-            "wall": "" if spot.wall is None else f"walls[{spot.wall}]",
-            "side": f'"{spot.member.side}"' if spot.member.side in ("left", "right", "front", "back") else "",
-            "height": f"{spot.member.bottom + self.site.size(name)[2] / 2:.2f}",
-            "straight": self._straight(name),
-            "vertex": str(self._vertex(spot)),
-            "depth": f"{max(item.category.open_depth, 0.5):g}",
-        }
-        anchor = spot.anchor or (item.anchor if spot.mode == "join" else None)
-        if anchor is not None:
-            values |= self._about(name, anchor)
-        seat = spot.member.side
-        if seat in self.site.spots:
-            values |= {"seat": self.site.scene.expressions[seat], "seat name": seat}
-        return values
-
-    def _about(self, name: str, other: str) -> dict[str, str]:
-        """Return what a template may say about an asset and the one it stands at."""
-        here, there, join = self.site.spots[name], self.site.spots[other], self.cast[name].join
-        distance = math.hypot(here.member.x - there.member.x, here.member.y - there.member.y)
-        angle = math.degrees(here.member.yaw - there.member.yaw) % 360.0
-        gap = _edge_gap(here.member, self.site.size(name), there.member, self.site.size(other))
-        tucked = join is not None and join.slot in ("front", "around") and gap < -0.01
-        ahead = distance - (self.site.size(name)[0] + self.site.size(other)[0]) / 2
-        return {
-            "b": self.site.scene.expressions[other],
-            "b name": other,
-            "bwall": "" if there.wall is None or not self._reaches(here, there.wall) else f"walls[{there.wall}]",
-            "near": f"{max(0.0, distance - 0.15):.2f}",
-            "far": f"{distance + 0.15:.2f}",
-            "gap": f"{gap if tucked else join.gap if join else 0.05:.3g}",
-            "least": f"{gap - 0.1 if tucked else max(0.0, gap - 0.1):.2f}",
-            "most": f"{max(gap, 0.0) + 0.15:.2f}",
-            "angle": f"{round(angle, 1) % 360.0:g}",
-            "ahead low": f"{max(0.0, ahead - 0.3):.1f}",
-            "ahead high": f"{ahead + 0.3:.1f}",
-        }
-
-    def _reaches(self, spot: Spot, wall: int) -> bool:
-        """Whether a thing stands before a wall, not past its end."""
-        segment = self.site.room.walls[wall]
-        span = along_wall(spot.member, self.site.size(spot.member.name), segment)
-        return span is not None and span[0] < segment.length - 0.05 and span[1] > 0.05
-
-    def _vertex(self, spot: Spot) -> int:
-        """Return the room corner nearest to a spot."""
-        here = (spot.member.x, spot.member.y)
-        return min(range(len(self.site.room.vertices)), key=lambda i: math.dist(self.site.room.vertices[i], here))
+                filled, named = text.format_map(values), tuple(dict.fromkeys((*names, *about)))
+                yield Line(f"solver.{filled}", named) if weight is None else _wish(filled, weight, *named)
 
 
-def _edge_gap(a: Member, a_size: Size, b: Member, b_size: Size) -> float:
-    """Return the gap in metres between two boxes along the axis of b on which they are further apart."""
-    c, s = math.cos(b.yaw), math.sin(b.yaw)
-    dx, dy = a.x - b.x, a.y - b.y
-    left, bottom, right, top = box_of(Member("", c * dx + s * dy, c * dy - s * dx, a.yaw - b.yaw), a_size)
-    return max(left - b_size[0] / 2, -b_size[0] / 2 - right, bottom - b_size[1] / 2, -b_size[1] / 2 - top)
+def _wish(call: str, weight: float | None, *names: str) -> Line:
+    """Return a call as a wish, with its weight if it is not 1."""
+    told = "" if weight in (None, 1.0) else f", weight={weight:g}"
+    return Line(f"solver.wish.{call[:-1]}{told})", tuple(dict.fromkeys(names)))
+
+
+def _either(calls: Sequence[str]) -> str:
+    """Return the call that says that one of several holds."""
+    return calls[0] if len(calls) == 1 else f"any_of([{', '.join(f'solver.{call}' for call in calls)}])"
+
+
+def _modes(item: Cast) -> list[str]:
+    """Return the ways of standing that role and flags allow, best first."""
+    asset, stands = item.asset, item.role.stands
+    if asset.is_flat and "rug" in stands:
+        return ["rug"]
+    if asset.on_wall and ("hang" in stands or not asset.on_floor):
+        return ["hang"]
+    if asset.on_ceiling and not asset.on_floor:
+        return ["ceiling"]
+    return [mode for mode in stands if mode in ("wall", "corner", "middle", "facing", "grid")] or ["wall", "middle"]
+
+
+def _roles(others: Sequence[Cast], item: Cast) -> list[object]:
+    """Return the roles of what stands between a thing and what both join."""
+    roles = list(dict.fromkeys(id(o.role) for o in others))
+    found = {id(o.role): o.role for o in others}
+    return [found[key] for key in roles if found[key] is not item.role]
+
+
+def _area(item: Cast) -> float:
+    return item.asset.size[0] * item.asset.size[1]
 
 
 def _keys(text: str) -> list[str]:
@@ -232,7 +400,7 @@ def _keys(text: str) -> list[str]:
 
 
 def mentioned(lines: Sequence[Line], subjects: Collection[str], known: Collection[str]) -> list[Line]:
-    """Return the statements that are about `subjects` and name nothing but those and `known` assets."""
+    """Return the lines that are about `subjects` and name nothing but those and `known` assets."""
     fresh, there = set(subjects), set(subjects) | set(known)
     return [line for line in lines if fresh.intersection(line.names) and there.issuperset(line.names)]
 

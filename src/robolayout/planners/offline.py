@@ -1,21 +1,18 @@
-"""The planner without a model: knowledge about rooms as data, geometry as code, program text as the answer."""
+"""The planner without a model: knowledge about rooms as data, program text as the answer."""
 
 from __future__ import annotations
 
-import zlib
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
-from robolayout.planners._asked import Asked, join_as_asked
-from robolayout.planners._furnish import furnish
+from robolayout.planners._asked import asked_lines, join_as_asked, subjects
 from robolayout.planners._knowledge import Knowledge, load_knowledge
 from robolayout.planners._own import own_sides
 from robolayout.planners._roles import cast_scene
-from robolayout.planners._site import Site
 from robolayout.planners._types import Group, PlanRequest
-from robolayout.planners._write import StatementWriter, asked_lines, guess_lines, mentioned, wall_words
-from robolayout.planners.grouping import group_cast
+from robolayout.planners._write import Writer, mentioned, wall_words
+from robolayout.planners.grouping import group_cast, root
 from robolayout.scene import Asset, Scene
 
 
@@ -48,34 +45,24 @@ class OfflinePlanner:
         return group_cast(cast_scene(scene, self.knowledge), self.knowledge)
 
     def plan(self, request: PlanRequest) -> str:
-        """Return program text for the request; other feedback leads to another room."""
-        scene = request.scene
-        seed = request.seed if not request.feedback else zlib.crc32(f"{request.seed} {request.feedback}".encode())
-        asked = Asked.of(scene, request.asked)
+        """Return program text for the request: statements and wishes; where things stand is left to the solver."""
+        scene, known = request.scene, set(request.placed or ())
         cast = join_as_asked(cast_scene(scene, self.knowledge), request.asked)
-        placed = request.placed
-        site = furnish(scene, cast, placed, seed, asked if request.asked else None)
-        groups = (request.group,) if request.group else group_cast(cast, self.knowledge)
-        return _text(site, groups, set(placed or ()), asked)
-
-
-def _text(site: Site, groups: Iterable[Group], known: set[str], asked: Asked) -> str:
-    """Write the program: what the user asks; per group a heading, the guesses, then the statements."""
-    scene = site.scene
-    text = ["# Walls: " + "; ".join(wall_words(wall, scene) for wall in scene.room.walls)]
-    ways = asked.written({name: spot.member for name, spot in site.spots.items()})
-    wishes = asked_lines(scene, ways)
-    moved = {way[0].asset_names()[0] for way, holds in ways if not holds}
-    lines = [line for line in StatementWriter(site).lines() if line.text not in wishes and line.names[0] not in moved]
-    text += ["", "# What the user asks", *wishes] if wishes else []
-    for group in groups:
-        names = [name for name in site.spots if name in set(group.items) and name not in known]
-        text += ["", f"# {_one_line(group.label)}: {_one_line(group.rationale)}"]
-        for name in names:
-            text += guess_lines(site, name)
-        text += [line.text for line in mentioned(lines, names, known)]
-        known |= set(names)
-    return "\n".join(text) + "\n"
+        about = set(request.group.items) if request.group else set(cast)
+        writer = Writer(scene, cast, frozenset(name for demand in request.asked for name in subjects(demand)))
+        text = ["# Walls: " + "; ".join(wall_words(wall, scene) for wall in scene.room.walls)]
+        asked = asked_lines(scene, request.asked, about | known)
+        label, told = "", set[str]()
+        for name in (name for name in writer.order() if name in about - known):
+            role = cast[root(cast, name)].role
+            if role.group != label:
+                label = role.group
+                why = "" if label in told else f": {_one_line(self.knowledge.reasons[label])}"
+                text += ["", f"# {_one_line(label)}{why}"]
+                told.add(label)
+            text += [f"{line}  # asked by the user" for line, subject in asked.items() if subject == name]
+            text += [line.text for line in mentioned(list(writer.lines(name)), about, known) if line.text not in asked]
+        return "\n".join(text) + "\n"
 
 
 def _one_line(text: str) -> str:

@@ -15,18 +15,19 @@ import numpy as np
 
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
+from robolayout.assets.palette import PALETTES
 from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import openings
 from robolayout.planners._own import own_sides
 from robolayout.planners._wishes import Wishes, read_wishes
 from robolayout.scene import Scene, scene_from_dict, variable_name
-from robolayout.words import Rooms, RoomType, read_rooms
+from robolayout.words import Rooms, RoomType, dressing, read_rooms
 
 FULLEST = 0.55
 """Share of the floor that wished things may take before the wish is called impossible."""
 
-COMFORT = 0.26
-"""Share of the floor up to which further things are added."""
+COMFORT, AIRY = 0.26, 0.15
+"""Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
 
 BASIC = 0.38
 """Share of the floor up to which what such a room always has is added."""
@@ -138,7 +139,7 @@ def scene_from_sentence(
     room = known.rooms.rooms[wishes.room_type]
     wished = _wished(wishes, room)
     size = _room_size(wishes, room, wished, known)
-    _possible(wishes, wished, size, known)
+    _possible(wishes.shape, wished, size, known)
     added = _added(wishes, room, wished, size, known, (fill, rng))
     agent = wishes.agent or room.agent
     assumed = (*wishes.guesses, *_assumed(wishes, room, size))
@@ -214,18 +215,15 @@ def _room_size(wishes: Wishes, room: RoomType, wished: Mapping[str, int], known:
     return (round(width, 2), round(depth, 2))
 
 
-def _possible(wishes: Wishes, wished: Mapping[str, int], size: tuple[float, float], known: _Known) -> None:
+def _possible(shape: str, wished: Mapping[str, int], size: tuple[float, float], known: _Known) -> None:
     """Refuse wishes that no arrangement can meet."""
-    floor = size[0] * size[1] * (0.75 if wishes.shape == "L-shaped" else 1.0)
-    asked: dict[str, int] = {}
-    for wish in wishes.things:
-        asked[wish.category] = asked.get(wish.category, 0) + wish.count
+    floor = size[0] * size[1] * (0.75 if shape == "L-shaped" else 1.0)
     need = known.floor_area(wished)
     if need > FULLEST * floor:
-        things = ", ".join(f"{count} x {name}" for name, count in (asked or wished).items())
+        things = ", ".join(f"{count} x {name}" for name, count in wished.items())
         raise SceneError(
             f"{things} need {need:.1f} m2 of floor, and a room of {size[0]:g} x {size[1]:g} m has {floor:.1f} m2, of which "
-            f"{FULLEST:.0%} can be furnished; ask for a room of at least {need / FULLEST:.0f} m2 or for fewer things."
+            f"{FULLEST:.0%} can be furnished; ask for a room of at least {math.ceil(need / FULLEST)} m2 or for fewer things."
         )
     for name in wished:
         kind = known.kinds[name]
@@ -248,6 +246,7 @@ def _added(
     fill, rng = further
     floor = size[0] * size[1] * (0.75 if wishes.shape == "L-shaped" else 1.0)
     asked = {known.head(wish.category) for wish in wishes.things}
+    lasts = {wish.category.split()[-1] for wish in wishes.things}
     heads = asked | {known.head(name) for name in wished if known.head(name) == "bed"}
     added: dict[str, int] = {}
     if wishes.only:
@@ -262,7 +261,8 @@ def _added(
         if (
             name.split()[-1] in wishes.general
             or name in wishes.unwanted
-            or (known.head(name) in heads and known.kinds[name].on_floor)
+            or (known.head(name) in heads)
+            or name.split()[-1] in lasts
             or name in wished
             or name in added
         ):
@@ -274,7 +274,7 @@ def _added(
             if _head(other) not in present and other not in room.base
         }
         group = {name: count, **needs}
-        limit = BASIC if name in room.base else fill
+        limit = AIRY if wishes.airy else BASIC if name in room.base else fill
         if known.floor_area(group) == 0 or known.floor_area({**wished, **added, **group}) <= limit * floor:
             added |= group
     return added
@@ -318,29 +318,35 @@ def _scene(
         outline = [(width - x, y) for x, y in reversed(outline)]
     wide = 3.0 if found.agent in ("forklift",) else 0.95 if width * depth < 30 else 1.1
     doors, windows = openings(outline, wide, wishes.openings, rng)
+    style = wishes.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
+    floor = wishes.floor or str(rng.choice(wishes.floors))
     both = {**found.wished, **found.added}
     things = {name: found.wished.get(name, 0) + found.added.get(name, 0) for name in both}
     scene: dict[str, object] = {
+        "dress": dressing(found.text),
         "task_description": found.text,
         "layout_criteria": "",
-        "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in outline], "wall_height": found.height},
+        "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in outline], "wall_height": found.height, "floor": floor},
         "doors": doors,
         "windows": windows,
-        "assets": _assets([(kinds[name], count) for name, count in things.items()], rng),
+        "assets": _assets([(kinds[name], count) for name, count in things.items()], style, wishes.looks, rng),
     }
     if found.agent is not None:
         scene["agent"] = found.agent
     return scene
 
 
-def _assets(things: Iterable[tuple[Category, int]], rng: np.random.Generator) -> dict[str, dict[str, object]]:
-    """Return the asset list; equal things have equal sizes, within 6 % of typical ones."""
+def _assets(
+    things: Iterable[tuple[Category, int]], style: str, looks: Mapping[str, str], rng: np.random.Generator
+) -> dict[str, dict[str, object]]:
+    """Return the asset list; equal things have equal sizes, within 6 % of typical ones, and look alike."""
     assets: dict[str, dict[str, object]] = {}
     for kind, count in things:
         scale = 1.0 + 0.06 * float(rng.uniform(-1, 1))
         size = [round(max(0.01, value * (scale if kind.on_floor else 1.0)), 3) for value in kind.size]
+        look = ", ".join(filter(None, (style, looks.get(kind.name, ""))))
         for index in range(count):
-            assets[f"{variable_name(kind.name)}-{index}"] = asset_entry(kind, size)
+            assets[f"{variable_name(kind.name)}-{index}"] = asset_entry(kind, size) | {"look": look}
     return assets
 
 

@@ -24,6 +24,7 @@ NOUNS = {
     "integer": "a whole number",
     "text": "a text",
     "polygon": "a list of points",
+    "statement": "a statement such as solver.corner(plant[0]), or a list of those",
 }
 """Words for what an argument takes."""
 
@@ -32,6 +33,10 @@ LARGEST = 1e6
 
 OTHER_NAMES = {"asset": "a", "asset1": "a", "asset2": "b", "target": "b", "assets": "items"}
 """Argument names that programs of LayoutVLM use, by ours."""
+
+
+WEIGHT, HEAVIEST = "weight", 100.0
+"""The keyword that weighs a wish, and the largest weight of one, either way."""
 
 
 class ArgumentError(Exception):
@@ -67,6 +72,17 @@ def build_relation(name: str, given: list[Recorded], named: list[tuple[str, Reco
     return statement
 
 
+def wish_weight(named: list[tuple[str, Recorded]]) -> float:
+    """Return the weight of a wish, 1 if the call gives none; raises `ArgumentError`."""
+    given = [value for key, value in named if key == WEIGHT]
+    if not given:
+        return 1.0
+    weight = _number(given[0][1]) if given[0][0] == "number" else math.nan
+    if not abs(weight) <= HEAVIEST:
+        raise ArgumentError(f"the weight of a wish is a number from -{HEAVIEST:g} (rather not) to {HEAVIEST:g}", WEIGHT)
+    return weight
+
+
 def _bind(
     name: str, specs: Mapping[str, dataclasses.Field[Any]], given: list[Recorded], named: list[tuple[str, Recorded]]
 ) -> dict[str, tuple[int | str, Recorded]]:
@@ -97,9 +113,19 @@ def _convert(spec: dataclasses.Field[Any], recorded: Recorded, scene: Scene) -> 
     items = recorded[1] if recorded[0] == "list" and not is_point else [recorded]
     if not items:
         raise ArgumentError("is an empty list")
+    if "statement" in spec.metadata["takes"]:
+        return tuple(_way(item) for item in items)
     if "point" in spec.metadata["takes"] and len(items) < 3:
         raise ArgumentError(f"takes at least 3 points, not {len(items)}")
     return tuple(_one(spec, item, scene) for item in items)
+
+
+def _way(recorded: Recorded) -> tuple[Relation, ...]:
+    """Return the statements of one choice."""
+    parts = recorded[1] if recorded[0] == "list" else [recorded]
+    if not parts or any(part[0] != "statement" for part in parts):
+        raise ArgumentError(f"takes {NOUNS['statement']}")
+    return tuple(part[1] for part in parts)
 
 
 def _one(spec: dataclasses.Field[Any], recorded: Recorded, scene: Scene) -> object:

@@ -23,7 +23,7 @@ _rl_len, _rl_isinstance, _rl_type, _rl_str, _rl_float = len, isinstance, type, s
 _rl_lists, _rl_numbers = (list, tuple), (int, float)
 _rl_bool, _rl_text, _rl_range = bool, str, range
 _rl_TypeError, _rl_ValueError, _rl_RuntimeError = TypeError, ValueError, RuntimeError
-_rl_log, _rl_notes, _rl_used = [], [], {"items": 0, "printed": 0}
+_rl_log, _rl_inner, _rl_notes, _rl_used = [], [], [], {"items": 0, "printed": 0}
 
 
 class AssetInstance:
@@ -130,7 +130,12 @@ def _rl_put(thing, site, value):
 
 
 def _rl_at(thing, site):
-    return _rl_Solver(site) if _rl_isinstance(thing, _rl_Solver) else thing
+    return _rl_Solver(site, thing.soft) if _rl_isinstance(thing, _rl_Solver) else thing
+
+
+class _rl_Said:
+    def __init__(self, place):
+        self._rl_place = place
 
 
 def _rl_number(value):
@@ -157,6 +162,9 @@ def _rl_encode(value, depth=0):
         return ["wall", value.index]
     if _rl_isinstance(value, _rl_Room):
         return ["room"]
+    if _rl_isinstance(value, _rl_Said):
+        _rl_inner.append(value._rl_place)
+        return ["said", value._rl_place]
     if _rl_isinstance(value, _rl_Point):
         return ["point", _rl_encode(value.position, depth + 1)]
     if _rl_isinstance(value, _rl_lists) and depth < 4:
@@ -164,11 +172,12 @@ def _rl_encode(value, depth=0):
     return ["other", _rl_type(value).__name__]
 
 
-def _rl_record(site, name, args, kwargs):
+def _rl_record(site, name, args, kwargs, soft):
     if _rl_len(_rl_log) >= _rl_scene["statements"]:
         raise _rl_RuntimeError(f"_rl_limit the program states more than {_rl_scene['statements']} relations")
     named = [[key, _rl_encode(kwargs[key])] for key in kwargs]
-    _rl_log.append([site, name, [_rl_encode(value) for value in args], named])
+    _rl_log.append([site, name, [_rl_encode(value) for value in args], named, soft])
+    return _rl_Said(_rl_len(_rl_log) - 1)
 
 
 def print(*values, sep=" ", end="", **others):
@@ -188,7 +197,7 @@ def _rl_result():
         turned = "rotation" in sites or asset.rotation != [0.0, 0.0, 0.0]
         turn = _rl_encode(asset.rotation) if turned else None
         poses.append([place, turn, sites.get("position"), sites.get("rotation")])
-    return _rl_json.dumps({"log": _rl_log, "poses": poses, "notes": _rl_notes})
+    return _rl_json.dumps({"log": _rl_log, "inner": _rl_inner, "poses": poses, "notes": _rl_notes})
 """
 
 RESULT = "_rl_result()"
@@ -197,14 +206,15 @@ RESULT = "_rl_result()"
 
 def prelude(scene: Scene, relations: Iterable[str]) -> str:
     """Return the program text that defines the recorder and the variables of `scene`."""
-    lines = [RECORDER, "class _rl_Solver:", "    def __init__(self, site=None):", "        self.site = site"]
+    lines = [RECORDER, "class _rl_Solver:", "    def __init__(self, site=None, soft=False):"]
+    lines += ["        self.site, self.soft = site, soft"]
     for name in relations:
         lines.append(f"    def {name}(self, *args, **kwargs):")
-        lines.append(f"        _rl_record(self.site, {name!r}, args, kwargs)")
+        lines.append(f"        return _rl_record(self.site, {name!r}, args, kwargs, self.soft)")
     for name in sorted(MEANINGLESS):
         lines.append(f"    def {name}(self, *args, **kwargs):")
         lines.append(f"        _rl_notes.append('solver.{name}() means nothing here and was ignored')")
-    lines.append("solver = _rl_Solver()")
+    lines += ["solver = _rl_Solver()", "solver.wish = _rl_Solver(None, True)"]
     lines.append("walls = [_rl_Wall(*wall) for wall in _rl_scene['walls']]")
     lines.append("room = _rl_Room(*_rl_scene['room'])")
     lines.append("_rl_assets = [_rl_Asset(*asset) for asset in _rl_scene['assets']]")

@@ -47,13 +47,17 @@ class Statement:
         relation: What it says.
         line: Line of the program text that states it, counted from 1; 0 if it was not read from text.
         source: That call as it is written, on one line.
-        number: Its place among the statements, counted from 1.
+        number: Its place among the statements, counted from 1; wishes are counted by themselves.
+        wish: Its weight if it is a wish and no demand; below 0 it is rather not wanted.
+        by: Who asks for it: "user" where it is what the words of the scene say, else "plan".
     """
 
     relation: Relation
     line: int = 0
     source: str = ""
     number: int = 0
+    wish: float | None = None
+    by: str = "plan"
 
 
 @dataclass(frozen=True)
@@ -80,6 +84,7 @@ class Program:
         notes: Lines that it printed.
         dropped: What could not be read and was left out, one message each with line and caret (`read_salvaged`).
         expressions: How each asset is written in program text, by name ("bed-0": "bed[0]").
+        wishes: What it would like, and no more; each with its weight.
     """
 
     text: str = ""
@@ -88,10 +93,19 @@ class Program:
     notes: tuple[str, ...] = ()
     dropped: tuple[str, ...] = ()
     expressions: Mapping[str, str] = field(default_factory=dict[str, str], compare=False, repr=False)
+    wishes: tuple[Statement, ...] = ()
+
+    @property
+    def complete(self) -> bool:
+        """Whether it gives a place to everything."""
+        placed = {name for name, guess in self.guesses.items() if guess.position is not None}
+        return placed == set(self.expressions)
 
     def forgotten(self) -> tuple[str, ...]:
         """Return the things, as they are written in a program, that neither a guess nor a statement is about."""
-        said = {name for statement in self.statements for name in statement.relation.asset_names()} | set(self.guesses)
+        said = {
+            name for statement in (*self.statements, *self.wishes) for name in statement.relation.asset_names()
+        } | set(self.guesses)
         return tuple(written for name, written in self.expressions.items() if name not in said)
 
     def to_text(self) -> str:
@@ -102,11 +116,11 @@ class Program:
                 lines.append(f"{self._asset(name)}.position = {list(guess.position)!r}")
             if guess.yaw is not None:
                 lines.append(f"{self._asset(name)}.rotation = [0, 0, {guess.yaw!r}]")
-        lines += [f"solver.{self.call(statement.relation)}" for statement in self.statements]
+        lines += [f"solver.{self.call(one.relation, one.wish)}" for one in (*self.statements, *self.wishes)]
         return "".join(line + "\n" for line in lines)
 
-    def call(self, relation: Relation) -> str:
-        """Return a relation as program text: `against_wall(bed[0], walls[2])`."""
+    def call(self, relation: Relation, wish: float | None = None) -> str:
+        """Return a relation as program text: `against_wall(bed[0], walls[2])`; a wish with its weight."""
         shown: list[str] = []
         for spec in relation.arguments():
             value = getattr(relation, spec.name)
@@ -114,7 +128,9 @@ class Program:
                 shown.append(self._value(value))
             elif value != spec.default:
                 shown.append(f"{spec.name}={self._value(value)}")
-        return f"{relation.name}({', '.join(shown)})"
+        if wish is None:
+            return f"{relation.name}({', '.join(shown)})"
+        return f"wish.{relation.name}({', '.join([*shown, f'weight={wish:g}'])})"
 
     def _asset(self, name: str) -> str:
         return self.expressions.get(name) or f"{program_variable(name)}[{split_name(name)[1]}]"
@@ -127,6 +143,8 @@ class Program:
                 return f"walls[{index}]"
             case PointRef(x, y, z):
                 return f"AssetInstance(position=[{x!r}, {y!r}, {z!r}])"
+            case Relation():
+                return f"solver.{self.call(value)}"
             case tuple():
                 return "[" + ", ".join(self._value(item) for item in value) + "]"  # type: ignore[misc]
             case str():

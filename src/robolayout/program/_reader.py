@@ -8,8 +8,8 @@ from dataclasses import replace
 from typing import Any
 
 from robolayout._errors import ProgramError, ProgramLimitError
-from robolayout.constraints import RELATIONS
-from robolayout.program._arguments import ArgumentError, Recorded, build_relation
+from robolayout.constraints import RELATIONS, Relation
+from robolayout.program._arguments import WEIGHT, ArgumentError, Recorded, build_relation, wish_weight
 from robolayout.program._program import Guess, Limits, Program, Statement
 from robolayout.program._sandbox import run
 from robolayout.program._source import Site, Source, read_source, without_line
@@ -37,7 +37,7 @@ def read_program(text: str, scene: Scene, limits: Limits | None = None) -> Progr
     limits = limits or Limits()
     source = read_source(text, tuple(RELATIONS), scene.variables, limits)
     recorded = run(source, scene, tuple(RELATIONS), limits)
-    statements = tuple(_statement(i, row, source, scene) for i, row in enumerate(recorded["log"], start=1))
+    said = _Said(recorded["log"], set(recorded["inner"]), source, scene)
     written = scene.expressions
     poses = dict(zip(written, recorded["poses"], strict=True))
     guesses = {
@@ -45,7 +45,9 @@ def read_program(text: str, scene: Scene, limits: Limits | None = None) -> Progr
         for asset in scene.assets
         if (guess := _guess(written[asset.name], poses[asset.name], source)) is not None
     }
-    return Program(source.text, statements, guesses, tuple(recorded["notes"]), expressions=written)
+    notes = tuple(recorded["notes"])
+    wishes = said.statements(wishes=True)
+    return Program(source.text, said.statements(), guesses, notes, expressions=written, wishes=wishes)
 
 
 def read_salvaged(text: str, scene: Scene, limits: Limits | None = None) -> Program:
@@ -76,7 +78,7 @@ def read_salvaged(text: str, scene: Scene, limits: Limits | None = None) -> Prog
                 raise first from None
             rest = shorter
             dropped.append(str(error))
-    if not program.statements and not program.guesses:
+    if not (program.statements or program.wishes or program.guesses):
         raise first or ProgramError(
             "the answer holds no program: it places nothing and states nothing. Write assignments such as "
             "bed[0].position = [x, y, z] and statements such as solver.against_wall(bed[0], walls[0]) in one ```python block."
@@ -84,18 +86,48 @@ def read_salvaged(text: str, scene: Scene, limits: Limits | None = None) -> Prog
     return replace(program, dropped=tuple(dropped))
 
 
-def _statement(number: int, row: list[Any], source: Source, scene: Scene) -> Statement:
-    """Return one recorded call as a statement."""
-    place, name, given, named = row
-    site = _site(source, place)
-    try:
-        relation = build_relation(name, given, [(key, value) for key, value in named], scene)
-    except ArgumentError as error:
-        node = _argument(site, error.argument)
-        line = node.lineno if node else site.line
-        column = node.col_offset if node else site.column
-        raise source.error(str(error), line or None, column) from error
-    return Statement(relation, site.line, source.segment(site.call) if site.call else f"solver.{name}(...)", number)
+class _Said:
+    """The recorded calls of a program as statements.
+
+    Args:
+        log: The calls in order.
+        inner: Places of those that are part of another one.
+        source: The text.
+        scene: What the program is about.
+    """
+
+    def __init__(self, log: list[list[Any]], inner: set[int], source: Source, scene: Scene) -> None:
+        self.log, self.inner, self.source, self.scene = log, inner, source, scene
+
+    def statements(self, *, wishes: bool = False) -> tuple[Statement, ...]:
+        """Return the demands in order, or the wishes."""
+        own = [i for i, row in enumerate(self.log) if i not in self.inner and row[4] == wishes]
+        return tuple(self._statement(number, self.log[i]) for number, i in enumerate(own, start=1))
+
+    def _statement(self, number: int, row: list[Any]) -> Statement:
+        """Return one recorded call as a statement."""
+        site, weight = _site(self.source, row[0]), None
+        try:
+            if row[4]:
+                weight = wish_weight(row[3])
+            relation = self._relation(row)
+        except ArgumentError as error:
+            node = _argument(site, error.argument)
+            line = node.lineno if node else site.line
+            column = node.col_offset if node else site.column
+            raise self.source.error(str(error), line or None, column) from error
+        text = self.source.segment(site.call) if site.call else f"solver.{row[1]}(...)"
+        return Statement(relation, site.line, text, number, weight)
+
+    def _relation(self, row: list[Any]) -> Relation:
+        named = [(key, self._told(value)) for key, value in row[3] if not row[4] or key != WEIGHT]
+        return build_relation(row[1], [self._told(value) for value in row[2]], named, self.scene)
+
+    def _told(self, value: Recorded) -> Recorded:
+        """Return a recorded value with the relations that it names in place of their calls."""
+        if value[0] == "said":
+            return ["statement", self._relation(self.log[value[1]])]
+        return ["list", [self._told(item) for item in value[1]]] if value[0] == "list" else value
 
 
 def _site(source: Source, place: object) -> Site:

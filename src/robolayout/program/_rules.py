@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from robolayout.constraints import ANGLE_TOLERANCE, AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
+from robolayout.constraints.any_of import AnyOf
 from robolayout.constraints.ceiling_above import CeilingAbove
 from robolayout.constraints.centered_on import CenteredOn
 from robolayout.constraints.corner import Corner
@@ -106,7 +107,7 @@ class Accepted:
         if isinstance(relation, AtWall) and relation.wall is not None:
             for name in subjects(relation):
                 self.walls.setdefault(name, relation.wall.index)
-        if relation.orients:
+        if relation.orients and not relation.ways(self.scene):
             for name in subjects(relation):
                 self.headings.setdefault(name, statement)
 
@@ -135,6 +136,8 @@ def topic(relation: Relation) -> object:
     refs = relation.refs()
     if isinstance(relation, DistanceConstraint | FacingPair):
         return (relation.name, frozenset(refs))
+    if isinstance(relation, AnyOf):
+        return relation
     if isinstance(relation, SymmetricPair):
         return (relation.name, frozenset(refs[:2]), refs[2])
     return (relation.name, refs) if len(refs) > 1 else relation
@@ -221,7 +224,11 @@ def once(so_far: Accepted, relation: Relation) -> Answer:
 
 def one_wall(so_far: Accepted, relation: Relation) -> Answer:
     """Reject a second wall for the same thing."""
-    if not isinstance(relation, AgainstWall | MountedOn) or relation.a.name not in so_far.walls:
+    if (
+        not isinstance(relation, AgainstWall | MountedOn)
+        or relation.wall is None
+        or relation.a.name not in so_far.walls
+    ):
         return None
     return f"{relation.a} is already at walls[{so_far.walls[relation.a.name]}]; a thing has one wall"
 
@@ -231,7 +238,7 @@ def one_heading(so_far: Accepted, relation: Relation) -> Answer:
 
     Free rows and grids only say how their things stand to each other, so one of them may be aligned with something else.
     """
-    if not relation.orients:
+    if not relation.orients or relation.ways(so_far.scene):
         return None
     turned = [name for name in subjects(relation) if _is_turned(so_far, name, relation)]
     if not turned:

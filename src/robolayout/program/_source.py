@@ -27,6 +27,8 @@ NUMPY = "numpy"
 """What may be imported under any one name; a few of its functions on plain numbers are there."""
 MEANINGLESS = frozenset({"solve", "optimize", "run", "render", "visualize", "export"})
 """Calls of the solver that programs of LayoutVLM end with; here they are ignored with a note."""
+WISH = "wish"
+"""What `solver.wish.near(...)` goes through: the same statements, as wishes."""
 WRAPPED = ("program", "code", "arguments", "input")
 """Fields of a JSON answer, or of a tool call, that hold the program."""
 FORBIDDEN = frozenset(
@@ -240,11 +242,8 @@ def _refusal(node: ast.AST, relations: Collection[str], variables: Collection[st
     if isinstance(node, ast.Attribute):
         if node.attr.startswith("_"):
             return f"{node.attr!r}: attributes that start with an underscore do not exist in programs"
-        if (
-            isinstance(node.value, ast.Name)
-            and node.value.id == "solver"
-            and node.attr not in {*relations, *MEANINGLESS}
-        ):
+        known = {"solver": {*relations, *MEANINGLESS, WISH}, f"solver.{WISH}": {*relations}}
+        if node.attr not in known.get(_dotted(node.value), (node.attr,)):
             return _unknown_relation(node.attr, relations)
     if isinstance(node, ast.Name) and node.id in FORBIDDEN and node.id not in variables:
         return f"{node.id!r} does not exist in programs; they only compute positions and state relations"
@@ -254,6 +253,13 @@ def _refusal(node: ast.AST, relations: Collection[str], variables: Collection[st
         if name.startswith(("__", "_rl_")) and name.strip("_"):
             return f"{name!r}: names that start with two underscores or with _rl_ do not exist in programs"
     return None
+
+
+def _dotted(node: ast.expr) -> str:
+    """Return `solver` or `solver.wish` as text; "" for anything else."""
+    if isinstance(node, ast.Attribute):
+        return f"{_dotted(node.value)}.{node.attr}" if node.attr == WISH else ""
+    return node.id if isinstance(node, ast.Name) else ""
 
 
 def _refused_import(node: ast.Import | ast.ImportFrom) -> str | None:

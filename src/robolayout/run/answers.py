@@ -160,14 +160,14 @@ class Question:
         ]
         return self.candidates[min(keys)[-1]]
 
-    def reopening(self, texts: Sequence[str]) -> tuple[str, str] | None:
-        """Return which earlier group an answer asks to plan again, and what should be otherwise there; None if none does."""
+    def reopening(self, texts: Sequence[str]) -> tuple[str, str, str] | None:
+        """Return which earlier group an answer asks to plan again, what should be otherwise there, and that answer."""
         labels = {label.casefold(): label for label in self.earlier}
         for text in texts:
             for said, why in REOPEN.findall(text):
                 label = labels.get(said.strip("`'\" ").casefold())
                 if label is not None:
-                    return label, " ".join(why.split())
+                    return label, " ".join(why.split()), text
         return None
 
     def scores(self) -> tuple[Score, ...]:

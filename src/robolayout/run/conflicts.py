@@ -6,10 +6,12 @@ breaks says what stands against it: a collision, a blocked way, another statemen
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
+from robolayout.constraints import Relation
 from robolayout.program import Reconciled, Statement
 from robolayout.scene import Layout, Scene
 from robolayout.solve import Proposals, carry, compile_problem
@@ -31,20 +33,23 @@ class _Standing:
     unmet: dict[int, Statement]
 
 
-def conflicts(scene: Scene, reconciled: Reconciled, layout: Layout, *, seed: int = 0) -> dict[int, str]:
+def conflicts(
+    scene: Scene, reconciled: Reconciled, layout: Layout, said: Mapping[Relation, str], *, seed: int = 0
+) -> dict[int, str]:
     """Return for each unmet statement, by its number, what it lost to, in words.
 
     Args:
         scene: What was given.
         reconciled: The program after the filter.
         layout: The layout that was found.
+        said: The user's words by the statements that they ask for; a wish that stands against another is called by them.
         seed: Settles where is looked.
     """
     found = {d.statement.number: f"the filter, {d.reason}" for d in reconciled.decisions if d.verdict != "accepted"}
     program = reconciled.program
     unmet = [s for s in program.statements if not s.relation.check(scene, layout).met]
     if unmet:
-        looker = _Looker(scene, reconciled, layout, np.random.default_rng(seed))
+        looker = _Looker(scene, reconciled, layout, said, np.random.default_rng(seed))
         found |= {s.number: looker.against(s) + _tried(s, scene) for s in unmet}
     return found
 
@@ -58,8 +63,15 @@ def _tried(statement: Statement, scene: Scene) -> str:
 class _Looker:
     """Tries places for the things of unmet statements."""
 
-    def __init__(self, scene: Scene, reconciled: Reconciled, layout: Layout, rng: np.random.Generator) -> None:
-        self.scene, self.program, self.rng = scene, reconciled.program, rng
+    def __init__(
+        self,
+        scene: Scene,
+        reconciled: Reconciled,
+        layout: Layout,
+        said: Mapping[Relation, str],
+        rng: np.random.Generator,
+    ) -> None:
+        self.scene, self.program, self.said, self.rng = scene, reconciled.program, said, rng
         self.problem = compile_problem(scene, reconciled.program, pinned=layout)
         self.proposals = Proposals.of(self.problem)
         self.now = self._standing(layout)
@@ -76,11 +88,15 @@ class _Looker:
             cost = 100.0 * len(collisions) + 2.0 * len(reach) + weight
             if best is None or cost < best[0]:
                 sentences = [*collisions, *(f"{name} out of reach" for name in reach)]
-                sentences += [f"statement {s.number}, {s.relation.sentence()}" for s in others]
+                sentences += [self._called(s) for s in others]
                 best = (cost, "; ".join(text.rstrip(".") for text in sentences[:3]))
         if best is None:
             return "the others: with everything else in place, no place was found where it holds"
         return best[1] or "nothing that was found: more starts or another seed may meet it"
+
+    def _called(self, statement: Statement) -> str:
+        words = self.said.get(statement.relation)
+        return f"the wish {words!r}" if words else f"statement {statement.number}, {statement.relation.sentence()}"
 
     def _places(self, statement: Statement) -> list[Layout]:
         """Return layouts in which the statement holds and one thing of it has moved."""

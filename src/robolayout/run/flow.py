@@ -13,9 +13,10 @@ from robolayout.floor import FLOOR, cell_size
 from robolayout.planners import Critic, Group, GroupPlanner, OfflinePlanner, Planner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.run.attempt import Attempt, Clock, Progress
+from robolayout.run.dressing import dressed
 from robolayout.run.edit import as_start, pinned_poses, started
 from robolayout.run.verdict import make_judge
-from robolayout.scene import Agent, Layout, Pose, Scene, Trace, load_agents, load_scene, scene_from_dict
+from robolayout.scene import Agent, Layout, Pose, Scene, Trace, check_dress, load_agents, load_scene, scene_from_dict
 from robolayout.solve import (
     PAPER,
     UNREFINED,
@@ -36,9 +37,8 @@ if TYPE_CHECKING:
 
 AgentSpec = Agent | str | Path | Mapping[str, Any]
 
-AHEAD = 2
-"""Programs that are looked at before one is solved whose guess is not right: what the planner puts in order, the solver
-can only disarrange."""
+AHEAD = 3
+"""Rooms that are looked at before one is searched that is not right as it is built or guessed."""
 
 FORLORN = 0.25
 """Share of the assets in wrong places or out of reach, after so many programs are solved, from which on no other is asked for."""
@@ -97,12 +97,15 @@ class Result:
         return f'<div style="display:flex;flex-wrap:wrap;gap:2em;align-items:flex-start">{plan}<div>{shown}</div></div>'
 
 
-def as_scene(scene: Scene | Mapping[str, Any] | str | Path, agent: AgentSpec | None = None) -> Scene:
-    """Return a scene from itself, its dictionary or its file, for another agent if one is given."""
+def as_scene(
+    scene: Scene | Mapping[str, Any] | str | Path, agent: AgentSpec | None = None, dress: str | None = None
+) -> Scene:
+    """Return a scene from itself, its dictionary or its file, for another agent or otherwise dressed if that is said."""
     if isinstance(scene, str | Path):
         scene = load_scene(scene)
     elif not isinstance(scene, Scene):
         scene = scene_from_dict(scene)
+    scene = scene if dress is None else replace(scene, dress=check_dress(dress))
     return scene if agent is None else scene.with_agents(*load_agents(agent))
 
 
@@ -120,6 +123,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     start: Layout | Mapping[str, Any] | str | Path | None = None,
     keep: Sequence[str] = (),
     free: Sequence[str] = (),
+    dress: str | None = None,
 ) -> Result:
     """Lay out a scene and verify the result.
 
@@ -133,10 +137,10 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         solver: Name of a solver: "default", "paper", "paper-unrefined", "trust-constr" or "dual-annealing".
         config: Constants of the default solver.
         progress: Called with the name of each phase.
-        start: A layout, its dictionary or its file, to mend with the least change instead of planning; what it does not place
-            is fitted in.
+        start: A layout, its dictionary or its file, to mend with the least change; what it does not place is fitted in.
         keep: With `start`: names of assets that do not move at all.
-        free: With `start`: names of the only assets that move, in place of `keep`.
+        free: With `start`: names of the only ones that do, in place of `keep`.
+        dress: How much lies about in the end: "none", "some" or "full"; what the scene says if None.
 
     Returns:
         The layout with its program, decisions and report. No file is written.
@@ -144,10 +148,9 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     Raises:
         SceneError: What must stand on the floor covers more than the floor; nothing is searched for.
     """
-    clock = Clock()
-    say = progress or silent
+    clock, say = Clock(), progress or silent
     with clock.station("scene"):
-        scene = as_scene(scene, agent)
+        scene = as_scene(scene, agent, dress)
         planner = planner or OfflinePlanner()
         if isinstance(planner, OfflinePlanner):
             scene = planner.recognised(scene)
@@ -169,6 +172,23 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
 
 
 @dataclass(frozen=True)
+class _Try:
+    """A program that is to be solved.
+
+    Attributes:
+        amiss: How much is wrong with where its search starts; nothing if it is right.
+        seed: Settles every choice.
+        asked: The program.
+        built: Where its search starts, if that is known.
+    """
+
+    amiss: float
+    seed: int
+    asked: Program
+    built: Layout | None = None
+
+
+@dataclass(frozen=True)
 class _Run:
     """One call of `generate`: the loop over attempts; the loop over groups is in `groups`."""
 
@@ -180,32 +200,33 @@ class _Run:
     say: Progress
     wishes: Wishes = field(default_factory=Wishes)
 
-    def result(self, best: Attempt, groups: tuple[Group, ...]) -> Result:
-        """Return the judged result of what was found."""
+    def result(self, best: Attempt, groups: tuple[Group, ...], who: Mapping[str, Any] | None = None) -> Result:
+        """Return the judged result of what was found, with who planned where that was a model."""
         layout, report = best.solution.layout, self.reported(best)
-        if forgotten := best.asked.forgotten():
+        if who is not None:
+            report = report.with_planner(who)
+        elif forgotten := best.asked.forgotten():
             report = report.with_notes((f"The program says nothing about {', '.join(forgotten)}.",))
-        return Result(self.scene, groups, best.asked, best.reconciled, layout, report, best.solution)
+        found = Result(self.scene, groups, best.asked, best.reconciled, layout, report, best.solution)
+        return dressed(found, self.scene.dress, seed=self.seed)
 
     def whole(self, planner: Planner, program: str | None, attempts: int) -> Attempt:
         """Plan all assets at once; while demands stay unmet ask again, and keep the best."""
         best: Attempt | None = None
         least = (math.inf, True)
-        texts = iter([program]) if program is not None else self._texts(planner, attempts, lambda: best)
-        waiting: list[tuple[float, int, Program]] = []
+        texts = self._texts(planner, program, attempts, lambda: best)
+        waiting: list[_Try] = []
         for number in range(attempts):
-            ahead = AHEAD if best is None and program is None and attempts > 1 else 1
-            while len(waiting) < ahead and (text := next(texts, None)) is not None:
-                asked = self._read(text)
-                waiting.append((self._amiss(asked) if ahead > 1 else 0.0, len(waiting), asked))
-                if waiting[-1][0] == 0.0:
+            ahead = AHEAD if best is None and attempts > 1 else 1
+            while len(waiting) < ahead and (found := next(texts, None)) is not None:
+                waiting.append(self._tried(*found, judged=ahead > 1))
+                if waiting[-1].amiss == 0.0:
                     break
-                if len(waiting) == 1:
-                    self.prepare(self.scene, 1)
             if not waiting:
                 break
-            waiting.sort(key=lambda entry: entry[:2])
-            found = self.finished([waiting.pop(0)[2]], self.scene, {})[0]
+            waiting.sort(key=lambda entry: entry.amiss)
+            tried = waiting.pop(0)
+            found = self.finished([tried.asked], self.scene, {}, seed=tried.seed, built=tried.built)[0]
             report = verify(self.scene, found.solution.layout, found.asked)
             # A thing that stands too high is nothing that the solver could move, but another program may put it lower.
             rank = (found.solution.verdict.merit, not report.ok)
@@ -229,39 +250,41 @@ class _Run:
         asked = started(self._read(program or ""), start)
         return self.finished([asked], self.scene, pinned)[0]
 
-    def _texts(self, planner: Planner, attempts: int, best: Callable[[], Attempt | None]) -> Generator[str]:
-        """Yield what a planner answers to the same question with ever another seed, as long as it has new answers."""
+    def _texts(
+        self, planner: Planner, program: str | None, attempts: int, best: Callable[[], Attempt | None]
+    ) -> Generator[tuple[int, Program]]:
+        """Yield programs with seeds: what a planner answers to the same question, as long as there is anything new in it."""
         known = set[str]()
         for number in range(attempts):
-            with self.clock.station("plan"):
-                before = best()
-                feedback = before.solution.message if before else ""
-                text = planner.plan(
-                    PlanRequest(
-                        self.scene,
-                        seed=self.seed + ATTEMPT_STRIDE * number,
-                        feedback=feedback,
-                        asked=self.wishes.demands,
+            seed, text = self.seed + ATTEMPT_STRIDE * number, program
+            if text is None:
+                with self.clock.station("plan"):
+                    before = best()
+                    feedback = before.solution.message if before else ""
+                    text = planner.plan(
+                        PlanRequest(self.scene, seed=seed, feedback=feedback, asked=self.wishes.demands)
                     )
-                )
-            if text in known:
+            asked = self._read(text)
+            if text in known and asked.complete:
                 return
             known.add(text)
-            yield text
+            yield seed, asked
 
     def _read(self, text: str) -> Program:
         """Read a program for the whole scene."""
         with self.clock.station("program"):
             self.say("program")
-            return read_program(text, self.scene)
+            return self.wishes.marked(read_program(text, self.scene))
 
-    def _amiss(self, asked: Program) -> float:
-        """Return how much is wrong with a program's guess; nothing if it is right."""
+    def _tried(self, seed: int, asked: Program, *, judged: bool) -> _Try:
+        """Return a program with the room that is built from it, or that it gives, and how much is wrong with that."""
+        if not judged:
+            return _Try(0.0, seed, asked)
         with self.clock.station("program"):
             program = self.filtered(asked, self.scene).program
-            guess = compile_problem(self.scene, program, seed=self.seed).guess
         with self.clock.station("solve"):
-            return make_judge(self.scene, program)(guess).promise
+            built = compile_problem(self.scene, program, seed=seed).guess
+            return _Try(make_judge(self.scene, program)(built).promise, seed, asked, built)
 
     def by_groups(self, planner: GroupPlanner, groups: tuple[Group, ...]) -> Result:
         """Plan with a model, group by group; the report says who planned."""
@@ -275,25 +298,26 @@ class _Run:
 
             best, said = CriticPass(self.scene, planner, self.finished, self.clock, self.say).run(best)
             parts.append(said.to_dict())
-        layout, parts = best.solution.layout, [planner.to_dict(), *parts]
-        who = {key: value for part in parts for key, value in part.items()}
-        who["sentences"] = [sentence for part in parts for sentence in part["sentences"]]
-        report = self.reported(best).with_planner(who)
-        return Result(
-            self.scene, planned.groups, best.asked, best.reconciled, layout, report, best.solution, planned.samples
-        )
+        parts = [planner.to_dict(), *parts]
+        sentences = [sentence for part in parts for sentence in part["sentences"]]
+        who = {key: value for part in parts for key, value in part.items()} | {"sentences": sentences}
+        return replace(self.result(best, planned.groups, who), samples=planned.samples)
 
     def reported(self, best: Attempt) -> Report:
         """Judge the whole layout, and look what unmet statements lost to."""
         self.say("verify")
         layout = best.solution.layout
         report = verify(self.scene, layout, best.asked)
+        against: dict[int, str] = {}
         if any(not item.met for item in report.statements):
             from robolayout.run.conflicts import conflicts
 
             with self.clock.station("conflicts"):
-                report = report.with_conflicts(conflicts(self.scene, best.reconciled, layout, seed=self.seed))
-        report = report.with_asked(self.wishes.judged(self.scene, layout, report.agents[0].navigation.main))
+                against = conflicts(self.scene, best.reconciled, layout, self.wishes.said, seed=self.seed)
+                report = report.with_conflicts(against)
+        lost = {s.relation: against[s.number] for s in best.asked.statements if s.number in against}
+        walked = report.agents[0].navigation.main
+        report = report.with_asked(self.wishes.judged(self.scene, layout, walked, lost))
         cell = cell_size(self.scene.room, (self.config or SolverConfig()).cell, FLOOR.route_cells)
         if cell > COARSE:
             note = f"The room is so large that the search looks for ways on cells of {cell:.2f} m: it may miss narrower gaps."
@@ -309,7 +333,15 @@ class _Run:
         """Filter a program for a scene, as the solver wants it."""
         return reconcile(asked, here, paper=self.solver in (PAPER, UNREFINED))
 
-    def finished(self, asked: Sequence[Program], here: Scene, placed: Mapping[str, Pose]) -> list[Attempt]:
+    def finished(
+        self,
+        asked: Sequence[Program],
+        here: Scene,
+        placed: Mapping[str, Pose],
+        *,
+        seed: int | None = None,
+        built: Layout | None = None,
+    ) -> list[Attempt]:
         """Filter and solve programs for a scene, together; the poses given stay."""
         with self.clock.station("program"):
             reconciled = [self.filtered(program, here) for program in asked]
@@ -317,16 +349,17 @@ class _Run:
             solutions = solve_many(
                 here,
                 [found.program for found in reconciled],
-                seed=self.seed,
+                seed=self.seed if seed is None else seed,
                 solver=self.solver,
                 config=self.config,
                 pinned=placed,
                 progress=self.say,
+                built=built,
             )
         return [Attempt(*parts) for parts in zip(asked, reconciled, solutions, strict=True)]
 
 
-def solve(
+def solve(  # noqa: PLR0913 - as `generate`
     scene: Scene,
     program: Program | str,
     *,
@@ -335,6 +368,7 @@ def solve(
     config: SolverConfig | None = None,
     pinned: Mapping[str, Pose] | None = None,
     progress: Progress | None = None,
+    built: Layout | None = None,
 ) -> Solution:
     """Solve a program, selecting by exact verification.
 
@@ -346,20 +380,22 @@ def solve(
         config: Constants of the default solver.
         pinned: Poses that must stay.
         progress: Called with the name of each phase.
+        built: Poses of what no program places, where they are known.
     """
     if isinstance(program, str):
         program = reconcile(read_program(program, scene), scene, paper=solver in (PAPER, UNREFINED)).program
     judge = make_judge(scene, program)
 
-    def solved(way: Program) -> Solution:
-        problem = compile_problem(scene, way, seed=seed, pinned=pinned)
+    def solved(way: Program, config: SolverConfig | None) -> Solution:
+        problem = compile_problem(scene, way, seed=seed, pinned=pinned, built=built)
         return solve_with(solver, problem, judge, seed=seed, config=config, progress=progress)
 
-    best = solved(program)
+    best = solved(program, config)
+    brief = (config or SolverConfig()).at("quick")
     for way in _ways(scene, program, best) if solver == "default" else ():
         if best.verdict.ok:
             break
-        best = min(best, solved(way), key=lambda found: found.verdict.merit)
+        best = min(best, solved(way, brief), key=lambda found: found.verdict.merit)
     return best
 
 
@@ -369,11 +405,12 @@ def _ways(scene: Scene, program: Program, found: Solution) -> Iterator[Program]:
     for i, statement in enumerate(program.statements):
         if blamed.intersection(statement.relation.asset_names()):
             for way in statement.relation.ways(scene)[:MOST_WAYS]:
-                changed = (*program.statements[:i], replace(statement, relation=way), *program.statements[i + 1 :])
+                settled = (replace(statement, relation=one) for one in way)
+                changed = (*program.statements[:i], *settled, *program.statements[i + 1 :])
                 yield replace(program, statements=changed)
 
 
-def solve_many(
+def solve_many(  # noqa: PLR0913 - as `generate`
     scene: Scene,
     programs: Sequence[Program],
     *,
@@ -382,6 +419,7 @@ def solve_many(
     config: SolverConfig | None = None,
     pinned: Mapping[str, Pose] | None = None,
     progress: Progress | None = None,
+    built: Layout | None = None,
 ) -> list[Solution]:
     """Solve several programs for one scene; the default solver shares its effort among them.
 
@@ -393,13 +431,16 @@ def solve_many(
         config: Constants of the default solver.
         pinned: Poses that must stay.
         progress: Called with the name of each phase.
+        built: Poses of what no program places, where they are known.
     """
     if solver != "default" or len(programs) == 1:
         return [
-            solve(scene, program, seed=seed, solver=solver, config=config, pinned=pinned, progress=progress)
+            solve(
+                scene, program, seed=seed, solver=solver, config=config, pinned=pinned, progress=progress, built=built
+            )
             for program in programs
         ]
-    problems = [compile_problem(scene, program, seed=seed, pinned=pinned) for program in programs]
+    problems = [compile_problem(scene, program, seed=seed, pinned=pinned, built=built) for program in programs]
     judges = [make_judge(scene, program) for program in programs]
     return solve_samples(problems, judges, seed=seed, config=config, progress=progress)
 

@@ -12,8 +12,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from robolayout._errors import AnswerError, BudgetError, ModelError, ProgramError
-from robolayout.planners import Feedback, Group, GroupPlanner, OfflinePlanner, PlanRequest
+from robolayout._errors import AnswerError, ModelError, ProgramError, UnavailableError
+from robolayout.planners import USELESS, Feedback, Group, GroupPlanner, OfflinePlanner, PlanRequest
 from robolayout.program import Guess, Program, Statement, read_program, read_salvaged
 from robolayout.run.answers import Candidate, Question, Sample
 from robolayout.run.attempt import Attempt, Clock, Finisher, Progress, joined_traces
@@ -115,6 +115,7 @@ class GroupedRun:
         self._taken_over: dict[str, str] = {}
         self._given_up: dict[str, str] = {}
         self._reopened: dict[str, str] = {}
+        self._gone: ModelError | None = None  # nobody waits for a dead server once for each group
 
     def run(self, groups: tuple[Group, ...]) -> Planned:
         """Plan one group after the other; what is placed stays, and what is said stays said."""
@@ -192,26 +193,30 @@ class GroupedRun:
         """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable."""
         label, failure = question.group.label, ""
         self.finisher.prepare(question.here, self.planner.samples)
-        feedback, previous = self._reopened.get(label, ""), self._said.pop(label, "")
-        if previous and not feedback:  # it was said before an earlier group was planned again, and may still do
-            feedback, previous = self._try(question, [previous], self._tries[label])
+        feedback, said = self._reopened.get(label, ""), self._said.pop(label, "")
+        previous = said
+        if said and not feedback:  # it was said before an earlier group was planned again, and may still do
+            feedback, previous = self._try(question, [said], self._tries[label])
         question.images = self._pictures(question)
         for _ in range(1 + self.planner.retries):
             if (best := question.best()) and best.done:
                 break
-            answer = self._asked(question, feedback, previous)
+            answer = self._gone or self._asked(question, feedback, previous)
             if isinstance(answer, ModelError):
-                if not (self._answered or failure or isinstance(answer, AnswerError | BudgetError)):
+                if not (self._answered or failure or isinstance(answer, USELESS)):
                     raise answer
                 failure = str(answer)
                 if isinstance(answer, AnswerError):
                     continue
+                self._gone = answer if isinstance(answer, UnavailableError) and best is None else self._gone
                 break
             failure, self._answered = "", True
             feedback, previous = self._try(question, answer, self._tries[label])
             best, wish = question.best(), question.reopening(answer)
             if wish is not None and not (best and best.done):
-                return _Reopen(*wish, best.sample.text if best else "", tuple(question.records()))
+                return _Reopen(*wish, tuple(question.records()))
+        if question.best() is None and said:
+            self._try(question, [said], self._tries[label])
         return self._standing(question, failure)
 
     def _standing(self, question: Question, failure: str) -> _Standing:
@@ -271,7 +276,7 @@ class GroupedRun:
                     self.say("program")
                     read = read_salvaged(text, self.scene)
                 if self.planner.mode == "no_constraint":
-                    read = replace(read, statements=())
+                    read = replace(read, statements=(), wishes=())
                 sample = replace(sample, error="\n".join(read.dropped))
                 readable.append((sample, read, about(read, question.group, question.here, question.before)))
             except ProgramError as error:
@@ -294,7 +299,8 @@ class GroupedRun:
     def _candidate(self, question: Question, sample: Sample, read: Program, attempt: Attempt) -> Candidate:
         report = self._judged(question, attempt)
         own: tuple[Statement, ...] = attempt.asked.statements[len(question.before) :]
-        said = {name for statement in own for name in statement.relation.asset_names()} | set(attempt.asked.guesses)
+        told = (*own, *attempt.asked.wishes)
+        said = {name for one in told for name in one.relation.asset_names()} | set(attempt.asked.guesses)
         return Candidate(
             sample,
             attempt,

@@ -9,6 +9,7 @@ from robolayout.planners import FilePlanner, PlanRequest
 from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.scene import Layout, Scene, Trace
 from robolayout.verify import Report, verify
+from robolayout.words import read_words
 
 
 @dataclass(frozen=True)
@@ -40,7 +41,12 @@ def judge(scene: Scene, layout: Layout, program: str | Path | None = None) -> Ju
         layout: Poses.
         program: File of the program whose statements are measured as well.
     """
+    wishes = read_words(scene)
     if program is None:
-        return Judged(scene, layout, verify(scene, layout))
-    asked = read_program(FilePlanner(program).plan(PlanRequest(scene)), scene)
-    return Judged(scene, layout, verify(scene, layout, asked), asked, reconcile(asked, scene))
+        asked, reconciled = Program(), Reconciled(Program(), ())
+    else:
+        asked = wishes.marked(read_program(FilePlanner(program).plan(PlanRequest(scene)), scene))
+        reconciled = reconcile(asked, scene)
+    report = verify(scene, layout, None if program is None else asked)
+    report = report.with_asked(wishes.judged(scene, layout, report.agents[0].navigation.main))
+    return Judged(scene, layout, report, asked, reconciled)

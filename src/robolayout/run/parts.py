@@ -16,7 +16,9 @@ def about(program: Program, group: Group, here: Scene, before: tuple[Statement, 
     mine = set(group.items)
     new = [statement for statement in program.statements if _concerns(statement, mine, here)]
     numbered = tuple(replace(statement, number=i) for i, statement in enumerate((*before, *new), 1))
-    return replace(program, statements=numbered, guesses={n: g for n, g in program.guesses.items() if n in mine})
+    guesses = {name: guess for name, guess in program.guesses.items() if name in mine}
+    wishes = tuple(wish for wish in program.wishes if _concerns(wish, mine, here))
+    return replace(program, statements=numbered, wishes=wishes, guesses=guesses)
 
 
 def joined(parts: Sequence[tuple[Group, Program]]) -> Program:
@@ -26,21 +28,22 @@ def joined(parts: Sequence[tuple[Group, Program]]) -> Program:
         parts: Each group with its own statements and guesses.
     """
     lines: list[str] = []
-    statements: list[Statement] = []
+    statements, wishes = list[Statement](), list[Statement]()
     guesses: dict[str, Guess] = {}
     for group, part in parts:
         heading = printable(f"{group.label}: {group.rationale}")
         lines.append(f"# {heading.strip(': ')}")
         lines += part.to_text().splitlines()
-        for i, statement in enumerate(part.statements):
-            line = len(lines) - len(part.statements) + 1 + i
-            statements.append(Statement(statement.relation, line, lines[line - 1], len(statements) + 1))
+        own = (*part.statements, *part.wishes)
+        for line, statement in enumerate(own, len(lines) - len(own) + 1):
+            kept = statements if statement.wish is None else wishes
+            kept.append(Statement(statement.relation, line, lines[line - 1], len(kept) + 1, statement.wish))
         guesses |= part.guesses
     text = "".join(f"{line}\n" for line in lines)
     expressions = {name: text for _, part in parts for name, text in part.expressions.items()}
     notes = tuple(note for _, part in parts for note in part.notes)
     dropped = tuple(message for _, part in parts for message in part.dropped)
-    return Program(text, tuple(statements), guesses, notes, dropped, expressions)
+    return Program(text, tuple(statements), guesses, notes, dropped, expressions, tuple(wishes))
 
 
 def _concerns(statement: Statement, mine: set[str], here: Scene) -> bool:

@@ -24,9 +24,12 @@ SMALLEST, LARGEST = 1e-4, 100.0
 SIDES = ("front", "back", "left", "right")
 """Sides that an asset can be used from."""
 
+MOST_WITHOUT = 100
+"""Most names of parts that a thing is drawn without."""
+
 _CHECK = Checker(SceneError)
 _FLAGS = ("onFloor", "onWall", "onCeiling", "onObject")
-_KNOWN = ("category", "description", "path", "useSides", "like", "parts", "from", "assetMetadata", *_FLAGS)
+_KNOWN = ("category", "description", "path", "useSides", "like", "parts", "without", "from", "assetMetadata", *_FLAGS)
 
 
 def read_assets(
@@ -79,6 +82,8 @@ def write_asset(asset: Asset, base: Path | None = None) -> dict[str, object]:
         entry["like"] = asset.like
     if asset.parts:
         entry["parts"] = asset.parts
+    if asset.without:
+        entry["without"] = list(asset.without)
     return entry | {key: value for key, value in asset.metadata.items() if key not in entry}
 
 
@@ -135,6 +140,10 @@ def _asset(name: str, entry: Mapping[str, object], folders: list[Path], warnings
         use_sides=_sides(entry.get("useSides"), where),
         like=_CHECK.text(entry.get("like", ""), f"{where}: like", most=200),
         parts=_CHECK.text(entry.get("parts", ""), f"{where}: parts"),
+        without=tuple(
+            _CHECK.text(name, f"{where}: without")
+            for name in _CHECK.sequence(entry.get("without", []), f"{where}: without", most=MOST_WITHOUT)
+        ),
         metadata={key: _CHECK.plain(value, f"{where}: {key}") for key, value in entry.items() if key not in _KNOWN},
     )
 

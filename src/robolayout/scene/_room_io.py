@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import combinations
+from typing import Any
 
 from robolayout._errors import SceneError
 from robolayout._reading import MAX_LENGTH, Checker
@@ -26,6 +27,10 @@ DOOR_HEIGHT = 2.05
 WINDOW_HEIGHT, WINDOW_SILL = 1.2, 0.9
 """Height and sill in metres of a window that gives none."""
 
+LEAF = ("hinge", "swing", "open")
+"""What a door may say of its leaf."""
+_HANGS = {"hinge": ("left", "right"), "swing": ("in", "out")}
+
 _CHECK = Checker(SceneError)
 
 
@@ -36,7 +41,7 @@ def read_room(data: Mapping[str, object], warnings: list[str]) -> Room:
     height = _CHECK.number(
         _CHECK.required(boundary, "wall_height", "boundary"), "boundary.wall_height", above=0.0, most=100.0
     )
-    room = Room(vertices, height)
+    room = Room(vertices, height, floor=_CHECK.text(boundary.get("floor", ""), "boundary.floor", most=40))
     _check_shape(room)
     _check_units(room, warnings)
     doors = _openings(data, "doors", room)
@@ -52,10 +57,11 @@ def read_room(data: Mapping[str, object], warnings: list[str]) -> Room:
 def write_room(room: Room) -> dict[str, object]:
     """Return the keys "boundary", "doors" and "windows" of a scene file."""
     return {
-        "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in room.vertices], "wall_height": room.wall_height},
+        "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in room.vertices], "wall_height": room.wall_height}
+        | ({"floor": room.floor} if room.floor else {}),
         "doors": [
             {"wall": d.wall, "offset": d.offset, "width": d.width, "height": d.height}
-            | ({"sill": d.sill} if d.sill else {})
+            | {key: value for key in ("sill", *LEAF) if (value := getattr(d, key)) != getattr(Opening, key)}
             for d in room.doors
         ],
         "windows": [
@@ -167,7 +173,18 @@ def _opening(value: object, where: str, room: Room) -> Opening:
         raise SceneError(
             f"{where} ends {sill + height:.3f} m above the floor; the walls are {room.wall_height:g} m high."
         )
-    return Opening(index, max(offset, 0.0), width, height, sill)
+    return Opening(index, max(offset, 0.0), width, height, sill, **({} if window else _leaf(data, where)))
+
+
+def _leaf(data: Mapping[str, object], where: str) -> dict[str, Any]:
+    """Return how a door's leaf hangs, where that is said."""
+    leaf: dict[str, Any] = {key: data[key] for key in LEAF if key in data}
+    for key in _HANGS.keys() & leaf.keys():
+        if leaf[key] not in _HANGS[key]:
+            raise SceneError(f"{where}.{key} must be {' or '.join(map(repr, _HANGS[key]))}, but is {leaf[key]!r:.60}.")
+    if "open" in leaf:
+        leaf["open"] = _CHECK.flag(leaf["open"], f"{where}.open")
+    return leaf
 
 
 def _check_overlaps(openings: list[tuple[str, Opening]]) -> None:
@@ -187,9 +204,9 @@ def _turned(room: Room) -> Room:
         offset = max(length - opening.offset - opening.width, 0.0)
         return replace(opening, wall=count - 1 - opening.wall, offset=offset)
 
-    return Room(
+    return replace(
+        room,
         vertices=(room.vertices[0], *reversed(room.vertices[1:])),
-        wall_height=room.wall_height,
         doors=tuple(moved(door) for door in room.doors),
         windows=tuple(moved(window) for window in room.windows),
     )

@@ -1,6 +1,7 @@
 """Reads agents: built-in profiles, TOML and JSON files, dictionaries and URDF models.
 
-A profile gives each figure either as a number or as `{ value = 0.45, source = "where it is from", verified = true }`.
+A profile gives each figure either as a number or as `{ value = 0.45, source = "where it is from", verified = true }`; with
+`urdf = "robot.urdf"`, and `[pose]` for joints in which it drives about, it takes from that model what it does not say.
 Lengths are in metres. `radius` may be left out where `length` and `width` are given: it is then half the width and
 3 cm.
 """
@@ -191,7 +192,23 @@ def _outside() -> dict[str, EntryPoint]:
 def _load_profile(path: Path) -> Agent:
     if path.suffix.lower() == ".json":
         return agent_from_dict(_CHECK.read_json(path, "agent file"), name=path.stem)
-    return agent_from_dict(_CHECK.read_toml(path, "agent file"), name=path.stem)
+    content = _CHECK.read_toml(path, "agent file")
+    return agent_from_dict(_with_model(content, path) if "urdf" in content else content, name=path.stem)
+
+
+def _with_model(content: dict[str, object], path: Path) -> dict[str, object]:
+    """Return a profile with the figures of the robot model that it names, in its pose, where it gives none itself."""
+    from robolayout.scene.urdf import load_urdf
+
+    where = f"agent file {path}"
+    file = Path(_CHECK.text(content.pop("urdf"), f"{where}: urdf", most=1000))
+    given = content.pop("pose", None)
+    values: dict[str, float] | None = None
+    if given is not None:
+        pose = _CHECK.mapping(given, f"{where}: pose")
+        values = {name: _CHECK.number(value, f"{where}: pose.{name}") for name, value in pose.items()}
+    known = agent_to_dict(load_urdf(path.parent / file, values))
+    return {**known, **content} if isinstance(known, dict) else content
 
 
 def _figure(value: object, where: str, key: str) -> tuple[float, Source | None]:

@@ -29,6 +29,7 @@ class Asset:
         use_sides: Sides it is used from ("front", "back", "left", "right"); None leaves it to the category.
         like: Words that say instead of `category` what it is drawn, opened and moved like; empty where that is clear.
         parts: Rows that say what it is made of (docs/assets.md); empty where its category says so.
+        without: Names of its parts that are left out: what is drawn on a shelf where real things lie.
         metadata: Any further keys of the scene file, kept for writing.
     """
 
@@ -44,6 +45,7 @@ class Asset:
     use_sides: tuple[str, ...] | None = None
     like: str = ""
     parts: str = ""
+    without: tuple[str, ...] = ()
     metadata: dict[str, object] = field(default_factory=dict[str, object], compare=False)
 
     @property
@@ -57,10 +59,18 @@ class Asset:
         return split_name(self.name)[1]
 
     @property
+    def lies_about(self) -> bool:
+        """Whether it is one of the small things that people leave about: counted, but never asked for."""
+        return bool(self.metadata.get(LIES_ABOUT))
+
+    @property
     def is_flat(self) -> bool:
         """Whether it is a flat floor covering (below 3 cm), which never stands in the way (DESIGN section 4)."""
         return self.size[2] < FLAT_HEIGHT and self.on_floor and not self.on_object
 
+
+LIES_ABOUT = "liesAbout"
+"""Key of the metadata of what people leave about: nobody is asked to get to it."""
 
 FLAT_HEIGHT = 0.03
 """Height in metres below which a floor asset is a rug."""

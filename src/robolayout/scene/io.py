@@ -18,14 +18,14 @@ from robolayout.scene._room_io import read_room, write_room
 from robolayout.scene.agent import DEFAULT_AGENT, Agent
 from robolayout.scene.agents_io import agent_from_dict, agent_to_dict, built_in_agent, check_headroom, check_names
 from robolayout.scene.layout import Layout, Pose
-from robolayout.scene.scene import Scene
+from robolayout.scene.scene import DRESSINGS, Scene
 
 MAX_AGENTS = 16
 """Most agents of a scene."""
 
 _SCENE = Checker(SceneError)
 _LAYOUT = Checker(LayoutError)
-_KEYS = ("task_description", "layout_criteria", "boundary", "doors", "windows", "agent", "catalogue", "assets")
+_KEYS = ("task_description", "layout_criteria", "boundary", "doors", "windows", "agent", "catalogue", "assets", "dress")
 _LEVEL = 1e-3
 """Degrees of roll or pitch that count as none."""
 
@@ -73,9 +73,21 @@ def scene_from_dict(
         task_description=_SCENE.text(content.get("task_description", ""), "task_description"),
         layout_criteria=_SCENE.text(content.get("layout_criteria", ""), "layout_criteria"),
         agents=agents,
+        dress=check_dress(content.get("dress", "none")),
         name=name,
         warnings=tuple(warnings),
     )
+
+
+def check_dress(value: object) -> str:
+    """Return how much is to lie about, if it is known.
+
+    Raises:
+        SceneError: It is not.
+    """
+    if value not in DRESSINGS:
+        raise SceneError(f"dress must be {', '.join(map(repr, DRESSINGS))}, but is {value!r:.60}.")
+    return str(value)
 
 
 def scene_to_dict(scene: Scene, base: str | Path | None = None) -> dict[str, object]:
@@ -91,6 +103,8 @@ def scene_to_dict(scene: Scene, base: str | Path | None = None) -> dict[str, obj
     if scene.agents != (DEFAULT_AGENT,):
         agents = [agent_to_dict(agent) for agent in scene.agents]
         data["agent"] = agents[0] if len(agents) == 1 else agents
+    if scene.dress != DRESSINGS[0]:
+        data["dress"] = scene.dress
     data["assets"] = {asset.name: write_asset(asset, folder) for asset in scene.assets}
     return data
 

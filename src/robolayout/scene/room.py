@@ -15,6 +15,8 @@ Point = tuple[float, float]
 
 LANDING_DEPTH = 0.9
 """Depth in metres of the clear landing inside a door (DESIGN section 4)."""
+SINGLE = 1.4
+"""Width in metres up to which a door has one leaf."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +69,9 @@ class Opening:
         width: Clear width in metres.
         height: Height of the opening in metres.
         sill: Height of its lower edge above the floor in metres; 0 for doors.
+        hinge: Side on which a door hangs, "left" or "right", seen from inside the room.
+        swing: Whether a door opens "in" to the room or "out" of it.
+        open: Whether a door stands open, at a right angle to its wall.
     """
 
     wall: int
@@ -74,6 +79,14 @@ class Opening:
     width: float
     height: float
     sill: float = 0.0
+    hinge: str = "left"
+    swing: str = "out"
+    open: bool = False
+
+    @property
+    def leaves(self) -> int:
+        """Number of its leaves: a wide door has two."""
+        return 2 if self.width > SINGLE else 1
 
     @property
     def center(self) -> float:
@@ -90,12 +103,14 @@ class Room:
         wall_height: Height of walls and ceiling in metres.
         doors: Doors; the first one is where agents enter.
         windows: Windows.
+        floor: Name of what lies on the floor ("oak planks", "marble tiles"); where it is empty or unknown, the seed picks.
     """
 
     vertices: tuple[Point, ...]
     wall_height: float
     doors: tuple[Opening, ...] = ()
     windows: tuple[Opening, ...] = ()
+    floor: str = ""
 
     @cached_property
     def walls(self) -> tuple[Wall, ...]:
@@ -121,8 +136,13 @@ class Room:
         x0, y0, x1, y1 = self.bounds
         return math.isclose(self.area, (x1 - x0) * (y1 - y0))
 
-    def landing(self, door: Opening, depth: float = LANDING_DEPTH) -> tuple[Point, Point, Point, Point]:
-        """Return the corners of the door's landing: its width, `depth` metres into the room, counter-clockwise."""
+    def landing(self, door: Opening, depth: float | None = None) -> tuple[Point, Point, Point, Point]:
+        """Return the corners of the door's landing: its width, `depth` metres into the room, counter-clockwise.
+
+        Without a depth it is as deep as a landing must be, or as a leaf that swings in.
+        """
+        if depth is None:
+            depth = max(LANDING_DEPTH, door.width / door.leaves if door.swing == "in" else 0.0)
         wall = self.walls[door.wall]
         near, far = door.offset, door.offset + door.width
         return (wall.point(near), wall.point(far), wall.point(far, depth), wall.point(near, depth))

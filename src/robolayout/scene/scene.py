@@ -11,6 +11,9 @@ from robolayout.scene.agents_io import check_headroom
 from robolayout.scene.asset import Asset, by_variable
 from robolayout.scene.room import Room
 
+DRESSINGS = ("none", "some", "full")
+"""How much may lie about on the surfaces of a room."""
+
 
 @dataclass(frozen=True)
 class Scene:
@@ -22,6 +25,7 @@ class Scene:
         task_description: The instruction in plain language.
         layout_criteria: What the result should be like, in plain language.
         agents: The bodies that the layout must serve.
+        dress: How much lies about on its surfaces once it is furnished: one of `DRESSINGS`.
         name: Short name, from the file's name.
         warnings: What was mended on reading, one sentence each.
     """
@@ -31,6 +35,7 @@ class Scene:
     task_description: str = ""
     layout_criteria: str = ""
     agents: tuple[Agent, ...] = (DEFAULT_AGENT,)
+    dress: str = "none"
     name: str = "scene"
     warnings: tuple[str, ...] = field(default=(), compare=False)
 

@@ -1,25 +1,29 @@
-"""An agent from a robot's URDF model: footprint and height of its collision geometry with all joints at zero.
+"""An agent from a robot's URDF model: footprint and height of its collision geometry, arm folded, and where its hand gets to.
 
-Boxes, cylinders, spheres and meshes are sampled as points, carried into the frame of the root link (x ahead, z up) and
-measured there. A body whose farthest point is hardly farther than its sides is a disc, every other a rectangle. The file
-is hostile: entities and document types are refused, and meshes are read only from the model's own package.
+Boxes, cylinders, spheres and meshes become convex hulls in the frame of the root link (x ahead, z up). A body whose farthest
+point is hardly farther than its sides is a disc, every other a rectangle. The file is hostile: entities and document types
+are refused, and meshes are read only from the model's own package.
 """
 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 from xml.etree.ElementTree import Element
 
 import numpy as np
 from numpy.typing import NDArray
 
-from robolayout._errors import AgentError
+from robolayout._errors import AgentError, MissingExtraError, UnknownNameError
 from robolayout._reading import Checker, inside, is_file, regular_bytes, show
 from robolayout._reading.syntax import xml_root
 from robolayout.scene.agent import Agent, Source
+from robolayout.scene.kinematics import BAND, POSES, Joint, Kind, Robot
 
 MAX_PARTS = 2000
 """Most links, most joints and most collision shapes of a model."""
@@ -33,7 +37,7 @@ CLEARANCE = 0.03
 """Metres kept free on each side of a rectangular body (rule of thumb)."""
 STEP = 0.03
 """Metres that the body is taken to drive over; a URDF does not say."""
-MESH_SUFFIXES = (".stl", ".obj", ".ply")
+MESH_SUFFIXES = (".stl", ".obj", ".ply", ".dae")
 """Kinds of mesh that are read."""
 
 Matrix = NDArray[np.float64]
@@ -63,27 +67,55 @@ class _Model:
         return AgentError(f"agent file {self.path}: {message}")
 
 
-def load_urdf(path: Path) -> Agent:
-    """Return the agent whose body is the collision geometry of a URDF file."""
+def load_urdf(path: Path, pose: Mapping[str, float] | None = None) -> Agent:
+    """Return the agent whose body is the collision geometry of a URDF file.
+
+    Args:
+        path: The file.
+        pose: Values of joints in which it drives about, radians and metres, by name; None folds its arms by itself.
+    """
     model = _Model(path)
     robot = _robot(model)
     elements = _children(robot, "link", model)
     links = {link.get("name") or "": link for link in elements}
     if len(links) < len(elements):
         raise model.fail("has two links of one name; give each its own.")
-    shapes = _children(robot, "link/collision", model)
-    poses = _poses(robot, links, model)
-    clouds = [
-        _points(collision, model) @ pose[:3, :3].T + pose[:3, 3]
-        for name, pose in poses.items()
-        for collision in links[name].findall("collision")
-    ]
-    if not shapes:
+    root, joints = _tree(robot, links, model)
+    if not _children(robot, "link/collision", model):
         raise model.fail("no link has collision geometry, so the body has no size; add <collision> elements.")
-    points = np.concatenate(clouds)
+    hulls: dict[str, Matrix] = {}
+    for name, element in links.items():
+        if clouds := [_points(collision, model) for collision in element.findall("collision")]:
+            hulls[name] = _hull(np.concatenate(clouds), model)
+    body = Robot(root, joints, hulls)
+    values, how = (
+        (body.folded(), "its arms folded") if pose is None else (_given(body, pose, model), "in the pose given")
+    )
+    points = body.points({name: np.array([value]) for name, value in values.items()})[0]
+    return _agent(points, robot.get("name") or path.stem, how if body.arms else "joints at zero", body)
+
+
+def _hull(points: Matrix, model: _Model) -> Matrix:
+    """Return the corners of the convex hull of points (n, 3); flat ones stay as they are."""
+    from scipy.spatial import ConvexHull, QhullError
+
     if not np.isfinite(points).all():
         raise model.fail("its collision geometry has coordinates that are not finite.")
-    return _agent(points, robot.get("name") or path.stem)
+    try:
+        return points[ConvexHull(points).vertices]
+    except (QhullError, ValueError):
+        return np.unique(points, axis=0)
+
+
+def _given(body: Robot, pose: Mapping[str, float], model: _Model) -> dict[str, float]:
+    """Return the pose that the user gives, checked."""
+    movable = {joint.name: joint for joint in body.joints if joint.kind != "fixed" and joint.mimics is None}
+    for name, value in pose.items():
+        if name not in movable:
+            raise UnknownNameError(f"joint of {model.path.name}", name[:100], movable)
+        low, high = movable[name].low, movable[name].high
+        _CHECK.number(value, f"pose of joint {show(name)}", least=low, most=high)
+    return {**body.rest, **pose}
 
 
 def _robot(model: _Model) -> Element:
@@ -92,8 +124,10 @@ def _robot(model: _Model) -> Element:
     robot = _CHECK.parse(xml_root, text, f"agent file {model.path}")
     if robot.tag != "robot":
         raise model.fail(f"starts with <{show(robot.tag)}>, but a URDF starts with <robot>.")
-    if "<xacro:" in text or "${" in text:
-        raise model.fail("has xacro commands; run xacro first and give the plain URDF.")
+    plain = re.sub(r"<!--.*?-->", "", text, flags=re.DOTALL)
+    if command := re.search(r"<xacro:|\$\{|\$\(", plain):
+        line = text[: text.index(command[0])].count("\n") + 1
+        raise model.fail(f"has xacro commands ({command[0]}, line {line}); run xacro first and give the plain URDF.")
     return robot
 
 
@@ -132,33 +166,54 @@ def _origin(element: Element, model: _Model) -> Matrix:
     return pose
 
 
-def _poses(robot: Element, links: Mapping[str, Element], model: _Model) -> dict[str, Matrix]:
-    """Return each link's pose in the frame of the root link, all joints at zero."""
-    joints: dict[str, list[tuple[str, Matrix]]] = {}
+def _tree(robot: Element, links: Mapping[str, Element], model: _Model) -> tuple[str, tuple[Joint, ...]]:
+    """Return the root link, and all joints from it outwards."""
+    joints: dict[str, list[Joint]] = {}
     parents: dict[str, str] = {}
-    for joint in _children(robot, "joint", model):
-        ends = [(end.get("link") or "") if (end := joint.find(tag)) is not None else "" for tag in ("parent", "child")]
-        for end in ends:
+    for element in _children(robot, "joint", model):
+        joint = _joint(element, model)
+        for end in (joint.parent, joint.child):
             if end not in links:
-                raise model.fail(f"joint {show(joint.get('name'))} names the link {show(end)}, which does not exist.")
-        parent, child = ends
-        if child in parents:
-            raise model.fail(f"link {show(child)} has two parents; a URDF is a tree.")
-        parents[child] = parent
-        joints.setdefault(parent, []).append((child, _origin(joint, model)))
+                raise model.fail(f"joint {show(joint.name)} names the link {show(end)}, which does not exist.")
+        if joint.child in parents:
+            raise model.fail(f"link {show(joint.child)} has two parents; a URDF is a tree.")
+        parents[joint.child] = joint.parent
+        joints.setdefault(joint.parent, []).append(joint)
     roots = [name for name in links if name not in parents]
     if len(roots) != 1:
         raise model.fail(f"has {len(roots)} root links; a URDF has exactly one link that is no joint's child.")
-    poses = {roots[0]: np.eye(4)}
-    waiting = [roots[0]]
+    ordered, waiting = list[Joint](), [roots[0]]
     while waiting:
-        name = waiting.pop()
-        for child, offset in joints.get(name, []):
-            poses[child] = poses[name] @ offset
-            waiting.append(child)
-    if len(poses) < len(links):
-        raise model.fail(f"link {show(next(n for n in links if n not in poses))} is part of a loop of joints.")
-    return poses
+        further = joints.get(waiting.pop(), [])
+        ordered += further
+        waiting += [joint.child for joint in further]
+    if len(ordered) + 1 < len(links):
+        found = {roots[0], *(joint.child for joint in ordered)}
+        raise model.fail(f"link {show(next(n for n in links if n not in found))} is part of a loop of joints.")
+    return roots[0], tuple(ordered)
+
+
+def _joint(element: Element, model: _Model) -> Joint:
+    """Return one joint; what has no range does not move, and floating and planar joints are fixed."""
+    ends = [(end.get("link") or "") if (end := element.find(tag)) is not None else "" for tag in ("parent", "child")]
+    name, kind = element.get("name") or "", element.get("type")
+    where = f"agent file {model.path}: joint {show(name)}"
+    axis, limit, mimic = (element.find(tag) for tag in ("axis", "limit", "mimic"))
+    along = np.array(_numbers(None if axis is None else axis.get("xyz"), f"{where}, axis", 3))
+    along = along / length if (length := float(np.linalg.norm(along))) > 0 else np.array([1.0, 0.0, 0.0])
+    turn = (-math.pi, math.pi) if kind == "continuous" else (0.0, 0.0)
+    low, high = (
+        turn
+        if limit is None or kind == "continuous"
+        else (_numbers(limit.get(end) or "0", f"{where}, limit", 1)[0] for end in ("lower", "upper"))
+    )
+    follows = None
+    if mimic is not None:
+        usual = {"multiplier": "1", "offset": "0"}
+        factor, offset = (_numbers(mimic.get(key) or plain, f"{where}, mimic", 1)[0] for key, plain in usual.items())
+        follows = (mimic.get("joint") or "", factor, offset)
+    moves: Kind = "prismatic" if kind == "prismatic" else "revolute" if kind in ("revolute", "continuous") else "fixed"
+    return Joint(name, ends[0], ends[1], _origin(element, model), moves, along, low, max(low, high), follows)
 
 
 def _points(collision: Element, model: _Model) -> Matrix:
@@ -214,6 +269,8 @@ def _vertices(path: Path, model: _Model) -> Matrix:
     from robolayout._reading.mesh import mesh_pieces
 
     what = f"agent file {model.path}: mesh {path.name}"
+    if path.suffix.lower() == ".dae" and find_spec("collada") is None:
+        raise MissingExtraError(f"{what}, a COLLADA file,", "sim")
     content = _CHECK.parse(lambda file: regular_bytes(file, MAX_MESH_BYTES), path, what)
     model.bytes_left -= len(content)
     if model.bytes_left < 0:
@@ -239,19 +296,46 @@ def _find_mesh(filename: str, model: _Model) -> Path:
     raise model.fail(f"mesh {show(filename)} is not in the model's folder or package; put it there.")
 
 
-def _agent(points: Matrix, name: str) -> Agent:
+def _reach(body: Robot, floor: float, within: float, about: str) -> dict[str, Any]:
+    """Return the figures of a reach that its hand has at every height: the largest sphere about a shoulder inside its reach map.
+
+    Heights count at which the hand gets farther than the body itself, `within` metres.
+    """
+    bands = [(height, away) for height, away in body.reach(floor) if away > within]
+    if not bands:
+        return {}
+    shoulder, _ = max(bands, key=lambda band: band[1])
+    inside = min(math.hypot(away, height - shoulder) for height, away in bands)
+    source = Source(f"{POSES} random poses of the arm to {body.hand}, {about}", verified=True)
+    figures = {
+        "reach_distance": math.floor(inside * 1e3) / 1e3,
+        "reach_low": max(round(bands[0][0] - BAND / 2, 2), 0.0),
+        "reach_high": round(bands[-1][0] + BAND / 2, 2),
+        "shoulder_height": round(shoulder, 2),
+    }
+    return {**figures, "sources": dict.fromkeys(figures, source)}
+
+
+def _agent(points: Matrix, name: str, how: str, body: Robot) -> Agent:
     """Return the agent that just holds the points, given in the frame of the root link."""
     low, high = points.min(axis=0), points.max(axis=0)
     size = high - low
     farthest = float(np.hypot(points[:, 0], points[:, 1]).max())
     height = _round(size[2])
-    about = f"collision geometry of the URDF model {name}, joints at zero"
+    about = f"collision geometry of the URDF model {name}, {how}"
+    reach = _reach(body, float(low[2]), farthest, about)
     known = Source(about, verified=True)
-    sources = {"height": known, "radius": known, "step": Source("not in a URDF; the general default", verified=False)}
+    sources = {
+        **reach.pop("sources", {}),
+        "height": known,
+        "radius": known,
+        "step": Source("not in a URDF; the general default", verified=False),
+    }
     if farthest <= ROUND * max(abs(low[0]), abs(low[1]), high[0], high[1]) and max(size[:2]) < 1.25 * min(size[:2]):
-        return Agent(name, _round(farthest), height, step=STEP, title=name, sources=sources)
+        return Agent(name, _round(farthest), height, step=STEP, title=name, sources=sources, **reach)
     length, width = _round(size[0]), _round(size[1])
-    circle = _round(2 * farthest)
+    steered = body.steering()
+    circle = _round(2 * farthest if steered is None else 2 * math.hypot(steered + width / 2, length))
     sources |= {"length": known, "width": known, "turning_diameter": known}
     sources["radius"] = Source(f"half the width and {CLEARANCE} m, {about}", verified=False)
     return Agent(
@@ -264,6 +348,7 @@ def _agent(points: Matrix, name: str) -> Agent:
         step=STEP,
         title=name,
         sources=sources,
+        **reach,
     )
 
 

@@ -2,6 +2,7 @@
 
 from robolayout.solve.compile import Problem, compile_problem
 from robolayout.solve.config import EFFORTS, Effort, SearchConfig, SolverConfig, Weights
+from robolayout.solve.dress import DressConfig, Dressed, dress
 from robolayout.solve.judge import Enough, Judge, Verdict, never
 from robolayout.solve.profiles import PAPER, UNREFINED, solve_with, solver_names
 from robolayout.solve.proposals import Proposals, carry
@@ -14,6 +15,8 @@ __all__ = [
     "EFFORTS",
     "PAPER",
     "UNREFINED",
+    "DressConfig",
+    "Dressed",
     "Effort",
     "Enough",
     "Judge",
@@ -27,6 +30,7 @@ __all__ = [
     "Weights",
     "carry",
     "compile_problem",
+    "dress",
     "never",
     "silent",
     "solve_samples",

@@ -23,6 +23,7 @@ from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.floor import Contents
 from robolayout.program import Guess, Program
 from robolayout.scene import Asset, Layout, Pose, Scene
+from robolayout.solve.build import furnished
 
 Floats = NDArray[np.float64]
 
@@ -144,21 +145,29 @@ class Problem:
 
 
 def compile_problem(
-    scene: Scene, program: Program | None = None, *, seed: int = 0, pinned: Mapping[str, Pose] | None = None
+    scene: Scene,
+    program: Program | None = None,
+    *,
+    seed: int = 0,
+    pinned: Mapping[str, Pose] | None = None,
+    built: Layout | None = None,
 ) -> Problem:
     """Return the problem of placing a scene's assets by a program.
 
     Args:
         scene: The scene.
         program: Guesses and statements, already filtered; None has neither.
-        seed: Seed of the random guesses for assets that the program does not place.
+        seed: Settles where things are built that the program does not place.
         pinned: Poses that must stay.
+        built: Poses of such things, where they are known.
     """
     relations = tuple(statement.relation for statement in program.statements) if program else ()
     guesses = dict(program.guesses) if program else {}
-    plan = _complete(scene, guesses, np.random.default_rng(seed))
+    said = tuple(a.name for a in scene.assets if a.name in guesses and guesses[a.name].position is not None)
+    guesses |= _missing(scene, program or Program(), pinned or {}, seed) if built is None else _guesses(built, guesses)
+    plan = {name: (*guess.position[:2], guess.yaw or 0.0) for name, guess in guesses.items() if guess.position}
     parents = _parents(scene, relations, plan)
-    _rest(scene, guesses, parents)
+    _rest(scene, {name: guesses[name] for name in said}, parents)
     resting = _resting(scene, relations, parents)
     heights = _heights(scene, relations, guesses, parents, resting)
     index = {asset.name: i for i, asset in enumerate(scene.assets)}
@@ -174,7 +183,7 @@ def compile_problem(
         tuple(index.get(parents.get(asset.name, ""), -1) for asset in scene.assets),
         tuple(_depth(asset.name, parents) for asset in scene.assets),
         frozenset(pinned or ()),
-        tuple(a.name for a in scene.assets if a.name in guesses and guesses[a.name].position is not None),
+        said,
         tuple(resting.get(asset.name) for asset in scene.assets),
     )
 
@@ -193,22 +202,23 @@ def _depth(name: str, parents: Mapping[str, str]) -> int:
     return depth
 
 
-def _complete(
-    scene: Scene, guesses: Mapping[str, Guess], rng: np.random.Generator
-) -> dict[str, tuple[float, float, float]]:
-    """Return (x, y, yaw) for every asset: the program's guess, or a random place inside the room."""
-    plan: dict[str, tuple[float, float, float]] = {}
-    x0, y0, x1, y1 = scene.room.bounds
-    for asset in scene.assets:
-        guess = guesses.get(asset.name)
-        yaw = float(rng.integers(4)) * math.pi / 2
-        position = (float(rng.uniform(x0, x1)), float(rng.uniform(y0, y1)))
-        if guess is not None and guess.yaw is not None:
-            yaw = guess.yaw
-        if guess is not None and guess.position is not None:
-            position = guess.position[:2]
-        plan[asset.name] = (*position, yaw)
-    return plan
+def _missing(scene: Scene, program: Program, pinned: Mapping[str, Pose], seed: int) -> dict[str, Guess]:
+    """Return guesses for what the program does not place: where its statements and wishes have it built, around the rest."""
+    placed = {name: guess for name, guess in program.guesses.items() if guess.position is not None}
+    left, bottom, right, top = scene.room.bounds
+    given = dict(pinned)
+    for name, guess in placed.items():
+        x, y, z = guess.position or (0.0, 0.0, 0.0)
+        if left < x < right and bottom < y < top:
+            given.setdefault(name, Pose(x, y, z, guess.yaw or 0.0))
+    if len(placed.keys() | pinned.keys()) == len(scene.assets):
+        return _guesses(Layout(given), placed)
+    return _guesses(furnished(scene, program, given, seed), placed)
+
+
+def _guesses(built: Layout, placed: Mapping[str, Guess]) -> dict[str, Guess]:
+    """Return the poses of what is built and not placed as guesses."""
+    return {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in built.items() if name not in placed}
 
 
 def _parents(

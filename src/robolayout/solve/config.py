@@ -56,6 +56,15 @@ class Effort:
     layouts: int = 1500
     """Layouts that the judge looks at in one stage before no further phase or round begins."""
 
+    stale: int = 160
+    """The same without a better one: the room is as right as it will be."""
+
+    lost: float = 0.5
+    """Share of what a stage moves that is out of place or out of reach after polishing, above which the guess is worth nothing."""
+
+    blind: float = 0.25
+    """The same once the ways are opened, and share of the statements that do not hold after mending."""
+
     nearby: int = 30
     """Things that are tried elsewhere near their guess, at most."""
 
@@ -64,9 +73,6 @@ class Effort:
 
     put_back: int = 64
     """Layouts judged while groups of moved things are put back to their guesses, at most."""
-
-    route_patience: int = 2
-    """Rounds of routes without success after which these are over."""
 
     built: int = 2
     """Batches of starts that are built one thing after the other."""
@@ -83,43 +89,33 @@ class Effort:
     repair_rounds: int = 32
     """Most rounds of remove-and-reinsert; none leaves all mending out."""
 
-    patience: int = 3
-    """Rounds of repair without success after which it gives up."""
-
-    stubborn: int = 2
-    """How many times longer where much of the floor is taken and something is out of place or out of reach."""
-
 
 EFFORTS: Mapping[str, Effort] = MappingProxyType(
     {
         "quick": Effort(
             layouts=300,
+            stale=40,
             nearby=8,
             looked_at=4,
             put_back=32,
-            route_patience=1,
             built=1,
             nearly=3.0,
             mendings=8,
             packings=8,
             repair_rounds=4,
-            patience=1,
-            stubborn=1,
         ),
         "normal": Effort(),
         "thorough": Effort(
             layouts=6000,
+            stale=640,
             nearby=90,
             looked_at=8,
             put_back=128,
-            route_patience=4,
             built=6,
             nearly=6.0,
             mendings=96,
             packings=72,
             repair_rounds=96,
-            patience=6,
-            stubborn=2,
         ),
     }
 )
@@ -155,7 +151,7 @@ class SolverConfig:
     """After each planning of routes."""
 
     route_rounds: int = 3
-    """Most rounds of planning routes and moving furniture out of their way."""
+    """Most rounds of planning routes and moving furniture out of their way; none leaves out all routes."""
 
     candidates: int = 64
     """Layouts that a repair round tries as one batch."""

@@ -14,8 +14,9 @@ import numpy as np
 import shapely
 from shapely import Polygon
 
-from robolayout.constraints import FAR, AssetRef, FrameTerm, Interval, MirrorTerm, Ref, WallRef
+from robolayout.constraints import FAR, AssetRef, FrameTerm, MirrorTerm, Ref, WallRef
 from robolayout.solve.compile import Floats, Problem
+from robolayout.solve.rows import missed
 from robolayout.solve.stage import relative
 
 
@@ -164,25 +165,16 @@ class Proposals:
 
     def misses(self, term: FrameTerm, slot: int, poses: Floats, world: Floats) -> Floats:
         """Return by how many metres poses (m, 4) of a slot miss a row; a heading a radian off counts as a metre."""
-        frame = frame_of(self.problem, term.b, world)
-        local = relative(frame, poses)
-        hx, hy = self.problem.half[slot]
-        c, s = np.abs(local[:, 2:]).T
-        across = np.abs(local[:, 1]) if term.fold else local[:, 1]
-        missed = _beyond(local[:, 0], term.along, c * hx + s * hy) + _beyond(across, term.across, s * hx + c * hy)
-        low, high = term.distance
-        if low > 0.0 or high < FAR:
-            x = local[:, 0]
-            if isinstance(term.b, WallRef):
-                x = np.maximum(np.abs(x) - self.problem.scene.room.walls[term.b.index].length / 2, 0.0)
-            away = np.hypot(x, local[:, 1])
-            missed += np.maximum(low - away, 0.0) + np.maximum(away - high, 0.0)
-        yaw = np.arctan2(local[:, 3], local[:, 2])
-        if term.heading is not None:
-            missed += np.abs(_wrapped(yaw - term.heading))
-        if term.look is not None:
-            missed += np.abs(_wrapped(yaw + term.look - np.arctan2(-local[:, 1], -local[:, 0])))
-        return missed
+        local = relative(frame_of(self.problem, term.b, world), poses)
+        place = np.column_stack([local[:, :2], np.arctan2(local[:, 3], local[:, 2])])
+        return missed(term, place, self._half(AssetRef(self.problem.names[slot])), self._half(term.b))
+
+    def _half(self, ref: Ref) -> tuple[float, float]:
+        """Return half the depth and width of what a row is about."""
+        if isinstance(ref, AssetRef):
+            hx, hy = self.problem.half[self.problem.slot[ref.name]].tolist()
+            return hx, hy
+        return (self.problem.scene.room.walls[ref.index].length / 2, 0.0) if isinstance(ref, WallRef) else (0.0, 0.0)
 
     def _spread(self) -> float:
         x0, y0, x1, y1 = self.problem.scene.room.bounds
@@ -243,18 +235,6 @@ class Proposals:
                 yaw = np.where(square[mine], np.round(yaw / (math.pi / 2)) * (math.pi / 2), yaw)
             poses[mine, 2:] = np.column_stack([np.cos(yaw), np.sin(yaw)])
         return poses
-
-
-def _beyond(value: Floats, interval: Interval, extent: Floats) -> Floats:
-    """Return by how much values leave an interval that shrinks with the extent of the thing."""
-    low = interval.low + interval.low_extent * extent
-    high = interval.high - interval.high_extent * extent
-    return np.maximum(low - value, 0.0) + np.maximum(value - high, 0.0)
-
-
-def _wrapped(angle: Floats) -> Floats:
-    """Return angles in (-pi, pi]."""
-    return np.asarray(np.arctan2(np.sin(angle), np.cos(angle)), np.float64)
 
 
 def _quarters(count: int, rng: np.random.Generator) -> Floats:

@@ -7,7 +7,6 @@ hard demands or access are still not met then, or if there was nothing to keep.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -32,13 +31,6 @@ from robolayout.solve.starts import Starts
 
 FULL = 0.5
 """Share of the floor above which packing comes before repair; below it, a few collisions are cheaper to repair."""
-
-CLOSE, URGENT = 0.4, 0.5
-"""Share of the floor, and assets in wrong places or out of reach, from which on repair goes on for longer without success."""
-
-BLIND = 0.25
-"""Share of what a stage moves that is out of place or out of reach after polishing, or of the statements that do not hold after
-mending, above which the guess was worth nothing."""
 
 NEAR = 0.4
 """Metres that a polished thing may be put where its statements hold exactly."""
@@ -76,7 +68,7 @@ class Solver:
         self.problem = problem
         self.judge = judge
         self.config = config or SolverConfig()
-        self.effort, self.judgements = self.config.effort, 0
+        self.effort, self.judgements, self.gained = self.config.effort, 0, 0
         self.rng = np.random.default_rng(seed)
         self.progress = progress or silent
         self.runner = Runner(self.config)
@@ -94,7 +86,7 @@ class Solver:
             best = self._stage(number, world)
             world = best.world
         assert best is not None
-        if best.verdict.hard + best.verdict.access or not self.problem.guessed:
+        if best.verdict.hard + best.verdict.access:
             best = self._repair(best)
         best = best if self.blind else self._restored(best)
         trace = self.runner.trace(self.problem) if self.config.trace else Trace()
@@ -102,8 +94,8 @@ class Solver:
 
     @property
     def spent(self) -> bool:
-        """Whether the judge has looked at as many layouts of this stage as the effort allows."""
-        return self.judgements >= self.effort.layouts
+        """Whether the judge has looked at as many layouts as the effort allows, of this stage or since one was better."""
+        return self.judgements >= min(self.effort.layouts, self.gained + self.effort.stale)
 
     def _say(self, phase: str) -> None:
         """Begin a phase."""
@@ -146,34 +138,38 @@ class Solver:
         phase = best.phase if best and number else self.phase
         found = _Best(world, replace(self.judge(Layout(placed), enough), moved=moved), phase)
         if self.lead is not None and found.verdict.promise < self.lead.verdict.promise:
-            self.lead = found
+            self.lead, self.gained = found, self.judgements
+        if best is None or found.verdict.worth[:3] < best.verdict.worth[:3]:
+            self.gained = self.judgements
         return found
 
     def _stage(self, number: int, world: Floats) -> _Best:
         """Place what belongs to a stage."""
-        self.lead, self.judgements = None, 0
+        self.lead, self.judgements, self.gained = None, 0, 0
         stage = make_stage(self.problem, number, world)
         best = self._judged(stage.world, number)
         if not stage.moving or best.verdict.ok:
             if stage.moving:
                 self._still(stage, best, self.phase)
             return best
-        if self._guessed(stage):
-            best = self._pushed(stage, number, best)
-            best, run = self._polished(stage, number, best)
-            if number == 0 and self.config.route_rounds and best.verdict.access:
-                best = self._route(stage, run, best)
-            self.blind |= best.verdict.hard + best.verdict.access > BLIND * len(stage.moving)
-            best = best if self.blind else self._near(number, best)
-            self.blind |= best.verdict.soft > BLIND * len(self.problem.relations)
-            if not self.blind and not best.verdict.hard + best.verdict.access:
-                return best
+        best = self._pushed(stage, number, best)
+        if number and not any(self._at(number, name) for name in best.verdict.culprits):
+            return best
+        best, run = self._polished(stage, number, best)
+        self.blind |= self._amiss(stage, best) > self.effort.lost
+        if number == 0 and self.config.route_rounds and best.verdict.access and not self.blind:
+            best, run = self._opened(stage, run, best)
+            best = self._route(stage, run, best)
+        self.blind |= self._amiss(stage, best) > self.effort.blind
+        best = best if self.blind else self._near(number, best)
+        self.blind |= best.verdict.soft > self.effort.blind * len(self.problem.relations)
+        if not self.blind and not best.verdict.hard + best.verdict.access:
+            return best
         return self._anew(stage, number, best)
 
-    def _guessed(self, stage: Stage) -> bool:
-        """Return whether the program says where things go."""
-        known = {self.problem.slot[name] for name in self.problem.guessed} & set(stage.moving)
-        return 2 * len(known) >= len(stage.moving)
+    def _amiss(self, stage: Stage, best: _Best) -> float:
+        """Return the share of what a stage moves that is out of place or out of reach."""
+        return (best.verdict.hard + best.verdict.access) / len(stage.moving)
 
     def _pushed(self, stage: Stage, number: int, best: _Best) -> _Best:
         """Return the best of the guess and of what its own statements make of it."""
@@ -186,7 +182,7 @@ class Solver:
         return sorted(stage.moving, key=lambda slot: ranks[slot])
 
     def _polished(self, stage: Stage, number: int, best: _Best) -> tuple[_Best, Run]:
-        """Return the best after following gradients from the guess and from where it is pushed, with and without routes."""
+        """Return the best after following gradients from the guess and from where it is pushed."""
         self._say("polish")
         proposals, order = self.builder.proposals, self._order(stage)
         push = pushed(proposals, stage.world, order)
@@ -195,14 +191,14 @@ class Solver:
         worlds = _different([push, walls, *starts])[:BATCH]
         run = self.runner.advance(stage, worlds, self.config.polish, "polish")
         best = self._best_of(self._sharpened(run, order), number, best)
-        if number == 0 and best.verdict.access and self.config.route_rounds:
-            more = self.runner.advance(
-                stage, run.world, self.config.polish, "routes", routes=partial(self._open, stage, run.world)
-            )
-            self._say("routes")
-            best = self._best_of(self._sharpened(more, order), number, best)
-            run = run.joined(more)
         return best, run
+
+    def _opened(self, stage: Stage, run: Run, best: _Best) -> tuple[_Best, Run]:
+        """Return the best after going on with ways kept open to everything."""
+        routes = partial(self._open, stage, run.world)
+        more = self.runner.advance(stage, run.world, self.config.polish, "routes", routes=routes)
+        self._say("routes")
+        return self._best_of(self._sharpened(more, self._order(stage)), 0, best), run.joined(more)
 
     def _sharpened(self, run: Run, order: list[int]) -> Iterable[Floats]:
         """Yield the layouts of a run, best first, each also with what is all but right put exactly right."""
@@ -234,17 +230,17 @@ class Solver:
     def _anew(self, stage: Stage, number: int, best: _Best) -> _Best:
         """Return the best of what is there and of rooms that are built, searched for and packed."""
         self._say("build")
-        self.lead = best
+        self.lead, self.gained = best, self.judgements
         starts = Starts(self.problem, stage.world, stage.moving, self.builder)
         quarter, several = max(self.config.starts // 4, 1), self.config.starts > 1
         run: Run | None = None
         if number == 0:
-            best = self._mended(best, number) if self._guessed(stage) else best
+            best = self._mended(best, number)
             best, run = self._built(stage, starts, quarter if several else 0, best, run)
         if run is None:
             run = self.runner.advance(stage, starts.near(quarter), self.config.polish, "polish")
             best = self._best_of(run.ranked(), number, best)
-        if several and not best.verdict.ok and (number or self._guessed(stage)):
+        if several and not best.verdict.ok:
             self._say("search")
             phase = self.config.tops if number else self.config.search
             far = starts.far(quarter * (3 if number else 1))
@@ -322,11 +318,11 @@ class Solver:
         """Push furniture out of the agents' routes, replanning as it moves."""
         world, self.lead = run.world, best
         kept: list[list[Floats]] = [[] for _ in run.world]
-        fruitless = 0
+        fruitless = False
         for _ in range(self.config.route_rounds):
-            if not (best.verdict.hard or best.verdict.access) or fruitless == self.effort.route_patience or self.spent:
+            if not (best.verdict.hard or best.verdict.access) or fruitless or self.spent:
                 break
-            before = self._standing(best)
+            before = self.gained
             self._say("routes")
             blocked: list[int] = []
 
@@ -340,18 +336,16 @@ class Solver:
             if not any(blocked):
                 break
             best = self._best_of(run.ranked()[: self.config.judged], 0, best)
-            fruitless = fruitless + 1 if self._standing(best) == before else 0
+            fruitless = self.gained == before
         return best
-
-    def _standing(self, best: _Best) -> tuple[float, float]:
-        """Return how good the best layout is, and the one to go on from."""
-        return best.verdict.merit, self.lead.verdict.promise if self.lead else math.inf
 
     def _plan(self, world: Floats) -> Plan:
         return self._planned(world, [])
 
     def _planned(self, world: Floats, kept: list[Floats], *, everywhere: bool = False) -> Plan:
         """Plan for every agent; demands of the two rounds before stay, so that furniture does not swing back."""
+        if not self.config.route_rounds:
+            return Plan(np.empty((0, 4)), 0, ())
         plans = [plan_routes(ground, world, things, everywhere=everywhere) for ground, things in self.grounds]
         demands = np.concatenate([plan.demands for plan in plans])
         kept.append(demands)
@@ -393,17 +387,11 @@ class Solver:
     def _repair(self, best: _Best) -> _Best:
         """Remove and reinsert what is to blame, while that helps."""
         last = max(stages(self.problem))
-        self.lead = best
-        fruitless, close = 0, self._fill() > CLOSE
+        self.lead, self.gained, fruitless = best, self.judgements, 0
         for round_number in range(self.effort.repair_rounds):
-            urgent = close and best.verdict.hard + best.verdict.access >= URGENT
-            if (
-                best.verdict.ok
-                or self.spent
-                or fruitless == self.effort.patience * (self.effort.stubborn if urgent else 1)
-            ):
+            if best.verdict.ok or self.spent:
                 break
-            before = self._standing(best)
+            before = self.gained
             self._say("repair")
             best = self._mended(best, last, self.effort.mendings // (1 + fruitless))
             if best.verdict.ok:
@@ -411,7 +399,7 @@ class Solver:
             lead = self.lead or best
             made = self.repairer.candidates(lead.world, lead.verdict, round_number, self._plan)
             best = self._best_of(made[: self.config.judged], last, best)
-            fruitless = fruitless + 1 if self._standing(best) == before else 0
+            fruitless = fruitless + 1 if self.gained == before else 0
         return best
 
 

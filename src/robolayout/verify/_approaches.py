@@ -17,6 +17,7 @@ from robolayout.scene.agent import TOUCH, horizontal_reach
 from robolayout.verify._boxes import Boxes
 from robolayout.verify._sides import SIDES, strips, within
 from robolayout.verify._space import QUAD_SEGS
+from robolayout.verify._swept import handle_reach, opening_zone, opens
 from robolayout.verify.heading import grown
 from robolayout.verify.limits import REACH_SLACK
 
@@ -88,19 +89,23 @@ def approaches(found: Boxes, agent: Agent) -> Approaches:
     reach: list[float] = []
     asked = use_sides(found.assets)
     for row in np.flatnonzero(found.placed & ~needs_no_use(found)).tolist():
-        far = horizontal_reach(agent, float(found.bottom[row]), float(found.top[row]))
-        if far is not None:
-            names = ("",) if found.carriers[row] >= 0 or found.movable[row] else asked[row]
-            rows += [row] * len(names)
-            sides += names
-            reach += [far + REACH_SLACK] * len(names)
+        for side in ("",) if found.carriers[row] >= 0 or found.movable[row] else asked[row]:
+            far = horizontal_reach(agent, float(found.bottom[row]), float(found.top[row]))
+            if side == "front" and opens(found, agent, row):
+                far = handle_reach(found, agent, row)
+            if far is not None:
+                rows.append(row)
+                sides.append(side)
+                reach.append(far + REACH_SLACK)
     index, at = np.array(rows, dtype=np.intp), np.array([SIDES.index(side or "front") for side in sides], dtype=np.intp)
     corners = shapely.get_coordinates(found.footprints[index]).reshape(-1, 5, 2)
     edges = np.stack([corners[np.arange(len(at)), at], corners[np.arange(len(at)), at + 1]], axis=1)
     whole = np.array([not side for side in sides], dtype=bool)
-    return Approaches(
-        found, agent, index, tuple(sides), edges, _zones(found, agent, index, edges, np.array(reach), whole)
-    )
+    zones = _zones(found, agent, index, edges, np.array(reach), whole)
+    for number in range(len(rows)):
+        if sides[number] == "front" and opens(found, agent, rows[number]):
+            zones[number] = opening_zone(found, agent, rows[number], zones[number])
+    return Approaches(found, agent, index, tuple(sides), edges, zones)
 
 
 def _zones(

@@ -67,6 +67,8 @@ class AgentReport:
         if self.headings is None:
             return {}
         uses = self.usage.uses.items()
+        asset = self.navigation.scene.by_name
+        uses = [(name, use) for name, use in uses if not asset[name].lies_about]
         stands = {name: use.stand for name, use in uses if use.stand is not None and not use.moved}
         return find_drives(self.navigation.scene.room, self.headings, stands)
 
@@ -116,6 +118,7 @@ class AgentReport:
             },
             "unreached": {name: finite(nav.distances[name]) for name in nav.unreached},
             "moved": {name: list(use.moved) for name, use in self.usage.uses.items() if use.moved},
+            "opened": {name: use.opens for name, use in self.usage.uses.items() if use.opens},
             "unusable": {name: use.reason for name, use in self.usage.uses.items() if not use.usable},
             "drives": {
                 name: {

@@ -148,7 +148,8 @@ class Navigation:
     @cached_property
     def _wanted(self) -> tuple[str, ...]:
         found = self.boxes
-        return tuple(found.names[row] for row in np.flatnonzero(found.placed & ~found.flat & ~found.ceiling))
+        rows = np.flatnonzero(found.placed & ~found.flat & ~found.ceiling).tolist()
+        return tuple(found.names[row] for row in rows if not found.assets[row].lies_about)
 
     def _footprint(self, name: str) -> Polygon:
         return self.boxes.footprints[self.boxes.names.index(name)]

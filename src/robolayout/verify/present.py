@@ -50,19 +50,35 @@ def rule_rows(report: Report) -> list[list[str]]:
     ]
 
 
-def markdown(report: Report) -> str:
-    """Return the content of `report.md`: the table, what is wrong, and the way to each asset."""
-    lines = [f"# {plain(report.scene.name)}: {'all demands met' if report.ok else 'not all demands are met'}", ""]
-    lines += _ledger(report.asked)
-    lines += ["| check | result | |", "|---|---:|---|"]
-    lines += [f"| {name} | {value} | {'ok' if met else '**short**'} |" for name, value, met in report.rows()]
+def _told(report: Report) -> list[str]:
+    """Return what is said below the table: chairs that are moved aside, wishes, what lies about, notes."""
+    lines: list[str] = []
     figures = report.figures
     if figures["reachable_share"] != figures["reachable_share_chairs_aside"]:
         lines += [
             "",
             "As it stands, no chair is moved; demanded is what is reached once the chairs at a thing are moved aside.",
         ]
-    lines += [line for note in report.notes for line in ("", note)]
+    lines += _granted(report.wishes)
+    lines += [line for note in (*lying_about(report), *report.notes) for line in ("", note)]
+    return lines
+
+
+def lying_about(report: Report) -> list[str]:
+    """Return how many small things lie about and how many of them are fetched, in a sentence; nothing where none do."""
+    if not report.dressing:
+        return []
+    can = " and ".join(f"{name} can fetch {count}" for name, count in report.dressing["fetched"].items())
+    return [f"{report.dressing['things']} small things lie about: {can} of them."]
+
+
+def markdown(report: Report) -> str:
+    """Return the content of `report.md`: the table, what is wrong, and the way to each asset."""
+    lines = [f"# {plain(report.scene.name)}: {'all demands met' if report.ok else 'not all demands are met'}", ""]
+    lines += _ledger(report.asked)
+    lines += ["| check | result | |", "|---|---:|---|"]
+    lines += [f"| {name} | {value} | {'ok' if met else '**short**'} |" for name, value, met in report.rows()]
+    lines += _told(report)
     if report.violations:
         lines += ["", "## What is wrong", "", *_listed(report.violations)]
     if report.rules:
@@ -107,6 +123,12 @@ def _ledger(asked: Sequence[AskedRow]) -> list[str]:
     return [*lines, "", "## What was checked", ""]
 
 
+def _granted(wishes: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return how many wishes came true."""
+    granted = sum(wish["holds"] == (wish["weight"] > 0) for wish in wishes)
+    return ["", f"Of {len(wishes)} wishes of the program, which nobody demands, {granted} came true."] if wishes else []
+
+
 def _listed(sentences: Iterable[str]) -> list[str]:
     return [f"- {plain(sentence)}" for sentence in sentences]
 
@@ -149,6 +171,8 @@ def _agent_table(report: AgentReport) -> list[str]:
         reached = "yes" if nav.reached[name] else "**no**"
         usable = _usable(report.usage.uses[name])
         lines.append(f"| {plain(name)} | {reached} | {length} | {passage.shown} | {between} | {usable} |")
-    if report.exempt:
-        lines += ["", *_listed(f"not asked: {reason}." for reason in report.exempt.values())]
+    by_name = nav.scene.by_name
+    aside = [reason for name, reason in report.exempt.items() if not by_name[name].lies_about]
+    if aside:
+        lines += ["", *_listed(f"not asked: {reason}." for reason in aside)]
     return lines

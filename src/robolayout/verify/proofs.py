@@ -76,11 +76,12 @@ class Remedies:
 def exempt_from_reach(scene: Scene, agent: Agent) -> dict[str, str]:
     """Return which assets a body is not asked to reach, in any layout, and why.
 
-    A body without an arm is asked to get to what stands on the floor only.
+    What lies about is counted, never asked for. A body without an arm is asked to get to what stands on the floor only.
     """
+    lying = {a.name: f"{a.name} is one of the things that lie about" for a in scene.assets if a.lies_about}
     if agent.reach_distance is not None:
-        return {}
-    return {
+        return lying
+    return lying | {
         asset.name: f"{agent.name} has no arm and {asset.name} does not stand on the floor"
         for asset in scene.assets
         if not (asset.on_floor or asset.on_ceiling)
@@ -92,12 +93,13 @@ def exempt_from_use(scene: Scene, agent: Agent) -> dict[str, str]:
 
     Those it is not asked to reach, and what can only stand on the floor and ends below the heights that its arm gets to.
     """
+    lying = exempt_from_reach(scene, agent)
     if agent.reach_distance is None:
-        return exempt_from_reach(scene, agent)
+        return lying
     down_to = agent.reach_low
     if agent.shoulder_height is not None:
         down_to = max(down_to, agent.shoulder_height - agent.reach)
-    return {
+    return lying | {
         asset.name: f"{asset.name} ends {asset.size[2]:.2f} m high and {agent.name} reaches down to {down_to:.2f} m"
         for asset in scene.assets
         if asset.size[2] < down_to - REACH_SLACK

@@ -37,6 +37,7 @@ class StatementResult:
         unit: Unit of both.
         text: The measurement in words.
         lost_to: Where it is not met: what meeting it would break, in words; empty if nobody looked.
+        by: Who asks for it: "user" or "plan".
     """
 
     number: int
@@ -49,6 +50,7 @@ class StatementResult:
     unit: str
     text: str
     lost_to: str = ""
+    by: str = "plan"
 
     @property
     def complaint(self) -> str:
@@ -101,6 +103,18 @@ class Report:
         return moves(self.scene, self.layout, self.program, tuple(report.agent for report in self.agents))
 
     @cached_property
+    def wishes(self) -> tuple[dict[str, Any], ...]:
+        """What the program would like, and no more: each wish with its weight, whether it holds, and what was measured."""
+        rows: list[dict[str, Any]] = []
+        for wish in self.program.wishes if self.program else ():
+            relation = wish.relation
+            placed = set(relation.asset_names()) <= set(self.layout)
+            outcome = relation.check(self.scene, self.layout) if placed else None
+            holds, text = (outcome.met, outcome.text) if outcome else (False, "not placed")
+            rows.append({"sentence": relation.sentence(), "weight": wish.wish, "holds": holds, "text": text})
+        return tuple(rows)
+
+    @cached_property
     def figures(self) -> dict[str, float | bool]:
         """The figures of DESIGN section 8, by name, in its order."""
         worst = {
@@ -121,6 +135,13 @@ class Report:
             "statements_met_share": share([item.met for item in self.statements]),
             **({"stable_share": float(self.stability["stable_share"])} if self.stability else {}),
         }
+
+    @cached_property
+    def dressing(self) -> dict[str, Any]:
+        """How many small things lie about, and how many of them each body can fetch; empty where none do."""
+        lying = [asset.name for asset in self.scene.assets if asset.lies_about and asset.name in self.layout]
+        fetched = {body.agent.name: sum(body.usage.usable[name] for name in lying) for body in self.agents}
+        return {"things": len(lying), "fetched": fetched} if lying else {}
 
     @cached_property
     def metrics(self) -> Mapping[str, Mapping[str, object]]:
@@ -213,6 +234,7 @@ class Report:
             "asked_met_share": self.asked_met_share,
             **self.figures,
             "statements": [item.to_dict() for item in self.statements],
+            "wishes": list(self.wishes),
             "moved": [move.to_dict() for move in self.moved],
             "rules": [result.to_dict() for result in self.rules],
             "violations": list(self.violations),
@@ -221,6 +243,7 @@ class Report:
             "ok": self.ok,
             "metrics": {name: dict(figures) for name, figures in self.metrics.items()},
             "agents": {report.agent.name: report.to_dict() for report in self.agents},
+            **({"dressing": self.dressing} if self.dressing else {}),
             **({"notes": list(self.notes)} if self.notes else {}),
             **({"planner": dict(self.planner)} if self.planner else {}),
             **({"stability": dict(self.stability)} if self.stability else {}),

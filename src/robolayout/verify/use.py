@@ -26,8 +26,9 @@ from robolayout.scene.agent import TOUCH, horizontal_reach
 from robolayout.verify._approaches import approaches, needs_no_use
 from robolayout.verify._boxes import room_polygon, share, shared_area
 from robolayout.verify._knees import frontal, is_sat_at
-from robolayout.verify._sides import side_edge, strips
+from robolayout.verify._sides import side_edge
 from robolayout.verify._stances import Stances
+from robolayout.verify._swept import Swept, handle_heights, handle_near
 from robolayout.verify.heading import HeadingSpace
 from robolayout.verify.limits import AREA_TOLERANCE
 from robolayout.verify.navigation import Navigation, navigation
@@ -50,6 +51,7 @@ class Use:
         stand: A place for the agent's centre, metres; None where it is not usable or needs no use.
         reason: Why it cannot be used, as the end of a sentence; empty if it can.
         moved: What is moved away to stand there: chairs at a table.
+        opens: The door or drawer whose handle it takes hold of from there; empty where nothing is opened.
         approach: "frontally" or "sideways" where a seated body works at it; empty for everything else.
     """
 
@@ -59,6 +61,7 @@ class Use:
     stand: Point | None
     reason: str
     moved: tuple[str, ...] = ()
+    opens: str = ""
     approach: str = ""
 
 
@@ -202,23 +205,24 @@ class _Judge:
         """What keeps assets from being opened, by row."""
         found = self.found
         fronts = np.array([side == "front" for side in self.ways.sides], dtype=bool)
-        ways = np.flatnonzero(fronts & (found.open_depth[self.ways.rows] > 0))
-        rows = self.ways.rows[ways]
-        zones = strips(self.ways.edges[ways], found.open_depth[rows])
+        swept = Swept.of(found, self.ways.rows[fronts].tolist())
+        rows, zones = swept.rows, swept.zones
         shapely.prepare((self._room, *zones))
         blockers = {row: list[str]() for row in rows.tolist()}
         for k in np.flatnonzero(~shapely.covers(self._room, zones)).tolist():
             if zones[k].difference(self._room).area > AREA_TOLERANCE:
                 blockers[int(rows[k])].append("the wall")
         others = np.flatnonzero(found.placed & ~found.flat & ~found.movable)
-        top, bottom = found.top[rows, None], found.bottom[rows, None]
-        near = np.minimum(found.top[others], top) - np.maximum(found.bottom[others], bottom) > 0.01
+        near = (
+            np.minimum(found.top[others], swept.top[:, None]) - np.maximum(found.bottom[others], swept.bottom[:, None])
+            > 0.01
+        )
         near &= shapely.intersects(zones[:, None], found.footprints[others]) & (others != rows[:, None])
         at, what = np.nonzero(near)
         inside = shared_area(found.footprints[others[what]], zones[at]) > AREA_TOLERANCE
         for k, other in zip(at[inside].tolist(), others[what[inside]].tolist(), strict=True):
             blockers[int(rows[k])].append(found.names[other])
-        return {row: tuple(names) for row, names in blockers.items()}
+        return {row: tuple(dict.fromkeys(names)) for row, names in blockers.items()}
 
     def explain(self, row: int) -> Use:
         name = self.found.names[row]
@@ -234,7 +238,9 @@ class _Judge:
         near = shapely.Point(spot).buffer(self.agent.circumradius)
         moved = [i for i in sorted(chairs) if near.intersects(self.found.footprints[i])] or sorted(chairs)
         names = tuple(self.found.names[i] for i in moved)
-        return Use(name, True, side, (float(spot[0]), float(spot[1])), "", names, self._approach[number])
+        place = (float(spot[0]), float(spot[1]))
+        handle = handle_near(self.found, self.agent, row, place) if side == "front" else ""
+        return Use(name, True, side, place, "", names, handle, self._approach[number])
 
     def _reason(self, row: int) -> str:
         agent, found = self.agent, self.found
@@ -243,6 +249,9 @@ class _Judge:
         if reach is None:
             return _height_reason(agent, bottom, top)
         numbers = self.ways.of(row)
+        if not numbers:
+            low, high = handle_heights(found, agent, row)
+            return f"its handles lie {low:.2f} to {high:.2f} m high, reach is from {agent.reach_low:.2f} to {agent.reach_high:.2f} m"
         if blockers := self.in_front.get(row):
             return f"its front has no room to open: {' and '.join(blockers)} in the way"
         sides = " or ".join(self.ways.sides[i] for i in numbers if self.ways.sides[i]) or "edge"

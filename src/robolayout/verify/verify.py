@@ -72,5 +72,6 @@ def _measure(scene: Scene, layout: Layout, statement: Statement, placed: set[str
         outcome = relation.check(scene, layout)
         met, value, limit, unit, text = outcome.met, outcome.value, outcome.limit, outcome.unit, outcome.text
     return StatementResult(
-        statement.number, statement.line, statement.source, relation.sentence(), met, value, limit, unit, text
-    )
+        statement.number, statement.line, statement.source, relation.sentence(), met, value, limit, unit, text,
+        by=statement.by,
+    )  # fmt: skip

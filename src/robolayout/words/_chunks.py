@@ -173,9 +173,9 @@ class Chunker:
 
     def _before_noun(self, i: int, det: str, number: int | None) -> tuple[str, int | None, str, int, int] | None:
         """Return (article, number, bound, rows, length) of what stands before a noun here."""
-        if i in self.measured:
-            return None
         word, rest = self.words[i], self.words[i + 1 : i + 5]
+        if i in self.measured or (word == "first" and self.lexicon.noun(self.words[i : i + 3])):
+            return None  # "first aid kit"
         if rest[:1] and word in SETS and "of" in rest[:1]:
             return ("", 2 if word in ("pair", "couple") else None, "", 0, 2)
         if len(rest) > 2 and rest[0] in ("rows", "row") and rest[1] == "of" and _count(rest[2]) and _count(word):
@@ -210,7 +210,8 @@ class Chunker:
                 or i in self.measured
             )
             counts = _count(word) is not None and word != "couple" and not self._seats(i)
-            if stops or counts or word in DETERMINERS or self._closed(i, run, many):
+            named = not run and self.lexicon.noun(self.words[i : i + 3]) is not None  # "first aid kit"
+            if stops or counts or (word in DETERMINERS and not named) or self._closed(i, run, many):
                 break
             run.append(word)
             i += 1
@@ -330,7 +331,7 @@ class Chunker:
             not closed
             and len(last) > 2
             and not last.endswith("ly")
-            and last not in ("total", "style", "kind", "row", "rows", "grid")
+            and last not in ("total", "style", "kind", "row", "rows", "grid", "line")
         )
 
     def _single(self, at: int) -> Chunk:

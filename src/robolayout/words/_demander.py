@@ -50,6 +50,7 @@ TO_ANOTHER: Mapping[str, Ways] = {
     "right": ((("right_of", 0.0, NEAR),),),
     "front": ((("in_front_of", 0.0, AHEAD),),),
     "foot": ((("in_front_of", 0.0, BESIDE),),),
+    "end": ((("in_front_of", 0.0, BESIDE),), (("next_to", "beside", BESIDE),)),
     "aligned": _PARALLEL,
     "square": _BY_RIGHT_ANGLE,
 }
@@ -149,7 +150,7 @@ class Demander:
         """What a thing has: on it, if it can stand nowhere else, else at it."""
         for a, b in self._matched(subjects, objects):
             asset = self._asset(a)
-            if asset.on_object and not asset.on_floor:
+            if asset.on_object and (not asset.on_floor or self._is(b, ("desk", "table", "counter"))):
                 yield self._resting(a, b)
             elif asset.on_floor:
                 yield _one(_say("near", AssetRef(a), AssetRef(b), BESIDE))
@@ -265,7 +266,13 @@ class Demander:
             yield Demand(tuple((_say("zone", AssetRef(a), _rectangle(*strip)),) for strip in strips))
 
     def _row(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        """Side by side: each near the one before; where there are several rows, the first of a row near another one."""
+        """Side by side: each at a side of the one before."""
+        for before, a in pairwise(subjects):
+            if self._asset(a).on_floor:
+                yield _one(_say("next_to", AssetRef(a), AssetRef(before), "beside", BACK))
+
+    def _rows(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        """Each near another one; how many stand in a row is left open."""
         for number, a in enumerate(subjects[1:], 1):
             beside = [*reversed(subjects[:number]), *subjects[number + 1 :]]
             if self._asset(a).on_floor:

@@ -7,10 +7,9 @@ clause before, or what stands before "with". A noun with "the" that was named be
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
+from robolayout.assets import CATALOGUE
 from robolayout.words._chunks import Chunk
-from robolayout.words._references import References
+from robolayout.words._relations import AIDS, Relating
 from robolayout.words._said import (
     Link,
     Mention,
@@ -18,25 +17,14 @@ from robolayout.words._said import (
     Place,
     count_of,
     place_of,
-    several,
     topped,
 )
-
-REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on"}
-"""Relations that are said from the other side."""
-
-AIDS = {"wheelchair": "wheelchair", "walker": "elder_walker"}
-"""Bodies by what they use; what a room is to contain is a thing."""
-
-_ALONE = "next row pairs backs stacked diagonal lit parallel mutual abreast middle flank left right front near under"
-ALONE = frozenset(_ALONE.split())
-"""Relations that may stand without an object."""
 
 SAID_OF = {"stacked": "stacked", "piled": "stacked", "diagonal": "diagonal", "angled": "diagonal"}
 """Relations that stand before a noun."""
 
 
-class Parser(References):
+class Parser(Relating):
     """Reads chunks from left to right."""
 
     def parse(self) -> Parsed:
@@ -52,17 +40,6 @@ class Parser(References):
             elif chunk.kind in ("room", "body", "people", "measure", "style", "function", "corner"):
                 self._fact(chunk)
         return self.said
-
-    def _fact(self, chunk: Chunk) -> None:
-        self.said.facts.append(chunk)
-        if chunk.kind == "people" and self.group and chunk.number and self._previous(chunk) == "for":
-            self.group[-1].thing.people = chunk.number
-        self.broken = True
-
-    def _previous(self, chunk: Chunk) -> str:
-        """Return the value of the chunk before this one."""
-        index = self.chunks.index(chunk)
-        return self.chunks[index - 1].value if index else ""
 
     def _on_stop(self, chunk: Chunk) -> None:
         self.before = self.subject or self.group or self.before
@@ -99,16 +76,6 @@ class Parser(References):
             else:
                 self.said.people = count_of(following.value)
 
-    def _on_with(self, chunk: Chunk) -> None:
-        self.refusing = False
-        if self.acted and not self.broken:
-            self.holder = self.acted
-        elif self.group:
-            self.holder = [self.group[-1]]
-        self.having = True
-        self.verb = False
-        self.broken = True
-
     def _on_each(self, chunk: Chunk) -> None:
         """After a thing it multiplies ("four chairs each"); before "with" it says that each one has them."""
         if self.at < len(self.chunks) and self.chunks[self.at].kind == "with":
@@ -127,7 +94,7 @@ class Parser(References):
         while self.at < len(self.chunks) and self.chunks[self.at].kind in ("thing", "and", "comma", "filler", "style"):
             chunk = self.chunks[self.at]
             following = self.chunks[self.at + 1 : self.at + 2]
-            if chunk.kind == "comma" and first < len(self.said.things):
+            if chunk.kind == "comma" and first < len(self.said.things) and not self._list_goes_on():
                 break
             if chunk.kind == "and" and following and following[0].kind != "thing":
                 break
@@ -138,6 +105,19 @@ class Parser(References):
                     mention.thing.times = holder[0].thing.count
                     self.group = [mention]
                     self.said.links.append(Link("with", (mention,), tuple(holder), chunk.start, chunk.end))
+
+    def _list_goes_on(self) -> bool:
+        """Return whether from a comma here a plain list goes on to the end of the sentence: ", a keyboard and a chair." """
+        index = self.at + 1
+        while index + 1 < len(self.chunks) and self.chunks[index].kind == "thing":
+            joins = self.chunks[index + 1].kind
+            if joins == "and":
+                ends = self.chunks[index + 3].kind if index + 3 < len(self.chunks) else "stop"
+                return self.chunks[index + 2].kind == "thing" and ends == "stop"
+            if joins != "comma":
+                return False
+            index += 2
+        return False
 
     def _on_pron(self, chunk: Chunk) -> None:
         if chunk.value in ("that", "which"):
@@ -180,13 +160,20 @@ class Parser(References):
         if self.verb and not self.group and not self.subject:
             self.subject = []
         joined = self._joined()
-        if self.having and self.holder and topped(mention) and not topped(self.holder[0]):
+        if self.having and self.holder and self._put_on(mention, self.holder[0], joined=joined):
             self.said.links.append(Link("with", (mention,), tuple(self.holder), chunk.start, chunk.end))
+        together = joined and self.subject == self.group
         self.group = [*self.group, mention] if joined else [mention]
-        if not self.subject or (not joined and not self.verb and not self.holder):
+        if not self.subject or together or (not joined and not self.verb and not self.holder):
             self.subject = self.group
         self.acted = []
         self.verb = self.relative = self.broken = False
+
+    def _put_on(self, mention: Mention, holder: Mention, *, joined: bool) -> bool:
+        """Return whether a thing that another one has stands on it: what can stand nowhere else, or what a table has first."""
+        tops = holder.thing.noun.kind.split()[-1] in ("table", "desk", "counter", "island")
+        laid = tops and not joined and CATALOGUE[mention.thing.noun.kind].on_object
+        return (topped(mention) or laid) and not topped(holder)
 
     def _on_part(self, chunk: Chunk) -> None:
         """A place of the room that no relation leads to: doors and windows that are asked for."""
@@ -202,6 +189,8 @@ class Parser(References):
                 self.said.openings.append(
                     (Place(chunk.value, walls, chunk.number, chunk.plural, chunk.det), (chunk.start, chunk.end))
                 )
+        elif chunk.value == "floor" and chunk.adjectives:
+            self.said.facts.append(Chunk("style", chunk.start, chunk.end, f"{' '.join(chunk.adjectives)} floor"))
         self.broken = True
 
     def _opening_walls(self) -> tuple[str, ...]:
@@ -213,217 +202,3 @@ class Parser(References):
             self.at = index + 2
             return self.chunks[index + 1].adjectives
         return ()
-
-    def _of_the_room(self, chunk: Chunk) -> bool:
-        """Note what is asked of the room itself: an open middle, a way to something, daylight at it."""
-        if chunk.value not in ("open", "way", "light"):
-            return False
-        found: list[Mention | Place] = []
-        while chunk.value != "open" and self.at < len(self.chunks):
-            following = self.chunks[self.at]
-            after = self.chunks[self.at + 1 : self.at + 2]
-            joins = following.kind == "and" and found and after and (after[0].kind == "part" or after[0].det == "the")
-            if following.kind == "filler" or joins:
-                self.at += 1
-            elif (item := self._object(chunk)) is not None:
-                found.append(item)
-            else:
-                break
-        things = tuple(item for item in found if isinstance(item, Mention)) if chunk.value == "light" else ()
-        named = {"light": "lit"}.get(chunk.value, chunk.value)
-        self.said.links.append(Link(named, things, () if things else tuple(found), chunk.start, chunk.end))
-        self.broken = True
-        return True
-
-    def _on_rel(self, chunk: Chunk) -> None:
-        """A relation: find what it is about, then what it leads to."""
-        if self._of_the_room(chunk):
-            return
-        if self._of_people():
-            self._objects(chunk)
-            self.said.missed.append(chunk)
-            return
-        subjects = self._subjects(chunk.value)
-        if chunk.value == "holds" and not subjects:
-            self._on_with(chunk)
-            return
-        first = self.at
-        objects = self._objects(chunk)
-        if (
-            objects
-            and isinstance(objects[0], Place)
-            and objects[0].name == "side"
-            and self._at_sides(chunk, subjects, objects[0])
-        ):
-            return
-        if not objects and chunk.value not in ALONE:
-            if chunk.value not in ("in", "by"):
-                self.said.missed.append(chunk)
-            return
-        if objects and self._is_room(chunk, objects):
-            self.broken = True
-            return
-        if chunk.value in REVERSED:
-            self._reversed(chunk, subjects, objects)
-            return
-        if not subjects or self._turned_round(first, objects):
-            self.fronted = (chunk, objects)
-            self.group = []
-            return
-        self._link(chunk, subjects, objects)
-        self.acted = subjects
-        self.verb = False
-
-    def _of_people(self) -> bool:
-        """Return whether this clause is about somebody: "guests are received near the door" moves no furniture."""
-        before = self.chunks[: self.at - 1]
-        ends = [i for i, chunk in enumerate(before) if chunk.kind in ("comma", "and", "stop", "colon")]
-        clause = [chunk for chunk in before[ends[-1] + 1 if ends else 0 :] if chunk.kind != "filler"]
-        if len(clause) < 2 or any(chunk.kind in ("thing", "pron") for chunk in clause):
-            return False
-        who, does = clause[0], clause[1].kind in ("verb", "other")
-        unknown = who.kind == "other" and who.value.endswith("s") and not who.value.endswith("ss")
-        return does and (unknown or who.kind in ("function", "people", "body"))
-
-    def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention], side: Place) -> bool:
-        """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""
-        tables = [thing for thing in self.said.things if thing.noun.kind.split()[-1] in ("table", "counter", "island")]
-        seats = [
-            m for m in subjects if m.thing.noun.kind.split()[-1] in ("chair", "stool", "bench", "cushion", "armchair")
-        ]
-        if not tables or not seats or len(seats) < len(subjects):
-            return False
-        known = any(
-            link.relation == "around" and link.subjects[0].thing is seats[0].thing
-            for link in self.said.links
-            if link.subjects
-        )
-        if not known:
-            self._link(Chunk("rel", chunk.start, chunk.end, "around"), seats, [Mention(tables[-1])])
-        return True
-
-    def _is_room(self, chunk: Chunk, objects: Sequence[Mention | Place]) -> bool:
-        """Return whether a relation only says that a thing is in the room."""
-        place = objects[0]
-        return isinstance(place, Place) and (
-            place.name in ("room", "floor") and chunk.value in ("in", "on", "by", "around")
-        )
-
-    def _turned_round(self, first: int, objects: Sequence[Mention | Place]) -> bool:
-        """Return whether what follows the object is what the relation is about: "and on it stands a lamp"."""
-        if not objects or self.at >= len(self.chunks):
-            return False
-        index, verb = self.at, False
-        while index < len(self.chunks) and self.chunks[index].kind in ("verb", "filler", "style", "pron"):
-            verb = verb or self.chunks[index].kind == "verb"
-            index += 1
-        if index >= len(self.chunks) or self.chunks[index].kind != "thing":
-            return False
-        starts = self.chunks[first - 2].kind in ("and", "comma", "stop", "colon") if first >= 2 else True
-        return starts and (verb or index == self.at) and self.chunks[index].det != "the"
-
-    def _reversed(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
-        """Link what is said from the other side: "flanked by two lamps"."""
-        moved = [item for item in objects if isinstance(item, Mention)]
-        while chunk.value == "holds" and self._another():
-            following = self.chunks[self.at + 1]
-            self.at += 2
-            moved.append(self._mention(following))
-        if moved and subjects:
-            named = Chunk("rel", chunk.start, chunk.end, REVERSED[chunk.value])
-            for mention in moved:
-                if chunk.value == "holds" and len(subjects) == 1 and subjects[0].det == "each":
-                    mention.thing.times = subjects[0].thing.count
-            self._link(named, moved, list(subjects))
-            self.group, self.acted = moved, moved
-
-    def _another(self) -> bool:
-        kinds = [chunk.kind for chunk in self.chunks[self.at : self.at + 2]]
-        return kinds == ["and", "thing"]
-
-    def _nearest(self, relation: str) -> list[Mention]:
-        """Return what a relation right after a noun is about: small things "on" something all together, else the noun."""
-        if self.target is not None and relation in ("by", "next", "near") and self.acted:
-            return [self.target]
-        last = self.group[-1:] or list(self.subject)
-        if relation == "on" and last and topped(last[0]) and len(self.group) > 1:
-            linked = {m for link in self.said.links if link.relation != "with" for m in link.subjects}
-            return [m for m in self.group if topped(m) and m not in linked]
-        return last
-
-    def _subjects(self, relation: str) -> list[Mention]:
-        """Return what a relation here is about."""
-        previous = next((c for c in reversed(self.chunks[: self.at - 1]) if c.kind not in ("filler", "style")), None)
-        if previous is None or previous.kind == "stop":
-            return []
-        if self.fronted is not None and previous.kind in ("and", "comma"):
-            self.fronted = None
-            return []
-        if previous.kind == "verb" or self.verb:
-            return self.group[-1:] if self.relative else list(self.subject or self.group)
-        if previous.kind == "thing":
-            return self._nearest(relation)
-        if previous.kind == "pron" and not self.relative:
-            return list(self.before or self.subject) if not self.group else list(self.group)
-        if self.relative:
-            return self.group[-1:]
-        return list(self.acted or self.group[-1:] or self.subject)
-
-    def _objects(self, chunk: Chunk) -> list[Mention | Place]:
-        """Return what a relation leads to; "between" takes two, and a wall may be told by what it is opposite to."""
-        found: list[Mention | Place] = []
-        self.target = None
-        while self.at < len(self.chunks):
-            self._skip()
-            item = self._object(chunk)
-            if item is None:
-                break
-            found += [item, *self.pending]
-            self.pending = []
-            pronoun = self.chunks[self.at - 1].kind == "pron"
-            wants = chunk.value == "amid" and len(found) < 2 and not several(item) and not pronoun
-            both = chunk.value in ("amid", "facing", "under", "around", "near", "next", "on")
-            if not (wants or (both and self._plain_pair(found))):
-                break
-            self.at += 1
-        if found and isinstance(found[-1], Place) and found[-1].name == "wall":
-            found[-1] = self._which_wall(found[-1])
-        self.target = found[-1] if found and isinstance(found[-1], Mention) else None
-        return found
-
-    def _plain_pair(self, found: Sequence[Mention | Place]) -> bool:
-        """Return whether "and the ..." goes on with the same relation."""
-        following = self.chunks[self.at : self.at + 3]
-        if (
-            len(following) < 2
-            or following[0].kind != "and"
-            or following[1].kind != "thing"
-            or following[1].det != "the"
-        ):
-            return False
-        third = following[2].kind if len(following) > 2 else "stop"
-        return third in ("stop", "comma", "with") and isinstance(found[-1], Mention)
-
-    def _skip(self) -> None:
-        while self.at < len(self.chunks) and self.chunks[self.at].kind in ("filler", "style"):
-            self.at += 1
-
-    def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
-        """Note a relation; what stands at each of several things is as many times there."""
-        for item in objects:
-            several = item.det == "each"
-            if several and len(subjects) == 1 and subjects[0].thing.times == 1:
-                count = item.thing.count if isinstance(item, Mention) else {"corner": 4}.get(item.name, 1)
-                owned = isinstance(item, Mention) and item.thing is subjects[0].thing
-                subjects[0].thing.times = 1 if owned or self._given(subjects[0]) else count
-        if chunk.value == "flank" and len(subjects) == 1 and not self._given(subjects[0]):
-            thing = subjects[0].thing
-            if thing.number == 1 and thing.times == 1:
-                around = objects[0] if objects else None
-                thing.times = 2 * (
-                    around.thing.count if isinstance(around, Mention) and around.det in ("each", "all") else 1
-                )
-        objects = objects or (
-            self.holder if chunk.value in ("flank", "left", "right", "front", "near", "under") else []
-        )
-        self.said.links.append(Link(chunk.value, tuple(subjects), tuple(objects), chunk.start, chunk.end))

@@ -52,7 +52,7 @@ class References:
         if following.kind == "part":
             self.at += 1
             return self._place_of(following)
-        if following.kind in ("room", "function"):
+        if following.kind in ("room", "function", "people"):
             self.at += 1
             if following.kind == "room":
                 self.said.facts.append(following)
@@ -88,7 +88,7 @@ class References:
             if following[0].kind == "rel"
             else following[0].kind == "with"
         )
-        if not joins:
+        if not joins or (following[0].kind == "with" and following[1].kind == "thing"):
             return wall
         self.at += 2
         by = place_of(following[1]) if following[1].kind == "part" else self._mention(following[1], target=True)
@@ -158,8 +158,13 @@ class References:
             chunk.number is not None and not one and chunk.det not in ("the", "all", "both", "one", "each")
         )
         fits = [t for t in [*self.given, *self.said.things] if same(t, chunk)]
+        fits = [t for t in fits if same_words(t, chunk)] or fits
         if not fits or chunk.noun is None:
             return None
+        told = chunk.number is not None and not one and fits[-1].definite and fits[-1].number is None
+        if told and fits[-1].plural and same_words(fits[-1], chunk):
+            fits[-1].number = chunk.number  # "facing the mirrors, three mirrors on the wall"
+            return fits[-1]
         if fits[-1] in self.given and chunk.det != "new":
             return fits[-1]
         if one and fits[-1].count > 1:

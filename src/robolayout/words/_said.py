@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from robolayout.assets import CATALOGUE
+from robolayout.assets.palette import LOOKS
 from robolayout.words._chunks import Chunk
 from robolayout.words._function_words import YOUNG
 from robolayout.words._lexicon import Noun
@@ -26,6 +27,7 @@ class Thing:
         rows: Rows that it stands in, 0 if none are said.
         definite: Whether it was first named with "the".
         people: Seats that its words promise ("for six").
+        told: Words of taste that were said of it later ("the bed is brown").
     """
 
     noun: Noun
@@ -38,6 +40,12 @@ class Thing:
     rows: int = 0
     definite: bool = False
     people: int = 0
+    told: list[str] = field(default_factory=list[str])
+
+    @property
+    def look(self) -> tuple[str, ...]:
+        """What is said of its colour, material and style, in words that can be drawn."""
+        return tuple(word for word in (*self.adjectives, *self.told) if word in LOOKS)
 
     @property
     def count(self) -> int:

@@ -32,6 +32,9 @@ _WORDS = "|".join(word for word in NUMBERS if word not in ("a", "an", "no", *VAG
 _N = rf"(\d+(?:[.,]\d+)?|\b(?:{_WORDS})\b)"
 _U = r"\s*(metres?|meters?|m\b|cm\b|centimet(?:re|er)s?|feet|foot|ft\b|inches|inch|in\b|['\"])?"
 _SIZE = re.compile(rf"{_N}{_U}\s*(?:x|\u00d7|by|\*)\s*{_N}{_U}(?![\w\u00b2]|\s*grid)", re.IGNORECASE)
+_SIDES = re.compile(
+    rf"{_N}{_U}\s*(?:long|wide|deep)\s*(?:,|and|x|by)+\s*{_N}{_U}\s*(?:wide|long|deep)\b", re.IGNORECASE
+)
 _GRID = re.compile(r"(\d+)\s*(?:x|\u00d7|by)\s*(\d+)\s*grid", re.IGNORECASE)
 _AREA = re.compile(
     rf"{_N}\s*(m2|m\u00b2|sqm|square met(?:re|er)s?|sq\.? ?m|square (?:feet|foot)|sq\.? ?ft|ft\u00b2|ft2)",
@@ -101,7 +104,7 @@ def _grids(text: str) -> Iterator[Measure]:
 
 
 def _sizes(text: str) -> Iterator[Measure]:
-    for match in _SIZE.finditer(text):
+    for match in (*_SIZE.finditer(text), *_SIDES.finditer(text)):
         a, unit_a, b, unit_b = match.groups()
         size = (round(metres(a, unit_a, unit_b), 2), round(metres(b, unit_b, unit_a), 2))
         if min(size) < 1.0 or max(size) > 100.0:

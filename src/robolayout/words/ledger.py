@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
 from typing import Any, Literal
 
 from shapely import LineString
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import category_of
-from robolayout.constraints import AssetRef
+from robolayout.constraints import AssetRef, Relation
 from robolayout.constraints._exact import footprint
+from robolayout.program import Program
 from robolayout.scene import Layout, Opening, Scene
 from robolayout.words._demander import Demander
 from robolayout.words._lexicon import Lexicon, grammar
@@ -54,6 +56,9 @@ class AskedRow:
 
 Finding = tuple[Verdict, str]
 
+AIRY = 0.3
+"""Share of the floor that furniture takes at the most in an airy room; usual rooms have a quarter to two fifths."""
+
 UP_TO = 0.5
 """Metres between a body's edge and what a way leads up to."""
 
@@ -94,20 +99,42 @@ class Wishes:
         """What must hold about where things stand."""
         return tuple(demand for row in self.rows for demand in row.demands)
 
-    def judged(self, scene: Scene, layout: Layout, walked: BaseGeometry | None = None) -> tuple[AskedRow, ...]:
+    @property
+    def said(self) -> dict[Relation, str]:
+        """The phrases by the statements that they ask for, every way of each."""
+        return {said: row.words for row in self.rows for d in row.demands for way in d.ways for said in way}
+
+    def marked(self, program: Program) -> Program:
+        """Return a program whose statements say which of them the user asks for."""
+        said = self.said
+        statements = (replace(s, by="user") if s.relation in said else s for s in program.statements)
+        return replace(program, statements=tuple(statements)) if said else program
+
+    def judged(
+        self,
+        scene: Scene,
+        layout: Layout,
+        walked: BaseGeometry | None = None,
+        against: Mapping[Relation, str] = MappingProxyType({}),
+    ) -> tuple[AskedRow, ...]:
         """Return every row with its verdict in a layout; what is not placed meets nothing.
 
         Args:
             scene: The scene.
             layout: Where things stand.
             walked: Where the centre of the first body gets to from the door; None leaves ways unjudged.
+            against: What unmet statements lost to, in words.
         """
         found: list[AskedRow] = []
         room = _Furnished(scene, layout, walked)
         for row in self.rows:
+            stated = [said for demand in row.demands for way in demand.ways for said in way]
+            reasons = dict.fromkeys(against[said] for said in stated if said in against)
             missing = [name for name in row.things if name not in layout]
             lost: Finding = ("unmet", f"{' and '.join(missing)} not placed")
             verdict, value = lost if missing else row.judge(room)
+            if verdict == "unmet" and reasons:
+                value += f"; against it: {' and '.join(reasons)}"
             found.append(AskedRow(row.words, row.kind, row.understanding, row.things, verdict, value))
         return tuple(found)
 
@@ -133,9 +160,13 @@ class _Rows:
         """Yield facts about the room, counts, relations, refusals, and what was not understood."""
         yield from self._facts()
         parsed = self.reading.parsed
-        said = [chunk.adjectives for chunk in parsed.facts] + [thing.adjectives for thing in parsed.things]
-        for word in dict.fromkeys(word for words in said for word in words if word in grammar().styles):
-            yield _Row(word, "style", "a matter of taste", _taste)
+        looks = {word for thing in parsed.things for word in thing.look}
+        for word in self.reading.words_of_taste:
+            yield from [] if word in looks else [self._taste(word)]
+        for thing in parsed.things:
+            yield from [self._look(thing)] if thing.look else []
+        for thing in parsed.things:
+            yield from self._contradiction(thing)
         for place, span in parsed.openings:
             yield self._opening(place, self.reading.span(*span))
         for thing in parsed.things:
@@ -167,13 +198,39 @@ class _Rows:
                 yield _Row(words, "people", "who uses the room", _as_given)
             elif chunk.kind == "corner":
                 yield _Row(words, "relation", f"what belongs to a {chunk.value}", _as_given)
-            else:
-                yield _Row(
-                    words,
-                    chunk.kind,
-                    "a matter of taste" if chunk.kind == "style" else "what the room is to be good for",
-                    _taste,
-                )
+            elif chunk.kind != "style":
+                yield _Row(words, chunk.kind, "what the room is to be good for", _taste)
+
+    def _taste(self, word: str) -> _Row:
+        """Return the row of a word of taste: some can be measured, some drawn, of the others nothing is known."""
+        if word == self.reading.style:
+            return _Row(word, "style", "colours and materials of the whole room", _as_given)
+        if word.endswith(" floor") and self.reading.floor:
+            floor = self.reading.floor
+            return _Row(
+                word, "style", floor, lambda room: _found(room.scene.room.floor == floor, room.scene.room.floor)
+            )
+        return _mood(word)
+
+    def _look(self, thing: Thing) -> _Row:
+        """Return the row of how a thing is to look."""
+        names = self.names.get(thing, ())
+
+        def judge(room: _Furnished) -> Finding:
+            said = [str(room.scene.by_name[name].metadata.get("look", "")) for name in names]
+            alike = bool(said) and all(word in look.split(", ") for look in said for word in thing.look)
+            return _found(alike, "; ".join(dict.fromkeys(said)))
+
+        return _Row(f"{' '.join(thing.look)} {thing.noun.words}", "style", "how it looks", judge)
+
+    def _contradiction(self, thing: Thing) -> Iterator[_Row]:
+        """Yield a row that cannot be met where two attributes of a thing exclude each other."""
+        for group in grammar().exclusive:
+            said = [word for word in thing.adjectives if word in group]
+            if len(set(said)) > 1:
+                words = self.reading.span(*thing.spans[0])
+                why = f"{' and '.join(dict.fromkeys(said))} exclude each other"
+                yield _Row(words, "attribute", why, lambda room: ("unmet", "a thing has one of these"))
 
     def _opening(self, place: Place, words: str) -> _Row:
         wanted = place.number or (2 if place.plural else 1)
@@ -215,6 +272,10 @@ class _Rows:
         to = " and ".join(_shown(item) for item in link.objects)
         understanding = f"{about} {words} {to}".strip()
         demands = self.demander.demands(link)
+        hung = [item for item in link.objects if isinstance(item, Place) and item.name == "ceiling"]
+        if not demands and hung and link.subjects:
+            things = tuple(name for mention in link.subjects for name in self.names.get(mention.thing, ()))
+            return _Row(understanding, "relation", "hangs from the ceiling", _hangs(things), things)
         if not demands:
             return _unread(understanding, "nothing that the vocabulary can say")
 
@@ -285,12 +346,47 @@ def _unread(words: str, why: str) -> _Row:
     return _Row(words, "not understood", why, lambda room: ("not understood", ""))
 
 
+def _found(alike: bool, said: str) -> Finding:
+    return ("met" if alike else "not judged"), said or "nothing is said of it"
+
+
+def _mood(word: str) -> _Row:
+    """Return the row of a word of taste: two moods can be judged, the others cannot."""
+    lists = grammar()
+    if word.lower() in lists.airy:
+        return _Row(word, "style", f"furniture takes at most {AIRY:.0%} of the floor", _airy)
+    if word.lower() in lists.cosy["words"]:
+        return _Row(word, "style", "something soft and a warm light", _cosy)
+    return _Row(word, "style", "a matter of taste", _taste)
+
+
+def _airy(room: _Furnished) -> Finding:
+    sizes = [asset.size for asset in room.scene.assets if asset.on_floor and not asset.is_flat]
+    share = sum(depth * width for depth, width, _ in sizes) / room.scene.room.area
+    return ("met" if share <= AIRY else "unmet"), f"it takes {share:.0%}"
+
+
+def _cosy(room: _Furnished) -> Finding:
+    there = {category_of(room.scene.by_name[name]).name for name in room.layout if name in room.scene.by_name}
+    found = [next((kind for kind in grammar().cosy[row] if kind in there), "") for row in ("soft", "warm")]
+    return ("met" if all(found) else "unmet"), " and ".join(kind or "none" for kind in found)
+
+
 def _as_given(room: _Furnished) -> Finding:
     return "met", "as given"
 
 
 def _taste(room: _Furnished) -> Finding:
     return "not judged", ""
+
+
+def _hangs(things: Sequence[str]) -> Callable[[_Furnished], Finding]:
+    def judge(room: _Furnished) -> Finding:
+        tops = [room.layout[name].z + room.scene.by_name[name].size[2] / 2 for name in things]
+        off = max((room.scene.room.wall_height - top for top in tops), default=0.0)
+        return ("met" if off <= SIZE_OFF else "unmet"), f"{off:.2f} m below the ceiling"
+
+    return judge
 
 
 def _for_body(name: str) -> Callable[[_Furnished], Finding]:

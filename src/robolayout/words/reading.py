@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from robolayout._errors import SceneError
+from robolayout.assets.palette import STYLED, WOODS
 from robolayout.words._chunks import Chunk, Chunker
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
@@ -67,6 +68,27 @@ class Reading:
         return next((measure.values for measure in facts if measure.kind == kind), None)
 
     @property
+    def words_of_taste(self) -> list[str]:
+        """All words of taste, those before nouns too."""
+        styles = grammar().styles
+        said = [chunk.adjectives for chunk in self.parsed.facts] + [thing.adjectives for thing in self.parsed.things]
+        alone = [chunk.value for chunk in self.parsed.facts if chunk.kind == "style"]
+        return list(dict.fromkeys([*alone, *(word for words in said for word in words if word in styles)]))
+
+    @property
+    def style(self) -> str:
+        """The style of the room, in a word that can be drawn; empty if none is said."""
+        own = {word for thing in self.parsed.things for word in thing.look}
+        return next((word for word in self.words_of_taste if word in STYLED and word not in own | set(WOODS)), "")
+
+    @property
+    def floor(self) -> str:
+        """What lies on the floor, as it is said or as the style has it; empty if neither is."""
+        floors = grammar().floors
+        said = [c.value.removesuffix(" floor").split()[-1] for c in self.parsed.facts if c.value.endswith(" floor")]
+        return next((floors[word] for word in (*said, self.style) if word in floors), "")
+
+    @property
     def l_shaped(self) -> bool:
         """Whether the room is to have the shape of an L."""
         rooms = [chunk.adjectives for chunk in self.parsed.facts if chunk.kind == "room"]
@@ -106,7 +128,10 @@ def read_text(text: str, lexicon: Lexicon, given: Sequence[Thing] = ()) -> Readi
     people += [2 for c in parsed.facts if c.kind == "people" and c.value == "couple"] + [parsed.people]
     young = children(parsed) or any(chunk.value == "child_6" for chunk in bodies)
     settle_kinds(parsed)
+    number = bounded(people[0], "people")
     for thing in parsed.things:
+        if number and thing.plural and thing.number is None and thing.noun.kind.split()[-1] == "chair":
+            thing.number = number // thing.times  # "for ten people, with chairs"
         bounded(thing.count, thing.noun.words)
     return Reading(
         read,
@@ -116,7 +141,7 @@ def read_text(text: str, lexicon: Lexicon, given: Sequence[Thing] = ()) -> Readi
         room[1] if room else "",
         bool(room and room[2]),
         bodies[0].value if bodies else "child_6" if young else None,
-        bounded(people[0], "people"),
+        number,
         young,
         any(word.text == "only" for word in words) or "nothing else" in read.lower(),
         len(text) - len(read),
@@ -158,6 +183,10 @@ def _named_room(
         follows = chunks[i + 1].kind if i + 1 < len(chunks) else "stop"
         if last not in places or other or (chunk.number or 1) > 1 or follows not in AFTER_A_PLACE:
             return None, list(chunks)
+        named = [c for c in chunks[i + 1 :] if c.kind == "room" and c.value != "room"]
+        if named:
+            use = Chunk("function", chunk.start, chunk.end, last)
+            return None, [*chunks[:i], use, *chunks[i + 1 :]]
         fact = Chunk("room", chunk.start, chunk.end, places[last], adjectives=chunk.adjectives)
         return (places[last], said, True, fact), [*chunks[:i], fact, *chunks[i + 1 :]]
     return None, list(chunks)

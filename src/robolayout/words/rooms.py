@@ -8,6 +8,9 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources import files
 
+LISTS = ("words", "size", "floors")
+"""Fields of a room type that are lists in the file."""
+
 
 @dataclass(frozen=True)
 class RoomType:
@@ -25,6 +28,7 @@ class RoomType:
         tables: The table that the chairs of this room stand at, if they need one.
         agent: The body that such a room is usually for.
         height: Usual wall height in metres.
+        floors: What may lie on the floor.
     """
 
     name: str
@@ -38,6 +42,7 @@ class RoomType:
     tables: str = ""
     agent: str | None = None
     height: float = 2.6
+    floors: tuple[str, ...] = ("oak planks", "walnut planks", "pale ash planks")
 
 
 @dataclass(frozen=True)
@@ -68,7 +73,7 @@ def _built_in() -> Rooms:
     text = (files("robolayout.words") / "rooms.toml").read_text("utf-8")
     data = tomllib.loads(text)
     rooms = {
-        name: RoomType(name, tuple(entry.pop("words")), (entry["size"][0], entry.pop("size")[1]), **entry)
+        name: RoomType(name, **(entry | {key: tuple(entry[key]) for key in LISTS if key in entry}))
         for name, entry in data["rooms"].items()
     }
     return Rooms(rooms, data["corners"], data["agents"], data["companions"])

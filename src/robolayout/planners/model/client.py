@@ -37,7 +37,6 @@ from pydantic_ai.exceptions import (
     ModelAPIError,
     ModelHTTPError,
     UnexpectedModelBehavior,
-    UnsupportedSettingWarning,
 )
 from pydantic_ai.models import Model, ModelRequestParameters
 from pydantic_ai.models.concurrency import ConcurrencyLimitedModel
@@ -47,7 +46,7 @@ from pydantic_ai.models.wrapper import WrapperModel
 from pydantic_ai.settings import ModelSettings
 from pydantic_ai.usage import RequestUsage
 
-from robolayout._errors import AnswerError, BudgetError, InputError, ModelError
+from robolayout._errors import AnswerError, BudgetError, InputError, ModelError, UnavailableError
 from robolayout.planners.model.budget import CHARACTERS_PER_TOKEN, Budget, tokens_of
 from robolayout.planners.model.errors import refuses_images, sentence
 from robolayout.planners.model.exchange import Question, Tape
@@ -65,7 +64,7 @@ MOST_CHARACTERS = 400_000
 
 ASTRAY = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 """What a provider's client trips over in an answer that is JSON but of no form that it knows."""
-FAILURES = {kind.__name__: kind for kind in (ModelError, BudgetError, AnswerError)}
+FAILURES = {kind.__name__: kind for kind in (ModelError, BudgetError, AnswerError, UnavailableError)}
 """How a recorded question may have failed."""
 
 PATIENCE = 3.0
@@ -289,7 +288,7 @@ class Client:
             return output
 
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", UnsupportedSettingWarning)
+            warnings.simplefilter("ignore")  # what the library has to say is nothing that a user can act on
             result = await agent.run(
                 _content(question),
                 model_settings=self._settings(question),

@@ -19,11 +19,14 @@ from pydantic_ai.exceptions import (
     ModelTimeoutError,
 )
 
-from robolayout._errors import AnswerError, ModelError
+from robolayout._errors import AnswerError, ModelError, UnavailableError
 from robolayout.planners.model.provider import Spec, nearest_model
 
 SEES = re.compile(r"image|vision|multi-?modal|picture|mmproj", re.IGNORECASE)
 """Words of a provider that says it does not take pictures."""
+
+BUSY = (408, 409, 425, 429)
+"""Refusals of a server that pass by themselves; others need the user: a key, a name, a smaller room."""
 
 LONGEST_REASON = 300
 """Characters of a provider's own message that are shown."""
@@ -43,14 +46,22 @@ def sentence(
     """Return an error of the model client as one of ours."""
     name = spec.name
     if isinstance(error, ModelTimeoutError | ModelRequestTimeout):
-        return ModelError(f"{name} did not answer within {timeout:g} s. Raise --timeout, or choose a faster model.")
+        return UnavailableError(
+            f"{name} did not answer within {timeout:g} s. Raise --timeout, or choose a faster model."
+        )
+    ours = next((cause for cause in _chain(error) if isinstance(cause, UnavailableError)), None)
+    if ours is not None:  # what we refuse to read is no broken connection, whatever a client makes of it
+        return ours
     if isinstance(error, ModelConnectionError):
         return ModelError(
             f"cannot connect to {spec.address} for {name}: {_first_line(str(_root(error)))}. Is the server running, and the address right?"
         )
-    reason = scrub(_reason(error))[:LONGEST_REASON]
+    reason = unquoted(scrub(_reason(error)))[:LONGEST_REASON]
     failed = _http_sentence(error, name, reason)
-    return ModelError(failed) if failed else AnswerError(f"{name} gave no usable answer: {unquoted(reason)}.")
+    if failed is None:
+        return AnswerError(f"{name} gave no usable answer: {reason}.")
+    busy = isinstance(error, ModelHTTPError) and (error.status_code >= 500 or error.status_code in BUSY)
+    return (UnavailableError if busy and not isinstance(error, ModelQuotaExceededError) else ModelError)(failed)
 
 
 def unquoted(reason: str) -> str:
@@ -104,12 +115,18 @@ def _first_line(text: str) -> str:
     return " ".join(text.split()).rstrip(".") or "no reason given"
 
 
-def _root(error: BaseException) -> BaseException:
-    """Return the first cause of an error ("connection refused" under three wrappings): the system's, if it spoke."""
+def _chain(error: BaseException) -> list[BaseException]:
+    """Return an error and its causes, the first cause last."""
     chain = [error]
     for _ in range(20):
         cause = chain[-1].__cause__ or chain[-1].__context__
         if cause is None:
             break
         chain.append(cause)
+    return chain
+
+
+def _root(error: BaseException) -> BaseException:
+    """Return the first cause of an error ("connection refused" under three wrappings): the system's, if it spoke."""
+    chain = _chain(error)
     return next((cause for cause in reversed(chain) if isinstance(cause, OSError)), chain[-1])

@@ -24,10 +24,11 @@ from robolayout.planners.model.prompt import (
     given_data,
     image_label,
     images_in_order,
+    poses_text,
     prompt,
     quoted,
 )
-from robolayout.scene import Scene
+from robolayout.scene import Layout, Scene
 
 if TYPE_CHECKING:
     from pydantic_ai.models import Model
@@ -121,11 +122,12 @@ class ModelJudge:
         """Whether pictures are drawn for it; a replay knows them by name."""
         return "named" if self._client.tape.replay else "drawn"
 
-    def opinion(self, scene: Scene, images: Mapping[str, bytes], *, valid: bool) -> Opinion:
+    def opinion(self, scene: Scene, layout: Layout, images: Mapping[str, bytes], *, valid: bool) -> Opinion:
         """Return what the model thinks of a finished room.
 
         Args:
             scene: What was asked for.
+            layout: Where everything stands; a recorded vote belongs to it, to the centimetre.
             images: "finished top" and "finished side" as PNG bytes.
             valid: Whether every thing is inside the room and overlaps nothing.
 
@@ -134,7 +136,7 @@ class ModelJudge:
         """
         words = f"# What was asked for\n\n{quoted(scene.task_description)}\n{quoted(scene.layout_criteria)}"
         shown = tuple((image_label(name), data) for name, data in images_in_order(images))
-        key = digest(given_data(scene, None, "judge"))
+        key = digest([given_data(scene, None, "judge"), poses_text(scene, layout)])
         asked = [
             Question(
                 "judge", scene.name, 1, i + 1, prompt("judge"), (words, *shown), key, FREEDOM, self.seed * 1000 + i

@@ -18,8 +18,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeVar, get_args
 
-from robolayout._errors import AnswerError, BudgetError, InputError, SceneError, UnknownNameError
-from robolayout.planners._types import Group, Pictures, PlanRequest
+from robolayout._errors import AnswerError, InputError, SceneError, UnknownNameError
+from robolayout.planners._types import USELESS, Group, Pictures, PlanRequest
 from robolayout.planners.model import prompt as texts
 from robolayout.planners.model.exchange import Picture, Question
 from robolayout.planners.model.grouping import Grouping, Rating, complaint, groups_of
@@ -140,7 +140,7 @@ class ModelPlanner:
                 return reader.scene(answer), reader.understanding(answer)
             except SceneError as error:
                 answer = AnswerError(str(error))
-        if not isinstance(answer, BudgetError | AnswerError):
+        if not isinstance(answer, USELESS):
             raise answer
         self._client.note(f"The words were read by rules instead of by {self.model}: {answer}")
         return scene_from_sentence(text, seed=self.seed)
@@ -154,7 +154,7 @@ class ModelPlanner:
             scene, None, "group", instructions="group", parts=[texts.request_text(scene, None, names=True)]
         )
         (answer,) = self._client.ask([question], Grouping, lambda given: complaint(scene, given))
-        if isinstance(answer, BudgetError | AnswerError):
+        if isinstance(answer, USELESS):
             self._client.note(f"The offline planner's groups are asked for: {answer}")
             return OfflinePlanner().group(scene)
         return groups_of(scene, _sound(answer))

@@ -20,7 +20,7 @@ from pydantic_ai.providers import infer_provider_class
 from pydantic_ai.providers.ollama import OllamaProvider
 from pydantic_ai.providers.openai import OpenAIProvider
 
-from robolayout._errors import InputError, ModelError, UnknownNameError
+from robolayout._errors import InputError, UnavailableError, UnknownNameError
 from robolayout._reading import Checker
 from robolayout._reading.syntax import decoded, json_value
 
@@ -200,7 +200,7 @@ def _capped_client() -> httpx2.AsyncClient:
 
 async def _cap(response: httpx2.Response) -> None:
     if response.headers.get("Content-Encoding", "identity") != "identity":
-        raise ModelError(
+        raise UnavailableError(
             "the server answered with packed bytes, though it was asked for plain ones; they were not read."
         )
     stream = response.stream
@@ -208,7 +208,7 @@ async def _cap(response: httpx2.Response) -> None:
     response.stream = _CappedStream(stream)
     if response.is_success and "json" in response.headers.get("Content-Type", ""):
         content = await response.aread()
-        Checker(ModelError).parse(lambda body: json_value(decoded(body)), content, "the server's answer")
+        Checker(UnavailableError).parse(lambda body: json_value(decoded(body)), content, "the server's answer")
 
 
 class _CappedStream(httpx2.AsyncByteStream):
@@ -222,7 +222,7 @@ class _CappedStream(httpx2.AsyncByteStream):
         async for chunk in self._stream:
             total += len(chunk)
             if total > MOST_BYTES:
-                raise ModelError(
+                raise UnavailableError(
                     f"the server answered with more than {MOST_BYTES // 1_000_000} MB, which is no program; it was not read."
                 )
             yield chunk

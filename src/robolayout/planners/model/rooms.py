@@ -12,7 +12,7 @@ from pydantic import BaseModel, Field
 
 from robolayout._errors import SceneError
 from robolayout._reading import Checker
-from robolayout.assets import CATALOGUE
+from robolayout.assets import CATALOGUE, find_category
 from robolayout.planners.sentence import FULLEST, Understanding, asset_entry
 from robolayout.scene import Layout, Pose, Scene, agent_names, scene_from_dict, variable_name
 from robolayout.words import read_words
@@ -182,7 +182,7 @@ class Furnisher:
 
     def _entry(self, thing: Thing) -> dict[str, object]:
         """Return a thing as a scene file has it."""
-        choice = self.known.get(thing.kind) or self.known.get(thing.kind.lower())
+        choice = self.known.get(thing.kind) or _like(thing.kind)
         size = thing.size or (choice and choice.size)
         place = thing.place or (choice and choice.places[0])
         if size is None or place is None or len(size) != 3:
@@ -195,6 +195,13 @@ class Furnisher:
         if "from" not in entry:
             entry["assetMetadata"] = {"boundingBox": dict(zip("xyz", size, strict=True))}
         return entry | ({"description": thing.description} if thing.description else {})
+
+
+def _like(words: str) -> Choice | None:
+    """Return the built-in kind that some words mean, under these words; None where nothing is known of them."""
+    kind = find_category(words)
+    entry = asset_entry(kind, kind.size) | {"category": words}
+    return None if kind.group == "unknown" else Choice(kind.size, kind.places, entry)
 
 
 def _bare(assets: Mapping[str, object]) -> dict[str, object]:

@@ -27,12 +27,12 @@ from robolayout.floor import (
     turning_radius,
     use_cells,
 )
-from robolayout.planners._asked import Asked
-from robolayout.planners._cluster import Cluster
-from robolayout.planners._form import Forms, at, corners_of, side_rect
-from robolayout.planners._member import GridPlan, Member, Rect, box_of, overlaps
-from robolayout.planners._roles import Cast
 from robolayout.scene import Room, Scene, Wall
+from robolayout.solve.build.cluster import Cluster
+from robolayout.solve.build.form import Forms, at, corners_of, side_rect
+from robolayout.solve.build.member import GridPlan, Member, Rect, box_of, overlaps
+from robolayout.solve.build.said import Said
+from robolayout.solve.build.wants import Want, late
 
 Poses = NDArray[np.float64]
 
@@ -106,7 +106,7 @@ class Site:
 
     Attributes:
         scene: The scene.
-        cast: Assets in their roles.
+        wants: What is said of every asset.
         floor: The grid.
         forms: What clusters fill and want clear.
         corridor: Metres that the agent needs to pass.
@@ -118,12 +118,13 @@ class Site:
         openings: Exact strips that doors and drawers open into.
         claims: What is asked of the floor by everything that an agent should get to.
         known: What things in places that were settled before ask of it; shared by all copies.
-        asked: What the user's words ask of places.
+        said: What statements ask of places.
+        late: What is hung and laid once the floor is furnished.
         trial: Whether this is only to find out what is reached: nothing else is recorded.
     """
 
     scene: Scene
-    cast: Mapping[str, Cast]
+    wants: Mapping[str, Want]
     floor: Floor
     forms: Forms
     corridor: float
@@ -135,15 +136,18 @@ class Site:
     openings: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
     claims: dict[str, Claim] = field(default_factory=dict[str, "Claim"])
     known: dict[tuple[Member, str], Claim] = field(default_factory=dict[tuple[Member, str], "Claim"])
-    asked: Asked | None = None
+    said: Said = field(default_factory=Said)
+    late: frozenset[str] = frozenset()
     trial: bool = False
 
     @staticmethod
-    def of(scene: Scene, cast: Mapping[str, Cast], asked: Asked | None = None) -> Site:
+    def of(scene: Scene, wants: Mapping[str, Want], said: Said) -> Site:
         """Return the empty site of a scene."""
         corridor = max(0.6, 2 * max(agent.radius for agent in scene.agents) + 0.1)
         floor = Floor.of(scene.room, corridor, max(turning_radius(agent) for agent in scene.agents))
-        site = Site(scene, cast, floor, Forms(scene, cast, corridor), corridor, asked=asked)
+        site = Site(
+            scene, wants, floor, Forms(scene, wants, corridor), corridor, said=said, late=frozenset(late(wants))
+        )
         site.solids += [shapely.Polygon(scene.room.landing(door)) for door in scene.room.doors]
         return site
 
@@ -162,8 +166,8 @@ class Site:
         )
 
     def missed(self, cluster: Cluster, poses: Poses) -> Poses:
-        """Return the cost (n,) of places of a cluster by what the user's words ask and they miss."""
-        return np.zeros(len(poses)) if self.asked is None else self.asked.missed(cluster.members, poses, self.spots)
+        """Return the cost (n,) of places of a cluster by what is said and they miss."""
+        return self.said.missed(cluster.members, poses, self.spots)
 
     @property
     def room(self) -> Room:
@@ -211,7 +215,7 @@ class Site:
 
     def _is_chair(self, name: str) -> bool:
         """Whether it stands on the floor and is moved aside in daily use."""
-        return self.cast[name].category.movable and self.claims[name].shadow is not None
+        return self.wants[name].category.movable and self.claims[name].shadow is not None
 
     def foot(self, name: str) -> shapely.Polygon:
         """Return the footprint of what has a place."""
@@ -304,7 +308,7 @@ class Site:
 
     def _opens(self, members: Sequence[Member], bodies: NDArray[np.object_], pose: NDArray[np.float64]) -> bool:
         """Whether doors and drawers of floor members open, and those of what stands there already."""
-        fixed = [body for body, m in zip(bodies, members, strict=True) if not self.cast[m.name].category.movable]
+        fixed = [body for body, m in zip(bodies, members, strict=True) if not self.wants[m.name].category.movable]
         if _touch(np.array(fixed), self.openings):
             return False
         x, y, yaw = (float(value) for value in pose)
@@ -315,7 +319,7 @@ class Site:
 
     def opening(self, member: Member) -> shapely.Polygon | None:
         """Return the strip that the doors or drawers of a floor thing open into, or None."""
-        item = self.cast[member.name]
+        item = self.wants[member.name]
         if item.category.open_depth <= 0 or "front" not in (item.asset.use_sides or item.category.use_sides):
             return None
         left, bottom, right, top = side_rect(self.size(member.name), "front", item.category.open_depth)
@@ -329,7 +333,7 @@ class Site:
         for member in cluster.members:
             first, at_wall = member.name == cluster.anchor, self.behind(member) < rear + 0.02 and abs(member.yaw) < 0.01
             own = mode if not first or at_wall or mode != "wall" else "middle"
-            here, item = member.moved(x, y, yaw), self.cast[member.name]
+            here, item = member.moved(x, y, yaw), self.wants[member.name]
             spot = Spot(here, own if first else "join", wall if at_wall else None, anchor if first else item.anchor)
             self.settle(member.name, spot)
         for strip in () if self.trial else self.forms.strips(cluster):
@@ -354,7 +358,7 @@ class Site:
         """Record exactly what one asset fills and what it covers of the walls."""
         if self._takes_floor(spot):
             self.solids.append(self.foot(name))
-            if not self.cast[name].category.movable:
+            if not self.wants[name].category.movable:
                 self.fixed.append(self.solids[-1])
             strip = self.opening(spot.member)
             self.openings += [strip] if strip is not None else []

@@ -10,13 +10,13 @@ import shapely
 
 from robolayout.assets.obstacles import use_sides
 from robolayout.floor import rect_points
-from robolayout.planners._cluster import Cluster
-from robolayout.planners._form import corners_of
-from robolayout.planners._member import Member
-from robolayout.planners._places import WALL_GAP, targets, wall_yaw
-from robolayout.planners._site import Site, Spot
-from robolayout.planners._taste import nearness
 from robolayout.scene import Wall
+from robolayout.solve.build.cluster import Cluster
+from robolayout.solve.build.form import corners_of
+from robolayout.solve.build.member import Member
+from robolayout.solve.build.places import WALL_GAP, targets, wall_yaw
+from robolayout.solve.build.site import Site, Spot
+from robolayout.solve.build.taste import nearness
 
 EYE = 1.5
 """Metres at which the middle of a picture hangs."""
@@ -55,7 +55,7 @@ def _hung_places(site: Site, name: str, rng: np.random.Generator) -> list[tuple[
 
 def _with_another(site: Site, name: str, rng: np.random.Generator) -> bool:
     """Hang a thing together with another that hangs already and makes way for it, both within reach; False if none does."""
-    hung = [n for n, s in site.spots.items() if s.mode == "hang" and site.cast[n].role.rank >= OVERHEAD_RANK]
+    hung = [n for n, s in site.spots.items() if s.mode == "hang" and n in site.late]
     for other in [n for n in hung if site.size(n)[0] <= THIN][:MAKING_WAY]:
         before = site.spots[other]
         site.lift(other)
@@ -83,9 +83,6 @@ def _near(spot: Spot, other: Spot) -> bool:
 
 MAKING_WAY, PLACES, APART_BY = 3, 6, 0.25
 """Hung things that are asked to make way for another, places that are tried for it each time, and metres between these."""
-
-OVERHEAD_RANK = 71
-"""Rank from which on all floor things are placed."""
 
 COVERED = 80.0
 """Cost of hanging where another thing already is; more than of all that a body may miss together."""
@@ -123,9 +120,9 @@ def _reach_top(site: Site) -> float:
 
 
 def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot]:
-    role, (depth, width, height) = site.cast[name].role, site.size(name)
+    want, (depth, width, height) = site.wants[name], site.size(name)
     owner, bonus, lift = _below(site, name, wall, t)
-    middle = max(role.height or max(EYE, 0.4 + height / 2), lift + CLEAR_ABOVE + height / 2)
+    middle = max(want.height or max(EYE, 0.4 + height / 2), lift + CLEAR_ABOVE + height / 2)
     used = bool(use_sides(site.scene.by_name[name]))
     if used:
         middle = min(middle, _reach_top(site) + height / 2)
@@ -138,8 +135,8 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     cost = COVERED * (covered > 0.0) + 20.0 * covered
     cost += OUT_OF_REACH * (used and middle - height / 2 > _reach_top(site) + TAKE_HOLD)
     cost += 1.2 * site.wall_conflict((rect[0] - 0.4, rect[1], rect[2] + 0.4, rect[3]), takers)
-    cost += 0.8 * abs(t - wall.length / 2) / wall.length * (1 + role.prefer.get("centre", 0)) - bonus
-    cost += role.prefer.get("long", 0.0) * (1 - wall.length / max(w.length for w in site.room.walls))
+    cost += 0.8 * abs(t - wall.length / 2) / wall.length * (1 + want.weights.get("mid_wall", 0.0)) - bonus
+    cost += max(want.walls.values(), default=0.0) - want.walls.get(wall.index, 0.0)
     if member.bottom < 2.0 and _in_landing(site, member):
         cost += 30.0
     cost += JUTS_OUT * _juts_out(site, member)
@@ -150,32 +147,30 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     cost += float(
         site.missed(Cluster(name, (Member(name, 0.0, 0.0, 0.0),)), np.array([[member.x, member.y, member.yaw]]))[0]
     )
-    for key, weight in role.prefer.items():
-        if key.startswith("near "):
-            cost += weight * float(nearness(site, np.array([[member.x, member.y]]), key)[0])
-    if role.prefer.get("door"):
-        cost += role.prefer["door"] * _door_cost(site, member)
+    for names, weight in want.near:
+        cost += weight * float(nearness(site, np.array([[member.x, member.y]]), names, far=weight < 0)[0])
+    if want.weights.get("by_door"):
+        cost -= want.weights["by_door"] * _door_cost(site, member)
     return cost, Spot(member, "hang", wall.index, owner)
 
 
 def _below(site: Site, name: str, wall: Wall, t: float) -> tuple[str | None, float, float]:
     """Return what stands below that place and the thing belongs over, what that is worth, and the height it reaches."""
-    role, width = site.cast[name].role, site.size(name)[1]
+    over, width = site.wants[name].over, site.size(name)[1]
     here = [s for s in site.spans if s.wall == wall.index and site.spots[s.name].mode != "hang"]
     close = [s for s in here if s.depth <= 0.15 and s.rect[0] < t + width / 2 and s.rect[2] > t - width / 2]
     top = max((s.rect[3] for s in close if s.rect[3] < 1.6), default=0.0)
     hung_over = {s.anchor for s in site.spots.values() if s.mode == "hang"}
     for span in here:
-        wanted = site.cast[span.name].role.name
         centred = abs((span.rect[0] + span.rect[2]) / 2 - t) < 0.03
-        if wanted in role.above and centred and site.spots[span.name].wall == wall.index and span.name not in hung_over:
-            return span.name, 6.0 - role.above.index(wanted), top
+        if span.name in over and centred and site.spots[span.name].wall == wall.index and span.name not in hung_over:
+            return span.name, 6.0 - over.index(span.name), top
     return None, 0.0, top
 
 
 def _used_room(site: Site, name: str, member: Member) -> float:
     """Return the share of the floor before a hung thing, as deep as its role wants it clear, that is taken."""
-    ahead, (depth, width, _) = site.cast[name].role.clear.get("front", 0.0), site.size(name)
+    ahead, (depth, width, _) = site.wants[name].clear.get("front", 0.0), site.size(name)
     if not ahead:
         return 0.0
     points = rect_points((depth / 2, -width / 2, depth / 2 + ahead, width / 2), 0.0)
@@ -185,9 +180,9 @@ def _used_room(site: Site, name: str, member: Member) -> float:
 
 def _crowding(site: Site, name: str, member: Member) -> float:
     """Return a cost for hanging close to others of its kind, so that pictures spread over the room."""
-    if any(key.startswith("near ") for key in site.cast[name].role.prefer):
+    if any(weight > 0 for _, weight in site.wants[name].near):
         return 0.0
-    same = [s.member for n, s in site.spots.items() if site.cast[n].role is site.cast[name].role and s.mode == "hang"]
+    same = [s.member for n, s in site.spots.items() if site.wants[n].kind == site.wants[name].kind and s.mode == "hang"]
     return sum(max(0.0, 2.0 - math.hypot(m.x - member.x, m.y - member.y)) for m in same)
 
 
@@ -222,7 +217,7 @@ def _door_cost(site: Site, member: Member) -> float:
 
 def _sight(site: Site, name: str, member: Member) -> float:
     """Return a cost for not being in front of what it serves (a screen before its sofa)."""
-    face = site.cast[name].role.face
+    face = site.wants[name].face
     costs = [0.0]
     for other in targets(site, name) if face else ():
         target = site.spots[other].member
@@ -238,9 +233,7 @@ def overhead(site: Site, names: Sequence[str]) -> None:
     free: list[str] = []
     owned: dict[str, list[str]] = {}
     for name in names:
-        owners = _asked_below(site, name) or [
-            n for r in site.cast[name].role.above for n in site.spots if _is(site, n, r)
-        ]
+        owners = [n for n in site.wants[name].over if n in site.spots]
         if owners:
             owned.setdefault(min(owners, key=lambda n: (len(owned.get(n, ())), owners.index(n))), []).append(name)
         else:
@@ -249,13 +242,6 @@ def overhead(site: Site, names: Sequence[str]) -> None:
         _over(site, owner, lamps)
     for name, point in zip(free, _spread(site, len(free)), strict=True):
         _hang_from_ceiling(site, name, point, 0.0, None)
-
-
-def _asked_below(site: Site, name: str) -> list[str]:
-    """Return what a thing is asked to hang above."""
-    ways = [demand.ways[0] for demand in site.asked.demands] if site.asked is not None else []
-    pairs = [relation.asset_names() for way in ways for relation in way if relation.name == "above"]
-    return [names[1] for names in pairs if names[0] == name and names[1] in site.spots]
 
 
 def _over(site: Site, owner: str, lamps: Sequence[str]) -> None:
@@ -267,10 +253,6 @@ def _over(site: Site, owner: str, lamps: Sequence[str]) -> None:
         spot = Member(name, *((along, 0.0) if depth > width else (0.0, along)), math.pi / 2 if turned else 0.0)
         world = spot.moved(there.x, there.y, there.yaw)
         _hang_from_ceiling(site, name, (world.x, world.y), world.yaw, owner if len(lamps) == 1 else None)
-
-
-def _is(site: Site, name: str, role: str) -> bool:
-    return site.cast[name].role.name == role
 
 
 def _hang_from_ceiling(site: Site, name: str, point: tuple[float, float], yaw: float, owner: str | None) -> None:

@@ -9,35 +9,36 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from robolayout.planners._cluster import Cluster
-from robolayout.planners._member import GridPlan, Member, Rect, box_of
-from robolayout.planners._places import Batch, room_yaws, targets
-from robolayout.planners._site import Site
+from robolayout.solve.build.cluster import Cluster
+from robolayout.solve.build.member import GridPlan, Member, Rect, box_of
+from robolayout.solve.build.places import Batch, room_yaws, targets
+from robolayout.solve.build.site import Site
 
-MOST = 40
-"""Most things in one grid."""
+TIGHTEST = 0.5
+"""Metres between things in a row up to which these may stand closer where there is no room for it."""
 
 
 def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[GridPlan, Batch]]:
     """Yield every arrangement of equal clusters in a grid, with the places for its middle."""
-    role = site.cast[clusters[0].anchor].role
-    paired = role.prefer.get("paired", 0) > 0
+    rows = site.wants[clusters[0].anchor].rows
+    if rows is None:
+        return
+    paired = rows.backs == "paired"
     extent = _extent(site, clusters[0])
     size = site.size(clusters[0].anchor)
     between = (extent[2] - extent[0] - size[0], extent[3] - extent[1] - size[1])
-    aisle0 = max(role.prefer.get("aisle", 0.0), site.corridor)
-    gap0 = role.prefer.get("gap", site.corridor)
+    aisle0, gap0 = max(rows.aisle, site.corridor), rows.gap
     names = tuple(cluster.anchor for cluster in clusters)
     for columns in range(1, len(names) + 1):
-        rows = math.ceil(len(names) / columns)
-        if columns * (rows - 1) >= len(names):
+        count = math.ceil(len(names) / columns)
+        if columns * (count - 1) >= len(names):
             continue
         for wider, closer in ((1.0, 1.0), (1.0, 0.1), (1.35, 1.0), (1.35, 0.1), (1.8, 1.8)):
-            if closer < 1.0 and not role.prefer.get("tight"):
+            if closer < 1.0 and gap0 > TIGHTEST:
                 continue
             aisle = round(between[0] + aisle0 * wider, 2)
             gap = round(between[1] + gap0 * (closer if gap0 > 0.3 else 1.0), 2)
-            plan = GridPlan(names, rows, columns, aisle, gap, paired, closer < 1.0)
+            plan = GridPlan(names, count, columns, aisle, gap, paired, closer < 1.0)
             cluster = _cluster(clusters, plan, size)
             poses = _poses(site, cluster)
             if len(poses):
@@ -123,8 +124,8 @@ def _steps(low: float, high: float, corridor: float) -> list[float]:
 
 def _yaws(site: Site, anchor: str) -> list[float]:
     """Return the headings to try: one if there is something to face, else along and across the room."""
-    face = site.cast[anchor].role.face
+    face = site.wants[anchor].face
     there = targets(site, anchor)
     if face and there:
-        return [site.spots[there[0]].member.yaw + (math.pi if face.how == "toward" else 0.0)]
+        return [site.spots[there[0]].member.yaw + (0.0 if face.away else math.pi)]
     return room_yaws(site)

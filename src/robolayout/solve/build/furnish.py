@@ -8,13 +8,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from robolayout.planners._asked import Asked
-from robolayout.planners._attempt import Attempt
-from robolayout.planners._cluster import ClusterBuilder
-from robolayout.planners._member import Member
-from robolayout.planners._roles import Cast
-from robolayout.planners._site import Site, Spot
-from robolayout.scene import Layout, Scene
+from robolayout.program import Program
+from robolayout.scene import Layout, Pose, Scene
+from robolayout.solve.build.attempt import Attempt
+from robolayout.solve.build.cluster import ClusterBuilder
+from robolayout.solve.build.member import Member
+from robolayout.solve.build.said import Said
+from robolayout.solve.build.site import Site, Spot
+from robolayout.solve.build.wants import wants_of
 
 PATIENCE = 2
 """Attempts without a clearly better room after which the search ends."""
@@ -30,22 +31,38 @@ WORTH = 1.0
 """Cost by which a room is clearly better."""
 
 
-def furnish(
-    scene: Scene, cast: Mapping[str, Cast], placed: Layout | None, seed: int, asked: Asked | None = None
-) -> Site:
-    """Return the best of several attempts; the very first one follows the knowledge to the letter.
+def furnished(scene: Scene, program: Program, given: Mapping[str, Pose], seed: int) -> Layout:
+    """Return poses for all assets that a program says something of, or nothing: the best of several attempts.
+
+    Args:
+        scene: The scene.
+        program: Statements and wishes; its guesses are not looked at.
+        given: Poses that are settled already.
+        seed: Settles every choice; 0 follows the wishes to the letter first.
+    """
+    site = _furnish(scene, program, given, seed)
+    poses: dict[str, Pose] = {}
+    for name, spot in site.spots.items():
+        at = spot.member
+        poses[name] = given.get(name) or Pose(at.x, at.y, at.bottom + site.size(name)[2] / 2, at.yaw)
+    return Layout(poses)
+
+
+def _furnish(scene: Scene, program: Program, given: Mapping[str, Pose], seed: int) -> Site:
+    """Return the best of several attempts; the very first one follows the wishes to the letter.
 
     The floor is furnished in every attempt, walls and ceiling only in the best one. It is good enough after `PATIENCE`
     attempts without one that is better by `WORTH`, or `HOPE` where it does not serve. Where something is out of the way,
     single things are moved once more; a room that serves then is good enough at once. A hopeless room gets `ENOUGH` attempts.
     """
-    empty = Site.of(scene, cast, asked)
-    builder = ClusterBuilder(scene, cast)
+    wants = wants_of(scene, program)
+    empty = Site.of(scene, wants, Said.of(scene, program))
+    builder = ClusterBuilder(scene, wants)
     best: tuple[float, Attempt] | None = None
     leap, forlorn = (math.inf, 0), True
     for number in range(attempts(len(scene.assets))):
         site = empty.copy()
-        _keep(site, builder, placed)
+        _keep(site, builder, given)
         attempt = Attempt(site, builder, np.random.default_rng((seed, number)), calm=number == 0 and seed == 0)
         cost = attempt.furnish_floor()
         if best is None or cost < best[0]:
@@ -71,11 +88,9 @@ def attempts(count: int) -> int:
     return max(3, min(12, 240 // max(count, 1)))
 
 
-def _keep(site: Site, builder: ClusterBuilder, placed: Layout | None) -> None:
+def _keep(site: Site, builder: ClusterBuilder, placed: Mapping[str, Pose]) -> None:
     """Put down what is settled already, and let what joins it join it."""
-    if not placed:
-        return
-    given = [name for name in site.cast if name in placed]
+    given = [name for name in site.wants if name in placed]
     for name in given:
         pose = placed[name]
         member = Member(name, pose.x, pose.y, pose.yaw, pose.z - site.size(name)[2] / 2)
@@ -83,7 +98,7 @@ def _keep(site: Site, builder: ClusterBuilder, placed: Layout | None) -> None:
     for name in given:
         pose = placed[name]
         for member in builder.build(name).members:
-            if member.name not in site.spots and site.cast[member.name].anchor is not None:
+            if member.name not in site.spots and site.wants[member.name].anchor is not None:
                 world = member.moved(pose.x, pose.y, pose.yaw)
                 world = replace(world, bottom=world.bottom + site.spots[name].member.bottom)
-                site.settle(member.name, Spot(world, "join", None, site.cast[member.name].anchor))
+                site.settle(member.name, Spot(world, "join", None, site.wants[member.name].anchor))

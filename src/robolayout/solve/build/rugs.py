@@ -10,17 +10,20 @@ import numpy as np
 import shapely
 
 from robolayout.floor import rect_points
-from robolayout.planners._cluster import Cluster
-from robolayout.planners._form import corners_of
-from robolayout.planners._grid import cell_poses
-from robolayout.planners._member import GridPlan, Member
-from robolayout.planners._places import centroid, room_yaws
-from robolayout.planners._site import Poses, Site, Spot
+from robolayout.solve.build.cluster import Cluster
+from robolayout.solve.build.form import corners_of
+from robolayout.solve.build.grid import cell_poses
+from robolayout.solve.build.member import GridPlan, Member
+from robolayout.solve.build.places import centroid, room_yaws
+from robolayout.solve.build.site import Poses, Site, Spot
 
 Pose = tuple[float, float, float]
 
 UNDER_BED = 0.25
 """Metres by which a rug beside a narrow bed lies under it."""
+
+FOOT = 0.3
+"""Part of a thing's depth by which a rug lies before its middle, if it is to lie toward its front."""
 
 LEAST_UNDER = 0.01
 """Square metres of a rug that lie under its owner at the least."""
@@ -37,39 +40,23 @@ MOST_COVERED = 0.02
 
 def lay_rugs(site: Site, names: Sequence[str]) -> None:
     """Lay each rug where it belongs, moved and turned so that it fits the room, and mats of one size in a block."""
-    used: set[str] = set()
     free: dict[tuple[float, float, float], list[str]] = {}
     for name in names:
-        above = site.cast[name].role.above
-        usual = (n for r in above for n in site.spots if site.cast[n].role.name == r and n not in used)
-        owner = _asked_over(site, name) or (None if _asked_elsewhere(site, name) else next(usual, None))
+        owner = next((n for n in site.wants[name].over if n in site.spots), None)
         if owner is None:
             free.setdefault(site.size(name), []).append(name)
         else:
-            used.add(owner)
             site.settle(name, Spot(_fitted(site, name, _at_owner(site, name, owner), owner), "rug", None, owner))
     for equal in free.values():
         _lay_free(site, equal)
 
 
-def _asked_over(site: Site, name: str) -> str | None:
-    """Return the first thing that a rug is asked to lie under."""
-    ways = [demand.ways[0] for demand in site.asked.demands] if site.asked is not None else []
-    named = [relation.asset_names() for way in ways for relation in way if relation.name == "under"]
-    return next((names[1] for names in named if names[0] == name and names[1] in site.spots), None)
-
-
-def _asked_elsewhere(site: Site, name: str) -> bool:
-    """Return whether a rug is asked to lie somewhere else than under what its kind usually lies under."""
-    return site.asked is not None and bool(site.asked.about([name]))
-
-
 def _at_owner(site: Site, name: str, owner: str) -> Pose:
-    """Return where a rug belongs: under a thing, more to the foot of a wide bed, at the free side of a narrow one."""
-    there, (depth, width, _) = site.spots[owner].member, site.size(owner)
-    role = site.cast[owner].role.name
-    if role not in ("narrow bed", "child bed"):
-        return _pose(Member(name, depth * 0.3 if role == "bed" else 0.0, 0.0, 0.0).moved(there.x, there.y, there.yaw))
+    """Return where a rug belongs: under a thing, toward the side that is said, or beside it."""
+    there, (depth, width, _), join = site.spots[owner].member, site.size(owner), site.wants[name].join
+    if join is None or join.slot != "beside":
+        ahead = FOOT * depth if join is not None else 0.0
+        return _pose(Member(name, ahead, 0.0, 0.0).moved(there.x, there.y, there.yaw))
     rug, short = site.size(name), min(site.size(name)[:2])
     aside = width / 2 + short / 2 - UNDER_BED
     turn = 0.0 if rug[1] == short else math.pi / 2

@@ -13,10 +13,10 @@ from functools import partial
 from robolayout.assets import resting_place
 from robolayout.constraints import AssetRef
 from robolayout.constraints.around import Around, left_gap
-from robolayout.planners._member import Member, box_of
-from robolayout.planners._roles import Cast
-from robolayout.planners._tops import Top
 from robolayout.scene import Scene
+from robolayout.solve.build.member import Member, box_of
+from robolayout.solve.build.tops import Top
+from robolayout.solve.build.wants import Want
 
 
 @dataclass(frozen=True)
@@ -36,9 +36,6 @@ class Cluster:
         return replace(self, members=tuple(member.mirrored() for member in self.members))
 
 
-SEATS = ("seat", "kids seat", "bar seat")
-"""Roles of what people push under a top when they leave it."""
-
 _SLOT_ORDER = {"around": 0, "front": 1, "behind": 2, "beside": 3, "flank": 4, "setting": 5, "on": 6}
 
 
@@ -47,14 +44,14 @@ class ClusterBuilder:
 
     Args:
         scene: The scene.
-        cast: All assets in their roles.
+        wants: What is said of every asset.
     """
 
-    def __init__(self, scene: Scene, cast: Mapping[str, Cast]) -> None:
+    def __init__(self, scene: Scene, wants: Mapping[str, Want]) -> None:
         self.scene = scene
-        self.cast = cast
-        self.followers: dict[str, list[Cast]] = {}
-        for item in cast.values():
+        self.wants = wants
+        self.followers: dict[str, list[Want]] = {}
+        for item in wants.values():
             if item.anchor is not None:
                 self.followers.setdefault(item.anchor, []).append(item)
         self.reachable = max(0.05, scene.agent.reach - scene.agent.radius - 0.05)
@@ -65,23 +62,23 @@ class ClusterBuilder:
 
     def _members(self, name: str) -> list[Member]:
         """Return the asset at the origin and its followers around it, nearest kinds first."""
-        anchor = self.cast[name]
+        anchor = self.wants[name]
         placed = [Member(name, 0.0, 0.0, 0.0)]
-        by_role: dict[str, list[Cast]] = {}
+        by_kind: dict[str, list[Want]] = {}
         for item in self.followers.get(name, ()):
-            by_role.setdefault(item.role.name, []).append(item)
-        for items in sorted(by_role.values(), key=lambda group: (_SLOT_ORDER[_slot(group)], group[0].role.rank)):
+            by_kind.setdefault(item.kind, []).append(item)
+        for items in sorted(by_kind.values(), key=lambda group: (_SLOT_ORDER[_slot(group)], group[0].turn)):
             for member in self._slots(anchor, items, placed):
                 on_top = _slot(items) in ("on", "setting")
-                lift = resting_place(anchor.asset, self.cast[member.name].asset).height if on_top else 0.0
+                lift = resting_place(anchor.asset, self.wants[member.name].asset).height if on_top else 0.0
                 for part in self._members(member.name):
                     moved = part.moved(member.x, member.y, member.yaw)
                     side = member.side if part.name == member.name else part.side
                     placed.append(replace(moved, bottom=part.bottom + lift, side=side))
         return placed
 
-    def _slots(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
-        solvers: dict[str, Callable[[Cast, Sequence[Cast], Sequence[Member]], list[Member]]] = {
+    def _slots(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
+        solvers: dict[str, Callable[[Want, Sequence[Want], Sequence[Member]], list[Member]]] = {
             "beside": self._beside,
             "flank": self._flank,
             "front": self._front,
@@ -92,30 +89,30 @@ class ClusterBuilder:
         }
         return solvers[_slot(items)](anchor, items, placed)
 
-    def _beside(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
+    def _beside(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """Left, right, left, ... with the backs in line, each outside of what stands there already."""
         bx, by = _half(anchor)
         reach = {"left": by, "right": by}
         for member in placed[1:]:
-            if member.side in reach and member.bottom == 0.0 and self.cast[member.name].anchor == anchor.name:
-                box = box_of(member, self.cast[member.name].asset.size)
+            if member.side in reach and member.bottom == 0.0 and self.wants[member.name].anchor == anchor.name:
+                box = box_of(member, self.wants[member.name].asset.size)
                 reach[member.side] = max(reach[member.side], box[3], -box[1])
         found: list[Member] = []
         for item in items:
             ax, ay = _half(item)
-            side = min(reach, key=lambda s: (round(reach[s], 6), s))
+            side = item.joined.side or min(reach, key=lambda s: (round(reach[s], 6), s))
             y = reach[side] + item.joined.gap + ay
             reach[side] = y + ay
-            found.append(Member(item.name, ax - bx, y if side == "left" else -y, 0.0, side=side))
+            found.append(Member(item.name, ax - bx, y if side == "left" else -y, item.joined.yaw or 0.0, side=side))
         return found
 
-    def _flank(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
+    def _flank(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """Left and right of the anchor, looking at it; further ones beside the first."""
         _, by = _half(anchor)
         found: list[Member] = []
         for i, item in enumerate(items):
             ax, ay = _half(item)
-            side, row = ("left", "right")[i % 2], i // 2
+            side, row = item.joined.side or ("left", "right")[i % 2], i // 2
             sign = 1.0 if side == "left" else -1.0
             found.append(
                 Member(
@@ -124,33 +121,30 @@ class ClusterBuilder:
             )
         return found
 
-    def _front(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
+    def _front(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """Side by side before the front (or behind the back), facing the anchor unless told otherwise."""
         bx, _ = _half(anchor)
         sign = 1.0 if _slot(items) == "front" else -1.0
         side = "front" if sign > 0 else "back"
         taken = [
-            box_of(m, self.cast[m.name].asset.size)
+            box_of(m, self.wants[m.name].asset.size)
             for m in placed[1:]
-            if m.side == side and m.bottom == 0.0 and self.cast[m.name].anchor == anchor.name
+            if m.side == side and m.bottom == 0.0 and self.wants[m.name].anchor == anchor.name
         ]
         edge = max([bx] + [box[2] if sign > 0 else -box[0] for box in taken])
-        toward = math.pi if sign > 0 else 0.0
         width = sum(item.asset.size[1] + 0.12 for item in items) - 0.12
         y, found = width / 2, list[Member]()
         for item in items:
             ax, ay = _half(item)
-            yaw = toward if item.joined.faces in ("", "anchor") else toward + math.pi
-            yaw = 0.0 if item.joined.faces == "same" else yaw
-            gap = item.joined.gap
-            if item.role.name in SEATS and not taken:
+            yaw, gap = item.joined.yaw or 0.0, item.joined.gap
+            if _seats(item) and not taken:
                 at = partial(_before, sign * (edge + ax), sign, y - ay, yaw)
                 gap = min(gap, left_gap(self.scene, [AssetRef(item.name)], AssetRef(anchor.name), at))
             found.append(Member(item.name, sign * (edge + gap + ax), y - ay, yaw, side=side))
             y -= 2 * ay + 0.12
         return found
 
-    def _around(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
+    def _around(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """At the slots of the relation `around`."""
         seats = tuple(AssetRef(item.name) for item in items)
         slots = Around(seats, AssetRef(anchor.name)).slots(self.scene)
@@ -158,17 +152,22 @@ class ClusterBuilder:
             Member(item.name, x, y, yaw, side=_side_of(yaw)) for item, (x, y, yaw) in zip(items, slots, strict=True)
         ]
 
-    def _on(self, anchor: Cast, items: Sequence[Cast], placed: Sequence[Member]) -> list[Member]:
+    def _on(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """On the anchor's top: place settings before its seats, the rest where its kind belongs."""
-        sizes = {name: item.asset.size for name, item in self.cast.items()}
+        sizes = {name: item.asset.size for name, item in self.wants.items()}
         place = resting_place(anchor.asset, items[0].asset)
         x0, y0, x1, y1 = place.rectangle
         middle = ((x0 + x1) / 2, (y0 + y1) / 2)
         there = [replace(member, x=member.x - middle[0], y=member.y - middle[1]) for member in placed[1:]]
-        seats = [member for member in there if self.cast[member.name].role.name == "seat"]
-        top = Top((x1 - x0, y1 - y0, place.height), sizes, there, self.reachable)
-        put = top.put([(item.name, item.joined.at, item.joined.slot) for item in items], seats)
+        seats = {m.name: m for m in there if m.bottom == 0.0 and _seats(self.wants[m.name])}
+        top = Top((x1 - x0, y1 - y0, place.height), sizes, there, self.reachable, list(seats.values()))
+        put = top.put([(item.name, item.joined.at, seats.get(item.joined.seat)) for item in items])
         return [replace(member, x=member.x + middle[0], y=member.y + middle[1]) for member in put]
+
+
+def _seats(want: Want) -> bool:
+    """Whether somebody sits there who pushes it under a top on leaving."""
+    return want.category.movable and want.asset.on_floor
 
 
 def _before(x: float, sign: float, y: float, yaw: float, gap: float) -> list[tuple[float, float, float]]:
@@ -176,11 +175,11 @@ def _before(x: float, sign: float, y: float, yaw: float, gap: float) -> list[tup
     return [(x + sign * gap, y, yaw)]
 
 
-def _slot(items: Sequence[Cast]) -> str:
+def _slot(items: Sequence[Want]) -> str:
     return items[0].joined.slot
 
 
-def _half(item: Cast) -> tuple[float, float]:
+def _half(item: Want) -> tuple[float, float]:
     return (item.asset.size[0] / 2, item.asset.size[1] / 2)
 
 

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.constraints.corner import convex_corners
-from robolayout.planners._cluster import Cluster
-from robolayout.planners._site import AT_WALL, Poses, Site
 from robolayout.scene import Wall
+from robolayout.solve.build.cluster import Cluster
+from robolayout.solve.build.site import AT_WALL, Poses, Site
 
 WALL_STEP = 0.1
 """Metres between places tried along a wall."""
@@ -127,13 +127,13 @@ def _in_the_middle(site: Site, cluster: Cluster) -> Found:
 
 
 def _before_what_it_faces(site: Site, cluster: Cluster) -> Found:
-    face = site.cast[cluster.anchor].role.face
+    face = site.wants[cluster.anchor].face
     poses, names = list[tuple[float, float, float]](), list[str]()
     for name in targets(site, cluster.anchor):
         target = site.spots[name].member
         if face is None:
             break
-        turn = math.pi if face.how == "toward" else 0.0
+        turn = 0.0 if face.away else math.pi
         low, high = face.distance
         for distance in np.arange(low, min(high, 8.0) + 0.01, 0.1):
             x = target.x + float(distance) * math.cos(target.yaw)
@@ -144,12 +144,9 @@ def _before_what_it_faces(site: Site, cluster: Cluster) -> Found:
 
 
 def targets(site: Site, name: str) -> list[str]:
-    """Return the placed assets that an asset should face, of the first kind that the room has."""
-    face = site.cast[name].role.face
-    for role in face.roles if face else ():
-        if any(item.role.name == role for item in site.cast.values()):
-            return [other for other in site.spots if site.cast[other].role.name == role]
-    return []
+    """Return the placed assets that an asset should face."""
+    face = site.wants[name].face
+    return [other for other in face.names if other in site.spots] if face else []
 
 
 def centroid(site: Site) -> tuple[float, float]:

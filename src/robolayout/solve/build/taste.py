@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from robolayout.planners._form import corners_of
-from robolayout.planners._places import Batch, centroid, targets
-from robolayout.planners._site import Site, Spot
+from robolayout.constraints.by_door import doorways
+from robolayout.solve.build.form import corners_of
+from robolayout.solve.build.places import Batch, centroid, targets
+from robolayout.solve.build.site import Site, Spot
 
 Cost = NDArray[np.float64]
 
@@ -26,23 +27,21 @@ LOW = 0.65
 
 
 def taste(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
-    """Return the cost (n,) of a batch of places for the wishes of its anchor's role."""
+    """Return the cost (n,) of a batch of places for the wishes of its anchor."""
     cost = np.zeros(len(batch.poses))
     if batch.mode in ("wall", "corner"):
         cost += _along_walls(site, batch, weights)
     spread = math.sqrt(site.room.area)
     xy = batch.poses[:, :2]
-    if weights.get("door") and site.room.doors:
-        doors = [site.room.walls[d.wall].point(d.center) for d in site.room.doors]
-        away = np.min([np.hypot(xy[:, 0] - x, xy[:, 1] - y) for x, y in doors], axis=0) / spread
-        weight = weights["door"]
-        cost += weight * np.maximum(0.0, 1.0 - away) if weight > 0 else -weight * np.minimum(away, 1.5)
+    if weights.get("by_door") and site.room.doors:
+        away = np.min([np.hypot(xy[:, 0] - d.x, xy[:, 1] - d.y) for d in doorways(site.scene)], axis=0) / spread
+        weight = weights["by_door"]
+        cost += -weight * np.maximum(0.0, 1.0 - away) if weight < 0 else weight * np.minimum(away, 1.5)
     if weights.get("middle"):
         x, y = centroid(site)
         cost += weights["middle"] * np.hypot(xy[:, 0] - x, xy[:, 1] - y) / spread
-    for key, weight in weights.items():
-        if key.startswith(("near ", "far ")):
-            cost += weight * nearness(site, xy, key)
+    for names, weight in site.wants[batch.cluster.anchor].near:
+        cost += weight * nearness(site, xy, names, far=weight < 0)
     return cost + _facing(site, batch.cluster.anchor, batch.poses)
 
 
@@ -56,7 +55,8 @@ def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost
     """Return the cost of where on its wall a thing stands and what it hides there."""
     _, width, height = site.size(batch.cluster.anchor)
     crown = max(member.bottom + site.size(member.name)[2] for member in batch.cluster.members)
-    longest = max(wall.length for wall in site.room.walls)
+    wished = site.wants[batch.cluster.anchor].walls
+    elsewhere = max(wished.values(), default=0.0)
     cost = np.zeros(len(batch.poses))
     for wall in site.room.walls:
         rows = batch.walls == wall.index
@@ -64,9 +64,9 @@ def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost
             continue
         along = (batch.poses[rows, :2] - np.asarray(wall.start)) @ np.asarray(wall.direction)
         half, span = width / 2, max(wall.length - width, 0.05)
-        part = weights.get("centre", 0.0) * np.abs(along - wall.length / 2) / (span / 2)
+        part = weights.get("mid_wall", 0.0) * np.abs(along - wall.length / 2) / (span / 2)
         part += weights.get("corner", 0.0) * np.minimum(along - half, wall.length - half - along) / (span / 2)
-        part += weights.get("long", 0.0) * (1 - wall.length / longest)
+        part += elsewhere - wished.get(wall.index, 0.0)
         lit = np.zeros(len(along))
         hidden = np.zeros(len(along))
         for (start, low, end, high), kind in site.wall_takers(wall):
@@ -76,10 +76,10 @@ def _along_walls(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost
             if kind != "door" and low > 0.1:
                 tall = min(1.0, max(0.0, (height if kind == "window" else crown) - low) / (0.6 * max(high - low, 0.1)))
                 hidden += cover / (end - start) * (tall if kind == "window" else float(tall > 0))
-        window = weights.get("window", 0.0)
+        window = weights.get("at_window", 0.0)
         part += window * (1 - np.minimum(lit * 1.5, 1.0)) if window > 0 else -window * np.minimum(lit * 1.5, 1.0)
         cost[rows] = part + BLOCKED_WINDOW * np.minimum(hidden, 1.0)
-    return cost + weights.get("tuck", 0.0) * _loose_ends(site, batch, width)
+    return cost + weights.get("snug", 0.0) * _loose_ends(site, batch, width)
 
 
 def _loose_ends(site: Site, batch: Batch, width: float) -> Cost:
@@ -89,25 +89,24 @@ def _loose_ends(site: Site, batch: Batch, width: float) -> Cost:
     return 1.0 - np.mean([taken[site.floor.under(side, batch.poses)][:, 0] for side in sides], axis=0)
 
 
-def nearness(site: Site, xy: NDArray[np.float64], key: str) -> Cost:
-    """Return the distance to the nearest thing of a role as a share of the room ("near"), or its complement ("far")."""
-    word, role = key.split(" ", 1)
-    there = [spot.member for name, spot in site.spots.items() if site.cast[name].role.name == role]
+def nearness(site: Site, xy: NDArray[np.float64], names: Sequence[str], *, far: bool = False) -> Cost:
+    """Return the distance to the nearest of some things as a share of the room, or how much it lacks to be `far`, below 0."""
+    there = [site.spots[name].member for name in names if name in site.spots]
     if not there:
         return np.zeros(len(xy))
     away = np.min([np.hypot(xy[:, 0] - m.x, xy[:, 1] - m.y) for m in there], axis=0) / math.sqrt(site.room.area)
-    return away if word == "near" else np.maximum(0.0, 1.0 - away)
+    return -np.maximum(0.0, 1.0 - away) if far else away
 
 
 def _facing(site: Site, anchor: str, poses: NDArray[np.float64]) -> Cost:
     """Return how badly a thing, and the screen that stands on it, looks at (or away from) what it should face."""
-    carried = [item.name for item in site.cast.values() if item.anchor == anchor]
+    carried = [item.name for item in site.wants.values() if item.anchor == anchor]
     return sum((_looking(site, name, anchor, poses) for name in (anchor, *carried)), np.zeros(len(poses)))
 
 
 def _looking(site: Site, name: str, anchor: str, poses: NDArray[np.float64]) -> Cost:
     """Return how badly a thing would face what its role faces, if its anchor were at these places."""
-    face = site.cast[name].role.face
+    face = site.wants[name].face
     names = targets(site, name)
     if face is None or not names:
         return np.zeros(len(poses))
@@ -117,12 +116,12 @@ def _looking(site: Site, name: str, anchor: str, poses: NDArray[np.float64]) -> 
         target = site.spots[other].member
         dx, dy = target.x - poses[:, 0], target.y - poses[:, 1]
         away = np.hypot(dx, dy)
-        turn = poses[:, 2] + (0.0 if face.how == "toward" else math.pi)
+        turn = poses[:, 2] + (math.pi if face.away else 0.0)
         ahead = (dx * np.cos(turn) + dy * np.sin(turn)) / np.maximum(away, 1e-6)
         seen = -(dx * math.cos(target.yaw) + dy * math.sin(target.yaw)) / np.maximum(away, 1e-6)
         outside = np.maximum(low - away, 0.0) + np.maximum(away - high, 0.0)
         cost = 1.5 * (1 - ahead) + 1.5 * (1 - seen) + 2.0 * np.minimum(outside, 2.0)
-        if face.how == "toward":
+        if not face.away:
             cost += HIDDEN * _hidden(site, {anchor, name}, site.spots[other], poses)
         costs.append(cost)
     return face.weight * np.min(costs, axis=0)
@@ -130,8 +129,8 @@ def _looking(site: Site, name: str, anchor: str, poses: NDArray[np.float64]) -> 
 
 def keep_sight(site: Site, name: str) -> None:
     """Ask that nothing is put between a seat that was placed and the screen that it looks at."""
-    face, there = site.cast[name].role.face, targets(site, name)
-    if site.trial or face is None or face.how != "toward" or not there:
+    face, there = site.wants[name].face, targets(site, name)
+    if site.trial or face is None or face.away or not there:
         return
     here, target = site.spots[name].member, site.spots[there[0]].member
     away = math.hypot(target.x - here.x, target.y - here.y)

@@ -4,29 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from robolayout.planners._cluster import Cluster
-from robolayout.planners._member import Member
-from robolayout.planners._roles import Cast
-from robolayout.planners._site import Site
+from robolayout.solve.build.cluster import Cluster
+from robolayout.solve.build.member import Member
+from robolayout.solve.build.site import Site
 
 SIDES = (("front",), ("left",), ("left", "front"), ("left", "right"))
 """Sides whose things a cluster gives up, the fewest first; it is tried mirrored, too."""
-
-
-def by_manner(items: Sequence[Cast]) -> tuple[list[str], list[str], list[str], list[str]]:
-    """Sort assets of one role into hung, overhead, flat and standing ones, as role and flags allow."""
-    manners: tuple[list[str], list[str], list[str], list[str]] = ([], [], [], [])
-    for item in items:
-        asset, stands = item.asset, item.role.stands
-        if asset.is_flat and "rug" in stands:
-            manners[2].append(item.name)
-        elif asset.on_wall and ("hang" in stands or not asset.on_floor):
-            manners[0].append(item.name)
-        elif asset.on_ceiling and not asset.on_floor:
-            manners[1].append(item.name)
-        else:
-            manners[3].append(item.name)
-    return manners
 
 
 def alike(site: Site, clusters: Sequence[Cluster]) -> list[list[Cluster]]:
@@ -34,7 +17,7 @@ def alike(site: Site, clusters: Sequence[Cluster]) -> list[list[Cluster]]:
     sets: dict[tuple[object, ...], list[Cluster]] = {}
     for cluster in clusters:
         key = tuple(
-            (site.cast[m.name].role.name, *(round(v, 1) for v in site.size(m.name)[:2]))
+            (site.wants[m.name].kind, *(round(v, 1) for v in site.size(m.name)[:2]))
             for m in cluster.members
             if site.on_floor(m)
         )

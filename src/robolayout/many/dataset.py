@@ -23,7 +23,7 @@ from robolayout._files import check_writable, locked, write_atomic
 from robolayout._reading import Checker
 from robolayout._version import __version__
 from robolayout.many.index import Table, check_tables, write_index
-from robolayout.many.rooms import NOTE, Made, shelved
+from robolayout.many.room import NOTE, Made, shelved
 from robolayout.many.spec import Ready, changed, read_spec
 from robolayout.many.variety import LEAST, Plan, nearest
 from robolayout.many.workers import Local, Ray, Task, Workers
@@ -31,6 +31,9 @@ from robolayout.run.folder import open_folder
 
 HEAD, LOCK, TIMES, MESHES = "batch.json", ".robolayout-lock", "timing.csv", "meshes"
 """What a batch is of; who writes to it; how long each try took; the meshes that its rooms share."""
+
+LEFT = ("rooms/*/.*.robolayout-*", ".*.tmp", f"{MESHES}/**/.*.tmp")
+"""What a run leaves that is killed while it writes."""
 
 DEATHS = 5
 """Workers that one try at a room may cost before it counts as failed: somebody else may have ended them."""
@@ -202,8 +205,9 @@ class _Run:
 
     def go_on(self) -> None:
         """Look at what an earlier run made, and queue the rest."""
-        for left in self.folder.glob("rooms/*/.*.robolayout-*"):  # a run was stopped while it put a room in its place
-            shutil.rmtree(left) if left.is_dir() else left.unlink()
+        for pattern in LEFT:
+            for left in self.folder.glob(pattern):
+                shutil.rmtree(left) if left.is_dir() else left.unlink()
         for index in range(self.ready.count):
             note = self.folder / room_path(index) / NOTE
             if note.is_file():
@@ -300,6 +304,7 @@ class _Run:
         """Have a room made again that is much like an earlier one."""
         del self.known[index]
         self.progress.made -= 1
+        self.progress.here -= 1
         self.progress.met -= room.status == "met"
         self.tries[index] = room.replaced
         self._replace(index, f"near-duplicate of room {room.nearest[1]}")

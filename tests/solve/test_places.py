@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from robolayout.planners._places import WALL_STEP, WALL_STEPS, _offsets
 from robolayout.scene import Room
+from robolayout.solve.build.places import WALL_STEP, WALL_STEPS, _offsets
 
 
 @pytest.mark.parametrize(("side", "step"), [(5.0, WALL_STEP), (30.0, WALL_STEP), (500.0, 500.0 / WALL_STEPS)])

@@ -9,17 +9,17 @@ from functools import partial
 
 import numpy as np
 
-from robolayout.planners._asked import MISSED
-from robolayout.planners._cluster import Cluster, ClusterBuilder
-from robolayout.planners._grid import grid_batches, last_cell, put_grid
-from robolayout.planners._member import GridPlan, Member
-from robolayout.planners._overhead import OVERHEAD_RANK, hang, overhead
-from robolayout.planners._places import Batch, batches, centroid
-from robolayout.planners._roles import Cast
-from robolayout.planners._rugs import lay_rugs
-from robolayout.planners._site import Site
-from robolayout.planners._sorted import alike, by_manner, given_up
-from robolayout.planners._taste import keep_sight, looks, taste
+from robolayout.solve.build.cluster import Cluster, ClusterBuilder
+from robolayout.solve.build.grid import grid_batches, last_cell, put_grid
+from robolayout.solve.build.member import GridPlan, Member
+from robolayout.solve.build.overhead import hang, overhead
+from robolayout.solve.build.places import Batch, batches, centroid
+from robolayout.solve.build.rugs import lay_rugs
+from robolayout.solve.build.said import MISSED
+from robolayout.solve.build.site import Site
+from robolayout.solve.build.sorts import alike, given_up
+from robolayout.solve.build.taste import keep_sight, looks, taste
+from robolayout.solve.build.wants import Want
 
 UNREACHED = 8.0
 """Cost of an asset that the agent cannot get to."""
@@ -75,11 +75,17 @@ MUCH = 10.0
 STRAY = 2.0
 """Cost of each thing that is left over from its grid; rows are worth more than each thing's own best place."""
 
-SHUFFLE = 1.5
-"""Standard deviation of the ranks of roles from one attempt to the next."""
+SHUFFLE = 0.35
+"""Standard deviation of the turns of kinds from one attempt to the next, in places."""
 
 MOOD = 0.5
 """Standard deviation of the logarithm by which wishes vary from one attempt to the next."""
+
+OTHERWISE = 0.6
+"""Cost of standing in a way that nothing says."""
+
+Modes = Mapping[str, float]
+"""Ways of standing, the best first, with what each costs."""
 
 Choice = tuple[float, Batch, int]
 """A place: its cost, the batch that it is in, and its row there."""
@@ -114,7 +120,7 @@ class _Step:
     put: Callable[[Site], None]
     cost: float = 0.0
     cluster: Cluster | None = None
-    modes: tuple[str, ...] = ()
+    modes: Modes = field(default_factory=dict[str, float])
     weights: Mapping[str, float] = field(default_factory=dict[str, float])
 
 
@@ -134,7 +140,7 @@ class Attempt:
     def furnish_floor(self) -> float:
         """Place what stands on the floor, and boards that the rest looks at; return the total cost."""
         for items in self._turns(last=False):
-            self._place_role(items)
+            self._place_kind(items)
         return self.total()
 
     def rearrange(self) -> float:
@@ -199,21 +205,24 @@ class Attempt:
         """Hang and lay the rest, where the agents reach it over the finished floor."""
         self.site.survey()
         for items in self._turns(last=True):
-            self._place_role(items)
+            self._place_kind(items)
 
-    def _turns(self, *, last: bool) -> list[list[Cast]]:
-        """Return what stands by itself and has no place yet, role by role, big things first."""
-        by_role: dict[str, list[Cast]] = {}
-        for item in self.site.cast.values():
-            if item.anchor is None and item.name not in self.site.spots and (item.role.rank >= OVERHEAD_RANK) == last:
-                by_role.setdefault(item.role.name, []).append(item)
-        for items in by_role.values():
-            items.sort(key=lambda item: -item.asset.size[0] * item.asset.size[1])
+    def _turns(self, *, last: bool) -> list[list[Want]]:
+        """Return what stands by itself and has no place yet, kind by kind, big things first."""
+        by_kind: dict[str, list[Want]] = {}
+        for item in self.site.wants.values():
+            if item.anchor is None and item.name not in self.site.spots and (item.name in self.site.late) == last:
+                by_kind.setdefault(item.kind, []).append(item)
         nudge = 0.0 if self.calm else SHUFFLE
-        return sorted(by_role.values(), key=lambda items: items[0].role.rank + nudge * self.rng.normal())
+        turns = [(turn + nudge * self.rng.normal(), turn, items) for turn, items in enumerate(by_kind.values())]
+        for *_, items in turns:
+            items.sort(key=lambda item: -item.asset.size[0] * item.asset.size[1])
+        return [items for *_, items in sorted(turns, key=lambda entry: entry[:2])]
 
-    def _place_role(self, items: Sequence[Cast]) -> None:
-        hung, high, flat, standing = by_manner(items)
+    def _place_kind(self, items: Sequence[Want]) -> None:
+        flat = [item.name for item in items if item.asset.is_flat]
+        hung, high = ([item.name for item in items if getattr(item, way)] for way in ("hung", "overhead"))
+        standing = [item.name for item in items if item.standing]
         for name in hung:
             hang(self.site, name, self.rng)
         overhead(self.site, high)
@@ -223,36 +232,31 @@ class Attempt:
         clusters = [self.builder.build(name) for name in standing]
         if not clusters:
             return
-        role = items[0].role
-        weights = self._weights(role.prefer)
-        modes = [mode for mode in role.stands if mode in ("wall", "corner", "middle", "facing")]
-        if "grid" in role.stands:
+        weights, modes = self._weights(items[0].weights), items[0].stands
+        if items[0].rows is not None:
             clusters = self._in_rows(clusters, modes, weights)
         for cluster in clusters:
-            self._place(cluster, self._open_to(cluster, modes) or ["wall", "middle"], weights)
+            self._place(cluster, self._open_to(cluster, modes), weights)
 
-    def _open_to(self, cluster: Cluster, modes: Sequence[str]) -> list[str]:
+    def _open_to(self, cluster: Cluster, modes: Modes) -> Modes:
         """Return the ways of standing that a cluster is open to: all, where in none of its own it meets what the user asks."""
-        asked = self.site.asked
-        if asked is None or not asked.about([member.name for member in cluster.members]):
-            return list(modes)
+        if not self.site.said.about([member.name for member in cluster.members]):
+            return modes
         own = batches(self.site, cluster, modes)
         if any(float(self.site.missed(batch.cluster, batch.poses).min()) < MISSED for batch in own):
-            return list(modes)
-        return [*modes, *(mode for mode in ("wall", "corner", "middle") if mode not in modes)]
+            return modes
+        return dict.fromkeys(("wall", "corner", "middle"), OTHERWISE) | dict(modes)
 
-    def _weights(self, prefer: Mapping[str, float]) -> dict[str, float]:
+    def _weights(self, wishes: Mapping[str, float]) -> dict[str, float]:
         if self.calm:
-            return dict(prefer)
-        return {key: value * float(np.exp(self.rng.normal(0.0, MOOD))) for key, value in prefer.items()}
+            return dict(wishes)
+        return {key: value * float(np.exp(self.rng.normal(0.0, MOOD))) for key, value in wishes.items()}
 
-    def _in_rows(
-        self, clusters: Sequence[Cluster], modes: Sequence[str], weights: Mapping[str, float]
-    ) -> list[Cluster]:
+    def _in_rows(self, clusters: Sequence[Cluster], modes: Modes, weights: Mapping[str, float]) -> list[Cluster]:
         """Place what fits well along the walls, put the rest into a grid, and return what fits nowhere."""
         left = list(clusters)
-        if self.site.cast[clusters[0].anchor].role.stands[0] == "wall":
-            left = [cluster for cluster in clusters if not self._place(cluster, ["wall"], weights, limit=BAD)]
+        if next(iter(modes)) == "wall":
+            left = [cluster for cluster in clusters if not self._place(cluster, {"wall": 0.0}, weights, limit=BAD)]
         for equal in alike(self.site, left):
             for count in sorted({max(2, round(len(equal) * share)) for share in SHARES}, reverse=True):
                 if count <= len(equal) and self._place_grid(equal[:count], weights, len(equal) - count):
@@ -260,9 +264,7 @@ class Attempt:
                     break
         return left
 
-    def _place(
-        self, cluster: Cluster, modes: Sequence[str], weights: Mapping[str, float], limit: float | None = None
-    ) -> bool:
+    def _place(self, cluster: Cluster, modes: Modes, weights: Mapping[str, float], limit: float | None = None) -> bool:
         """Put a cluster at its best place; with a limit only if that place is no worse than it."""
         ranked = self._ranked(batches(self.site, cluster, modes), weights, modes)
         if not ranked:
@@ -276,19 +278,19 @@ class Attempt:
             return True
         if cost > MUCH and limit is None and "middle" not in modes:
             self.missing = before
-            return self._place(cluster, [*modes, "middle"], weights)
-        step = _Step(partial(_put, batch=batch, row=row), cost, cluster, tuple(modes), weights)
+            return self._place(cluster, {**modes, "middle": MISSED}, weights)
+        step = _Step(partial(_put, batch=batch, row=row), cost, cluster, modes, weights)
         step.put(self.site)
         self.steps.append(step)
         return True
 
-    def _ranked(self, found: Sequence[Batch], weights: Mapping[str, float], modes: Sequence[str]) -> list[Choice]:
+    def _ranked(self, found: Sequence[Batch], weights: Mapping[str, float], modes: Modes) -> list[Choice]:
         """Return the `CHECKED` best places of all batches, best first."""
         choices: list[Choice] = []
         for batch in found:
             cost = self.site.base_cost(batch.cluster, batch.poses) + taste(self.site, batch, weights)
             cost += self.site.missed(batch.cluster, batch.poses)
-            cost += (0.6 + weights.get("first", 0.0)) * list(modes).index(batch.mode)
+            cost += modes[batch.mode]
             cost += 0.0 if self.calm else self.rng.random(len(cost)) * 0.1
             best = np.argsort(cost, kind="stable")[:CHECKED]
             choices += [(float(cost[row]), batch, int(row)) for row in best]
@@ -320,7 +322,7 @@ class Attempt:
         self.missing = left.get(chosen[0], self.missing)
         return chosen
 
-    def _split(self, cluster: Cluster, modes: Sequence[str], weights: Mapping[str, float]) -> bool:
+    def _split(self, cluster: Cluster, modes: Modes, weights: Mapping[str, float]) -> bool:
         """Place a cluster that fits nowhere as a whole: some floor things that can stand alone are placed on their own."""
         loose = [m for m in cluster.members[1:] if self._stands_alone(m.name)]
         out, rest = list[str](), cluster
@@ -335,16 +337,13 @@ class Attempt:
             return False
         self._place(rest, modes, weights)
         for name in out:
-            role = self.site.cast[name].role
-            self._place(
-                self.builder.build(name), [m for m in role.stands if m in ("wall", "corner", "middle")], weights
-            )
+            want = self.site.wants[name]
+            self._place(self.builder.build(name), want.stands, want.weights)
         return True
 
     def _stands_alone(self, name: str) -> bool:
-        item = self.site.cast[name]
-        by_itself = any(mode in ("wall", "corner", "middle") for mode in item.role.stands)
-        return by_itself and item.asset.on_floor and item.join is not None and item.join.loose
+        item = self.site.wants[name]
+        return item.loose and item.asset.on_floor
 
     def _anywhere(self, cluster: Cluster) -> bool:
         """Put a cluster for which no place was found into the middle; the solver has to see."""
@@ -365,6 +364,7 @@ class Attempt:
             cost = self.site.base_cost(batch.cluster, batch.poses, clash[free]) / len(clusters)
             last = last_cell(self.site, plan, batch)
             cost += 0.5 * (taste(self.site, batch, weights) + taste(self.site, last, weights))
+            cost += self.site.missed(batch.cluster, batch.poses)
             cost += TIGHT * plan.tight + RAGGED * (plan.rows * plan.columns - len(plan.names))
             cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5
             ranked += [(float(cost[row]), plan, batch, int(row)) for row in np.argsort(cost, kind="stable")[:4]]

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.floor import Points, placed, rect_points
-from robolayout.planners._cluster import Cluster
-from robolayout.planners._member import Member, Rect, Size, box_of, overlaps
-from robolayout.planners._roles import Cast
 from robolayout.scene import Scene
+from robolayout.solve.build.cluster import Cluster
+from robolayout.solve.build.member import Member, Rect, Size, box_of, overlaps
+from robolayout.solve.build.wants import Want
 
 
 @dataclass(frozen=True)
@@ -28,13 +28,13 @@ class Forms:
 
     Args:
         scene: The scene.
-        cast: Assets in their roles.
+        wants: What is said of every asset.
         corridor: Metres that the agent needs to pass.
     """
 
-    def __init__(self, scene: Scene, cast: Mapping[str, Cast], corridor: float) -> None:
+    def __init__(self, scene: Scene, wants: Mapping[str, Want], corridor: float) -> None:
         self.scene = scene
-        self.cast = cast
+        self.wants = wants
         self.corridor = corridor
         self._bodies: dict[Cluster, list[tuple[Points, float]]] = {}
         self._strips: dict[Cluster, list[Strip]] = {}
@@ -73,7 +73,7 @@ class Forms:
         for member in cluster.members:
             if not self.on_floor(member):
                 continue
-            for side, depth, group in self._wishes(self.cast[member.name]):
+            for side, depth, group in self._wishes(self.wants[member.name]):
                 rect = side_rect(self.scene.by_name[member.name].size, side, depth)
                 points = at(member, rect_points(rect, 0.04, 0.15))
                 own = np.zeros(len(points), np.bool_)
@@ -85,19 +85,13 @@ class Forms:
                     found.append(Strip((member.name, group), points[~own]))
         return found
 
-    def _wishes(self, item: Cast) -> list[tuple[str, float, str]]:
+    def _wishes(self, item: Want) -> list[tuple[str, float, str]]:
         """Return the sides that an asset wants clear, each with its depth in metres and a group of which one is enough."""
-        role = item.role
-        if not role.clear:
+        if not item.clear:
             sides = item.asset.use_sides or item.category.use_sides
             front = max(item.category.open_depth, self.corridor)
             return [(side, front if side == "front" else self.corridor, "any") for side in sides]
-        found: list[tuple[str, float, str]] = []
-        for side, value in role.clear.items():
-            depth = self.corridor if value <= 0 else value
-            group = "any" if role.prefer.get("any_side", 0) > 0 else side
-            found += [(one, depth, group) for one in (("left", "right") if side == "side" else (side,))]
-        return found
+        return [(side, depth, side) for side, depth in item.clear.items()]
 
 
 def at(member: Member, points: Points) -> Points:

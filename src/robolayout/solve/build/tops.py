@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from robolayout.planners._member import MARGIN, Member, Rect, Size, box_of, overlaps
+from robolayout.solve.build.member import MARGIN, Member, Rect, Size, box_of, overlaps
 
 STEP = 0.04
 """Metres between the places tried on a top."""
@@ -22,31 +22,33 @@ class Top:
         sizes: Sizes of all assets by name.
         placed: What stands at or on the asset already, in its frame.
         reach: How far from the edge a thing may stand to be reached by the agent, metres.
+        seats: Who sits at it.
     """
 
-    def __init__(self, size: Size, sizes: Mapping[str, Size], placed: Sequence[Member], reach: float) -> None:
+    def __init__(
+        self, size: Size, sizes: Mapping[str, Size], placed: Sequence[Member], reach: float, seats: Sequence[Member]
+    ) -> None:
         self.half = (size[0] / 2, size[1] / 2)
         self.sizes = sizes
         self.reach = reach
-        self.seated = self.faced = False
+        self.seated, self.faced = len(seats) > 1, bool(seats)
         self.on_top = [member for member in placed if abs(member.bottom - size[2]) < 1e-6]
         self.taken: list[Rect] = [box_of(member, sizes[member.name]) for member in self.on_top]
 
-    def put(self, items: Sequence[tuple[str, str, str]], seats: Sequence[Member]) -> list[Member]:
-        """Place things given as (name, where, slot) and return them; settings go to the seats in order."""
+    def put(self, items: Sequence[tuple[str, str, Member | None]]) -> list[Member]:
+        """Place things given as (name, where, whose seat it is laid for) and return them."""
         found: list[Member] = []
-        self.seated, self.faced = len(seats) > 1, bool(seats)
-        in_line = self._in_line(items) if not seats else {}
-        for i, (name, at, slot) in enumerate(items):
-            if slot == "setting" and i < len(seats):
-                member = self._at_seat(name, at, seats[i])
+        in_line = {} if self.faced else self._in_line(items)
+        for i, (name, at, seat) in enumerate(items):
+            if seat is not None:
+                member = self._at_seat(name, at, seat)
                 if not any(overlaps(box_of(member, self.sizes[name]), other) for other in self.taken):
                     found.append(self._keep(member))
                     continue
             found.append(self._keep(in_line.get(name) or self._free(name, at, i, len(items))))
         return found
 
-    def _in_line(self, items: Sequence[tuple[str, str, str]]) -> dict[str, Member]:
+    def _in_line(self, items: Sequence[tuple[str, str, Member | None]]) -> dict[str, Member]:
         """Return places side by side for several things of one kind that fit so, if the top is bare."""
         widths = [self.sizes[name][1] for name, _, _ in items]
         spare = 2 * self.half[1] - sum(widths)
@@ -119,12 +121,10 @@ class Top:
             return (-rx if self.faced else max(-rx, rx - self.reach), y)
         if at == "front":
             return (max(0.0, rx - 0.03), y)
-        if at == "hand":
+        if at == "front left":
             return (max(0.0, rx - 0.03), min(ry, HAND))
-        if at == "side":
+        if at == "left":
             return (0.0, ry * 0.85 if count == 1 else y)
         if self.seated:
             return (0.0, y if count > 1 else max(0.0, ry - self.reach + 0.05))
-        if rx <= self.reach or at == "centre":
-            return (0.0, y)
-        return (0.0, max(0.0, ry - self.reach)) if count == 1 and at == "middle" else (max(0.0, rx - self.reach), y)
+        return (0.0 if rx <= self.reach else max(0.0, rx - self.reach), y)

@@ -1,0 +1,203 @@
+"""Reads the rows in which a record says what of a thing moves, and finds the parts that do.
+
+    door+handle: hinge z away front 90
+    drawer+knob: slide x .6d
+    seat+back: hinge z -180:180 together
+
+The first part leads, the others go with the leader that they lie on; `together` makes all of them one. The words between
+say on which edges of the leader a hinge lies (in the middle where none is named; `away` is the side away from its handle, or
+from the thing's middle), the last how far it opens: degrees, metres (`.4m`), or a share of the thing's depth, width or height (`.6d`).
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout._errors import AssetError
+from robolayout.assets.part import Joint, Part
+
+EDGES = {"back": (0, 0), "front": (0, 1), "right": (1, 0), "left": (1, 1), "bottom": (2, 0), "top": (2, 1)}
+"""Axis of an edge, and whether it is the low (0) or the high (1) one."""
+AWAY = "away"
+USUAL = "door+handle: hinge z away front 90\ndrawer+handle+knob: slide x .6d"
+"""How what is called door or drawer moves where a record says nothing of joints: side hung, and pulled out by the
+three fifths of the depth that plain runners allow (judgement)."""
+NOTHING = "-"
+"""What a record says whose parts look like doors but do not move."""
+NEAR = 0.05
+"""Metres within which a part lies on the leader that it goes with."""
+HANDLES = ("handle", "knob", "grip", "lock")
+"""Parts that a hand takes hold of; without one, the edge away from the hinge is held."""
+HOW = "write 'PARTS: hinge|slide x|y|z EDGES HOW-FAR', as in 'door+handle: hinge z away front 90'"
+
+Vector = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Rule:
+    """One row: what moves how.
+
+    Attributes:
+        names: Names of parts; the first leads.
+        kind: "hinge" or "slide".
+        axis: Number of the axis.
+        sign: -1 for a slide against the axis.
+        edges: Where a hinge lies.
+        span: How far it goes, with the unit of each end ("", "m", "d", "w", "h").
+        together: Whether all parts of these names move as one.
+    """
+
+    names: tuple[str, ...]
+    kind: str
+    axis: int
+    sign: float
+    edges: tuple[str, ...]
+    span: tuple[tuple[float, str], ...]
+    together: bool
+
+
+@lru_cache(maxsize=512)
+def read_joints(text: str, where: str) -> tuple[Rule, ...]:
+    """Read a record's `joints`.
+
+    Args:
+        text: Its rows; empty for what is usual.
+        where: Whose they are, for messages ("chest in storage.toml").
+
+    Raises:
+        AssetError: A row cannot be read; the message names the record, the joint, the word and what is allowed.
+    """
+    if text.strip() == NOTHING:
+        return ()
+    return tuple(_rule(line.strip(), where) for line in (text.strip() or USUAL).splitlines())
+
+
+def _rule(line: str, where: str) -> Rule:
+    """Read one row."""
+    names, _, rest = line.partition(": ")
+    kind, axis, *words = [*rest.split(), "", ""][: max(2, len(rest.split()))]
+    together = "together" in words
+    words = [word for word in words if word != "together"]
+    *edges, far = words or [""]
+    match = re.fullmatch(r"(?:(-?[\d.]+)([mdwh]?):)?(-?[\d.]+)([mdwh]?)", far)
+    wrong = (
+        ("kind", kind, kind in ("hinge", "slide")),
+        ("axis", axis, re.fullmatch("-?[xyz]", axis)),
+        ("edge", " ".join(edges), all(edge in (*EDGES, AWAY) for edge in edges)),
+        ("distance", far, match),
+    )
+    for what, word, fine in wrong:
+        if not fine:
+            raise AssetError(f"joints of {where}, joint {names!r}: {what} {word!r} cannot be read; {HOW}; edges are "
+                             f"{', '.join((*EDGES, AWAY))}.")  # fmt: skip
+    assert match is not None
+    span = ((float(match[1] or 0), match[2] or match[4]), (float(match[3]), match[4]))
+    return Rule(
+        tuple(names.split("+")),
+        kind,
+        "xyz".index(axis[-1]),
+        -1.0 if axis.startswith("-") else 1.0,
+        tuple(edges),
+        span,
+        together,
+    )
+
+
+def jointed(built: tuple[Part, ...], rules: tuple[Rule, ...], size: tuple[float, float, float]) -> tuple[Part, ...]:
+    """Return parts that know with what joint they move.
+
+    Args:
+        built: The parts of a thing, in its frame.
+        rules: How its parts move.
+        size: Its depth, width and height in metres.
+    """
+    out = list(built)
+    for rule, group in _groups(built, rules):
+        joint = _joint(rule, [built[i] for i in group], size)
+        for i in group:
+            out[i] = replace(out[i], joint=joint)
+    number: Counter[str] = Counter()
+    names: dict[int, Joint] = {}
+    for part in out:
+        if part.joint is not None and id(part.joint) not in names:
+            names[id(part.joint)] = replace(part.joint, name=f"{part.joint.name} {number[part.joint.name]}")
+            number[part.joint.name] += 1
+    return tuple(part if part.joint is None else replace(part, joint=names[id(part.joint)]) for part in out)
+
+
+def _groups(built: Sequence[Part], rules: Sequence[Rule]) -> Iterator[tuple[Rule, list[int]]]:
+    """Yield which parts move together, the leader first."""
+    leaders = [(r, [i]) for r in rules if not r.together for i, p in enumerate(built) if p.name == r.names[0]]
+    taken = {group[0] for _, group in leaders}
+    for i, part in enumerate(built):
+        near = [
+            (_apart(part, built[group[0]]), n)
+            for n, (rule, group) in enumerate(leaders)
+            if part.name in rule.names and i not in taken
+        ]
+        if near and min(near)[0] < NEAR:
+            leaders[min(near)[1]][1].append(i)
+    yield from leaders
+    for rule in rules:
+        found = [i for i, part in enumerate(built) if part.name in rule.names]
+        if rule.together and found:
+            yield rule, found
+
+
+def _apart(part: Part, leader: Part) -> float:
+    """Return the metres from a part's middle to a leader's box."""
+    middle = (part.vertices.min(axis=0) + part.vertices.max(axis=0)) / 2
+    low, high = leader.vertices.min(axis=0), leader.vertices.max(axis=0)
+    return float(np.linalg.norm(np.maximum(low - middle, 0.0) + np.maximum(middle - high, 0.0)))
+
+
+def _joint(rule: Rule, group: Sequence[Part], size: tuple[float, float, float]) -> Joint:
+    """Return how some parts move; a hinge opens towards the front or upwards."""
+    points = np.concatenate([part.vertices for part in (group if rule.together else group[:1])])
+    ends = np.stack([points.min(axis=0), points.max(axis=0)])
+    at = np.zeros(3) if rule.together else ends.mean(axis=0)
+    handle = next((part for part in group if part.name in HANDLES), None)
+    grip = None if handle is None else handle.vertices.mean(axis=0)
+    heights = points[:, 2] if handle is None else handle.vertices[:, 2]
+    for edge in rule.edges:
+        axis, high = EDGES[edge] if edge != AWAY else (1, int(at[1] > (0.0 if grip is None else grip[1])))
+        at[axis] = ends[high, axis]
+    along = np.eye(3)[rule.axis] * rule.sign
+    if rule.kind == "hinge" and np.cross(along, ends.mean(axis=0) - at) @ [1.0, 0.0, 1.0] < 0:
+        along = -along
+    if grip is None:
+        middle = ends.mean(axis=0)
+        grip = middle + np.abs(along) * (ends[1] - middle) if rule.kind == "slide" else 2 * middle - at
+        grip[rule.axis] = middle[rule.axis] if rule.kind == "hinge" else grip[rule.axis]
+    units = {"": math.pi / 180 if rule.kind == "hinge" else 1.0, "m": 1.0, **dict(zip("dwh", size, strict=True))}
+    low, high = (value * units[unit] for value, unit in rule.span)
+    x, y, z = at.tolist()
+    u, v, w = (along + 0.0).tolist()
+    a, b, c = grip.tolist()
+    return Joint(
+        rule.names[0],
+        rule.kind,
+        (u, v, w),
+        (x, y, z),
+        (low, high),
+        (a, b, c),
+        (heights.min().item(), heights.max().item()),
+    )
+
+
+def turned(joint: Joint, points: Vector, far: float) -> Vector:
+    """Return points (n, 3) of what moves where its joint is turned or drawn `far` from where it is now (rad or m)."""
+    axis = np.array(joint.axis)
+    if joint.kind == "slide":
+        return points + far * axis
+    c, s = math.cos(far), math.sin(far)
+    r = points - joint.at
+    return c * r + s * np.cross(axis, r) + (1 - c) * (r @ axis)[:, None] * axis + joint.at

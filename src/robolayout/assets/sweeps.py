@@ -1,0 +1,86 @@
+"""The room that a thing needs in front of it to be opened: what its doors, drawers and flaps sweep."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import pairwise
+
+import numpy as np
+import shapely
+from shapely import Polygon
+from shapely.geometry.base import BaseGeometry
+
+from robolayout._errors import AssetError
+from robolayout.assets.joints import HANDLES, turned
+from robolayout.assets.lexicon import category_of
+from robolayout.assets.part import Joint, Part
+from robolayout.scene import Asset
+
+STEPS = 12
+"""Places of a leaf between shut and open, whose hulls make up what it sweeps: a sector of 90 degrees misses 0.1 % of its area."""
+SLIGHT = 0.02
+"""Metres by which a sweep must reach beyond the front to need room there: a button does not."""
+
+
+@dataclass(frozen=True, eq=False)
+class Sweep:
+    """What one joint needs, or what a record says that a thing needs where nothing of it moves.
+
+    Attributes:
+        region: What is swept beyond the thing's front, in its frame (origin in the middle of its box, front along +x); metres.
+        heights: Between which heights, from the middle of its box; metres.
+        joint: The joint; None where the room is that of a person at work.
+        leaf: Where the open leaf stands beyond the front; empty for drawers, which are pushed back to.
+    """
+
+    region: BaseGeometry
+    heights: tuple[float, float]
+    joint: Joint | None = None
+    leaf: BaseGeometry = Polygon()  # noqa: RUF009 - polygons do not change
+
+
+@lru_cache(maxsize=2048)
+def sweeps_of(asset: Asset) -> tuple[Sweep, ...]:
+    """Return what must be free before a thing that is to be opened or used from the front; nothing of others.
+
+    Args:
+        asset: The thing.
+    """
+    from robolayout.assets.meshes import parts
+
+    deep = category_of(asset).open_depth
+    if deep <= 0:
+        return ()
+    try:
+        made = parts(asset)
+    except AssetError:
+        made = ()
+    joints = dict.fromkeys(part.joint for part in made if part.joint is not None and part.joint.span[0] >= 0)
+    found = [_sweep(joint, [part for part in made if part.joint == joint], asset) for joint in joints]
+    ahead = [
+        sweep for sweep in found if not sweep.region.is_empty and sweep.region.bounds[2] > asset.size[0] / 2 + SLIGHT
+    ]
+    depth, width, height = asset.size
+    strip = shapely.box(depth / 2, -width / 2, depth / 2 + deep, width / 2)
+    return tuple(ahead) or (Sweep(strip, (-height / 2, height / 2)),)
+
+
+def _sweep(joint: Joint, moving: list[Part], asset: Asset) -> Sweep:
+    """Return what some parts sweep beyond the front of their thing; their handles stick out a little more."""
+    panels = [part for part in moving if part.name not in HANDLES] or moving
+    far = np.linspace(0.0, joint.span[1], STEPS + 1 if joint.kind == "hinge" else 2)
+    places = [[turned(joint, part.vertices, step) for step in far.tolist()] for part in panels]
+    hulls = [
+        shapely.MultiPoint(np.concatenate(pair)[:, :2]).convex_hull for steps in places for pair in pairwise(steps)
+    ]
+    leaf = shapely.union_all([shapely.MultiPoint(steps[-1][:, :2]).convex_hull for steps in places])
+    heights = np.concatenate([points[:, 2] for steps in places for points in steps])
+    reach = 2 * sum(asset.size)
+    front = shapely.box(asset.size[0] / 2, -reach, reach, reach)
+    return Sweep(
+        shapely.union_all(hulls).intersection(front),
+        (heights.min().item(), heights.max().item()),
+        joint,
+        leaf.intersection(front) if joint.kind == "hinge" else Polygon(),
+    )

@@ -1,0 +1,66 @@
+"""`in_rows`: equal things stand in a block of straight rows."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+from robolayout.constraints._exact import ANGLE_TOLERANCE, GAP_TOLERANCE, Frame, angle_between, frame
+from robolayout.constraints._refs import AssetRef
+from robolayout.constraints._relation import Outcome, Relation, argument
+from robolayout.constraints._terms import FrameTerm, Interval, Term
+from robolayout.scene import Layout, Scene
+
+
+@dataclass(frozen=True)
+class InRows(Relation):
+    """The `items` stand in straight rows, at least `aisle` m between rows and `gap` m beside; `backs` "paired": back to back in pairs."""
+
+    name: ClassVar[str] = "in_rows"
+    moves: ClassVar[tuple[str, ...]] = ("items",)
+    surrogate: ClassVar[bool] = True  # each keeps the row that it is in, where the check takes any row
+    example: ClassVar[str] = "solver.in_rows([desk[0], desk[1], desk[2], desk[3]], aisle=1.2, gap=0.6)"
+
+    items: tuple[AssetRef, ...] = argument("asset", many=True)
+    aisle: float = argument("number", unit="m", default=1.0)
+    gap: float = argument("number", unit="m", default=0.0)
+    backs: str = argument("text", choices=("alike", "paired"), default="alike")
+
+    def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
+        """Return one row for each but the first: on the first one's line, or at its place beside the nearest line."""
+        first, seen = self.items[0], frame(scene, near, self.items[0])
+        rows: list[Term] = []
+        for item in self.items[1:]:
+            u, v = self._beside(seen, near, item)
+            step = scene.by_name[item.name].size[0] / 2
+            along = 0.0 if abs(u) < step else u
+            turned = math.pi if math.cos(near[item.name].yaw - seen.yaw) < 0 else 0.0
+            rows.append(
+                FrameTerm(
+                    item, first, along=Interval(along, along), across=Interval(v, v), heading=turned, moves="both"
+                )
+            )
+        return tuple(rows)
+
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """All headings alike or opposite within 10 degrees; in each line the middles within 5 cm; else each in a line of its own."""
+        seen = frame(scene, layout, self.items[0])
+        turned = max(self._turned(layout, item) for item in self.items)
+        lines: list[list[float]] = []
+        for u, item in sorted((self._beside(seen, layout, item)[0], item) for item in self.items):
+            if lines and u - lines[-1][0] < scene.by_name[item.name].size[0] / 2:
+                lines[-1].append(u)
+            else:
+                lines.append([u])
+        off = max(max(line) - min(line) for line in lines)
+        met = off <= 2 * GAP_TOLERANCE and turned <= ANGLE_TOLERANCE
+        text = f"{len(lines)} rows, up to {off:.2f} m out of line, {turned:.0f} deg off"
+        return Outcome(met, off, 2 * GAP_TOLERANCE, "m", text)
+
+    def _beside(self, seen: Frame, layout: Layout, item: AssetRef) -> tuple[float, float]:
+        return seen.point(layout[item.name].x, layout[item.name].y)
+
+    def _turned(self, layout: Layout, item: AssetRef) -> float:
+        off = angle_between(layout[item.name].yaw, layout[self.items[0].name].yaw)
+        return min(off, 180.0 - off)

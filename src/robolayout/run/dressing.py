@@ -1,0 +1,45 @@
+"""Small things put into a finished room, each of them judged, and the judged room with them."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from robolayout.scene import DRESSINGS, Layout
+from robolayout.solve import Dressed, dress
+from robolayout.verify import physics, verify
+
+if TYPE_CHECKING:
+    from robolayout.run.flow import Result
+
+
+def dressed(result: Result, amount: str, *, seed: int) -> Result:
+    """Return a run's room with small things on its surfaces; what the judge does not pass is left out.
+
+    Args:
+        result: The run.
+        amount: One of `DRESSINGS`.
+        seed: Settles what lies where.
+    """
+    wall, cpu = time.perf_counter(), time.process_time()
+    found = _passed(result.layout, dress(result.scene, result.layout, amount, seed=seed))
+    if not found.names:
+        return result
+    seconds = {"dress": {"wall": time.perf_counter() - wall, "cpu": time.process_time() - cpu}}
+    new, old = verify(found.scene, found.layout), result.report
+    report = replace(old, scene=found.scene, layout=found.layout, physics=new.physics, agents=new.agents)
+    scene = replace(found.scene, dress=DRESSINGS[0])  # it is done
+    report = replace(report, scene=scene)
+    return replace(result, scene=scene, layout=found.layout, report=report.with_timing(seconds))
+
+
+def _passed(before: Layout, found: Dressed) -> Dressed:
+    """Return a dressed room without the small things that the judge does not pass."""
+    astray = set(physics(found.scene, found.layout).failing) - set(before)
+    if not astray:
+        return found
+    assets = tuple(asset for asset in found.scene.assets if asset.name not in astray)
+    layout = Layout({name: pose for name, pose in found.layout.items() if name not in astray})
+    scene = replace(found.scene, assets=assets)
+    return Dressed(scene, layout, tuple(name for name in found.names if name not in astray))

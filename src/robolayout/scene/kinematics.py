@@ -1,0 +1,300 @@
+"""A robot's links and joints: where everything is at given joint values, how it folds smallest, where its hand gets to.
+
+Links are convex hulls of their collision geometry. What stands on the ground (wheels, legs) stays as it is; all other joints
+are arms, heads and lifts, which may be folded and stretched.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from scipy.spatial import ConvexHull
+
+Array = NDArray[np.float64]
+Kind = Literal["fixed", "revolute", "prismatic"]
+
+GROUND = 0.03
+"""Metres above the lowest point up to which a link stands on the ground."""
+
+VALUES, ROUNDS, STARTS = 7, 3, 3
+"""Values of a joint that are tried, passes over all joints, and poses from which folding begins."""
+
+DEPTH = 0.01
+"""Metres that two links may be inside each other: hulls are larger than links."""
+
+LEVEL = 0.9
+"""Cosine of the angle to the vertical above which an axis is upright; what is below one minus that is level."""
+
+SIDES = 60
+"""Directions in which the farthest corners of a hull stand for it while folding."""
+
+HEIGHT = 0.05
+"""Square metres of floor that a metre of height is worth when folding."""
+
+POSES = 4000
+"""Random poses of an arm for which it is found out where the hand is."""
+
+BAND = 0.1
+"""Metres of height of the bands of a reach map."""
+
+HANDS = ("gripper", "grasp", "finger", "hand", "tool", "palm", "suction")
+"""Words in the names of links that say where an arm ends."""
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """What moves one link against another.
+
+    Attributes:
+        name: Its name.
+        parent: The link that it is on.
+        child: The link that it moves.
+        origin: (4, 4) pose of the child in the parent's frame at 0.
+        kind: How it moves; continuous joints are revolute ones with a whole turn.
+        axis: (3,) unit vector in the child's frame.
+        low: Least value, radians or metres.
+        high: Greatest value.
+        mimics: The joint that it follows, by what factor and from what offset; None where it moves by itself.
+    """
+
+    name: str
+    parent: str
+    child: str
+    origin: Array
+    kind: Kind
+    axis: Array
+    low: float
+    high: float
+    mimics: tuple[str, float, float] | None = None
+
+    def motion(self, values: Array) -> Array:
+        """Return the child's poses (n, 4, 4) in the parent's frame for values (n,)."""
+        moved = np.tile(np.eye(4), (len(values), 1, 1))
+        if self.kind == "prismatic":
+            moved[:, :3, 3] = values[:, None] * self.axis
+        elif self.kind == "revolute":
+            x, y, z = self.axis
+            cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+            sine, cosine = np.sin(values)[:, None, None], np.cos(values)[:, None, None]
+            moved[:, :3, :3] += sine * cross + (1 - cosine) * (cross @ cross)
+        return self.origin @ moved
+
+
+@dataclass(frozen=True, eq=False)
+class Robot:
+    """Links in a tree of joints.
+
+    Attributes:
+        root: The link that all others hang on; its frame has x ahead and z up.
+        joints: All joints, each after the one that moves its parent.
+        hulls: (n, 3) corners of the convex hull of a link's collision geometry, in its frame, by link.
+    """
+
+    root: str
+    joints: tuple[Joint, ...]
+    hulls: Mapping[str, Array]
+
+    def poses(self, values: Mapping[str, Array], count: int = 1) -> dict[str, Array]:
+        """Return the poses (count, 4, 4) of all links in the root's frame; joints without values (count,) are at 0."""
+        found = {self.root: np.tile(np.eye(4), (count, 1, 1))}
+        for joint in self.joints:
+            leader, factor, offset = joint.mimics or (joint.name, 1.0, 0.0)
+            value = factor * values.get(leader, np.zeros(count)) + offset
+            found[joint.child] = found[joint.parent] @ joint.motion(value)
+        return found
+
+    def points(self, values: Mapping[str, Array], count: int = 1, *, coarse: bool = False) -> Array:
+        """Return the corners (count, m, 3) of all hulls in the root's frame, or only of their coarse forms."""
+        poses = self.poses(values, count)
+        hulls = self._coarse if coarse else self.hulls
+        clouds = [
+            hull @ poses[link][:, :3, :3].swapaxes(1, 2) + poses[link][:, None, :3, 3] for link, hull in hulls.items()
+        ]
+        return np.concatenate(clouds, axis=1)
+
+    @cached_property
+    def _coarse(self) -> dict[str, Array]:
+        k = np.arange(SIDES) + 0.5
+        z, turn = 1 - 2 * k / SIDES, math.pi * (1 + math.sqrt(5)) * k
+        ways = np.column_stack([np.sqrt(1 - z * z) * np.cos(turn), np.sqrt(1 - z * z) * np.sin(turn), z])
+        return {link: hull[np.unique((hull @ ways.T).argmax(axis=0))] for link, hull in self.hulls.items()}
+
+    def beyond(self, joint: Joint) -> set[str]:
+        """Return the links that a joint moves."""
+        moved = {joint.child}
+        for other in self.joints:
+            if other.parent in moved:
+                moved.add(other.child)
+        return moved
+
+    @cached_property
+    def arms(self) -> tuple[Joint, ...]:
+        """The joints that move nothing that stands on the ground."""
+        poses = self.poses({})
+        lowest = {
+            link: float((hull @ poses[link][0, 2, :3] + poses[link][0, 2, 3]).min())
+            for link, hull in self.hulls.items()
+        }
+        floor = min(lowest.values(), default=0.0)
+        standing = {link for link, low in lowest.items() if low < floor + GROUND}
+        free = (
+            joint for joint in self.joints if joint.kind != "fixed" and joint.mimics is None and joint.low < joint.high
+        )
+        return tuple(joint for joint in free if not self.beyond(joint) & standing)
+
+    @cached_property
+    def rest(self) -> dict[str, float]:
+        """All arms at 0, or as near to it as they come."""
+        return {joint.name: min(max(0.0, joint.low), joint.high) for joint in self.arms}
+
+    def folded(self, seed: int = 0) -> dict[str, float]:
+        """Return the values of the arms' joints at which the robot takes least floor, then least height.
+
+        Joint after joint takes the best of several values at which no two links meet that do not at rest, from several poses.
+        """
+        if not self.arms:
+            return {}
+        rng = np.random.default_rng(seed)
+        starts = [
+            self.rest,
+            *({j.name: float(rng.uniform(j.low, j.high)) for j in self.arms} for _ in range(STARTS - 1)),
+        ]
+        found = [self._descended(start) for start in starts if start is self.rest or not self.meets(start)]
+        return min(found, key=lambda values: round(float(self._size(_column(values))[0]), 4))
+
+    def _descended(self, start: Mapping[str, float]) -> dict[str, float]:
+        best, worth = dict(start), float(self._size(_column(start))[0])
+        for _ in range(ROUNDS):
+            before = worth
+            for joint in self.arms:
+                tried = np.linspace(joint.low, joint.high, VALUES)
+                batch = {name: np.full(VALUES, value) for name, value in best.items()} | {joint.name: tried}
+                sizes = self._size(batch, VALUES)
+                for k in np.argsort(sizes, kind="stable"):
+                    if sizes[k] >= worth - 1e-6:
+                        break
+                    if not self.meets({**best, joint.name: float(tried[k])}):
+                        best[joint.name], worth = float(tried[k]), float(sizes[k])
+                        break
+            if worth >= before - 1e-6:
+                break
+        return best
+
+    def _size(self, values: Mapping[str, Array], count: int = 1) -> Array:
+        """Return the floor (count,) in square metres that the robot takes turning on the spot, and a little for its height."""
+        points = self.points(values, count, coarse=True)
+        reach = np.hypot(points[..., 0], points[..., 1]).max(axis=1)
+        return math.pi * reach**2 + HEIGHT * np.ptp(points[..., 2], axis=1)
+
+    @cached_property
+    def _solids(self) -> dict[str, ConvexHull]:
+        from scipy.spatial import ConvexHull, QhullError
+
+        found: dict[str, ConvexHull] = {}
+        for link, hull in self._coarse.items():
+            try:
+                found[link] = ConvexHull(hull)
+            except (QhullError, ValueError):
+                continue
+        return found
+
+    @cached_property
+    def _apart(self) -> frozenset[tuple[str, str]]:
+        """Pairs of links that do not meet at rest."""
+        links = sorted(self._solids)
+        pairs = {(a, b) for i, a in enumerate(links) for b in links[i + 1 :]}
+        return frozenset(pairs - set(self._meetings(self.rest, pairs)))
+
+    def meets(self, values: Mapping[str, float]) -> bool:
+        """Return whether two links are inside each other that are not at rest."""
+        return next(self._meetings(values, self._apart), None) is not None
+
+    def _meetings(
+        self, values: Mapping[str, float], pairs: frozenset[tuple[str, str]] | set[tuple[str, str]]
+    ) -> Iterator[tuple[str, str]]:
+        """Yield the pairs of links of which one has a corner inside the other."""
+        poses = {link: pose[0] for link, pose in self.poses(_column(values)).items()}
+        world = {link: self._coarse[link] @ poses[link][:3, :3].T + poses[link][:3, 3] for link in self._solids}
+        links = list(world)
+        low, high = (np.array([bound(points, axis=0) for points in world.values()]) for bound in (np.min, np.max))
+        near = (low[:, None] < high[None] - DEPTH).all(axis=2)
+        for i, j in np.argwhere(near & near.T):
+            a, b = links[i], links[j]
+            if (a, b) in pairs and any(self._inside(world[p], poses[q], q) for p, q in ((a, b), (b, a))):
+                yield a, b
+
+    def _inside(self, points: Array, pose: Array, link: str) -> bool:
+        """Return whether one of some points (n, 3) is deeper than DEPTH in a link's hull."""
+        local = (points - pose[:3, 3]) @ pose[:3, :3]
+        planes = self._solids[link].equations
+        return bool((local @ planes[:, :3].T + planes[:, 3] < -DEPTH).all(axis=1).any())
+
+    def steering(self) -> float | None:
+        """Return the radius in metres of the tightest circle that the root drives on if it steers like a car, else None.
+
+        Wheels turn about level axes; those that an upright joint of less than half a turn swings are steered. For a wheelbase
+        L and an angle a, the radius is L / tan a (bicycle model).
+        """
+        poses = {link: pose[0] for link, pose in self.poses({}).items()}
+        upright = [
+            joint
+            for joint in self.joints
+            if joint.kind == "revolute"
+            and abs((poses[joint.child][:3, :3] @ joint.axis)[2]) > LEVEL
+            and 0.0 < joint.high - joint.low < math.pi
+        ]
+        steered = {link: joint for joint in upright for link in self.beyond(joint)}
+        wheels = [
+            joint.child
+            for joint in self.joints
+            if joint.kind == "revolute"
+            and joint not in self.arms
+            and abs((poses[joint.child][:3, :3] @ joint.axis)[2]) < 1 - LEVEL
+            and joint.high - joint.low >= math.tau - 1e-6
+        ]
+        front = [(poses[wheel][0, 3], steered[wheel].high) for wheel in wheels if wheel in steered]
+        rear = [poses[wheel][0, 3] for wheel in wheels if wheel not in steered]
+        if not front or not rear:
+            return None
+        base = abs(float(np.mean([x for x, _ in front])) - float(np.mean(rear)))
+        return base / math.tan(min(angle for _, angle in front))
+
+    @cached_property
+    def hand(self) -> str | None:
+        """The link at which an arm ends: of those moved by most joints, one whose name says so; None without an arm."""
+        if not self.arms:
+            return None
+        moved = {joint.name: self.beyond(joint) for joint in self.arms}
+        links = {link: sum(link in others for others in moved.values()) for link in set[str]().union(*moved.values())}
+        named = {link: count for link, count in links.items() if any(word in link.lower() for word in HANDS)}
+        candidates = named or links
+        most = max(candidates.values())
+        return min(link for link, count in candidates.items() if count == most) if most >= 2 else None
+
+    def reach(self, floor: float, seed: int = 0) -> list[tuple[float, float]]:
+        """Return how far from the root's axis the hand gets, by height above the floor: (middle of a band, metres), lowest first.
+
+        Args:
+            floor: Height of the ground in the root's frame.
+            seed: Seed of the poses.
+        """
+        if self.hand is None:
+            return []
+        rng = np.random.default_rng(seed)
+        values = {joint.name: rng.uniform(joint.low, joint.high, POSES) for joint in self.arms}
+        at = self.poses(values, POSES)[self.hand][:, :3, 3]
+        band = np.floor((at[:, 2] - floor) / BAND).astype(int)
+        away = np.hypot(at[:, 0], at[:, 1])
+        return [((k + 0.5) * BAND, float(away[band == k].max())) for k in np.unique(band) if k >= 0]
+
+
+def _column(values: Mapping[str, float]) -> dict[str, Array]:
+    return {name: np.array([value]) for name, value in values.items()}

@@ -1,0 +1,410 @@
+"""What a program says of each thing, gathered for who places it: how it stands, at what, what it looks at, what it would like.
+
+Everything is read from statements and wishes, whoever wrote them; nothing here knows kinds of rooms.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TypeVar
+
+from robolayout.assets import Category, category_of
+from robolayout.constraints import AssetRef, Relation, WallRef
+from robolayout.constraints.above import Above
+from robolayout.constraints.against_wall import AgainstWall
+from robolayout.constraints.align_with import AlignWith
+from robolayout.constraints.any_of import AnyOf
+from robolayout.constraints.around import Around
+from robolayout.constraints.behind import Behind
+from robolayout.constraints.ceiling_above import CeilingAbove
+from robolayout.constraints.centered_on import CenteredOn
+from robolayout.constraints.corner import Corner
+from robolayout.constraints.distance_constraint import DistanceConstraint
+from robolayout.constraints.grouped import Grouped
+from robolayout.constraints.in_front_of import InFrontOf
+from robolayout.constraints.in_rows import InRows
+from robolayout.constraints.keep_clear import KeepClear
+from robolayout.constraints.left_of import LeftOf
+from robolayout.constraints.mounted_on import MountedOn
+from robolayout.constraints.next_to import NextTo
+from robolayout.constraints.on_top_of import OnTopOf
+from robolayout.constraints.point_towards import PointTowards
+from robolayout.constraints.right_of import RightOf
+from robolayout.constraints.symmetric_pair import SymmetricPair
+from robolayout.constraints.toward import Toward
+from robolayout.constraints.under import Under
+from robolayout.program import Program, Statement
+from robolayout.scene import Asset, Scene
+
+AIM = 0.06
+"""Metres above the least gap that a statement allows at which things are put side by side, if it allows as much."""
+
+CLOSE = 3.0
+"""Metres up to which what stands before, behind or beside a thing stands at it."""
+
+LOWEST, HIGHEST, SMALLEST = 0.25, 1.3, 0.01
+"""Metres between which tops carry what nothing is said of, and square metres below which they all count as equally small."""
+
+DEMANDED = 2.0
+"""Weight of looking at something, where that is demanded."""
+
+Kind = TypeVar("Kind", bound=Relation)
+
+Beside = NextTo | LeftOf | RightOf | InFrontOf | Behind
+"""Relations that put a thing at a side of another."""
+
+
+@dataclass(frozen=True)
+class Join:
+    """How a thing stands at another.
+
+    Attributes:
+        slot: "beside", "flank", "front", "behind", "around", "on" or "setting".
+        gap: Metres between the two boxes.
+        yaw: Radians between the two fronts; None where nothing says.
+        side: The side of the other thing, where it is said.
+        at: Where on a top: its halves as `toward` names them; for a setting its place beside the plate.
+        seat: Who a setting is laid for.
+    """
+
+    slot: str
+    gap: float = AIM
+    yaw: float | None = None
+    side: str = ""
+    at: str = ""
+    seat: str = ""
+
+
+@dataclass(frozen=True)
+class Face:
+    """What a thing should have in front of it.
+
+    Attributes:
+        names: The things, the nearest counts.
+        away: Whether its back looks there.
+        distance: Lowest and highest distance of centres in metres.
+        weight: How much it matters.
+    """
+
+    names: tuple[str, ...]
+    away: bool = False
+    distance: tuple[float, float] = (0.0, 20.0)
+    weight: float = DEMANDED
+
+
+@dataclass(frozen=True)
+class Want:
+    """One thing and all that is said of it.
+
+    Attributes:
+        asset: The thing.
+        category: What the catalogue knows about it.
+        turn: When it is placed; low first.
+        kind: What things of which the same is said have in common.
+        stands: Ways of standing by itself, best first, with what each costs.
+        weights: Weights of wishes about its place, by relation.
+        walls: Weights of walls that are wished by name.
+        near: What it should be near, any of them, with a weight; below 0 far from.
+        clear: Metres kept free on some sides; none: as its kind is used.
+        face: What it has in front of it.
+        over: What it hangs over or lies under, best first.
+        height: Height in metres of the centre of a hung thing; 0 lets size decide.
+        anchor: The thing that it stands at.
+        join: How it stands there.
+        loose: Whether it may stand by itself if there is no room there.
+        rows: What it should stand in a block with, if anything.
+    """
+
+    asset: Asset
+    category: Category
+    turn: int
+    kind: str = ""
+    stands: Mapping[str, float] = field(default_factory=dict[str, float])
+    weights: Mapping[str, float] = field(default_factory=dict[str, float])
+    walls: Mapping[int, float] = field(default_factory=dict[int, float])
+    near: tuple[tuple[tuple[str, ...], float], ...] = ()
+    clear: Mapping[str, float] = field(default_factory=dict[str, float])
+    face: Face | None = None
+    over: tuple[str, ...] = ()
+    height: float = 0.0
+    anchor: str | None = None
+    join: Join | None = None
+    loose: bool = False
+    rows: InRows | None = None
+
+    @property
+    def name(self) -> str:
+        """The thing's name."""
+        return self.asset.name
+
+    @property
+    def joined(self) -> Join:
+        """How it stands at its anchor; only for what has one."""
+        if self.join is None:
+            raise ValueError(f"{self.name} stands by itself")
+        return self.join
+
+    @property
+    def hung(self) -> bool:
+        """Whether it hangs at a wall."""
+        return self.asset.on_wall and ("hang" in self.stands or not self.asset.on_floor)
+
+    @property
+    def overhead(self) -> bool:
+        """Whether it hangs from the ceiling."""
+        return self.asset.on_ceiling and not self.asset.on_floor and not self.hung
+
+    @property
+    def carried(self) -> bool:
+        """Whether it can only stand on others."""
+        return self.asset.on_object and not (self.asset.on_floor or self.asset.on_wall or self.asset.on_ceiling)
+
+    @property
+    def standing(self) -> bool:
+        """Whether it stands on the floor by itself."""
+        return not (self.hung or self.overhead or self.asset.is_flat)
+
+
+def wants_of(scene: Scene, program: Program) -> dict[str, Want]:
+    """Return what a program says of every thing, in the order in which they are placed."""
+    about: dict[str, list[Statement]] = {}
+    for one in sorted((*program.statements, *program.wishes), key=lambda statement: statement.line):
+        for name in _subjects(one.relation):
+            if name in scene.by_name:
+                about.setdefault(name, []).append(one)
+    order = {name: turn for turn, name in enumerate(about)}
+    found: dict[str, Want] = {}
+    for asset in sorted(scene.assets, key=lambda asset: order.get(asset.name, len(order))):
+        said = about.get(asset.name, [])
+        want = Want(asset, category_of(asset), order.get(asset.name, len(order)), _kind(asset, said))
+        found[asset.name] = _Reading(scene, want, said).want()
+    for want in [want for want in found.values() if want.carried and want.anchor is None]:
+        found[want.name] = replace(want, anchor=_top(want, found), join=Join("on"))
+    return _acyclic(found)
+
+
+def _top(want: Want, wants: Mapping[str, Want]) -> str | None:
+    """Return on what a thing that stands on others is put where nothing says it: the largest top with the least on it."""
+    load = Counter(other.anchor for other in wants.values())
+    tops = [
+        (load[name] / max(math.prod(other.asset.size[:2]), SMALLEST), name)
+        for name, other in wants.items()
+        if other.standing and not other.carried and LOWEST <= other.asset.size[2] <= HIGHEST
+    ]
+    return min(tops)[1] if tops else None
+
+
+def late(wants: Mapping[str, Want]) -> set[str]:
+    """Return what is hung and laid once the floor is furnished: all of that but what others look at or what is named first."""
+    faced = {name for want in wants.values() if want.face and want.standing for name in want.face.names}
+    first = min((want.turn for want in wants.values() if want.standing), default=0)
+    return {name for name, want in wants.items() if not want.standing and name not in faced and want.turn >= first}
+
+
+def _subjects(relation: Relation) -> tuple[str, ...]:
+    """Return the names of the things that a relation says where to stand."""
+    if isinstance(relation, AnyOf):
+        return tuple(dict.fromkeys(name for way in relation.choices for one in way for name in _subjects(one)))
+    first = getattr(relation, relation.moves[0]) if relation.moves else ()
+    refs = first if isinstance(first, tuple) else (first,)
+    return tuple(ref.name for ref in refs if isinstance(ref, AssetRef))
+
+
+def _kind(asset: Asset, said: Sequence[Statement]) -> str:
+    """Return what is said of a thing but for whom it is about; what it is where nothing is said."""
+    alone = [one for one in said if not isinstance(one.relation, SymmetricPair)]
+    parts = [f"{one.relation.name} {_plain(one.relation)} {one.wish}" for one in alone]
+    return "; ".join(sorted(parts)) or asset.category
+
+
+def _plain(relation: Relation) -> str:
+    """Return the numbers and words of a relation."""
+    values = (getattr(relation, spec.name) for spec in relation.arguments())
+    return " ".join(str(value) for value in values if isinstance(value, int | float | str))
+
+
+def _acyclic(wants: dict[str, Want]) -> dict[str, Want]:
+    """Return the same without joins that end where they begin, or at what has no place on the floor or a top."""
+    for name, want in wants.items():
+        seen, at = {name}, want.anchor
+        while at is not None and at not in seen:
+            seen.add(at)
+            at = wants[at].anchor if at in wants else None
+        if at is not None or (want.anchor is not None and want.anchor not in wants):
+            wants[name] = replace(want, anchor=None, join=None)
+    return wants
+
+
+class _Reading:
+    """Gathers what is said of one thing.
+
+    Args:
+        scene: The scene.
+        want: The thing.
+        said: Statements and wishes of which it is the subject, in order.
+    """
+
+    def __init__(self, scene: Scene, want: Want, said: Sequence[Statement]) -> None:
+        self.scene, self.bare, self.said = scene, want, said
+        self.me = AssetRef(want.name)
+
+    def want(self) -> Want:
+        """Return the thing with all of it."""
+        anchor, join, demanded = self._join()
+        face = self._face(anchor)
+        stands = self._stands(face)
+        weights: dict[str, float] = {}
+        for one in self.said:
+            word = one.relation.name
+            if one.wish is not None and word in ("mid_wall", "corner", "at_window", "by_door", "snug"):
+                weights[word] = weights.get(word, 0.0) + one.wish
+            elif one.wish is not None and isinstance(one.relation, CenteredOn) and one.relation.b is None:
+                weights["middle"] = one.wish
+        return replace(
+            self.bare,
+            stands=stands,
+            weights=weights,
+            walls={ref.index: weight for ref, weight in self._walls()},
+            near=tuple((names, w) for one, w in self._wished(Grouped) if (names := one.asset_names()[1:])),
+            clear={one.side: one.depth for one, _ in self._all(KeepClear)},
+            face=face,
+            over=tuple(self._over()),
+            height=next((one.height for one, _ in self._all(MountedOn) if one.height is not None), 0.0),
+            anchor=anchor,
+            join=join,
+            loose=join is not None and (not demanded or bool(self._modes())),
+            rows=next((one for one, _ in self._all(InRows)), None),
+        )
+
+    def _all(self, kind: type[Kind]) -> Iterator[tuple[Kind, float | None]]:
+        """Yield what is said with a relation, with its weight if it is a wish."""
+        yield from ((one.relation, one.wish) for one in self.said if isinstance(one.relation, kind))
+
+    def _wished(self, kind: type[Kind]) -> Iterator[tuple[Kind, float]]:
+        yield from ((one, weight) for one, weight in self._all(kind) if weight is not None)
+
+    def _walls(self) -> Iterator[tuple[WallRef, float]]:
+        """Yield the walls that are wished by name."""
+        for kind in (AgainstWall, MountedOn):
+            for one, weight in self._wished(kind):
+                if one.wall is not None:
+                    yield one.wall, weight
+
+    def _modes(self) -> dict[str, float]:
+        """Return the ways of standing by itself that are named, with weights; infinite where it is demanded."""
+        found: dict[str, float] = {}
+        for kind, mode in ((AgainstWall, "wall"), (Corner, "corner"), (MountedOn, "hang")):
+            for one, weight in self._all(kind):
+                if mode == "corner" or one.wall is None or weight is None:
+                    found[mode] = max(found.get(mode, -math.inf), math.inf if weight is None else weight)
+        return found
+
+    def _stands(self, face: Face | None) -> dict[str, float]:
+        """Return the ways of standing by itself with what each costs, the best first."""
+        modes = self._modes()
+        if "hang" in modes:
+            return {"hang": 0.0}
+        if "corner" in modes and (
+            modes["corner"] <= 0 or (math.isinf(modes.get("wall", 0)) and modes["corner"] < LEADS)
+        ):
+            del modes["corner"]  # a wall's ends are corners, too
+        if not any(math.isinf(weight) for weight in modes.values()):
+            modes["facing" if face is not None and not face.away else "middle"] = 0.0
+        best = max(weight for weight in modes.values())
+        cost = {mode: 0.0 if weight == best or math.isinf(best) else best - weight for mode, weight in modes.items()}
+        return dict(sorted(cost.items(), key=lambda entry: (entry[1], ORDER.index(entry[0]))))
+
+    def _join(self) -> tuple[str | None, Join | None, bool]:
+        """Return what it stands at, how, and whether that is demanded."""
+        for one in self.said:
+            relation, demanded = one.relation, one.wish is None
+            if isinstance(relation, Around):
+                return relation.b.name, Join("around", relation.gap), demanded
+            if isinstance(relation, OnTopOf):
+                return relation.b.name, self._on(relation.b), demanded
+            if self.bare.asset.is_flat and isinstance(relation, NextTo | Toward):
+                return None, Join("beside" if isinstance(relation, NextTo) else "on"), False
+            if isinstance(relation, Beside) and self._joins(relation):
+                return relation.b.name, self._beside(relation), demanded
+        return None, None, False
+
+    def _joins(self, relation: Beside) -> bool:
+        """Whether a thing that is said to be at a side of another stands right at it."""
+        other = self.scene.by_name.get(relation.b.name)
+        here, least = self.bare.asset, getattr(relation, "min_gap", 0.0)
+        on_floor = other is not None and other.on_floor and not other.is_flat and here.on_floor and not here.is_flat
+        return on_floor and relation.max_gap <= CLOSE and least < CLOSE / 2
+
+    def _beside(self, relation: Beside) -> Join:
+        side = getattr(relation, "side", "")
+        side = side or {LeftOf: "left", RightOf: "right", InFrontOf: "front", Behind: "back"}[type(relation)]
+        low, high = getattr(relation, "min_gap", 0.0), relation.max_gap
+        gap, yaw = min(low + AIM, (low + high) / 2), self._turned(relation.b)
+        looks = any(one.b == relation.b for one, _ in self._all(PointTowards))
+        if side in ("front", "back"):
+            facing = math.pi if side == "front" else 0.0
+            return Join("front" if side == "front" else "behind", gap, facing if yaw is None else yaw)
+        fixed = "" if side == "beside" else side
+        across = looks or (yaw is not None and abs(math.sin(yaw)) > math.sqrt(0.5))
+        return Join("flank" if across else "beside", gap, yaw, fixed)
+
+    def _turned(self, b: AssetRef) -> float | None:
+        """Return the angle to a thing's front, in radians, that is said."""
+        return next((math.radians(one.angle) for one, _ in self._all(AlignWith) if one.b == b), None)
+
+    def _on(self, carrier: AssetRef) -> Join:
+        """Return where on a top it belongs."""
+        for one in self.said:
+            other = one.relation.b if isinstance(one.relation, InFrontOf | DistanceConstraint) else None
+            if isinstance(other, AssetRef) and other != carrier and self.scene.by_name[other.name].on_floor:
+                return Join("setting", at=self._place(), seat=other.name)
+        halves = sorted(one.side for one, _ in self._all(Toward))
+        return Join("on", yaw=self._turned(carrier), at=" ".join(halves))
+
+    def _place(self) -> str:
+        """Return the place of a setting: by the plate that it is said to be beside, else that of a plate."""
+        for one in self.said:
+            relation = one.relation
+            if isinstance(relation, Beside) and not self.scene.by_name[relation.b.name].on_floor:
+                far = getattr(relation, "min_gap", 0.0) >= AIM
+                if isinstance(relation, RightOf):
+                    return "far right" if far else "right"
+                return {LeftOf: "left", InFrontOf: "beyond"}.get(type(relation), "glass")
+        return "plate"
+
+    def _face(self, anchor: str | None) -> Face | None:
+        """Return what it should have in front of it."""
+        looks = [(one.b, one.angle, weight) for one, weight in self._all(PointTowards)]
+        distance, weights = [0.0, 20.0], [DEMANDED if weight is None else weight for *_, weight in looks]
+        for one in self.said:
+            ways = one.relation.choices if isinstance(one.relation, AnyOf) else ()
+            several = [part for way in ways for part in way]
+            if several and all(isinstance(part, PointTowards) for part in several):
+                looks += [(part.b, part.angle, one.wish) for part in several if isinstance(part, PointTowards)]
+                weights.append(DEMANDED if one.wish is None else one.wish)
+        targets = tuple(dict.fromkeys(b.name for b, *_ in looks if isinstance(b, AssetRef) and b.name != anchor))
+        for one, _ in self._all(InFrontOf):
+            if targets and one.b.name == targets[0]:
+                apart = (self.bare.asset.size[0] + self.scene.by_name[one.b.name].size[0]) / 2
+                distance = [one.min_gap + apart, one.max_gap + apart]
+        if not targets:
+            return None
+        return Face(targets, abs(looks[0][1]) > 90.0, (distance[0], distance[1]), max(weights))
+
+    def _over(self) -> Iterator[str]:
+        """Yield what it hangs over or lies under, best first."""
+        for one in self.said:
+            ways = one.relation.choices if isinstance(one.relation, AnyOf) else ((one.relation,),)
+            for relation in (part for way in ways for part in way):
+                if isinstance(relation, Above | CeilingAbove | CenteredOn | Under):
+                    yield from relation.asset_names()[1:]
+
+
+LEADS = 0.6
+"""Weight of a wish for a corner from which on corners are tried beside the rest of the walls."""
+
+ORDER = ("corner", "wall", "facing", "middle", "hang")
+"""Ways of standing in the order in which they are tried where nothing tells them apart."""

@@ -1,0 +1,393 @@
+"""Dressing: the small things that people leave about, put on and into the surfaces of a finished room.
+
+What lies where is data (`assets/data/dressing.toml`): rules by the kind of thing that carries, its surface and the room. Every
+thing lies wholly on its surface, a margin from the edge, upright, below what covers it, and clear of everything else there;
+whatever finds no such place is left out. The room itself is not touched.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+import tomllib
+import zlib
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cache
+from itertools import count
+from typing import Any
+
+import shapely
+from shapely import Polygon
+from shapely.affinity import affine_transform
+from shapely.geometry.base import BaseGeometry
+
+from robolayout._text import utf8
+from robolayout.assets import CATALOGUE, Surface, category_of, surfaces_of
+from robolayout.assets.category import DATA
+from robolayout.assets.prisms import piece_spans
+from robolayout.assets.surfaces import LEVEL
+from robolayout.scene import DRESSINGS, Asset, Layout, Pose, Scene, variable_name, vertical_span
+from robolayout.scene.asset import LIES_ABOUT
+
+AMOUNTS: Mapping[str, float] = dict(zip(DRESSINGS, (0.0, 0.4, 1.0), strict=True))
+"""How much lies about: which share of the surfaces, and of what fits on them."""
+
+
+@dataclass(frozen=True)
+class DressConfig:
+    """Numbers of dressing; metres.
+
+    Attributes:
+        edge: How far things stay from the edge of their surface.
+        gap: How far they stay from each other, at least.
+        air: Free height above them in a shelf, at least.
+        most: Things that are added at the most.
+        tries: Places that are tried for a thing that may lie anywhere.
+        vary: Share by which sizes vary.
+        turn: Degrees by which things on shelves and counters are askew.
+        loose: Least and greatest gap in a row.
+        spread: Least and greatest gap between things at a back edge, before there are more or fewer of them.
+        seat: How far ahead of a seat the table begins that belongs to it.
+        above: Height above an open surface that its things may take up.
+        ahead: How far before the back edge a thing is tried, one after the other.
+        level: Most by which the tops under one thing may differ in height.
+    """
+
+    edge: float = 0.015
+    gap: float = 0.012
+    air: float = 0.02
+    most: int = 150
+    tries: int = 24
+    vary: float = 0.1
+    turn: float = 6.0
+    loose: tuple[float, float] = (0.0, 0.03)
+    spread: tuple[float, float] = (0.03, 0.25)
+    seat: float = 0.7
+    above: float = 0.5
+    ahead: tuple[float, ...] = (0.0, 0.03, 0.08, 0.14)
+    level: float = 0.002
+
+
+@dataclass(frozen=True)
+class Dressed:
+    """A room with small things in it.
+
+    Attributes:
+        scene: The scene with them.
+        layout: The layout with them.
+        names: Their names.
+    """
+
+    scene: Scene
+    layout: Layout
+    names: tuple[str, ...]
+
+
+def dress(
+    scene: Scene, layout: Layout, amount: str = "full", *, seed: int = 0, config: DressConfig | None = None
+) -> Dressed:
+    """Return a room with small things on its surfaces.
+
+    Args:
+        scene: The scene.
+        layout: Where everything stands; what is not placed carries nothing.
+        amount: One of `DRESSINGS`.
+        seed: Settles what lies where.
+        config: Numbers; the usual ones if None.
+    """
+    if not AMOUNTS[amount]:
+        return Dressed(scene, layout, ())
+    return _Dresser(scene, layout, AMOUNTS[amount], seed, config or DressConfig()).run()
+
+
+@cache
+def _data() -> Mapping[str, Any]:
+    """Return the rules."""
+    return tomllib.loads((DATA / "dressing.toml").read_text("utf-8"))
+
+
+def _rules(kind: str, words: str) -> list[Mapping[str, Any]]:
+    """Return the rules for a kind of carrier in a room of which some words are known."""
+    return [
+        rule
+        for rule in _data()["rule"]
+        if kind in rule["on"] and any(word in words for word in rule.get("rooms", [""]))
+    ]
+
+
+def _clears(rules: Sequence[Mapping[str, Any]]) -> tuple[str, ...]:
+    """Return what is drawn on a carrier and makes room for real things."""
+    return tuple(rules[0].get("clears", ())) if rules else ()
+
+
+@dataclass
+class _Place:
+    """A surface that is being dressed, in the frame of its carrier."""
+
+    carrier: Asset
+    pose: Pose
+    surface: Surface
+    free: BaseGeometry
+    rng: random.Random
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """The largest rectangle on it."""
+        return self.surface.rectangle
+
+
+@dataclass
+class _Dresser:
+    """Puts things down, surface by surface."""
+
+    scene: Scene
+    layout: Layout
+    amount: float
+    seed: int
+    config: DressConfig
+    assets: list[Asset] = field(default_factory=list[Asset])
+    poses: dict[str, Pose] = field(default_factory=dict[str, Pose])
+    without: dict[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]])
+
+    def run(self) -> Dressed:
+        words = f"{self.scene.name} {self.scene.task_description}".lower().replace("_", " ")
+        standing = [asset for asset in self.scene.assets if asset.name in self.layout and not asset.is_flat]
+        rules = {asset.name: _rules(category_of(asset).name, words) for asset in standing}
+        # shelves last, in an order that the seed settles: those for which nothing is left keep what is drawn on them
+        standing.sort(key=lambda a: (bool(_clears(rules[a.name])), zlib.crc32(utf8(f"{self.seed}/{a.name}"))))
+        for asset in standing:
+            before = len(self.assets)
+            self._asset(asset, rules[asset.name])
+            if len(self.assets) > self.config.most:
+                for extra in self.assets[before:]:
+                    del self.poses[extra.name]
+                del self.assets[before:]
+                self.without.pop(asset.name, None)
+        bare = tuple(replace(a, without=self.without.get(a.name, a.without)) for a in self.scene.assets)
+        scene, layout = replace(self.scene, assets=(*bare, *self.assets)), Layout({**self.layout, **self.poses})
+        return Dressed(scene, layout, tuple(asset.name for asset in self.assets))
+
+    def __post_init__(self) -> None:
+        self._had = {category_of(asset).name for asset in self.scene.assets} & set(_data()["once"])
+        self._lists: Counter[str] = Counter()
+        self._count: Counter[str] = Counter()
+
+    def _asset(self, asset: Asset, rules: Sequence[Mapping[str, Any]]) -> None:
+        """Dress one thing: first it is cleared of what is drawn on it, then its surfaces are filled."""
+        clears = _clears(rules)
+        rng = random.Random(utf8(f"{self.seed}/{asset.name}"))
+        if clears and rng.random() > self.amount:
+            return  # it stays as it is drawn
+        if clears and asset.path is None:
+            self.without[asset.name] = (*asset.without, *clears)
+            asset = replace(asset, without=self.without[asset.name])
+        for surface in surfaces_of(asset):
+            word = surface.name.split()[0]
+            rule = next((rule for rule in rules if rule["where"] in (word, "any")), None)
+            if rule is not None and (rng.random() < self.amount or clears or rule["put"] == "places"):
+                self._surface(asset, surface, rule, rng)
+
+    def _surface(self, asset: Asset, surface: Surface, rule: Mapping[str, Any], rng: random.Random) -> None:
+        pose = self.layout[asset.name]
+        free = surface.region.buffer(-self.config.edge, join_style="mitre").difference(
+            self._taken(asset, pose, surface)
+        )
+        if free.is_empty:
+            return
+        place = _Place(asset, pose, surface, free, rng)
+        ways = {
+            "row": self._row,
+            "back": self._back,
+            "middle": self._middle,
+            "about": self._about,
+            "places": self._places,
+        }
+        for part in (rule, *rule.get("also", ())):
+            ways[part["put"]](place, part)
+
+    def _taken(self, asset: Asset, pose: Pose, surface: Surface) -> BaseGeometry:
+        """Return what of a surface is covered by what stands there already, in the carrier's frame."""
+        level = pose.z - asset.size[2] / 2 + surface.height
+        c, s = math.cos(pose.yaw), math.sin(pose.yaw)
+        matrix = [c, s, -s, c, -c * pose.x - s * pose.y, s * pose.x - c * pose.y]
+        found: list[BaseGeometry] = []
+        for other in (*self.scene.assets, *self.assets):
+            place = self.layout.get(other.name) or self.poses.get(other.name)
+            if other.name == asset.name or place is None:
+                continue
+            low, high = vertical_span(other, place)
+            if high > level + 1e-6 and low < level + min(surface.free, self.config.above):
+                shape = affine_transform(Polygon(place.corners(other.size)), matrix)
+                if shape.intersects(surface.region):
+                    found.append(shape.buffer(self.config.gap, join_style="mitre"))
+        return shapely.union_all(found)
+
+    def _kind(self, place: _Place, things: Mapping[str, float]) -> Asset | None:
+        """Return one of the things that fit under what covers a surface, in a size of its own; None where none does."""
+        room = place.surface.free - self.config.air
+        low = [
+            kind
+            for kind in things
+            if CATALOGUE[kind].size[2] * (1 - self.config.vary) <= room and kind not in self._had
+        ]
+        if not low:
+            return None
+        kind = place.rng.choices(low, [things[kind] for kind in low])[0]
+        scale = place.rng.uniform(1 - self.config.vary, 1 + self.config.vary)
+        depth, width, height = CATALOGUE[kind].size
+        tall = min(height * place.rng.uniform(1 - self.config.vary, 1 + self.config.vary), room)
+        return Asset("", kind, (round(depth * scale, 4), round(width * scale, 4), round(tall, 4)))
+
+    def _row(self, place: _Place, rule: Mapping[str, Any]) -> None:
+        """Stand things side by side along the front edge."""
+        _, y, ahead, end = place.bounds
+        y += self.config.edge
+        while y < end:
+            thing = self._kind(place, rule["things"])
+            if thing is None:
+                return
+            runs = place.rng.randint(1, rule["run"]) if "run" in rule else 1
+            if place.rng.random() > rule["fill"] * (0.5 + 0.5 * self.amount):
+                y += place.rng.uniform(*self.config.spread)
+            own = self._variable(thing.category)
+            for _ in range(runs):
+                y += thing.size[1] / 2
+                x = ahead - self.config.edge - thing.size[0] / 2
+                fits = self._put(place, thing, (x, y, 0.0), own)
+                y += thing.size[1] / 2 + (
+                    self.config.gap if runs > 1 else self.config.gap + place.rng.uniform(*self.config.loose)
+                )
+                if not fits:
+                    break
+
+    def _back(self, place: _Place, rule: Mapping[str, Any]) -> None:
+        """Stand things along the back edge, with room between them."""
+        behind, y, _, end = place.bounds
+        y += place.rng.uniform(*self.config.spread)
+        last = ""
+        while y < end:
+            choice = {kind: weight for kind, weight in rule["things"].items() if kind != last} or rule["things"]
+            thing = self._kind(place, choice)
+            if thing is None:
+                return
+            last = thing.category
+            askew = math.radians(place.rng.uniform(-self.config.turn, self.config.turn))
+            half = (thing.size[1] * math.cos(askew) + thing.size[0] * abs(math.sin(askew))) / 2
+            deep = (thing.size[0] * math.cos(askew) + thing.size[1] * abs(math.sin(askew))) / 2
+            own, x = (
+                self._variable(thing.category),
+                behind + self.config.edge + deep + place.rng.uniform(*self.config.loose),
+            )
+            for ahead in self.config.ahead:  # a mirror on the wall, a lamp, or a screen may stand behind
+                if self._put(place, thing, (x + ahead, y + half, askew), own):
+                    break
+            y += (
+                2 * half
+                + place.rng.uniform(*self.config.spread)
+                / max(rule.get("fill", 0.5) * (0.4 + 0.6 * self.amount), 0.05)
+                / 2
+            )
+
+    def _middle(self, place: _Place, rule: Mapping[str, Any]) -> None:
+        """Stand one thing in the middle."""
+        thing = self._kind(place, rule["things"])
+        if thing is not None:
+            middle = place.surface.region.centroid
+            self._put(place, thing, (middle.x, middle.y, 0.0), self._variable(thing.category))
+
+    def _about(self, place: _Place, rule: Mapping[str, Any]) -> None:
+        """Put things down anywhere."""
+        x0, y0, x1, y1 = place.surface.region.bounds
+        for _ in range(max(1, round(rule["fill"] * self.amount * place.rng.uniform(0.6, 1.2)))):
+            for number in range(self.config.tries):
+                thing = self._kind(place, rule["things"])
+                if thing is None:
+                    return
+                loose = 3 * self.config.turn * (1 - number / self.config.tries)  # a tight place wants it straight
+                turn = math.radians(place.rng.gauss(0, loose))
+                spot = (place.rng.uniform(x0, x1), place.rng.uniform(y0, y1), turn)
+                if self._put(place, thing, spot, self._variable(thing.category)):
+                    break
+
+    def _places(self, place: _Place, rule: Mapping[str, Any]) -> None:
+        """Put a set before every seat that faces the surface."""
+        for edge, facing in self._seats(place):
+            if place.rng.random() > 0.5 + 0.5 * self.amount:
+                continue
+            c, s = math.cos(facing), math.sin(facing)
+            for number, (kind, ahead, aside, turn) in enumerate(_data()["sets"][rule["set"]]):
+                thing = Asset("", kind, CATALOGUE[kind].size)
+                away = ahead + thing.size[0] / 2
+                x, y = edge[0] + c * away + s * aside, edge[1] + s * away - c * aside
+                put = self._put(place, thing, (x, y, facing + math.pi + math.radians(turn)), self._variable(kind))
+                if not (put or number):
+                    break  # the place is taken
+
+    def _seats(self, place: _Place) -> Iterator[tuple[tuple[float, float], float]]:
+        """Yield where the edge of a surface is before each seat, and which way the seat faces, in the carrier's frame."""
+        pose, outline = place.pose, place.surface.region.exterior
+        c, s = math.cos(-pose.yaw), math.sin(-pose.yaw)
+        for seat in self.scene.assets:
+            at = self.layout.get(seat.name)
+            if at is None or not _is_seat(seat) or seat.name == place.carrier.name:
+                continue
+            x, y = c * (at.x - pose.x) - s * (at.y - pose.y), s * (at.x - pose.x) + c * (at.y - pose.y)
+            facing = at.yaw - pose.yaw
+            ahead, reach = (math.cos(facing), math.sin(facing)), seat.size[0] / 2 + self.config.seat
+            back = (x - ahead[0], y - ahead[1])
+            ray = shapely.LineString([back, (x + reach * ahead[0], y + reach * ahead[1])])
+            met = shapely.get_coordinates(ray.intersection(outline)).tolist()
+            first = min(met, key=lambda point: math.dist(point, back), default=None)
+            if first is not None and math.dist(first, (x, y)) <= reach:
+                yield (first[0], first[1]), facing
+
+    def _variable(self, kind: str) -> str:
+        """Return the list that a thing, or a run of equal ones, belongs to: those of one list look alike."""
+        stem = variable_name(kind)
+        for number in count(self._lists[stem] + 1):
+            self._lists[stem] = number
+            if f"{stem}_{number}" not in self.scene.variables:
+                break
+        return f"{stem}_{self._lists[stem]}"
+
+    def _height(self, place: _Place, shape: Polygon) -> float | None:
+        """Return the height on which a thing lies level; None where it would lie on an edge."""
+        x0, y0, x1, y1 = shape.bounds
+        a, b, c, d, _, top = piece_spans(place.carrier)[:, :6].T
+        tops = (top <= place.surface.height + self.config.level) & (
+            top > place.surface.height - LEVEL - self.config.level
+        )
+        under = tops & (a < x1) & (b > x0) & (c < y1) & (d > y0)
+        if not under.any():
+            return place.surface.height  # a mesh of the user's own
+        high = top[under].max()
+        whole = under & (a <= x0) & (b >= x1) & (c <= y0) & (d >= y1) & (top > high - self.config.level)
+        return float(high) if whole.any() or high - top[under].min() < self.config.level else None
+
+    def _put(self, place: _Place, thing: Asset, at: tuple[float, float, float], variable: str) -> bool:
+        """Put a thing down if it lies free and wholly on its surface; return whether it does."""
+        x, y, turn = at
+        if thing.size[2] + self.config.air > place.surface.free:
+            return False
+        shape = Polygon(Pose(x, y, 0.0, turn).corners(thing.size))
+        height = self._height(place, shape)
+        if height is None or not place.free.covers(shape):
+            return False
+        place.free = place.free.difference(shape.buffer(self.config.gap * 0.9, join_style="mitre"))
+        name = f"{variable}-{self._count[variable]}"
+        self._count[variable] += 1
+        pose, c, s = place.pose, math.cos(place.pose.yaw), math.sin(place.pose.yaw)
+        level = pose.z - place.carrier.size[2] / 2 + height
+        self.assets.append(replace(thing, name=name, on_floor=False, on_object=True, metadata={LIES_ABOUT: True}))
+        self.poses[name] = Pose(
+            pose.x + c * x - s * y, pose.y + s * x + c * y, level + thing.size[2] / 2, pose.yaw + turn
+        )
+        self._had |= {thing.category} & set(_data()["once"])
+        return True
+
+
+def _is_seat(asset: Asset) -> bool:
+    """Return whether a person sits on a thing."""
+    return category_of(asset).movable and any(surface.name.startswith("seat") for surface in surfaces_of(asset))

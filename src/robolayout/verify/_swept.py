@@ -1,0 +1,113 @@
+"""Doors and drawers of what stands in a room: where they sweep, and from where a body takes hold of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from shapely.affinity import affine_transform
+from shapely.geometry.base import BaseGeometry
+
+from robolayout.assets import Joint, sweeps_of
+from robolayout.scene import Agent, Point
+from robolayout.scene.agent import horizontal_reach
+from robolayout.verify._boxes import Boxes
+from robolayout.verify._space import QUAD_SEGS
+from robolayout.verify.limits import REACH_SLACK
+
+
+@dataclass(frozen=True, eq=False)
+class Swept:
+    """One row for each joint that needs room, or for each thing that a person works before.
+
+    Attributes:
+        rows: (m,) the assets.
+        zones: (m,) what is swept beyond the front, in the world frame.
+        bottom: (m,) metres.
+        top: (m,) metres.
+    """
+
+    rows: NDArray[np.intp]
+    zones: NDArray[np.object_]
+    bottom: NDArray[np.float64]
+    top: NDArray[np.float64]
+
+    @classmethod
+    def of(cls, found: Boxes, rows: Iterable[int]) -> Swept:
+        """Return what some placed assets sweep."""
+        items = [(row, sweep) for row in dict.fromkeys(rows) for sweep in sweeps_of(found.assets[row])]
+        zones = np.empty(len(items), dtype=object)
+        zones[:] = [_placed(found, row, sweep.region) for row, sweep in items]
+        levels = np.array([found.poses[row, 2] + np.array(sweep.heights) for row, sweep in items]).reshape(-1, 2)
+        return cls(np.array([row for row, _ in items], dtype=np.intp), zones, levels[:, 0], levels[:, 1])
+
+
+def _placed(found: Boxes, row: int, shape: BaseGeometry) -> BaseGeometry:
+    """Return a shape in an asset's frame as it lies in the room."""
+    x, y, _, yaw = found.poses[row].tolist()
+    c, s = float(np.cos(yaw)), float(np.sin(yaw))
+    return affine_transform(shape, [c, -s, s, c, x, y])
+
+
+def opens(found: Boxes, agent: Agent, row: int) -> list[Joint]:
+    """Return what of an asset a body with an arm opens by a handle; nothing where the record only asks for room.
+
+    Nothing either where all handles are too low or too high for it and its top is not: it uses that.
+    """
+    if agent.reach_distance is None:
+        return []
+    joints = [sweep.joint for sweep in sweeps_of(found.assets[row]) if sweep.joint is not None]
+    top = float(found.top[row])
+    by_hand = any(_reach(found, agent, row, joint) is not None for joint in joints)
+    return joints if by_hand or horizontal_reach(agent, top, top) is None else []
+
+
+def handle_near(found: Boxes, agent: Agent, row: int, place: Point) -> str:
+    """Return the name of the joint whose handle is nearest to a place; empty where nothing is opened."""
+    far = {
+        joint.name: _placed(found, row, shapely.Point(joint.handle[:2])).distance(shapely.Point(place))
+        for joint in opens(found, agent, row)
+        if _reach(found, agent, row, joint) is not None
+    }
+    return min(far, key=lambda name: (far[name], name), default="")
+
+
+def handle_heights(found: Boxes, agent: Agent, row: int) -> tuple[float, float]:
+    """Return between which heights in metres the handles of an asset lie."""
+    held = [joint.hold for joint in opens(found, agent, row)]
+    z = float(found.poses[row, 2])
+    return z + min(low for low, _ in held), z + max(high for _, high in held)
+
+
+def handle_reach(found: Boxes, agent: Agent, row: int) -> float | None:
+    """Return the horizontal reach in metres to the handle that is easiest to get to; None if all are too high or too low."""
+    far = [reach for joint in opens(found, agent, row) if (reach := _reach(found, agent, row, joint)) is not None]
+    return max(far, default=None)
+
+
+def _reach(found: Boxes, agent: Agent, row: int, joint: Joint) -> float | None:
+    low, high = joint.hold
+    return horizontal_reach(agent, float(found.poses[row, 2]) + low, float(found.poses[row, 2]) + high)
+
+
+def opening_zone(found: Boxes, agent: Agent, row: int, beyond: BaseGeometry) -> BaseGeometry:
+    """Return from where a body opens an asset: a handle within its reach, and room for its disc beside the open leaf.
+
+    Args:
+        found: The boxes.
+        agent: The body.
+        row: The asset.
+        beyond: Where the body's centre has the front within reach.
+    """
+    zones: list[BaseGeometry] = []
+    for sweep in sweeps_of(found.assets[row]):
+        reach = None if sweep.joint is None else _reach(found, agent, row, sweep.joint)
+        if reach is not None and sweep.joint is not None:
+            handle = _placed(found, row, shapely.Point(sweep.joint.handle[:2]))
+            zone = beyond.intersection(handle.buffer(reach + REACH_SLACK, quad_segs=QUAD_SEGS))
+            leaf = _placed(found, row, sweep.leaf)
+            zones.append(zone if leaf.is_empty else zone.difference(leaf.buffer(agent.radius, quad_segs=QUAD_SEGS)))
+    return shapely.union_all(zones)

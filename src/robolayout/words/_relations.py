@@ -1,0 +1,295 @@
+"""Relations in words: what they are about, what they lead to, and what says no more than where the room is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from robolayout.assets import CATALOGUE
+from robolayout.words._chunks import Chunk
+from robolayout.words._references import References
+from robolayout.words._said import Link, Mention, Place, several, topped
+
+REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on"}
+"""Relations that are said from the other side."""
+
+AIDS = {"wheelchair": "wheelchair", "walker": "elder_walker"}
+"""Bodies by what they use; what a room is to contain is a thing."""
+
+_ALONE = (
+    "next row rows pairs backs stacked diagonal lit parallel mutual abreast middle flank left right front near under"
+)
+ALONE = frozenset(_ALONE.split())
+"""Relations that may stand without an object."""
+
+
+class Relating(References):
+    """Reads relations; the parser reads the rest."""
+
+    def _fact(self, chunk: Chunk) -> None:
+        self.said.facts.append(chunk)
+        for mention in self.subject or self.group if chunk.kind == "style" and self.verb else ():
+            mention.thing.told.append(chunk.value)  # "the bed is brown"
+        if chunk.kind == "people" and self.group and chunk.number and self._previous(chunk) == "for":
+            self.group[-1].thing.people = chunk.number
+        self.broken = True
+
+    def _previous(self, chunk: Chunk) -> str:
+        """Return the value of the chunk before this one."""
+        index = self.chunks.index(chunk)
+        return self.chunks[index - 1].value if index else ""
+
+    def _on_with(self, chunk: Chunk) -> None:
+        self.refusing = False
+        if self.acted and not self.broken:
+            self.holder = self.acted
+        elif self.group:
+            self.holder = [self.group[-1]]
+        self.having = True
+        self.verb = False
+        self.broken = True
+
+    def _of_the_room(self, chunk: Chunk) -> bool:
+        """Note what is asked of the room itself: an open middle, a way to something, daylight at it."""
+        if chunk.value not in ("open", "way", "light"):
+            return False
+        found: list[Mention | Place] = []
+        while chunk.value != "open" and self.at < len(self.chunks):
+            following = self.chunks[self.at]
+            after = self.chunks[self.at + 1 : self.at + 2]
+            joins = following.kind == "and" and found and after and (after[0].kind == "part" or after[0].det == "the")
+            if following.kind == "filler" or joins:
+                self.at += 1
+            elif (item := self._object(chunk)) is not None:
+                found.append(item)
+            else:
+                break
+        things = tuple(item for item in found if isinstance(item, Mention)) if chunk.value == "light" else ()
+        named = {"light": "lit"}.get(chunk.value, chunk.value)
+        self.said.links.append(Link(named, things, () if things else tuple(found), chunk.start, chunk.end))
+        self.broken = True
+        return True
+
+    def _on_rel(self, chunk: Chunk) -> None:
+        """A relation: find what it is about, then what it leads to."""
+        if chunk.value == "open" and self.verb and self.subject:  # "the table stands free in the middle"
+            chunk = replace(chunk, value="middle")
+        if self._of_the_room(chunk) or (chunk.value == "in" and self._in_an_aid()):
+            return
+        if self._of_people():
+            self._objects(chunk)
+            self.said.missed.append(chunk)
+            return
+        every = self.chunks[self.at - 2].value == "each" if self.at > 1 else False
+        subjects = self._subjects(chunk.value)
+        if chunk.value == "holds" and not subjects:
+            self._on_with(chunk)
+            return
+        first = self.at
+        objects = self._objects(chunk)
+        if chunk.value == "ontop":
+            chunk, objects = replace(chunk, value="on"), objects or list(self.holder or self.subject)
+        place = objects[0] if objects and isinstance(objects[0], Place) else None
+        sides = place.name == "side" if place else chunk.value == "flank" and not objects and not self.holder
+        if sides and self._at_sides(chunk, subjects):
+            return
+        if (place or chunk.value == "middle") and self.having and self.holder and subjects == self.group[-1:]:
+            subjects = self.holder  # "a table with a vase near the door"
+        for item in objects if every and subjects else ():
+            if isinstance(item, Mention) and item.det == "a" and item.thing.times == 1:
+                item.thing.times = subjects[0].thing.count  # "each facing a mirror"
+        self._relate(chunk, subjects, objects, first)
+
+    def _relate(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Mention | Place], first: int) -> None:
+        """Note what a relation says; what leads on from a colon says no more than which room it is."""
+        colon = self.at < len(self.chunks) and self.chunks[self.at].kind == "colon"
+        if not objects and chunk.value not in ALONE:
+            self.said.missed += [] if chunk.value in ("in", "by") else [chunk]
+        elif objects and self._is_room(chunk, objects):
+            self.broken = True
+        elif chunk.value in REVERSED:
+            self._reversed(chunk, subjects, objects)
+        elif (not subjects and not colon) or self._turned_round(first, objects):
+            self.fronted = (chunk, list(objects))
+            self.group = []
+        elif subjects:
+            self._link(chunk, subjects, objects)
+            self.acted = subjects
+            self.verb = False
+
+    def _in_an_aid(self) -> bool:
+        """Note the body of "a person in a wheelchair"."""
+        following = self.chunks[self.at] if self.at < len(self.chunks) else None
+        who = self.chunks[self.at - 2].kind if self.at > 1 else ""
+        if (
+            following is None
+            or following.noun is None
+            or following.noun.kind not in AIDS
+            or who not in ("people", "body")
+        ):
+            return False
+        self.at += 1
+        self._fact(Chunk("body", following.start, following.end, AIDS[following.noun.kind]))
+        return True
+
+    def _of_people(self) -> bool:
+        """Return whether this clause is about somebody: "guests are received near the door" moves no furniture."""
+        before = self.chunks[: self.at - 1]
+        ends = [i for i, chunk in enumerate(before) if chunk.kind in ("comma", "and", "stop", "colon")]
+        clause = [chunk for chunk in before[ends[-1] + 1 if ends else 0 :] if chunk.kind != "filler"]
+        if len(clause) < 2 or any(chunk.kind in ("thing", "pron") for chunk in clause):
+            return False
+        who, does = clause[0], clause[1].kind in ("verb", "other")
+        unknown = who.kind == "other" and who.value.endswith("s") and not who.value.endswith("ss")
+        return does and (unknown or who.kind in ("function", "people", "body"))
+
+    def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention]) -> bool:
+        """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""
+        tables = [thing for thing in self.said.things if thing.noun.kind.split()[-1] in ("table", "counter", "island")]
+        seats = [
+            m for m in subjects if m.thing.noun.kind.split()[-1] in ("chair", "stool", "bench", "cushion", "armchair")
+        ]
+        if not tables or not seats or len(seats) < len(subjects):
+            return False
+        known = any(
+            link.relation == "around" and link.subjects[0].thing is seats[0].thing
+            for link in self.said.links
+            if link.subjects
+        )
+        if not known:
+            self._link(Chunk("rel", chunk.start, chunk.end, "around"), seats, [Mention(tables[-1])])
+        return True
+
+    def _is_room(self, chunk: Chunk, objects: Sequence[Mention | Place]) -> bool:
+        """Return whether a relation only says that a thing is in the room."""
+        place = objects[0]
+        return isinstance(place, Place) and (
+            place.name in ("room", "floor") and chunk.value in ("in", "on", "by", "around")
+        )
+
+    def _turned_round(self, first: int, objects: Sequence[Mention | Place]) -> bool:
+        """Return whether what follows the object is what the relation is about: "and on it stands a lamp"."""
+        if not objects or self.at >= len(self.chunks):
+            return False
+        index, verb = self.at, False
+        while index < len(self.chunks) and self.chunks[index].kind in ("verb", "filler", "style", "pron"):
+            verb = verb or self.chunks[index].kind == "verb"
+            index += 1
+        if index >= len(self.chunks) or self.chunks[index].kind != "thing":
+            return False
+        starts = self.chunks[first - 2].kind in ("and", "comma", "stop", "colon") if first >= 2 else True
+        return starts and (verb or index == self.at) and self.chunks[index].det != "the"
+
+    def _reversed(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
+        """Link what is said from the other side: "flanked by two lamps"."""
+        moved = [item for item in objects if isinstance(item, Mention)]
+        while chunk.value == "holds" and self._another():
+            following = self.chunks[self.at + 1]
+            self.at += 2
+            moved.append(self._mention(following))
+        if moved and subjects:
+            named = Chunk("rel", chunk.start, chunk.end, REVERSED[chunk.value])
+            for mention in moved:
+                if chunk.value == "holds" and len(subjects) == 1 and subjects[0].det == "each":
+                    mention.thing.times = subjects[0].thing.count
+            self._link(named, moved, list(subjects))
+            self.group, self.acted = moved, moved
+
+    def _another(self) -> bool:
+        kinds = [chunk.kind for chunk in self.chunks[self.at : self.at + 2]]
+        return kinds == ["and", "thing"]
+
+    def _nearest(self, relation: str) -> list[Mention]:
+        """Return what a relation right after a noun is about: small things "on" something all together, else the noun."""
+        following = self.chunks[self.at].value if self.at < len(self.chunks) else ""
+        hung = self.target is not None and "wall" in CATALOGUE[self.target.thing.noun.kind].places
+        told = relation in ("by", "next", "near") or (following == "wall" and hung and relation in ("on", "wall"))
+        if self.target is not None and told and self.acted:
+            return [self.target]
+        last = self.group[-1:] or list(self.subject)
+        if relation == "on" and last and topped(last[0]) and len(self.group) > 1:
+            it = self.at < len(self.chunks) and self.chunks[self.at].kind == "pron"
+            linked = {m for link in self.said.links if not it or link.relation != "with" for m in link.subjects}
+            linked -= {last[0]}
+            return [m for m in self.group if CATALOGUE[m.thing.noun.kind].on_object and m not in linked]
+        return last
+
+    def _subjects(self, relation: str) -> list[Mention]:
+        """Return what a relation here is about."""
+        previous = next((c for c in reversed(self.chunks[: self.at - 1]) if c.kind not in ("filler", "style")), None)
+        if previous is None or previous.kind == "stop":
+            return []
+        if self.fronted is not None and previous.kind in ("and", "comma"):
+            self.fronted = None
+            return []
+        if previous.kind == "verb" or self.verb:
+            return self.group[-1:] if self.relative else list(self.subject or self.group)
+        if previous.kind == "thing":
+            return self._nearest(relation)
+        if previous.kind == "pron" and not self.relative:
+            return list(self.before or self.subject) if not self.group else list(self.group)
+        if self.relative:
+            return self.group[-1:]
+        return list(self.acted or self.group[-1:] or self.subject)
+
+    def _objects(self, chunk: Chunk) -> list[Mention | Place]:
+        """Return what a relation leads to; "between" takes two, and a wall may be told by what it is opposite to."""
+        found: list[Mention | Place] = []
+        self.target = None
+        while self.at < len(self.chunks):
+            self._skip()
+            item = self._object(chunk)
+            if item is None:
+                break
+            found += [item, *self.pending]
+            self.pending = []
+            pronoun = self.chunks[self.at - 1].kind == "pron"
+            wants = chunk.value == "amid" and len(found) < 2 and not several(item) and not pronoun
+            both = chunk.value in ("amid", "facing", "under", "around", "near", "next", "on")
+            if not (wants or (both and self._plain_pair(found))):
+                break
+            self.at += 1
+        if found and isinstance(found[-1], Place) and found[-1].name == "wall":
+            found[-1] = self._which_wall(found[-1])
+        self.target = found[-1] if found and isinstance(found[-1], Mention) else None
+        return found
+
+    def _plain_pair(self, found: Sequence[Mention | Place]) -> bool:
+        """Return whether "and the ..." goes on with the same relation."""
+        following = self.chunks[self.at : self.at + 3]
+        if (
+            len(following) < 2
+            or following[0].kind != "and"
+            or following[1].kind != "thing"
+            or following[1].det != "the"
+        ):
+            return False
+        third = following[2].kind if len(following) > 2 else "stop"
+        return third in ("stop", "comma", "with") and isinstance(found[-1], Mention)
+
+    def _skip(self) -> None:
+        while self.at < len(self.chunks) and self.chunks[self.at].kind in ("filler", "style"):
+            self.at += 1
+
+    def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
+        """Note a relation; what stands at each of several things is as many times there."""
+        for item in objects:
+            for mention in subjects if item.det == "each" else ():
+                count = item.thing.count if isinstance(item, Mention) else {"corner": 4}.get(item.name, 1)
+                owned = isinstance(item, Mention) and item.thing is mention.thing
+                if mention.thing.times == 1 and not owned and not self._given(mention):
+                    mention.thing.times = count * (2 if chunk.value == "flank" and mention.thing.number == 1 else 1)
+        if chunk.value == "flank" and len(subjects) == 1 and not self._given(subjects[0]):
+            thing = subjects[0].thing
+            if thing.number == 1 and thing.times == 1:
+                around = objects[0] if objects else None
+                thing.times = 2 * (
+                    around.thing.count if isinstance(around, Mention) and around.det in ("each", "all") else 1
+                )
+        objects = objects or (
+            self.holder if chunk.value in ("next", "flank", "left", "right", "front", "near", "under") else []
+        )
+        if chunk.value in ("on", "flank") and objects:  # "a bed with a lamp on either side": the lamps are not on the bed
+            own = {mention.thing for mention in subjects}
+            self.said.links[:] = [k for k in self.said.links if k.relation != "with" or k.subjects[0].thing not in own]
+        self.said.links.append(Link(chunk.value, tuple(subjects), tuple(objects), chunk.start, chunk.end))
