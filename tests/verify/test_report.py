@@ -31,6 +31,7 @@ KEYS = [
     "usable_share",
     "statements_met_share",
     "statements",
+    "wishes",
     "moved",
     "rules",
     "violations",
@@ -47,12 +48,14 @@ class Said:
     number: int
     line: int
     source: str
+    by: str = ""
 
 
 @dataclass(frozen=True)
 class Asked:
     statements: tuple[Said, ...]
     guesses: Mapping[str, Any] = field(default_factory=dict)
+    wishes: tuple[Said, ...] = ()
 
 
 def good() -> tuple[Scene, Layout]:
