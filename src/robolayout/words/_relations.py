@@ -289,7 +289,9 @@ class Relating(References):
         objects = objects or (
             self.holder if chunk.value in ("next", "flank", "left", "right", "front", "near", "under") else []
         )
-        if chunk.value in ("on", "flank") and objects:  # "a bed with a lamp on either side": the lamps are not on the bed
+        if (
+            chunk.value in ("on", "flank") and objects
+        ):  # "a bed with a lamp on either side": the lamps are not on the bed
             own = {mention.thing for mention in subjects}
             self.said.links[:] = [k for k in self.said.links if k.relation != "with" or k.subjects[0].thing not in own]
         self.said.links.append(Link(chunk.value, tuple(subjects), tuple(objects), chunk.start, chunk.end))
