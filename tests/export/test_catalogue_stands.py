@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+
 from robolayout.assets import CATALOGUE
 from robolayout.export import settle
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
