@@ -6,9 +6,9 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from benchmarks.triangles import penetrations
 
 import robolayout as rl
-from benchmarks.triangles import penetrations
 from robolayout.assets import resting_place
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
