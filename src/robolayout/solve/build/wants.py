@@ -341,7 +341,7 @@ class _Reading:
     def _beside(self, relation: Beside) -> Join:
         side = getattr(relation, "side", "")
         side = side or {LeftOf: "left", RightOf: "right", InFrontOf: "front", Behind: "back"}[type(relation)]
-        low, high = getattr(relation, "min_gap", 0.0), relation.max_gap
+        low, high = max(getattr(relation, "min_gap", 0.0), 0.0), relation.max_gap
         gap, yaw = min(low + AIM, (low + high) / 2), self._turned(relation.b)
         looks = any(one.b == relation.b for one, _ in self._all(PointTowards))
         if side in ("front", "back"):
