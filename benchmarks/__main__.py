@@ -19,6 +19,7 @@ from benchmarks import (
     examples,
     exports,
     fuzz,
+    lists,
     many,
     opening,
     page,
@@ -48,6 +49,7 @@ SECTIONS = {
     "opening": opening.cases,
     "fuzz": fuzz.cases,
     "words": words.cases,
+    "lists": lists.cases,
 }
 
 

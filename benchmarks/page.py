@@ -405,7 +405,8 @@ def vlm(rows: Rows, images: Path) -> str:
         "that told what was wrong before. *taken over*: groups for which the offline planner stood in. Means over the runs, "
         "sums of the answers; four samples were recorded for one_shot only. A statement that the filter rejects counts as unmet "
         "unless the layout meets it all the same. *each alone*: every recorded program solved by itself, without asking "
-        "again; *4 samples* solves them together and keeps the best, for about the CPU time of one.\n"
+        "again; *4 samples* solves them together and keeps the best, for about the CPU time of one. Others used "
+        "the machine meanwhile: its CPU seconds compare, its wall seconds do not.\n"
     )
     return f"## Planning with a model\n\n{intro}\n{table(heads, lines)}"
 
@@ -553,6 +554,32 @@ def _words_by_kind(rows: Rows) -> str:
     return table(["demand", "set aside", "of development"], lines)
 
 
+def lists(rows: Rows, images: Path) -> str:
+    """Return what a person would object to in rooms made from lists."""
+    lines = [
+        [
+            *key.split("/"),
+            "refused" if "refused" in row else "yes" if row["ok"] else "no",
+            str(row.get("seats") or "-"),
+            str(row.get("soft") or "-"),
+            f"{row.get('filled', 0.0):.0%}",
+        ]
+        for key, row in rows.items()
+    ]
+    heads = [
+        "room",
+        "size",
+        "all demands met",
+        "seats at nothing",
+        "hard things on seats",
+        "floor within 1.5 m of furniture",
+    ]
+    intro = (
+        "Rooms from lists of names and counts, in three sizes, judged by a person's rules (`benchmarks/lists.py`).\n"
+    )
+    return f"## Lists\n\n{intro}\n{table(heads, lines)}"
+
+
 def _of(part: int, whole: int) -> str:
     return f"{part} of {whole} ({part / whole:.0%})" if whole else "-"
 
@@ -573,6 +600,7 @@ SECTIONS: dict[str, Callable[[Rows, Path], str]] = {
     "opening": opening,
     "fuzz": fuzz,
     "words": words,
+    "lists": lists,
 }
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from robolayout.words import WantedOpening
+from robolayout.words import COMPASS, WantedOpening
 
 Outline = list[tuple[float, float]]
 
@@ -19,9 +19,6 @@ LARGE, USUAL = (2.2, 1.5), (1.8, 1.3)
 
 MOST_OF_A_WALL = 0.45
 """Share of its wall that one window takes at the most."""
-
-WALLS = {"north": (0.0, -1.0), "south": (0.0, 1.0), "east": (-1.0, 0.0), "west": (1.0, 0.0)}
-"""Inward normals of walls by name."""
 
 Opening = dict[str, float]
 
@@ -86,10 +83,10 @@ def _windows(
 
 def _wall(outline: Outline, word: str, order: Sequence[int]) -> int:
     """Return the first of some walls that is meant by a word; the first of all that it means where none of them is."""
-    if word not in WALLS:
+    if word not in COMPASS:
         return order[0]
     ring = list(zip(outline, outline[1:] + outline[:1], strict=True))
-    nx, ny = WALLS[word]
+    nx, ny = COMPASS[word]
 
     def meant(i: int) -> bool:
         (ax, ay), (bx, by) = ring[i]

@@ -16,11 +16,9 @@ from robolayout.words import (
     Rooms,
     RoomType,
     Thing,
-    WantedOpening,
     grammar,
     read_text,
     sized,
-    wanted_openings,
 )
 
 GENERAL = ("desk", "bed", "table", "chair", "shelf", "sink", "counter")
@@ -36,66 +34,44 @@ SIZE_WORDS = {"small", "large", "big", "little"}
 
 
 @dataclass(frozen=True)
-class Wish:
-    """One kind of thing that was asked for."""
-
-    category: str
-    count: int
-
-
-@dataclass(frozen=True)
 class Wishes:
     """What a text asks of a new room.
 
     Attributes:
-        room_type: Name of the room type.
-        size: Width and depth in metres, if given.
-        area: Floor area in m2, if given.
-        height: Wall height in metres, if given.
-        shape: "rectangular" or "L-shaped".
-        square: Whether it asks for a square room.
-        agent: Name of the body, if one is named.
-        people: Number of people, 0 if none is given.
-        children: Whether these are children.
-        seats: Seats at each table, 0 if none are given.
-        things: What is wished.
-        general: Nouns that say no more than one word ("lamp"): nothing more of that name is added.
+        reading: What it says.
+        room: The room type: as named, else the nearest one.
+        things: What is wished, and how many.
         named: Kinds that are not in the catalogue as they were asked for: other words, other sizes.
-        unwanted: Categories that must not be added.
-        openings: Doors and windows that are asked for.
-        only: Whether nothing else is wanted.
-        airy: Whether the floor is to stay largely free.
-        style: Style of the room, in a word that can be drawn.
-        floor: What lies on the floor.
-        floors: What may lie there where nothing is said.
         looks: What is said of the looks of things, by category.
         guesses: What was guessed, one sentence each.
-        ignored: Words without a meaning here.
     """
 
-    room_type: str
-    size: tuple[float, float] | None
-    area: float | None
-    height: float | None
-    shape: str
-    square: bool
-    agent: str | None
-    people: int
-    children: bool
-    seats: int
-    things: tuple[Wish, ...]
-    general: frozenset[str]
+    reading: Reading
+    room: RoomType
+    things: Mapping[str, int]
     named: Mapping[str, Category]
-    unwanted: frozenset[str]
-    openings: tuple[WantedOpening, ...]
-    only: bool
-    airy: bool
-    style: str
-    floor: str
-    floors: tuple[str, ...]
     looks: Mapping[str, str]
     guesses: tuple[str, ...]
-    ignored: tuple[str, ...]
+
+    @property
+    def general(self) -> frozenset[str]:
+        """Nouns that say no more than one word ("lamp"): nothing more of that name is added."""
+        said = self.reading.parsed.things
+        return frozenset(t.noun.said for t in said if " " not in t.noun.said and not t.adjectives)
+
+    @property
+    def seats(self) -> int:
+        """Seats at each table, 0 if none are given."""
+        return next((thing.people for thing in self.reading.parsed.things if thing.people), 0)
+
+    @property
+    def ignored(self) -> tuple[str, ...]:
+        """Words without a meaning here."""
+        parsed = self.reading.parsed
+        spoken = [(chunk.start, chunk.end) for chunk in parsed.missed]
+        unknown = [thing for thing in parsed.things if thing.noun.kind.startswith("unknown")]
+        spoken += [(t.spans[0][1] - len(t.noun.said.split()), t.spans[0][1]) for t in unknown]
+        return tuple(self.reading.span(*span) for span in sorted(spoken))
 
 
 def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wishes:
@@ -115,47 +91,16 @@ def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wish
     reading = read_text(text, lexicon)
     room, guesses = _room(reading, rooms)
     things, named = _things(reading, lexicon, rooms, room)
-    moods = set(reading.words_of_taste)
-    if moods & set(grammar().cosy["words"]):
-        things += _cosy(things, frozenset(noun.kind for noun, _ in reading.parsed.refused))
-    size, area, height = (reading.measure(kind) for kind in ("size", "area", "height"))
-    seats = [thing.people for thing in reading.parsed.things if thing.people]
-    spoken = [(chunk.start, chunk.end) for chunk in reading.parsed.missed]
-    unknown = [
-        (t.spans[0][1] - len(t.noun.said.split()), t.spans[0][1])
-        for t in reading.parsed.things
-        if t.noun.kind.startswith("unknown")
-    ]
+    if set(reading.words_of_taste) & set(grammar().cosy["words"]):
+        things |= _cosy(things, reading.unwanted)
+    said = reading.parsed.things
     guesses += [
         f"{thing.noun.words!r} was taken as {thing.noun.kind}, {thing.noun.guessed}."
-        for thing in reading.parsed.things
+        for thing in said
         if thing.noun.guessed and not thing.noun.kind.startswith("unknown")
     ]
-    return Wishes(
-        room.name,
-        (size[0], size[1]) if size else None,
-        area[0] if area else None,
-        height[0] if height else None,
-        "L-shaped" if reading.l_shaped else "rectangular",
-        reading.square,
-        reading.agent,
-        reading.people,
-        reading.young,
-        seats[0] if seats else 0,
-        things,
-        frozenset(t.noun.said for t in reading.parsed.things if " " not in t.noun.said and not t.adjectives),
-        named,
-        frozenset(noun.kind for noun, _ in reading.parsed.refused),
-        wanted_openings(reading),
-        reading.only,
-        bool(moods & grammar().airy),
-        reading.style,
-        reading.floor,
-        room.floors,
-        {_shown(t, room, lexicon): ", ".join(t.look) for t in reading.parsed.things if t.look},
-        tuple(guesses),
-        tuple(reading.span(*span) for span in sorted([*spoken, *unknown])),
-    )
+    looks = {_shown(thing, room, lexicon): ", ".join(thing.look) for thing in said if thing.look}
+    return Wishes(reading, room, things, named, looks, tuple(guesses))
 
 
 def _room(reading: Reading, rooms: Rooms) -> tuple[RoomType, list[str]]:
@@ -172,11 +117,10 @@ def _room(reading: Reading, rooms: Rooms) -> tuple[RoomType, list[str]]:
     return rooms.rooms[best], [f"No room was named: {best} was taken."]
 
 
-def _cosy(things: tuple[Wish, ...], unwanted: frozenset[str]) -> tuple[Wish, ...]:
+def _cosy(things: Mapping[str, int], unwanted: frozenset[str]) -> dict[str, int]:
     """Return what makes a room cosy and is not among the things: something soft, a warm light."""
-    names, lists = {wish.category for wish in things}, grammar().cosy
-    rows = [lists[row] for row in ("soft", "warm") if not names & set(lists[row])]
-    return tuple(Wish(kind, 1) for row in rows for kind in [k for k in row if k not in unwanted][:1])
+    rows = [grammar().cosy[row] for row in ("soft", "warm")]
+    return {kind: 1 for row in rows if not set(things) & set(row) for kind in [k for k in row if k not in unwanted][:1]}
 
 
 def _belongs(kinds: set[str], room: RoomType) -> float:
@@ -188,7 +132,7 @@ def _belongs(kinds: set[str], room: RoomType) -> float:
 
 def _things(
     reading: Reading, lexicon: Lexicon, rooms: Rooms, room: RoomType
-) -> tuple[tuple[Wish, ...], dict[str, Category]]:
+) -> tuple[dict[str, int], dict[str, Category]]:
     """Return what is wished, and the kinds of it that are not in the catalogue as they stand."""
     wished: dict[str, int] = {}
     named: dict[str, Category] = {}
@@ -220,7 +164,7 @@ def _things(
             for name, count in rooms.corners[chunk.value].items():
                 if name.split()[-1] not in present:
                     wished[name] = wished.get(name, 0) + count
-    return tuple(Wish(name, count) for name, count in wished.items()), named
+    return wished, named
 
 
 def _shown(thing: Thing, room: RoomType, lexicon: Lexicon) -> str:

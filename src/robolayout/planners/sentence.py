@@ -21,7 +21,7 @@ from robolayout.planners._openings import openings
 from robolayout.planners._own import own_sides
 from robolayout.planners._wishes import Wishes, read_wishes
 from robolayout.scene import Scene, scene_from_dict, variable_name
-from robolayout.words import Rooms, RoomType, dressing, read_rooms
+from robolayout.words import KIN, Rooms, RoomType, dressing, read_rooms, wanted_openings
 
 FULLEST = 0.55
 """Share of the floor that wished things may take before the wish is called impossible."""
@@ -136,18 +136,18 @@ def scene_from_sentence(
     rooms = read_rooms(own.rooms)
     wishes = read_wishes(text, rooms, own.things)
     known = _Known({**CATALOGUE, **{thing.name: thing for thing in own.things}, **wishes.named}, rooms)
-    room = known.rooms.rooms[wishes.room_type]
+    room = wishes.room
     wished = _wished(wishes, room)
     size = _room_size(wishes, room, wished, known)
-    _possible(wishes.shape, wished, size, known)
+    _possible(wishes.reading.shape, wished, size, known)
     added = _added(wishes, room, wished, size, known, (fill, rng))
-    agent = wishes.agent or room.agent
+    agent = wishes.reading.agent or room.agent
     assumed = (*wishes.guesses, *_assumed(wishes, room, size))
     found = Understanding(
         text.strip(),
         room.name,
         size,
-        wishes.shape,
+        wishes.reading.shape,
         _height(wishes, room, [known.kinds[name] for name in (*wished, *added)]),
         agent,
         wished,
@@ -160,13 +160,11 @@ def scene_from_sentence(
 
 def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
     """Return what was asked for, with what the people in the sentence bring along."""
-    wished: dict[str, int] = {}
-    for wish in wishes.things:
-        wished[wish.category] = wished.get(wish.category, 0) + wish.count
+    wished = dict(wishes.things)
     people = _people(wishes, room, wished)
     heads = {_head(name) for name in wished}
     for name, count in room.person.items():
-        if people and _head(name) not in heads and name not in wishes.unwanted:
+        if people and _head(name) not in heads and name not in wishes.reading.unwanted:
             wished[name] = wished.get(name, 0) + count * people
     chairs = sum(n for name, n in wished.items() if _head(name) == "chair")
     if room.tables and not any(_head(name) == "table" for name in wished if "buffet" not in name):
@@ -182,14 +180,12 @@ def _people(wishes: Wishes, room: RoomType, wished: dict[str, int]) -> int:
         chair = next((name for name in room.person if _head(name) == "chair"), "chair")
         if not adults:
             wished[chair] = tables * wishes.seats
-    if wishes.people:
-        return 0 if room.couple and wishes.people == 2 and not wishes.children else wishes.people
+    if wishes.reading.people:
+        return 0 if room.couple and wishes.reading.people == 2 and not wishes.reading.young else wishes.reading.people
     taken = {_head(name) for name in room.person}
     return max((count for name, count in wished.items() if _head(name) in taken), default=room.people)
 
 
-KIN = {"crib": "bed", "cradle": "bed", "loveseat": "sofa", "settee": "sofa", "recliner": "armchair"}
-"""Things that stand for another that they are not named after."""
 VAGUE = ("stand", "rack", "machine", "board")
 """Last words that do not say what a thing is for."""
 
@@ -202,16 +198,17 @@ def _head(name: str) -> str:
 
 def _room_size(wishes: Wishes, room: RoomType, wished: Mapping[str, int], known: _Known) -> tuple[float, float]:
     """Return width and depth in metres: as asked, else usual ones, enlarged for what is wished."""
-    if wishes.size is not None:
-        return wishes.size
+    if wishes.reading.size is not None:
+        return wishes.reading.size
     width, depth = room.size
     longest = max((max(known.kinds[name].size[:2]) for name in wished if known.kinds[name].on_floor), default=0.0)
-    area = wishes.area or max(width * depth, known.floor_area({**room.base, **wished}) / ROOMY)
-    if wishes.shape == "L-shaped":
+    given = wishes.reading.measure("area")
+    area = given[0] if given else max(width * depth, known.floor_area({**room.base, **wished}) / ROOMY)
+    if wishes.reading.shape == "L-shaped":
         area *= 1.2
-    ratio = 1.0 if wishes.square else width / depth
+    ratio = 1.0 if wishes.reading.square else width / depth
     width = max(math.sqrt(area * ratio), longest + WALKWAY)
-    depth = max(area / width, longest + WALKWAY) if wishes.area is None else area / width
+    depth = max(area / width, longest + WALKWAY) if given is None else area / width
     return (round(width, 2), round(depth, 2))
 
 
@@ -244,23 +241,23 @@ def _added(
 ) -> dict[str, int]:
     """Return what belongs in such a room and was not named, then extras in random order while there is room."""
     fill, rng = further
-    floor = size[0] * size[1] * (0.75 if wishes.shape == "L-shaped" else 1.0)
-    asked = {known.head(wish.category) for wish in wishes.things}
-    lasts = {wish.category.split()[-1] for wish in wishes.things}
+    floor = size[0] * size[1] * (0.75 if wishes.reading.shape == "L-shaped" else 1.0)
+    asked = {known.head(name) for name in wishes.things}
+    lasts = {name.split()[-1] for name in wishes.things}
     heads = asked | {known.head(name) for name in wished if known.head(name) == "bed"}
     added: dict[str, int] = {}
-    if wishes.only:
+    if wishes.reading.only:
         return added
     for name, count in wished.items():
         for other, each in known.rooms.companions.get(name, {}).items():
-            wanted = other not in wishes.unwanted and other.split()[-1] not in wishes.general
+            wanted = other not in wishes.reading.unwanted and other.split()[-1] not in wishes.general
             if wanted and _head(other) not in {known.head(n) for n in wished}:
                 added[other] = added.get(other, 0) + count * each
     order = [*room.base.items(), *(list(room.extras.items())[i] for i in rng.permutation(len(room.extras)))]
     for name, count in order:
         if (
             name.split()[-1] in wishes.general
-            or name in wishes.unwanted
+            or name in wishes.reading.unwanted
             or (known.head(name) in heads)
             or name.split()[-1] in lasts
             or name in wished
@@ -274,7 +271,7 @@ def _added(
             if _head(other) not in present and other not in room.base
         }
         group = {name: count, **needs}
-        limit = AIRY if wishes.airy else BASIC if name in room.base else fill
+        limit = AIRY if wishes.reading.airy else BASIC if name in room.base else fill
         if known.floor_area(group) == 0 or known.floor_area({**wished, **added, **group}) <= limit * floor:
             added |= group
     return added
@@ -283,18 +280,19 @@ def _added(
 def _height(wishes: Wishes, room: RoomType, things: Iterable[Category]) -> float:
     """Return the wall height in metres: as asked, or as usual, or enough for the tallest thing."""
     tallest = max((kind.size[2] for kind in things), default=0.0)
-    return wishes.height or max(room.height, math.ceil(10 * (1.07 * tallest + 0.2)) / 10)
+    given = wishes.reading.measure("height")
+    return given[0] if given else max(room.height, math.ceil(10 * (1.07 * tallest + 0.2)) / 10)
 
 
 def _assumed(wishes: Wishes, room: RoomType, size: tuple[float, float]) -> tuple[str, ...]:
     """Return a sentence for every choice that the reader made."""
     found: list[str] = []
-    if wishes.size is None:
+    if wishes.reading.size is None:
         found.append(f"No size was given: {size[0]:g} x {size[1]:g} m was chosen.")
-    if wishes.agent is None:
+    if wishes.reading.agent is None:
         body = f"{room.agent} was taken, as usual there" if room.agent else "a disc of 0.30 m radius was taken"
         found.append(f"No body was named: {body}.")
-    if not wishes.people and room.people:
+    if not wishes.reading.people and room.people:
         found.append(f"No number of people was given: {room.people} was chosen.")
     return tuple(found)
 
@@ -317,9 +315,9 @@ def _scene(
     if rng.random() < 0.5:
         outline = [(width - x, y) for x, y in reversed(outline)]
     wide = 3.0 if found.agent in ("forklift",) else 0.95 if width * depth < 30 else 1.1
-    doors, windows = openings(outline, wide, wishes.openings, rng)
-    style = wishes.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
-    floor = wishes.floor or str(rng.choice(wishes.floors))
+    doors, windows = openings(outline, wide, wanted_openings(wishes.reading), rng)
+    style = wishes.reading.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
+    floor = wishes.reading.floor or str(rng.choice(wishes.room.floors))
     both = {**found.wished, **found.added}
     things = {name: found.wished.get(name, 0) + found.added.get(name, 0) for name in both}
     scene: dict[str, object] = {

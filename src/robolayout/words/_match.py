@@ -10,7 +10,15 @@ from robolayout.scene import Asset, Scene
 from robolayout.words._lexicon import grammar, plain
 from robolayout.words._said import Thing
 
-KIN = {"crib": "bed", "cot": "bed", "loveseat": "sofa", "couch": "sofa", "settee": "sofa", "recliner": "armchair"}
+KIN = {
+    "crib": "bed",
+    "cot": "bed",
+    "cradle": "bed",
+    "loveseat": "sofa",
+    "couch": "sofa",
+    "settee": "sofa",
+    "recliner": "armchair",
+}
 """Things that stand for another that they are not named after."""
 
 

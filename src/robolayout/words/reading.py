@@ -68,6 +68,27 @@ class Reading:
         return next((measure.values for measure in facts if measure.kind == kind), None)
 
     @property
+    def size(self) -> tuple[float, float] | None:
+        """Width and depth of the room in metres, if given."""
+        found = self.measure("size")
+        return (found[0], found[1]) if found else None
+
+    @property
+    def shape(self) -> str:
+        """Shape of the room: "rectangular" or "L-shaped"."""
+        return "L-shaped" if self.l_shaped else "rectangular"
+
+    @property
+    def unwanted(self) -> frozenset[str]:
+        """Kinds that must not be there."""
+        return frozenset(noun.kind for noun, _ in self.parsed.refused)
+
+    @property
+    def airy(self) -> bool:
+        """Whether the floor is to stay largely free."""
+        return bool(set(self.words_of_taste) & grammar().airy)
+
+    @property
     def words_of_taste(self) -> list[str]:
         """All words of taste, those before nouns too."""
         styles = grammar().styles
