@@ -91,7 +91,9 @@ def _kept(folder: Path, replay: bool) -> dict[str, Path]:
 
 def main(words: Sequence[str] | None = None) -> None:
     """Run the comparison that the command line asks for, and write the table to standard output."""
-    parser = argparse.ArgumentParser(prog="python -m benchmarks.against", description=(__doc__ or "").partition("\n")[0])
+    parser = argparse.ArgumentParser(
+        prog="python -m benchmarks.against", description=(__doc__ or "").partition("\n")[0]
+    )
     parser.add_argument("--model", help="openai:gpt-4o, anthropic:..., ollama:..., or a name with --base-url")
     parser.add_argument("--base-url", help="a server of your own")
     parser.add_argument("--judge", help="a model that also scores every room")

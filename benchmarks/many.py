@@ -32,7 +32,7 @@ SPEC = {
     "seed": 7,
 }
 WORKERS = {"1 process": (1, None), "2 processes": (2, None), "4 processes": (4, None), "Ray, 2 tasks": (2, "local")}
-ROOMS, ENOUGH = 40, 1000
+ROOMS, ENOUGH = 20, 1000
 """Rooms of a set whose making is timed, and of the set whose memory and variety are looked at."""
 
 

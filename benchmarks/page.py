@@ -6,6 +6,7 @@ import io
 import json
 import re
 import statistics
+from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
@@ -260,18 +261,34 @@ def crowded(rows: Rows, images: Path) -> str:
 
 def ablation(rows: Rows, images: Path) -> str:
     """Return the table of what each part is worth."""
-    groups: dict[str, list[Row]] = {}
+    groups: dict[tuple[str, str], dict[str, Row]] = {}
     for key, row in rows.items():
-        groups.setdefault(key.split("/")[0], []).append(row)
-    heads = ["solver", "runs", "hard demands met", "all demands met", *HEADS, "wall s", "CPU s"]
-    lines = [[k, *summary(v), *(f"{mean(v, n):.1f}" for n in ("wall", "cpu"))] for k, v in groups.items()]
+        name, family, case = key.split("/", 2)
+        groups.setdefault((family, name), {})[case] = row
+    heads = ["family", "solver", "runs", "hard demands met", "all demands met", "reachable", "usable", "statements met"]
+    heads += ["moved, m", "CPU s", "other layouts than the default's", "made by"]
+    lines: list[list[str]] = []
+    for (family, name), found in sorted(
+        groups.items(), key=lambda item: (item[0][0], item[0][1] != "default", item[0])
+    ):
+        runs, plain = list(found.values()), groups[family, "default"]
+        shares = [f"{mean(runs, n):.2f}" for n in ("reachable_share", "usable_share", "statements_met_share", "moved")]
+        other = sum(row["layout"] != plain[case]["layout"] for case, row in found.items())
+        lines.append([family, name, *summary(runs)[:3], *shares, f"{mean(runs, 'cpu'):.1f}", str(other), _phases(runs)])
     intro = (
-        "The same programs without guesses that help: crowded rooms of 20 assets (30 and 45 % filled) with blind guesses, "
-        "bedroom and living room for a wheelchair with the planner's statements but none of its guesses, and four tasks with "
-        "a model's rough guess; "
-        "one attempt each.\n"
+        "The solver without one of its parts, or with other numbers of starts (the default has 16): crowded rooms with blind "
+        "guesses, examples for a wheelchair with the planner's statements but no guesses, tasks with a model's rough guess "
+        "(below); one attempt each. A row that makes no other layouts than the default changes nothing in its family.\n"
     )
     return f"## What each part is worth\n\n{intro}\n{table(heads, lines)}"
+
+
+def _phases(runs: list[Row]) -> str:
+    """Return which phases made the winning layouts, and how often."""
+    counts = Counter(row["phase"] for row in runs)
+    return ", ".join(
+        f"{phase} {count}" for phase, count in sorted(counts.items(), key=lambda item: (-item[1], item[0]))
+    )
 
 
 def paper(rows: Rows, images: Path) -> str:
@@ -345,7 +362,7 @@ def rough(rows: Rows, images: Path) -> str:
         f"**{mean(found, 'moved'):.2f}** / {max(row['farthest'] for row in found):.2f}",
         f"{mean(found, 'turned'):.0f}",
     ]
-    last = [*means, str(sum(row["needless"] for row in found)), "", f"{mean(found, 'cpu'):.1f}"]
+    last = [*means, str(sum(row["needless"] for row in found)), _phases(found), f"{mean(found, 'cpu'):.1f}"]
     hard = f"{mean(found, 'hard_ok'):.0%}"
     lines.append(["all", "", hard, "", str(sum(row["short"] for row in found)), " / ".join(total), *last])
     heads = ["room", "assets", "hard demands met", "walkable", "out of reach", "statements met: guess / result / asked"]

@@ -23,7 +23,6 @@ from robolayout.constraints.align_with import AlignWith
 from robolayout.constraints.next_to import NextTo
 from robolayout.constraints.point_towards import PointTowards
 from robolayout.constraints.symmetric_pair import SymmetricPair
-from robolayout.planners import OfflinePlanner, PlanRequest
 from robolayout.program import Program
 from robolayout.run.flow import make_judge
 from robolayout.scene import Asset, Layout, Pose, Scene
@@ -75,14 +74,13 @@ def cases(quick: bool) -> Iterator[tuple[str, Callable[[], Row]]]:
 
 def rough(task: str, seed: int) -> Rough:
     """Return a task with a rough program; the same for the same seed."""
-    planner = OfflinePlanner()
-    scene = planner.recognised(rl.load_scene(ROOT / "examples" / "tasks" / f"{task}.json"))
-    program = rl.reconcile(rl.read_program(planner.plan(PlanRequest(scene)), scene), scene).program
-    problem = compile_problem(scene, program)
+    result = rl.generate(ROOT / "examples" / "tasks" / f"{task}.json")
+    scene, good = result.scene, result.layout
+    problem = compile_problem(scene, result.reconciled.program)
     carrier = {name: problem.names[p] for name, p in zip(problem.names, problem.parent, strict=True) if p >= 0}
     rng = random.Random(f"{task} {seed}")
-    lines = [*_statements(scene, problem.guess, carrier, rng)]
-    return Rough(scene, problem.guess, "\n".join([*_guesses(scene, problem.guess, carrier, rng), *lines]) + "\n")
+    lines = [*_statements(scene, good, carrier, rng)]
+    return Rough(scene, good, "\n".join([*_guesses(scene, good, carrier, rng), *lines]) + "\n")
 
 
 def _guesses(scene: Scene, good: Layout, carrier: dict[str, str], rng: random.Random) -> Iterator[str]:
@@ -221,20 +219,25 @@ def guessed(scene: Scene, program: Program) -> Layout:
 
 def moves(scene: Scene, result: rl.Result) -> Row:
     """Return how far things are from their guesses, and how many of them without need."""
-    guess, layout = guessed(scene, result.program), result.layout
-    away = {name: math.dist((pose.x, pose.y), (layout[name].x, layout[name].y)) for name, pose in guess.items()}
+    guess, layout, gone = guessed(scene, result.program), result.layout, away(scene, result)
     turned = [abs(math.remainder(pose.yaw - layout[name].yaw, math.tau)) for name, pose in guess.items()]
     judge = make_judge(scene, result.reconciled.program)
     least = judge(layout).merit
     idle = [
-        name for name, pose in guess.items() if away[name] > NEED and judge(_back(layout, name, pose)).merit <= least
+        name for name, pose in guess.items() if gone[name] > NEED and judge(_back(layout, name, pose)).merit <= least
     ]
     return {
-        "moved": sum(away.values()) / len(away),
-        "farthest": max(away.values()),
+        "moved": sum(gone.values()) / len(gone),
+        "farthest": max(gone.values()),
         "turned": math.degrees(sum(turned)) / len(turned),
         "needless": len(idle),
     }
+
+
+def away(scene: Scene, result: rl.Result) -> dict[str, float]:
+    """Return how many metres each thing is from its guess."""
+    guess, layout = guessed(scene, result.program), result.layout
+    return {name: math.dist((pose.x, pose.y), (layout[name].x, layout[name].y)) for name, pose in guess.items()}
 
 
 def _back(layout: Layout, name: str, pose: Pose) -> Layout:

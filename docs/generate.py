@@ -5,17 +5,20 @@ A table stands between `<!-- table: NAME -->` and `<!-- end of table -->`; `test
 
 from __future__ import annotations
 
+import ast
 import json
 import re
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING, Field
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 from robolayout import _errors
 from robolayout._files import write_atomic
 from robolayout.constraints import IMPLICIT, RELATIONS
+from robolayout.many import Spec
 from robolayout.planners import scene_from_sentence
 from robolayout.scene import agent_names, load_agent
 from robolayout.solve import solver_names
@@ -45,6 +48,19 @@ def statements() -> str:
         met = (kind.check.__doc__ or "").strip()
         rows.append([call if not kind.implicit else f"{kind.name} (in every program)", kind.meaning(), met])
     return table(["statement", "what it asks", "met if"], rows)
+
+
+def spec() -> str:
+    """Return one row per key of a SPEC of many rooms: its default, and what its docstring says."""
+    tree = ast.parse((ROOT / "src" / "robolayout" / "many" / "spec.py").read_text(encoding="utf-8"))
+    found = next(node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == "Spec").body
+    said = {
+        ast.unparse(field.target): ast.literal_eval(told.value)
+        for field, told in pairwise(found)
+        if isinstance(field, ast.AnnAssign) and isinstance(told, ast.Expr)
+    }
+    default = Spec().to_dict()
+    return table(["key", "default", "what it is"], [[f"`{k}`", f"`{json.dumps(default[k])}`", v] for k, v in said.items()])
 
 
 SENTENCES = (
@@ -191,6 +207,7 @@ TABLES: dict[str, Callable[[], str]] = {
     "solver_times": solver_times,
     "measured": measured,
     "rules": rules,
+    "spec": spec,
 }
 
 

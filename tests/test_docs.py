@@ -29,7 +29,7 @@ ELSEWHERE = {
 }
 """Pages whose code is run, and whose statements are checked, by the tests of their station."""
 
-HEAVY = ("robolayout compare", 'generate "')
+HEAVY = ("robolayout compare", "robolayout batch", 'generate "')
 """Beginnings of commands that take several seconds: their blocks are left to `make test-all`."""
 
 

@@ -147,7 +147,9 @@ def test_urdf_loads_with_the_same_bodies_and_masses(scene: Scene, layout: Layout
     model = mujoco.MjModel.from_xml_path(str(export(scene, layout, "urdf", folder=tmp_path)))
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    assert {model.body(i).name for i in range(1, model.nbody)} == FREE
+    moving = {f"{a.name}/{part.joint.name}" for a in scene.assets for part in parts(a) if part.joint is not None}
+    assert {model.body(i).name for i in range(1, model.nbody)} == FREE | moving
+    assert {model.joint(f"{name}/joint").range[1] > 0 for name in moving} == {True}
     for name in FREE:
         pose = layout[name]
         assert model.body(name).mass == pytest.approx(mass(scene.by_name[name]), rel=1e-6)
@@ -155,7 +157,7 @@ def test_urdf_loads_with_the_same_bodies_and_masses(scene: Scene, layout: Layout
         matrix = data.body(name).xmat.reshape(3, 3)
         assert matrix[:2, 0] == pytest.approx(pose.forward, abs=1e-6)
     root = ET.parse(tmp_path / "den.urdf").getroot()
-    assert {link.get("name") for link in root.iter("link")} == {"room", *layout}
+    assert {link.get("name") for link in root.iter("link")} == {"room", *layout} | moving
     fixed = {joint.find("child").get("link") for joint in root.iter("joint") if joint.get("type") == "fixed"}
     assert fixed == set(layout) - FREE
 

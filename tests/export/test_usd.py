@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from pxr import Gf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdShade, UsdValidation
 
-from robolayout.assets import category_of
+from robolayout.assets import category_of, parts
 from robolayout.export import EXPORTERS, Options, export
 from robolayout.export._exporter import mass
 from robolayout.scene import DEFAULT_AGENT, Layout, Scene
@@ -65,7 +65,9 @@ def test_units_axes_and_gravity(stage: Usd.Stage) -> None:
 def test_no_rigid_body_is_nested_and_each_has_a_mass(stage: Usd.Stage, scene: Scene) -> None:
     bodies = [prim for prim in stage.Traverse() if prim.HasAPI(UsdPhysics.RigidBodyAPI)]
     assert nested(stage) == []
-    weights = {p.GetAttribute("robolayout:name").Get(): UsdPhysics.MassAPI(p).GetMassAttr().Get() for p in bodies}
+    whole = [p for p in bodies if p.HasAttribute("robolayout:name")]
+    weights = {p.GetAttribute("robolayout:name").Get(): UsdPhysics.MassAPI(p).GetMassAttr().Get() for p in whole}
+    assert all(UsdPhysics.MassAPI(p).GetMassAttr().Get() > 0 for p in bodies)
     assert set(weights) == {"table_lamp-0", "dining_chair-0", "potted_plant-0"}
     for name, weight in weights.items():
         assert weight == pytest.approx(mass(scene.by_name[name]), rel=1e-6)
@@ -156,3 +158,23 @@ def test_lamps_give_light_and_a_camera_sees_the_room(stage: Usd.Stage, scene: Sc
     frustum = UsdGeom.Camera(stage.GetPrimAtPath("/World/Camera")).GetCamera(0).frustum
     corners = [(x, y, z) for x, y in scene.room.vertices for z in (0.0, scene.room.wall_height)]
     assert all(frustum.Intersects(Gf.Vec3d(*corner)) for corner in corners)
+
+
+def test_doors_and_drawers_hang_on_joints(stage: Usd.Stage, scene: Scene) -> None:
+    joints = [prim for prim in stage.Traverse() if prim.IsA(UsdPhysics.Joint)]
+    expected = {
+        f"{asset.name} {part.joint.name}"
+        for asset in scene.assets
+        for part in parts(asset)
+        if part.joint is not None and not category_of(asset).movable
+    }
+    assert len(joints) == len(expected) + len(scene.room.doors)
+    for prim in joints:
+        joint = UsdPhysics.Joint(prim)
+        (still,), (moving,) = joint.GetBody0Rel().GetTargets(), joint.GetBody1Rel().GetTargets()
+        assert not stage.GetPrimAtPath(still).HasAPI(UsdPhysics.RigidBodyAPI)
+        assert stage.GetPrimAtPath(moving).HasAPI(UsdPhysics.RigidBodyAPI)
+        typed = UsdPhysics.RevoluteJoint(prim) or UsdPhysics.PrismaticJoint(prim)
+        assert typed.GetLowerLimitAttr().Get() <= 0 < typed.GetUpperLimitAttr().Get()
+        turned = Gf.Rotation(Gf.Quatd(joint.GetLocalRot0Attr().Get())).TransformDir(Gf.Vec3d(1, 0, 0))
+        assert max(abs(part) for part in turned) == pytest.approx(1.0, abs=1e-6)

@@ -129,7 +129,8 @@ def vary(relation: Relation, scene: Scene, rng: np.random.Generator, chance: flo
             swaps += [0.0, 37.0, 90.0, -135.0]
         if swaps and rng.random() < chance:
             changes[field.name] = swaps[int(rng.integers(len(swaps)))]
-    return replace(relation, **changes)
+    changed = replace(relation, **changes)
+    return relation if changed.fault(scene) else changed
 
 
 def stage_arrays(problem: Problem) -> Arrays:
@@ -216,6 +217,10 @@ def case(name: str, variant: int) -> Case:
         relation = vary(relation, scene, rng, 1.0 if variant == 1 else 0.5)
     problem = flat_problem(scene, relation)
     arrays, random = stage_arrays(problem), anywhere(scene, rng)
+    if relation.as_guessed:
+        start = [(pose.x, pose.y, pose.yaw) for pose in (problem.guess[asset.name] for asset in scene.assets)]
+        others = [i for i, asset in enumerate(scene.assets) if asset.name not in set(moved_by(relation))]
+        random[:, others] = np.array(start)[others]
     satisfied = descend(random, arrays, *STATED)
     return Case(scene, relation, problem.guess, arrays, satisfied, random)
 

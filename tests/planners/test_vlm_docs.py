@@ -41,5 +41,7 @@ def test_the_table_of_modes_is_complete() -> None:
 
 
 def test_the_prompt_of_the_judge_is_on_the_page() -> None:
-    shown = re.search(r"<!-- judge\.md -->\n```text\n(.*?)^```", (ROOT / "docs/vlm.md").read_text(), re.DOTALL | re.MULTILINE)
+    shown = re.search(
+        r"<!-- judge\.md -->\n```text\n(.*?)^```", (ROOT / "docs/vlm.md").read_text(), re.DOTALL | re.MULTILINE
+    )
     assert shown and shown[1] == (ROOT / "src/robolayout/planners/model/prompts/judge.md").read_text()

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from vlm_rooms import small_room
 
-from robolayout.planners import rank_samples, score_samples
+from robolayout.planners import score_samples
 from robolayout.planners.model.feedback import MOST_LINES, Feedback
 from robolayout.planners.model.ranking import ACCESS, HARD, agreement
 from robolayout.program import Program, read_program
@@ -21,6 +21,12 @@ def figures(hard: float = 1.0, access: float = 1.0, met: float = 1.0) -> dict[st
 
 def program(*lines: str) -> Program:
     return read_program("\n".join(f"solver.{line}" for line in lines), SCENE)
+
+
+def rank_samples(rows: list[dict[str, float | bool]], programs: list[Program]) -> tuple[int, ...]:
+    """Return the samples' numbers by their scores, best first; the earlier one wins a tie."""
+    scores = score_samples(rows, programs)
+    return tuple(sorted(range(len(scores)), key=lambda i: (*(-part for part in scores[i].key), i)))
 
 
 def test_hard_demands_come_before_access_before_statements() -> None:

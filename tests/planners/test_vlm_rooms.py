@@ -73,6 +73,19 @@ def test_the_model_says_the_room_and_the_command_lays_it_out(protocol: str, tmp_
     asked = server.seen[0].user
     assert all(f"{name}: " in asked for name in CATALOGUE)
     assert len(list((tmp_path / "out" / "exchanges").glob("room-*.json"))) == 1
+    again = (
+        "--replay",
+        tmp_path / "out" / "exchanges",
+        "--mode",
+        "one_shot",
+        "--retries",
+        "0",
+        "--no-pictures",
+        "--json",
+    )
+    run_command("generate", WORDS, *again, "--out", tmp_path / "again")
+    for name in ("scene.json", "understood.json", "layout.json"):
+        assert (tmp_path / "again" / name).read_bytes() == (tmp_path / "out" / name).read_bytes()
 
 
 @pytest.mark.parametrize(

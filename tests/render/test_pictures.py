@@ -1,26 +1,14 @@
-"""The set of a run, the public names, and the path-traced picture's extra."""
+"""The public names, and the path-traced picture's extra."""
 
 import importlib
-import io
 import subprocess
 import sys
 
 import numpy as np
 import pytest
-from PIL import Image
 
 from robolayout._errors import MissingExtraError
-from robolayout.render import beauty, pictures, render_beauty, run_pictures
-from robolayout.scene import Trace
-
-
-def test_a_run_gets_all_its_pictures(bedroom, layout, trace, marks, monkeypatch):
-    monkeypatch.setattr(pictures, "TOP_SIZE", (120, 120))
-    monkeypatch.setattr(pictures, "VIEW_SIZE", (160, 120))
-    made = run_pictures(bedroom, layout, trace, marks=marks, agent=bedroom.agent, renderer="rays")
-    assert list(made) == ["plan.svg", "top.png", "view.png", "progress.gif", "loss.png"]
-    assert Image.open(io.BytesIO(made["view.png"])).size == (160, 120)
-    assert "loss.png" not in run_pictures(bedroom, layout, Trace(), renderer="rays")
+from robolayout.render import beauty, render_beauty
 
 
 def test_public_names_exist():

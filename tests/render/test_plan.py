@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from robolayout._errors import InputError
-from robolayout.render import PlanMarks, compare_image, compare_svg, draw_plan, gap_ends, plan_image, plan_pdf, plan_svg
+from robolayout.render import PlanMarks, compare_image, compare_svg, draw_plan, plan_image, plan_pdf, plan_svg
 from robolayout.render._drawing import Drawing, Shape, Text, draw_image, draw_svg
 from robolayout.render._labels import Tag, place_labels
 from robolayout.render._marked import passage_spots
@@ -201,13 +201,6 @@ def test_a_name_that_fits_nowhere_is_left_out_and_one_that_fits_is_inside():
     labels = place_labels([Tag("tiny thing", small, False), Tag("large", large, True)], [], (0, 0, 50, 50))
     assert [label.lines for label in labels] == [("large",)]
     assert shapely.Polygon(large).contains(shapely.box(*labels[0].box))
-
-
-def test_gap_ends_lie_on_the_two_things(bedroom, layout):
-    ends = gap_ends(bedroom, layout, (2.8, 2.6), ("bed-0", "wardrobe-0"))
-    assert ends == ((pytest.approx(2.15), pytest.approx(2.6)), (pytest.approx(3.38), pytest.approx(2.6)))
-    assert gap_ends(bedroom, layout, (3.0, 0.7), ("bed-0", "wall 0"))[1] == (3.0, pytest.approx(0.0))
-    assert gap_ends(bedroom, layout, (2.8, 2.6), ("bed-0", "wall 99")) is None
 
 
 def test_what_hangs_from_the_ceiling_is_an_outline_with_its_cord(bedroom, layout):

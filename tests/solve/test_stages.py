@@ -24,7 +24,8 @@ def arrays_of(scene: Scene, text: str = "", number: int = 0) -> Arrays:
 
 def pairs_of(scene: Scene, text: str = "", number: int = 0) -> set[tuple[str, str]]:
     arrays, names = arrays_of(scene, text, number), [asset.name for asset in scene.assets]
-    return {(names[a], names[b]) for a, b in arrays.pairs if a != b}
+    slot = arrays.prism_slot
+    return {(names[slot[a]], names[slot[b]]) for a, b in arrays.pairs if a != b}
 
 
 def test_ceiling_things_hang_from_the_ceiling_of_this_room() -> None:

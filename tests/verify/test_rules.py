@@ -156,7 +156,7 @@ def test_a_table_has_room_for_knees(height: float, met: bool):
     )
     found = judged(square(), (table, on_floor(table, 2, 2.5)), (chair, on_floor(chair, 1.2, 2.5)))["knee_room"]
     assert found.met is met
-    assert "under table-0, by its drawn parts" in found.measured.text
+    assert "under table-0, by its shape" in found.measured.text
 
 
 def test_rules_concern_some_bodies_only_and_do_not_change_the_verdict():

@@ -62,6 +62,7 @@ class Relation(ABC):
         implicit: Whether it belongs to every program and cannot be written in one.
         surrogate: Whether the terms ask for more than the check, such as a whole footprint where the check wants the
             centre. The laws then hold one direction only: residual 0 means that the check passes.
+        as_guessed: Whether its rows hold only while what it refers to stays where it is guessed.
         example: One line of program text that uses it.
     """
 
@@ -71,6 +72,7 @@ class Relation(ABC):
     hard: ClassVar[bool] = False
     implicit: ClassVar[bool] = False
     surrogate: ClassVar[bool] = False
+    as_guessed: ClassVar[bool] = False
     example: ClassVar[str]
 
     @abstractmethod

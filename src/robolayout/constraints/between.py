@@ -26,12 +26,17 @@ class BetweenTwo(Relation):
     """`a` stands between `b` and `c`: at most 0.5 m from the line between their middles, and not past its ends."""
 
     name: ClassVar[str] = "between"
+    as_guessed: ClassVar[bool] = True
     surrogate: ClassVar[bool] = True  # its middle near the line as b and c are guessed, where the check takes its edge
     example: ClassVar[str] = "solver.between(side_table[0], armchair[0], armchair[1])"
 
     a: AssetRef = argument("asset")
     b: AssetRef | PointRef = argument("asset", "point")
     c: AssetRef | PointRef = argument("asset", "point")
+
+    def fault(self, scene: Scene) -> str:
+        """Refuse one thing twice."""
+        return "a thing stands between two different ones" if self.b == self.c else ""
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row in the frame of the line between the two as they stand now."""

@@ -18,7 +18,7 @@ class Grouped(Relation):
 
     name: ClassVar[str] = "grouped"
     surrogate: ClassVar[bool] = True  # as near
-    example: ClassVar[str] = "solver.grouped(bin[0], [desk[0], desk[1]])"
+    example: ClassVar[str] = "solver.grouped(armchair[0], [bookshelf[0], bookshelf[1]], 0.8)"
 
     a: AssetRef = argument("asset")
     items: tuple[AssetRef, ...] = argument("asset", many=True)

@@ -13,11 +13,12 @@ import numpy as np
 from pxr import Gf, Kind, Sdf, Tf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantics, UsdShade, Vt
 
 from robolayout._text import xml
-from robolayout.assets import Material, Part, category_of, parts, room_parts
+from robolayout.assets import Joint, Material, Part, category_of, parts, room_parts
 from robolayout.assets.textures import media_type, picture
 from robolayout.export._exporter import Options, is_movable, is_trim, mass, placed
-from robolayout.export._mesh import base_color, linear, welded
+from robolayout.export._mesh import base_color, linear, volume, welded
 from robolayout.export._scenery import ASPECT, FIELD, LUMENS, WARM, lamp, overview
+from robolayout.export.mjcf import LEAF_MASS, SMALLEST_VOLUME
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
 BULB = 0.05
@@ -52,7 +53,7 @@ def build(scene: Scene, layout: Layout, options: Options, pictures: dict[str, by
     UsdGeom.Scope.Define(stage, LOOKS)
     builder = _Builder(stage, pictures)
     room = room_parts(scene.room, seed=options.seed)
-    builder.meshes(ROOM, tuple(part for part in room if not is_trim(part)), movable=False)
+    builder.meshes(ROOM, builder.hung(ROOM, tuple(part for part in room if not is_trim(part))), movable=False)
     builder.meshes(ROOM, tuple(part for part in room if is_trim(part)), movable=False, collides=False)
     for asset, pose in placed(scene, layout):
         builder.asset(asset, pose, movable=is_movable(asset, scene, layout), seed=options.seed)
@@ -100,13 +101,45 @@ class _Builder:
             UsdPhysics.MassAPI.Apply(prim).CreateMassAttr(mass(asset))
         self.bind(prim, self.friction(category_of(asset).friction), "physics")
         folder, pieces = str(prim.GetPath()), parts(asset, seed=seed)
-        self.meshes(folder, pieces, movable=movable, collides=not asset.is_flat)
+        still = pieces if movable else self.hung(folder, pieces)  # no rigid body may hold another one
+        self.meshes(folder, still, movable=movable, collides=not asset.is_flat)
         if (bulb := lamp(pieces)) is not None:
             light = UsdLux.SphereLight.Define(self.stage, self.path(folder, "light"))
             light.CreateRadiusAttr(BULB)
             light.CreateIntensityAttr(LUMENS / (2 * math.pi * BULB) ** 2)
             light.CreateColorAttr(Gf.Vec3f(*WARM))
             light.AddTranslateOp().Set(Gf.Vec3d(*bulb))
+
+    def hung(self, folder: str, pieces: tuple[Part, ...]) -> tuple[Part, ...]:
+        """Add a rigid body and its joint for each group of parts that moves, and return the parts that do not."""
+        for joint in dict.fromkeys(part.joint for part in pieces if part.joint is not None):
+            group = tuple(part for part in pieces if part.joint == joint)
+            prim = UsdGeom.Xform.Define(self.stage, self.path(folder, joint.name)).GetPrim()
+            UsdPhysics.RigidBodyAPI.Apply(prim)
+            UsdPhysics.MassAPI.Apply(prim).CreateMassAttr(
+                LEAF_MASS * sum(max(volume(part), SMALLEST_VOLUME) for part in group)
+            )
+            self.meshes(str(prim.GetPath()), group, movable=True)
+            self.joint(self.path(folder, f"{joint.name} joint"), joint, folder, prim)
+        return tuple(part for part in pieces if part.joint is None)
+
+    def joint(self, path: str, joint: Joint, still: str, moving: Any) -> None:
+        """Add a joint between what stays and what moves; its x axis is the joint's axis."""
+        hinge = joint.kind == "hinge"
+        made = (UsdPhysics.RevoluteJoint if hinge else UsdPhysics.PrismaticJoint).Define(self.stage, path)
+        made.CreateBody0Rel().SetTargets([still])
+        made.CreateBody1Rel().SetTargets([moving.GetPath()])
+        made.CreateAxisAttr("X")
+        turn = Gf.Quatf(Gf.Rotation(Gf.Vec3d(1, 0, 0), Gf.Vec3d(*joint.axis)).GetQuat())
+        for place, way in (
+            (made.CreateLocalPos0Attr, made.CreateLocalRot0Attr),
+            (made.CreateLocalPos1Attr, made.CreateLocalRot1Attr),
+        ):
+            place(Gf.Vec3f(*joint.at))
+            way(turn)
+        low, high = (math.degrees(end) if hinge else end for end in joint.span)
+        made.CreateLowerLimitAttr(low)
+        made.CreateUpperLimitAttr(high)
 
     def meshes(self, folder: str, pieces: tuple[Part, ...], *, movable: bool, collides: bool = True) -> None:
         """Add one mesh for each part, each its own collider."""

@@ -48,7 +48,7 @@ SMALLEST_VOLUME = 1e-8
 """Volume in cubic metres below which a part collides as its box."""
 
 LEAF_MASS = 600.0
-"""Kilograms per cubic metre of a room door's leaf: wood."""
+"""Kilograms per cubic metre of the leaf of a door: wood."""
 
 AGENT = "agent"
 AGENT_MASS = 60.0

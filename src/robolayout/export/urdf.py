@@ -1,13 +1,16 @@
 """URDF: the room as a robot description, for tools that load nothing else.
 
 URDF cannot hold mesh vertices, and one file should be enough, so every part is a box: its own if it is one, else the box around it
-in the asset's frame. The root link `room` is the floor and the walls; every asset is a link, fixed or floating.
+in the asset's frame. The root link `room` is the floor and the walls; every asset is a link, fixed or floating, and what of it moves is
+a link on a revolute or prismatic joint.
 """
 
 from __future__ import annotations
 
 import math
 import xml.etree.ElementTree as ET
+from collections.abc import Iterable
+from dataclasses import replace
 
 import numpy as np
 
@@ -24,9 +27,12 @@ from robolayout.export._exporter import (
     placed,
     reader,
 )
-from robolayout.export._mesh import as_box
-from robolayout.export.mjcf import THINNEST, parse_xml
-from robolayout.scene import Asset, Layout, Pose, Room, Scene
+from robolayout.export._mesh import as_box, volume
+from robolayout.export.mjcf import DRAG, LEAF_MASS, SMALLEST_VOLUME, STICTION, THINNEST, parse_xml
+from robolayout.scene import Layout, Pose, Room, Scene
+
+EFFORT, SPEED = 100.0, 2.0
+"""Greatest force or torque and speed of a joint of furniture (N or N m, m/s or rad/s), which URDF asks for; nothing comes near."""
 
 SLAB = 0.1
 """Thickness of the floor in metres."""
@@ -46,8 +52,8 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
             _shapes(room, part, f"room/{part.name}")
     for asset, pose in placed(scene, layout):
         link = ET.SubElement(robot, "link", name=asset.name)
-        _inertial(link, asset)
-        for part in parts(asset, seed=options.seed):
+        _inertial(link, mass(asset), asset.size)
+        for part in _hung(robot, asset.name, parts(asset, seed=options.seed)):
             _shapes(link, part, f"{asset.name}/{part.name}")
         kind = "floating" if is_movable(asset, scene, layout) else "fixed"
         joint = ET.SubElement(robot, "joint", name=f"{asset.name}/joint", type=kind)
@@ -55,6 +61,34 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
         ET.SubElement(joint, "child", link=asset.name)
         ET.SubElement(joint, "origin", xyz=f"{pose.x!r} {pose.y!r} {pose.z!r}", rpy=f"0 0 {pose.yaw!r}")
     return dump_xml(robot)
+
+
+def _hung(robot: ET.Element, name: str, pieces: tuple[Part, ...]) -> list[Part]:
+    """Add a link and its joint for each group of parts that moves, and return the parts that do not."""
+    for joint in dict.fromkeys(part.joint for part in pieces if part.joint is not None):
+        own, group = f"{name}/{joint.name}", [part for part in pieces if part.joint == joint]
+        link = ET.SubElement(robot, "link", name=own)
+        points = np.concatenate([part.vertices for part in group])
+        weight = LEAF_MASS * sum(max(volume(part), SMALLEST_VOLUME) for part in group)
+        x, y, z = np.ptp(points, axis=0).tolist()
+        _inertial(link, weight, (x, y, z), (points.min(axis=0) + points.max(axis=0)) / 2 - joint.at)
+        for part in group:
+            _shapes(link, replace(part, vertices=part.vertices - joint.at), f"{name}/{part.name}")
+        turns = joint.kind == "hinge"
+        made = ET.SubElement(robot, "joint", name=f"{own}/joint", type="revolute" if turns else "prismatic")
+        ET.SubElement(made, "parent", link=name)
+        ET.SubElement(made, "child", link=own)
+        ET.SubElement(made, "origin", xyz=_numbers(joint.at), rpy="0 0 0")
+        ET.SubElement(made, "axis", xyz=_numbers(joint.axis))
+        low, high = joint.span
+        limits = {"lower": f"{low:.9g}", "upper": f"{high:.9g}", "effort": f"{EFFORT:g}", "velocity": f"{SPEED:g}"}
+        ET.SubElement(made, "limit", limits)
+        ET.SubElement(made, "dynamics", damping=f"{DRAG[joint.kind]:g}", friction=f"{STICTION[joint.kind]:g}")
+    return [part for part in pieces if part.joint is None]
+
+
+def _numbers(values: Iterable[float]) -> str:
+    return " ".join(f"{value + 0.0:.9g}" for value in values)
 
 
 def _floor(link: ET.Element, room: Room, material: Material) -> None:
@@ -69,10 +103,13 @@ def _floor(link: ET.Element, room: Room, material: Material) -> None:
         _color(shape, "room/floor", material)
 
 
-def _inertial(link: ET.Element, asset: Asset) -> None:
-    """Add mass and inertia of a solid box of the asset's size."""
-    weight, (x, y, z) = mass(asset), asset.size
+def _inertial(
+    link: ET.Element, weight: float, size: tuple[float, float, float], middle: Iterable[float] = (0.0, 0.0, 0.0)
+) -> None:
+    """Add mass and inertia of a solid box of some size."""
+    x, y, z = size
     inertial = ET.SubElement(link, "inertial")
+    ET.SubElement(inertial, "origin", xyz=_numbers(middle), rpy="0 0 0")
     ET.SubElement(inertial, "mass", value=f"{weight:.9g}")
     moments = {"ixx": y * y + z * z, "iyy": x * x + z * z, "izz": x * x + y * y}
     rows = {name: f"{weight * value / 12:.9g}" for name, value in moments.items()}
@@ -119,7 +156,7 @@ def read(data: bytes) -> Contents:
     poses: dict[str, Pose] = {}
     for joint in parse_xml(data, "robot").iter("joint"):
         origin, child = joint.find("origin"), joint.find("child")
-        if origin is not None and child is not None:
+        if origin is not None and child is not None and joint.get("type") in ("fixed", "floating"):
             x, y, z = map(float, origin.get("xyz", "0 0 0").split())
             yaw = float(origin.get("rpy", "0 0 0").split()[2])
             poses[child.get("link", "")] = Pose(x, y, z, yaw)

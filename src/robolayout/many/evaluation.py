@@ -261,9 +261,8 @@ def _plots(found: Evaluation) -> dict[str, bytes]:
     shares = [
         n for n, mean in found.groups["all"].items() if n.endswith(("_share", "_ratio")) or n == "ok" if mean.count
     ]
-    plots = {f"means with {len_of(part)} rooms": {} for part in [found.groups["all"]]}
-    title = next(iter(plots))
-    plots[title] = {group: {name: part[name] for name in shares[:PLOTTED]} for group, part in found.groups.items()}
+    means = {group: {name: part[name] for name in shares[:PLOTTED]} for group, part in found.groups.items()}
+    plots = {"means by group, with their intervals": means}
     if found.against:
         names = [name for name, pair in found.against.items() if pair.better + pair.worse][:PLOTTED]
         plots["differences, this folder less the other"] = {"": {n: found.against[n].difference for n in names}}
@@ -289,7 +288,7 @@ def _drawn(bars: Mapping[str, Mapping[str, Mean]]) -> bytes:
     axes.invert_yaxis()
     axes.grid(alpha=0.3)
     if len(bars) > 1:
-        axes.legend(frameon=False, fontsize=8)
+        figure.legend(frameon=False, fontsize=8, loc="outside right upper")
     stream = io.BytesIO()
     figure.savefig(stream, format="png", dpi=110, metadata={"Software": ""})
     return stream.getvalue()

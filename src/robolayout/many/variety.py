@@ -28,8 +28,6 @@ LEAST = 0.15
 Thing = tuple[str, float, float, float]
 """Kind, x and y in metres from the middle of the room, heading in radians."""
 
-_WAYS = [(turn, mirrored) for mirrored in (False, True) for turn in range(4)]
-
 
 def things(scene: Scene, layout: Layout) -> tuple[Thing, ...]:
     """Return what stands where in a room, sorted."""
@@ -50,21 +48,34 @@ class Plan:
     """
 
     def __init__(self, found: Sequence[Sequence[Any]]) -> None:
-        kinds = [str(thing[0]) for thing in found]
-        self.counts = Counter(kinds)
+        self.counts = Counter(str(thing[0]) for thing in found)
+        self.kinds = np.array([thing[0] for thing in found], dtype=object)
         poses = np.array([thing[1:] for thing in found], dtype=float).reshape(-1, 3)
-        self.poses = {kind: poses[[k == kind for k in kinds]] for kind in self.counts}
+        self.seen = np.stack([_seen(poses, turn, mirrored) for mirrored in (False, True) for turn in range(4)])
 
     def least(self, other: Plan) -> float:
         """Return a bound that the difference is never below: the share of things whose kind the other one lacks."""
-        return _share((self.counts & other.counts).total(), self.counts.total() + other.counts.total())
+        return self._share((self.counts & other.counts).total(), other)
 
-    def difference(self, other: Plan) -> float:
-        """Return the difference of two rooms: 0 where the same stands at the same places, 1 where nothing does."""
-        shared = self.counts.keys() & other.counts.keys()
+    def difference(self, other: Plan, below: float = 2.0) -> float:
+        """Return the difference of two rooms: 0 where the same stands at the same places, 1 where nothing does.
+
+        Args:
+            other: The other room.
+            below: What it is compared with: from there on, a bound that is no less may be returned instead.
+        """
+        apart = self.seen[0][None, :, None] - other.seen[:, None, :]
+        turned = np.abs((apart[..., 2] + math.pi) % (2 * math.pi) - math.pi)
+        metres = np.hypot(apart[..., 0], apart[..., 1])
+        near = (metres <= NEAR) & (turned <= math.radians(ALIKE)) & (self.kinds[:, None] == other.kinds[None, :])
+        most = np.minimum(near.any(axis=2).sum(axis=1), near.any(axis=1).sum(axis=1))
+        if (bound := self._share(int(most.max()), other)) >= below:
+            return bound
+        return self._share(max(_pairs(np.where(n, m, np.inf)) for n, m in zip(near, metres, strict=True)), other)
+
+    def _share(self, met: int, other: Plan) -> float:
         both = self.counts.total() + other.counts.total()
-        met = (sum(_pairs(self.poses[k], _seen(other.poses[k], *way)) for k in shared) for way in _WAYS)
-        return _share(max(met), both)
+        return 1.0 - 2.0 * met / both if both else 0.0
 
 
 def nearest(plan: Plan, others: Sequence[tuple[int, Plan]]) -> tuple[float, int]:
@@ -73,12 +84,9 @@ def nearest(plan: Plan, others: Sequence[tuple[int, Plan]]) -> tuple[float, int]
     for bound, number, other in sorted(((plan.least(one), n, one) for n, one in others), key=lambda item: item[:2]):
         if bound >= best[0]:
             break
-        best = min(best, (plan.difference(other), number))
+        if (found := plan.difference(other, best[0])) < best[0]:
+            best = (found, number)
     return best
-
-
-def _share(met: int, both: int) -> float:
-    return 1.0 - 2.0 * met / both if both else 0.0
 
 
 def _seen(poses: NDArray[np.float64], turn: int, mirrored: bool) -> NDArray[np.float64]:
@@ -91,14 +99,11 @@ def _seen(poses: NDArray[np.float64], turn: int, mirrored: bool) -> NDArray[np.f
     return np.stack([x, y, yaw], axis=1)
 
 
-def _pairs(here: NDArray[np.float64], there: NDArray[np.float64]) -> int:
-    """Return how many things can be paired one to one with a near one that faces the same way, the nearest first."""
-    apart = np.hypot(here[:, None, 0] - there[None, :, 0], here[:, None, 1] - there[None, :, 1])
-    turned = np.abs((here[:, None, 2] - there[None, :, 2] + math.pi) % (2 * math.pi) - math.pi)
-    apart = np.where(turned <= math.radians(ALIKE), apart, np.inf)
+def _pairs(apart: NDArray[np.float64]) -> int:
+    """Return how many things can be paired one to one, the nearest first; those that cannot are endlessly far apart."""
     found = 0
-    while apart.size and apart.min() <= NEAR:
-        row, column = divmod(int(apart.argmin()), apart.shape[1])
+    while apart.size and np.isfinite(least := apart.min()):
+        row, column = np.argwhere(apart == least)[0]
         apart[row, :] = apart[:, column] = np.inf
         found += 1
     return found

@@ -140,8 +140,10 @@ def _asset(report: AgentReport, name: str) -> dict[str, Any]:
         rows.append(("Used", "it asks for no use", None))
     else:
         moved = f", once {' and '.join(use.moved)} stands aside" if use.moved else ""
+        how = f", {use.approach}" if use.approach else ""
         by = f", by the handle of {use.opens}" if use.opens else ""
-        rows.append(("Used", (f"yes, from its {use.side}" if use.side else "yes, from any side") + by + moved, True))
+        side = f"yes, from its {use.side}{how}" if use.side else "yes, from any side"
+        rows.append(("Used", side + by + moved, True))
     return {"state": state, "stand": use.stand and listed(use.stand), "rows": rows}
 
 

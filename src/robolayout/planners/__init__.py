@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from robolayout.planners.model.judge import ModelJudge
     from robolayout.planners.model.planner import ModelPlanner
     from robolayout.planners.model.prompt import poses_text
-    from robolayout.planners.model.ranking import Score, rank_samples, score_samples
+    from robolayout.planners.model.ranking import Score, score_samples
     from robolayout.planners.offline import OfflinePlanner
     from robolayout.planners.sentence import Understanding, scene_from_sentence
 
@@ -26,7 +26,6 @@ _LAZY = {
     "Understanding": "sentence",
     "Feedback": "model.feedback",
     "poses_text": "model.prompt",
-    "rank_samples": "model.ranking",
     "scene_from_sentence": "sentence",
     "score_samples": "model.ranking",
 }
@@ -48,7 +47,6 @@ __all__ = [
     "Score",
     "Understanding",
     "poses_text",
-    "rank_samples",
     "scene_from_sentence",
     "score_samples",
 ]

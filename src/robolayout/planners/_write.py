@@ -160,12 +160,15 @@ class Writer:
         bound = JOINED if item.join or name in self.asked else None
         if modes[0] in ("hang", "ceiling", "rug"):
             yield from self._off_the_floor(item, modes[0])
+        elif modes == ["corner"]:
+            yield from self._fill(say["corner"], values, bound, name)
         elif set(modes) <= {"wall", "corner"}:
             held = name in self._held and bound is None
             yield from self._fill(say["wall"], values, None if held else ONLY, name)
         else:
             yield from self._fill(say["middle"], values, bound, name)
-            weight = (FIRST if "middle" in modes and "grid" not in modes else ONLY) + item.role.prefer.get("first", 0.0)
+            open_floor = {"middle", "facing"} & set(modes) and "grid" not in modes
+            weight = (FIRST if open_floor else ONLY) + item.role.prefer.get("first", 0.0)
             if "wall" in modes:
                 yield from self._fill(say["wall"], values, weight if modes[0] == "wall" else -weight, name)
             yield from self._in_rows(item, "grid" in modes)

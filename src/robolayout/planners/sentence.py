@@ -21,7 +21,7 @@ from robolayout.planners._openings import openings
 from robolayout.planners._own import own_sides
 from robolayout.planners._wishes import Wishes, read_wishes
 from robolayout.scene import Scene, scene_from_dict, variable_name
-from robolayout.words import KIN, Rooms, RoomType, read_rooms, wanted_openings
+from robolayout.words import KIN, Rooms, RoomType, dressing, read_rooms, wanted_openings
 
 FULLEST = 0.55
 """Share of the floor that wished things may take before the wish is called impossible."""
@@ -321,6 +321,7 @@ def _scene(
     both = {**found.wished, **found.added}
     things = {name: found.wished.get(name, 0) + found.added.get(name, 0) for name in both}
     scene: dict[str, object] = {
+        "dress": dressing(found.text),
         "task_description": found.text,
         "layout_criteria": "",
         "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in outline], "wall_height": found.height, "floor": floor},

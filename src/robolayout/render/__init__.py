@@ -14,7 +14,7 @@
 | `compare_image`, `compare_svg` | several plans side by side |
 | `progress_gif`, `walk_gif` | the optimisation, and the agent on its round through the room |
 | `loss_png`, `loss_image` | the terms of the loss, linear and logarithmic |
-| `run_pictures(scene, layout, trace)` | all files of a run at once |
+| `png_bytes(image)` | a picture as PNG |
 | `render_beauty(scene, layout, view=...)` | a path-traced picture (extra `beauty`) |
 
 Nothing heavy is loaded before the first picture.
@@ -34,9 +34,9 @@ if TYPE_CHECKING:
     from robolayout.render.catalogue import asset_sheet
     from robolayout.render.compare import compare_image, compare_svg
     from robolayout.render.curves import loss_image, loss_png
-    from robolayout.render.marks import PlanMarks, gap_ends
+    from robolayout.render.marks import PlanMarks
     from robolayout.render.model_plan import model_plan
-    from robolayout.render.pictures import png_bytes, run_pictures
+    from robolayout.render.pictures import png_bytes
     from robolayout.render.plan import draw_plan, plan_image, plan_pdf, plan_svg
     from robolayout.render.sheet import SheetNotes, draw_sheet, sheet_image, sheet_pdf, sheet_svg
     from robolayout.render.view import Buffers, Studio, render_asset, render_view
@@ -63,7 +63,6 @@ _HOMES = {
     "draw_sheet": "sheet",
     "eye_camera": "camera",
     "fitted_camera": "camera",
-    "gap_ends": "marks",
     "loss_image": "curves",
     "loss_png": "curves",
     "model_plan": "model_plan",
@@ -75,7 +74,6 @@ _HOMES = {
     "render_asset": "view",
     "render_beauty": "beauty",
     "render_view": "view",
-    "run_pictures": "pictures",
     "sheet_image": "sheet",
     "sheet_pdf": "sheet",
     "sheet_svg": "sheet",
@@ -105,7 +103,6 @@ __all__ = [
     "draw_sheet",
     "eye_camera",
     "fitted_camera",
-    "gap_ends",
     "loss_image",
     "loss_png",
     "model_plan",
@@ -117,7 +114,6 @@ __all__ = [
     "render_asset",
     "render_beauty",
     "render_view",
-    "run_pictures",
     "sheet_image",
     "sheet_pdf",
     "sheet_svg",

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-
-from robolayout.scene import Layout, Scene
 
 Point = tuple[float, float]
 Rings = tuple[tuple[Point, ...], ...]
@@ -46,30 +44,3 @@ class PlanMarks:
     arrows: tuple[tuple[Point, Point], ...] = ()
     added: tuple[tuple[Point, ...], ...] = ()
     gone: tuple[tuple[Point, ...], ...] = ()
-
-
-def gap_ends(scene: Scene, layout: Layout, middle: Point, between: Sequence[str]) -> tuple[Point, Point] | None:
-    """Return the two ends of a passage: the points nearest to its middle on the two things that it lies between.
-
-    Args:
-        scene: The scene.
-        layout: The layout.
-        middle: A point in the passage, metres.
-        between: Names of the two things: assets, or "wall 2".
-
-    Returns:
-        Two points in metres, or None if there are not two such things.
-    """
-    import shapely
-
-    shapes: list[shapely.Geometry] = []
-    for name in between:
-        if name in layout and name in scene.by_name:
-            shapes.append(shapely.Polygon(layout[name].corners(scene.by_name[name].size)))
-        elif name.startswith("wall ") and name[5:].isdigit() and int(name[5:]) < len(scene.room.walls):
-            wall = scene.room.walls[int(name[5:])]
-            shapes.append(shapely.LineString([wall.start, wall.end]))
-    if len(shapes) < 2:
-        return None
-    lines = [shapely.shortest_line(shapely.Point(middle), shape).coords[1] for shape in shapes[:2]]
-    return ((lines[0][0], lines[0][1]), (lines[1][0], lines[1][1]))

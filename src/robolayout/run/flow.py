@@ -200,10 +200,12 @@ class _Run:
     say: Progress
     wishes: Wishes = field(default_factory=Wishes)
 
-    def result(self, best: Attempt, groups: tuple[Group, ...]) -> Result:
-        """Return the judged result of what was found."""
+    def result(self, best: Attempt, groups: tuple[Group, ...], who: Mapping[str, Any] | None = None) -> Result:
+        """Return the judged result of what was found, with who planned where that was a model."""
         layout, report = best.solution.layout, self.reported(best)
-        if forgotten := best.asked.forgotten():
+        if who is not None:
+            report = report.with_planner(who)
+        elif forgotten := best.asked.forgotten():
             report = report.with_notes((f"The program says nothing about {', '.join(forgotten)}.",))
         found = Result(self.scene, groups, best.asked, best.reconciled, layout, report, best.solution)
         return dressed(found, self.scene.dress, seed=self.seed)
@@ -296,14 +298,10 @@ class _Run:
 
             best, said = CriticPass(self.scene, planner, self.finished, self.clock, self.say).run(best)
             parts.append(said.to_dict())
-        layout, parts = best.solution.layout, [planner.to_dict(), *parts]
-        who = {key: value for part in parts for key, value in part.items()}
-        who["sentences"] = [sentence for part in parts for sentence in part["sentences"]]
-        report = self.reported(best).with_planner(who)
-        found = Result(
-            self.scene, planned.groups, best.asked, best.reconciled, layout, report, best.solution, planned.samples
-        )
-        return dressed(found, self.scene.dress, seed=self.seed)
+        parts = [planner.to_dict(), *parts]
+        sentences = [sentence for part in parts for sentence in part["sentences"]]
+        who = {key: value for part in parts for key, value in part.items()} | {"sentences": sentences}
+        return replace(self.result(best, planned.groups, who), samples=planned.samples)
 
     def reported(self, best: Attempt) -> Report:
         """Judge the whole layout, and look what unmet statements lost to."""
@@ -388,15 +386,16 @@ def solve(  # noqa: PLR0913 - as `generate`
         program = reconcile(read_program(program, scene), scene, paper=solver in (PAPER, UNREFINED)).program
     judge = make_judge(scene, program)
 
-    def solved(way: Program) -> Solution:
+    def solved(way: Program, config: SolverConfig | None) -> Solution:
         problem = compile_problem(scene, way, seed=seed, pinned=pinned, built=built)
         return solve_with(solver, problem, judge, seed=seed, config=config, progress=progress)
 
-    best = solved(program)
+    best = solved(program, config)
+    brief = (config or SolverConfig()).at("quick")
     for way in _ways(scene, program, best) if solver == "default" else ():
         if best.verdict.ok:
             break
-        best = min(best, solved(way), key=lambda found: found.verdict.merit)
+        best = min(best, solved(way, brief), key=lambda found: found.verdict.merit)
     return best
 
 

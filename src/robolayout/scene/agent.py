@@ -35,6 +35,7 @@ class Agent:
         reach_low: Lowest height it reaches, metres.
         reach_high: Highest height it reaches, metres.
         shoulder_height: Height of the shoulder in metres; None leaves the reach a cylinder.
+        knee_height: Height in metres that its knees need under a top at which it sits; None where it does not sit.
         step: Height in metres that it steps or drives over.
         title: Name for people.
         sources: Source of each figure, by attribute name.
@@ -50,6 +51,7 @@ class Agent:
     reach_low: float = 0.0
     reach_high: float = 2.0
     shoulder_height: float | None = None
+    knee_height: float | None = None
     step: float = 0.03
     title: str = ""
     sources: Mapping[str, Source] = field(default_factory=dict[str, Source], compare=False)

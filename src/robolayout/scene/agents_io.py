@@ -32,6 +32,7 @@ FIGURES = (
     "reach_low",
     "reach_high",
     "shoulder_height",
+    "knee_height",
     "step",
 )
 """Figures of a profile, in metres; `reach` is short for `reach_distance`."""

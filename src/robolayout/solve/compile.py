@@ -167,7 +167,7 @@ def compile_problem(
     guesses |= _missing(scene, program or Program(), pinned or {}, seed) if built is None else _guesses(built, guesses)
     plan = {name: (*guess.position[:2], guess.yaw or 0.0) for name, guess in guesses.items() if guess.position}
     parents = _parents(scene, relations, plan)
-    _rest(scene, guesses, parents)
+    _rest(scene, {name: guesses[name] for name in said}, parents)
     resting = _resting(scene, relations, parents)
     heights = _heights(scene, relations, guesses, parents, resting)
     index = {asset.name: i for i, asset in enumerate(scene.assets)}

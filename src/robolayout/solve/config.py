@@ -151,7 +151,7 @@ class SolverConfig:
     """After each planning of routes."""
 
     route_rounds: int = 3
-    """Most rounds of planning routes and moving furniture out of their way."""
+    """Most rounds of planning routes and moving furniture out of their way; none leaves out all routes."""
 
     candidates: int = 64
     """Layouts that a repair round tries as one batch."""

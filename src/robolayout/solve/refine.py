@@ -344,6 +344,8 @@ class Solver:
 
     def _planned(self, world: Floats, kept: list[Floats], *, everywhere: bool = False) -> Plan:
         """Plan for every agent; demands of the two rounds before stay, so that furniture does not swing back."""
+        if not self.config.route_rounds:
+            return Plan(np.empty((0, 4)), 0, ())
         plans = [plan_routes(ground, world, things, everywhere=everywhere) for ground, things in self.grounds]
         demands = np.concatenate([plan.demands for plan in plans])
         kept.append(demands)

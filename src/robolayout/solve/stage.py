@@ -140,7 +140,7 @@ def make_stage(problem: Problem, number: int, world: Floats) -> Stage:
         limit=limit,
         free=free,
         fixed=_padded(rows.fixed, bucket(len(rows.fixed), (2 * size, 4 * size)), [FAR_AWAY, FAR_AWAY, 1, 0, 0, 0, 0]),
-        pairs=_padded(rows.pairs, bucket(len(rows.pairs), (every, 4 * every, 16 * every)), [0, 0], np.int32),
+        pairs=_padded(rows.pairs, bucket(len(rows.pairs), (4 * every, 16 * every)), [0, 0], np.int32),
         edges=_edges(problem),
         inner=_inner_corners(problem),
         inside=inside,

@@ -66,6 +66,10 @@ class Stances:
             return moved, ()
         return moved, self._headings.opened(moved) if self._headings else tuple(_regions(nav.space.opened(moved)))
 
+    def heading(self, number: int) -> float:
+        """Return a heading in radians; any for a disc."""
+        return 0.0 if self._headings is None else self._headings.headings[number]
+
     def body(self, number: int) -> NDArray[np.float64]:
         """Return the corners (4, 2) of a rectangular body at a heading, around its centre."""
         assert self._headings is not None

@@ -143,7 +143,8 @@ def _usable(use: Use) -> str:
     """Return whether an asset can be used, and what has to be moved for it."""
     if not use.usable:
         return "**no**"
-    return f"yes, {plain(' and '.join(use.moved))} moved" if use.moved else "yes"
+    how = f"yes, {use.approach}" if use.approach else "yes"
+    return f"{how}, {plain(' and '.join(use.moved))} moved" if use.moved else how
 
 
 def _agent_table(report: AgentReport) -> list[str]:

@@ -4,7 +4,8 @@ An asset is used from its sides (a wardrobe from the front, a bed from left or r
 centre can stand in the main component, beyond that side's edge, within horizontal and vertical reach, and when what
 must be opened has room to open. What stands on something is reached over the edge of its carrier, and what a person
 moves in daily use (a chair) is taken hold of from any side. A body with an arm moves chairs away from what it uses: from
-its place at a table it gets to what lies before it.
+its place at a table it gets to what lies before it. A seated body works at a desk, table, basin or counter frontally only
+where its knees and toes have room below, else from beside it.
 """
 
 from __future__ import annotations
@@ -24,12 +25,16 @@ from robolayout.scene import Agent, Layout, Point, Scene
 from robolayout.scene.agent import TOUCH, horizontal_reach
 from robolayout.verify._approaches import approaches, needs_no_use
 from robolayout.verify._boxes import room_polygon, share, shared_area
+from robolayout.verify._knees import frontal, is_sat_at
 from robolayout.verify._sides import side_edge
 from robolayout.verify._stances import Stances
 from robolayout.verify._swept import Swept, handle_heights, handle_near
 from robolayout.verify.heading import HeadingSpace
 from robolayout.verify.limits import AREA_TOLERANCE
 from robolayout.verify.navigation import Navigation, navigation
+
+ALONG = math.radians(30.0)
+"""Angle between a body's heading and an edge up to which it is beside that."""
 
 FAR = 3.0
 """Metres from a side beyond which no place to stand is looked for."""
@@ -47,6 +52,7 @@ class Use:
         reason: Why it cannot be used, as the end of a sentence; empty if it can.
         moved: What is moved away to stand there: chairs at a table.
         opens: The door or drawer whose handle it takes hold of from there; empty where nothing is opened.
+        approach: "frontally" or "sideways" where a seated body works at it; empty for everything else.
     """
 
     asset: str
@@ -56,6 +62,7 @@ class Use:
     reason: str
     moved: tuple[str, ...] = ()
     opens: str = ""
+    approach: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,6 +121,7 @@ class _Judge:
         self._room = room_polygon(nav.scene.room)
         self._touched: dict[int, NDArray[np.object_]] = {}
         self._touches = self.agent.reach_distance is None and self.stances.rectangular
+        self._approach = self._approaches()
 
     def verdicts(self) -> NDArray[np.bool_]:
         """Return (n,) what is usable."""
@@ -124,36 +132,63 @@ class _Judge:
         def waiting() -> NDArray[np.intp]:
             return np.flatnonzero(able & ~usable[rows])
 
-        def stand(region: BaseGeometry, zones: NDArray[np.object_]) -> None:
+        def stand(number: int, region: BaseGeometry, zones: NDArray[np.object_]) -> None:
             some = waiting()
+            some = some[self._faces(number)[some]]
             shapely.prepare(region)
             usable[rows[some[shapely.intersects(region, zones[some])]]] = True
 
-        for _, region in self.stances.surely():
-            stand(region, zones)
+        for number, region in self.stances.surely():
+            stand(number, region, zones)
         if not self.stances.nowhere(zones[waiting()]).all():
-            for _, region in self.stances.everywhere:
-                stand(region, zones)
+            for number, region in self.stances.everywhere:
+                stand(number, region, zones)
         for number, region in self.stances.everywhere if self._touches and len(waiting()) else ():
-            stand(region, self._touching(number))
+            stand(number, region, self._touching(number))
         for row in sorted(set(rows[waiting()].tolist())):
             of_row = np.flatnonzero(able & (rows == row))
-            for _, region in self.stances.opened(row)[1]:
-                usable[row] |= bool(shapely.intersects(region, zones[of_row]).any())
+            for number, region in self.stances.opened(row)[1]:
+                here = of_row[self._faces(number)[of_row]]
+                usable[row] |= bool(shapely.intersects(region, zones[here]).any())
         return usable
+
+    def _approaches(self) -> NDArray[np.object_]:
+        """Return (m,) how a seated body works at each approach: "frontally" or "sideways"; empty where it is all one."""
+        sits = self.agent.knee_height is not None and self.stances.rectangular
+        return np.array(
+            [
+                ("frontally" if frontal(self.found.assets[row], side) else "sideways")
+                if sits and side and is_sat_at(self.found.assets[row])
+                else ""
+                for row, side in self._each
+            ],
+            dtype=object,
+        )
+
+    def _faces(self, number: int) -> NDArray[np.bool_]:
+        """Return (m,) which approaches a body may make at a heading: sideways ones along their edge only."""
+        sideways = self._approach == "sideways"
+        if not sideways.any():
+            return ~sideways
+        along = self.ways.edges[:, 1] - self.ways.edges[:, 0]
+        heading = self.stances.heading(number)
+        across = np.abs(along[:, 0] * math.sin(heading) - along[:, 1] * math.cos(heading)) / np.hypot(*along.T)
+        return ~sideways | (across <= math.sin(ALONG))
 
     @property
     def _each(self) -> Iterator[tuple[int, str]]:
         return zip(self.ways.rows.tolist(), self.ways.sides, strict=True)
 
-    def _stands(self, row: int) -> Iterator[tuple[str, BaseGeometry, frozenset[int]]]:
-        """Yield how an asset can be used: side, where the centre stands for it, what may have to be moved away."""
+    def _stands(self, row: int) -> Iterator[tuple[int, BaseGeometry, frozenset[int]]]:
+        """Yield how an asset can be used: number of the approach, where the centre stands, what may have to be moved away."""
         able = [i for i in self.ways.of(row) if not self.opening_blockers(row, self.ways.sides[i])]
         moved, beside = self.stances.opened(row)
         for regions, chairs in ((self.stances.everywhere, frozenset[int]()), (beside, moved)):
             for i, (number, region) in itertools.product(able, regions):
+                if not self._faces(number)[i]:
+                    continue
                 for zones in (self.ways.zones, self._touching(number)) if self._touches else (self.ways.zones,):
-                    yield self.ways.sides[i], region.intersection(zones[i]), chairs
+                    yield i, region.intersection(zones[i]), chairs
 
     def _touching(self, number: int) -> NDArray[np.object_]:
         """Return (m,) from where the body touches each approach at a heading."""
@@ -196,7 +231,8 @@ class _Judge:
         way = next((way for way in self._stands(row) if not way[1].is_empty), None)
         if way is None:
             return Use(name, False, "", None, self._reason(row))
-        side, places, chairs = way
+        number, places, chairs = way
+        side = self.ways.sides[number]
         target = side_edge(self.found.footprints[row], side) if side else self.found.footprints[row]
         spot = shapely.get_coordinates(shapely.shortest_line(places, target.centroid))[0]
         near = shapely.Point(spot).buffer(self.agent.circumradius)
@@ -204,7 +240,7 @@ class _Judge:
         names = tuple(self.found.names[i] for i in moved)
         place = (float(spot[0]), float(spot[1]))
         handle = handle_near(self.found, self.agent, row, place) if side == "front" else ""
-        return Use(name, True, side, place, "", names, handle)
+        return Use(name, True, side, place, "", names, handle, self._approach[number])
 
     def _reason(self, row: int) -> str:
         agent, found = self.agent, self.found
@@ -222,6 +258,8 @@ class _Judge:
         away = min((self._nearest(row, i) for i in numbers), default=math.inf)
         if away > FAR:
             return f"there is no place to stand at its {sides}"
+        if "sideways" in self._approach[numbers] and away <= reach:
+            return f"it has no room for knees below its {sides}, and there is no place beside it"
         if self._touches:
             return f"the nearest that it gets to its {sides} is {away:.2f} m, touching distance is {TOUCH:.2f} m"
         return f"the nearest place to stand is {away:.2f} m from its {sides}, reach is {reach:.2f} m at that height"

@@ -1,6 +1,6 @@
 """Sentences and criteria as rows: what is asked, what it asks of a scene, and whether a layout meets it."""
 
-from robolayout.words._lexicon import Lexicon, grammar
+from robolayout.words._lexicon import Lexicon, dressing, grammar
 from robolayout.words._match import KIN
 from robolayout.words._said import Mention, Thing
 from robolayout.words._traits import WantedOpening, sized, wanted_openings
@@ -24,6 +24,7 @@ __all__ = [
     "Thing",
     "WantedOpening",
     "Wishes",
+    "dressing",
     "grammar",
     "read_rooms",
     "read_text",

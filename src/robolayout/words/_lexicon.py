@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -41,6 +42,7 @@ class Grammar:
         cosy: Words of rooms with something soft and a warm light, and which things are that.
         exclusive: Attributes of which a thing has one.
         floors: Names of floors by what is said of them, or of the style of the room.
+        dress: Phrases that say how much is to lie about, by how much.
     """
 
     phrases: Mapping[str, tuple[str, str]]
@@ -58,6 +60,7 @@ class Grammar:
     cosy: Mapping[str, tuple[str, ...]]
     exclusive: tuple[frozenset[str], ...]
     floors: Mapping[str, str]
+    dress: Mapping[str, tuple[str, ...]]
 
 
 @cache
@@ -83,7 +86,15 @@ def grammar() -> Grammar:
         {key: tuple(words) for key, words in data["cosy"].items()},
         tuple(frozenset(words) for words in data["exclusive"].values()),
         data["floors"],
+        {key: tuple(words) for key, words in data["dress"].items()},
     )
+
+
+def dressing(text: str) -> str:
+    """Return how much is to lie about in a room that somebody describes: "none", "some" or "full"."""
+    said = f" {re.sub('[^a-z]+', ' ', text.lower())} "
+    known = grammar().dress.items()
+    return next((amount for amount, phrases in known if any(f" {phrase} " in said for phrase in phrases)), "none")
 
 
 @dataclass(frozen=True)

@@ -72,6 +72,8 @@ class Relating(References):
 
     def _on_rel(self, chunk: Chunk) -> None:
         """A relation: find what it is about, then what it leads to."""
+        if chunk.value == "open" and self.verb and self.subject:  # "the table stands free in the middle"
+            chunk = replace(chunk, value="middle")
         if self._of_the_room(chunk) or (chunk.value == "in" and self._in_an_aid()):
             return
         if self._of_people():
@@ -287,7 +289,7 @@ class Relating(References):
         objects = objects or (
             self.holder if chunk.value in ("next", "flank", "left", "right", "front", "near", "under") else []
         )
-        if chunk.value == "on" and objects:  # "with a lamp, a clock on the desk": the clock is not on what has the lamp
+        if chunk.value in ("on", "flank") and objects:  # "a bed with a lamp on either side": the lamps are not on the bed
             own = {mention.thing for mention in subjects}
             self.said.links[:] = [k for k in self.said.links if k.relation != "with" or k.subjects[0].thing not in own]
         self.said.links.append(Link(chunk.value, tuple(subjects), tuple(objects), chunk.start, chunk.end))

@@ -62,12 +62,6 @@ def score_samples(figures: Sequence[Mapping[str, float | bool]], programs: Seque
     )
 
 
-def rank_samples(figures: Sequence[Mapping[str, float | bool]], programs: Sequence[Program]) -> tuple[int, ...]:
-    """Return the samples' numbers, best first; the earlier one wins a tie."""
-    scores = score_samples(figures, programs)
-    return tuple(sorted(range(len(scores)), key=lambda i: (*(-part for part in scores[i].key), i)))
-
-
 def agreement(programs: Sequence[Program]) -> tuple[float, ...]:
     """Return for each program the mean share of statements that it has in common with the others; 1 for a single one.
 

@@ -11,9 +11,16 @@ WORDS = {"none": "None", "room": "None", "point": "(x, y)"}
 """How kinds of arguments are written, where not by their own name."""
 
 
+WISHES = (
+    "Each of these is a demand. As a wish it is only weighed against others, with a weight (below 0: rather not): "
+    "`solver.wish.at_window(desk[0], weight=0.8)`"
+)
+"""What a model must know of wishes."""
+
+
 def vocabulary() -> str:
-    """Return signature, meaning and example of every relation that a program may state."""
-    return "\n\n".join(entry(relation) for relation in RELATIONS.values() if not relation.implicit)
+    """Return signature, meaning and example of every relation that a program may state, and how it becomes a wish."""
+    return "\n\n".join([*(entry(relation) for relation in RELATIONS.values() if not relation.implicit), WISHES])
 
 
 def entry(relation: type[Relation]) -> str:

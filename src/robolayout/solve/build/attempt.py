@@ -252,9 +252,7 @@ class Attempt:
             return dict(wishes)
         return {key: value * float(np.exp(self.rng.normal(0.0, MOOD))) for key, value in wishes.items()}
 
-    def _in_rows(
-        self, clusters: Sequence[Cluster], modes: Modes, weights: Mapping[str, float]
-    ) -> list[Cluster]:
+    def _in_rows(self, clusters: Sequence[Cluster], modes: Modes, weights: Mapping[str, float]) -> list[Cluster]:
         """Place what fits well along the walls, put the rest into a grid, and return what fits nowhere."""
         left = list(clusters)
         if next(iter(modes)) == "wall":
@@ -266,9 +264,7 @@ class Attempt:
                     break
         return left
 
-    def _place(
-        self, cluster: Cluster, modes: Modes, weights: Mapping[str, float], limit: float | None = None
-    ) -> bool:
+    def _place(self, cluster: Cluster, modes: Modes, weights: Mapping[str, float], limit: float | None = None) -> bool:
         """Put a cluster at its best place; with a limit only if that place is no worse than it."""
         ranked = self._ranked(batches(self.site, cluster, modes), weights, modes)
         if not ranked:
@@ -368,7 +364,8 @@ class Attempt:
             cost = self.site.base_cost(batch.cluster, batch.poses, clash[free]) / len(clusters)
             last = last_cell(self.site, plan, batch)
             cost += 0.5 * (taste(self.site, batch, weights) + taste(self.site, last, weights))
-            cost += self.site.missed(batch.cluster, batch.poses) + TIGHT * plan.tight + RAGGED * (plan.rows * plan.columns - len(plan.names))
+            cost += self.site.missed(batch.cluster, batch.poses)
+            cost += TIGHT * plan.tight + RAGGED * (plan.rows * plan.columns - len(plan.names))
             cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5
             ranked += [(float(cost[row]), plan, batch, int(row)) for row in np.argsort(cost, kind="stable")[:4]]
         best: tuple[float, GridPlan, Batch, int] | None = None

@@ -13,7 +13,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from robolayout.constraints import FAR, AssetRef, FrameTerm, Interval, PointRef, Relation, WallRef, Way
+from robolayout.constraints import AssetRef, FrameTerm, PointRef, Relation, WallRef, Way
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
 from robolayout.constraints.mounted_on import MountedOn

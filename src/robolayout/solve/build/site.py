@@ -145,7 +145,9 @@ class Site:
         """Return the empty site of a scene."""
         corridor = max(0.6, 2 * max(agent.radius for agent in scene.agents) + 0.1)
         floor = Floor.of(scene.room, corridor, max(turning_radius(agent) for agent in scene.agents))
-        site = Site(scene, wants, floor, Forms(scene, wants, corridor), corridor, said=said, late=frozenset(late(wants)))
+        site = Site(
+            scene, wants, floor, Forms(scene, wants, corridor), corridor, said=said, late=frozenset(late(wants))
+        )
         site.solids += [shapely.Polygon(scene.room.landing(door)) for door in scene.room.doors]
         return site
 

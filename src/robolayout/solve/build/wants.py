@@ -6,6 +6,7 @@ Everything is read from statements and wishes, whoever wrote them; nothing here 
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeVar
@@ -43,6 +44,9 @@ AIM = 0.06
 
 CLOSE = 3.0
 """Metres up to which what stands before, behind or beside a thing stands at it."""
+
+LOWEST, HIGHEST, SMALLEST = 0.25, 1.3, 0.01
+"""Metres between which tops carry what nothing is said of, and square metres below which they all count as equally small."""
 
 DEMANDED = 2.0
 """Weight of looking at something, where that is demanded."""
@@ -154,6 +158,11 @@ class Want:
         return self.asset.on_ceiling and not self.asset.on_floor and not self.hung
 
     @property
+    def carried(self) -> bool:
+        """Whether it can only stand on others."""
+        return self.asset.on_object and not (self.asset.on_floor or self.asset.on_wall or self.asset.on_ceiling)
+
+    @property
     def standing(self) -> bool:
         """Whether it stands on the floor by itself."""
         return not (self.hung or self.overhead or self.asset.is_flat)
@@ -172,7 +181,20 @@ def wants_of(scene: Scene, program: Program) -> dict[str, Want]:
         said = about.get(asset.name, [])
         want = Want(asset, category_of(asset), order.get(asset.name, len(order)), _kind(asset, said))
         found[asset.name] = _Reading(scene, want, said).want()
+    for want in [want for want in found.values() if want.carried and want.anchor is None]:
+        found[want.name] = replace(want, anchor=_top(want, found), join=Join("on"))
     return _acyclic(found)
+
+
+def _top(want: Want, wants: Mapping[str, Want]) -> str | None:
+    """Return on what a thing that stands on others is put where nothing says it: the largest top with the least on it."""
+    load = Counter(other.anchor for other in wants.values())
+    tops = [
+        (load[name] / max(math.prod(other.asset.size[:2]), SMALLEST), name)
+        for name, other in wants.items()
+        if other.standing and not other.carried and LOWEST <= other.asset.size[2] <= HIGHEST
+    ]
+    return min(tops)[1] if tops else None
 
 
 def late(wants: Mapping[str, Want]) -> set[str]:
@@ -285,7 +307,9 @@ class _Reading:
         modes = self._modes()
         if "hang" in modes:
             return {"hang": 0.0}
-        if "corner" in modes and (modes["corner"] <= 0 or (math.isinf(modes.get("wall", 0)) and modes["corner"] < LEADS)):
+        if "corner" in modes and (
+            modes["corner"] <= 0 or (math.isinf(modes.get("wall", 0)) and modes["corner"] < LEADS)
+        ):
             del modes["corner"]  # a wall's ends are corners, too
         if not any(math.isinf(weight) for weight in modes.values()):
             modes["facing" if face is not None and not face.away else "middle"] = 0.0

@@ -13,7 +13,7 @@ from shapely.geometry.base import BaseGeometry
 from robolayout.assets import category_of
 from robolayout.verify._approaches import needs_no_use, use_sides
 from robolayout.verify._boxes import corners
-from robolayout.verify._obstacles import part_rectangles
+from robolayout.verify._knees import KNEE_WIDTH, is_sat_at, knee_width
 from robolayout.verify._sides import SIDES, side_edge, strip
 from robolayout.verify.agent_report import AgentReport
 from robolayout.verify.heading import convex_places
@@ -27,14 +27,10 @@ OVER_HEIGHT, OVER_DEPTH = 0.865, 0.61
 """Metres of height and depth of what one may have to reach over sideways (308.3.2)."""
 SHALLOW, HIGH_OVER = 0.255, 1.17
 """Metres of depth up to which the reach ends at full height, and of height where it ends beyond that (308.3.2)."""
-KNEE_HEIGHT, KNEE_DEPTH, KNEE_WIDTH = 0.685, 0.28, 0.76
-"""Metres of height, least depth and width of room for knees (306.3)."""
 BETWEEN = 2.0
 """Metres from a bed's side within which another bed makes the floor between them serve both; a choice of ours."""
 CONTACT = 1e-3
 """Metres by which a clear floor space is drawn smaller, so that what it adjoins does not stand in it."""
-TABLES, LOW_TABLES = ("table", "desk", "workbench"), ("coffee", "side", "console", "bedside", "overbed")
-"""Last words of the kinds of things that one sits at, and first words of those that one does not."""
 NAMED = 5
 """Things that a measurement names."""
 
@@ -159,34 +155,10 @@ def reach_over(body: AgentReport) -> Measured | None:
 
 
 def knee_room(body: AgentReport) -> Measured | None:
-    """Measure the widest room for knees under what chairs stand at, from its drawn parts."""
+    """Measure the widest room for knees and toes under what chairs stand at, from its shape."""
     found = body.navigation.boxes
-    rows = [row for row in _asked(body) if found.chairs_at(row) and _is_table(body, row)]
+    rows = [row for row in _asked(body) if found.chairs_at(row) and is_sat_at(found.assets[row])]
     if not rows:
         return None
-    width, name = max((max(_knee_width(body, row, side) for side in SIDES), found.names[row]) for row in rows)
-    return Measured(width >= KNEE_WIDTH - CONTACT, width, f"{width:.2f} m wide under {name}, by its drawn parts")
-
-
-def _is_table(body: AgentReport, row: int) -> bool:
-    words = category_of(body.navigation.boxes.assets[row]).name.split()
-    return words[-1] in TABLES and words[0] not in LOW_TABLES
-
-
-def _knee_width(body: AgentReport, row: int, side: str) -> float:
-    """Return how wide the free strip under the edge of a side is, as high and as deep as knees need."""
-    asset = body.navigation.boxes.assets[row]
-    pieces = part_rectangles(asset, 0.0, KNEE_HEIGHT)
-    if pieces is None or asset.size[2] < KNEE_HEIGHT:
-        return 0.0
-    half = np.array(asset.size[:2]) / 2
-    axis = 0 if side in ("front", "back") else 1  # the axis that leads inwards
-    edge = half[axis] if side in ("front", "left") else -half[axis]
-    inner = edge - math.copysign(min(KNEE_DEPTH, 2 * half[axis]), edge)
-    low, high = sorted((edge, inner))
-    blocking = pieces[(pieces[:, axis] < high - CONTACT) & (pieces[:, 2 + axis] > low + CONTACT)]
-    spans = sorted((float(a), float(b)) for a, b in blocking[:, [1 - axis, 3 - axis]])
-    widest, at = 0.0, -float(half[1 - axis])
-    for start, end in (*spans, (float(half[1 - axis]), float(half[1 - axis]))):
-        widest, at = max(widest, start - at), max(at, end)
-    return widest
+    width, name = max((max(knee_width(found.assets[row], side) for side in SIDES), found.names[row]) for row in rows)
+    return Measured(width >= KNEE_WIDTH - CONTACT, width, f"{width:.2f} m wide under {name}, by its shape")

@@ -1,0 +1,67 @@
+"""Opening: doors need the room that they sweep, and a body that reaches a handle from beside the open leaf."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from shapely import Point, Polygon
+from verify_rooms import DISC, furnished, on_floor, square, thing
+
+from robolayout.scene import Agent, Asset
+from robolayout.verify import usage
+from robolayout.verify._swept import Swept
+
+ARM = replace(DISC, reach_distance=0.9, reach_low=0.2, reach_high=1.8)
+WARDROBE = thing("wardrobe-0", (0.6, 1.0, 2.0), "wardrobe")
+FRIDGE = thing("fridge-0", (0.7, 0.75, 0.84), "mini fridge")
+
+
+def used(*things: tuple[Asset, object], agent: Agent = ARM) -> bool:
+    scene, layout = furnished(square(5.0), *things)
+    return usage(scene, layout, agent).usable[scene.assets[0].name]
+
+
+def test_what_a_leaf_does_not_sweep_may_be_taken() -> None:
+    """A wardrobe's two leaves of 0.5 m sweep less than its whole front: its middle line is free beyond 0.5 m."""
+    near, far = thing("plant-0", (0.2, 0.2, 1.0), "bookshelf"), thing("plant-0", (0.2, 0.2, 1.0), "bookshelf")
+    wardrobe = (WARDROBE, on_floor(WARDROBE, 0.3, 2.5))
+    assert not used(wardrobe, (near, on_floor(near, 0.85, 2.2)))
+    assert used(wardrobe, (far, on_floor(far, 0.6 + 0.47 + 0.12, 2.5)))
+
+
+def test_what_stands_below_a_door_is_not_in_its_way() -> None:
+    wardrobe = (WARDROBE, on_floor(WARDROBE, 0.3, 2.5))
+    plinth = thing("box-0", (0.2, 0.2, 0.05), "bookshelf")
+    assert used(wardrobe, (plinth, on_floor(plinth, 0.85, 2.2)))
+
+
+def test_a_handle_must_be_within_reach() -> None:
+    """The handles of a wardrobe 2 m high are near 1 m: a body that reaches from 1.3 m on cannot open it, its sides or not."""
+    wardrobe = (WARDROBE, on_floor(WARDROBE, 0.3, 2.5))
+    assert used(wardrobe, agent=replace(ARM, reach_low=0.9, reach_high=1.1))
+    high = replace(ARM, reach_low=1.3, reach_high=1.8)
+    assert not used(wardrobe, agent=high)
+    scene, layout = furnished(square(5.0), wardrobe)
+    reason = usage(scene, layout, high).uses["wardrobe-0"].reason
+    assert reason.startswith("its handles lie 0.9") and reason.endswith("m high, reach is from 1.30 to 1.80 m")
+
+
+def test_a_body_stands_beside_the_open_leaf() -> None:
+    scene, layout = furnished(square(5.0), (WARDROBE, on_floor(WARDROBE, 0.3, 2.5)))
+    use = usage(scene, layout, ARM).uses["wardrobe-0"]
+    assert use.opens in ("door 0", "door 1") and use.stand is not None
+    swept = Swept.of(usage(scene, layout, ARM)._judge.found, [0])  # pyright: ignore[reportPrivateUsage]
+    assert all(isinstance(zone, Polygon) for zone in swept.zones)
+    leaves = (
+        Polygon(((0.6, y), (1.1, y), (1.1, y + s * 0.018), (0.6, y + s * 0.018))) for y, s in ((2.0, 1), (3.0, -1))
+    )
+    assert max(leaf.distance(Point(use.stand)) for leaf in leaves) >= ARM.radius - 1e-6
+
+
+@pytest.mark.parametrize("degrees", [0, 90, 200])
+def test_turning_the_room_changes_nothing(degrees: float) -> None:
+    fridge = (FRIDGE, on_floor(FRIDGE, 2.5, 2.5, degrees))
+    assert used(fridge)
+    scene, layout = furnished(square(5.0), fridge)
+    assert usage(scene, layout, ARM).uses["fridge-0"].opens == "door 0"
