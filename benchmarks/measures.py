@@ -10,6 +10,7 @@ from typing import Any
 
 import robolayout as rl
 from benchmarks.store import Row
+from benchmarks.triangles import penetrations
 
 HARD = ("placed_share", "collision_free_share", "in_boundary_share", "supported_share", "door_clear")
 SHARES = (*HARD, "walkable_ratio", "reachable_share", "usable_share", "statements_met_share")
@@ -52,10 +53,12 @@ def figures(report: rl.Report) -> Row:
 
 
 def generated(scene: Any, **options: Any) -> Row:
-    """Generate once and return figures and seconds, in all and by station."""
+    """Generate once and return figures, things whose parts go through each other, and seconds, in all and by station."""
     with watch() as spent:
         result = rl.generate(scene, **options)
-    row = figures(result.report) | {"wall": spent.wall, "cpu": spent.cpu, "assets": len(result.scene.assets)}
+    through = penetrations(result.scene, result.layout)
+    row = figures(result.report) | {"through": len(through)}
+    row |= {"wall": spent.wall, "cpu": spent.cpu, "assets": len(result.scene.assets)}
     for station, seconds in result.report.timing.items():
         row |= {f"{station}_{kind}": value for kind, value in seconds.items()}
     return row

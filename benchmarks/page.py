@@ -405,7 +405,8 @@ def vlm(rows: Rows, images: Path) -> str:
         "that told what was wrong before. *taken over*: groups for which the offline planner stood in. Means over the runs, "
         "sums of the answers; four samples were recorded for one_shot only. A statement that the filter rejects counts as unmet "
         "unless the layout meets it all the same. *each alone*: every recorded program solved by itself, without asking "
-        "again; *4 samples* solves them together and keeps the best, for about the CPU time of one.\n"
+        "again; *4 samples* solves them together and keeps the best, for about the CPU time of one. Others used "
+        "the machine meanwhile: its CPU seconds compare, its wall seconds do not.\n"
     )
     return f"## Planning with a model\n\n{intro}\n{table(heads, lines)}"
 

@@ -15,11 +15,11 @@ TINY: dict[str, Any] = {
 }
 
 
-def tiny_spec(folder: Path, count: int = 4, **keys: Any) -> dict[str, Any]:
-    """Write the room and return a SPEC of it."""
+def tiny_spec(folder: Path, each: int = 4, **keys: Any) -> dict[str, Any]:
+    """Write the room and return a SPEC of so many of it, which may be alike; with `count` they may not."""
     scene = folder / "tiny.json"
     scene.write_text(json.dumps(TINY))
-    return {"rooms": [str(scene)], "count": count, "files": "formats", **keys}
+    return {"rooms": [str(scene)], **({} if "count" in keys else {"each": each}), "files": "formats", **keys}
 
 
 def tree(folder: Path) -> dict[str, bytes]:

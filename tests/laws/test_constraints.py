@@ -154,7 +154,7 @@ def test_statements_of_one_problem_add_up(name: str) -> None:
     found = case(name, 1)
     other = vary(found.relation, found.scene, np.random.default_rng(5))
     first, second, both = (
-        measure(found.random, stage_arrays(flat_problem(found.scene, *relations)))[0]
+        measure(found.random, stage_arrays(replace(flat_problem(found.scene, *relations), guess=found.near)))[0]
         for relations in ((found.relation,), (other,), (found.relation, other))
     )
     assert both == pytest.approx(first + second, rel=1e-6, abs=1e-6)

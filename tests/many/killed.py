@@ -53,7 +53,7 @@ def main(base: Path, times: int) -> None:
     folder.exchange = told
     dataset.Local = Again  # type: ignore[assignment, misc]
     pyarrow.set_cpu_count(1)
-    table = tiny_spec(base, ROOMS, tries=2)
+    table = tiny_spec(base, count=ROOMS, tries=2)
     steps = ran(base / "whole", table, 10**9)
     for step in sorted(random.Random(SEED).sample(range(1, steps), times)):
         assert ran(base / str(step), table, step) is None, "it was to be killed"

@@ -14,11 +14,13 @@ from typing import Any
 
 import pyarrow.parquet
 import pytest
+import trimesh
 from PIL import Image
 
 import robolayout as rl
 from robolayout import InputError
 from robolayout._files import locked
+from robolayout.assets import import_folder
 from robolayout.many import read_spec
 from robolayout.many.dataset import LOCK, room_path
 from robolayout.many.room import Made, make
@@ -34,8 +36,8 @@ class Here:
 
     slots = 3
 
-    def __init__(self, ready: Any, *_: Any) -> None:
-        self.ready, self.tasks, self.made = ready, list[Task](), list[Task]()
+    def __init__(self, ready: Any, meshes: Path, *_: Any) -> None:
+        self.ready, self.meshes, self.tasks, self.made = ready, meshes, list[Task](), list[Task]()
 
     def send(self, task: Task) -> None:
         self.tasks.append(task)
@@ -46,7 +48,7 @@ class Here:
         yield task, self.one(task)
 
     def one(self, task: Task) -> Made | None:
-        return make(self.ready, task.index, task.attempt)
+        return make(self.ready, task.index, task.attempt, self.meshes)
 
     def close(self) -> None: ...
 
@@ -83,7 +85,7 @@ def test_two_processes_make_the_set_that_one_makes(tmp_path: Path, here: list[He
 
 
 def test_what_a_set_holds(tmp_path: Path, here: list[Here]) -> None:
-    table = tiny_spec(tmp_path, 4, files="run", formats=["mjcf"], bodies=["adult", "cat"], test=0.25)
+    table = {"rooms": ["bathroom"], "count": 4, "formats": ["mjcf"], "bodies": ["adult", "cat"], "test": 0.25}
     found = rl.batch(table, tmp_path / "set")
     folder = tmp_path / "set"
     listed = rows(folder)
@@ -92,7 +94,7 @@ def test_what_a_set_holds(tmp_path: Path, here: list[Here]) -> None:
     for row in listed:
         room = folder / row["path"]
         report = json.loads((room / "report.json").read_text())
-        assert {"scene.glb", "report.md", "program.py", "tiny.xml", "thumb.png", "room.json"} <= set(os.listdir(room))
+        assert {"scene.glb", "report.md", "program.py", "scene.xml", "thumb.png", "room.json"} <= set(os.listdir(room))
         assert float(row["walkable_ratio"]) == report["walkable_ratio"] and report["timing"].keys() == set()
         assert row["layout_hash"] == report["hashes"]["layout"]
         assert float(row["SceneEval_COL"]) == report["metrics"]["SceneEval"]["COL"]
@@ -105,6 +107,22 @@ def test_what_a_set_holds(tmp_path: Path, here: list[Here]) -> None:
     assert "- 4 rooms meet all their demands" in card and "- 0 near-duplicates" in card
     page = (folder / "index.html").read_text()
     assert '"thumbs":true' in page and "rooms/00000/00000003" in page
+
+
+def test_own_meshes_are_shared_and_named_from_the_set(tmp_path: Path, here: list[Here], command: Command) -> None:
+    meshes, out = tmp_path / "own", tmp_path / "set"
+    meshes.mkdir()
+    trimesh.creation.box((1.6, 0.5, 2.1)).export(meshes / "bed.glb")
+    (meshes / "own.json").write_text(json.dumps(import_folder(meshes)))
+    found = rl.batch({"rooms": ["bedroom"], "count": 2, "catalogues": [str(meshes / "own.json")]}, out)
+    assert found.ok and os.listdir(out / "meshes" / "0") == ["bed.glb"]
+    assert "| 0/bed.glb | none stated |" in (out / "README.md").read_text()
+    room = out / room_path(1)
+    assert '"path": "0/bed.glb"' in (room / "scene.json").read_text()
+    words = ["check", room / "scene.json", room / "layout.json", "--asset-dir", out / "meshes", "--quiet"]
+    assert command(*words).code == 0
+    (meshes / "bed.glb").unlink()
+    assert all(row["ok"] for row in rl.evaluate(out).rows)
 
 
 def test_a_finished_set_is_not_made_again_and_a_hole_is_filled(tmp_path: Path, here: list[Here]) -> None:
@@ -129,7 +147,7 @@ def test_near_duplicates_are_replaced_or_given_up_and_named(
         return Made("", found.row, (("desk", stands, stands / 3, 0.0), ("shelf", -1.0, 1.0, 0.0)), found.files)
 
     monkeypatch.setattr(Here, "one", alike)
-    found = rl.batch(tiny_spec(tmp_path, 3, tries=3), tmp_path / "set")
+    found = rl.batch(tiny_spec(tmp_path, count=3, tries=3), tmp_path / "set")
     first, second, third = rows(tmp_path / "set")
     assert (first["replaced"], second["replaced"], second["attempt"]) == ("0", "2", "2")
     assert (third["status"], third["why"]) == ("missing", "near-duplicate of room 0")
@@ -143,7 +161,7 @@ def test_rooms_that_are_not_met_are_named_or_kept(tmp_path: Path, here: list[Her
     found = rl.batch(table, tmp_path / "set")
     assert (found.met, found.unmet, len(found.missing)) == (0, 0, 2)
     assert all("impossible for the body" in why for why in found.missing.values())
-    kept = rl.batch({**table, "keep_unmet": True}, tmp_path / "kept")
+    kept = rl.batch(tiny_spec(tmp_path, 2, bodies=["forklift"], keep_unmet=True), tmp_path / "kept")
     assert (kept.met, kept.unmet, kept.missing) == (0, 2, {})
     assert [row["status"] for row in rows(tmp_path / "kept")] == ["unmet", "unmet"]
 
@@ -214,8 +232,8 @@ def test_folders_that_hold_something_else_are_refused(tmp_path: Path, here: list
     assert os.listdir(out) == ["mine.txt"]
     rl.batch(table, tmp_path / "other")
     before = tree(tmp_path / "other")
-    with pytest.raises(InputError, match="holds rooms of another SPEC: its count, seed changed; choose another folder"):
-        rl.batch({**table, "count": 3, "seed": 1}, tmp_path / "other")
+    with pytest.raises(InputError, match="holds rooms of another SPEC: its each, seed changed; choose another folder"):
+        rl.batch({**table, "each": 3, "seed": 1}, tmp_path / "other")
     (tmp_path / "tiny.json").write_text((tmp_path / "tiny.json").read_text().replace("1.2", "1.1"))
     with pytest.raises(InputError, match="a file that it names changed"):
         rl.batch(table, tmp_path / "other")
@@ -231,13 +249,13 @@ def test_two_runs_never_write_to_one_set(tmp_path: Path, here: list[Here]) -> No
 
 def test_the_command(tmp_path: Path, here: list[Here], command: Command) -> None:
     scene, out = tiny_spec(tmp_path)["rooms"][0], tmp_path / "set"
-    ran = command("batch", scene, "--out", out, "--count", 2, "--set", "files=formats", "--set", 'bodies=["cat"]')
+    ran = command("batch", scene, "--out", out, "--set", "each=2", "--set", "files=formats", "--set", 'bodies=["cat"]')
     assert ran.code == 0 and ran.out.splitlines()[0] == "2 of 2 rooms meet all their demands."
     ran = command(
-        "batch", scene, "--out", out, "--count", 2, "--set", "files=formats", "--set", 'bodies=["cat"]', "--json"
+        "batch", scene, "--out", out, "--set", "each=2", "--set", "files=formats", "--set", 'bodies=["cat"]', "--json"
     )
     assert json.loads(ran.out)["met"] == 2 and read_spec(scene).count == 100
     ran = command(
-        "batch", scene, "--out", tmp_path / "no", "--count", 1, "--set", 'bodies=["forklift"]', "--set", "tries=1"
+        "batch", scene, "--out", tmp_path / "no", "--set", "each=1", "--set", 'bodies=["forklift"]', "--set", "tries=1"
     )
     assert ran.code == 1 and "- room 0 was given up: " in ran.out

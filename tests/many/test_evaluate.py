@@ -167,7 +167,7 @@ def test_names_of_rooms_run_nothing_in_the_page() -> None:
 def test_groups_are_those_of_a_batch(tmp_path: Path) -> None:
     from tiny_sets import tiny_spec
 
-    rl.batch(tiny_spec(tmp_path, 4, bodies=["adult", "cat"], seed=3), tmp_path / "set")
+    rl.batch(tiny_spec(tmp_path, 2, bodies=["adult", "cat"], seed=3), tmp_path / "set")
     found = rl.evaluate(tmp_path / "set", by=["bodies"])
     assert set(found.groups) == {"all", "bodies adult", "bodies cat"}
     assert sum(part["ok"].count for name, part in found.groups.items() if name != "all") == 4

@@ -72,8 +72,8 @@ def test_twenty_killed_workers_cost_nothing_but_time(tmp_path: Path) -> None:
 
 def killed_drivers(tmp_path: Path, count: int, kills: int) -> None:
     """Kill the command at random moments, let it go on each time, and compare with an undisturbed run."""
-    table, rng = tiny_spec(tmp_path, count), random.Random(2)
-    keys = ["--set", f"count={count}", "--set", "files=formats", "--workers", "2", "--quiet"]
+    table, rng = tiny_spec(tmp_path), random.Random(2)
+    keys = ["--set", f"each={count}", "--set", "files=formats", "--workers", "2", "--quiet"]
     words = [sys.executable, "-m", "robolayout", "batch", table["rooms"][0], *keys, "--out"]
     for _ in range(kills):
         with subprocess.Popen([*words, str(tmp_path / "disturbed")], stderr=subprocess.PIPE, text=True) as process:

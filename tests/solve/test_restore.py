@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -18,10 +19,11 @@ TRIALS = 64
 
 
 def planned(name: str) -> tuple[Problem, Callable[[Floats], float]]:
-    """Return a room with the offline planner's guess, and how bad poses in it are."""
+    """Return a room with a guess as it is built from the offline planner's program, and how bad poses in it are."""
     scene = rl.load_scene(f"examples/{name}.json")
     program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene)), scene), scene).program
     problem = compile_problem(scene, program)
+    problem = replace(problem, guessed=problem.names)
     judge = make_judge(scene, program)
     return problem, lambda world: judge(problem.layout(world)).merit
 

@@ -31,6 +31,7 @@ KEYS = [
     "usable_share",
     "statements_met_share",
     "statements",
+    "wishes",
     "moved",
     "rules",
     "violations",
@@ -47,12 +48,14 @@ class Said:
     number: int
     line: int
     source: str
+    by: str = ""
 
 
 @dataclass(frozen=True)
 class Asked:
     statements: tuple[Said, ...]
     guesses: Mapping[str, Any] = field(default_factory=dict)
+    wishes: tuple[Said, ...] = ()
 
 
 def good() -> tuple[Scene, Layout]:
@@ -192,7 +195,7 @@ def test_an_empty_layout_fails_everything():
     scene, _ = good()
     figures = verify(scene, Layout({})).figures
     assert figures["collision_free_scene"] is False
-    assert [figures[k] for k in KEYS[2:14] if "share" in k] == pytest.approx([0, 0, 0, 0, 0, 0, 0, 1])
+    assert [figures[k] for k in KEYS[2:15] if "share" in k] == pytest.approx([0, 0, 0, 0, 0, 0, 0, 0, 1])
 
 
 def test_what_blocks_the_door_is_named_once():

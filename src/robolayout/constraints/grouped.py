@@ -5,9 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from robolayout.constraints._refs import AssetRef
+from shapely.ops import nearest_points
+
+from robolayout.constraints._exact import footprint, half_size
+from robolayout.constraints._refs import AssetRef, PointRef
 from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
-from robolayout.constraints._terms import Term
+from robolayout.constraints._terms import FrameTerm, Term
 from robolayout.constraints.near import Near
 from robolayout.scene import Layout, Scene
 
@@ -17,7 +20,10 @@ class Grouped(Relation):
     """`a` stands near one of `items`, whichever, at most `max_gap` m from edge to edge."""
 
     name: ClassVar[str] = "grouped"
-    surrogate: ClassVar[bool] = True  # as near
+    as_guessed: ClassVar[bool] = True
+    surrogate: ClassVar[bool] = (
+        True  # the disc inside a close to one point of it, where the check takes the nearest edges
+    )
     example: ClassVar[str] = "solver.grouped(armchair[0], [bookshelf[0], bookshelf[1]], 0.8)"
 
     a: AssetRef = argument("asset")
@@ -25,8 +31,13 @@ class Grouped(Relation):
     max_gap: float = argument("number", unit="m", default=0.5)
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
-        """Return the row of `near` for the nearest of them."""
-        return best_way(self.ways(scene), scene, near)[0][0].terms(scene, near)
+        """Return one row: close to the point of the nearest of them that is next to a as they stand now."""
+        here = footprint(scene, near, self.a)
+        there = min((footprint(scene, near, item) for item in self.items), key=here.distance)
+        point = nearest_points(there, here)[0]
+        return (
+            FrameTerm(self.a, PointRef(point.x, point.y), distance=(0.0, self.max_gap + min(half_size(scene, self.a)))),
+        )
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """As `near`, to one of them."""

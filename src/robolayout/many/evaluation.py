@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from robolayout._errors import InputError, RoboLayoutError
 from robolayout._files import write_atomic
 from robolayout._text import markdown
+from robolayout.many.dataset import MESHES
 from robolayout.many.found import Found, find_rooms
 from robolayout.many.index import check_tables, columns, write_rows
 from robolayout.many.page import page
@@ -130,16 +131,18 @@ def evaluate(  # noqa: PLR0913 - the public page of everything that can be chose
         InputError: A folder holds no room, or no room has a column of `by`.
     """
     agents = () if agent is None else load_agents(agent)
-    where = None if asset_dir is None else Path(asset_dir)
-    measured = partial(_measured, agents=agents, asset_dir=where, workers=workers, tell=progress or (lambda name: None))
     places = None if scenes is None else Path(scenes)
-    rooms = find_rooms(Path(folder), places)
-    others = [] if against is None else find_rooms(Path(against), places)
-    rows, skipped = measured(rooms)
+    found = {Path(one): find_rooms(Path(one), places) for one in (folder, against) if one is not None}
+
+    def measured(one: Path) -> tuple[list[dict[str, Any]], dict[str, str]]:
+        meshes = one / MESHES if (one / MESHES).is_dir() else None  # of a batch
+        return _measured(found[one], agents, Path(asset_dir) if asset_dir else meshes, workers, progress or str)
+
+    rows, skipped = measured(Path(folder))
     groups = _groups(rows, by) if rows else {"all": {}}
-    if not others:
+    if against is None:
         return Evaluation(tuple(rows), skipped, groups, {})
-    there, also = measured(others)
+    there, also = measured(Path(against))
     before = {row["room"]: row for row in there}
     pairs = [(row, before[row["room"]]) for row in rows if row["room"] in before]
     if not pairs:
@@ -149,7 +152,7 @@ def evaluate(  # noqa: PLR0913 - the public page of everything that can be chose
 
 
 def _measured(
-    rooms: Sequence[Found], agents: tuple[Agent, ...], asset_dir: Path | None, workers: int, tell: Callable[[str], None]
+    rooms: Sequence[Found], agents: tuple[Agent, ...], asset_dir: Path | None, workers: int, tell: Callable[[str], Any]
 ) -> tuple[list[dict[str, Any]], dict[str, str]]:
     """Return a row for every room that can be read, and why the others cannot."""
     rows: list[dict[str, Any]] = []

@@ -8,18 +8,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
 from shapely import Point
 
 from robolayout.assets import Surface, resting_place, surfaces_of
-from robolayout.constraints import IMPLICIT, AssetRef, FrameTerm, Relation, Term, WallRef
+from robolayout.constraints import IMPLICIT, AssetRef, FrameTerm, MirrorTerm, Relation, Term, WallRef
 from robolayout.constraints.against_wall import wall_term
+from robolayout.constraints.behind import Behind
+from robolayout.constraints.in_front_of import InFrontOf
 from robolayout.constraints.mounted_on import MountedOn
+from robolayout.constraints.next_to import NextTo
 from robolayout.constraints.on_top_of import OnTopOf
+from robolayout.constraints.symmetric_pair import SymmetricPair
 from robolayout.floor import Contents
 from robolayout.program import Guess, Program
 from robolayout.scene import Asset, Layout, Pose, Scene
@@ -40,6 +45,13 @@ TURN = 0.3
 """Metres that a thing could be moved for what it means to turn it by a radian."""
 
 
+TOGETHER = NextTo | InFrontOf | Behind | SymmetricPair
+"""Relations that keep two things together."""
+
+WISHED = 0.2
+"""Weight in the search of a wish against that of a statement."""
+
+
 @dataclass(frozen=True)
 class Problem:
     """A scene with a program, ready to be solved.
@@ -53,6 +65,7 @@ class Problem:
         pinned: Names of assets that keep the pose of the guess.
         guessed: Names of assets to which the program itself gave a place.
         resting: The surface of its carrier on which each asset stands; None where it is the room.
+        wishes: What keeps things together though nothing demands it: a lamp at its armchair.
     """
 
     scene: Scene
@@ -63,6 +76,7 @@ class Problem:
     pinned: frozenset[str] = frozenset()
     guessed: tuple[str, ...] = ()
     resting: tuple[Surface | None, ...] = ()
+    wishes: tuple[Relation, ...] = ()
 
     @cached_property
     def names(self) -> tuple[str, ...]:
@@ -91,8 +105,10 @@ class Problem:
 
     @cached_property
     def statement_terms(self) -> tuple[tuple[Term, ...], ...]:
-        """Rows of each statement."""
-        return tuple(relation.terms(self.scene, self.guess) for relation in self.relations)
+        """Rows of each statement, and at less weight of each wish that keeps things together."""
+        wished = (one.terms(self.scene, self.guess) for one in self.wishes)
+        weak = ((replace(row, weight=WISHED * row.weight) for row in rows if _weighed(row)) for rows in wished)
+        return (*(one.terms(self.scene, self.guess) for one in self.relations), *map(tuple, weak))
 
     @cached_property
     def implicit_terms(self) -> tuple[Term, ...]:
@@ -185,6 +201,7 @@ def compile_problem(
         frozenset(pinned or ()),
         said,
         tuple(resting.get(asset.name) for asset in scene.assets),
+        tuple(one.relation for one in program.wishes if isinstance(one.relation, TOGETHER)) if program else (),
     )
 
 
@@ -193,6 +210,10 @@ def _resting(scene: Scene, relations: Iterable[Relation], parents: Mapping[str, 
     said = {r.a.name: r.place(scene) for r in relations if isinstance(r, OnTopOf) and parents.get(r.a.name) == r.b.name}
     usual = {a: resting_place(scene.by_name[b], scene.by_name[a]) for a, b in parents.items() if a not in said}
     return said | usual
+
+
+def _weighed(row: Term) -> TypeGuard[FrameTerm | MirrorTerm]:
+    return isinstance(row, FrameTerm | MirrorTerm)
 
 
 def _depth(name: str, parents: Mapping[str, str]) -> int:

@@ -59,7 +59,7 @@ class Effort:
     stale: int = 160
     """The same without a better one: the room is as right as it will be."""
 
-    lost: float = 0.5
+    lost: float = 0.6
     """Share of what a stage moves that is out of place or out of reach after polishing, above which the guess is worth nothing."""
 
     blind: float = 0.25

@@ -312,18 +312,18 @@ class _Dresser:
                     break
 
     def _places(self, place: _Place, rule: Mapping[str, Any]) -> None:
-        """Put a set before every seat that faces the surface."""
-        for edge, facing in self._seats(place):
-            if place.rng.random() > 0.5 + 0.5 * self.amount:
-                continue
-            c, s = math.cos(facing), math.sin(facing)
-            for number, (kind, ahead, aside, turn) in enumerate(_data()["sets"][rule["set"]]):
-                thing = Asset("", kind, CATALOGUE[kind].size)
+        """Put a set before every seat that faces the surface: first the plates of all, then what lies beside them."""
+        seats = [seat for seat in self._seats(place) if place.rng.random() <= 0.5 + 0.5 * self.amount]
+        for kind, ahead, aside, turn in _data()["sets"][rule["set"]]:
+            thing, served = Asset("", kind, CATALOGUE[kind].size), list[tuple[tuple[float, float], float]]()
+            for edge, facing in seats:
+                c, s = math.cos(facing), math.sin(facing)
                 away = ahead + thing.size[0] / 2
-                x, y = edge[0] + c * away + s * aside, edge[1] + s * away - c * aside
-                put = self._put(place, thing, (x, y, facing + math.pi + math.radians(turn)), self._variable(kind))
-                if not (put or number):
-                    break  # the place is taken
+                spot = (edge[0] + c * away + s * aside, edge[1] + s * away - c * aside)
+                if self._put(place, thing, (*spot, facing + math.pi + math.radians(turn)), self._variable(kind)):
+                    served.append((edge, facing))
+            if kind == _data()["sets"][rule["set"]][0][0]:
+                seats = served  # where something lies already, nothing is set
 
     def _seats(self, place: _Place) -> Iterator[tuple[tuple[float, float], float]]:
         """Yield where the edge of a surface is before each seat, and which way the seat faces, in the carrier's frame."""

@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 from robolayout.scene import Scene, Snapshot, Trace
 from robolayout.solve import programs
 from robolayout.solve.arrays import HISTORY, SNAPSHOTS, Found, Losses, Routes, Schedule
-from robolayout.solve.compile import Floats, Problem, compile_problem
+from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SearchConfig, SolverConfig
-from robolayout.solve.stage import Stage, make_stage, no_routes
+from robolayout.solve.stage import Stage, no_routes, sizes_of
 
 STILL = SearchConfig(steps=0, rate=0.0, final_rate=0.0)
 """A phase without a step: only the objective is evaluated."""
@@ -223,9 +223,7 @@ def warm_up(scene: Scene, config: SolverConfig | None = None, *, missing_only: b
         missing_only: Whether only to compile what is not in the cache.
     """
     if scene.assets:
-        problem = compile_problem(scene)
-        stage = make_stage(problem, 0, problem.start)
-        weights = (config or SolverConfig()).weights
-        piece = (problem.start[None], lambda: no_routes(1, 8 * stage.slots))
+        stage, weights = sizes_of(scene), (config or SolverConfig()).weights
+        piece = (stage.world[None], lambda: no_routes(1, 8 * stage.slots))
         arguments = _arguments(stage, piece, STILL, noise(stage, BATCH, None))
         programs.prepare(PROGRAM, *arguments, missing_only=missing_only, weights=weights)

@@ -18,13 +18,13 @@ from typing import Any
 
 from robolayout.scene import Layout, Scene, Trace
 from robolayout.solve.arrays import Found
-from robolayout.solve.compile import Floats, Problem, compile_problem
+from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.judge import Judge, Verdict
 from robolayout.solve.lanes import STARTS, LaneRunner, Request, prepare, run_together
 from robolayout.solve.refine import Solver
 from robolayout.solve.solution import Progress, Solution, conclude, silent
-from robolayout.solve.stage import make_stage, stages
+from robolayout.solve.stage import sizes_of, stages
 
 REPAIRED = 2
 """Programs that are repaired, at most: the best, and the next one if the best still breaks a hard demand."""
@@ -230,5 +230,4 @@ def _search(ones: Sequence[_One], config: SolverConfig, progress: Progress) -> N
 def warm_up_samples(scene: Scene, config: SolverConfig | None = None) -> None:
     """Start to load or compile, in the background, the program that solving samples for this scene will need."""
     if scene.assets:
-        problem = compile_problem(scene)
-        prepare(make_stage(problem, 0, problem.start), (config or SolverConfig()).weights)
+        prepare(sizes_of(scene), (config or SolverConfig()).weights)

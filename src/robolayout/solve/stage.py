@@ -28,9 +28,9 @@ from robolayout.constraints import (
     WallRef,
 )
 from robolayout.constraints.corner import convex_corners
-from robolayout.scene import vertical_span
+from robolayout.scene import Layout, Pose, Scene, vertical_span
 from robolayout.solve.arrays import Arrays, Routes
-from robolayout.solve.compile import Floats, Problem
+from robolayout.solve.compile import Floats, Problem, compile_problem
 
 SLOT_BUCKETS = (8, 16, 32, 64, 128, 256, 512)
 EDGE_BUCKETS = (8, 32, 128)
@@ -147,6 +147,14 @@ def make_stage(problem: Problem, number: int, world: Floats) -> Stage:
         **tables,
     )
     return Stage(problem, Arrays(*(_typed(field) for field in arrays)), world, moving)
+
+
+def sizes_of(scene: Scene) -> Stage:
+    """Return the first stage of a scene with everything in its middle, for the sizes of its arrays: nothing is built."""
+    x0, y0, x1, y1 = scene.room.bounds
+    middle = Pose((x0 + x1) / 2, (y0 + y1) / 2, 0.0, 0.0)
+    problem = compile_problem(scene, built=Layout(dict.fromkeys((asset.name for asset in scene.assets), middle)))
+    return make_stage(problem, 0, problem.start)
 
 
 def _held(problem: Problem, slot: int) -> bool:

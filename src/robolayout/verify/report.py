@@ -133,6 +133,7 @@ class Report:
             "doors_reached": all(report.doors_reached for report in self.agents),
             **worst,
             "statements_met_share": share([item.met for item in self.statements]),
+            **({"stable_share": float(self.stability["stable_share"])} if self.stability else {}),
         }
 
     @cached_property
@@ -188,11 +189,12 @@ class Report:
 
     @cached_property
     def violations(self) -> tuple[str, ...]:
-        """Everything that is wrong, in sentences with numbers and names: physics, then each agent, then statements."""
+        """Everything that is wrong, in sentences with numbers and names: physics, each agent, statements, gravity."""
         found = list(self.physics.reasons)
         for report in self.agents:
             found += report.violations
         found += [item.complaint for item in self.statements if not item.met]
+        found += self.stability.get("violations", ())
         found += [f"asked, and not met: {row.words} ({row.value})." for row in self.asked if row.verdict == "unmet"]
         return tuple(found)
 
