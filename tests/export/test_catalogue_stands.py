@@ -10,6 +10,8 @@ from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
 EACH = 24
 """Things that stand in one hall, far apart."""
+ROCKS = 0.09
+"""Radians by which what stands on runners may rock before it rests."""
 STANDING = [name for name, kind in CATALOGUE.items() if kind.on_floor or kind.on_object]
 
 
@@ -22,4 +24,5 @@ def test_no_record_falls_over_by_itself(start: int) -> None:
     hall = Room(((0.0, 0.0), (10.0 * EACH, 0.0), (10.0 * EACH, 10.0), (0.0, 10.0)), 6.0)
     found = settle(Scene(hall, assets), Layout(poses))
     fallen = {names[int(name.split("-")[1])]: motion for name, motion in found.motions.items() if not motion.stable}
-    assert not fallen
+    rocking = {name for name, motion in fallen.items() if name.startswith("rocking") and motion.tilt < ROCKS}
+    assert not set(fallen) - rocking

@@ -7,13 +7,15 @@ import math
 import jax
 import numpy as np
 import pytest
+import shapely
+import shapely.affinity
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from plane import ANGLES, BOXES, PLACES, Box, exact
 from shapely import Point
 from shapely.affinity import translate
 
-from robolayout._geometry import compose, corners, extents, penetration, point_to_box, separation
+from robolayout._geometry import compose, corners, cut_separation, extents, penetration, point_to_box, separation
 from robolayout.scene import Pose
 
 TINY = 1e-6
@@ -21,6 +23,7 @@ TINY = 1e-6
 
 separated = exact(separation)
 penetrated = exact(penetration)
+cut_apart = exact(cut_separation)
 to_box = exact(point_to_box)
 composed = exact(compose)
 around = exact(extents)
@@ -41,6 +44,31 @@ def test_separation_tells_whether_boxes_overlap(a: Box, b: Box) -> None:
     if gap < -TINY:
         assert common > 0.0
     assert float(separated(b.body, a.body)) == pytest.approx(gap, abs=1e-9)
+
+
+def octagon(box: Box, cut: float) -> shapely.Polygon:
+    """The box without its corners."""
+    u, v = box.hx - cut, box.hy - cut
+    ring = [(box.hx, -v), (box.hx, v), (u, box.hy), (-u, box.hy)]
+    outline = shapely.Polygon([*ring, *((-x, -y) for x, y in ring)])
+    turned = shapely.affinity.rotate(outline, box.yaw, origin=(0, 0), use_radians=True)
+    return shapely.affinity.translate(turned, box.x, box.y)
+
+
+@quick
+@given(BOXES, BOXES, st.floats(0.0, 1.0), st.floats(0.0, 1.0))
+@example(Box(0, 0, 0, 1, 1), Box(1.8, 1.8, 0, 1, 1), 0.3, 0.3)
+def test_cut_corners_are_apart_as_octagons_are(a: Box, b: Box, first: float, second: float) -> None:
+    cuts = first * min(a.hx, a.hy), second * min(b.hx, b.hy)
+    gap = float(cut_apart(a.body, b.body, *map(np.float64, cuts)))
+    one, other = octagon(a, cuts[0]), octagon(b, cuts[1])
+    assert gap <= one.distance(other) + TINY
+    if gap > TINY:
+        assert one.distance(other) > 0.0
+    if gap < -TINY:
+        assert one.intersection(other).area > 0.0
+    if first == second == 0.0:
+        assert gap >= float(separated(a.body, b.body)) - TINY
 
 
 @quick

@@ -82,6 +82,7 @@ def test_a_good_layout_meets_every_demand():
         "line",
         "source",
         "sentence",
+        "by",
         "met",
         "value",
         "limit",

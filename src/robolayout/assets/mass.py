@@ -44,9 +44,9 @@ def part_masses(made: tuple[Part, ...]) -> tuple[NDArray[np.float64], NDArray[np
     low, reach = z.min(), np.ptp(z)
     weights, middles = np.empty(len(made)), np.empty((len(made), 3))
     for i, part in enumerate(made):
-        density, wall, feet = _bulk(part.material.name)
-        top = part.vertices[:, 2].max() - low
-        weighted = top <= min(LOW[0] * reach, LOW[1]) and any(word in part.name for word in feet)
+        density, wall = _bulk(part.material.name)
+        foot = part.vertices[:, 2].max() - low <= min(LOW[0] * reach, LOW[1])
+        weighted = any(word in part.name for word in _data()["feet"] if foot) or part.name in _data()["solid"]
         volume, surface, inner, outer = _measured(part)
         hollow = surface * wall < volume and not weighted
         weights[i] = max(density * (surface * wall if hollow else volume), 1e-9)
@@ -68,11 +68,11 @@ def _measured(part: Part) -> tuple[float, float, NDArray[np.float64], NDArray[np
     return volume, float(areas.sum()), inner, outer
 
 
-def _bulk(name: str) -> tuple[float, float, tuple[str, ...]]:
-    """Return density in kg/m3 and wall thickness in metres of a material, and the words for feet that are weighted."""
+def _bulk(name: str) -> tuple[float, float]:
+    """Return density in kg/m3 and wall thickness in metres of a material."""
     data = _data()
     row = next((row for row in data["bulk"] if any(word in name for word in row["of"])), data["usual"])
-    return float(row["density"]), float(row["wall"]), tuple(data["feet"])
+    return float(row["density"]), float(row["wall"])
 
 
 @cache

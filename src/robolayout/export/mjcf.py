@@ -20,6 +20,7 @@ import numpy as np
 
 from robolayout._reading.syntax import Unreadable, decoded, xml_root
 from robolayout.assets import Joint, Material, Part, category_of, parts, room_parts, turned
+from robolayout.assets.mass import part_masses
 from robolayout.export._exporter import (
     Contents,
     Exporter,
@@ -40,9 +41,6 @@ THINNEST = 5e-4
 
 FOOT = 0.08
 """Share of a mesh's height that is pressed flat where it stands, so that pots and cushions with round bottoms stand."""
-
-BALLAST = 4.0
-"""How much denser the parts are that an asset stands on (the feet of lamps and chairs), which keeps it upright."""
 
 SMALLEST_VOLUME = 1e-8
 """Volume in cubic metres below which a part collides as its box."""
@@ -151,7 +149,7 @@ def _start(scene: Scene) -> _Model:
 
 
 def _asset(model: _Model, asset: Asset, pose: Pose, *, seed: int, free: bool) -> None:
-    """Add one asset as a body; its mass is shared among its parts by volume."""
+    """Add one asset as a body; its mass is shared among its parts by what they are made of."""
     half = pose.yaw / 2
     place = {"pos": f"{pose.x!r} {pose.y!r} {pose.z!r}", "quat": f"{math.cos(half)!r} 0 0 {math.sin(half)!r}"}
     body = ET.SubElement(model.world, "body", {"name": asset.name, **place})
@@ -160,13 +158,14 @@ def _asset(model: _Model, asset: Asset, pose: Pose, *, seed: int, free: bool) ->
         model.home += [pose.x, pose.y, pose.z, math.cos(half), 0.0, 0.0, math.sin(half)]
     pieces = tuple(_footed(part, -asset.size[2] / 2) for part in parts(asset, seed=seed))
     bodies = _jointed(model, body, asset.name, pieces)
-    volumes = [_weight(part, -asset.size[2] / 2) for part in pieces]
+    weights = part_masses(pieces)[0]
+    shares = (mass(asset) * weights / weights.sum()).tolist()
     friction = f"{category_of(asset).friction:.6g} 0.005 0.0001"
     kind = "look" if asset.is_flat else "free" if free else "fixed"
-    for number, (part, share) in enumerate(zip(pieces, volumes, strict=True)):
+    for number, (part, share) in enumerate(zip(pieces, shares, strict=True)):
         note = {"name": f"{asset.name}/{part.name}/{number}", "class": kind}
         if not asset.is_flat:
-            note |= {"mass": f"{mass(asset) * share / sum(volumes):.9g}", "friction": friction}
+            note |= {"mass": f"{share:.9g}", "friction": friction}
         _geom(model, bodies.get(part.joint, body), part, note)
 
 
@@ -207,12 +206,6 @@ def _geom(model: _Model, body: ET.Element, part: Part, note: dict[str, str]) -> 
     if not np.allclose(box.rotation, np.eye(3), atol=1e-12):
         place["quat"] = _numbers(np.array(quaternion(box.rotation)))
     ET.SubElement(body, "geom", {**note, **place})
-
-
-def _weight(part: Part, bottom: float) -> float:
-    """Return a part's share of its asset's mass, not yet divided by the sum: its volume, more if it stands on the bottom."""
-    stands = part.vertices[:, 2].min() <= bottom + THINNEST
-    return max(volume(part), SMALLEST_VOLUME) * (BALLAST if stands else 1.0)
 
 
 def _footed(part: Part, bottom: float) -> Part:

@@ -111,19 +111,15 @@ def colliding(found: Boxes) -> set[str]:
 
 def _contacts(found: Boxes, a: int, b: int, offset: tuple[float, float, float]) -> list[tuple[BaseGeometry, float]]:
     """Return where surfaces of prisms meet when b is moved: area in plan and height; one wholly inside another does not count."""
-    shift = np.array(offset[:2])
-    meets: list[tuple[BaseGeometry, float]] = []
-    for one, low, high in zip(*found.shape(a), strict=True):
-        for still, bottom, top in zip(*found.shape(b), strict=True):
-            other = shapely.transform(still, lambda points: points + shift)
-            start, end = max(low, bottom + offset[2]), min(high, top + offset[2])
-            if start > end or not one.intersects(other):
-                continue
-            in_a = one.contains_properly(other) and low < bottom + offset[2] and top + offset[2] < high
-            in_b = other.contains_properly(one) and bottom + offset[2] < low and high < top + offset[2]
-            if not (in_a or in_b):
-                meets.append((one.intersection(other), (start + end) / 2))
-    return meets
+    (ones, low, high), (still, bottom, top) = found.shape(a), found.shape(b)
+    others = shapely.transform(still, lambda points: points + np.array(offset[:2]))
+    bottom, top = bottom + offset[2], top + offset[2]
+    start, end = np.maximum(low[:, None], bottom), np.minimum(high[:, None], top)
+    i, j = np.nonzero((start <= end) & shapely.intersects(ones[:, None], others))
+    in_a = shapely.contains_properly(ones[i], others[j]) & (low[i] < bottom[j]) & (top[j] < high[i])
+    in_b = shapely.contains_properly(others[j], ones[i]) & (bottom[j] < low[i]) & (high[i] < top[j])
+    meets = zip(i[~(in_a | in_b)].tolist(), j[~(in_a | in_b)].tolist(), strict=True)
+    return [(shapely.intersection(ones[k], others[m]), float(start[k, m] + end[k, m]) / 2) for k, m in meets]
 
 
 def _nudge(found: Boxes, b: int, contacts: list[tuple[BaseGeometry, float]]) -> tuple[float, float, float]:
