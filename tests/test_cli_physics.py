@@ -80,3 +80,27 @@ def test_without_mujoco_the_extra_is_named_before_any_work(
     ran = command(words[0], given[0], *words[1:], *out)
     assert ran.code == 2 and "needs the extra 'sim': pip install 'robolayout[sim]'" in ran.err, ran
     assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("drive", "--doors", "ajar"), "unknown way for doors to stand 'ajar'. Known: open, shut, swinging."),
+        (("export", "--to", "mjcf", "--doors", "ajar"), "unknown way for doors to stand 'ajar'"),
+        (("export", "--to", "mjcf", "--body", "arm"), "unknown body to export 'arm'. Known: base, none."),
+    ],
+)
+def test_unknown_ways_are_refused(
+    words: tuple[str, ...], said: str, command: Command, given: tuple[Path, Path]
+) -> None:
+    ran = command(words[0], *given, *words[1:])
+    assert ran.code == 2 and said in ran.err
+
+
+def test_a_model_is_written_without_the_body_and_with_open_doors(
+    command: Command, given: tuple[Path, Path], tmp_path: Path
+) -> None:
+    ran = command("export", *given, "--to", "mjcf", "--body", "none", "--doors", "open", "--out", tmp_path)
+    text = (tmp_path / "scene.xml").read_text()
+    assert ran.code == 0 and 'name="agent"' not in text and '<key name="home"' in text
+    assert 'joint name="room/door-0"' not in text and 'name="wardrobe-0/door 0"' in text

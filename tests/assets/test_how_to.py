@@ -39,7 +39,7 @@ def test_one_record_in_one_file_is_known_drawn_and_placed(tmp_path: Path) -> Non
         [sys.executable, "-c", FURNISH], env=environment, capture_output=True, text=True, check=True
     )
     assert "spinning_wheel[0].position = [" in furnished.stdout
-    assert "solver.against_wall(spinning_wheel[0]" in furnished.stdout
+    assert "against_wall(spinning_wheel[0]" in furnished.stdout
     laws = [
         sys.executable,
         "-m",
@@ -62,7 +62,7 @@ def test_a_record_of_ones_own_is_drawn_by_its_own_rows(tmp_path: Path) -> None:
     assert understood.wished == {"spinning wheel": 1}
     wheel = next(asset for asset in scene.assets if asset.category == "spinning wheel")
     assert wheel.like == "easel" and {part.name for part in parts(wheel)} == {"bench", "wheel"}
-    assert "solver.against_wall(spinning_wheel[0]" in OfflinePlanner([own]).plan(PlanRequest(scene))
+    assert "against_wall(spinning_wheel[0]" in OfflinePlanner([own]).plan(PlanRequest(scene))
 
 
 @pytest.mark.parametrize(

@@ -131,6 +131,11 @@ def test_attributes_that_exclude_each_other_are_said() -> None:
     ]
 
 
+def test_a_place_where_nothing_stands_is_said() -> None:
+    rows = judged("On the desk in the middle of the room. The bed is against the wall.")
+    assert [row.words for row in rows if row.verdict == "not understood"] == ["On"]
+
+
 def test_two_moods_are_measured_and_the_others_are_not() -> None:
     rows = {row.words: (row.verdict, row.value) for row in judged("An airy, cosy, quiet bedroom.")}
     assert rows["airy"] == ("met", "it takes 22%")

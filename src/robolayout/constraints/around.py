@@ -44,15 +44,18 @@ def left_gap(scene: Scene, items: Sequence[AssetRef], b: AssetRef, slots: Callab
     return _left_gap(tuple(scene.by_name[item.name] for item in items), scene.by_name[b.name], slots)
 
 
+def _meeting(table: Asset, places: Sequence[tuple[Asset, Slot]], lift: float) -> bool:
+    """Whether seats that are lifted by so many metres, so that room is left above them, meet the table or each other."""
+    there = [(table, Pose(0.0, 0.0, table.size[2] / 2, 0.0))]
+    there += [(seat, Pose(x, y, seat.size[2] / 2 + lift, yaw)) for seat, (x, y, yaw) in places]
+    return any(prisms_meet(one, other, SPARE) for one, other in combinations(there, 2))
+
+
 def _left_gap(seats: tuple[Asset, ...], table: Asset, slots: Callable[[float], Sequence[Slot]]) -> float:
     """Return the first gap at which no seat meets the table or another seat."""
     for tuck in TUCKED:
-        there = [(table, Pose(0.0, 0.0, table.size[2] / 2, 0.0))]
-        there += [
-            (seat, Pose(x, y, seat.size[2] / 2 + SPARE, yaw))
-            for seat, (x, y, yaw) in zip(seats, slots(-tuck), strict=False)
-        ]
-        if not any(prisms_meet(one, other, SPARE) for one, other in combinations(there, 2)):
+        places = list(zip(seats, slots(-tuck), strict=False))
+        if not any(_meeting(table, places, lift) for lift in (0.0, SPARE)):
             return -tuck
     return USUAL
 

@@ -121,4 +121,8 @@ def _facts(note: Path) -> dict[str, Any]:
     if not is_file(note):
         return {}
     row = cast("dict[str, Any]", _CHECK.mapping(_CHECK.read_json(note, "room"), f"room {note}").get("row", {}))
-    return {key: row[key] for key in ("source", "style", "solver", "reach", "seed") if row.get(key) not in (None, "")}
+    return {
+        key: row[key]
+        for key in ("source", "style", "dress", "solver", "reach", "seed")
+        if row.get(key) not in (None, "")
+    }

@@ -118,14 +118,22 @@ def draw(ready: Ready, index: int, attempt: int = 0, meshes: Path | None = None)
     rng = np.random.default_rng((ready.spec.seed, which, turn, attempt))
     for found in () if chosen else ready.choices:
         chosen.append(found[int(rng.integers(len(found)))])
-    bodies, style, solver, reach = chosen
+    bodies, style, dress, solver, reach = chosen
     source = ready.sources[which]
     seed = int(rng.integers(2**31))
     scene = source.scene or _from_words(source, ready.spec, rng, seed, style)
     if ready.own and meshes is not None:
         scene = _with_own(scene, ready.own, rng, meshes)
     scene = scene.with_agents(*bodies) if bodies else scene
-    facts = {"source": source.text, "style": style, "solver": solver, "reach": reach, "seed": seed}
+    scene = replace(scene, dress=dress) if dress else scene
+    facts = {
+        "source": source.text,
+        "style": style,
+        "dress": scene.dress,
+        "solver": solver,
+        "reach": reach,
+        "seed": seed,
+    }
     facts |= {"bodies": ",".join(agent.name for agent in scene.agents), "text": scene.task_description}
     return Drawn(scene, solver, reach, seed, facts)
 
@@ -180,8 +188,9 @@ def laid_out(drawn: Drawn, effort: str, *, trace: bool = False) -> Result:
         return generate(drawn.scene, seed=drawn.seed, solver=drawn.solver, config=config)
     blind = drawn.scene.with_agents(load_agent(NOBODY))
     result = generate(blind, seed=drawn.seed, solver=drawn.solver, config=config)
-    report = verify(drawn.scene, result.layout, result.program).with_asked(result.report.asked)
-    return replace(result, scene=drawn.scene, report=report)
+    scene = result.scene.with_agents(*drawn.scene.agents)
+    report = verify(scene, result.layout, result.program).with_asked(result.report.asked)
+    return replace(result, scene=scene, report=report)
 
 
 def make(ready: Ready, index: int, attempt: int, meshes: Path | None = None) -> Made:

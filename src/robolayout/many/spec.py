@@ -22,7 +22,7 @@ from robolayout._reading import Checker
 from robolayout.assets import find_category
 from robolayout.export import find_exporter
 from robolayout.planners import scene_from_sentence
-from robolayout.scene import Agent, Scene, digest, load_agents, load_scene, scene_digest
+from robolayout.scene import DRESSINGS, Agent, Scene, digest, load_agents, load_scene, scene_digest
 from robolayout.solve import EFFORTS, solver_names
 
 MOST_NAMED = 1000
@@ -47,7 +47,7 @@ class Spec:
     """Rooms in all; `each` takes its place."""
 
     each: int = _bounded(0, 0, 10_000)
-    """Where above 0: so many rooms of every combination of rooms, bodies, styles, solvers and reach, for comparing them."""
+    """Where above 0: so many rooms of every combination of rooms, bodies, styles, dress, solvers and reach, for comparing them."""
 
     seed: int = _bounded(0, 0, 2**31 - 1)
     """Settles every choice."""
@@ -78,6 +78,9 @@ class Spec:
 
     density: tuple[float, float] = _bounded((0.15, 0.35), 0.0, 0.5)
     """Share of the floor up to which things are added to those that such a room must have."""
+
+    dress: tuple[str, ...] = ()
+    """How much lies about: "none", "some", "full", one of them for each room. None: what the words or the scene file say."""
 
     catalogues: tuple[str, ...] = ()
     """Catalogues of own meshes (`robolayout assets import`): where they have a thing of a kind, it is that one."""
@@ -166,8 +169,8 @@ class Ready:
 
     @property
     def choices(self) -> tuple[tuple[Any, ...], ...]:
-        """What one of is taken for each room, beside the room itself: bodies, styles, solvers, reach."""
-        return (self.bodies, self.spec.styles or ("",), self.spec.solvers, self.spec.reach)
+        """What one of is taken for each room, beside the room itself: bodies, styles, dress, solvers, reach."""
+        return (self.bodies, self.spec.styles or ("",), self.spec.dress or ("",), self.spec.solvers, self.spec.reach)
 
     @property
     def count(self) -> int:
@@ -237,6 +240,7 @@ def _spec(table: Mapping[str, Any]) -> Spec:
         ("solver", spec.solvers, solver_names()),
         ("effort", [spec.effort], EFFORTS),
         ("files", [spec.files], ("run", "formats")),
+        ("dress", spec.dress, DRESSINGS),
     ):
         for name in names:
             if name not in allowed:

@@ -25,6 +25,9 @@ WITHIN, BEYOND = 0.06, 0.15
 WALLS = 0.45
 """Share of the length of all walls up to which places at them are demanded; what comes later only wishes for one."""
 
+UNDER = 0.2
+"""Metres by which a seat may be left under what it stands at."""
+
 NARROWEST = 0.6
 """Metres that people need to get to a side of a thing."""
 
@@ -123,12 +126,13 @@ class Writer:
         join, anchor = item.joined, self.cast[item.anchor or ""]
         number = self._peers(item).index(item.name)
         before = self._taken(item, number)
+        tucked = item.category.movable and join.slot in ("front", "behind")
         values = {
             "b": self._name(anchor.name),
             "b name": anchor.name,
             "side": '"beside"',
             "gap": f"{join.gap:g}",
-            "least": f"{max(0.0, join.gap - WITHIN):g}",
+            "least": f"{-UNDER if tucked else max(0.0, join.gap - WITHIN):g}",
             "most": f"{join.gap + BEYOND + before:.2f}",
         }
         turned = {"front": 180.0, "behind": 0.0, "beside": 0.0}.get(join.slot)

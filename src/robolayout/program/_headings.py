@@ -72,7 +72,7 @@ def _implied(known: Turned, relation: Relation, above: tuple[str, ...]) -> Headi
     """Return the heading that a relation asks for."""
     if isinstance(relation, AgainstWall | MountedOn | Row) and relation.wall is not None:
         return Heading(ROOM, _yaw(known.scene.room.walls[relation.wall.index].normal))
-    if isinstance(relation, AlignWith):
+    if isinstance(relation, AlignWith) and relation.b is not None:
         if isinstance(relation.b, WallRef):
             base = Heading(ROOM, _yaw(known.scene.room.walls[relation.b.index].direction))
         else:

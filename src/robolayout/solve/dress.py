@@ -53,6 +53,7 @@ class DressConfig:
         above: Height above an open surface that its things may take up.
         ahead: How far before the back edge a thing is tried, one after the other.
         level: Most by which the tops under one thing may differ in height.
+        sunk: Most by which a thing may lie below its surface, whose parts are level within little more.
     """
 
     edge: float = 0.015
@@ -68,6 +69,7 @@ class DressConfig:
     above: float = 0.5
     ahead: tuple[float, ...] = (0.0, 0.03, 0.08, 0.14)
     level: float = 0.002
+    sunk: float = 0.008
 
 
 @dataclass(frozen=True)
@@ -363,6 +365,8 @@ class _Dresser:
         if not under.any():
             return place.surface.height  # a mesh of the user's own
         high = top[under].max()
+        if place.surface.height - high > self.config.sunk:
+            return None
         whole = under & (a <= x0) & (b >= x1) & (c <= y0) & (d >= y1) & (top > high - self.config.level)
         return float(high) if whole.any() or high - top[under].min() < self.config.level else None
 

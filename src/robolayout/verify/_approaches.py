@@ -104,7 +104,7 @@ def approaches(found: Boxes, agent: Agent) -> Approaches:
     zones = _zones(found, agent, index, edges, np.array(reach), whole)
     for number in range(len(rows)):
         if sides[number] == "front" and opens(found, agent, rows[number]):
-            zones[number] = opening_zone(found, agent, rows[number], zones[number])
+            zones[number] = opening_zone(found, agent, rows[number])
     return Approaches(found, agent, index, tuple(sides), edges, zones)
 
 

@@ -20,6 +20,9 @@ from robolayout.scene import Asset, Layout, Room, Scene
 from robolayout.scene.asset import FLAT_HEIGHT
 from robolayout.verify.limits import AT, CARRIED, LOWER, STEADY, WITHIN
 
+Place = tuple[float, float, float, float]
+"""x, y, z in metres and yaw in radians."""
+
 
 @dataclass(frozen=True, eq=False)
 class Boxes:
@@ -115,19 +118,12 @@ class Boxes:
 
     def _contact(self, row: int, lower: int) -> Any:
         """Return where an asset's base lies on surfaces of another."""
-        level = self.bottom[row] - self.bottom[lower]
-        regions = [s.region for s in surfaces_of(self.assets[lower]) if abs(s.height - level) <= CARRIED + 1e-9]
-        if not regions:
-            return Polygon()
-        x, y, _, yaw = self.poses[lower]
-        c, s = math.cos(yaw), math.sin(yaw)
-        there = [affine_transform(region, [c, -s, s, c, x, y]) for region in regions]
-        return shapely.union_all(there).intersection(self.base(row))
+        return _shared_base(*self._placed(row), *self._placed(lower))
 
-    def base(self, row: int) -> Any:
-        """Return what an asset stands on the ground with: the hull of its lowest prisms."""
-        outlines, low, _ = self.shape(row)
-        return shapely.union_all(outlines[low <= low.min() + CARRIED]).convex_hull
+    def _placed(self, row: int) -> tuple[Asset, Place]:
+        """Return an asset and where it stands."""
+        x, y, z, yaw = self.poses[row].tolist()
+        return self.assets[row], (x, y, z, yaw)
 
     def shape(self, row: int) -> tuple[NDArray[np.object_], NDArray[np.float64], NDArray[np.float64]]:
         """Return the prisms of a placed asset: outlines in plan, and between which heights each stands, metres."""
@@ -152,6 +148,28 @@ class Boxes:
             and place.region.buffer(WITHIN).covers(foot)
             for place in surfaces_of(self.assets[lower])
         )
+
+
+@lru_cache(maxsize=4096)
+def _base(asset: Asset, place: Place) -> Any:
+    """Return the hull of a placed asset's lowest prisms; whoever judges many layouts asks for the same again and again."""
+    (ring, low, _), (x, y, _, yaw) = _prism_table(asset), place
+    turn = np.array([[math.cos(yaw), math.sin(yaw)], [-math.sin(yaw), math.cos(yaw)]])
+    lowest = shapely.polygons(ring[low <= low.min() + CARRIED] @ turn + (x, y))
+    return shapely.union_all(lowest).convex_hull
+
+
+@lru_cache(maxsize=4096)
+def _shared_base(upper: Asset, place: Place, lower: Asset, under: Place) -> Any:
+    """Return where a placed asset's base lies on surfaces of another."""
+    x, y, z, yaw = under
+    level = (place[2] - upper.size[2] / 2) - (z - lower.size[2] / 2)
+    regions = [s.region for s in surfaces_of(lower) if abs(s.height - level) <= CARRIED + 1e-9]
+    if not regions:
+        return Polygon()
+    c, s = math.cos(yaw), math.sin(yaw)
+    there = [affine_transform(region, [c, -s, s, c, x, y]) for region in regions]
+    return shapely.union_all(there).intersection(_base(upper, place))
 
 
 @lru_cache(maxsize=1024)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 import shapely
@@ -12,9 +13,10 @@ from shapely.affinity import affine_transform
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import Joint, sweeps_of
-from robolayout.scene import Agent, Point
+from robolayout.scene import Agent, Asset, Point
 from robolayout.scene.agent import horizontal_reach
 from robolayout.verify._boxes import Boxes
+from robolayout.verify._sides import within
 from robolayout.verify._space import QUAD_SEGS
 from robolayout.verify.limits import REACH_SLACK
 
@@ -93,21 +95,29 @@ def _reach(found: Boxes, agent: Agent, row: int, joint: Joint) -> float | None:
     return horizontal_reach(agent, float(found.poses[row, 2]) + low, float(found.poses[row, 2]) + high)
 
 
-def opening_zone(found: Boxes, agent: Agent, row: int, beyond: BaseGeometry) -> BaseGeometry:
+def opening_zone(found: Boxes, agent: Agent, row: int) -> BaseGeometry:
     """Return from where a body opens an asset: a handle within its reach, and room for its disc beside the open leaf.
 
     Args:
         found: The boxes.
         agent: The body.
-        row: The asset.
-        beyond: Where the body's centre has the front within reach.
+        row: The asset; one of its handles is within reach in height.
     """
+    asset = found.assets[row]
+    far = tuple(_reach(found, agent, row, sweep.joint) if sweep.joint else None for sweep in sweeps_of(asset))
+    return _placed(found, row, _before(asset, agent.radius, far))
+
+
+@lru_cache(maxsize=4096)
+def _before(asset: Asset, radius: float, far: tuple[float | None, ...]) -> BaseGeometry:
+    """Return the same in the asset's frame, for the reach to each of its handles."""
+    x, y = asset.size[0] / 2, asset.size[1] / 2
+    most = max(reach for reach in far if reach is not None) + REACH_SLACK
+    beyond = within(np.array([[(x, -y), (x, y)]]), np.array([most]))[0]
     zones: list[BaseGeometry] = []
-    for sweep in sweeps_of(found.assets[row]):
-        reach = None if sweep.joint is None else _reach(found, agent, row, sweep.joint)
-        if reach is not None and sweep.joint is not None:
-            handle = _placed(found, row, shapely.Point(sweep.joint.handle[:2]))
-            zone = beyond.intersection(handle.buffer(reach + REACH_SLACK, quad_segs=QUAD_SEGS))
-            leaf = _placed(found, row, sweep.leaf)
-            zones.append(zone if leaf.is_empty else zone.difference(leaf.buffer(agent.radius, quad_segs=QUAD_SEGS)))
+    for sweep, reach in zip(sweeps_of(asset), far, strict=True):
+        if sweep.joint is not None and reach is not None:
+            handle = shapely.Point(sweep.joint.handle[:2]).buffer(reach + REACH_SLACK, quad_segs=QUAD_SEGS)
+            leaf = sweep.leaf.buffer(radius, quad_segs=QUAD_SEGS)
+            zones.append(beyond.intersection(handle).difference(leaf))
     return shapely.union_all(zones)

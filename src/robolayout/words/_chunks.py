@@ -236,8 +236,10 @@ class Chunker:
         if self.lexicon.noun(self.words[i : i + 2]) is not None and self._continues(i):
             return False
         known = bool(run) and self.lexicon.noun([run[-1], word]) is not None
+        ends = (*self.words[i + 1 : i + 2], ".")[0] in MARKS
         return (
             not known
+            or (word == "stands" and ends and self.words[i - len(run) - 1] in ("a", "an"))
             or (word == "stands" and not many and self._begins_relation(i + 1))
             or (word == "stand" and run[-1].endswith("s"))
         )

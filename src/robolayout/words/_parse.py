@@ -39,9 +39,12 @@ class Parser(Relating):
                 self.said.missed.append(chunk)
             elif chunk.kind in ("room", "body", "people", "measure", "style", "function", "corner"):
                 self._fact(chunk)
+        self._on_stop(None)
         return self.said
 
-    def _on_stop(self, chunk: Chunk) -> None:
+    def _on_stop(self, chunk: Chunk | None) -> None:
+        if self.fronted is not None and not self.group:
+            self.said.missed.append(self.fronted[0])  # nothing stands there
         self.before = self.subject or self.group or self.before
         self._new_sentence()
 

@@ -109,6 +109,8 @@ class Relating(References):
             self.broken = True
         elif chunk.value in REVERSED:
             self._reversed(chunk, subjects, objects)
+        elif not subjects and (named := self._fronted_things()):
+            self._link(chunk, named, objects)  # "on the desk in the corner stands a lamp"
         elif (not subjects and not colon) or self._turned_round(first, objects):
             self.fronted = (chunk, list(objects))
             self.group = []
@@ -116,6 +118,11 @@ class Relating(References):
             self._link(chunk, subjects, objects)
             self.acted = subjects
             self.verb = False
+
+    def _fronted_things(self) -> list[Mention]:
+        """Return the thing that a relation before this one leads to, while nothing stands there yet."""
+        to = self.fronted[1] if self.fronted is not None and not self.group else []
+        return [item for item in to[:1] if isinstance(item, Mention)]
 
     def _in_an_aid(self) -> bool:
         """Note the body of "a person in a wheelchair"."""

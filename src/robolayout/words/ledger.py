@@ -226,7 +226,7 @@ class _Rows:
     def _contradiction(self, thing: Thing) -> Iterator[_Row]:
         """Yield a row that cannot be met where two attributes of a thing exclude each other."""
         for group in grammar().exclusive:
-            said = [word for word in thing.adjectives if word in group]
+            said = [word for word in (*thing.adjectives, *thing.noun.said.split()) if word in group]
             if len(set(said)) > 1:
                 words = self.reading.span(*thing.spans[0])
                 why = f"{' and '.join(dict.fromkeys(said))} exclude each other"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -46,7 +46,7 @@ class Batch:
     anchors: tuple[str, ...] = ()
 
 
-def batches(site: Site, cluster: Cluster, modes: Sequence[str]) -> list[Batch]:
+def batches(site: Site, cluster: Cluster, modes: Iterable[str]) -> list[Batch]:
     """Return all places for a floor cluster, for it and its mirror image."""
     found: list[Batch] = []
     lopsided = len(cluster.members) > 1 and any(abs(m.y) > 0.02 for m in cluster.members)

@@ -128,6 +128,7 @@ class Site:
     floor: Floor
     forms: Forms
     corridor: float
+    said: Said
     spots: dict[str, Spot] = field(default_factory=dict[str, Spot])
     spans: list[Span] = field(default_factory=list["Span"])
     standings: tuple[Standing, ...] = ()
@@ -136,7 +137,6 @@ class Site:
     openings: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
     claims: dict[str, Claim] = field(default_factory=dict[str, "Claim"])
     known: dict[tuple[Member, str], Claim] = field(default_factory=dict[tuple[Member, str], "Claim"])
-    said: Said = field(default_factory=Said)
     late: frozenset[str] = frozenset()
     trial: bool = False
 
@@ -145,9 +145,7 @@ class Site:
         """Return the empty site of a scene."""
         corridor = max(0.6, 2 * max(agent.radius for agent in scene.agents) + 0.1)
         floor = Floor.of(scene.room, corridor, max(turning_radius(agent) for agent in scene.agents))
-        site = Site(
-            scene, wants, floor, Forms(scene, wants, corridor), corridor, said=said, late=frozenset(late(wants))
-        )
+        site = Site(scene, wants, floor, Forms(scene, wants, corridor), corridor, said, late=frozenset(late(wants)))
         site.solids += [shapely.Polygon(scene.room.landing(door)) for door in scene.room.doors]
         return site
 

@@ -57,6 +57,10 @@ Beside = NextTo | LeftOf | RightOf | InFrontOf | Behind
 """Relations that put a thing at a side of another."""
 
 
+SIDES = {"left_of": "left", "right_of": "right", "in_front_of": "front", "behind": "back"}
+"""The side that a relation names."""
+
+
 @dataclass(frozen=True)
 class Join:
     """How a thing stands at another.
@@ -298,7 +302,7 @@ class _Reading:
         found: dict[str, float] = {}
         for kind, mode in ((AgainstWall, "wall"), (Corner, "corner"), (MountedOn, "hang")):
             for one, weight in self._all(kind):
-                if mode == "corner" or one.wall is None or weight is None:
+                if weight is None or getattr(one, "wall", None) is None:
                     found[mode] = max(found.get(mode, -math.inf), math.inf if weight is None else weight)
         return found
 
@@ -322,7 +326,7 @@ class _Reading:
         for one in self.said:
             relation, demanded = one.relation, one.wish is None
             if isinstance(relation, Around):
-                return relation.b.name, Join("around", relation.gap), demanded
+                return relation.b.name, Join("around", relation.gap or AIM), demanded
             if isinstance(relation, OnTopOf):
                 return relation.b.name, self._on(relation.b), demanded
             if self.bare.asset.is_flat and isinstance(relation, NextTo | Toward):
@@ -340,8 +344,8 @@ class _Reading:
 
     def _beside(self, relation: Beside) -> Join:
         side = getattr(relation, "side", "")
-        side = side or {LeftOf: "left", RightOf: "right", InFrontOf: "front", Behind: "back"}[type(relation)]
-        low, high = getattr(relation, "min_gap", 0.0), relation.max_gap
+        side = side or SIDES[relation.name]
+        low, high = max(getattr(relation, "min_gap", 0.0), 0.0), relation.max_gap
         gap, yaw = min(low + AIM, (low + high) / 2), self._turned(relation.b)
         looks = any(one.b == relation.b for one, _ in self._all(PointTowards))
         if side in ("front", "back"):
@@ -372,7 +376,7 @@ class _Reading:
                 far = getattr(relation, "min_gap", 0.0) >= AIM
                 if isinstance(relation, RightOf):
                     return "far right" if far else "right"
-                return {LeftOf: "left", InFrontOf: "beyond"}.get(type(relation), "glass")
+                return {"left_of": "left", "in_front_of": "beyond"}.get(relation.name, "glass")
         return "plate"
 
     def _face(self, anchor: str | None) -> Face | None:

@@ -1,0 +1,58 @@
+"""Leaves of doors: how they hang is read, kept, and refused where it cannot be."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from robolayout._errors import SceneError
+from robolayout.scene import LANDING_DEPTH, Opening, Room, scene_from_dict, scene_to_dict
+
+SQUARE = {"floor_vertices": [[0, 0, 0], [4, 0, 0], [4, 3, 0], [0, 3, 0]], "wall_height": 2.5}
+
+CHAIR = {"chair-0": {"onFloor": True, "assetMetadata": {"boundingBox": {"x": 0.5, "y": 0.5, "z": 0.9}}}}
+
+
+def scene(**leaf: object) -> dict[str, object]:
+    return {"boundary": SQUARE, "doors": [{"wall": 0, "offset": 1.0, "width": 0.9, **leaf}], "assets": CHAIR}
+
+
+def test_a_door_hangs_left_swings_out_and_is_shut_unless_it_says_otherwise() -> None:
+    (door,) = scene_from_dict(scene()).room.doors
+    assert (door.hinge, door.swing, door.open) == ("left", "out", False)
+    (written,) = scene_to_dict(scene_from_dict(scene()))["doors"]  # type: ignore[misc]
+    assert set(written) == {"wall", "offset", "width", "height"}
+
+
+def test_what_a_door_says_of_its_leaf_comes_back() -> None:
+    given = scene_from_dict(scene(hinge="right", swing="in", open=True))
+    (door,) = given.room.doors
+    assert (door.hinge, door.swing, door.open) == ("right", "in", True)
+    assert scene_from_dict(scene_to_dict(given)).room == given.room
+
+
+@pytest.mark.parametrize(
+    ("leaf", "said"),
+    [
+        ({"hinge": "top"}, "hinge must be 'left' or 'right', but is 'top'"),
+        ({"swing": "up"}, "swing must be 'in' or 'out', but is 'up'"),
+        ({"swing": ["in"]}, r"swing must be 'in' or 'out', but is \['in'\]"),
+        ({"open": "yes"}, "open must be true or false"),
+    ],
+)
+def test_what_cannot_be_is_named(leaf: dict[str, object], said: str) -> None:
+    with pytest.raises(SceneError, match=rf"doors\[0\].{said}"):
+        scene_from_dict(scene(**leaf))
+
+
+def test_a_leaf_that_swings_in_needs_its_own_depth_of_landing() -> None:
+    room = Room(((0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)), 2.5)
+
+    def depth(**leaf: object) -> float:
+        near, _, _, beyond = room.landing(Opening(0, 1.0, height=2.0, **leaf))  # type: ignore[arg-type]
+        return math.dist(near, beyond)
+
+    assert depth(width=1.2) == LANDING_DEPTH
+    assert depth(width=1.2, swing="in") == pytest.approx(1.2)
+    assert depth(width=1.6, swing="in") == pytest.approx(LANDING_DEPTH), "two leaves of 0.8 m"
