@@ -122,9 +122,10 @@ class Program:
     def call(self, relation: Relation, wish: float | None = None) -> str:
         """Return a relation as program text: `against_wall(bed[0], walls[2])`; a wish with its weight."""
         shown: list[str] = []
-        for spec in relation.arguments():
+        for place, spec in enumerate(relation.arguments()):
             value = getattr(relation, spec.name)
-            if spec.default is dataclasses.MISSING:
+            in_place = len(shown) == place and isinstance(value, AssetRef | WallRef | PointRef)
+            if spec.default is dataclasses.MISSING or in_place:
                 shown.append(self._value(value))
             elif value != spec.default:
                 shown.append(f"{spec.name}={self._value(value)}")
