@@ -1,0 +1,78 @@
+"""Rooms built from statements and wishes alone: whatever is said, however the room lies, in whatever order things are listed."""
+
+from __future__ import annotations
+
+import math
+import random
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from robolayout.planners import OfflinePlanner, PlanRequest
+from robolayout.program import read_program, reconcile
+from robolayout.run.verdict import make_judge
+from robolayout.scene import Asset, Opening, Room, Scene, load_scene
+from robolayout.solve import Verdict, compile_problem
+from robolayout.verify import verify
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+DESK = Asset("desk-0", "desk", (0.6, 1.2, 0.75))
+BIN = Asset("bin-0", "trash can", (0.3, 0.3, 0.4))
+ROOM = Room(((0, 0), (5, 0), (5, 4), (0, 4)), 2.6, (Opening(0, 0.5, 0.9, 2.05),), (Opening(2, 1.0, 1.4, 1.2, 0.9),))
+SCENE = Scene(ROOM, (DESK, BIN))
+
+
+def judged(scene: Scene) -> Verdict:
+    text = OfflinePlanner().plan(PlanRequest(scene))
+    program = reconcile(read_program(text, scene), scene).program
+    return make_judge(scene, program)(compile_problem(scene, program).guess)
+
+
+def turned(scene: Scene, degrees: float) -> Scene:
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    corners = tuple((c * x - s * y + 3.0, s * x + c * y - 2.0) for x, y in scene.room.vertices)
+    return replace(scene, room=replace(scene.room, vertices=corners))
+
+
+@pytest.mark.parametrize("name", ["dining_room", "tasks/bedroom_medium"])
+def test_turning_the_room_or_listing_things_otherwise_changes_no_verdict(name: str) -> None:
+    scene = load_scene(EXAMPLES / f"{name}.json")
+    order = list(scene.assets)
+    random.Random(1).shuffle(order)
+    for other in (scene, replace(scene, assets=tuple(order)), turned(scene, 30.0), turned(scene, 90.0)):
+        assert judged(other).ok
+
+
+@pytest.mark.parametrize(
+    ("wish", "holds"),
+    [
+        ("at_window(desk[0], weight=3)", "at_window(desk[0])"),
+        ("corner(desk[0], weight=3)", "corner(desk[0])"),
+        ("mid_wall(desk[0], weight=3)", "mid_wall(desk[0])"),
+        ("against_wall(desk[0], walls[1], weight=5)", "against_wall(desk[0], walls[1])"),
+        ("centered_on(desk[0], room, weight=5)", "centered_on(desk[0], room)"),
+    ],
+)
+def test_a_wish_comes_true_where_nothing_is_against_it(wish: str, holds: str) -> None:
+    stands = "align_with(desk[0], room)" if "centered" in wish else "against_wall(desk[0])"
+    program = read_program(f"solver.{stands}\nsolver.wish.{wish}", SCENE)
+    report = verify(SCENE, compile_problem(SCENE, program).guess, read_program(f"solver.{holds}", SCENE))
+    assert report.statements[0].met, report.statements[0].text
+
+
+def test_wishes_are_reported_apart_and_never_demanded() -> None:
+    program = read_program("solver.against_wall(desk[0])\nsolver.wish.centered_on(desk[0], room, weight=-2)", SCENE)
+    assert [statement.wish for statement in program.wishes] == [-2.0] and len(program.statements) == 1
+    report = verify(SCENE, compile_problem(SCENE, program).guess, program)
+    (wish,) = report.to_dict()["wishes"]
+    assert wish["weight"] == -2.0 and not wish["holds"] and not report.violations
+    assert "Of 1 wishes of the program, which nobody demands, 1 came true." in report.to_markdown()
+
+
+def test_what_is_given_stays_and_what_belongs_to_it_comes_to_it() -> None:
+    text = "desk[0].position = [2.5, 3.69, 0.375]\ndesk[0].rotation = [270]\nsolver.next_to(bin[0], desk[0])"
+    program = read_program(text, SCENE)
+    built = compile_problem(SCENE, program).guess
+    assert (built["desk-0"].x, built["desk-0"].y) == (2.5, 3.69)
+    assert verify(SCENE, built, program).statements[0].met
