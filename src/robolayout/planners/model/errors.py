@@ -66,7 +66,7 @@ def sentence(
 
 def unquoted(reason: str) -> str:
     """Return a reason without the raw JSON or page that a library quotes in it."""
-    return re.sub(r"\s*[:,]?\s*(body: )?[{\[<].*$", "", reason) or "it does not have the form asked for"
+    return re.sub(r"\s*[:,]?\s*(body: )?([{<]|\[(?!secret\])).*$", "", reason) or "it does not have the form asked for"
 
 
 def _http_sentence(error: Exception, name: str, reason: str) -> str | None:
