@@ -278,7 +278,8 @@ def ablation(rows: Rows, images: Path) -> str:
     intro = (
         "The solver without one of its parts, or with other numbers of starts (the default has 16): crowded rooms with blind "
         "guesses, examples for a wheelchair with the planner's statements but no guesses, tasks with a model's rough guess "
-        "(below); one attempt each. A row that makes no other layouts than the default changes nothing in its family.\n"
+        "(below); one attempt each. A row that makes no other layouts than the default changes nothing in its family: where the "
+        "planner's statements are built right at once, none does.\n"
     )
     return f"## What each part is worth\n\n{intro}\n{table(heads, lines)}"
 

@@ -80,13 +80,13 @@ def test_what_stands_on_a_thing_is_carried_while_that_moves() -> None:
     assert list(stage.arrays.carrier[:2]) == [-1, 0]
     upper = make_stage(problem, 1, problem.start)
     assert upper.moving == (1,)
-    assert upper.arrays.anchor[1] == pytest.approx(problem.start[0])
+    assert upper.arrays.anchor[1] == pytest.approx(problem.start[0], abs=1e-6)
     back = upper.local(problem.start)[1]
-    assert back == pytest.approx(relative(problem.start[0], problem.start[1]))
+    assert back == pytest.approx(relative(problem.start[0], problem.start[1]), abs=1e-6)
 
 
 def test_every_room_of_a_size_is_of_one_shape() -> None:
-    """So one compiled program serves them all."""
+    """So one compiled program serves them all; two where many prisms may meet."""
     chairs = tuple(Asset(f"chair-{i}", "chair", (0.5, 0.5, 0.9)) for i in range(4))
     rooms = [
         arrays_of(room_of(BED)),
@@ -94,8 +94,11 @@ def test_every_room_of_a_size_is_of_one_shape() -> None:
         arrays_of(room_of(BED, *STANDS, RUG, LAMP), "solver.symmetric_pair(night_stand[0], night_stand[1], bed[0])"),
         arrays_of(room_of(TABLE, LAMP), "solver.on_top_of(lamp[0], table[0])", 1),
     ]
-    shapes = {tuple((field.shape, field.dtype.str) for field in arrays) for arrays in rooms}
+    shapes = {
+        tuple((field.shape, field.dtype.str) for field in arrays._replace(pairs=arrays.pairs[:1])) for arrays in rooms
+    }
     assert len(shapes) == 1
+    assert len({len(arrays.pairs) for arrays in rooms}) <= 2
     assert all(np.isfinite(field).all() for arrays in rooms for field in arrays)
 
 

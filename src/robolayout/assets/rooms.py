@@ -302,13 +302,13 @@ def _door(wall: Wall, door: Opening, name: str, look: RoomStyle) -> Iterator[Par
     t = min(FRAME, 0.15 * door.width, 0.15 * door.height)
     near, far, top = door.offset + t + 0.003, door.offset + door.width - t - 0.003, door.height - t - 0.003
     if door.leaves == 1:
-        yield from _leaf(wall, door, name, look, (near, far, top), left=door.hinge == "left")
+        yield from _hung(wall, door, name, look, (near, far, top), left=door.hinge == "left")
         return
     for ends, left in (((near, door.center - 0.002), False), ((door.center + 0.002, far), True)):
-        yield from _leaf(wall, door, name, look, (*ends, top), left=left)
+        yield from _hung(wall, door, name, look, (*ends, top), left=left)
 
 
-def _leaf(
+def _hung(
     wall: Wall, door: Opening, name: str, look: RoomStyle, face: tuple[float, float, float], *, left: bool
 ) -> Iterator[Part]:
     """Yield a leaf, a raised panel and a handle; they turn about the edge at the side they swing to."""

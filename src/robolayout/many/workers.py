@@ -10,6 +10,7 @@ import faulthandler
 import logging
 import os
 import signal
+import socket
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -27,6 +28,9 @@ from robolayout.many.spec import Ready
 
 AHEAD = 2
 """Rooms under way for each processor of a cluster: one that is made, one that waits for it."""
+
+ANSWER = 10.0
+"""Seconds in which a cluster must answer."""
 
 TICK = 0.2
 """Seconds to wait for a worker before something else is looked at."""
@@ -179,6 +183,7 @@ class Ray:
         self.ray: Any = ray
         self.mine = not ray.is_initialized()
         if self.mine:
+            _reach(address)
             given: dict[str, Any] = {"address": address} if address != "local" else {"num_cpus": most}
             try:
                 ray.init(**given, include_dashboard=False, log_to_driver=False, logging_level=logging.ERROR)
@@ -213,6 +218,19 @@ class Ray:
             self.ray.cancel(reference, force=True)
         if self.mine:
             self.ray.shutdown()
+
+
+def _reach(address: str) -> None:
+    """Refuse an address at which nobody answers, for which Ray itself would wait many minutes and then end the program."""
+    host, _, port = address.removeprefix("ray://").rpartition(":")
+    if not host:
+        return
+    try:
+        socket.create_connection((host, int(port)), ANSWER).close()
+    except (OSError, ValueError, OverflowError) as error:
+        raise InputError(
+            f"there is no Ray cluster at {address!r}: {error}; give HOST:PORT of its head, or local."
+        ) from None
 
 
 def _task(ready: Ready, meshes: list[Any], task: Task) -> Made:
