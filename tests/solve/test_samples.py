@@ -150,7 +150,8 @@ def test_a_lane_computes_what_the_search_of_one_computes() -> None:
 
 
 def test_a_solver_that_breaks_down_breaks_the_run_and_hangs_nobody() -> None:
-    problems = [compile_problem(ROOM, program) for program in read(ROOM, *TEXTS)]
+    heap = Layout({asset.name: Pose(1.0, 1.0, asset.size[2] / 2, 0.0) for asset in ROOM.assets})  # wants a search
+    problems = [compile_problem(ROOM, program, built=heap) for program in read(ROOM, *TEXTS)]
     judges = [make_judge(ROOM, program) for program in read(ROOM, *TEXTS)]
 
     def broken(layout: Layout, enough: object = None, /) -> Verdict:

@@ -73,7 +73,7 @@ class Solver:
         self.progress = progress or silent
         self.runner = Runner(self.config)
         self.lead: _Best | None = None
-        self.phase = "guess"
+        self.phase = "guess" if problem.guessed else "built"
         self.blind = False
 
     def solve(self) -> Solution:
