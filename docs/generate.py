@@ -60,7 +60,9 @@ def spec() -> str:
         if isinstance(field, ast.AnnAssign) and isinstance(told, ast.Expr)
     }
     default = Spec().to_dict()
-    return table(["key", "default", "what it is"], [[f"`{k}`", f"`{json.dumps(default[k])}`", v] for k, v in said.items()])
+    return table(
+        ["key", "default", "what it is"], [[f"`{k}`", f"`{json.dumps(default[k])}`", v] for k, v in said.items()]
+    )
 
 
 SENTENCES = (
