@@ -263,6 +263,7 @@ def _ask_server(path: Path) -> object:
     from robolayout.planners.model import provider
     from robolayout.planners.model.client import Client
     from robolayout.planners.model.exchange import Question, Tape
+    from robolayout.planners.model.options import ModelOptions
 
     body, made = path.read_bytes(), provider.create_async_httpx2_client
 
@@ -272,7 +273,9 @@ def _ask_server(path: Path) -> object:
     provider.create_async_httpx2_client = lambda *_, **__: httpx2.AsyncClient(transport=httpx2.MockTransport(answered))  # type: ignore[assignment]
     try:
         question = Question("plan", "all", 1, 1, "say", ("what",), (), "key")
-        client = Client(provider.spec_of("openai:m", "http://127.0.0.1:9/v1"), Tape(record=path.parent / "tape"))
+        client = Client(
+            provider.spec_of("openai:m", "http://127.0.0.1:9/v1"), Tape(record=path.parent / "tape"), ModelOptions()
+        )
         (answer,) = client.ask([question], str)
     finally:
         provider.create_async_httpx2_client = made

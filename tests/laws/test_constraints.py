@@ -78,7 +78,7 @@ def test_the_gradient_is_that_of_finite_differences(name: str) -> None:
             expected = differences(poses[0], found.arrays, STATED, count)
             clears = any(isinstance(t, ClearTerm) for t in found.relation.terms(found.scene, found.near))
             moves = [clears or asset.name in found.movers for asset in found.scene.assets]
-            assert gradient[0, :count][moves] == pytest.approx(expected[moves], rel=1e-4, abs=1e-6)
+            assert gradient[0, :count][moves] == pytest.approx(expected[moves], rel=1e-4, abs=1e-5)
             assert not gradient[0, :count][np.logical_not(moves)].any(), "pulls at what it does not move"
             assert not gradient[:, count:].any()
 
@@ -239,7 +239,10 @@ def test_what_is_implicit_obeys_the_same_laws(relation, part: str, room: str) ->
     _, gradient = measure(found.random, found.arrays, (part,))
     for k in (0, 1):
         expected = differences(found.random[k], found.arrays, (part,), count)
-        assert gradient[k, :count] == pytest.approx(expected, rel=1e-4, abs=1e-6)
+        assert gradient[k, :count, :2] == pytest.approx(expected[:, :2], rel=1e-4, abs=1e-6)
+        assert not gradient[k, :count, 2].any(), (
+            "headings follow the statements: what is implicit moves things and does not turn them"
+        )
     calm = descend(found.random, found.arrays, part, steps=60)
     assert (measure(calm, found.arrays, (part,))[0] < 1e-9).any()
     for poses in (calm, found.random):
