@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from shapely import LineString, Polygon, intersection
 from shapely.affinity import affine_transform
+from shapely.geometry.base import BaseGeometry
 
 from robolayout.constraints._refs import AssetRef, PointRef, Ref, WallRef
 from robolayout.scene import Layout, Scene
@@ -64,7 +65,7 @@ def shape(scene: Scene, layout: Layout, ref: Ref) -> Polygon | LineString:
     return Polygon([(ref.x + dx, ref.y + dy) for dx, dy in ((-1e-6, 0), (0, -1e-6), (1e-6, 0), (0, 1e-6))])
 
 
-def common_area(first: Polygon, second: Polygon) -> float:
+def common_area(first: BaseGeometry, second: Polygon) -> float:
     """Return the area in square metres that two polygons share.
 
     What plain intersection finds is measured again on a grid of 1e-9 m: GEOS returns a whole polygon for some pairs that only

@@ -7,8 +7,9 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from typing import ClassVar
 
-from shapely import Polygon, box
+from shapely import box
 from shapely.affinity import rotate, translate
+from shapely.geometry.base import BaseGeometry
 
 from robolayout.constraints._exact import common_area, footprint, half_size
 from robolayout.constraints._refs import AssetRef
@@ -76,7 +77,7 @@ def region_outcome(
     scene: Scene,
     layout: Layout,
     owner: AssetRef,
-    region: Polygon,
+    region: BaseGeometry,
     heights: tuple[float, float],
     exempt: Collection[str] = (),
 ) -> Outcome:

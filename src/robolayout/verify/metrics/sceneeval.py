@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 import shapely
@@ -109,7 +110,7 @@ def colliding(found: Boxes) -> set[str]:
     return hit
 
 
-def _contacts(found: Boxes, a: int, b: int, offset: tuple[float, float, float]) -> list[tuple[BaseGeometry, float]]:
+def _contacts(found: Boxes, a: int, b: int, offset: tuple[float, float, float]) -> list[tuple[Any, float]]:
     """Return where surfaces of prisms meet when b is moved: area in plan and height; one wholly inside another does not count."""
     (ones, low, high), (still, bottom, top) = found.shape(a), found.shape(b)
     others = shapely.transform(still, lambda points: points + np.array(offset[:2]))
