@@ -13,8 +13,8 @@ from robolayout.export import EXPORTERS, LEAVES, Options, settle
 from robolayout.export.mjcf import build
 from robolayout.scene import DEFAULT_AGENT, Asset, Layout, Opening, Pose, Room, Scene, load_agent
 
-PULL = 40.0
-"""Newtons at a handle at the most."""
+PULL = 160.0
+"""Newtons at a handle at the most: heavy lids are lifted with two hands."""
 
 
 def thing(kind: str) -> Asset:

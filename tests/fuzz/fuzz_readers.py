@@ -274,7 +274,7 @@ def _ask_server(path: Path) -> object:
     try:
         question = Question("plan", "all", 1, 1, "say", ("what",), (), "key")
         client = Client(
-            provider.spec_of("openai:m", "http://127.0.0.1:9/v1"), Tape(record=path.parent / "tape"), ModelOptions()
+            (provider.spec_of("openai:m", "http://127.0.0.1:9/v1"),), Tape(record=path.parent / "tape"), ModelOptions()
         )
         (answer,) = client.ask([question], str)
     finally:
