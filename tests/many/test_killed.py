@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 import robolayout as rl
+from robolayout.many.dataset import Progress
 from running import ROOT
 from tiny_sets import tiny_spec, tree
 
@@ -37,14 +38,18 @@ def test_killed_at_twenty_moments_of_its_work_on_the_disk(tmp_path: Path) -> Non
 
 
 def killed_workers(tmp_path: Path, count: int, kills: int) -> int:
-    """Make a set while workers are killed, compare it with an undisturbed one, and return how many were killed."""
-    table, rng, done = tiny_spec(tmp_path, count), random.Random(1), list[int]()
+    """Make a set while workers are killed, compare it with an undisturbed one, and return how many were killed.
 
-    def kill(_: object) -> None:
+    The oldest worker is killed, each time after a room more has been made: a room whose workers end five times is replaced.
+    """
+    table, rng, done, made = tiny_spec(tmp_path, count), random.Random(1), list[int](), [0]
+
+    def kill(progress: Progress) -> None:
         workers = multiprocessing.active_children()
-        if len(done) < kills and workers:
+        if len(done) < kills and workers and progress.made != made[0]:
             time.sleep(rng.random() * 0.2)
-            victim = rng.choice(workers)
+            victim = min(workers, key=lambda worker: int(worker.name.rpartition("-")[2]))
+            made[0] = progress.made
             done.append(victim.pid or 0)
             os.kill(done[-1], signal.SIGKILL)
 

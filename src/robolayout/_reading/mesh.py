@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout._color import encoded, linear
 from robolayout._reading.glb import check_glb
 from robolayout._reading.syntax import Unreadable, decoded, xml_root
 
@@ -198,23 +199,17 @@ def _look(visual: Any, kind: str) -> Look | None:
     factor = getattr(surface, "baseColorFactor", None)
     color = np.ones(4) if factor is None else np.asarray(factor, dtype=np.float64)
     color = color / 255.0 if color.max() > 1.0 else color
-    light = color[:3] if kind == "glb" else _to_linear(color[:3])
+    light = color[:3] if kind == "glb" else linear(color[:3])
     image = getattr(surface, "baseColorTexture", None)
     if image is not None:
-        light = light * _to_linear(np.asarray(image.convert("RGB"), dtype=np.float64) / 255.0).mean(axis=(0, 1))
-    encoded = np.where(light <= 0.0031308, 12.92 * light, 1.055 * np.maximum(light, 1e-9) ** (1 / 2.4) - 0.055)
+        light = light * linear(np.asarray(image.convert("RGB"), dtype=np.float64) / 255.0).mean(axis=(0, 1))
     rough, metal = (getattr(surface, f"{name}Factor", None) for name in ("roughness", "metallic"))
     return Look(
-        _color(np.append(encoded, color[3:4])),
+        _color(np.append(encoded(light), color[3:4])),
         0.8 if rough is None else float(np.clip(np.nan_to_num(rough), 0.0, 1.0)),
         0.0 if metal is None else float(np.clip(np.nan_to_num(metal), 0.0, 1.0)),
         None if image is None or getattr(visual, "uv", None) is None else _encoded(image),
     )
-
-
-def _to_linear(srgb: Array) -> Array:
-    """Return linear light for sRGB values (IEC 61966-2-1)."""
-    return np.where(srgb <= 0.04045, srgb / 12.92, ((np.maximum(srgb, 0.0) + 0.055) / 1.055) ** 2.4)
 
 
 def _encoded(image: Any) -> bytes:

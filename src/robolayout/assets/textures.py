@@ -15,6 +15,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout._color import encoded, linear
 from robolayout.assets.part import Part
 
 Array = NDArray[np.float64]
@@ -157,8 +158,8 @@ def pixels(texture: str | bytes) -> NDArray[np.uint8]:
     v, u = np.meshgrid(ramp, ramp, indexing="ij")
     values = tile.draw(u, v, _Noise(texture))
     values = MEAN * (1 + tile.contrast * (values - values.mean()) / max(float(values.std()), 1e-12))
-    encoded = 1.055 * np.clip(values, 0.0031308, 1.0) ** (1 / 2.4) - 0.055
-    return np.repeat(np.round(encoded * 255).astype(np.uint8)[..., None], 3, axis=2)
+    grey = encoded(np.clip(values, 0.0031308, 1.0))
+    return np.repeat(np.round(grey * 255).astype(np.uint8)[..., None], 3, axis=2)
 
 
 @lru_cache(maxsize=64)
@@ -183,9 +184,8 @@ def mean(texture: str | bytes) -> tuple[float, float, float]:
     """Return by how much a texture darkens red, green and blue on the whole, in linear light."""
     if isinstance(texture, str):
         return (MEAN, MEAN, MEAN)
-    values = pixels(texture) / 255.0
-    linear = np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
-    red, green, blue = np.maximum(linear.mean(axis=(0, 1)), DARKEST).tolist()
+    light = linear(pixels(texture) / 255.0).mean(axis=(0, 1))
+    red, green, blue = np.maximum(light, DARKEST).tolist()
     return (red, green, blue)
 
 

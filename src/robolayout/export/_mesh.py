@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout import _color
 from robolayout.assets import Material, Part
 from robolayout.assets.textures import coordinates, mean
 
@@ -199,7 +200,7 @@ def quaternion(rotation: FloatArray) -> tuple[float, float, float, float]:
 
 def linear(color: tuple[float, float, float]) -> tuple[float, float, float]:
     """Return an sRGB colour as linear light, which is what GLB and USD store (IEC 61966-2-1)."""
-    red, green, blue = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in color)
+    red, green, blue = _color.linear(np.array(color)).tolist()
     return (red, green, blue)
 
 

@@ -263,10 +263,10 @@ def _hash(files: Mapping[str, bytes]) -> str:
 def figures(report: Report) -> dict[str, Any]:
     """Return every figure of a report in one row: size and counts, ours, and the published ones under their own names."""
     scene = report.scene
-    xs, ys = zip(*scene.room.vertices, strict=True)
-    width, depth = max(xs) - min(xs), max(ys) - min(ys)
+    left, front, right, back = scene.room.bounds
+    width, depth = right - left, back - front
     row: dict[str, Any] = {"name": scene.name, "ok": report.ok, "width": round(width, 3), "depth": round(depth, 3)}
-    row |= {"area": round(scene.room.area, 3), "height": scene.room.wall_height, "corners": len(xs)}
+    row |= {"area": round(scene.room.area, 3), "height": scene.room.wall_height, "corners": len(scene.room.vertices)}
     row |= {"doors": len(scene.room.doors), "windows": len(scene.room.windows), "things": len(scene.assets)}
     row |= {"kinds": len({asset.category for asset in scene.assets}), "violations": len(report.violations)}
     row |= {**report.figures, "asked_met_share": report.asked_met_share, "statements": len(report.statements)}

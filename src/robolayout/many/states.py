@@ -9,14 +9,12 @@ from typing import Any, cast
 
 from robolayout._errors import InputError
 from robolayout.assets import find_category
+from robolayout.assets.folder import FLAGS
 from robolayout.scene import Layout, Pose, Scene, scene_from_dict
 from robolayout.scene.reference import look_up
 
 FORMAT = "sceneState"
 """What such a file says in "format"."""
-
-FLAGS = {"onFloor": "on_floor", "onWall": "on_wall", "onCeiling": "on_ceiling", "onObject": "on_object"}
-"""Where a thing may stand, in a scene file and of a kind of thing."""
 
 _ASTRAY = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 """What is tripped over in a file of another form."""

@@ -31,8 +31,8 @@ Thing = tuple[str, float, float, float]
 
 def things(scene: Scene, layout: Layout) -> tuple[Thing, ...]:
     """Return what stands where in a room, sorted."""
-    xs, ys = zip(*scene.room.vertices, strict=True)
-    middle = ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2)
+    left, front, right, back = scene.room.bounds
+    middle = ((left + right) / 2, (front + back) / 2)
     found = [
         (scene.by_name[name].category, round(p.x - middle[0], 3), round(p.y - middle[1], 3), round(p.yaw, 3))
         for name, p in layout.items()

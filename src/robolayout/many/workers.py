@@ -11,7 +11,7 @@ import logging
 import os
 import signal
 import socket
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cache
@@ -247,7 +247,3 @@ def _shelf(reference: Any) -> Path:
     for name, data in cast("Mapping[str, bytes]", ray.get(reference)).items():
         write_atomic(folder / name, data)
     return folder
-
-
-Start = Callable[[Ready, Path], Workers]
-"""What starts the workers of a batch, from what is asked for and the folder of meshes."""

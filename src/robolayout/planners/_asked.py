@@ -7,7 +7,6 @@ from dataclasses import replace
 
 from robolayout.constraints import Relation
 from robolayout.constraints.any_of import AnyOf
-from robolayout.constraints.between import BetweenTwo
 from robolayout.constraints.in_front_of import InFrontOf
 from robolayout.planners._knowledge import Join
 from robolayout.planners._roles import Cast, depends
@@ -30,7 +29,7 @@ def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dic
             continue
         found += demand.ways[0] if len(demand.ways) == 1 else [AnyOf(demand.ways)]
         if demand.exact is not None:
-            found.append(BetweenTwo(demand.exact.a, demand.exact.b, demand.exact.c))
+            found.append(demand.exact)
     return {f"solver.{program.call(relation)}": relation.asset_names()[0] for relation in found}
 
 

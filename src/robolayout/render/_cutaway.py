@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from robolayout.render._mesh import FLOOR_STRIP, ROOM, Mesh, flat_mesh, linear, merge
+from robolayout._color import linear
+from robolayout.render._mesh import FLOOR_STRIP, ROOM, Mesh, flat_mesh, merge
 from robolayout.render.camera import Camera
 from robolayout.scene import Layout, Room, Scene, Wall
 

@@ -16,9 +16,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout._color import linear
 from robolayout.assets.textures import pixels
 from robolayout.render import _light
-from robolayout.render._mesh import Mesh, linear
+from robolayout.render._mesh import Mesh
 from robolayout.render._rays import Lit, lit_by_sky
 from robolayout.render.camera import NEAR, Camera
 

@@ -14,6 +14,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout._color import encoded
 from robolayout.render._mesh import Mesh
 from robolayout.render.camera import Camera
 
@@ -81,6 +82,4 @@ def encode(radiance: NDArray[np.float32]) -> NDArray[np.float32]:
     """Return display values in [0, 1]: shoulder, then sRGB. The same curve is in the shader of `_gl`."""
     over = np.maximum(radiance - SHOULDER, 0)
     bent = np.minimum(radiance, SHOULDER) + (1 - SHOULDER) * (1 - np.exp(-over / (1 - SHOULDER)))
-    return np.where(bent <= 0.0031308, 12.92 * bent, 1.055 * np.maximum(bent, 1e-9) ** (1 / 2.4) - 0.055).astype(
-        np.float32
-    )
+    return encoded(bent).astype(np.float32)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout._color import linear
 from robolayout.assets import Part, parts, room_parts
 from robolayout.assets.textures import coordinates, mean
 from robolayout.scene import Layout, Pose, Room, Scene
@@ -138,11 +139,6 @@ def merge(first: Mesh, second: Mesh) -> Mesh:
     second = replace(second, groups=second.groups + np.int32(len(first.names)), layers=layers)
     joined = {name: np.concatenate([getattr(first, name), getattr(second, name)]) for name in ROWS}
     return Mesh(**joined, names=first.names + second.names, convex=first.convex + second.convex, textures=textures)
-
-
-def linear(srgb: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return linear light for sRGB values in [0, 1] (IEC 61966-2-1)."""
-    return np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
 
 
 def refined(mesh: Mesh, longest: float, most: int = 120_000) -> Mesh:

@@ -13,9 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout._color import linear
 from robolayout.assets.textures import pixels
 from robolayout.render import _light
-from robolayout.render._mesh import Mesh, linear, refined, welded
+from robolayout.render._mesh import Mesh, refined, welded
 from robolayout.render.camera import NEAR, Camera
 
 Floats = NDArray[np.float32]

@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout._color import linear
 from robolayout._errors import MissingExtraError
 from robolayout.assets.textures import pixels
 from robolayout.render import _light
-from robolayout.render._mesh import CEILING, Mesh, linear
+from robolayout.render._mesh import CEILING, Mesh
 from robolayout.render._rays import surfaces
 from robolayout.render.camera import Camera
 from robolayout.render.view import Studio, picture_size

@@ -394,4 +394,4 @@ class _Dresser:
 
 def _is_seat(asset: Asset) -> bool:
     """Return whether a person sits on a thing."""
-    return category_of(asset).movable and any(surface.name.startswith("seat") for surface in surfaces_of(asset))
+    return category_of(asset).movable and any(surface.is_seat for surface in surfaces_of(asset))

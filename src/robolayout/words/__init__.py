@@ -5,7 +5,7 @@ from robolayout.words._match import KIN
 from robolayout.words._said import Mention, Thing
 from robolayout.words._traits import WantedOpening, sized, wanted_openings
 from robolayout.words._walls import COMPASS
-from robolayout.words.demands import Between, Demand
+from robolayout.words.demands import Demand
 from robolayout.words.ledger import AskedRow, Wishes, read_words, share_met
 from robolayout.words.reading import Reading, read_text
 from robolayout.words.rooms import Rooms, RoomType, read_rooms
@@ -14,7 +14,6 @@ __all__ = [
     "COMPASS",
     "KIN",
     "AskedRow",
-    "Between",
     "Demand",
     "Lexicon",
     "Mention",

@@ -6,11 +6,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from robolayout.constraints import RELATIONS, AssetRef, PointRef, Relation, WallRef
+from robolayout.constraints.between import BetweenTwo
 from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Asset, Opening, Scene, Wall
 from robolayout.words._said import Link, Mention, Place, Thing
 from robolayout.words._walls import walls_meant
-from robolayout.words.demands import Between, Demand, Way
+from robolayout.words.demands import Demand, Way
 
 BESIDE, NEAR, AT_TABLE, AT_WINDOW, AT_DOOR = 0.6, 1.2, 0.5, 0.6, 1.4
 """Metres from edge to edge that "next to", "near", "at" a thing, "at the window" and "by the door" allow (0.9 m before it stay clear)."""
@@ -317,7 +318,7 @@ class Demander:
             pairs = [(ends[0], ends[1])] if len(ends) == 2 else list(pairwise(ends))
             one, two = pairs[subjects.index(a) % len(pairs)]
             near = tuple(_say("near", AssetRef(a), end, AHEAD) for end in (one, two))
-            yield Demand((near,), Between(AssetRef(a), one, two))
+            yield Demand((near,), BetweenTwo(AssetRef(a), one, two))
 
     # what stands at a place of the room
 

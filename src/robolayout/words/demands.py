@@ -2,52 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from shapely import LineString
-
-from robolayout.constraints import AssetRef, Outcome, PointRef, Relation
-from robolayout.constraints._exact import footprint, frame
+from robolayout.constraints import Outcome, Relation
+from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Layout, Scene
-
-
-@dataclass(frozen=True)
-class Between:
-    """That a thing stands between two others: its centre within half a metre of the line between theirs, and not past their ends.
-
-    Attributes:
-        a: What stands there.
-        b: One of the two.
-        c: The other one, or a point.
-    """
-
-    a: AssetRef
-    b: AssetRef | PointRef
-    c: AssetRef | PointRef
-
-    SLACK = 0.5
-
-    def asset_names(self) -> tuple[str, ...]:
-        """Return the names of the assets that it is about."""
-        return tuple(ref.name for ref in (self.a, self.b, self.c) if isinstance(ref, AssetRef))
-
-    def sentence(self) -> str:
-        """Return it as text."""
-        return f"{self.a} between {self.b} and {self.c}"
-
-    def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """Within 0.5 m of the line between the centres, and between them along it."""
-        here = layout[self.a.name]
-        one, two = (frame(scene, layout, ref) for ref in (self.b, self.c))
-        dx, dy = two.x - one.x, two.y - one.y
-        length = math.hypot(dx, dy) or 1.0
-        along = ((here.x - one.x) * dx + (here.y - one.y) * dy) / length
-        aside = footprint(scene, layout, self.a).distance(LineString([(one.x, one.y), (two.x, two.y)]))
-        met = 0.0 < along < length and aside <= self.SLACK
-        return Outcome(met, aside, self.SLACK, "m", f"{aside:.2f} m off the line between {self.b} and {self.c}")
-
 
 Way = tuple[Relation, ...]
 """Statements that meet a demand together."""
@@ -59,11 +19,11 @@ class Demand:
 
     Attributes:
         ways: Statements of the public vocabulary; one of these ways is enough.
-        exact: What is judged instead, where no statement says it.
+        exact: What is judged instead, where the ways only lead there.
     """
 
     ways: tuple[Way, ...]
-    exact: Between | None = None
+    exact: BetweenTwo | None = None
 
     def measure(self, scene: Scene, layout: Layout) -> Outcome:
         """Return how the demand stands: the outcome of the worst statement of its best way."""

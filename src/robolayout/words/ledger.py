@@ -331,7 +331,7 @@ class _Rows:
 
 def _said(demand: Demand) -> str:
     if demand.exact is not None:
-        return demand.exact.sentence()
+        return f"{demand.exact.a} between {demand.exact.b} and {demand.exact.c}"
     first = ", ".join(relation.sentence() for relation in demand.ways[0])
     return f"{first} or one of {len(demand.ways) - 1} other ways" if len(demand.ways) > 1 else first
 

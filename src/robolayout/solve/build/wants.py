@@ -51,6 +51,12 @@ LOWEST, HIGHEST, SMALLEST = 0.25, 1.3, 0.01
 DEMANDED = 2.0
 """Weight of looking at something, where that is demanded."""
 
+LEADS = 0.6
+"""Weight of a wish for a corner from which on corners are tried beside the rest of the walls."""
+
+ORDER = ("corner", "wall", "facing", "middle", "hang")
+"""Ways of standing in the order in which they are tried where nothing tells them apart."""
+
 Kind = TypeVar("Kind", bound=Relation)
 
 Beside = NextTo | LeftOf | RightOf | InFrontOf | Behind
@@ -405,10 +411,3 @@ class _Reading:
             for relation in (part for way in ways for part in way):
                 if isinstance(relation, Above | CeilingAbove | CenteredOn | Under):
                     yield from relation.asset_names()[1:]
-
-
-LEADS = 0.6
-"""Weight of a wish for a corner from which on corners are tried beside the rest of the walls."""
-
-ORDER = ("corner", "wall", "facing", "middle", "hang")
-"""Ways of standing in the order in which they are tried where nothing tells them apart."""
