@@ -150,11 +150,17 @@ def export_all(
     options: Options | None = None,
     partial: bool = False,
 ) -> list[Path]:
-    """Write a layout in several formats (see `export`); nothing is written unless all can be made."""
-    made: list[tuple[Path, bytes]] = []
+    """Write a layout in several formats (see `export`), and what they refer to beside them; nothing is written unless all can be made."""
+    made: dict[Path, bytes] = {}
+    further: dict[Path, bytes] = {}
     for target in targets:
         exporter = find_exporter(target)
         data = to_bytes(scene, layout, exporter.name, options=options, partial=partial)
-        name = f"{file_name(scene.name)}{exporter.suffix}" if str(target) in exporters() else target
-        made.append((Path(folder) / name, data))
-    return [write_atomic(path, data) for path, data in made]
+        path = Path(folder) / (f"{file_name(scene.name)}{exporter.suffix}" if str(target) in exporters() else target)
+        made[path] = data
+        if exporter.beside is not None:
+            beside = exporter.beside(scene, layout, options or Options())
+            further |= {path.parent / name: content for name, content in beside.items()}
+    for path, data in further.items():
+        write_atomic(path, data)
+    return [write_atomic(path, data) for path, data in made.items()]

@@ -77,6 +77,7 @@ class Exporter:
         extra: The optional dependency it needs; None for none.
         write: The file's content for a scene, a layout and options.
         read: Reads such content back; None where the format cannot say where things are.
+        beside: The files that it refers to, by their paths from its folder; None where it stands alone.
     """
 
     name: str
@@ -85,6 +86,7 @@ class Exporter:
     extra: str | None
     write: Callable[[Scene, Layout, Options], bytes]
     read: Read | None = None
+    beside: Callable[[Scene, Layout, Options], Mapping[str, bytes]] | None = None
 
 
 def placed(scene: Scene, layout: Layout) -> tuple[tuple[Asset, Pose], ...]:
