@@ -12,7 +12,7 @@ from pxr import Gf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdShade, UsdValidation
 from robolayout.assets import category_of, parts
 from robolayout.export import EXPORTERS, Options, export
 from robolayout.export._exporter import mass
-from robolayout.scene import DEFAULT_AGENT, Layout, Scene
+from robolayout.scene import DEFAULT_AGENT, Asset, Layout, Pose, Room, Scene
 
 ROUTES = {"double_bed-0": [(4.0, 0.5), (2.6, 1.0), (2.5, 1.5)]}
 
@@ -39,9 +39,14 @@ def test_the_library_finds_nothing_to_complain_about(name: str, scene: Scene, la
     assert complaints(opened(scene, layout, tmp_path, name)) == []
 
 
+def prims(stage: Usd.Stage) -> list[Usd.Prim]:
+    """Return all prims, those in instances too."""
+    return list(Usd.PrimRange(stage.GetPseudoRoot(), Usd.TraverseInstanceProxies()))
+
+
 def nested(stage: Usd.Stage) -> list[str]:
     """Return the paths of rigid bodies below other rigid bodies, which simulators refuse and the library overlooks."""
-    paths = [prim.GetPath() for prim in stage.Traverse() if prim.HasAPI(UsdPhysics.RigidBodyAPI)]
+    paths = [prim.GetPath() for prim in prims(stage) if prim.HasAPI(UsdPhysics.RigidBodyAPI)]
     return [str(inner) for inner in paths for outer in paths if inner != outer and inner.HasPrefix(outer)]
 
 
@@ -62,27 +67,76 @@ def test_units_axes_and_gravity(stage: Usd.Stage) -> None:
     assert gravity.GetGravityMagnitudeAttr().Get() == pytest.approx(9.81)
 
 
-def test_no_rigid_body_is_nested_and_each_has_a_mass(stage: Usd.Stage, scene: Scene) -> None:
-    bodies = [prim for prim in stage.Traverse() if prim.HasAPI(UsdPhysics.RigidBodyAPI)]
+def test_no_rigid_body_is_nested_or_in_an_instance_and_each_has_a_mass(stage: Usd.Stage, scene: Scene) -> None:
+    bodies = [prim for prim in prims(stage) if prim.HasAPI(UsdPhysics.RigidBodyAPI)]
     assert nested(stage) == []
-    whole = [p for p in bodies if p.HasAttribute("robolayout:name")]
-    weights = {p.GetAttribute("robolayout:name").Get(): UsdPhysics.MassAPI(p).GetMassAttr().Get() for p in whole}
+    assert not any(prim.IsInstanceProxy() for prim in bodies)  # simulators take colliders there, no bodies
     assert all(UsdPhysics.MassAPI(p).GetMassAttr().Get() > 0 for p in bodies)
-    assert set(weights) == {"table_lamp-0", "dining_chair-0", "potted_plant-0"}
+    weights = {}
+    for prim in stage.GetPrimAtPath("/World/Assets").GetChildren():
+        whole = next((p for p in (prim, prim.GetChild("body")) if p and p.HasAPI(UsdPhysics.RigidBodyAPI)), None)
+        if whole is not None:
+            weights[prim.GetAttribute("robolayout:name").Get()] = UsdPhysics.MassAPI(whole).GetMassAttr().Get()
+    movable = {"table_lamp-0", "dining_chair-0", "potted_plant-0"}
+    assert movable <= set(weights)
     for name, weight in weights.items():
         assert weight == pytest.approx(mass(scene.by_name[name]), rel=1e-6)
-        assert 0.2 < weight < 60
+        assert name not in movable or 0.2 < weight < 60
 
 
 def test_walls_and_fixed_things_are_colliders_without_a_body(stage: Usd.Stage) -> None:
-    for path in ("/World/Room", "/World/Assets/wardrobe_0", "/World/Assets/picture_0"):
-        prim = stage.GetPrimAtPath(path)
-        assert not prim.HasAPI(UsdPhysics.RigidBodyAPI)
-        assert any(child.HasAPI(UsdPhysics.CollisionAPI) for child in Usd.PrimRange(prim))
+    for path in ("/World/Room/body", "/World/Assets/double_bed_0", "/World/Assets/picture_0"):
+        inside = list(Usd.PrimRange(stage.GetPrimAtPath(path), Usd.TraverseInstanceProxies()))
+        assert not any(prim.HasAPI(UsdPhysics.RigidBodyAPI) for prim in inside)
+        assert any(prim.HasAPI(UsdPhysics.CollisionAPI) for prim in inside)
+
+
+def test_things_that_are_alike_are_one_file_and_one_prototype(tmp_path: Path) -> None:
+    chairs = tuple(Asset(f"dining_chair-{i}", "dining chair", (0.5, 0.45, 0.86)) for i in range(4))
+    room = Room(((0, 0), (4, 0), (4, 3), (0, 3)), 2.5)
+    layout = Layout({chair.name: Pose(0.6 + 0.8 * i, 1.5, 0.43, 0.2 * i) for i, chair in enumerate(chairs)})
+    path = export(Scene(room, chairs, name="a"), layout, "usd", folder=tmp_path)
+    export(Scene(room, chairs[:2], name="b"), layout_of(layout, chairs[:2]), "usd", folder=tmp_path)
+    files = sorted(file.stem.rpartition("-")[0] for file in (tmp_path / "things").glob("*.usdc"))
+    assert files == ["chair", "room"]  # of both rooms
+    stage = Usd.Stage.Open(str(path))
+    assert len({prim.GetPrototype().GetPath() for prim in stage.GetPrimAtPath("/World/Assets").GetChildren()}) == 1
+
+
+def layout_of(layout: Layout, assets: tuple[Asset, ...]) -> Layout:
+    return Layout({asset.name: layout[asset.name] for asset in assets})
+
+
+def test_without_payloads_a_room_has_bounds_and_names(scene: Scene, layout: Layout, tmp_path: Path) -> None:
+    path = export(scene, layout, "usd", folder=tmp_path)
+    stage = Usd.Stage.Open(str(path), Usd.Stage.LoadNone)
+    bed = stage.GetPrimAtPath("/World/Assets/double_bed_0")
+    assert not bed.GetChildren() and bed.GetDisplayName() == "double_bed-0"
+    low, high = UsdGeom.ModelAPI(bed).GetExtentsHint()
+    assert tuple(high - low) == pytest.approx(scene.by_name["double_bed-0"].size, abs=1e-6)
+
+
+def test_doors_stand_as_their_variant_says(scene: Scene, layout: Layout, tmp_path: Path) -> None:
+    path = export(scene, layout, "usd", folder=tmp_path, options=Options(leaves="open"))
+    stage = Usd.Stage.Open(str(path))
+    assert stage.GetPrimAtPath("/World/Room").GetVariantSet("doors").GetVariantSelection() == "open"
+    wardrobe = stage.GetPrimAtPath("/World/Assets/wardrobe_0")
+    doors = wardrobe.GetVariantSet("doors")
+    links = [prim for prim in wardrobe.GetChildren() if prim.HasAPI(UsdPhysics.RigidBodyAPI)]
+
+    def reach() -> float:
+        cache = UsdGeom.BBoxCache(0, [UsdGeom.Tokens.default_])
+        return max(cache.ComputeUntransformedBound(wardrobe).ComputeAlignedRange().GetMax()[0], 0)
+
+    assert doors.GetVariantNames() == ["open", "shut"] and doors.GetVariantSelection() == "shut" and len(links) > 1
+    assert reach() == pytest.approx(0.3, abs=1e-4)
+    doors.SetVariantSelection("open")
+    assert reach() > 0.6
+    assert complaints(stage) == []
 
 
 def test_every_mesh_is_sound(stage: Usd.Stage) -> None:
-    meshes = [UsdGeom.Mesh(prim) for prim in stage.Traverse() if prim.IsA(UsdGeom.Mesh)]
+    meshes = [UsdGeom.Mesh(prim) for prim in prims(stage) if prim.IsA(UsdGeom.Mesh)]
     assert len(meshes) > 20
     for mesh in meshes:
         path, points = mesh.GetPath(), mesh.GetPointsAttr().Get()
@@ -102,7 +156,7 @@ def test_every_mesh_is_sound(stage: Usd.Stage) -> None:
 
 
 def test_every_mesh_has_a_preview_surface(stage: Usd.Stage) -> None:
-    for prim in stage.Traverse():
+    for prim in prims(stage):
         if prim.IsA(UsdGeom.Mesh):
             material, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial()
             shader, _, _ = material.ComputeSurfaceSource()
@@ -135,24 +189,23 @@ def test_the_package_is_aligned_and_uncompressed(scene: Scene, layout: Layout, t
     starts = [entry.header_offset + 30 + len(entry.filename) + len(entry.extra) for entry in entries]
     assert {entry.compress_type for entry in entries} == {zipfile.ZIP_STORED}
     assert all(start % 64 == 0 for start in starts)
-    assert data[starts[0] : starts[0] + 8] == b"PXR-USDC"
-    assert all(data[start : start + 3] == b"\xff\xd8\xff" for start in starts[1:])
+    kinds = {".usdc": b"PXR-USDC", ".jpeg": b"\xff\xd8\xff"}
+    assert entries[0].filename == "scene.usdc"
+    for entry, start in zip(entries, starts, strict=True):
+        assert data[start : start + 8].startswith(kinds[Path(entry.filename).suffix])
 
 
-def test_the_package_brings_the_textures_that_its_looks_name(scene: Scene, layout: Layout, tmp_path: Path) -> None:
-    path = tmp_path / "x.usdz"
-    path.write_bytes(EXPORTERS["usdz"].write(scene, layout, Options()))
-    stage = Usd.Stage.Open(str(path))
-    with zipfile.ZipFile(path) as package:
-        inside = set(package.namelist()[1:])
-    shaders = [UsdShade.Shader(prim) for prim in stage.Traverse() if prim.IsA(UsdShade.Shader)]
-    named = {shader.GetInput("file").Get().path for shader in shaders if shader.GetIdAttr().Get() == "UsdUVTexture"}
-    assert named == inside
-    assert len(inside) > 1
+@pytest.mark.parametrize("name", ["usd", "usdz"])
+def test_the_textures_that_looks_name_are_there(name: str, scene: Scene, layout: Layout, tmp_path: Path) -> None:
+    stage = Usd.Stage.Open(str(export(scene, layout, name, folder=tmp_path)))
+    shaders = [UsdShade.Shader(prim) for prim in prims(stage) if prim.IsA(UsdShade.Shader)]
+    named = [s.GetInput("file").Get() for s in shaders if s.GetIdAttr().Get() == "UsdUVTexture"]
+    assert len({path.resolvedPath for path in named}) > 1
+    assert all(path.resolvedPath for path in named)
 
 
 def test_lamps_give_light_and_a_camera_sees_the_room(stage: Usd.Stage, scene: Scene, layout: Layout) -> None:
-    lights = [prim for prim in stage.Traverse() if prim.IsA(UsdLux.SphereLight)]
+    lights = [prim for prim in prims(stage) if prim.IsA(UsdLux.SphereLight)]
     lamps = [asset.name for asset in scene.assets if "lamp" in asset.category and asset.name in layout]
     assert len(lights) == len(lamps) > 0
     frustum = UsdGeom.Camera(stage.GetPrimAtPath("/World/Camera")).GetCamera(0).frustum
@@ -161,20 +214,23 @@ def test_lamps_give_light_and_a_camera_sees_the_room(stage: Usd.Stage, scene: Sc
 
 
 def test_doors_and_drawers_hang_on_joints(stage: Usd.Stage, scene: Scene) -> None:
-    joints = [prim for prim in stage.Traverse() if prim.IsA(UsdPhysics.Joint)]
-    expected = {
-        f"{asset.name} {part.joint.name}"
-        for asset in scene.assets
-        for part in parts(asset)
-        if part.joint is not None and not category_of(asset).movable
-    }
-    assert len(joints) == len(expected) + len(scene.room.doors)
+    joints = [prim for prim in prims(stage) if prim.IsA(UsdPhysics.Joint)]
+    moving = {asset.name: {part.joint.name for part in parts(asset) if part.joint} for asset in scene.assets}
+    fixed = [prim for prim in joints if prim.IsA(UsdPhysics.FixedJoint)]
+    assert len(joints) - len(fixed) == sum(map(len, moving.values())) + len(scene.room.doors)
+    roots = [prim for prim in prims(stage) if prim.HasAPI(UsdPhysics.ArticulationRootAPI)]
+    assert {prim.GetAttribute("robolayout:name").Get() for prim in roots} == {name for name in moving if moving[name]}
+    assert len(fixed) == sum(not prim.GetAttribute("robolayout:movable").Get() for prim in roots)
     for prim in joints:
         joint = UsdPhysics.Joint(prim)
-        (still,), (moving,) = joint.GetBody0Rel().GetTargets(), joint.GetBody1Rel().GetTargets()
-        assert not stage.GetPrimAtPath(still).HasAPI(UsdPhysics.RigidBodyAPI)
-        assert stage.GetPrimAtPath(moving).HasAPI(UsdPhysics.RigidBodyAPI)
+        (still,), (link,) = joint.GetBody0Rel().GetTargets(), joint.GetBody1Rel().GetTargets()
+        assert stage.GetPrimAtPath(link).HasAPI(UsdPhysics.RigidBodyAPI)
+        ends = [
+            UsdGeom.Xformable(stage.GetPrimAtPath(path)).ComputeLocalToWorldTransform(0).Transform(Gf.Vec3d(at.Get()))
+            for path, at in ((still, joint.GetLocalPos0Attr()), (link, joint.GetLocalPos1Attr()))
+        ]
+        assert Gf.GetLength(ends[0] - ends[1]) < 1e-5  # where they are held together, they meet
+        if prim in fixed:
+            continue
         typed = UsdPhysics.RevoluteJoint(prim) or UsdPhysics.PrismaticJoint(prim)
         assert typed.GetLowerLimitAttr().Get() <= 0 < typed.GetUpperLimitAttr().Get()
-        turned = Gf.Rotation(Gf.Quatd(joint.GetLocalRot0Attr().Get())).TransformDir(Gf.Vec3d(1, 0, 0))
-        assert max(abs(part) for part in turned) == pytest.approx(1.0, abs=1e-6)

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
+import re
 import struct
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import wraps
+
+import numpy as np
 
 from robolayout._errors import LayoutError
 from robolayout._reading import MAX_MESH_BYTES, Unreadable
@@ -149,6 +153,17 @@ def facts(asset: Asset, *, movable: bool) -> Json:
         "size": list(asset.size),
         "movable": movable,
     }
+
+
+def kind_name(name: str, pieces: Sequence[Part], *facts: object) -> str:
+    """Return the name of a file for all things that are alike: what they are, and a digest of their parts and of further facts."""
+    whole = hashlib.sha256(repr(facts).encode())
+    for part in pieces:
+        whole.update(repr((part.name, part.convex, part.joint, part.material)).encode())
+        for array in (part.vertices, part.faces, part.uv):
+            whole.update(b"" if array is None else np.ascontiguousarray(array).tobytes())
+    stem = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_") or "thing"
+    return f"{stem[:60]}-{whole.hexdigest()[:12]}"
 
 
 def is_trim(part: Part) -> bool:

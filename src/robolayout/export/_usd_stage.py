@@ -1,4 +1,7 @@
-"""Builds the USD stage; the only file that imports USD's library, loaded when a stage is asked for."""
+"""Builds USD stages; the only file that imports USD's library, loaded when a stage is asked for.
+
+A room is a layer of places, which refers to one layer for each kind of thing (`things/<kind>.usdc`).
+"""
 
 # USD's modules carry no types:
 # pyright: reportAttributeAccessIssue=false, reportUnknownParameterType=false
@@ -6,6 +9,9 @@ from __future__ import annotations
 
 import hashlib
 import math
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -15,139 +21,244 @@ from pxr import Gf, Kind, Sdf, Tf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantic
 from robolayout._text import xml
 from robolayout.assets import Joint, Material, Part, category_of, parts, room_parts
 from robolayout.assets.textures import media_type, picture
-from robolayout.export._exporter import Options, is_movable, is_trim, mass, placed
+from robolayout.export._exporter import Options, is_movable, is_trim, kind_name, mass, placed
 from robolayout.export._mesh import base_color, linear, volume, welded
 from robolayout.export._scenery import ASPECT, FIELD, LUMENS, WARM, lamp, overview
 from robolayout.export.mjcf import LEAF_MASS, SMALLEST_VOLUME
-from robolayout.scene import Asset, Layout, Pose, Room, Scene
+from robolayout.scene import Asset, Layout, Room, Scene
 
 BULB = 0.05
 """Radius in metres of a lamp's light."""
 
-WORLD, ROOM, ASSETS, LOOKS, ROUTES = "/World", "/World/Room", "/World/Assets", "/World/Looks", "/World/Routes"
+WORLD, ROOM, ASSETS, ROUTES = "/World", "/World/Room", "/World/Assets", "/World/Routes"
+THING, SHAPES = "/Thing", "/Shapes"
 ROUTE_WIDTH = 0.03
 """Width in metres that routes are drawn with."""
+
+DOORS = "doors"
+"""Variant set of what has joints: "shut", "open", and "drawn" where it is drawn half-open."""
 
 Row = tuple[str, tuple[float, float, float], float, tuple[float, float, float]]
 """Name, position, degrees about z, size."""
 
 
-def build(scene: Scene, layout: Layout, options: Options, pictures: dict[str, bytes] | None = None) -> Any:
-    """Return a stage in memory with the room, all placed assets, materials, physics, lights, a camera and routes.
+@dataclass(frozen=True)
+class _Kind:
+    """What stands in one file: the room, or all things that are alike.
 
-    The textures that it refers to are put into `pictures`, by their names beside it; without it there are only colours.
+    Attributes:
+        file: Path of its layer beside that of the room.
+        pieces: Its parts, in its own frame.
+        asset: One of those things; None for the room.
+        movable: Whether a person can move it.
     """
-    stage = Usd.Stage.CreateInMemory()
-    UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.z)
-    UsdGeom.SetStageMetersPerUnit(stage, 1.0)
-    UsdPhysics.SetStageKilogramsPerUnit(stage, 1.0)
-    world = UsdGeom.Xform.Define(stage, WORLD).GetPrim()
-    stage.SetDefaultPrim(world)
-    Usd.ModelAPI(world).SetKind(Kind.Tokens.assembly)
+
+    file: str
+    pieces: tuple[Part, ...]
+    asset: Asset | None = None
+    movable: bool = False
+
+    @property
+    def jointed(self) -> bool:
+        """Whether something of it moves by itself."""
+        return any(part.joint is not None for part in self.pieces)
+
+
+def _kinds(scene: Scene, layout: Layout, options: Options) -> Iterator[_Kind]:
+    """Yield the kind of the room, then that of every placed asset."""
+    pieces = room_parts(scene.room, seed=options.seed)
+    yield _Kind(_file("room", pieces), pieces)
+    for asset, _ in placed(scene, layout):
+        pieces, movable = parts(asset, seed=options.seed), is_movable(asset, scene, layout)
+        facts = (asset.category, category_of(asset).name, asset.size, movable)
+        yield _Kind(_file(category_of(asset).name, pieces, *facts), pieces, asset, movable)
+
+
+def _file(name: str, pieces: tuple[Part, ...], *facts: object) -> str:
+    return f"things/{kind_name(name, pieces, *facts)}.usdc"
+
+
+def room_stage(scene: Scene, layout: Layout, options: Options) -> Any:
+    """Return a stage in memory, nothing loaded, with the places of the room and of all placed assets, gravity, a camera and routes."""
+    stage = _stage(WORLD, Kind.Tokens.assembly)
     physics = UsdPhysics.Scene.Define(stage, f"{WORLD}/Physics")
     physics.CreateGravityDirectionAttr(Gf.Vec3f(0, 0, -1))
     physics.CreateGravityMagnitudeAttr(9.81)
-    for path in (ROOM, ASSETS):
-        group = UsdGeom.Xform.Define(stage, path).GetPrim()
-        Usd.ModelAPI(group).SetKind(Kind.Tokens.component if path == ROOM else Kind.Tokens.group)
-    UsdGeom.Scope.Define(stage, LOOKS)
-    builder = _Builder(stage, pictures)
-    room = room_parts(scene.room, seed=options.seed)
-    builder.meshes(ROOM, builder.hung(ROOM, tuple(part for part in room if not is_trim(part))), movable=False)
-    builder.meshes(ROOM, tuple(part for part in room if is_trim(part)), movable=False, collides=False)
-    for asset, pose in placed(scene, layout):
-        builder.asset(asset, pose, movable=is_movable(asset, scene, layout), seed=options.seed)
+    kinds = _kinds(scene, layout, options)
+    room = _payload(stage, ROOM, next(kinds))
+    if scene.room.doors and options.leaves != "swinging":
+        room.GetVariantSets().GetVariantSet(DOORS).SetVariantSelection(options.leaves)
+    group = UsdGeom.Xform.Define(stage, ASSETS).GetPrim()
+    Usd.ModelAPI(group).SetKind(Kind.Tokens.group)
+    taken: set[str] = set()
+    for (asset, pose), kind in zip(placed(scene, layout), kinds, strict=True):
+        name = xml(asset.name)
+        prim = _payload(stage, _free(ASSETS, name, taken), kind)
+        form = UsdGeom.Xformable(prim)
+        form.AddTranslateOp().Set(Gf.Vec3d(pose.x, pose.y, pose.z))
+        form.AddRotateZOp(UsdGeom.XformOp.PrecisionDouble).Set(math.degrees(pose.yaw))
+        prim.SetInstanceable(not kind.jointed)
+        prim.SetDisplayName(name)
+        prim.SetDocumentation(xml(asset.description) or xml(asset.category))
+        _custom(prim, "name", Sdf.ValueTypeNames.String, name)
+        _custom(prim, "category", Sdf.ValueTypeNames.String, xml(asset.category))
+        _custom(prim, "size", Sdf.ValueTypeNames.Double3, Gf.Vec3d(*asset.size))
+        _custom(prim, "movable", Sdf.ValueTypeNames.Bool, kind.movable)
+        UsdSemantics.LabelsAPI.Apply(prim, "instance").CreateLabelsAttr([name])
     _camera(stage, scene.room)
     _routes(stage, options)
     return stage
 
 
-class _Builder:
-    """Adds assets to a stage; equal materials are defined once, and every name becomes a legal, unique prim name."""
+def kind_layers(scene: Scene, layout: Layout, options: Options) -> dict[str, bytes]:
+    """Return the layers that the room's refers to and their textures, by their paths from its folder."""
+    files: dict[str, bytes] = {}
+    for kind in _kinds(scene, layout, options):
+        if kind.file not in files:
+            files[kind.file] = binary(_KindLayer(kind, files).stage)
+    return files
 
-    def __init__(self, stage: Any, pictures: dict[str, bytes] | None = None) -> None:
-        self.stage = stage
-        self.pictures = pictures
+
+def binary(stage: Any) -> bytes:
+    """Return the root layer of a stage as a binary file."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "layer.usdc"
+        stage.GetRootLayer().Export(str(path))
+        return path.read_bytes()
+
+
+def _stage(root: str, kind: str) -> Any:
+    """Return an empty stage in memory, z up, in metres and kilograms, with its default prim."""
+    stage = Usd.Stage.CreateInMemory(Usd.Stage.LoadNone)
+    UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.z)
+    UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+    UsdPhysics.SetStageKilogramsPerUnit(stage, 1.0)
+    prim = UsdGeom.Xform.Define(stage, root).GetPrim()
+    stage.SetDefaultPrim(prim)
+    Usd.ModelAPI(prim).SetKind(kind)
+    return stage
+
+
+def _payload(stage: Any, path: str, kind: _Kind) -> Any:
+    """Return a new prim whose content is the layer of a kind, with its bounds while that is not loaded."""
+    prim = UsdGeom.Xform.Define(stage, path).GetPrim()
+    prim.GetPayloads().AddPayload(f"./{kind.file}")
+    Usd.ModelAPI(prim).SetKind(Kind.Tokens.component)
+    points = np.concatenate([part.vertices for part in kind.pieces])
+    corners = np.array([points.min(axis=0), points.max(axis=0)], np.float32)
+    UsdGeom.ModelAPI.Apply(prim).SetExtentsHint(Vt.Vec3fArray.FromNumpy(corners))
+    return prim
+
+
+def _free(folder: str, name: str, taken: set[str]) -> str:
+    """Return a new prim path below a folder for a name of ours: legal and unique."""
+    stem = f"{folder}/{Tf.MakeValidIdentifier(name)}"
+    path, number = stem, 2
+    while path in taken:
+        path, number = f"{stem}_{number}", number + 1
+    taken.add(path)
+    return path
+
+
+class _KindLayer:
+    """Writes one kind of thing: its parts, how they move and how they look.
+
+    A thing without joints is one rigid body or none, and the room uses it as an instance. Otherwise every link is a rigid body
+    (none in another), its shape an instance within the file, and the thing an articulation; what nobody can move is fixed to its place.
+    """
+
+    def __init__(self, kind: _Kind, files: dict[str, bytes]) -> None:
+        self.kind = kind
+        self.files = files
+        self.stage = _stage(THING, Kind.Tokens.component)
         self.looks: dict[object, Any] = {}
         self.taken: set[str] = set()
-
-    def path(self, folder: str, name: str) -> str:
-        """Return a new prim path below a folder for a name of ours."""
-        stem = f"{folder}/{Tf.MakeValidIdentifier(name)}"
-        path, number = stem, 2
-        while path in self.taken:
-            path, number = f"{stem}_{number}", number + 1
-        self.taken.add(path)
-        return path
-
-    def asset(self, asset: Asset, pose: Pose, *, movable: bool, seed: int) -> None:
-        """Add one asset: its place, its facts, its physics and its parts."""
-        name, words = xml(asset.name), xml(asset.category)
-        form = UsdGeom.Xform.Define(self.stage, self.path(ASSETS, name))
-        prim = form.GetPrim()
-        form.AddTranslateOp().Set(Gf.Vec3d(pose.x, pose.y, pose.z))
-        form.AddRotateZOp(UsdGeom.XformOp.PrecisionDouble).Set(math.degrees(pose.yaw))
-        Usd.ModelAPI(prim).SetKind(Kind.Tokens.component)
-        prim.SetDisplayName(name)
-        prim.SetDocumentation(xml(asset.description) or words)
-        _custom(prim, "name", Sdf.ValueTypeNames.String, name)
-        _custom(prim, "category", Sdf.ValueTypeNames.String, words)
-        _custom(prim, "size", Sdf.ValueTypeNames.Double3, Gf.Vec3d(*asset.size))
-        _custom(prim, "movable", Sdf.ValueTypeNames.Bool, movable)
-        UsdSemantics.LabelsAPI.Apply(prim, "class").CreateLabelsAttr([category_of(asset).name, words])
-        UsdSemantics.LabelsAPI.Apply(prim, "instance").CreateLabelsAttr([name])
-        if movable:
-            UsdPhysics.RigidBodyAPI.Apply(prim)
-            UsdPhysics.MassAPI.Apply(prim).CreateMassAttr(mass(asset))
-        self.bind(prim, self.friction(category_of(asset).friction), "physics")
-        folder, pieces = str(prim.GetPath()), parts(asset, seed=seed)
-        still = pieces if movable else self.hung(folder, pieces)  # no rigid body may hold another one
-        self.meshes(folder, still, movable=movable, collides=not asset.is_flat)
-        if (bulb := lamp(pieces)) is not None:
-            light = UsdLux.SphereLight.Define(self.stage, self.path(folder, "light"))
+        root, asset = self.stage.GetPrimAtPath(THING), kind.asset
+        if asset is not None:
+            labels = dict.fromkeys((category_of(asset).name, xml(asset.category)))
+            UsdSemantics.LabelsAPI.Apply(root, "class").CreateLabelsAttr(list(labels))
+        if kind.jointed:
+            self.linked(asset)
+        else:
+            self.shape(THING, kind.pieces, rigid=kind.movable)
+            if asset is not None and kind.movable:
+                _rigid(root, mass(asset))
+        if asset is not None and (bulb := lamp(kind.pieces)) is not None:
+            light = UsdLux.SphereLight.Define(self.stage, _free(THING, "light", self.taken))
             light.CreateRadiusAttr(BULB)
             light.CreateIntensityAttr(LUMENS / (2 * math.pi * BULB) ** 2)
             light.CreateColorAttr(Gf.Vec3f(*WARM))
             light.AddTranslateOp().Set(Gf.Vec3d(*bulb))
 
-    def hung(self, folder: str, pieces: tuple[Part, ...]) -> tuple[Part, ...]:
-        """Add a rigid body and its joint for each group of parts that moves, and return the parts that do not."""
+    def linked(self, asset: Asset | None) -> None:
+        """Add what stays and what moves as links, and the joints between them."""
+        self.stage.CreateClassPrim(SHAPES)
+        rigid, pieces = asset is not None, self.kind.pieces
+        base = self.link("body", tuple(part for part in pieces if part.joint is None), rigid=rigid)
+        if asset is not None:
+            UsdPhysics.ArticulationRootAPI.Apply(self.stage.GetPrimAtPath(THING))
+            _rigid(base, mass(asset))
+            if not self.kind.movable:
+                path = _free(THING, "body joint", self.taken)
+                _connect(UsdPhysics.FixedJoint.Define(self.stage, path), THING, base)
+        links: dict[Joint, Any] = {}
         for joint in dict.fromkeys(part.joint for part in pieces if part.joint is not None):
-            group = tuple(part for part in pieces if part.joint == joint)
-            prim = UsdGeom.Xform.Define(self.stage, self.path(folder, joint.name)).GetPrim()
-            UsdPhysics.RigidBodyAPI.Apply(prim)
-            UsdPhysics.MassAPI.Apply(prim).CreateMassAttr(
-                LEAF_MASS * sum(max(volume(part), SMALLEST_VOLUME) for part in group)
-            )
-            self.meshes(str(prim.GetPath()), group, movable=True)
-            self.joint(self.path(folder, f"{joint.name} joint"), joint, folder, prim)
-        return tuple(part for part in pieces if part.joint is None)
+            group = [part for part in pieces if part.joint == joint]
+            moved = tuple(replace(part, vertices=part.vertices - joint.at) for part in group)
+            links[joint] = self.link(joint.name, moved, rigid=True)
+            _rigid(links[joint], LEAF_MASS * sum(max(volume(part), SMALLEST_VOLUME) for part in group))
+            self.joint(joint, base, links[joint])
+        self.variants(links)
 
-    def joint(self, path: str, joint: Joint, still: str, moving: Any) -> None:
+    def link(self, name: str, pieces: tuple[Part, ...], *, rigid: bool) -> Any:
+        """Add a link and return its prim; its shape is an instance."""
+        prim = UsdGeom.Xform.Define(self.stage, _free(THING, name, self.taken)).GetPrim()
+        path = _free(SHAPES, name, self.taken)
+        UsdGeom.Xform.Define(self.stage, path)
+        self.shape(path, pieces, rigid=rigid)
+        shape = UsdGeom.Xform.Define(self.stage, f"{prim.GetPath()}/shape").GetPrim()
+        shape.GetReferences().AddInternalReference(path)
+        shape.SetInstanceable(True)
+        return prim
+
+    def joint(self, joint: Joint, still: Any, moving: Any) -> None:
         """Add a joint between what stays and what moves; its x axis is the joint's axis."""
         hinge = joint.kind == "hinge"
+        path = _free(THING, f"{joint.name} joint", self.taken)
         made = (UsdPhysics.RevoluteJoint if hinge else UsdPhysics.PrismaticJoint).Define(self.stage, path)
-        made.CreateBody0Rel().SetTargets([still])
-        made.CreateBody1Rel().SetTargets([moving.GetPath()])
+        _connect(made, still.GetPath(), moving, joint)
         made.CreateAxisAttr("X")
-        turn = Gf.Quatf(Gf.Rotation(Gf.Vec3d(1, 0, 0), Gf.Vec3d(*joint.axis)).GetQuat())
-        for place, way in (
-            (made.CreateLocalPos0Attr, made.CreateLocalRot0Attr),
-            (made.CreateLocalPos1Attr, made.CreateLocalRot1Attr),
-        ):
-            place(Gf.Vec3f(*joint.at))
-            way(turn)
         low, high = (math.degrees(end) if hinge else end for end in joint.span)
         made.CreateLowerLimitAttr(low)
         made.CreateUpperLimitAttr(high)
 
-    def meshes(self, folder: str, pieces: tuple[Part, ...], *, movable: bool, collides: bool = True) -> None:
-        """Add one mesh for each part, each its own collider."""
+    def variants(self, links: dict[Joint, Any]) -> None:
+        """Add the variants of what moves; the first is how it is drawn."""
+        states = {"shut": 0, "open": 1}
+        if any(joint.span[0] for joint in links):
+            states = {"drawn": -1, **states}
+        places = {joint: _place(link) for joint, link in links.items()}
+        variants = self.stage.GetPrimAtPath(THING).GetVariantSets().AddVariantSet(DOORS)
+        for name, end in states.items():
+            variants.AddVariant(name)
+            variants.SetVariantSelection(name)
+            with variants.GetVariantEditContext():
+                for joint, (translate, orient) in places.items():
+                    value, hinge = 0.0 if end < 0 else joint.span[end], joint.kind == "hinge"
+                    turn = Gf.Rotation(Gf.Vec3d(*joint.axis), math.degrees(value) if hinge else 0.0)
+                    translate.Set(Gf.Vec3d(*joint.at) + Gf.Vec3d(*joint.axis) * (0.0 if hinge else value))
+                    orient.Set(Gf.Quatf(turn.GetQuat()))
+        variants.SetVariantSelection(next(iter(states)))
+
+    def shape(self, folder: str, pieces: tuple[Part, ...], *, rigid: bool) -> None:
+        """Add one mesh for each part, each its own collider, and what they look like, so that nothing outside is referred to."""
+        asset = self.kind.asset
+        if asset is not None:
+            self.bind(self.stage.GetPrimAtPath(folder), self.friction(folder, category_of(asset).friction), "physics")
         for part in pieces:
-            shape = welded(part)
-            if not len(shape.indices):
+            if not len((shape := welded(part)).indices):
                 continue
-            mesh = UsdGeom.Mesh.Define(self.stage, self.path(folder, part.name))
+            mesh = UsdGeom.Mesh.Define(self.stage, _free(folder, part.name, self.taken))
             points = Vt.Vec3fArray.FromNumpy(shape.positions.astype(np.float32))
             mesh.CreatePointsAttr(points)
             mesh.CreateFaceVertexCountsAttr(Vt.IntArray.FromNumpy(np.full(len(shape.indices), 3, np.int32)))
@@ -157,17 +268,17 @@ class _Builder:
             mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
             mesh.CreateExtentAttr(UsdGeom.PointBased.ComputeExtent(points))
             mesh.CreateDoubleSidedAttr(not part.convex)
-            if self.pictures is not None and part.material.texture is not None:
+            if part.material.texture is not None:
                 places = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(
                     "st", Sdf.ValueTypeNames.TexCoord2fArray, UsdGeom.Tokens.faceVarying
                 )
                 places.Set(Vt.Vec2fArray.FromNumpy((shape.uvs * (1, -1) + (0, 1)).astype(np.float32)))
             prim = mesh.GetPrim()
-            self.bind(prim, self.look(part.material))
-            if collides:
+            self.bind(prim, self.look(folder, part.material))
+            if not is_trim(part) and (asset is None or not asset.is_flat):
                 UsdPhysics.CollisionAPI.Apply(prim)
                 collider = UsdPhysics.MeshCollisionAPI.Apply(prim)
-                collider.CreateApproximationAttr(_approximation(part, movable))
+                collider.CreateApproximationAttr(_approximation(part, rigid))
 
     def bind(self, prim: Any, material: Any, purpose: str = "") -> None:
         """Bind a material to a prim."""
@@ -175,40 +286,45 @@ class _Builder:
         weaker = UsdShade.Tokens.fallbackStrength
         binding.Bind(material, weaker, purpose) if purpose else binding.Bind(material)
 
-    def look(self, material: Material) -> Any:
-        """Return the Preview Surface material of a look."""
-        if material not in self.looks:
-            path = self.path(LOOKS, material.name)
-            look = UsdShade.Material.Define(self.stage, path)
-            shader = UsdShade.Shader.Define(self.stage, f"{path}/Surface")
-            shader.CreateIdAttr("UsdPreviewSurface")
-            for name, kind, value in (
-                ("diffuseColor", Sdf.ValueTypeNames.Color3f, Gf.Vec3f(*linear(material.color))),
-                ("roughness", Sdf.ValueTypeNames.Float, material.roughness),
-                ("metallic", Sdf.ValueTypeNames.Float, material.metallic),
-                ("opacity", Sdf.ValueTypeNames.Float, material.opacity),
-            ):
-                shader.CreateInput(name, kind).Set(value)
-            if material.glow:
-                emitted = Gf.Vec3f(*(channel * material.glow for channel in linear(material.color)))
-                shader.CreateInput("emissiveColor", Sdf.ValueTypeNames.Color3f).Set(emitted)
-            if self.pictures is not None and material.texture is not None:
-                self.textured(path, material, shader, self.pictures)
-            look.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
-            self.looks[material] = look
-        return self.looks[material]
+    def material(self, folder: str, name: str) -> Any:
+        """Return a new material among the looks of a folder."""
+        looks = UsdGeom.Scope.Define(self.stage, f"{folder}/Looks").GetPath()
+        return UsdShade.Material.Define(self.stage, _free(str(looks), name, self.taken))
 
-    def textured(self, path: str, material: Material, shader: Any, pictures: dict[str, bytes]) -> None:
+    def look(self, folder: str, material: Material) -> Any:
+        """Return the Preview Surface material of a look."""
+        if (folder, material) in self.looks:
+            return self.looks[folder, material]
+        look = self.looks[folder, material] = self.material(folder, material.name)
+        path = look.GetPath()
+        shader = UsdShade.Shader.Define(self.stage, f"{path}/Surface")
+        shader.CreateIdAttr("UsdPreviewSurface")
+        for name, kind, value in (
+            ("diffuseColor", Sdf.ValueTypeNames.Color3f, Gf.Vec3f(*linear(material.color))),
+            ("roughness", Sdf.ValueTypeNames.Float, material.roughness),
+            ("metallic", Sdf.ValueTypeNames.Float, material.metallic),
+            ("opacity", Sdf.ValueTypeNames.Float, material.opacity),
+        ):
+            shader.CreateInput(name, kind).Set(value)
+        if material.glow:
+            emitted = Gf.Vec3f(*(channel * material.glow for channel in linear(material.color)))
+            shader.CreateInput("emissiveColor", Sdf.ValueTypeNames.Color3f).Set(emitted)
+        if material.texture is not None:
+            self.textured(path, material, shader)
+        look.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
+        return look
+
+    def textured(self, path: str, material: Material, shader: Any) -> None:
         """Let a look's colour come from its texture, and keep that picture."""
         data = picture(material.texture or b"")
         name = f"textures/{hashlib.sha256(data).hexdigest()[:16]}.{media_type(data).partition('/')[2]}"
-        pictures[name] = data
+        self.files[f"things/{name}"] = data
         place = UsdShade.Shader.Define(self.stage, f"{path}/Place")
         place.CreateIdAttr("UsdPrimvarReader_float2")
         place.CreateInput("varname", Sdf.ValueTypeNames.String).Set("st")
         found = UsdShade.Shader.Define(self.stage, f"{path}/Texture")
         found.CreateIdAttr("UsdUVTexture")
-        found.CreateInput("file", Sdf.ValueTypeNames.Asset).Set(Sdf.AssetPath(name))
+        found.CreateInput("file", Sdf.ValueTypeNames.Asset).Set(Sdf.AssetPath(f"./{name}"))
         found.CreateInput("sourceColorSpace", Sdf.ValueTypeNames.Token).Set("sRGB")
         found.CreateInput("scale", Sdf.ValueTypeNames.Float4).Set(Gf.Vec4f(*base_color(material), 1.0))
         for side in ("wrapS", "wrapT"):
@@ -218,16 +334,38 @@ class _Builder:
         color = found.CreateOutput("rgb", Sdf.ValueTypeNames.Float3)
         shader.GetInput("diffuseColor").ConnectToSource(color)
 
-    def friction(self, value: float) -> Any:
-        """Return the physics material with a friction coefficient."""
-        if value not in self.looks:
-            look = UsdShade.Material.Define(self.stage, self.path(LOOKS, f"friction_{round(value * 100)}"))
-            physics = UsdPhysics.MaterialAPI.Apply(look.GetPrim())
-            physics.CreateStaticFrictionAttr(value)
-            physics.CreateDynamicFrictionAttr(value)
-            physics.CreateRestitutionAttr(0.0)
-            self.looks[value] = look
-        return self.looks[value]
+    def friction(self, folder: str, value: float) -> Any:
+        """Return a new physics material with a friction coefficient."""
+        look = self.material(folder, f"friction_{round(value * 100)}")
+        physics = UsdPhysics.MaterialAPI.Apply(look.GetPrim())
+        physics.CreateStaticFrictionAttr(value)
+        physics.CreateDynamicFrictionAttr(value)
+        physics.CreateRestitutionAttr(0.0)
+        return look
+
+
+def _rigid(prim: Any, weight: float) -> None:
+    """Make a prim a rigid body of some kilograms."""
+    UsdPhysics.RigidBodyAPI.Apply(prim)
+    UsdPhysics.MassAPI.Apply(prim).CreateMassAttr(weight)
+
+
+def _connect(made: Any, still: Any, moving: Any, joint: Joint | None = None) -> None:
+    """Say what a joint holds together and where; without one of ours, where they both have their origin."""
+    made.CreateBody0Rel().SetTargets([still])
+    made.CreateBody1Rel().SetTargets([moving.GetPath()])
+    at, axis = (joint.at, joint.axis) if joint is not None else ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0))
+    turn = Gf.Quatf(Gf.Rotation(Gf.Vec3d(1, 0, 0), Gf.Vec3d(*axis)).GetQuat())
+    made.CreateLocalPos0Attr(Gf.Vec3f(*at))
+    made.CreateLocalPos1Attr(Gf.Vec3f(0.0))
+    made.CreateLocalRot0Attr(turn)
+    made.CreateLocalRot1Attr(turn)
+
+
+def _place(link: Any) -> tuple[Any, Any]:
+    """Return the operations that say where a link is."""
+    form = UsdGeom.Xformable(link)
+    return form.AddTranslateOp(), form.AddOrientOp()
 
 
 def _camera(stage: Any, room: Room) -> None:
@@ -242,11 +380,11 @@ def _camera(stage: Any, room: Room) -> None:
     camera.AddTransformOp().Set(Gf.Matrix4d(matrix.tolist()))
 
 
-def _approximation(part: Part, movable: bool) -> str:
+def _approximation(part: Part, rigid: bool) -> str:
     """Return how a simulator makes a collider of a part: convex parts are their own hull."""
     if part.convex:
         return UsdPhysics.Tokens.convexHull
-    return UsdPhysics.Tokens.convexDecomposition if movable else UsdPhysics.Tokens.none
+    return UsdPhysics.Tokens.convexDecomposition if rigid else UsdPhysics.Tokens.none
 
 
 def _custom(prim: Any, name: str, kind: Any, value: object) -> None:
@@ -261,11 +399,11 @@ def _routes(stage: Any, options: Options) -> None:
     scope = UsdGeom.Scope.Define(stage, ROUTES).GetPrim()
     if options.agent is not None:
         _custom(scope, "agent", Sdf.ValueTypeNames.String, xml(options.agent.name))
-    taken = _Builder(stage)
+    taken: set[str] = set()
     for name, line in options.routes.items():
         if len(line) < 2:
             continue
-        curve = UsdGeom.BasisCurves.Define(stage, taken.path(ROUTES, xml(name)))
+        curve = UsdGeom.BasisCurves.Define(stage, _free(ROUTES, xml(name), taken))
         points = Vt.Vec3fArray([Gf.Vec3f(float(x), float(y), 0.0) for x, y in line])
         curve.CreateTypeAttr(UsdGeom.Tokens.linear)
         curve.CreatePointsAttr(points)
@@ -283,7 +421,7 @@ def assets_of(path: Path) -> list[Row]:
     Raises:
         RuntimeError: The stage cannot be opened, or holds no `/World/Assets`.
     """
-    stage = Usd.Stage.Open(str(path))
+    stage = Usd.Stage.Open(str(path), Usd.Stage.LoadNone)
     folder = stage.GetPrimAtPath(ASSETS) if stage else None
     if not folder:
         raise RuntimeError(f"it has no {ASSETS}")

@@ -1,7 +1,7 @@
 """USD: what Isaac, Omniverse and other USD tools load; text (.usda) or one package (.usdz).
 
-Z up, metres, kilograms. `/World/Room` is static; `/World/Assets/<name>` has one mesh for each part, which is its own
-convex collider. Movable assets are rigid bodies with a mass; none is nested in another.
+Z up, metres, kilograms. The room's layer says where everything is; each kind of thing is a layer of its own beside it,
+`things/<kind>.usdc`, shared by all rooms of a folder. Every part is a mesh and its own convex collider; no rigid body is nested in another.
 """
 
 from __future__ import annotations
@@ -29,27 +29,31 @@ def _require() -> None:
 
 
 def write_text(scene: Scene, layout: Layout, options: Options) -> bytes:
-    """Return the scene as USD text."""
+    """Return the layer of the room as USD text."""
     _require()
-    from robolayout.export._usd_stage import build
+    from robolayout.export._usd_stage import room_stage
 
-    stage = build(scene, layout, options)
+    stage = room_stage(scene, layout, options)  # its layers live as long as it
     return stage.GetRootLayer().ExportToString().encode()
 
 
-def write_package(scene: Scene, layout: Layout, options: Options) -> bytes:
-    """Return the scene as a USDZ package: a binary layer, then its textures; uncompressed, aligned, with a fixed date."""
+def beside(scene: Scene, layout: Layout, options: Options) -> dict[str, bytes]:
+    """Return the layers of the room and of each kind of thing and their textures, by path."""
     _require()
-    from robolayout.export._usd_stage import build
+    from robolayout.export._usd_stage import kind_layers
 
-    with tempfile.TemporaryDirectory() as folder:
-        path, pictures = Path(folder) / "scene.usdc", dict[str, bytes]()
-        stage = build(scene, layout, options, pictures)
-        stage.GetRootLayer().Export(str(path))
-        content = path.read_bytes()
+    return kind_layers(scene, layout, options)
+
+
+def write_package(scene: Scene, layout: Layout, options: Options) -> bytes:
+    """Return the scene as a USDZ package: the room's layer, then what it refers to; uncompressed, aligned, with a fixed date."""
+    _require()
+    from robolayout.export._usd_stage import binary, room_stage
+
+    files = {"scene.usdc": binary(room_stage(scene, layout, options)), **beside(scene, layout, options)}
     package = io.BytesIO()
     with zipfile.ZipFile(package, "w", zipfile.ZIP_STORED) as archive:
-        for name, data in {"scene.usdc": content, **dict(sorted(pictures.items()))}.items():
+        for name, data in files.items():
             entry = zipfile.ZipInfo(name, date_time=(1980, 1, 1, 0, 0, 0))
             padding = -(package.tell() + 30 + len(entry.filename)) % ALIGNMENT
             padding += ALIGNMENT if padding < 4 else 0
@@ -80,5 +84,6 @@ def read(data: bytes) -> Contents:
     return Contents(Layout(poses), {name: size for name, _, _, size in rows})
 
 
-USDA = Exporter("usd", ".usda", "USD text with colliders, rigid bodies, masses and labels", EXTRA, write_text, read)
+SUMMARY = "USD with one file per kind of thing: instances, joints, rigid bodies, labels"
+USDA = Exporter("usd", ".usda", SUMMARY, EXTRA, write_text, read, beside)
 USDZ = Exporter("usdz", ".usdz", "the same USD scene as one package", EXTRA, write_package, read)
