@@ -20,13 +20,14 @@ MIDDLE = Interval(0.0, 0.0)
 
 @dataclass(frozen=True)
 class CenteredOn(Relation):
-    """`a` is centred on `b`: along a wall, over an asset (wall things: sideways only), on a point; None is the room."""
+    """`a` is centred on `b`: along a wall, over an asset (wall things and `axis` "side": sideways only), on a point or the room (None)."""
 
     name: ClassVar[str] = "centered_on"
     example: ClassVar[str] = "solver.centered_on(picture[0], bed[0])"
 
     a: AssetRef = argument("asset")
     b: Ref | None = argument("asset", "wall", "point", "room", default=None)
+    axis: str = argument("text", choices=("both", "side"), default="both")
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row that pins the bound axes of b's frame to 0."""
@@ -50,5 +51,5 @@ class CenteredOn(Relation):
         """Return which axes of the frame of an asset or wall are bound: along, across."""
         if isinstance(self.b, WallRef):
             return (True, False)
-        sideways = isinstance(self.b, AssetRef) and scene.by_name[self.a.name].on_wall
+        sideways = isinstance(self.b, AssetRef) and (self.axis == "side" or scene.by_name[self.a.name].on_wall)
         return (not sideways, True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -17,6 +18,15 @@ ASIDE = 0.3
 LARGE, USUAL = (2.2, 1.5), (1.8, 1.3)
 """Width and height in metres of a large window and of a usual one."""
 
+WINDOW_EACH, DOOR_EACH = 12.0, 90.0
+"""Square metres of floor for each window and door of a room of which neither is said: the usual one aside, so many more."""
+
+MOST_WINDOWS, MOST_DOORS = 6, 2
+"""How many windows and doors there are at the most where nothing is said."""
+
+LINTEL = 0.05
+"""Metres at the least between the top of a door or window and the ceiling."""
+
 MOST_OF_A_WALL = 0.45
 """Share of its wall that one window takes at the most."""
 
@@ -24,7 +34,7 @@ Opening = dict[str, float]
 
 
 def openings(
-    outline: Outline, wide: float, wanted: Sequence[WantedOpening], rng: np.random.Generator
+    outline: Outline, wide: float, wanted: Sequence[WantedOpening], rng: np.random.Generator, height: float = 2.6
 ) -> tuple[list[Opening], list[Opening]]:
     """Return doors near the ends of long walls, and windows in other walls.
 
@@ -33,41 +43,50 @@ def openings(
         wide: Width of a door in metres.
         wanted: What is asked for.
         rng: Settles what is not.
+        height: Height of the walls in metres; doors and windows are lower.
     """
     lengths = [math.dist(a, b) for a, b in zip(outline, outline[1:] + outline[:1], strict=True)]
     order = sorted(range(len(lengths)), key=lambda i: -lengths[i])
     usual = order[int(rng.integers(0, min(2, len(order))))]
     near = rng.random() < 0.5
+    corners = [*outline, outline[0]]
+    area = abs(sum(ax * by - bx * ay for (ax, ay), (bx, by) in pairwise(corners))) / 2
     asked = [item for item in wanted if item.kind == "door"]
+    asked = asked or [WantedOpening("door", min(MOST_DOORS, 1 + int(area / DOOR_EACH)))]
     doors: list[Opening] = []
-    for number, item in enumerate(i for i in (asked or [WantedOpening("door")]) for _ in range(i.count)):
+    for number, item in enumerate(i for i in asked for _ in range(i.count)):
         fits = [i for i in order if lengths[i] > wide and i not in {d["wall"] for d in doors}] or order
         start = fits.index(usual) if usual in fits and not number else 0
         wall = _wall(outline, item.wall, fits[start:] + fits[:start])
         first = ASIDE if lengths[wall] - wide > 2 * ASIDE else (lengths[wall] - wide) / 2
         offset = first if near else lengths[wall] - wide - first
         doors.append(
-            {"wall": wall, "offset": round(max(offset, 0.0), 2), "width": min(wide, lengths[wall]), "height": 2.05}
+            {
+                "wall": wall,
+                "offset": round(max(offset, 0.0), 2),
+                "width": min(wide, lengths[wall]),
+                "height": min(2.05, height - LINTEL),
+            }
         )
-    return doors, _windows(outline, lengths, {int(d["wall"]) for d in doors}, wanted, rng)
+    more = min(MOST_WINDOWS, max(1 + int(rng.integers(0, 2)), int(area / WINDOW_EACH)))
+    windows = [item for item in wanted if item.kind == "window"] or [WantedOpening("window", more)]
+    return doors, _windows(outline, lengths, {int(d["wall"]) for d in doors}, windows, rng, height)
 
 
 def _windows(
     outline: Outline,
     lengths: Sequence[float],
     taken: set[int],
-    wanted: Sequence[WantedOpening],
+    asked: Sequence[WantedOpening],
     rng: np.random.Generator,
+    ceiling: float,
 ) -> list[Opening]:
-    """Return the windows: one or two where nothing is said."""
+    """Return the windows, in two outer walls where no wall is said."""
     free = [i for i in sorted(range(len(lengths)), key=lambda i: -lengths[i]) if i not in taken]
-    asked = [item for item in wanted if item.kind == "window"]
-    usual = 1 + int(rng.integers(0, 2))
+    outer = free[: int(rng.integers(1, 3))] if len(asked) == 1 and not asked[0].wall else free
     by_wall: dict[int, list[WantedOpening]] = {}
-    if not asked:
-        asked = [WantedOpening("window", min(usual, len(free)))]
     for turn, wanted_one in enumerate(i for i in asked for _ in range(i.count)):
-        order = free[turn % len(free) :] + free[: turn % len(free)] if free else [0]
+        order = outer[turn % len(outer) :] + outer[: turn % len(outer)] if outer else [0]
         by_wall.setdefault(_wall(outline, wanted_one.wall, order), []).append(wanted_one)
     found: list[Opening] = []
     for wall, items in by_wall.items():
@@ -75,9 +94,11 @@ def _windows(
         middle = float(rng.choice([0.35, 0.5, 0.65])) if len(items) == 1 and not items[0].wall else 0.5
         for number, item in enumerate(items):
             width, height = LARGE if item.large else USUAL
+            sill = min(0.9, ceiling - height - LINTEL) if ceiling - height > LINTEL else 0.0
+            height = round(min(height, ceiling - sill - LINTEL), 2)
             width = round(min(width, share * MOST_OF_A_WALL if len(items) == 1 else share * 0.7), 2)
             start = round(number * share + (share - width) * middle, 2)
-            found.append({"wall": wall, "offset": start, "width": width, "height": height, "sill": 0.9})
+            found.append({"wall": wall, "offset": start, "width": width, "height": height, "sill": sill})
     return found
 
 

@@ -21,7 +21,7 @@ from robolayout.words import (
     sized,
 )
 
-GENERAL = ("desk", "bed", "table", "chair", "shelf", "sink", "counter")
+GENERAL = ("desk", "bed", "table", "chair", "shelf", "sink", "counter", "mat")
 """Nouns that mean what is usual in a room: a desk of a classroom is a student desk."""
 
 LACKING, LIKELY = 0.4, 1.0
@@ -63,6 +63,11 @@ class Wishes:
     def seats(self) -> int:
         """Seats at each table, 0 if none are given."""
         return next((thing.people for thing in self.reading.parsed.things if thing.people), 0)
+
+    @property
+    def seats_each(self) -> bool:
+        """Whether each of several tables has these seats: "five tables for four", not "tables for 14 people"."""
+        return all(thing.number is not None or not thing.plural for thing in self.reading.parsed.things if thing.people)
 
     @property
     def ignored(self) -> tuple[str, ...]:

@@ -5,6 +5,7 @@ Only names from the scene's variables, numbers and the templates of the knowledg
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -27,6 +28,9 @@ WALLS = 0.45
 
 UNDER = 0.2
 """Metres by which a seat may be left under what it stands at."""
+
+LARGE, ALONG_WALLS = 40.0, 1.6
+"""Square metres from which on a room is furnished through its middle, and metres along its walls that are not its middle."""
 
 NARROWEST = 0.6
 """Metres that people need to get to a side of a thing."""
@@ -173,9 +177,14 @@ class Writer:
             yield from self._fill(say["middle"], values, bound, name)
             open_floor = {"middle", "facing"} & set(modes) and "grid" not in modes
             weight = (FIRST if open_floor else ONLY) + item.role.prefer.get("first", 0.0)
+            equal = self._in_the_middle(item) if "grid" in modes else []
             if "wall" in modes:
-                yield from self._fill(say["wall"], values, weight if modes[0] == "wall" else -weight, name)
-            yield from self._in_rows(item, "grid" in modes)
+                at_walls = name not in equal or len(equal) == len(self._equal(item)) < item.role.prefer.get(
+                    "block", math.inf
+                )
+                first = modes[0] == "wall" and at_walls
+                yield from self._fill(say["wall"], values, weight if first else -weight, name)
+            yield from self._in_rows(item, equal)
 
     @cached_property
     def _held(self) -> frozenset[str]:
@@ -189,10 +198,24 @@ class Writer:
                 found += [name] if left >= 0.0 and item.join is None and _modes(item) == ["wall"] else []
         return frozenset(found)
 
-    def _in_rows(self, item: Cast, wanted: bool) -> Iterator[Line]:
+    def _equal(self, item: Cast) -> list[str]:
+        """Return what stands by itself in the same role."""
+        return [n for n, one in self.cast.items() if one.role is item.role and one.anchor is None]
+
+    def _in_the_middle(self, item: Cast) -> list[str]:
+        """Return which of some equal things stand in rows: all; in large rooms only those that the walls leave to the middle."""
+        equal = self._equal(item)
+        if len(equal) >= item.role.prefer.get("block", math.inf):
+            return equal
+        x0, y0, x1, y1 = self.scene.room.bounds
+        inner = (x1 - x0 - 2 * ALONG_WALLS) * (y1 - y0 - 2 * ALONG_WALLS) / ((x1 - x0) * (y1 - y0))
+        count = 2 * round(len(equal) * inner / 2)
+        split = _modes(item)[0] == "wall" and self.scene.room.area >= LARGE and min(count, len(equal) - count) > 3
+        return equal[-count:] if split else equal
+
+    def _in_rows(self, item: Cast, equal: Sequence[str]) -> Iterator[Line]:
         """Yield that equal things stand in rows, with the last of them."""
-        equal = [n for n, one in self.cast.items() if one.role is item.role and one.anchor is None]
-        if wanted and len(equal) > 1 and equal[-1] == item.name:
+        if len(equal) > 1 and equal[-1] == item.name:
             prefer, items = item.role.prefer, "[" + ", ".join(self._name(n) for n in equal) + "]"
             gap = prefer.get("gap", self._corridor)
             backs = ', backs="paired"' if prefer.get("paired", 0) > 0 else ""
@@ -203,6 +226,9 @@ class Writer:
         """Yield where a thing hangs or lies."""
         a, values = self._name(item.name), self._values(item)
         over = [n for role in item.role.above for n, one in self.cast.items() if one.role.name == role]
+        owner = None if item.name in self.asked else self._owner(item, over)
+        if owner is not None:
+            values |= {"b": self._name(owner), "b name": owner}
         if mode == "hang":
             yield from self._fill(item.role.say["hang"], values, None, item.name)
             if item.role.height:
@@ -211,9 +237,6 @@ class Writer:
                 ways = [f"above({a}, {self._name(n)})" for n in over]
                 yield _wish(_either(ways), None, item.name, *over)
             return
-        owner = None if item.name in self.asked else self._owner(item, over)
-        if owner is not None:
-            values |= {"b": self._name(owner), "b name": owner}
         if mode == "ceiling" and owner is not None and self._shared(item, owner):
             yield Line(f"solver.above({a}, {self._name(owner)})", (item.name, owner))
             return
@@ -301,9 +324,15 @@ class Writer:
         angle = "" if face.how == "toward" else ", 180"
         looks = [f"point_towards({a}, {self._name(n)}{angle})" for n in names]
         yield _wish(_either(looks), face.weight, item.name, *names)
-        if face.distance != (0.0, 20.0):
+        if face.say and item.name not in self.asked and len(names) == 1 == len(self._looking(names[0])):
+            yield from self._fill(face.say, self._values(item), None, item.name)
+        elif face.distance != (0.0, 20.0):
             low, high = self._edges(item, names[0])
             yield _wish(f"in_front_of({a}, {self._name(names[0])}, {low:g}, {high:g})", None, item.name, names[0])
+
+    def _looking(self, target: str) -> list[str]:
+        """Return what has to be before a thing."""
+        return [n for n, one in self.cast.items() if one.role.face and one.role.face.say and target in self._faces(one)]
 
     def _faces(self, item: Cast) -> list[str]:
         """Return what a thing should face: all of the first role that is there."""

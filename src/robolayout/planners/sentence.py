@@ -7,6 +7,7 @@ catalogue with seeded variety. What was understood, what was assumed and what wa
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,7 +17,7 @@ import numpy as np
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.palette import PALETTES
-from robolayout.planners._knowledge import load_knowledge
+from robolayout.planners._knowledge import Role, load_knowledge
 from robolayout.planners._openings import openings
 from robolayout.planners._own import own_sides
 from robolayout.planners._wishes import Wishes, read_wishes
@@ -38,6 +39,12 @@ ROOMY = 0.22
 
 WALKWAY = 0.6
 """Metres by which a room is longer and wider than the longest thing in it, where no size is given."""
+
+LARGER, LARGEST = 1.6, 8.0
+"""How many times as large as usual a room is from which on it has more zones and people, and up to which their number grows."""
+
+LIT = 22.0
+"""Square metres that one ceiling lamp lights."""
 
 
 @dataclass(frozen=True)
@@ -103,6 +110,14 @@ class _Known:
 
     kinds: Mapping[str, Category]
     rooms: Rooms
+    roles: Mapping[str, Role]
+
+    def useless(self, name: str, present: Iterable[str]) -> bool:
+        """Return whether a thing belongs at others of which none is there: a chair without a table."""
+        role = self.roles.get(self.kinds[name].like or name)
+        wanted = {other for join in role.joins if not join.loose for other in join.of} if role else set[str]()
+        there = {self.roles[other].name for other in present if other in self.roles}
+        return bool(wanted) and "*" not in wanted and not wanted & there
 
     def head(self, name: str) -> str:
         """Return the word that says what a thing is, by what it is like."""
@@ -135,12 +150,13 @@ def scene_from_sentence(
     own = load_knowledge(Path(path) for path in knowledge)
     rooms = read_rooms(own.rooms)
     wishes = read_wishes(text, rooms, own.things)
-    known = _Known({**CATALOGUE, **{thing.name: thing for thing in own.things}, **wishes.named}, rooms)
+    roles = {name: role for role in own.roles.values() for name in role.names}
+    known = _Known({**CATALOGUE, **{thing.name: thing for thing in own.things}, **wishes.named}, rooms, roles)
     room = wishes.room
     wished = _wished(wishes, room)
     size = _room_size(wishes, room, wished, known)
     _possible(wishes.reading.shape, wished, size, known)
-    added = _added(wishes, room, wished, size, known, (fill, rng))
+    added = _Added(wishes, wished, size, known, fill).things(rng)
     agent = wishes.reading.agent or room.agent
     assumed = (*wishes.guesses, *_assumed(wishes, room, size))
     found = Understanding(
@@ -163,6 +179,7 @@ def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
     wished = dict(wishes.things)
     people = _people(wishes, room, wished)
     heads = {_head(name) for name in wished}
+    heads |= {"chair"} if SEATS & {*wished} and "table" in heads else set()
     for name, count in room.person.items():
         if people and _head(name) not in heads and name not in wishes.reading.unwanted:
             wished[name] = wished.get(name, 0) + count * people
@@ -172,19 +189,38 @@ def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
     return wished
 
 
+def _larger(wishes: Wishes) -> float:
+    """Return how many times as large as usual a room is said to be, 1 where nothing is said."""
+    width, depth = wishes.room.size
+    size, area = wishes.reading.size, wishes.reading.measure("area")
+    asked = math.prod(size) if size else area[0] if area else wishes.reading.scale * width * depth
+    return min(asked / (width * depth), LARGEST)
+
+
+def _usual_people(wishes: Wishes) -> int:
+    """Return for how many such a room usually is; where each has a table of his own, for more in a larger one."""
+    room, times = wishes.room, _larger(wishes)
+    grows = times >= LARGER and (bool(room.tables) or len(room.person) > 1)
+    return round(room.people * times) if grows else room.people
+
+
 def _people(wishes: Wishes, room: RoomType, wished: dict[str, int]) -> int:
     """Return for how many the room is: as said, else as many as have a seat, a desk or a bed; seats are wished for."""
     if wishes.seats:
         adults = [name for name in wished if _head(name) == "chair" and name not in ("high chair", "kids chair")]
-        tables = sum(count for name, count in wished.items() if _head(name) == "table")
+        several = wishes.seats_each
+        tables = sum(count for name, count in wished.items() if _head(name) == "table") if several else 1
         chair = next((name for name in room.person if _head(name) == "chair"), "chair")
         if not adults:
             wished[chair] = tables * wishes.seats
     if wishes.reading.people:
         return 0 if room.couple and wishes.reading.people == 2 and not wishes.reading.young else wishes.reading.people
     taken = {_head(name) for name in room.person}
-    return max((count for name, count in wished.items() if _head(name) in taken), default=room.people)
+    return max((count for name, count in wished.items() if _head(name) in taken), default=_usual_people(wishes))
 
+
+SEATS = {"bench", "stool", "pew"}
+"""What people sit on at tables in place of chairs."""
 
 VAGUE = ("stand", "rack", "machine", "board")
 """Last words that do not say what a thing is for."""
@@ -203,7 +239,8 @@ def _room_size(wishes: Wishes, room: RoomType, wished: Mapping[str, int], known:
     width, depth = room.size
     longest = max((max(known.kinds[name].size[:2]) for name in wished if known.kinds[name].on_floor), default=0.0)
     given = wishes.reading.measure("area")
-    area = given[0] if given else max(width * depth, known.floor_area({**room.base, **wished}) / ROOMY)
+    usual = width * depth * wishes.reading.scale
+    area = given[0] if given else max(usual, known.floor_area({**room.base, **wished}) / ROOMY)
     if wishes.reading.shape == "L-shaped":
         area *= 1.2
     ratio = 1.0 if wishes.reading.square else width / depth
@@ -231,50 +268,95 @@ def _possible(shape: str, wished: Mapping[str, int], size: tuple[float, float], 
             )
 
 
-def _added(
-    wishes: Wishes,
-    room: RoomType,
-    wished: Mapping[str, int],
-    size: tuple[float, float],
-    known: _Known,
-    further: tuple[float, np.random.Generator],
-) -> dict[str, int]:
-    """Return what belongs in such a room and was not named, then extras in random order while there is room."""
-    fill, rng = further
-    floor = size[0] * size[1] * (0.75 if wishes.reading.shape == "L-shaped" else 1.0)
-    asked = {known.head(name) for name in wishes.things}
-    lasts = {name.split()[-1] for name in wishes.things}
-    heads = asked | {known.head(name) for name in wished if known.head(name) == "bed"}
-    added: dict[str, int] = {}
-    if wishes.reading.only:
-        return added
-    for name, count in wished.items():
-        for other, each in known.rooms.companions.get(name, {}).items():
-            wanted = other not in wishes.reading.unwanted and other.split()[-1] not in wishes.general
-            if wanted and _head(other) not in {known.head(n) for n in wished}:
-                added[other] = added.get(other, 0) + count * each
-    order = [*room.base.items(), *(list(room.extras.items())[i] for i in rng.permutation(len(room.extras)))]
-    for name, count in order:
-        if (
-            name.split()[-1] in wishes.general
-            or name in wishes.reading.unwanted
-            or (known.head(name) in heads)
-            or name.split()[-1] in lasts
-            or name in wished
-            or name in added
-        ):
-            continue
-        present = {known.head(other) for other in (*wished, *added)}
+class _Added:
+    """What belongs in a room and was not named.
+
+    Args:
+        wishes: What was asked for.
+        wished: The things of it, with what people bring along.
+        size: Width and depth of the room in metres.
+        known: Categories and room types.
+        fill: Share of the floor up to which further things are added.
+    """
+
+    def __init__(
+        self, wishes: Wishes, wished: Mapping[str, int], size: tuple[float, float], known: _Known, fill: float
+    ) -> None:
+        self.wishes, self.room, self.wished, self.known = wishes, wishes.room, wished, known
+        self.floor = size[0] * size[1] * (0.75 if wishes.reading.shape == "L-shaped" else 1.0)
+        self.fill = AIRY if wishes.reading.airy else fill
+        self.asked = {known.head(name) for name in wishes.things}
+        self.asked |= {known.head(name) for name in wished if known.head(name) == "bed"}
+        self.lasts = {name.split()[-1] for name in wishes.things} | wishes.general
+        self.found: dict[str, int] = {}
+
+    def things(self, rng: np.random.Generator) -> dict[str, int]:
+        """Return what goes with the wished things, what is usual, extras in random order, and zones where the room is large."""
+        if self.wishes.reading.only:
+            return {}
+        for name, count in self.wished.items():
+            self._go_along(name, count)
+        extras = list(self.room.extras.items())
+        for name, most in [*self.room.base.items(), *(extras[i] for i in rng.permutation(len(extras)))]:
+            if not self._named(name) and name not in self.found:
+                self._add(name, most)
+        self._zones()
+        if "ceiling lamp" in self.found:
+            self.found["ceiling lamp"] = max(self.found["ceiling lamp"], round(self.floor / LIT))
+        return self.found
+
+    def _named(self, name: str) -> bool:
+        """Whether a thing was named, like it or not."""
+        last, wishes = name.split()[-1], self.wishes
+        return (
+            name in wishes.reading.unwanted
+            or last in self.lasts
+            or self.known.head(name) in self.asked | {*self.wished}
+        )
+
+    def _fits(self, group: Mapping[str, int], limit: float) -> bool:
+        taken = self.known.floor_area(_both(self.wished, self.found, group))
+        return self.known.floor_area(group) == 0 or taken <= limit * self.floor
+
+    def _go_along(self, name: str, count: int) -> None:
+        """Add what a wished thing is of no use without; benches and stools are seats of tables, too."""
+        there = {self.known.head(other) for other in self.wished}
+        there |= {"chair"} if _head(name) == "table" and SEATS & {*self.wished} else set()
+        for other, each in self.known.rooms.companions.get(name, {}).items():
+            if other not in self.wishes.reading.unwanted and _head(other) not in there | self.wishes.general:
+                self.found[other] = self.found.get(other, 0) + count * each
+
+    def _add(self, name: str, most: int) -> None:
+        """Add a thing with what it needs, as many times as there is room for."""
+        present = {self.known.head(other) for other in (*self.wished, *self.found)}
         needs = {
-            other: count * each
-            for other, each in known.rooms.companions.get(name, {}).items()
-            if _head(other) not in present and other not in room.base
+            other: each
+            for other, each in self.known.rooms.companions.get(name, {}).items()
+            if _head(other) not in present and other not in self.room.base
         }
-        group = {name: count, **needs}
-        limit = AIRY if wishes.reading.airy else BASIC if name in room.base else fill
-        if known.floor_area(group) == 0 or known.floor_area({**wished, **added, **group}) <= limit * floor:
-            added |= group
-    return added
+        limit = BASIC if name in self.room.base and self.fill > AIRY else self.fill
+        for count in range(most, 0, -1):
+            group = {other: count * each for other, each in {name: 1, **needs}.items()}
+            if self._fits(group, limit):
+                useless = self.known.useless(name, {**self.wished, **self.found, **group})
+                self.found |= {} if useless else group
+                return
+
+    def _zones(self) -> None:
+        """Add one group after the other to a large room."""
+        larger = _larger(self.wishes)
+        zones = [zone for zone in self.room.zones if not any(self._named(name) for name in zone)]
+        for turn in range(round(2 * larger) if zones and larger >= LARGER else 0):
+            zone = zones[turn % len(zones)]
+            self.found = _both(self.found, zone) if self._fits(zone, self.fill) else self.found
+
+
+def _both(*lists: Mapping[str, int]) -> dict[str, int]:
+    """Return what several lists hold together."""
+    total = Counter[str]()
+    for one in lists:
+        total.update(one)
+    return dict(total)
 
 
 def _height(wishes: Wishes, room: RoomType, things: Iterable[Category]) -> float:
@@ -293,7 +375,7 @@ def _assumed(wishes: Wishes, room: RoomType, size: tuple[float, float]) -> tuple
         body = f"{room.agent} was taken, as usual there" if room.agent else "a disc of 0.30 m radius was taken"
         found.append(f"No body was named: {body}.")
     if not wishes.reading.people and room.people:
-        found.append(f"No number of people was given: {room.people} was chosen.")
+        found.append(f"No number of people was given: {_usual_people(wishes)} was chosen.")
     return tuple(found)
 
 
@@ -315,11 +397,10 @@ def _scene(
     if rng.random() < 0.5:
         outline = [(width - x, y) for x, y in reversed(outline)]
     wide = 3.0 if found.agent in ("forklift",) else 0.95 if width * depth < 30 else 1.1
-    doors, windows = openings(outline, wide, wanted_openings(wishes.reading), rng)
+    doors, windows = openings(outline, wide, wanted_openings(wishes.reading), rng, found.height)
     style = wishes.reading.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
     floor = wishes.reading.floor or str(rng.choice(wishes.room.floors))
-    both = {**found.wished, **found.added}
-    things = {name: found.wished.get(name, 0) + found.added.get(name, 0) for name in both}
+    things = _both(found.wished, found.added)
     scene: dict[str, object] = {
         "dress": dressing(found.text),
         "task_description": found.text,

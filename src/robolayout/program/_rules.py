@@ -191,7 +191,7 @@ def suits(so_far: Accepted, relation: Relation) -> Answer:
         return f"{first.name} does not hang from the ceiling"
     if isinstance(relation, Under):
         return _suits_rug(so_far, relation)
-    if isinstance(relation, CenteredOn) and first and isinstance(relation.b, AssetRef):
+    if isinstance(relation, CenteredOn) and first and isinstance(relation.b, AssetRef) and relation.axis == "both":
         same_place = not first.on_wall and so_far.collide(first.name, relation.b.name)
         return f"{first.name} and {relation.b} would be in the same place" if same_place else None
     if isinstance(relation, MountedOn | CeilingAbove) and relation.a.name in so_far.parents:

@@ -100,7 +100,9 @@ class Chunker:
 
     def _next(self, at: int) -> Chunk:
         if at in self.measured:
-            return Chunk("measure", at, max(self.after[at], at + 1), measure=self.measured[at])
+            measure, end = self.measured[at], max(self.after[at], at + 1)
+            gap = measure.kind == "apart"
+            return Chunk("rel" if gap else "measure", at, end, "apart" if gap else "", measure=measure)
         if self.words[at] in MARKS:
             return Chunk(MARKS[self.words[at]], at, at + 1)
         return self._fixed(at) or self._noun_phrase(at) or self._single(at)
@@ -208,6 +210,7 @@ class Chunker:
                 or word in BREAKING
                 or word in REFUSING
                 or i in self.measured
+                or word[0].isdecimal()
             )
             counts = _count(word) is not None and word != "couple" and not self._seats(i)
             named = not run and self.lexicon.noun(self.words[i : i + 3]) is not None  # "first aid kit"
@@ -348,7 +351,13 @@ class Chunker:
         kind, value = self.grammar.phrases.get(word, ("", ""))
         if kind in ("verb", "pron"):
             return Chunk(kind, at, at + 1, value)
-        if word in self.grammar.fillers or word in DETERMINERS or _count(word) is not None or word in BREAKING:
+        if (
+            word in self.grammar.fillers
+            or word in DETERMINERS
+            or _count(word) is not None
+            or word in BREAKING
+            or word.endswith("ly")
+        ):
             return Chunk("each" if word == "each" else "filler", at, at + 1, word)
         return Chunk("other", at, at + 1, word)
 

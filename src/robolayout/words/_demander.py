@@ -9,67 +9,33 @@ from robolayout.constraints import RELATIONS, AssetRef, PointRef, Relation, Wall
 from robolayout.constraints.between import BetweenTwo
 from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Asset, Opening, Scene, Wall
+from robolayout.words._lexicon import grammar
 from robolayout.words._said import Link, Mention, Place, Thing
-from robolayout.words._walls import walls_meant
+from robolayout.words._walls import COMPASS, walls_meant
+from robolayout.words._ways import (
+    ACROSS,
+    AHEAD,
+    APART,
+    AT_DOOR,
+    AT_TABLE,
+    AT_WINDOW,
+    BACK,
+    BESIDE,
+    BY_TWOS,
+    DAYLIGHT,
+    ENDS,
+    FAR_SHARE,
+    IN_A_CHAIN,
+    LEAST_FAR,
+    LEAST_MIDDLE,
+    MIDDLE_SHARE,
+    NEAR,
+    OPEN_SHARE,
+    SEATS,
+    TO_ANOTHER,
+    Ways,
+)
 from robolayout.words.demands import Demand, Way
-
-BESIDE, NEAR, AT_TABLE, AT_WINDOW, AT_DOOR = 0.6, 1.2, 0.5, 0.6, 1.4
-"""Metres from edge to edge that "next to", "near", "at" a thing, "at the window" and "by the door" allow (0.9 m before it stay clear)."""
-
-AHEAD, BACK = 1.5, 1.2
-"""Metres from edge to edge that "in front of" and "behind" allow."""
-
-ACROSS = 12.0
-"""Metres that may lie between two things that are opposite to each other."""
-
-FAR_SHARE, MIDDLE_SHARE = 0.4, 0.2
-"""Shares of the room's longest and shortest side: least distance of "far from", most distance of "in the middle"."""
-
-OPEN_SHARE = 0.16
-"""Share of the room's shorter side that stays free to each side of its middle where that is to be open."""
-
-DAYLIGHT = 1.8
-"""Metres from a window within which a place has daylight: about one and a half times the height of its head over a table."""
-
-LEAST_FAR, LEAST_MIDDLE = 1.5, 0.5
-"""Metres: the same in small rooms."""
-
-SEATS = ("chair", "stool", "armchair", "sofa", "bench", "recliner", "seat")
-"""Last words of what one sits on."""
-
-
-_BY_RIGHT_ANGLE = ((("align_with", 90.0),), (("align_with", 270.0),))
-_PARALLEL = ((("align_with", 0.0),), (("align_with", 180.0),))
-Ways = tuple[tuple[tuple[str | float, ...], ...], ...]
-"""Ways, each of statements, each with its further arguments."""
-
-TO_ANOTHER: Mapping[str, Ways] = {
-    "next": ((("near", BESIDE),),),
-    "near": ((("near", NEAR),),),
-    "by": ((("near", AT_TABLE),),),
-    "left": ((("left_of", 0.0, NEAR),),),
-    "right": ((("right_of", 0.0, NEAR),),),
-    "front": ((("in_front_of", 0.0, AHEAD),),),
-    "foot": ((("in_front_of", 0.0, BESIDE),),),
-    "end": ((("in_front_of", 0.0, BESIDE),), (("next_to", "beside", BESIDE),)),
-    "aligned": _PARALLEL,
-    "square": _BY_RIGHT_ANGLE,
-}
-"""What a thing is asked to be to another one, or to a place of the room, by the word of the list."""
-
-IN_A_CHAIN: Mapping[str, Ways] = {
-    "abreast": ((("near", AT_TABLE),),),
-    "parallel": _PARALLEL,
-    "stacked": ((("on_top_of",),),),
-}
-"""What each of several is asked to be to the one before it."""
-
-BY_TWOS: Mapping[str, Ways] = {
-    "mutual": ((("facing_pair",),),),
-    "pairs": ((("near", AT_TABLE),),),
-    "backs": ((("behind", 0.0, AT_TABLE), ("align_with", 180.0)),),
-}
-"""What the second of every two is asked to be to the first."""
 
 
 class Demander:
@@ -91,6 +57,10 @@ class Demander:
             subjects = [asset.name for asset in self.scene.assets if asset.on_floor and not asset.is_flat]
         if not subjects:
             return ()
+        if link.relation == "apart":
+            return tuple(self._apart(subjects, link.objects, link.metres))
+        if link.relation in ENDS and any(isinstance(item, Place) and item.name == "room" for item in link.objects):
+            return tuple(self._at_place(subjects, Place("side", (ENDS[link.relation],))))
         if link.relation in TO_ANOTHER:
             return tuple(self._to_another(TO_ANOTHER[link.relation], subjects, link.objects))
         if link.relation in IN_A_CHAIN:
@@ -173,6 +143,19 @@ class Demander:
                 yield _one(_say("distance_constraint", AssetRef(a), point, least))
         for a, b in self._matched(subjects, objects):
             yield _one(_say("distance_constraint", AssetRef(a), AssetRef(b), least))
+
+    def _apart(self, subjects: Sequence[str], objects: Sequence[Mention | Place], metres: float) -> Iterator[Demand]:
+        """So many metres between the edges of two things, or of a thing and a wall, whichever of their sides these are."""
+        place = self._place(objects)
+        twos = list(self._matched(subjects, objects)) if objects else list(pairwise(subjects))
+        for a, b in twos:
+            sides = [self._asset(name).size[:2] for name in (a, b)]
+            low, high = (metres + sum(pick(side) for side in sides) / 2 for pick in (min, max))
+            yield _one(_say("distance_constraint", AssetRef(a), AssetRef(b), low, high + APART))
+        for a in subjects if place is not None and place.name == "wall" else ():
+            low, high = (metres + side / 2 for side in sorted(self._asset(a).size[:2]))
+            walls = [WallRef(wall.index) for wall in self._walls(place)] if place else []
+            yield Demand(tuple((_say("distance_constraint", AssetRef(a), w, low, high + APART),) for w in walls))
 
     def _flank(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Left and right of a thing, in turn; of a door or window: close to it."""
@@ -374,7 +357,7 @@ class Demander:
             )
             yield from ((_say(hangs, ref, WallRef(w.index)),) for w in self._walls(place) if self._fits(a, w))
         elif place.name == "corner":
-            yield from ((_say("corner", ref, vertex),) for vertex in convex_corners(self.room))
+            yield from ((_say("corner", ref, vertex),) for vertex in self._corners(place))
         elif place.name in ("window", "door"):
             gap = AT_WINDOW if place.name == "window" else AT_DOOR
             yield from ((_say("near", ref, point, gap),) for point in self._points(place))
@@ -385,6 +368,19 @@ class Demander:
             yield (_say("distance_constraint", ref, PointRef(x, y), None, round(most, 2)),)
         elif place.name == "side" and place.words:
             yield from ((_say("zone", ref, half),) for half in self._halves(place))
+
+    def _corners(self, place: Place) -> list[int]:
+        """Return the corners that the words mean, all where nothing tells them apart."""
+        x, y = _centre(self.scene)
+        normals = [COMPASS[wall] for word in place.words if (wall := grammar().walls.get(word, "")) in COMPASS]
+        found = list(convex_corners(self.room))
+        meant = [
+            i
+            for i in found
+            for vx, vy in [self.room.vertices[i]]
+            if all((vx - x) * nx + (vy - y) * ny < 0 for nx, ny in normals)
+        ]
+        return meant or found
 
     def _halves(self, place: Place) -> Iterator[tuple[PointRef, ...]]:
         """Yield the half of the room that the words name, as seen on the plan."""

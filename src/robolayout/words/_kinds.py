@@ -18,7 +18,8 @@ def settle_kinds(parsed: Parsed) -> None:
         for mention in link.subjects:
             noun = mention.thing.noun
             standing = place == "wall" and CATALOGUE[noun.kind].on_floor and noun.said not in ("lamp", "light")
-            hung = f"wall {noun.kind.split()[-1]}"
+            hung = f"wall {noun.kind.split()[-1].replace('bookshelf', 'shelf')}"
+            standing = standing and (link.relation != "above" or not hung.endswith("shelf"))
             if place == "wall" and link.relation == "above" and not standing and hung in CATALOGUE and not noun.others:
                 mention.thing.noun = replace(noun, words=hung, kind=hung)
                 continue

@@ -34,6 +34,7 @@ class Grammar:
         parts: Names of places of the room by noun.
         walls: Names of walls by adjective.
         sizes: Factors on depth, width and height by adjective.
+        rooms: Factors on the floor of a room by adjective.
         models: Sizes in metres by adjective and kind ("king bed").
         kinds: Nearest kinds of nouns that the catalogue does not have.
         heads: Nearest kinds by last word.
@@ -52,6 +53,7 @@ class Grammar:
     parts: Mapping[str, str]
     walls: Mapping[str, str]
     sizes: Mapping[str, tuple[float, float, float]]
+    rooms: Mapping[str, float]
     models: Mapping[str, tuple[float, float, float]]
     kinds: Mapping[str, str]
     heads: Mapping[str, str]
@@ -67,7 +69,7 @@ class Grammar:
 def grammar() -> Grammar:
     """Read the word lists."""
     data = tomllib.loads((files("robolayout.words") / "grammar.toml").read_text("utf-8"))
-    phrases = {word: ("verb", "") for word in data["verbs"]["words"]}
+    phrases = {word: ("verb", word) for word in data["verbs"]["words"]}
     phrases |= {word: ("pron", word) for word in data["pronouns"]["words"]}
     phrases |= {phrase: ("rel", name) for name, given in data["relations"].items() for phrase in given}
     return Grammar(
@@ -78,6 +80,7 @@ def grammar() -> Grammar:
         {word: name for name, words in data["parts"].items() for word in words},
         {word: name for name, words in data["wall_words"].items() for word in words},
         {word: (d, w, h) for word, (d, w, h) in data["sizes"].items()},
+        data["rooms"],
         {word: (d, w, h) for word, (d, w, h) in data["models"].items()},
         data["kinds"],
         data["heads"],

@@ -18,6 +18,7 @@ KIN = {
     "couch": "sofa",
     "settee": "sofa",
     "recliner": "armchair",
+    "chandelier": "lamp",
 }
 """Things that stand for another that they are not named after."""
 

@@ -24,6 +24,10 @@ SAID_OF = {"stacked": "stacked", "piled": "stacked", "diagonal": "diagonal", "an
 """Relations that stand before a noun."""
 
 
+ALONE_DOES = frozenset(["is", "stands", "sits", "hangs", "lies", "rests", "goes", "belongs"])
+"""Verbs of one thing."""
+
+
 class Parser(Relating):
     """Reads chunks from left to right."""
 
@@ -54,7 +58,7 @@ class Parser(Relating):
     def _on_comma(self, chunk: Chunk) -> None:
         self.refusing = False
         self.verb = self.relative = False
-        self.broken = True
+        self.broken = self.listed = True
         self.having = self.having and not self.acted
 
     def _on_and(self, chunk: Chunk) -> None:
@@ -88,39 +92,6 @@ class Parser(Relating):
             self._each_has(holder)
         elif self.group and self.holder and self.group[-1].thing is not self.holder[0].thing:
             self.group[-1].thing.times = self.holder[0].thing.count
-
-    def _each_has(self, holder: list[Mention]) -> None:
-        """Read what each of some things has, up to the end of the clause."""
-        if not holder:
-            return
-        first = len(self.said.things)
-        while self.at < len(self.chunks) and self.chunks[self.at].kind in ("thing", "and", "comma", "filler", "style"):
-            chunk = self.chunks[self.at]
-            following = self.chunks[self.at + 1 : self.at + 2]
-            if chunk.kind == "comma" and first < len(self.said.things) and not self._list_goes_on():
-                break
-            if chunk.kind == "and" and following and following[0].kind != "thing":
-                break
-            self.at += 1
-            if chunk.kind == "thing":
-                mention = self._mention(chunk)
-                if mention.thing in self.said.things[first:]:
-                    mention.thing.times = holder[0].thing.count
-                    self.group = [mention]
-                    self.said.links.append(Link("with", (mention,), tuple(holder), chunk.start, chunk.end))
-
-    def _list_goes_on(self) -> bool:
-        """Return whether from a comma here a plain list goes on to the end of the sentence: ", a keyboard and a chair." """
-        index = self.at + 1
-        while index + 1 < len(self.chunks) and self.chunks[index].kind == "thing":
-            joins = self.chunks[index + 1].kind
-            if joins == "and":
-                ends = self.chunks[index + 3].kind if index + 3 < len(self.chunks) else "stop"
-                return self.chunks[index + 2].kind == "thing" and ends == "stop"
-            if joins != "comma":
-                return False
-            index += 2
-        return False
 
     def _on_pron(self, chunk: Chunk) -> None:
         if chunk.value in ("that", "which"):
@@ -165,12 +136,20 @@ class Parser(Relating):
         joined = self._joined()
         if self.having and self.holder and self._put_on(mention, self.holder[0], joined=joined):
             self.said.links.append(Link("with", (mention,), tuple(self.holder), chunk.start, chunk.end))
+        joined = joined and not self._alone(mention)
         together = joined and self.subject == self.group
         self.group = [*self.group, mention] if joined else [mention]
         if not self.subject or together or (not joined and not self.verb and not self.holder):
             self.subject = self.group
         self.acted = []
         self.verb = self.relative = self.broken = False
+
+    def _alone(self, mention: Mention) -> bool:
+        """Return whether a new clause begins with a thing: "..., and a rack stands at the wall"."""
+        following = self.chunks[self.at].value if self.at < len(self.chunks) else ""
+        alone = following in ALONE_DOES and mention.thing.count == 1
+        self.subject, self.acted = ([], []) if alone else (self.subject, self.acted)
+        return alone
 
     def _put_on(self, mention: Mention, holder: Mention, *, joined: bool) -> bool:
         """Return whether a thing that another one has stands on it: what can stand nowhere else, or what a table has first."""

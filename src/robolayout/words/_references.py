@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from robolayout.words._chunks import Chunk
 from robolayout.words._said import Mention, Parsed, Place, Thing, place_of, same, same_words
@@ -34,7 +35,7 @@ class References:
         self.refusing = False
         self.verb = False
         self.relative = False
-        self.broken = self.having = False
+        self.broken = self.having = self.listed = False
         self.recent: list[Mention] = []
         self.targets: list[Mention] = []
         self.target: Mention | None = None
@@ -62,6 +63,8 @@ class References:
             meant = self._meant(following.value)
             if len(meant) > 1:
                 self.pending = meant[1:]
+            if following.value.startswith("each") and meant:
+                return replace(meant[0], det="each")
             return meant[0] if meant else None
         return None
 
@@ -111,6 +114,9 @@ class References:
             if len(earlier) == 1:  # "a sofa facing the TV and a table between them"
                 earlier += [m for m in self.targets[-1:] if m.thing not in own | {earlier[0].thing}]
             return earlier[-2:] or self.before
+        if word == "it" and earlier:
+            single = [m for m in earlier if m.thing.count == 1] or [m for m in self.targets if m.thing.count == 1]
+            earlier = single or earlier
         return earlier[-1:] or self.before[:1] or self.group[:1]
 
     def _mention(self, chunk: Chunk, *, target: bool = False) -> Mention:

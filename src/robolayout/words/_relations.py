@@ -16,9 +16,7 @@ REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on"}
 AIDS = {"wheelchair": "wheelchair", "walker": "elder_walker"}
 """Bodies by what they use; what a room is to contain is a thing."""
 
-_ALONE = (
-    "next row rows pairs backs stacked diagonal lit parallel mutual abreast middle flank left right front near under"
-)
+_ALONE = "next apart row rows pairs backs stacked diagonal lit parallel mutual abreast middle flank left right front near under"
 ALONE = frozenset(_ALONE.split())
 """Relations that may stand without an object."""
 
@@ -46,8 +44,43 @@ class Relating(References):
         elif self.group:
             self.holder = [self.group[-1]]
         self.having = True
-        self.verb = False
+        self.verb = self.listed = False
         self.broken = True
+        if self.holder and self.holder[0].det == "each" and self.holder[0].thing.count > 1:
+            self._each_has(self.holder)
+
+    def _each_has(self, holder: list[Mention]) -> None:
+        """Read what each of some things has, up to the end of the clause."""
+        if not holder:
+            return
+        first = len(self.said.things)
+        while self.at < len(self.chunks) and self.chunks[self.at].kind in ("thing", "and", "comma", "filler", "style"):
+            chunk = self.chunks[self.at]
+            following = self.chunks[self.at + 1 : self.at + 2]
+            if chunk.kind == "comma" and first < len(self.said.things) and not self._list_goes_on():
+                break
+            if chunk.kind == "and" and following and following[0].kind != "thing":
+                break
+            self.at += 1
+            if chunk.kind == "thing":
+                mention = self._mention(chunk)
+                if mention.thing in self.said.things[first:]:
+                    mention.thing.times = holder[0].thing.count
+                    self.group = [mention]
+                    self.said.links.append(Link("with", (mention,), tuple(holder), chunk.start, chunk.end))
+
+    def _list_goes_on(self) -> bool:
+        """Return whether from a comma here a plain list goes on to the end of the sentence: ", a keyboard and a chair." """
+        index = self.at + 1
+        while index + 1 < len(self.chunks) and self.chunks[index].kind == "thing":
+            joins = self.chunks[index + 1].kind
+            if joins == "and":
+                ends = self.chunks[index + 3].kind if index + 3 < len(self.chunks) else "stop"
+                return self.chunks[index + 2].kind == "thing" and ends == "stop"
+            if joins != "comma":
+                return False
+            index += 2
+        return False
 
     def _of_the_room(self, chunk: Chunk) -> bool:
         """Note what is asked of the room itself: an open middle, a way to something, daylight at it."""
@@ -76,7 +109,7 @@ class Relating(References):
             chunk = replace(chunk, value="middle")
         if self._of_the_room(chunk) or (chunk.value == "in" and self._in_an_aid()):
             return
-        if self._of_people():
+        if self._of_people() or self._of_what_is_unknown():
             self._objects(chunk)
             self.said.missed.append(chunk)
             return
@@ -93,7 +126,8 @@ class Relating(References):
         sides = place.name == "side" if place else chunk.value == "flank" and not objects and not self.holder
         if sides and self._at_sides(chunk, subjects):
             return
-        if (place or chunk.value == "middle") and self.having and self.holder and subjects == self.group[-1:]:
+        held = self.having and self.holder and not self.listed
+        if (place or chunk.value == "middle") and held and subjects == self.group[-1:]:
             subjects = self.holder  # "a table with a vase near the door"
         for item in objects if every and subjects else ():
             if isinstance(item, Mention) and item.det == "a" and item.thing.times == 1:
@@ -102,6 +136,8 @@ class Relating(References):
 
     def _relate(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Mention | Place], first: int) -> None:
         """Note what a relation says; what leads on from a colon says no more than which room it is."""
+        if chunk.value == "amid" and not objects:
+            objects = self._meant("them")
         colon = self.at < len(self.chunks) and self.chunks[self.at].kind == "colon"
         if not objects and chunk.value not in ALONE:
             self.said.missed += [] if chunk.value in ("in", "by") else [chunk]
@@ -149,6 +185,16 @@ class Relating(References):
         who, does = clause[0], clause[1].kind in ("verb", "other")
         unknown = who.kind == "other" and who.value.endswith("s") and not who.value.endswith("ss")
         return does and (unknown or who.kind in ("function", "people", "body"))
+
+    def _of_what_is_unknown(self) -> bool:
+        """Return whether a relation is about words that say nothing: "..., and sound panels on the wall"."""
+        before = self.chunks[: self.at - 1]
+        while before and before[-1].kind == "style":
+            before = before[:-1]
+        unknown = 0
+        while before and before[-1].kind == "other":
+            before, unknown = before[:-1], unknown + 1
+        return unknown > 0 and bool(before) and before[-1].kind in ("and", "comma", "with")
 
     def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention]) -> bool:
         """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""
@@ -282,7 +328,7 @@ class Relating(References):
         """Note a relation; what stands at each of several things is as many times there."""
         for item in objects:
             for mention in subjects if item.det == "each" else ():
-                count = item.thing.count if isinstance(item, Mention) else {"corner": 4}.get(item.name, 1)
+                count = item.thing.count if isinstance(item, Mention) else {"corner": 4, "wall": 4}.get(item.name, 1)
                 owned = isinstance(item, Mention) and item.thing is mention.thing
                 if mention.thing.times == 1 and not owned and not self._given(mention):
                     mention.thing.times = count * (2 if chunk.value == "flank" and mention.thing.number == 1 else 1)
@@ -301,4 +347,5 @@ class Relating(References):
         ):  # "a bed with a lamp on either side": the lamps are not on the bed
             own = {mention.thing for mention in subjects}
             self.said.links[:] = [k for k in self.said.links if k.relation != "with" or k.subjects[0].thing not in own]
-        self.said.links.append(Link(chunk.value, tuple(subjects), tuple(objects), chunk.start, chunk.end))
+        gap = chunk.measure.values[0] if chunk.measure else 0.0
+        self.said.links.append(Link(chunk.value, tuple(subjects), tuple(objects), chunk.start, chunk.end, gap))

@@ -101,6 +101,7 @@ class Link:
         objects: What it stands to.
         start: First token.
         end: Token after the last one.
+        metres: What lies between, where that is said.
     """
 
     relation: str
@@ -108,6 +109,7 @@ class Link:
     objects: tuple[Mention | Place, ...]
     start: int
     end: int
+    metres: float = 0.0
 
 
 @dataclass(eq=False)

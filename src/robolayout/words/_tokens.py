@@ -41,6 +41,7 @@ _AREA = re.compile(
     re.IGNORECASE,
 )
 _HEIGHT = re.compile(rf"{_N}{_U}\s*(?:high|tall|ceilings?)\b|ceilings?\s*(?:of|at)?\s*{_N}{_U}", re.IGNORECASE)
+_APART = re.compile(rf"{_N}{_U}\s*(?:apart|(?:away )?from)\b", re.IGNORECASE)
 _TOKEN = re.compile(r"[a-z]+-in\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*|[.;!?:\n]|,|[()]")
 
 
@@ -49,7 +50,7 @@ class Measure:
     """A measure of the room.
 
     Attributes:
-        kind: "size", "area", "height", or "grid" of things.
+        kind: "size", "area", "height", "grid" of things, or "apart": what lies between two.
         values: Metres, square metres, or rows and columns.
         start: First character.
         end: Character after the last one.
@@ -91,7 +92,7 @@ def measures(text: str) -> list[Measure]:
         SceneError: A room of that size cannot be furnished.
     """
     found: list[Measure] = []
-    for read in (_grids, _sizes, _areas, _heights):
+    for read in (_grids, _sizes, _areas, _heights, _gaps):
         for measure in read(text):
             if not any(measure.start < other.end and other.start < measure.end for other in found):
                 found.append(measure)
@@ -106,6 +107,8 @@ def _grids(text: str) -> Iterator[Measure]:
 def _sizes(text: str) -> Iterator[Measure]:
     for match in (*_SIZE.finditer(text), *_SIDES.finditer(text)):
         a, unit_a, b, unit_b = match.groups()
+        if not (unit_a or unit_b or a[0].isdecimal()):
+            continue  # "two by two" says how things stand
         size = (round(metres(a, unit_a, unit_b), 2), round(metres(b, unit_b, unit_a), 2))
         if min(size) < 1.0 or max(size) > 100.0:
             raise SceneError(
@@ -126,10 +129,19 @@ def _areas(text: str) -> Iterator[Measure]:
 def _heights(text: str) -> Iterator[Measure]:
     for match in _HEIGHT.finditer(text):
         number, unit = (match.group(1), match.group(2)) if match.group(1) else (match.group(3), match.group(4))
+        if not unit and match.group(1):
+            continue  # "two high tables"
         height = round(metres(number, unit), 2)
         if not 1.8 <= height <= 20.0:
             raise SceneError(f"a ceiling at {height:g} m (from {match.group().strip()!r}) is outside 1.8 to 20 m.")
         yield Measure("height", (height,), match.start(), match.end())
+
+
+def _gaps(text: str) -> Iterator[Measure]:
+    for match in _APART.finditer(text):
+        if match.group(2):
+            gap = round(metres(match.group(1), match.group(2)), 2)
+            yield Measure("apart", (gap,), match.start(), match.end())
 
 
 def metres(number: str, unit: str | None, fallback: str | None = None) -> float:

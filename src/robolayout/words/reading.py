@@ -118,6 +118,12 @@ class Reading:
         return said or any("l" in words and {"shaped", "shape"} & set(words) for words in rooms)
 
     @property
+    def scale(self) -> float:
+        """By how much the floor is larger or smaller than usual, as far as words say it."""
+        said = [word for chunk in self.parsed.facts if chunk.kind == "room" for word in chunk.adjectives]
+        return next((grammar().rooms[word] for word in said if word in grammar().rooms), 1.0)
+
+    @property
     def square(self) -> bool:
         """Whether a square room is asked for."""
         return any("square" in chunk.adjectives for chunk in self.parsed.facts if chunk.kind == "room")

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources import files
 
-LISTS = ("words", "size", "floors")
+LISTS = ("words", "size", "floors", "zones")
 """Fields of a room type that are lists in the file."""
 
 
@@ -23,6 +23,7 @@ class RoomType:
         base: What always belongs in, with counts.
         extras: What may be added.
         person: What each person brings along.
+        zones: What a large room has besides, one group after the other.
         people: How many people there are if nobody says.
         couple: Whether two adults need nothing besides what always belongs in.
         tables: The table that the chairs of this room stand at, if they need one.
@@ -37,6 +38,7 @@ class RoomType:
     base: Mapping[str, int]
     extras: Mapping[str, int]
     person: Mapping[str, int] = field(default_factory=dict[str, int])
+    zones: tuple[Mapping[str, int], ...] = ()
     people: int = 0
     couple: bool = False
     tables: str = ""

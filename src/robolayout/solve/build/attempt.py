@@ -363,7 +363,8 @@ class Attempt:
             batch = replace(batch, poses=batch.poses[free], walls=batch.walls[free])
             cost = self.site.base_cost(batch.cluster, batch.poses, clash[free]) / len(clusters)
             last = last_cell(self.site, plan, batch)
-            cost += 0.5 * (taste(self.site, batch, weights) + taste(self.site, last, weights))
+            middle = replace(batch, poses=(batch.poses + last.poses) / 2)
+            cost += sum(taste(self.site, one, weights) for one in (batch, middle, last)) / 3
             cost += self.site.missed(batch.cluster, batch.poses)
             cost += TIGHT * plan.tight + RAGGED * (plan.rows * plan.columns - len(plan.names))
             cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5

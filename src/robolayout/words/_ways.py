@@ -1,0 +1,69 @@
+"""What relations in words allow: metres, shares of the room, and the statements that meet them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+BESIDE, NEAR, AT_TABLE, AT_WINDOW, AT_DOOR = 0.6, 1.2, 0.5, 0.6, 1.4
+"""Metres from edge to edge that "next to", "near", "at" a thing, "at the window" and "by the door" allow (0.9 m before it stay clear)."""
+
+AHEAD, BACK = 1.5, 1.2
+"""Metres from edge to edge that "in front of" and "behind" allow."""
+
+ACROSS = 12.0
+"""Metres that may lie between two things that are opposite to each other."""
+
+FAR_SHARE, MIDDLE_SHARE = 0.4, 0.2
+"""Shares of the room's longest and shortest side: least distance of "far from", most distance of "in the middle"."""
+
+OPEN_SHARE = 0.16
+"""Share of the room's shorter side that stays free to each side of its middle where that is to be open."""
+
+DAYLIGHT = 1.8
+"""Metres from a window within which a place has daylight: about one and a half times the height of its head over a table."""
+
+LEAST_FAR, LEAST_MIDDLE = 1.5, 0.5
+"""Metres: the same in small rooms."""
+
+SEATS = ("chair", "stool", "armchair", "sofa", "bench", "recliner", "seat")
+"""Last words of what one sits on."""
+
+
+_BY_RIGHT_ANGLE = ((("align_with", 90.0),), (("align_with", 270.0),))
+_PARALLEL = ((("align_with", 0.0),), (("align_with", 180.0),))
+Ways = tuple[tuple[tuple[str | float, ...], ...], ...]
+"""Ways, each of statements, each with its further arguments."""
+
+TO_ANOTHER: Mapping[str, Ways] = {
+    "next": ((("near", BESIDE),),),
+    "near": ((("near", NEAR),),),
+    "by": ((("near", AT_TABLE),),),
+    "left": ((("left_of", 0.0, NEAR),),),
+    "right": ((("right_of", 0.0, NEAR),),),
+    "front": ((("in_front_of", 0.0, AHEAD),),),
+    "foot": ((("in_front_of", 0.0, BESIDE),),),
+    "end": ((("in_front_of", 0.0, BESIDE),), (("next_to", "beside", BESIDE),)),
+    "aligned": _PARALLEL,
+    "square": _BY_RIGHT_ANGLE,
+}
+"""What a thing is asked to be to another one, or to a place of the room, by the word of the list."""
+
+IN_A_CHAIN: Mapping[str, Ways] = {
+    "abreast": ((("near", AT_TABLE),),),
+    "parallel": _PARALLEL,
+    "stacked": ((("on_top_of",),),),
+}
+"""What each of several is asked to be to the one before it."""
+
+ENDS = {"front": "front", "behind": "back"}
+"""Halves of the room by relation to it: "at the back of the room"."""
+
+APART = 0.3
+"""Metres by which what lies between two things may differ from what is said."""
+
+BY_TWOS: Mapping[str, Ways] = {
+    "mutual": ((("facing_pair",),),),
+    "pairs": ((("near", AT_TABLE),),),
+    "backs": ((("behind", 0.0, AT_TABLE), ("align_with", 180.0)),),
+}
+"""What the second of every two is asked to be to the first."""
