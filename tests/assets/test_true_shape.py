@@ -78,6 +78,9 @@ def test_a_shelf_is_meant_by_name_or_number() -> None:
     shelf = resting_place(stand, box, named_surfaces(stand, "shelf 1"))
     assert shelf is resting_place(stand, box, named_surfaces(stand, "1"))
     assert shelf.covered and shelf.height < 0.2 and inner_surfaces(stand) == (shelf,)
+    drawer = resting_place(stand, box, named_surfaces(stand, "drawer 1"))
+    assert drawer.covered and shelf.height + shelf.free < drawer.height < drawer.height + drawer.free < stand.size[2]
+    assert {s.name for s in inner_surfaces(thing("dresser"))} == {f"drawer {n}" for n in range(1, 9)}
 
 
 def test_a_round_top_is_an_octagon_and_the_arm_of_a_sofa_leaves_its_notch_free() -> None:

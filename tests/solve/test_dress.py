@@ -49,7 +49,7 @@ def test_names_of_the_rules_are_in_the_catalogue() -> None:
     data = tomllib.loads((DATA / "dressing.toml").read_text("utf-8"))
     for rule in data["rule"]:
         assert set(rule["on"]) <= set(CATALOGUE), rule
-        assert rule["where"] in ("any", "top", "seat", "shelf")
+        assert rule["where"] in ("any", "top", "seat", "shelf", "drawer", "hook")
         for part in (rule, *rule.get("also", ())):
             assert set(part.get("things", ())) <= set(CATALOGUE), rule
             assert ("set" in part and part["set"] in data["sets"]) == (part["put"] == "places")
@@ -73,6 +73,30 @@ def test_it_stays_where_it_lies_for_five_seconds() -> None:
     assert settle(found.scene, found.layout).violations == ()
 
 
+def hall() -> tuple[Scene, Layout]:
+    hooks = Asset("wall_hooks-0", "wall hooks", CATALOGUE["wall hooks"].size, on_floor=False, on_wall=True)
+    return furnished(
+        (hooks, Pose(1.5, 3.96, 1.7, math.radians(270))),
+        on_floor("coat rack", 3.0, 2.0, 30),
+        on_floor("hall tree", 0.2, 2.0, 0),
+        on_floor("dresser", 4.75, 2.0, 180),
+        name="hall",
+    )
+
+
+def test_coats_hang_from_hooks_and_clothes_lie_in_drawers_and_stay_there() -> None:
+    found = dress(*hall())
+    kinds = Counter(found.scene.by_name[name].category for name in found.names)
+    assert kinds["hanging coat"] >= 3 and kinds["clothes"] >= 3
+    assert physics(found.scene, found.layout).failing == ()
+    assert settle(found.scene, found.layout).violations == ()
+    name = next(name for name in found.names if name.startswith("hanging_coat"))
+    for moved in (0.03, -0.05):
+        pose = found.layout[name]
+        off = Layout({**found.layout, name: replace(pose, z=pose.z + moved)})
+        assert name in physics(found.scene, off).failing, "beside its hook it falls"
+
+
 def test_a_set_table_has_a_plate_before_every_seat() -> None:
     found = dress(*living_room())
     table = found.layout["dining_table-0"]
@@ -90,9 +114,9 @@ def test_books_stand_in_shelves_that_were_cleared_for_them() -> None:
     shelf = found.scene.by_name["bookshelf-0"]
     assert "books" in shelf.without
     levels = [surface.height for surface in surfaces_of(shelf) if surface.covered]
-    rows = [name for name in found.names if name.startswith("book_row")]
-    assert len(rows) > 5
-    for name in rows:
+    books = [name for name in found.names if name.startswith("upright_book")]
+    assert len(books) > 20 and len({found.scene.by_name[name].size for name in books}) > 20
+    for name in books:
         bottom = found.layout[name].z - found.scene.by_name[name].size[2] / 2
         assert min(abs(bottom - level) for level in levels) < 0.002
 

@@ -20,7 +20,7 @@ HEADS = ("group", "role")
 NEEDED = ("size", "place", "use_sides", "synonyms")
 FURTHER: Mapping[str, tuple[type, ...]] = {
     "open_depth": (float, int), "movable": (bool,), "mass": (float, int), "friction": (float, int), "role": (str,),
-    "source": (str,), "parts": (str,), "joints": (str,),
+    "source": (str,), "parts": (str,), "joints": (str,), "hangs": (float,),
 }  # fmt: skip
 """What else a record may say, and the kinds of value."""
 
@@ -49,6 +49,7 @@ class Category:
         parts: What it is made of, one row a part (docs/assets.md), or the name of the category that is drawn alike; empty
             where a function draws it.
         joints: What of it moves, one row a joint (docs/assets.md); empty where doors and drawers move as usual.
+        hangs: Metres from its top down to the hook that its middle hangs from; 0 where it stands.
     """
 
     name: str
@@ -69,6 +70,7 @@ class Category:
     role: str = ""
     parts: str = ""
     joints: str = ""
+    hangs: float = 0.0
 
     @property
     def places(self) -> tuple[str, ...]:

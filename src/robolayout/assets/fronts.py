@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
 
 from robolayout.assets.part import Material, Part
 from robolayout.assets.shapes import Range, box, cylinder
 
+Box = NDArray[np.float64]
 Face = tuple[Range, Range]
 """Where fronts lie: ends along y and z."""
 
@@ -16,6 +22,14 @@ DOOR = 0.018
 """Thickness of a front in metres."""
 KNOB = 0.022
 """How far handles stand out, metres."""
+TRAY = "drawer floor"
+"""Name of the part on which lies what is in a drawer."""
+BOARD, THIN, EASE = 0.016, 0.008, 0.002
+"""Metres: thickness of boards between drawers, of the boards that drawers are made of, and how loosely these run."""
+RAISED = 0.75
+"""Share of its height to which a drawer's sides and back reach."""
+SHALLOW, BEHIND = 0.06, 0.05
+"""Metres: no drawer is lower, and what stands so far behind a front is its body."""
 
 
 def spread(span: Range, count: int, gap: float = GAP) -> list[Range]:
@@ -48,3 +62,63 @@ def drawers(
             else:
                 handle = ((middle - half, middle + half), (level - 0.006, level + 0.006))
                 yield box("handle", metal, (front_x, ahead), *handle)
+
+
+def hollowed(made: Sequence[Part]) -> tuple[Part, ...]:
+    """Return the parts of a thing whose drawers have insides: the plain box behind each is cut out, and a tray moves in it.
+
+    Where what lies behind a front is no plain box, or something else stands there, the drawer stays a front.
+
+    Args:
+        made: All parts, with their joints.
+    """
+    out = list(made)
+    for front in (part for part in made if part.name == "drawer" and part.joint and part.joint.axis == (1.0, 0.0, 0.0)):
+        low, high = ends(front)
+        behind = [part for part in made if part.joint is None and _meets(part, low - (BEHIND, 0.0, 0.0), high)]
+        back = min((part.vertices[:, 0].min() for part in behind), default=low[0]) + BOARD
+        hole = np.array([(back, *(low[1:] + BOARD / 2)), (low[0], *(high[1:] - BOARD / 2))])
+        bodies = [part for part in out if _meets(part, *hole)]
+        if bodies and (hole[1] - hole[0]).min() > SHALLOW and all(_is_block(part) for part in (*behind, *bodies)):
+            out = [piece for part in out for piece in (_cut(part, hole) if part in bodies else (part,))]
+            out += [replace(part, joint=front.joint) for part in _tray(front.material, hole)]
+    return tuple(out)
+
+
+def ends(part: Part) -> Box:
+    """Return the low and the high corner (2, 3) of a part."""
+    return np.stack([part.vertices.min(axis=0), part.vertices.max(axis=0)])
+
+
+def _meets(part: Part, low: Box, high: Box) -> bool:
+    """Return whether a part's box shares room with another one."""
+    own = ends(part)
+    return bool((np.minimum(own[1], high) - np.maximum(own[0], low) > 1e-6).all())
+
+
+def _is_block(part: Part) -> bool:
+    """Return whether a part that stays where it is fills its box."""
+    low, high = ends(part)
+    at_ends = np.isclose(part.vertices, low, atol=1e-6) | np.isclose(part.vertices, high, atol=1e-6)
+    return part.joint is None and len(part.vertices) == 8 and bool(at_ends.all())
+
+
+def _cut(part: Part, hole: Box) -> Iterator[Part]:
+    """Yield the blocks that are left of one where a hole is cut into it."""
+    rest = ends(part)
+    for axis, end in product(range(3), (0, 1)):
+        piece = rest.copy()
+        piece[1 - end, axis] = hole[end, axis]
+        if piece[1, axis] - piece[0, axis] > 1e-6:
+            rest[end, axis] = hole[end, axis]
+            yield box(part.name, part.material, *piece.T.tolist())
+
+
+def _tray(material: Material, hole: Box) -> Iterator[Part]:
+    """Yield floor, back and sides of the drawer in a hole, whose front is there already."""
+    (x0, y0, z0), (x1, y1, z1) = (hole + np.array([[EASE, EASE, EASE], [0.0, -EASE, -EASE]])).tolist()
+    top = z0 + RAISED * (z1 - z0)
+    yield box(TRAY, material, (x0, x1), (y0, y1), (z0, z0 + THIN))
+    yield box("drawer back", material, (x0, x0 + THIN), (y0, y1), (z0 + THIN, top))
+    for side in ((y0, y0 + THIN), (y1 - THIN, y1)):
+        yield box("drawer side", material, (x0 + THIN, x1), side, (z0 + THIN, top))

@@ -10,8 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._errors import AssetError
-from robolayout.assets.category import DATA
+from robolayout.assets.category import CATALOGUE, DATA
+from robolayout.assets.lexicon import category_of
 from robolayout.assets.part import Part
+from robolayout.assets.prisms import SMALL
 from robolayout.scene import Asset
 
 LOW = (0.2, 0.06)
@@ -20,9 +22,22 @@ LOW = (0.2, 0.06)
 
 @lru_cache(maxsize=2048)
 def centre_of_mass(asset: Asset) -> tuple[float, float, float]:
-    """Return the centre of mass of a thing in its own frame, metres; the middle of its box where it cannot be drawn."""
+    """Return the centre of mass of a thing in its own frame, metres; the middle of its box where it cannot be drawn.
+
+    That of a small thing is that of its kind, scaled.
+    """
     from robolayout.assets.meshes import parts
 
+    kind = category_of(asset)
+    if (
+        max(asset.size) < SMALL
+        and asset.size != kind.size
+        and kind.name in CATALOGUE
+        and not (asset.path or asset.parts)
+    ):
+        usual = centre_of_mass(Asset(kind.name, kind.name, kind.size))
+        x, y, z = (c * a / b for c, a, b in zip(usual, asset.size, kind.size, strict=True))
+        return (x, y, z)
     try:
         made = parts(asset)
     except AssetError:

@@ -8,6 +8,7 @@ from itertools import accumulate, chain, pairwise
 import numpy as np
 
 from robolayout.assets.category import CATALOGUE, Category
+from robolayout.assets.fronts import hollowed
 from robolayout.assets.furniture import BUILDERS, Builder
 from robolayout.assets.joints import Rule, jointed, read_joints
 from robolayout.assets.lexicon import category_of
@@ -17,11 +18,16 @@ from robolayout.assets.rows import read_rows
 from robolayout.scene import Asset
 
 
-def parts(asset: Asset, seed: int = 0) -> tuple[Part, ...]:
+def parts(asset: Asset, seed: int = 0, *, shut: bool = False) -> tuple[Part, ...]:
     """Return the parts of an asset in its own frame: origin in the middle of its box, front along +x.
 
     The parts together fill the box exactly; each parametric part is convex. The same asset and seed give the same bytes.
     A `path` is loaded instead where the asset has one, and its own `parts` come before its category's.
+
+    Args:
+        asset: The asset.
+        seed: Picks the palette.
+        shut: Whether bodies are solid behind drawers, as whoever cannot open them meets them.
 
     Raises:
         AssetError: The mesh file is missing, too large or broken, or the parts cannot be read.
@@ -43,6 +49,7 @@ def parts(asset: Asset, seed: int = 0) -> tuple[Part, ...]:
     )
     build = read_rows(asset.parts, f"asset {asset.name!r}") if asset.parts else builder_for(category)
     made = jointed(fit(build(piece), asset.size), joints_of(category), asset.size)
+    made = made if shut else hollowed(made)
     return tuple(part for part in made if part.name not in asset.without) if asset.without else made
 
 

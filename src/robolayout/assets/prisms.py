@@ -24,6 +24,8 @@ from robolayout.scene import Asset
 
 MOST = 8
 """Prisms of one thing (DESIGN section 6)."""
+SMALL = 0.35
+"""Metres below which all edges of a thing lie whose shape is its box."""
 SPARE = 0.02
 """Share of a thing's box that two prisms may waste when they become one although there are few enough."""
 FLOORWARD = (0.3, 6.0)
@@ -88,13 +90,17 @@ class Prism:
 
 @lru_cache(maxsize=4096)
 def prisms_of(asset: Asset) -> tuple[Prism, ...]:
-    """Return the prisms of a thing, the lowest first; its box where nobody knows what it looks like."""
+    """Return the prisms of a thing, the lowest first; its box where it is small, or nobody knows what it looks like."""
     depth, width, height = asset.size
     box = (Prism(0.0, 0.0, depth / 2, width / 2, 0.0, 0.0, height),)
-    if asset.is_flat or (asset.path is None and not asset.parts and category_of(asset).group == "unknown"):
+    if (
+        asset.is_flat
+        or max(asset.size) < SMALL
+        or (asset.path is None and not asset.parts and category_of(asset).group == "unknown")
+    ):
         return box
     try:
-        spans = piece_spans(asset)
+        spans = piece_spans(asset, shut=True)
     except AssetError:
         return box
     merged = _merged(spans, SPARE * depth * width * height)
@@ -103,8 +109,12 @@ def prisms_of(asset: Asset) -> tuple[Prism, ...]:
 
 
 @lru_cache(maxsize=256)
-def piece_spans(asset: Asset) -> Spans:
+def piece_spans(asset: Asset, *, shut: bool = False) -> Spans:
     """Return what the pieces of a thing span: one row a convex part, some rows a slice of a user's own mesh.
+
+    Args:
+        asset: The thing.
+        shut: Whether bodies are solid behind drawers.
 
     Raises:
         AssetError: The thing's mesh or rows cannot be read.
@@ -113,7 +123,7 @@ def piece_spans(asset: Asset) -> Spans:
 
     level = asset.size[2] / 2
     rows: list[Array] = []
-    for part in parts(asset):
+    for part in parts(asset, shut=shut):
         rows += [_span(part.vertices)] if part.convex else list(_slices(part))
     spans = np.array(rows).reshape(-1, 10)
     spans[:, 4:6] += level

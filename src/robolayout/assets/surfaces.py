@@ -2,7 +2,7 @@
 
 A surface is what lies level, faces up and is not built over: tops of parts at one height, less what rises from them. What
 is covered by the thing itself is a shelf, with the free height below what covers it; the rest is open. Names follow from
-that and from the parts: "top", "seat", "shelf 1" (the lowest), so that a program can say which is meant.
+that and from the parts: "top", "seat", "shelf 1" (the lowest), "drawer 2", so that a program can say which is meant.
 """
 
 from __future__ import annotations
@@ -19,6 +19,9 @@ from numpy.typing import NDArray
 from shapely import Polygon
 
 from robolayout._errors import AssetError
+from robolayout.assets.fronts import TRAY, ends
+from robolayout.assets.lexicon import category_of
+from robolayout.assets.part import Part
 from robolayout.assets.prisms import level_tops, piece_spans
 from robolayout.scene import Asset
 
@@ -32,8 +35,8 @@ LEAST_AREA = 0.0025
 """Square metres below which a top holds nothing."""
 LEAST_SIDE = 0.03
 """Metres across below which a top holds nothing."""
-LEAST_SHELF, LEAST_FREE = 0.01, 0.1
-"""Square metres, and metres of free height, below which what is covered holds nothing."""
+LEAST_SHELF, LEAST_FREE = 0.01, (0.1, 0.04)
+"""Square metres, and metres of free height, on a shelf and in a drawer, below which what is covered holds nothing."""
 LEDGE = 0.03
 """Share of the largest surface of a thing below which another one is a ledge that nobody puts things on."""
 PLAN = [0, 2, 1, 3]
@@ -45,6 +48,12 @@ SOFT = ("seat", "cushion", "mattress", "duvet", "quilt", "blanket", "bed")
 CORNERS, EVENLY, SQUARE = 10, 8, 2
 """Coordinates of corners, and of even steps, between which the largest rectangle of a region is looked for; the latter only
 where the corners have more coordinates along an axis than those of an upright rectangle."""
+HOOKS = ("hook", "peg")
+"""Names of parts that things hang from."""
+SLIM, HELD = 0.04, 0.035
+"""Metres: hooks are longer than that, and no wider; and so far from its end hangs what does."""
+COUNTED = ("shelf", "drawer")
+"""Words that a number follows, however few there are."""
 RIM = 0.8
 """Share of its height below which an open surface lies in a thing."""
 EASE = 0.005
@@ -60,12 +69,19 @@ class Surface:
         region: Its outline in plan, in the frame of the thing (origin in the middle of its box, front along +x), metres.
         height: Metres above the bottom of the thing.
         free: Metres of free height above it; infinite where nothing covers it.
+        out: Which way a hook points from what holds it, a unit vector in plan; (0, 0) for what no hook is.
     """
 
     name: str
     region: Polygon
     height: float
     free: float
+    out: tuple[float, float] = (0.0, 0.0)
+
+    @property
+    def is_hook(self) -> bool:
+        """Whether things hang from it."""
+        return self.out != (0.0, 0.0)
 
     @property
     def covered(self) -> bool:
@@ -114,7 +130,8 @@ def surfaces_of(asset: Asset) -> tuple[Surface, ...]:
     spans = piece_spans(asset)
     found = [piece for group in _levels(sorted(tops, key=lambda top: top[0])) for piece in _pieces(group, spans)]
     least = LEDGE * max((surface.region.area for surface, _ in found), default=0.0)
-    return tuple(_named(item for item in found if item[0].region.area >= least and item[0].is_wide))
+    wide = tuple(_named(item for item in found if item[0].region.area >= least and item[0].is_wide))
+    return (*wide, *_hooks(made, level))
 
 
 def _box_top(asset: Asset) -> Surface:
@@ -125,14 +142,16 @@ def _box_top(asset: Asset) -> Surface:
 
 def outer_surfaces(asset: Asset) -> tuple[Surface, ...]:
     """Return what lies open on a thing, seats where it has them; all surfaces of a thing that covers them all."""
-    every = surfaces_of(asset)
+    every = tuple(s for s in surfaces_of(asset) if not s.is_hook)
     return tuple(s for s in every if s.is_seat) or tuple(s for s in every if not s.covered) or every
 
 
 def inner_surfaces(asset: Asset) -> tuple[Surface, ...]:
-    """Return what lies in a thing: its shelves, else the floor of a box or a basket below its rim."""
-    every = surfaces_of(asset)
-    return tuple(s for s in every if s.covered) or tuple(s for s in every if s.height < RIM * asset.size[2])
+    """Return what lies in a thing: its shelves, else its drawers, else the floor of a box or a basket below its rim."""
+    every = tuple(s for s in surfaces_of(asset) if not s.is_hook)
+    inside = [s for s in every if s.covered]
+    shelves = [s for s in inside if not s.name.startswith("drawer")]
+    return tuple(shelves or inside or [s for s in every if s.height < RIM * asset.size[2]])
 
 
 def named_surfaces(asset: Asset, name: str) -> tuple[Surface, ...]:
@@ -151,12 +170,47 @@ def resting_place(lower: Asset, upper: Asset, among: tuple[Surface, ...] | None 
         upper: What is carried.
         among: The surfaces that are meant; None means what lies open, a seat before arms and back.
     """
+    hooks = [s for s in among or surfaces_of(lower) if s.is_hook]
+    if hooks and category_of(upper).hangs:
+        return hung_from(hooks[0], upper)
     meant = outer_surfaces(lower) if among is None else among
     fit = [s for s in meant if s.holds(upper.size)]
     high = [s for s in meant if upper.size[2] + EASE <= s.free]
     widest = max((s.region.area for s in high), default=0.0)
     broad = [s for s in high if s.region.area >= widest / 2]
     return max(fit or broad or [_box_top(lower)], key=lambda s: s.height)
+
+
+def hung_from(hook: Surface, thing: Asset) -> Surface:
+    """Return where the middle of a thing's bottom is that hangs from a hook, as a surface; other surfaces are as they are.
+
+    It hangs with its back towards what holds the hook, as near to the hook's end as that lets it.
+    """
+    drop = category_of(thing).hangs
+    if not (hook.is_hook and drop):
+        return hook
+    (x, y), (u, v) = hook.region.centroid.coords[0], hook.out
+    points = shapely.get_coordinates(hook.region) @ hook.out
+    far = max(points.min() + thing.size[0] / 2 + EASE / 2, points.max() - HELD) - (x * u + y * v)
+    spot = shapely.Point(x + far * u, y + far * v).buffer(EASE)
+    return replace(hook, region=spot, height=hook.height - thing.size[2] + drop)
+
+
+def _hooks(made: tuple[Part, ...], level: float) -> Iterator[Surface]:
+    """Yield the hooks of a thing: slim bars that stick out of something."""
+    bars = [part for part in made if part.name in HOOKS]
+    boxes = [(low, high) for part in made if part.name not in HOOKS for low, high in [ends(part)]]
+    number = 0
+    for bar in bars:
+        low, high = ends(bar)
+        middle = (low + high) / 2
+        near = [np.clip(middle, a, b) for a, b in boxes if (np.maximum(a - high, low - b) < EASE).all()]
+        ways = [way[:2] / np.linalg.norm(way[:2]) for way in middle - near if np.linalg.norm(way[:2]) > EASE]
+        sides = sorted((high - low)[:2])
+        if ways and sides[0] <= SLIM <= sides[1]:
+            number += 1
+            u, v = ways[0].tolist()
+            yield Surface(f"hook {number}", shapely.box(*low[:2], *high[:2]), float(high[2]) + level, np.inf, (u, v))
 
 
 def _levels(tops: list[tuple[float, Any, str]]) -> Iterator[list[tuple[float, Any, str]]]:
@@ -177,20 +231,24 @@ def _pieces(group: list[tuple[float, Any, str]], spans: NDArray[np.float64]) -> 
     if sum(area.area for area in areas) < LEAST_AREA:
         return
     height = group[-1][0]
+
+    def word(piece: Polygon) -> str:
+        return max(group, key=lambda top: (round(top[1].intersection(piece).area, 4), top[0]))[2]
+
     whole = shapely.union_all(areas).buffer(SEAM / 2, join_style="mitre").buffer(-SEAM / 2, join_style="mitre")
-    word = max(group, key=lambda top: top[1].area)[2]
     over = (spans[:, 5] > height + LEVEL) & (spans[:, 0] < whole.bounds[2]) & (spans[:, 1] > whole.bounds[0])
     rising = over & (spans[:, 4] < height + RISES)
     clear = whole.difference(_boxes(spans[rising]))
     above = spans[over & ~rising]
     cover = _boxes(above)
     for piece in _worth(clear.difference(cover)):
-        yield Surface("", piece, height, np.inf), word
+        yield Surface("", piece, height, np.inf), word(piece)
     for piece in _worth(clear.intersection(cover)):
         met = shapely.area(shapely.intersection(shapely.box(*above[:, PLAN].T), piece))
         free = float(above[met > LEAST_AREA / 10, 4].min(initial=np.inf)) - height
-        if free >= LEAST_FREE and piece.area >= LEAST_SHELF:
-            yield Surface("", piece, height, free), word
+        least = LEAST_FREE[word(piece) == TRAY]
+        if free >= least and piece.area >= LEAST_SHELF:
+            yield Surface("", piece, height, free), word(piece)
 
 
 def _boxes(spans: NDArray[np.float64]) -> Any:
@@ -211,11 +269,19 @@ def _named(found: Iterable[tuple[Surface, str]]) -> Iterator[Surface]:
     ordered = sorted(found, key=lambda item: (item[0].height, item[0].region.centroid.coords[0]))
     highest = max((s.height for s, _ in ordered if not s.covered), default=0.0)
     words = [
-        "shelf" if s.covered else "seat" if _soft(word) else "top" if s.height == highest else "step"
+        "drawer"
+        if word == TRAY
+        else "shelf"
+        if s.covered
+        else "seat"
+        if _soft(word)
+        else "top"
+        if s.height == highest
+        else "step"
         for s, word in ordered
     ]
     for i, (surface, _) in enumerate(ordered):
-        alone = words.count(words[i]) == 1 and words[i] != "shelf"
+        alone = words.count(words[i]) == 1 and words[i] not in COUNTED
         yield replace(surface, name=words[i] if alone else f"{words[i]} {words[: i + 1].count(words[i])}")
 
 

@@ -13,7 +13,7 @@ from robolayout.scene import Asset, Scene
 
 @dataclass(frozen=True)
 class Inside(OnTopOf):
-    """`a` stands in `b`: on a shelf of it that can hold it, or on the `surface` named so ("shelf 2"), or in a box or basket."""
+    """`a` stands in `b`: on a shelf or in a drawer that can hold it, on the `surface` named so ("shelf 2"), in a box or basket."""
 
     name: ClassVar[str] = "inside"
     example: ClassVar[str] = 'solver.inside(box[0], bookshelf[0], surface="shelf 2")'
@@ -26,5 +26,5 @@ class Inside(OnTopOf):
     def fault(self, scene: Scene) -> str:
         """Return that nothing can stand in b, or which surfaces there are."""
         if not self.surface and not self.meant(scene):
-            return f"nothing can stand in {self.b}: it has no open shelf and is no open box"
+            return f"nothing can stand in {self.b}: it has no open shelf and no drawer, and is no open box"
         return super().fault(scene)

@@ -9,7 +9,7 @@ import numpy as np
 from shapely import Point
 
 from robolayout.assets import Surface, resting_place, surfaces_of
-from robolayout.assets.surfaces import named_surfaces, outer_surfaces
+from robolayout.assets.surfaces import hung_from, named_surfaces, outer_surfaces
 from robolayout.constraints._exact import frame
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, argument
@@ -60,9 +60,10 @@ class OnTopOf(Relation):
         bottom, _ = vertical_span(scene.by_name[self.a.name], layout[self.a.name])
         low, _ = vertical_span(scene.by_name[self.b.name], layout[self.b.name])
         centre = Point(frame(scene, layout, self.b).point(layout[self.a.name].x, layout[self.a.name].y))
+        upper = scene.by_name[self.a.name]
         found = [
             (s.region.distance(centre) > 1e-6, abs(bottom - low - s.height), s.name)
-            for s in (*self.meant(scene), self.place(scene))
+            for s in (*(hung_from(s, upper) for s in self.meant(scene)), self.place(scene))
         ]
         beside, gap, name = min(found)
         text = f"bottom {gap:.3f} m from the {name} of {self.b}" + (", centre not over it" if beside else "")

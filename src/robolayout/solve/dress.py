@@ -18,17 +18,17 @@ from functools import cache
 from itertools import count
 from typing import Any
 
+import numpy as np
 import shapely
 from shapely import Polygon
-from shapely.affinity import affine_transform
 from shapely.geometry.base import BaseGeometry
 
 from robolayout._text import utf8
 from robolayout.assets import CATALOGUE, Surface, category_of, surfaces_of
 from robolayout.assets.category import DATA
 from robolayout.assets.prisms import piece_spans
-from robolayout.assets.surfaces import LEVEL
-from robolayout.scene import DRESSINGS, Asset, Layout, Pose, Scene, variable_name, vertical_span
+from robolayout.assets.surfaces import LEVEL, hung_from
+from robolayout.scene import DRESSINGS, Asset, Layout, Pose, Scene, variable_name
 from robolayout.scene.asset import LIES_ABOUT
 
 AMOUNTS: Mapping[str, float] = dict(zip(DRESSINGS, (0.0, 0.4, 1.0), strict=True))
@@ -47,6 +47,7 @@ class DressConfig:
         tries: Places that are tried for a thing that may lie anywhere.
         vary: Share by which sizes vary.
         turn: Degrees by which things on shelves and counters are askew.
+        close: How far apart books stand.
         loose: Least and greatest gap in a row.
         spread: Least and greatest gap between things at a back edge, before there are more or fewer of them.
         seat: How far ahead of a seat the table begins that belongs to it.
@@ -63,6 +64,7 @@ class DressConfig:
     tries: int = 24
     vary: float = 0.1
     turn: float = 6.0
+    close: float = 0.002
     loose: tuple[float, float] = (0.0, 0.03)
     spread: tuple[float, float] = (0.03, 0.25)
     seat: float = 0.7
@@ -121,7 +123,7 @@ def _rules(kind: str, words: str) -> list[Mapping[str, Any]]:
 
 def _clears(rules: Sequence[Mapping[str, Any]]) -> tuple[str, ...]:
     """Return what is drawn on a carrier and makes room for real things."""
-    return tuple(rules[0].get("clears", ())) if rules else ()
+    return tuple(dict.fromkeys(part for rule in rules for part in rule.get("clears", ())))
 
 
 @dataclass
@@ -165,6 +167,7 @@ class _Dresser:
             if len(self.assets) > self.config.most:
                 for extra in self.assets[before:]:
                     del self.poses[extra.name]
+                del self._standing[before - len(self.assets) :]
                 del self.assets[before:]
                 self.without.pop(asset.name, None)
         bare = tuple(replace(a, without=self.without.get(a.name, a.without)) for a in self.scene.assets)
@@ -172,6 +175,7 @@ class _Dresser:
         return Dressed(scene, layout, tuple(asset.name for asset in self.assets))
 
     def __post_init__(self) -> None:
+        self._standing = [(a, self.layout[a.name]) for a in self.scene.assets if a.name in self.layout]
         self._had = {category_of(asset).name for asset in self.scene.assets} & set(_data()["once"])
         self._lists: Counter[str] = Counter()
         self._count: Counter[str] = Counter()
@@ -193,9 +197,8 @@ class _Dresser:
 
     def _surface(self, asset: Asset, surface: Surface, rule: Mapping[str, Any], rng: random.Random) -> None:
         pose = self.layout[asset.name]
-        free = surface.region.buffer(-self.config.edge, join_style="mitre").difference(
-            self._taken(asset, pose, surface)
-        )
+        inner = surface.region if surface.is_hook else surface.region.buffer(-self.config.edge, join_style="mitre")
+        free = inner.difference(self._taken(asset, pose, surface))
         if free.is_empty:
             return
         place = _Place(asset, pose, surface, free, rng)
@@ -205,26 +208,29 @@ class _Dresser:
             "middle": self._middle,
             "about": self._about,
             "places": self._places,
+            "hang": self._hang,
         }
         for part in (rule, *rule.get("also", ())):
-            ways[part["put"]](place, part)
+            if rng.random() < part.get("chance", 1.0):
+                ways[part["put"]](place, part)
 
     def _taken(self, asset: Asset, pose: Pose, surface: Surface) -> BaseGeometry:
         """Return what of a surface is covered by what stands there already, in the carrier's frame."""
         level = pose.z - asset.size[2] / 2 + surface.height
-        c, s = math.cos(pose.yaw), math.sin(pose.yaw)
-        matrix = [c, s, -s, c, -c * pose.x - s * pose.y, s * pose.x - c * pose.y]
-        found: list[BaseGeometry] = []
-        for other in (*self.scene.assets, *self.assets):
-            place = self.layout.get(other.name) or self.poses.get(other.name)
-            if other.name == asset.name or place is None:
-                continue
-            low, high = vertical_span(other, place)
-            if high > level + 1e-6 and low < level + min(surface.free, self.config.above):
-                shape = affine_transform(Polygon(place.corners(other.size)), matrix)
-                if shape.intersects(surface.region):
-                    found.append(shape.buffer(self.config.gap, join_style="mitre"))
-        return shapely.union_all(found)
+        top, near = level + min(surface.free, self.config.above), math.hypot(*asset.size[:2]) / 2
+        corners = [
+            place.corners(other.size)
+            for other, place in self._standing
+            if other.name != asset.name
+            and place.z + other.size[2] / 2 > level + 1e-6
+            and place.z - other.size[2] / 2 < top
+            and math.hypot(place.x - pose.x, place.y - pose.y) < near + math.hypot(*other.size[:2]) / 2
+        ]
+        if not corners:
+            return Polygon()
+        (c, s), middle = pose.forward, (pose.x, pose.y)
+        own = (np.array(corners) - middle) @ np.array([[c, -s], [s, c]])
+        return shapely.union_all(shapely.buffer(shapely.polygons(own), self.config.gap, join_style="mitre"))
 
     def _kind(self, place: _Place, things: Mapping[str, float]) -> Asset | None:
         """Return one of the things that fit under what covers a surface, in a size of its own; None where none does."""
@@ -243,26 +249,26 @@ class _Dresser:
         return Asset("", kind, (round(depth * scale, 4), round(width * scale, 4), round(tall, 4)))
 
     def _row(self, place: _Place, rule: Mapping[str, Any]) -> None:
-        """Stand things side by side along the front edge."""
+        """Stand things side by side along the front edge, runs of one kind; those of `tight` close, each in its own size."""
         _, y, ahead, end = place.bounds
         y += self.config.edge
         while y < end:
             thing = self._kind(place, rule["things"])
             if thing is None:
                 return
-            runs = place.rng.randint(1, rule["run"]) if "run" in rule else 1
+            tight = thing.category in rule.get("tight", ())
+            runs = place.rng.randint(1, rule["run"]) if "run" in rule and (tight or "tight" not in rule) else 1
             if place.rng.random() > rule["fill"] * (0.5 + 0.5 * self.amount):
                 y += place.rng.uniform(*self.config.spread)
-            own = self._variable(thing.category)
+            own, gap = self._variable(thing.category), self.config.close if tight else self.config.gap
             for _ in range(runs):
-                y += thing.size[1] / 2
                 x = ahead - self.config.edge - thing.size[0] / 2
-                fits = self._put(place, thing, (x, y, 0.0), own)
-                y += thing.size[1] / 2 + (
-                    self.config.gap if runs > 1 else self.config.gap + place.rng.uniform(*self.config.loose)
-                )
-                if not fits:
+                if not self._put(place, thing, (x, y + thing.size[1] / 2, 0.0), own, gap=2 * gap if tight else None):
+                    y += thing.size[1] / 2
                     break
+                y += thing.size[1] + gap
+                thing = (self._kind(place, {thing.category: 1}) if tight else thing) or thing
+            y += place.rng.uniform(*self.config.loose)
 
     def _back(self, place: _Place, rule: Mapping[str, Any]) -> None:
         """Stand things along the back edge, with room between them."""
@@ -370,8 +376,10 @@ class _Dresser:
         whole = under & (a <= x0) & (b >= x1) & (c <= y0) & (d >= y1) & (top > high - self.config.level)
         return float(high) if whole.any() or high - top[under].min() < self.config.level else None
 
-    def _put(self, place: _Place, thing: Asset, at: tuple[float, float, float], variable: str) -> bool:
-        """Put a thing down if it lies free and wholly on its surface; return whether it does."""
+    def _put(
+        self, place: _Place, thing: Asset, at: tuple[float, float, float], variable: str, *, gap: float | None = None
+    ) -> bool:
+        """Put a thing down if it lies free and wholly on its surface, `gap` from its neighbours; return whether it does."""
         x, y, turn = at
         if thing.size[2] + self.config.air > place.surface.free:
             return False
@@ -379,17 +387,43 @@ class _Dresser:
         height = self._height(place, shape)
         if height is None or not place.free.covers(shape):
             return False
-        place.free = place.free.difference(shape.buffer(self.config.gap * 0.9, join_style="mitre"))
+        place.free = place.free.difference(
+            shape.buffer(self.config.gap * 0.9 if gap is None else gap / 2, join_style="mitre")
+        )
+        pose, (c, s) = place.pose, place.pose.forward
+        level = pose.z - place.carrier.size[2] / 2 + height + thing.size[2] / 2
+        self._lay(thing, Pose(pose.x + c * x - s * y, pose.y + s * x + c * y, level, pose.yaw + turn), variable)
+        return True
+
+    def _lay(self, thing: Asset, pose: Pose, variable: str) -> None:
+        """Add a thing to the room."""
         name = f"{variable}-{self._count[variable]}"
         self._count[variable] += 1
-        pose, c, s = place.pose, math.cos(place.pose.yaw), math.sin(place.pose.yaw)
-        level = pose.z - place.carrier.size[2] / 2 + height
-        self.assets.append(replace(thing, name=name, on_floor=False, on_object=True, metadata={LIES_ABOUT: True}))
-        self.poses[name] = Pose(
-            pose.x + c * x - s * y, pose.y + s * x + c * y, level + thing.size[2] / 2, pose.yaw + turn
-        )
+        made = replace(thing, name=name, on_floor=False, on_object=True, metadata={LIES_ABOUT: True})
+        self.assets.append(made)
+        self.poses[name] = pose
+        self._standing.append((made, pose))
         self._had |= {thing.category} & set(_data()["once"])
-        return True
+
+    def _hang(self, place: _Place, rule: Mapping[str, Any]) -> None:
+        """Hang a thing from a hook, if nothing else is where it would hang."""
+        thing = self._kind(place, rule["things"])
+        if thing is None or place.rng.random() > rule["fill"] * (0.5 + 0.5 * self.amount):
+            return
+        pose, (c, s) = place.pose, place.pose.forward
+        spot = hung_from(place.surface, thing)
+        x, y = spot.region.centroid.coords[0]
+        level = pose.z - place.carrier.size[2] / 2 + spot.height + thing.size[2] / 2
+        yaw = pose.yaw + math.atan2(spot.out[1], spot.out[0])
+        at = Pose(pose.x + c * x - s * y, pose.y + s * x + c * y, level, yaw)
+        shape = Polygon(at.corners(thing.size))
+        taken = [
+            Polygon(other.corners(size.size))
+            for size, other in self._standing
+            if size.name != place.carrier.name and abs(other.z - level) < (size.size[2] + thing.size[2]) / 2
+        ]
+        if level > thing.size[2] and not any(shape.intersects(other) for other in taken):
+            self._lay(thing, at, self._variable(thing.category))
 
 
 def _is_seat(asset: Asset) -> bool:

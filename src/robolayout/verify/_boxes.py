@@ -18,7 +18,7 @@ from robolayout.assets import category_of, prisms_of, surfaces_of
 from robolayout.assets.mass import centre_of_mass
 from robolayout.scene import Asset, Layout, Room, Scene
 from robolayout.scene.asset import FLAT_HEIGHT
-from robolayout.verify.limits import AT, CARRIED, LOWER, STEADY, WITHIN
+from robolayout.verify.limits import AT, CARRIED, LOOP, LOWER, STEADY, WITHIN
 
 Place = tuple[float, float, float, float]
 """x, y, z in metres and yaw in radians."""
@@ -99,7 +99,7 @@ class Boxes:
         found: dict[int, dict[int, Any]] = {}
         raised = np.flatnonzero(self.placed & (self.bottom > CARRIED))
         for row in raised.tolist():
-            level = self.bottom[row]
+            level = self.bottom[row] + _lift(self.assets[row])
             under = self.placed & (self.bottom < level - LOWER) & (self.top >= level - CARRIED - 1e-9)
             near = np.flatnonzero(under)
             near = near[shapely.intersects(self.footprints[near], self.footprints[row])]
@@ -136,7 +136,13 @@ class Boxes:
         return self._shapes[row]
 
     def lies_in(self, row: int, lower: int, sunk: float) -> bool:
-        """Return whether an asset lies wholly on a surface of another, `sunk` metres in it at most, and below what covers that."""
+        """Return whether an asset hangs from another, or lies wholly on a surface of it, `sunk` metres in it at most, and below
+        what covers that."""
+        if (
+            self.assets[row].size[0] * self.assets[row].size[1]
+            > self.assets[lower].size[0] * self.assets[lower].size[1]
+        ):
+            return self._hangs_from(row, lower)
         pose, level = self.poses[lower], self.bottom[row] - self.bottom[lower]
         x, y, _, yaw = pose
         c, s = math.cos(yaw), math.sin(yaw)
@@ -147,14 +153,26 @@ class Boxes:
             and height <= place.free + CARRIED
             and place.region.buffer(WITHIN).covers(foot)
             for place in surfaces_of(self.assets[lower])
-        )
+        ) or self._hangs_from(row, lower)
+
+    def _hangs_from(self, row: int, lower: int) -> bool:
+        return _lift(self.assets[row]) > 0.0 and lower in self.contacts.get(row, ())
+
+
+def _lift(asset: Asset) -> float:
+    """Return the metres above its bottom at which an asset is carried: 0, or the height of the loop that it hangs by."""
+    drop = category_of(asset).hangs
+    return asset.size[2] - drop if drop else 0.0
 
 
 @lru_cache(maxsize=4096)
 def _base(asset: Asset, place: Place) -> Any:
-    """Return the hull of a placed asset's lowest prisms; whoever judges many layouts asks for the same again and again."""
+    """Return the hull of a placed asset's lowest prisms, or of the loop that it hangs by; whoever judges many layouts asks for
+    the same again and again."""
     (ring, low, _), (x, y, _, yaw) = _prism_table(asset), place
     turn = np.array([[math.cos(yaw), math.sin(yaw)], [-math.sin(yaw), math.cos(yaw)]])
+    if category_of(asset).hangs:
+        return shapely.polygons(np.array(LOOP) @ turn + (x, y))
     lowest = shapely.polygons(ring[low <= low.min() + CARRIED] @ turn + (x, y))
     return shapely.union_all(lowest).convex_hull
 
@@ -163,8 +181,9 @@ def _base(asset: Asset, place: Place) -> Any:
 def _shared_base(upper: Asset, place: Place, lower: Asset, under: Place) -> Any:
     """Return where a placed asset's base lies on surfaces of another."""
     x, y, z, yaw = under
-    level = (place[2] - upper.size[2] / 2) - (z - lower.size[2] / 2)
-    regions = [s.region for s in surfaces_of(lower) if abs(s.height - level) <= CARRIED + 1e-9]
+    level = (place[2] - upper.size[2] / 2 + _lift(upper)) - (z - lower.size[2] / 2)
+    hangs = _lift(upper) > 0.0
+    regions = [s.region for s in surfaces_of(lower) if s.is_hook == hangs and abs(s.height - level) <= CARRIED + 1e-9]
     if not regions:
         return Polygon()
     c, s = math.cos(yaw), math.sin(yaw)

@@ -24,6 +24,9 @@ STEADY = (0.005, 0.05)
 """Metres, or the share of its shorter side where that is less, by which the centre of mass of a thing lies within what
 carries it."""
 
+LOOP = ((0.01, -0.02), (0.01, 0.02), (-0.01, 0.02), (-0.01, -0.02))
+"""Corners in metres, about its middle, of the loop by which a thing hangs from a hook."""
+
 WITHIN = 0.005
 """Metres by which a thing may reach over the edge of a surface and still lie in it."""
 
