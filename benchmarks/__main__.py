@@ -1,4 +1,4 @@
-"""`python -m benchmarks [--section NAME] [--quick] [--fresh] [--page]`: measure, and write the page.
+"""`python -m benchmarks [--section NAME] [--case TEXT] [--quick] [--fresh] [--page]`: measure, and write the page.
 
 Every case is saved when it is measured; a second call goes on where the first one stopped.
 """
@@ -10,6 +10,7 @@ import os
 import sys
 import tempfile
 import time
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from benchmarks import (
@@ -31,7 +32,7 @@ from benchmarks import (
     vlm,
     words,
 )
-from benchmarks.store import Store
+from benchmarks.store import Row, Store
 
 SECTIONS = {
     "examples": examples.cases,
@@ -57,6 +58,7 @@ def main() -> None:
     """Run the sections asked for and write the page."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__.splitlines()[0])
     parser.add_argument("--section", action="append", choices=sorted(SECTIONS), help="only this one; may be repeated")
+    parser.add_argument("--case", default="", help="only cases whose names hold this")
     parser.add_argument("--quick", action="store_true", help="a few small cases, kept apart from the real results")
     parser.add_argument("--fresh", action="store_true", help="measure again what is there already")
     parser.add_argument("--page", action="store_true", help="only write the page from the results that are there")
@@ -64,15 +66,16 @@ def main() -> None:
     results = Path(tempfile.gettempdir(), "robolayout-bench-quick") if given.quick else page.RESULTS
     if not given.page:
         for name in given.section or SECTIONS:
-            measure(name, Store(results / f"{name}.json"), quick=given.quick, fresh=given.fresh)
+            cases = {key: run for key, run in SECTIONS[name](given.quick) if given.case in key}
+            measure(name, cases, Store(results / f"{name}.json"), fresh=given.fresh)
     target = results / "benchmarks.md" if given.quick else page.PAGE
     page.write(results, target)
     sys.stdout.write(f"{target}\n")
 
 
-def measure(name: str, store: Store, *, quick: bool, fresh: bool) -> None:
+def measure(name: str, cases: Mapping[str, Callable[[], Row]], store: Store, *, fresh: bool) -> None:
     """Measure every case of a section that has no result yet."""
-    for key, run in SECTIONS[name](quick):
+    for key, run in cases.items():
         if key in store.rows and not fresh:
             continue
         wall, cpu = time.perf_counter(), time.process_time()

@@ -18,8 +18,7 @@ from benchmarks.examples import ROOMS, ROOT
 from benchmarks.measures import watch
 from benchmarks.page import table
 from robolayout.planners import ModelJudge, ModelPlanner
-from robolayout.run.judged import Judged
-from robolayout.run.opinion import scored
+from robolayout.run.result import scored
 
 HEADS = ["room, planner", "right", "of the brief met", "m from guess", "$", "s", "PSA", "planned by rules"]
 RULES = "by rules"
@@ -33,7 +32,7 @@ def measured(scene: rl.Scene, planner: ModelPlanner | None, judge: ModelJudge | 
     report, cost = result.report, None if planner is None else planner.usage.cost
     understood = [row for row in report.asked if row.verdict in ("met", "unmet")]
     guesses = result.program.guesses
-    opinion = scored(Judged(scene, result.layout, report), judge).report.opinion if judge else {}
+    opinion = scored(rl.Result(scene, result.layout, report), judge).report.opinion if judge else {}
     return {
         "right": report.ok,
         "met": sum(row.verdict == "met" for row in understood),

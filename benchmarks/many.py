@@ -1,4 +1,8 @@
-"""Many rooms: how fast with 1, 2 and 4 processes and on a local Ray cluster, side by side, and what a set of them is like."""
+"""Many rooms: how fast with 1, 2 and 4 processes and on a local Ray cluster, side by side, and what a set of them is like.
+
+python -m benchmarks --section many --case workers    24 rooms each way, side by side
+python -m benchmarks --section many --case large      1,000 rooms in out/many; the same command goes on where it stopped
+"""
 
 from __future__ import annotations
 
@@ -10,11 +14,12 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 
+from benchmarks.examples import ROOT
 from benchmarks.store import Row
 from robolayout.many import batch
 from robolayout.many.dataset import STATIONS
 
-KINDS = (
+KINDS = [
     "bedroom",
     "living room",
     "kitchen",
@@ -25,41 +30,41 @@ KINDS = (
     "cafe",
     "shop",
     "library",
-)
-SPEC = {
-    "rooms": KINDS,
-    "bodies": ["adult", "wheelchair", "stretch3", "robot_vacuum", "child_6", "turtlebot4"],
-    "seed": 7,
-}
+]
+BODIES = ["adult", "wheelchair", "stretch3", "robot_vacuum", "child_6", "turtlebot4"]
+SPEC = {"rooms": KINDS, "bodies": BODIES, "seed": 7}
 WORKERS = {"1 process": (1, None), "2 processes": (2, None), "4 processes": (4, None), "Ray, 2 tasks": (2, "local")}
-ROOMS, ENOUGH = 20, 1000
+ROOMS, ENOUGH = 24, 1000
 """Rooms of a set whose making is timed, and of the set whose memory and variety are looked at."""
+LARGE = ROOT / "out" / "many"
+"""Where the large set is made; remove it to measure other code."""
 
 
 def cases(quick: bool) -> Iterator[tuple[str, Callable[[], Row]]]:
     """Yield the ways to make one small set, then a large one."""
     for name, (workers, cluster) in list(WORKERS.items())[: 1 if quick else None]:
-        yield f"workers/{name}", partial(made, 4 if quick else ROOMS, workers, cluster)
+        yield f"workers/{name}", partial(timed, 4 if quick else ROOMS, workers, cluster)
     if not quick:
-        yield "large/2 processes", partial(made, ENOUGH, 2, None)
+        yield "large/2 processes", partial(made, LARGE, ENOUGH, 2)
 
 
-def made(count: int, workers: int, cluster: str | None) -> Row:
-    """Make a set and return how long that took, by the clock and in CPU seconds of the rooms, and what it is like."""
+def timed(count: int, workers: int, cluster: str | None) -> Row:
+    """Make a set that is thrown away, and return how long that took by the clock and what it is like."""
     with tempfile.TemporaryDirectory() as folder:
         since = time.perf_counter()
-        found = batch({**SPEC, "count": count}, folder, workers=workers, cluster=cluster)
-        wall = time.perf_counter() - since
-        with Path(folder, "timing.csv").open(encoding="utf-8") as file:
-            return summary(list(csv.DictReader(file))) | {
-                "rooms": count,
-                "wall": wall,
-                "met": found.met,
-                "missing": len(found.missing),
-                "near": found.replaced.get("near-duplicate of room #", 0),
-                "least": found.least,
-                "mb": sum(path.stat().st_size for path in Path(folder).rglob("*") if path.is_file()) / 1e6,
-            }
+        row = made(Path(folder), count, workers, cluster)
+        return row | {"wall": time.perf_counter() - since}
+
+
+def made(folder: Path, count: int, workers: int, cluster: str | None = None) -> Row:
+    """Make a set, or go on with it, and return what it is like."""
+    found = batch({**SPEC, "count": count}, folder, workers=workers, cluster=cluster)
+    with (folder / "timing.csv").open(encoding="utf-8") as file:
+        row = summary(list(csv.DictReader(file)))
+    sizes = [path.stat().st_size for path in folder.rglob("*") if path.is_file()]
+    near = found.replaced.get("near-duplicate of room #", 0)
+    row |= {"rooms": count, "met": found.met, "missing": len(found.missing), "near": near, "least": found.least}
+    return row | {"mb": sum(sizes) / 1e6, "files": len(sizes)}
 
 
 def summary(times: list[dict[str, str]]) -> Row:
@@ -67,5 +72,7 @@ def summary(times: list[dict[str, str]]) -> Row:
     rooms = len({row["room"] for row in times})
     row: Row = {name: sum(float(one[name]) for one in times) / rooms for name in STATIONS}
     row["cpu"] = row["draw"] + row["generate"] + row["write"]
+    laid_out = sorted(float(one["generate"]) for one in times)
+    row |= {"median": statistics.median(laid_out), "tenth": laid_out[int(0.9 * len(laid_out))], "longest": laid_out[-1]}
     memory = [float(one["memory_mb"]) for one in times]
     return row | {"first": statistics.fmean(memory[:100]), "last": statistics.fmean(memory[-100:]), "tries": len(times)}

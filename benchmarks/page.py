@@ -319,17 +319,8 @@ def many(rows: Rows, images: Path) -> str:
         share = f"{rate / (count * 60 * alone['rooms'] / alone['wall']):.0%}" if alone else "-"
         cells = [f"{rate:.0f}", f"{60 / row['cpu']:.0f}", share, f"{row['cpu']:.2f}"]
         lines.append([name, str(row["rooms"]), *cells, *(f"{row[part]:.2f}" for part in ("draw", "generate", "write"))])
-    heads = [
-        "workers",
-        "rooms",
-        "rooms a minute",
-        "a minute and core",
-        "efficiency",
-        "CPU s a room",
-        "drawing",
-        "laying out",
-        "writing",
-    ]
+    heads = ["workers", "rooms", "rooms a minute", "a minute and core", "efficiency"]
+    heads += ["CPU s a room", "drawing", "laying out", "writing"]
     parts = [
         "## Many rooms\n\nMixed rooms of ten kinds for six bodies, without pictures; start of the workers included.\n"
     ]
@@ -337,11 +328,16 @@ def many(rows: Rows, images: Path) -> str:
     for key, row in rows.items():
         if key.startswith("large/"):
             near, memory = row["near"] / row["tries"], f"{row['first']:.0f} and {row['last']:.0f} MB"
+            stations = {"drawing": ("draw",), "planning": ("plan", "program"), "solving": ("solve",)}
+            stations |= {"judging": ("verify",), "writing": ("write",)}
+            spent = ", ".join(f"{name} {sum(row[part] for part in found):.2f}" for name, found in stations.items())
             parts.append(
                 f"{row['rooms']} rooms with {key.partition('/')[2]}: {row['met']} meet all demands, {row['missing']} were given up; "
                 f"{row['tries'] - row['rooms']} tries were replaced, {near:.1%} of all as near-duplicates, and none is left (least "
-                f"difference {row['least']:.2f}); {60 / row['cpu']:.0f} rooms a minute and core; memory of a process over the first "
-                f"and the last hundred {memory}; {1000 * row['mb'] / row['rooms']:.0f} kB a room.\n"
+                f"difference {row['least']:.2f}); {row['cpu']:.2f} CPU s a room ({spent}), {60 / row['cpu']:.0f} rooms a minute and core; "
+                f"one room is laid out in {row['median']:.1f} s (median), nine of ten within {row['tenth']:.1f} s, the longest took "
+                f"{row['longest']:.0f} s; memory of a process over the first and the last hundred {memory}; "
+                f"{1000 * row['mb'] / row['rooms']:.0f} kB in {row['files'] / row['rooms']:.0f} files a room.\n"
             )
     return "\n".join(parts)
 

@@ -13,8 +13,18 @@ from benchmarks.examples import ROOMS, ROOT
 from benchmarks.measures import watch
 from benchmarks.store import Row
 from robolayout.page.marks import plan_marks
-from robolayout.render import Studio, annotate, loss_png, plan_pdf, plan_svg, progress_gif, render_beauty, walk_gif
-from robolayout.run.outputs import page_html, png
+from robolayout.render import (
+    Studio,
+    annotate,
+    loss_png,
+    plan_pdf,
+    plan_svg,
+    png_bytes,
+    progress_gif,
+    render_beauty,
+    walk_gif,
+)
+from robolayout.run.outputs import page_html
 
 SHOPS = ("tasks/bookstore_medium", "tasks/florists_shop_medium")
 SIZE = 512
@@ -57,12 +67,12 @@ def _files(result: rl.Result) -> dict[str, Callable[[], bytes]]:
         "progress.gif": lambda: progress_gif(scene, result.trace, layout=layout),
         "loss.png": lambda: loss_png(result.trace),
         "report.html": lambda: page_html(result).encode(),
-        "annotated top view, 768": lambda: png(annotate(scene, layout, view="top")),
+        "annotated top view, 768": lambda: png_bytes(annotate(scene, layout, view="top")),
     }
 
 
 def _beauty(result: rl.Result) -> dict[str, Callable[[], bytes]]:
-    return {"path tracing, 512": lambda: png(render_beauty(result.scene, result.layout, size=SIZE))}
+    return {"path tracing, 512": lambda: png_bytes(render_beauty(result.scene, result.layout, size=SIZE))}
 
 
 def _views(result: rl.Result) -> Row:

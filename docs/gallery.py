@@ -12,8 +12,7 @@ from pathlib import Path
 import robolayout as rl
 from robolayout._files import write_atomic
 from robolayout.page.marks import plan_marks
-from robolayout.render import Studio, plan_svg
-from robolayout.run.outputs import png
+from robolayout.render import Studio, plan_svg, png_bytes
 
 ROOT = Path(__file__).parents[1]
 FOLDER = ROOT / "docs" / "gallery"
@@ -46,7 +45,7 @@ def furnish(file: Path) -> str:
     write_atomic(folder / "plan.svg", plan)
     studio = Studio(result.scene, result.layout)
     for name, view in (("top", "top"), ("view", "side")):
-        write_atomic(folder / f"{name}.png", png(studio.view(view, size=SIZE).quantize(COLOURS)))
+        write_atomic(folder / f"{name}.png", png_bytes(studio.view(view, size=SIZE).quantize(COLOURS)))
     short = {"title": first.agent.title or first.agent.name, "ok": result.report.ok, "rows": result.report.rows()}
     short |= {"violations": result.report.violations, "assets": len(result.scene.assets)}
     write_atomic(folder / "report.json", json.dumps(short, indent=1) + "\n")

@@ -12,14 +12,15 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 
 from running import ROOT, Furnished, Ran, run_command
 
 CACHE = "ROBOLAYOUT_CACHE"
 _MADE = pytest.StashKey[str]()
 
-settings.register_profile("robolayout", deadline=None, derandomize=True, print_blob=True)
+unhurried = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow]}
+settings.register_profile("robolayout", **unhurried, derandomize=True, print_blob=True)
 settings.load_profile("robolayout")  # no test depends on speed, and a run tests what the run before it did
 
 

@@ -32,7 +32,7 @@ def test_a_body_is_drawn_to_a_file_or_the_terminal(command: Command, tmp_path: P
         assert command("agents", "wheelchair", "--out", target).code == 0
         assert target.read_bytes().startswith(start)
     wrong = command("agents", "wheelchair", "--out", tmp_path / "body.gif")
-    assert wrong.code == 2 and "name a file that ends in .svg, .png, .pdf" in wrong.err
+    assert wrong.code == 2 and "name a file that ends in .svg or .png or .pdf" in wrong.err
     assert "name it, such as" in command("agents", "--out", tmp_path / "body.svg").err
 
 

@@ -27,9 +27,9 @@ if TYPE_CHECKING:
     from robolayout.render import plan_svg
     from robolayout.render import render_view as render
     from robolayout.run.diff import diff
-    from robolayout.run.flow import Result, compare, generate, solve
-    from robolayout.run.judged import judge
+    from robolayout.run.flow import compare, generate, solve
     from robolayout.run.outputs import page_html, write_result
+    from robolayout.run.result import Result, judge
     from robolayout.scene import (
         Agent,
         Asset,
@@ -53,7 +53,7 @@ _HOMES = {
     "Pose": "scene",
     "Program": "program",
     "Report": "verify",
-    "Result": "run.flow",
+    "Result": "run.result",
     "RoboLayoutError": "_errors",
     "Room": "scene",
     "Scene": "scene",
@@ -64,7 +64,7 @@ _HOMES = {
     "evaluate": "many",
     "export": "export",
     "generate": "run.flow",
-    "judge": "run.judged",
+    "judge": "run.result",
     "load_agent": "scene",
     "load_layout": "scene",
     "load_scene": "scene",

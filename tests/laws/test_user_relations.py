@@ -13,7 +13,7 @@ import pytest
 import test_constraints as laws
 
 from robolayout.constraints import RELATIONS, Relation, _registry, register
-from robolayout.run.flow import Result
+from robolayout.run.result import Result
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "how-to" / "constraint.md"

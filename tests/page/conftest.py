@@ -13,7 +13,7 @@ from page_runs import HOSTILE, PLACES, PROGRAM, Opened, run_of
 
 from robolayout import load_scene, page_html
 from robolayout.program import read_program
-from robolayout.run.flow import Result
+from robolayout.run.result import Result
 from robolayout.scene import Scene, load_agents
 from running import ROOT
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from robolayout.program import Program, reconcile
-from robolayout.run.flow import Result
+from robolayout.run.result import Result
 from robolayout.scene import Layout, Pose, Scene, Snapshot, Trace
 from robolayout.solve import Solution, Verdict
 from robolayout.verify import verify

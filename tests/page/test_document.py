@@ -17,7 +17,7 @@ from page_runs import HOSTILE, MOMENTS, PLACES, run_of
 from robolayout import page_html
 from robolayout.page.notes import rule_rows
 from robolayout.program import read_program
-from robolayout.run.flow import Result
+from robolayout.run.result import Result
 from robolayout.scene import Asset, Room, Scene, Snapshot, Trace
 from robolayout.verify import exempt_from_reach
 from running import ROOT

@@ -15,7 +15,7 @@ from PIL import Image
 
 from robolayout.assets import parts
 from robolayout.program import read_program
-from robolayout.run.flow import Result
+from robolayout.run.result import Result
 from robolayout.scene import Scene
 
 Open = Callable[..., Opened]

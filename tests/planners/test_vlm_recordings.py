@@ -8,7 +8,8 @@ import vlm_recordings as recordings
 from robolayout._errors import ProgramError
 from robolayout.planners import ModelPlanner, PlanRequest
 from robolayout.program import read_program, reconcile
-from robolayout.run.flow import Result, generate
+from robolayout.run.flow import generate
+from robolayout.run.result import Result
 
 QUICK = ("game_room",)
 """Rooms that solve within seconds."""

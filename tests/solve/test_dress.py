@@ -15,7 +15,7 @@ from robolayout.assets.category import DATA
 from robolayout.export import settle
 from robolayout.run.dressing import dressed
 from robolayout.run.flow import generate
-from robolayout.run.judged import judge
+from robolayout.run.result import judge
 from robolayout.scene import DRESSINGS, Asset, Layout, Opening, Pose, Room, Scene, scene_from_dict, scene_to_dict
 from robolayout.solve import DressConfig, dress
 from robolayout.verify import physics, verify

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from robolayout._errors import AssetError, InputError
+from robolayout.cli.options import ending
 from robolayout.cli.terminal import say, table, warn
 
 if TYPE_CHECKING:
@@ -93,9 +94,7 @@ def _typical(kind: Category) -> Asset:
 def _draw(shown: Sequence[Asset], target: Path) -> None:
     """Draw things into one picture, each from its front."""
     from robolayout._files import write_atomic
-    from robolayout.render import asset_sheet
-    from robolayout.run.outputs import png
+    from robolayout.render import asset_sheet, png_bytes
 
-    if target.suffix != ".png":
-        raise InputError(f"pictures cannot be written to {target}: name a file that ends in .png.")
-    write_atomic(target, png(asset_sheet(shown)))
+    ending(target, "pictures", (".png",))
+    write_atomic(target, png_bytes(asset_sheet(shown)))

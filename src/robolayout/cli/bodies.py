@@ -9,13 +9,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from robolayout._errors import InputError
+from robolayout.cli.options import ending
 from robolayout.cli.terminal import say, table
 
 if TYPE_CHECKING:
     from robolayout.scene import Agent
-
-SUFFIXES = (".svg", ".png", ".pdf")
-"""Forms of the drawing of a body."""
 
 
 def agents(
@@ -46,8 +44,7 @@ def _one(body: Agent, out: Path | None) -> None:
     from robolayout._files import write_atomic
     from robolayout.render import body_text
 
-    if out is not None and out.suffix.lower() not in SUFFIXES:
-        raise InputError(f"a body cannot be drawn to {out}: name a file that ends in {', '.join(SUFFIXES)}.")
+    suffix = "" if out is None else ending(out, "a body", (".svg", ".png", ".pdf"))
     figures = [
         [key, f"{value:g}", "yes" if source.verified else "no", source.text]
         for key, source in body.sources.items()
@@ -56,7 +53,7 @@ def _one(body: Agent, out: Path | None) -> None:
     figures += [[key, f"{value:g}", "-", "given without a source"] for key, value in _unsourced(body)]
     table(f"{body.title or body.name} (metres)", ["figure", "value", "verified", "source"], figures)
     if out is not None:
-        say(str(write_atomic(out, _drawn(body, out.suffix.lower()))))
+        say(str(write_atomic(out, _drawn(body, suffix))))
     elif (sys.stdout.encoding or "utf-8").lower().startswith("utf"):
         say(*body_text(body).splitlines())
 
@@ -72,9 +69,8 @@ def _unsourced(body: Agent) -> list[tuple[str, float]]:
 
 def _drawn(body: Agent, suffix: str) -> bytes:
     """Return the drawing of a body in the form that a file's suffix names."""
-    from robolayout.render import body_image, body_pdf, body_svg
-    from robolayout.run.outputs import png
+    from robolayout.render import body_image, body_pdf, body_svg, png_bytes
 
     if suffix == ".svg":
         return body_svg(body).encode()
-    return body_pdf(body) if suffix == ".pdf" else png(body_image(body))
+    return body_pdf(body) if suffix == ".pdf" else png_bytes(body_image(body))

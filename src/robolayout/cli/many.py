@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -10,10 +9,11 @@ from time import monotonic
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
+from typer import Argument, Option
 
 from robolayout._errors import InputError
-from robolayout.cli.generate import AgentOption, AssetDirOption, JsonOption, QuietOption
-from robolayout.cli.terminal import progress, say, table, warn
+from robolayout.cli.options import Body, Told, names, spread
+from robolayout.cli.terminal import say, table, warn
 
 if TYPE_CHECKING:
     from robolayout.many.dataset import Batch, Progress
@@ -24,27 +24,23 @@ EVERY = 30.0
 SHOWN = 12
 """Reasons and rooms that are said; the index holds all."""
 
-Workers = Annotated[int, typer.Option("--workers", min=1, max=1024, help="Rooms that are made at the same time.")]
+Workers = Annotated[int, Option(min=1, max=1024, help="Rooms that are made at the same time.")]
 
 
+@spread
 def batch(  # noqa: PLR0913 - one parameter per option
-    spec: Annotated[str, typer.Argument(help="A SPEC file (TOML), one room in words, or a scene file.")],
-    out: Annotated[
-        Path, typer.Option("--out", help="Folder of the data set: new, or one of the same SPEC to go on with.")
-    ],
-    count: Annotated[int | None, typer.Option("--count", min=1, help="Rooms in all.")] = None,
-    seed: Annotated[int | None, typer.Option("--seed", min=0, help="Settles every choice.")] = None,
+    spec: Annotated[str, Argument(help="A SPEC file (TOML), one room in words, or a scene file.")],
+    out: Annotated[Path, Option(help="Folder of the data set: new, or one of the same SPEC to go on with.")],
+    told: Told,
+    count: Annotated[int | None, Option(min=1, help="Rooms in all.")] = None,
+    seed: Annotated[int | None, Option(min=0, help="Settles every choice.")] = None,
     keys: Annotated[
-        list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="Any key of the SPEC; may be repeated.")
+        list[str] | None, Option("--set", metavar="KEY=VALUE", help="Any key of the SPEC; may be repeated.")
     ] = None,
-    keep_unmet: Annotated[
-        bool, typer.Option("--keep-unmet", help="Keep rooms that do not meet their demands.")
-    ] = False,
+    keep_unmet: Annotated[bool, Option("--keep-unmet", help="Keep rooms that do not meet their demands.")] = False,
     workers: Workers = 1,
-    cluster: Annotated[str | None, typer.Option("--cluster", help="ray: make rooms as tasks of a Ray cluster.")] = None,
-    address: Annotated[str, typer.Option("--address", help="Of the cluster; local starts one here.")] = "local",
-    quiet: QuietOption = False,
-    as_json: JsonOption = False,
+    cluster: Annotated[str | None, Option(help="ray: make rooms as tasks of a Ray cluster.")] = None,
+    address: Annotated[str | None, Option(help="Of the cluster, HOST:PORT; without it one is started here.")] = None,
 ) -> None:
     """Make a data set of many rooms, or go on with one."""
     from robolayout.many import batch as make
@@ -53,17 +49,16 @@ def batch(  # noqa: PLR0913 - one parameter per option
 
     if cluster not in (None, "ray"):
         raise InputError(f"--cluster {cluster!r} is not known: it is ray, or left out.")
+    if address and not cluster:
+        raise InputError("--address is that of a cluster: give --cluster ray with it, or leave it out.")
     changes: dict[str, Any] = {"count": count, "seed": seed, "keep_unmet": keep_unmet or None}
     for given in keys or ():
         changes |= value_of(given)
     ready = read_spec(spec, **{key: value for key, value in changes.items() if value is not None})
-    with progress(quiet or as_json) as tell:
-        told = _lines(tell, quiet=quiet or as_json)
-        found = make(ready, out, workers=workers, cluster=address if cluster else None, progress=told)
-    if as_json:
-        say(json.dumps({**vars(found), "folder": str(found.folder)}))
-    elif not quiet:
-        _tell(found)
+    with told.progress() as tell:
+        lines = _lines(tell, quiet=told.quiet or told.as_json)
+        found = make(ready, out, workers=workers, cluster=(address or "local") if cluster else None, progress=lines)
+    told.tell({**vars(found), "folder": str(found.folder)}, lambda: _tell(found))
     raise typer.Exit(0 if found.ok else 1)
 
 
@@ -98,19 +93,16 @@ def _tell(found: Batch) -> None:
     )
 
 
+@spread
 def evaluate(  # noqa: PLR0913 - one parameter per option
-    folder: Annotated[
-        Path, typer.Argument(help="A folder of rooms: runs, a batch, scenes with layouts, scene states.")
-    ],
-    against: Annotated[Path | None, typer.Option("--against", help="Another folder, paired with it by name.")] = None,
-    agent: AgentOption = None,
-    by: Annotated[str, typer.Option("--by", help="Group by what a batch drew, such as solver,reach.")] = "",
-    scenes: Annotated[Path | None, typer.Option("--scenes", help="Folder of the scene files, if elsewhere.")] = None,
-    asset_dir: AssetDirOption = None,
-    out: Annotated[Path | None, typer.Option("--out", help="Also write tables and a page with plots here.")] = None,
+    folder: Annotated[Path, Argument(help="A folder of rooms: runs, a batch, scenes with layouts, scene states.")],
+    body: Body,
+    told: Told,
+    against: Annotated[Path | None, Option(help="Another folder, paired with it by name.")] = None,
+    by: Annotated[str, Option(help="Group by what a batch drew, such as solver,reach.")] = "",
+    scenes: Annotated[Path | None, Option(help="Folder of the scene files, if elsewhere.")] = None,
+    out: Annotated[Path | None, Option(help="Also write tables and a page with plots here.")] = None,
     workers: Workers = 1,
-    quiet: QuietOption = False,
-    as_json: JsonOption = False,
 ) -> None:
     """Measure every room of a folder, whoever made it."""
     from robolayout._files import check_writable
@@ -119,23 +111,12 @@ def evaluate(  # noqa: PLR0913 - one parameter per option
 
     if out is not None:
         check_writable(out)
-    columns = [name.strip() for name in by.split(",") if name.strip()]
-    with progress(quiet or as_json) as tell:
-        found = measure(
-            folder,
-            against=against,
-            agent=agent,
-            by=columns,
-            scenes=scenes,
-            asset_dir=asset_dir,
-            workers=workers,
-            progress=tell,
-        )
+    where = {"against": against, "scenes": scenes, **vars(body)}
+    with told.progress() as tell:
+        found = measure(folder, by=names(by), workers=workers, progress=tell, **where)
     files = [] if out is None else write_evaluation(found, out)
     for name, why in found.skipped.items():
         warn(f"warning: {name} was not read: {why}")
-    if as_json:
-        say(json.dumps({"rows": found.rows, "skipped": found.skipped}))
-    elif not quiet:
-        say(*found.to_markdown().splitlines(), *map(str, files))
+    data = {"rows": found.rows, "skipped": found.skipped}
+    told.tell(data, lambda: say(*found.to_markdown().splitlines(), *map(str, files)))
     raise typer.Exit(0 if found.rows and not found.skipped else 1)

@@ -10,10 +10,10 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-import typer
+from typer import Option
 
 from robolayout._errors import InputError, UnknownNameError
-from robolayout.cli.generate import AgentOption, AssetDirOption, read_scene
+from robolayout.cli.options import DateOption, Laid, ending, spread
 from robolayout.cli.terminal import say
 
 if TYPE_CHECKING:
@@ -21,10 +21,6 @@ if TYPE_CHECKING:
 
     from robolayout.render import Buffers, PlanMarks, Studio
     from robolayout.scene import Layout, Point, Pose, Scene
-
-SceneArgument = Annotated[str, typer.Argument(help="A scene file (JSON).")]
-LayoutArgument = Annotated[Path, typer.Argument(help="A layout file (JSON).")]
-DateOption = Annotated[str, typer.Option("--date", help="What the sheet to print gives as the date.")]
 
 SUFFIXES = {"plan": (".png", ".svg", ".pdf"), "sheet": (".pdf", ".svg", ".png"), "walk": (".gif",)}
 """Endings of the files of drawings, the first by default; everything else is a PNG."""
@@ -42,72 +38,47 @@ LEAST = 1.2
 """... and at least so many metres."""
 
 
-@dataclass(frozen=True)
-class _Wish:
-    """What is asked for: the view, and how it is to be drawn."""
+@dataclass(frozen=True, kw_only=True)
+class Wish(Laid):
+    """What is to be drawn, and how."""
 
-    view: str
-    size: int
-    renderer: str
-    beauty: bool
-    annotated: bool
-    ids: bool
-    depth: bool
-    date: str
-
-
-def render(  # noqa: PLR0913 - one parameter per option
-    scene: SceneArgument,
-    layout: LayoutArgument,
     view: Annotated[
-        str,
-        typer.Option("--view", help="top, side, plan, sheet (to print), walk (GIF), an asset's name, or eye:ASSET."),
-    ] = "side",
-    size: Annotated[int, typer.Option("--size", min=64, max=4096, help="Pixels of a side.")] = 1024,
+        str, Option(help="top, side, plan, sheet (to print), walk (GIF), an asset's name, or eye:ASSET.")
+    ] = "side"
+    size: Annotated[int, Option(min=64, max=4096, help="Pixels of a side.")] = 1024
     out: Annotated[
-        Path | None, typer.Option("--out", help="Picture file; <view>.png if not given (plan, sheet: also .svg, .pdf).")
-    ] = None,
-    renderer: Annotated[str, typer.Option("--renderer", help="auto, gl (OpenGL) or ray (ray casting).")] = "auto",
-    beauty: Annotated[bool, typer.Option("--beauty", help="Trace paths of light (extra `beauty`).")] = False,
-    annotated: Annotated[
-        bool, typer.Option("--annotated", help="With grid, fronts and names, as a model sees it.")
-    ] = False,
-    ids: Annotated[bool, typer.Option("--ids", help="Also write which asset each pixel shows.")] = False,
-    depth: Annotated[bool, typer.Option("--depth", help="Also write each pixel's depth, in millimetres.")] = False,
-    date: DateOption = "",
-    agent: AgentOption = None,
-    asset_dir: AssetDirOption = None,
-) -> None:
-    """Draw a layout."""
-    from robolayout._files import check_writable, write_atomic
-    from robolayout.scene import load_layout
+        Path | None, Option(help="Picture file; <view>.png if not given (plan, sheet: also .svg, .pdf).")
+    ] = None
+    renderer: Annotated[str, Option(help="auto, gl (OpenGL) or ray (ray casting).")] = "auto"
+    beauty: Annotated[bool, Option("--beauty", help="Trace paths of light (extra `beauty`).")] = False
+    annotated: Annotated[bool, Option("--annotated", help="With grid, fronts and names, as a model sees it.")] = False
+    ids: Annotated[bool, Option("--ids", help="Also write which asset each pixel shows.")] = False
+    depth: Annotated[bool, Option("--depth", help="Also write each pixel's depth, in millimetres.")] = False
+    date: DateOption = ""
 
-    wish = _Wish(view, size, _renderer(renderer), beauty, annotated, ids, depth, date)
+
+@spread
+def render(wish: Wish) -> None:
+    """Draw a layout."""
+    from robolayout._files import write_atomic
+
     _check(wish)
-    given = read_scene(scene, agent, asset_dir)
-    placed = load_layout(layout, given)
+    given, placed = wish.read_both()
+    view = wish.view
     if view not in VIEWS and view.removeprefix("eye:") not in placed:
         eyes = [f"eye:{name}" for name in placed]
         raise UnknownNameError("view", view, eyes if view.startswith("eye:") else [*VIEWS, *placed, "eye:ASSET"])
-    target = out or Path(f"{view.replace(':', '_')}{SUFFIXES.get(view, ('.png',))[0]}")
     allowed = SUFFIXES.get(view, (".png",))
-    if target.suffix.lower() not in allowed:
-        raise InputError(
-            f"--view {view} cannot be written to {target}: name a file that ends in {' or '.join(allowed)}."
-        )
-    check_writable(target.absolute().parent)
+    target = wish.out or Path(f"{view.replace(':', '_')}{allowed[0]}")
+    ending(target, f"--view {view}", allowed)
     for path, data in _files(given, placed, wish, target):
         say(str(write_atomic(path, data)))
 
 
-def _renderer(name: str) -> str:
-    if name not in RENDERERS:
-        raise InputError(f"--renderer {name!r} is not known: choose auto, gl or ray.")
-    return RENDERERS[name]
-
-
-def _check(wish: _Wish) -> None:
-    """Refuse options that exclude each other."""
+def _check(wish: Wish) -> None:
+    """Refuse what is not known, and options that exclude each other."""
+    if wish.renderer not in RENDERERS:
+        raise InputError(f"--renderer {wish.renderer!r} is not known: choose auto, gl or ray.")
     chosen = [name for name in ("beauty", "annotated", "ids", "depth") if getattr(wish, name)]
     by_name = ["renderer"] if wish.renderer != "auto" else []
     if wish.beauty and by_name:
@@ -124,35 +95,29 @@ def _check(wish: _Wish) -> None:
         raise InputError(f"--{chosen[0]} and --{chosen[1]} exclude each other: give one of them.")
 
 
-def _files(scene: Scene, layout: Layout, wish: _Wish, target: Path) -> list[tuple[Path, bytes]]:
+def _files(scene: Scene, layout: Layout, wish: Wish, target: Path) -> list[tuple[Path, bytes]]:
     """Return the files that were asked for and what is in them, all drawn before any is written."""
-    from robolayout.run.outputs import png
+    from robolayout.render import Studio, annotate, png_bytes, render_beauty
 
     if wish.view in SUFFIXES:
         return [(target, _drawn(scene, layout, wish, target.suffix.lower()))]
     stand = _stand(scene, layout, wish.view)
     if wish.beauty:
-        from robolayout.render import render_beauty
-
-        return [(target, png(render_beauty(scene, layout, view=wish.view, size=wish.size, stand=stand)))]
+        return [(target, png_bytes(render_beauty(scene, layout, view=wish.view, size=wish.size, stand=stand)))]
     if wish.annotated:
-        from robolayout.render import annotate
-
-        picture = annotate(scene, layout, view=wish.view, size=wish.size, renderer=wish.renderer)  # type: ignore[arg-type]
-        return [(target, png(picture))]
-    from robolayout.render import Studio
-
-    studio = Studio(scene, layout, renderer=wish.renderer)  # type: ignore[arg-type]
+        picture = annotate(scene, layout, view=wish.view, size=wish.size, renderer=RENDERERS[wish.renderer])  # type: ignore[arg-type]
+        return [(target, png_bytes(picture))]
+    studio = Studio(scene, layout, renderer=RENDERERS[wish.renderer])  # type: ignore[arg-type]
     if wish.ids or wish.depth:
         return _measured(studio, wish, target, stand)
-    return [(target, png(studio.view(wish.view, size=wish.size, stand=stand)))]
+    return [(target, png_bytes(studio.view(wish.view, size=wish.size, stand=stand)))]
 
 
-def _drawn(scene: Scene, layout: Layout, wish: _Wish, suffix: str) -> bytes:
+def _drawn(scene: Scene, layout: Layout, wish: Wish, suffix: str) -> bytes:
     """Return the plan, the sheet or the walk."""
     from robolayout.page.marks import plan_marks
-    from robolayout.render import plan_image, plan_pdf, plan_svg, walk_gif
-    from robolayout.run.outputs import png, sheet
+    from robolayout.render import plan_image, plan_pdf, plan_svg, png_bytes, walk_gif
+    from robolayout.run.outputs import sheet
     from robolayout.verify import judge_agent, verify
 
     if wish.view == "sheet":
@@ -163,7 +128,7 @@ def _drawn(scene: Scene, layout: Layout, wish: _Wish, suffix: str) -> bytes:
         ".gif": lambda: walk_gif(scene, layout, marks, agent=agent, size=wish.size),
         ".svg": lambda: plan_svg(scene, layout, navigation=marks, agent=agent).encode(),
         ".pdf": lambda: plan_pdf(scene, layout, navigation=marks, agent=agent),
-        ".png": lambda: png(plan_image(scene, layout, navigation=marks, agent=agent, width=wish.size)),
+        ".png": lambda: png_bytes(plan_image(scene, layout, navigation=marks, agent=agent, width=wish.size)),
     }
     return made[suffix]()
 
@@ -194,19 +159,19 @@ def viewpoint(route: Sequence[Point], pose: Pose, distance: float) -> Point:
     return far[-1] if far else max(points, key=metres)
 
 
-def _measured(studio: Studio, wish: _Wish, target: Path, stand: Point | None) -> list[tuple[Path, bytes]]:
+def _measured(studio: Studio, wish: Wish, target: Path, stand: Point | None) -> list[tuple[Path, bytes]]:
     """Return the picture, which asset each pixel shows, how far it is, and what the numbers mean."""
     from PIL import Image
 
-    from robolayout.run.outputs import png
+    from robolayout.render import png_bytes
 
     inside = wish.view.startswith("eye:")
     buffers = studio.buffers(studio.camera(wish.view, (wish.size, wish.size), stand=stand), inside=inside)
-    files = [(target, png(Image.fromarray(buffers.color)))]
+    files = [(target, png_bytes(Image.fromarray(buffers.color)))]
     if wish.ids:
-        files.append((target.with_name(f"{target.stem}-ids.png"), png(_id_picture(buffers))))
+        files.append((target.with_name(f"{target.stem}-ids.png"), png_bytes(_id_picture(buffers))))
     if wish.depth:
-        files.append((target.with_name(f"{target.stem}-depth.png"), png(_depth_picture(buffers))))
+        files.append((target.with_name(f"{target.stem}-depth.png"), png_bytes(_depth_picture(buffers))))
     notes = json.dumps(_notes(buffers), indent=2, ensure_ascii=False) + "\n"
     return [*files, (target.with_suffix(".json"), notes.encode())]
 

@@ -26,7 +26,7 @@ from robolayout.many.index import Table, check_tables, write_index
 from robolayout.many.room import NOTE, Made, shelved
 from robolayout.many.spec import Ready, changed, read_spec
 from robolayout.many.variety import LEAST, Plan, nearest
-from robolayout.many.workers import Local, Ray, Task, Workers
+from robolayout.many.workers import Local, Ray, Task, Workers, check_cluster
 from robolayout.run.folder import open_folder
 
 HEAD, LOCK, TIMES, MESHES = "batch.json", ".robolayout-lock", "timing.csv", "meshes"
@@ -128,6 +128,8 @@ def batch(
     folder = Path(out)
     check_writable(folder)
     _check_folder(folder, ready)
+    if cluster is not None:
+        check_cluster(cluster)
     folder.mkdir(parents=True, exist_ok=True)
     with locked(folder / LOCK, folder):
         write_atomic(folder / HEAD, _head(ready))

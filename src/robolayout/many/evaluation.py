@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from contextlib import closing
+from contextlib import ExitStack
 from dataclasses import dataclass
 from functools import partial
 from multiprocessing import get_context
@@ -23,7 +23,7 @@ from robolayout.many.found import Found, find_rooms
 from robolayout.many.index import check_tables, columns, write_rows
 from robolayout.many.page import page
 from robolayout.many.room import figures
-from robolayout.many.statistics import Mean, means, sign_test
+from robolayout.many.statistics import Mean, mean, sign_test
 from robolayout.run.folder import open_folder
 from robolayout.scene import Agent, load_agents
 
@@ -72,7 +72,8 @@ class Evaluation:
     def to_markdown(self) -> str:
         """Return the tables: means by group, and the differences to the other folder."""
         names = list(self.groups)
-        lines = ["| figure | " + " | ".join(markdown(f"{name} ({len_of(self.groups[name])})") for name in names) + " |"]
+        heads = (f"{name} ({max((m.count for m in part.values()), default=0)})" for name, part in self.groups.items())
+        lines = [f"| figure | {' | '.join(map(markdown, heads))} |"]
         lines += ["|---|" + "---:|" * len(names)]
         for figure in self.groups["all"]:
             cells = (self.groups[name].get(figure) for name in names)
@@ -83,20 +84,11 @@ class Evaluation:
                 cells = [shown(pair.difference), str(pair.better), str(pair.worse), f"{pair.chance:.3g}"]
                 lines.append(f"| {figure} | {' | '.join(cells)} |")
         if self.skipped:
-            lines += [
-                "",
-                "Not read:",
-                "",
-                *(f"- {markdown(name)}: {markdown(why)}" for name, why in self.skipped.items()),
-            ]
+            lines += ["", "Not read:", ""]
+            lines += [f"- {markdown(name)}: {markdown(why)}" for name, why in self.skipped.items()]
         if self.unpaired:
             lines += ["", f"Only in one of the folders: {', '.join(map(markdown, self.unpaired))}."]
         return "\n".join(lines) + "\n"
-
-
-def len_of(found: Mapping[str, Mean]) -> int:
-    """Return the number of rooms of a group."""
-    return max((mean.count for mean in found.values()), default=0)
 
 
 def shown(mean: Mean) -> str:
@@ -158,7 +150,12 @@ def _measured(
     rows: list[dict[str, Any]] = []
     skipped: dict[str, str] = {}
     one = partial(_row, agents=agents, asset_dir=asset_dir)
-    with closing(_Mapped(min(workers, len(rooms)))) as mapped:
+    with ExitStack() as stack:
+        mapped: Callable[..., Any] = map
+        if min(workers, len(rooms)) > 1:
+            pool = stack.enter_context(ProcessPoolExecutor(min(workers, len(rooms)), get_context("spawn")))
+            stack.callback(pool.shutdown, cancel_futures=True)
+            mapped = pool.map
         for room, found in zip(rooms, mapped(one, rooms), strict=True):
             tell(room.name)
             if isinstance(found, str):
@@ -166,21 +163,6 @@ def _measured(
             else:
                 rows.append(found)
     return rows, skipped
-
-
-class _Mapped:
-    """`map`, by so many processes where there is more than one."""
-
-    def __init__(self, workers: int) -> None:
-        self.pool = ProcessPoolExecutor(workers, get_context("spawn")) if workers > 1 else None
-
-    def __call__(self, function: Callable[[Found], Any], rooms: Sequence[Found]) -> Any:
-        return map(function, rooms) if self.pool is None else self.pool.map(function, rooms)
-
-    def close(self) -> None:
-        """End the processes."""
-        if self.pool is not None:
-            self.pool.shutdown(cancel_futures=True)
 
 
 def _row(room: Found, agents: tuple[Agent, ...], asset_dir: Path | None) -> dict[str, Any] | str:
@@ -202,9 +184,8 @@ def numbers(rows: Sequence[Mapping[str, Any]]) -> list[str]:
     ]
 
 
-def _table(rows: Sequence[Mapping[str, Any]], names: Sequence[str]) -> NDArray[np.float64]:
-    values = [[row.get(name) for name in names] for row in rows]
-    return np.array([[np.nan if value is None else float(value) for value in row] for row in values], dtype=float)
+def _column(rows: Sequence[Mapping[str, Any]], name: str) -> NDArray[np.float64]:
+    return np.array([np.nan if row.get(name) is None else float(row[name]) for row in rows], dtype=float)
 
 
 def _groups(rows: Sequence[Mapping[str, Any]], by: Sequence[str]) -> dict[str, dict[str, Mean]]:
@@ -212,25 +193,23 @@ def _groups(rows: Sequence[Mapping[str, Any]], by: Sequence[str]) -> dict[str, d
     for name in by:
         if not any(name in row for row in rows):
             raise InputError(f"no room has {name!r} to group by; there is {', '.join(columns(rows))}.")
-    members: dict[str, list[Mapping[str, Any]]] = {"all": list(rows)}
+    members: dict[str, list[Mapping[str, Any]]] = {}
     for row in rows if by else ():
         members.setdefault(", ".join(f"{name} {row.get(name, '-')}" for name in by), []).append(row)
-    names = numbers(rows)
-    return {
-        group: dict(zip(names, means(_table(found, names)), strict=True))
-        for group, found in sorted(members.items(), key=lambda item: item[0] != "all")
-    }
+    groups = {"all": list(rows), **dict(sorted(members.items()))}
+    return {group: {name: mean(_column(found, name)) for name in numbers(rows)} for group, found in groups.items()}
 
 
 def _paired(pairs: Sequence[tuple[Mapping[str, Any], Mapping[str, Any]]]) -> dict[str, Paired]:
     """Return the differences of each figure that both folders have."""
-    names = [name for name in numbers([here for here, _ in pairs]) if all(name in there for _, there in pairs)]
-    apart = _table([here for here, _ in pairs], names) - _table([there for _, there in pairs], names)
+    here, there = ([pair[side] for pair in pairs] for side in (0, 1))
     found: dict[str, Paired] = {}
-    for column, (name, mean) in enumerate(zip(names, means(apart), strict=True)):
-        sign = -1.0 if any(part in name for part in LOWER) else 1.0
-        better, worse = int((sign * apart[:, column] > 0).sum()), int((sign * apart[:, column] < 0).sum())
-        found[name] = Paired(mean, better, worse, sign_test(better, worse))
+    for name in numbers(here):
+        if all(name in row for row in there):
+            apart = _column(here, name) - _column(there, name)
+            sign = -1.0 if any(part in name for part in LOWER) else 1.0
+            better, worse = int((sign * apart > 0).sum()), int((sign * apart < 0).sum())
+            found[name] = Paired(mean(apart), better, worse, sign_test(better, worse))
     return found
 
 
@@ -242,15 +221,10 @@ def write_evaluation(found: Evaluation, folder: str | Path) -> list[Path]:
         OutputError: The folder cannot be written.
     """
     check_tables()
-    sums = [
-        {"group": group, "figure": name, **vars(mean)}
-        for group, part in found.groups.items()
-        for name, mean in part.items()
-    ]
-    sums += [
-        {"group": "against", "figure": name, **vars(pair.difference), "better": pair.better, "worse": pair.worse, "chance": pair.chance}
-        for name, pair in found.against.items()
-    ]  # fmt: skip
+    sums = [{"group": g, "figure": n, **vars(m)} for g, part in found.groups.items() for n, m in part.items()]
+    for name, pair in found.against.items():
+        told = {"better": pair.better, "worse": pair.worse, "chance": pair.chance}
+        sums.append({"group": "against", "figure": name, **vars(pair.difference), **told})
     with open_folder(Path(folder)) as run:
         written = [*write_rows(run.path / "rooms", found.rows), *write_rows(run.path / "figures", sums)]
         written.append(write_atomic(run.path / "report.md", found.to_markdown()))
@@ -264,8 +238,8 @@ def _plots(found: Evaluation) -> dict[str, bytes]:
     shares = [
         n for n, mean in found.groups["all"].items() if n.endswith(("_share", "_ratio")) or n == "ok" if mean.count
     ]
-    means = {group: {name: part[name] for name in shares[:PLOTTED]} for group, part in found.groups.items()}
-    plots = {"means by group, with their intervals": means}
+    by_group = {group: {name: part[name] for name in shares[:PLOTTED]} for group, part in found.groups.items()}
+    plots = {"means by group, with their intervals": by_group}
     if found.against:
         names = [name for name, pair in found.against.items() if pair.better + pair.worse][:PLOTTED]
         plots["differences, this folder less the other"] = {"": {n: found.against[n].difference for n in names}}

@@ -20,8 +20,7 @@ from robolayout._errors import InputError
 from robolayout._reading import Checker, is_file
 from robolayout.many.room import NOTE
 from robolayout.many.states import FORMAT, read_state
-from robolayout.run.diff import load_judged
-from robolayout.run.judged import Judged, judge
+from robolayout.run.result import Result, judge, load_judged
 from robolayout.scene import Agent, Scene, load_layout, load_scene
 
 _CHECK = Checker(InputError)
@@ -43,7 +42,7 @@ class Found:
     scene: Path | None = None
     facts: dict[str, Any] = field(default_factory=dict[str, Any])
 
-    def judged(self, agents: Sequence[Agent], asset_dir: Path | None) -> Judged:
+    def judged(self, agents: Sequence[Agent], asset_dir: Path | None) -> Result:
         """Return the room judged, for other bodies than its own if any are given."""
 
         def read(file: str | Path) -> Scene:

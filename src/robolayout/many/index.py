@@ -23,7 +23,7 @@ from robolayout._version import __version__
 from robolayout.many.page import page
 from robolayout.many.spec import Ready
 from robolayout.many.variety import LEAST
-from robolayout.run.outputs import png
+from robolayout.render import png_bytes
 
 TILE = 160
 """Pixels of a side of one room in the picture of all."""
@@ -126,7 +126,7 @@ def contact(folder: Path, rows: Sequence[Mapping[str, Any]]) -> bytes:
         tile.thumbnail((TILE - 4, TILE - 4), Image.Resampling.LANCZOS)
         left, top = (TILE - tile.width) // 2, (TILE - tile.height) // 2
         sheet.paste(tile, (number % across * TILE + left, number // across * TILE + top))
-    return png(sheet.quantize(256))
+    return png_bytes(sheet.quantize(256))
 
 
 def card(table: Table) -> str:

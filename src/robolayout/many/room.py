@@ -13,7 +13,7 @@ import hashlib
 import json
 import re
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from io import BytesIO
 from pathlib import Path
@@ -28,9 +28,10 @@ from robolayout.many.spec import Ready, Source, Spec, read_spec
 from robolayout.many.variety import Thing, things
 from robolayout.planners import scene_from_sentence
 from robolayout.run.attempt import Clock
-from robolayout.run.flow import Result, generate
+from robolayout.run.flow import generate
 from robolayout.run.folder import RunFolder
-from robolayout.run.outputs import export_options, png, write_files, write_plain
+from robolayout.run.outputs import export_options, write_files, write_plain
+from robolayout.run.result import Result
 from robolayout.scene import Scene, layout_digest, load_agent, scene_digest, scene_from_dict, scene_to_dict
 from robolayout.solve import SolverConfig
 from robolayout.verify import Report, verify
@@ -74,6 +75,10 @@ class Drawn:
     reach: bool
     seed: int
     facts: Mapping[str, Any]
+
+
+_Tried = str | tuple[Drawn, Result]
+"""Why a try is not kept, or what it came to."""
 
 
 @dataclass(frozen=True)
@@ -193,25 +198,31 @@ def laid_out(drawn: Drawn, effort: str, *, trace: bool = False) -> Result:
     return replace(result, scene=scene, report=report)
 
 
-def make(ready: Ready, index: int, attempt: int, meshes: Path | None = None) -> Made:
-    """Return what becomes of one try at a room: its files, or why there are none."""
-    spec, clock = ready.spec, Clock()
+def tried(ready: Ready, index: int, attempt: int, meshes: Path | None, clock: Clock, *, trace: bool) -> _Tried:
+    """Return a room as one try at it is drawn and laid out, or why it is not kept; seconds are told by the clock alone."""
     try:
         with clock.station("draw"):
             drawn = draw(ready, index, attempt, meshes)
         with clock.station("generate"):
-            result = laid_out(drawn, spec.effort, trace=spec.pictures)
+            result = laid_out(drawn, ready.spec.effort, trace=trace)
     except RoboLayoutError as error:
-        return Made(str(error).splitlines()[0], seconds=_spent(clock, {}))
-    timing = result.report.timing
-    why = _unmet(result.report)
-    if why and not spec.keep_unmet:
-        return Made(why, seconds=_spent(clock, timing))
-    result = replace(result, report=replace(result.report, timing={}))  # seconds are told apart from what was made
+        return str(error).splitlines()[0]
+    clock.seconds |= {name: dict(seconds) for name, seconds in result.report.timing.items()}
+    why = "" if ready.spec.keep_unmet else _unmet(result.report)
+    return why or (drawn, replace(result, report=replace(result.report, timing={})))
+
+
+def make(ready: Ready, index: int, attempt: int, meshes: Path | None = None) -> Made:
+    """Return what becomes of one try at a room: its files, or why there are none."""
+    spec, clock = ready.spec, Clock()
+    found = tried(ready, index, attempt, meshes, clock, trace=spec.pictures)
+    if isinstance(found, str):
+        return Made(found, seconds=_spent(clock))
+    drawn, result = found
     with clock.station("write"):
         files = _files(result, spec, drawn.seed, meshes)
     row = {**drawn.facts, "attempt": attempt, **figures(result.report), "sha256": _hash(files)}
-    return Made("", row, things(result.scene, result.layout), files, _spent(clock, timing))
+    return Made("", row, things(result.scene, result.layout), files, _spent(clock))
 
 
 def _unmet(report: Report) -> str:
@@ -232,7 +243,11 @@ def _files(result: Result, spec: Spec, looks: int, meshes: Path | None) -> dict[
             write_plain(result, folder, home)
             options = replace(export_options(result.report), seed=looks)
             export_all(result.scene, result.layout, spec.formats, folder=folder, options=options, partial=True)
-        found = {path.relative_to(folder).as_posix(): path.read_bytes() for path in _below(folder)}
+        found = {
+            path.relative_to(folder).as_posix(): path.read_bytes()
+            for path in sorted(folder.rglob("*"))
+            if path.is_file()
+        }
     return found | {"thumb.png": _thumb(result, found.get("top.png"))}
 
 
@@ -240,16 +255,12 @@ def _thumb(result: Result, drawn: bytes | None) -> bytes:
     """Return the small picture of a room: from above where that is drawn, else the plan, which costs a fifth."""
     from PIL import Image
 
-    from robolayout.render import plan_image
+    from robolayout.render import plan_image, png_bytes
 
     picture = Image.open(BytesIO(drawn)) if drawn else plan_image(result.scene, result.layout, width=2 * THUMB)
     picture = picture.convert("RGB")
     picture.thumbnail((THUMB, THUMB), Image.Resampling.LANCZOS)
-    return png(picture.quantize(64))
-
-
-def _below(folder: Path) -> list[Path]:
-    return sorted(path for path in folder.rglob("*") if path.is_file())
+    return png_bytes(picture.quantize(64))
 
 
 def _hash(files: Mapping[str, bytes]) -> str:
@@ -277,11 +288,11 @@ def figures(report: Report) -> dict[str, Any]:
     return row | {"scene_hash": scene_digest(scene), "layout_hash": layout_digest(report.layout)}
 
 
-def _spent(clock: Clock, timing: Mapping[str, Mapping[str, float]]) -> dict[str, float]:
-    """Return CPU seconds by station, those of `generate` told apart, with the memory of the process."""
+def _spent(clock: Clock) -> dict[str, float]:
+    """Return CPU seconds by station, with the memory of the process."""
     import resource
 
-    spent = {name: seconds["cpu"] for name, seconds in {**clock.seconds, **timing}.items()}
+    spent = {name: seconds["cpu"] for name, seconds in clock.seconds.items()}
     return spent | {"memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024}
 
 
@@ -311,23 +322,14 @@ class Rooms(Sequence[Result]):
         if isinstance(index, slice):
             return [self[number] for number in range(*index.indices(len(self)))]
         number = range(len(self))[index]
-        why: list[str] = []
+        why = ""
         for attempt in range(self.ready.spec.tries):
-            try:
-                drawn = draw(self.ready, number, attempt, self.meshes)
-                result = laid_out(drawn, self.ready.spec.effort)
-            except InputError as error:
-                why.append(str(error))
-                continue
-            if result.report.ok or self.ready.spec.keep_unmet:
-                return result
-            why.append(_unmet(result.report))
-        raise InputError(
-            f"room {number} does not meet its demands in {len(why)} tries ({why[-1]}); ask for less of it."
-        )
-
-    def __iter__(self) -> Iterator[Result]:
-        return (self[number] for number in range(len(self)))
+            found = tried(self.ready, number, attempt, self.meshes, Clock(), trace=False)
+            if not isinstance(found, str):
+                return found[1]
+            why = found
+        tries = self.ready.spec.tries
+        raise InputError(f"room {number} does not meet its demands in {tries} tries ({why}); ask for less of it.")
 
     def __repr__(self) -> str:
         return f"Rooms({len(self)} of {json.dumps([source.text for source in self.ready.sources])})"

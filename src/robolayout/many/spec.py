@@ -19,7 +19,7 @@ from typing import Any, cast
 
 from robolayout._errors import InputError, UnknownNameError
 from robolayout._reading import Checker
-from robolayout.assets import find_category
+from robolayout.assets import find_category, import_folder
 from robolayout.export import find_exporter
 from robolayout.planners import scene_from_sentence
 from robolayout.scene import DRESSINGS, Agent, Scene, digest, load_agents, load_scene, scene_digest
@@ -83,7 +83,7 @@ class Spec:
     """How much lies about: "none", "some", "full", one of them for each room. None: what the words or the scene file say."""
 
     catalogues: tuple[str, ...] = ()
-    """Catalogues of own meshes (`robolayout assets import`): where they have a thing of a kind, it is that one."""
+    """Folders of own GLB files, or catalogues of them (`robolayout assets import`): where they have a thing of a kind, it is that one."""
 
     formats: tuple[str, ...] = ()
     """Export formats beside GLB ("mjcf", "usda")."""
@@ -110,7 +110,7 @@ class Spec:
     """Rooms that are drawn in the place of one until it is given up, and named."""
 
     seconds: float = _bounded(300.0, 1.0, 86_400.0)
-    """Seconds after which a worker that is still at one room is ended."""
+    """CPU seconds after which a worker that is still at one room is ended."""
 
     memory: float = _bounded(8.0, 1.0, 1024.0)
     """Gigabytes of a worker's data, beyond which the system refuses it more."""
@@ -309,16 +309,19 @@ def _catalogues(names: Sequence[str], base: Path) -> tuple[dict[str, tuple[Mappi
     own: dict[str, list[Mapping[str, Any]]] = {}
     meshes: dict[str, Path] = {}
     for number, name in enumerate(names):
-        file = base / name
-        data = _CHECK.mapping(_CHECK.read_json(file, "catalogue"), f"catalogue {name}")
+        file, home = base / name, (base / name).parent
+        if file.is_dir():
+            data, home = import_folder(file), file
+        else:
+            data = _CHECK.mapping(_CHECK.read_json(file, "catalogue"), f"catalogue {name}")
         entries = _CHECK.mapping(_CHECK.required(data, "assets", f"catalogue {name}"), f"catalogue {name}: assets")
         for key, entry in entries.items():
             found = dict(_CHECK.mapping(entry, f"catalogue {name}: {key}"))
             path = _CHECK.text(_CHECK.required(found, "path", f"catalogue {name}: {key}"), f"{name}: {key}: path")
-            if not (file.parent / path).is_file():
+            if not (home / path).is_file():
                 raise InputError(f"catalogue {name}: the mesh {path!r} of {key!r} does not exist; import it again.")
             found["path"] = f"{number}/{path}"
-            meshes[found["path"]] = file.parent / path
+            meshes[found["path"]] = home / path
             own.setdefault(find_category(str(found.get("category", key))).name, []).append(found)
     return {kind: tuple(entries) for kind, entries in own.items()}, meshes
 

@@ -32,30 +32,20 @@ class Mean:
     high: float
 
 
-def means(table: NDArray[np.float64], seed: int = 0) -> list[Mean]:
-    """Return the mean of each column with its interval, by percentiles of the bootstrap; rooms are drawn whole.
+def mean(values: NDArray[np.float64], seed: int = 0) -> Mean:
+    """Return the mean of a figure with its interval, by percentiles of the bootstrap.
 
     Args:
-        table: (rooms, figures); NaN where a room lacks a figure.
+        values: (rooms,); NaN where a room lacks the figure.
         seed: Settles which rooms are drawn.
     """
+    found = values[~np.isnan(values)]
+    if found.size == 0:
+        return Mean(0, math.nan, math.nan, math.nan)
     rng = np.random.default_rng(seed)
-    there = ~np.isnan(table)
-    values = np.where(there, table, 0.0)
-    drawn = np.full((RESAMPLES, table.shape[1]), np.nan)
-    for turn in range(RESAMPLES):
-        times = np.bincount(rng.integers(0, len(table), len(table)), minlength=len(table)).astype(float)
-        count = times @ there
-        drawn[turn] = np.divide(times @ values, count, out=np.full(len(count), np.nan), where=count > 0)
-    found: list[Mean] = []
-    for column in range(table.shape[1]):
-        count = int(there[:, column].sum())
-        if not count:
-            found.append(Mean(0, math.nan, math.nan, math.nan))
-            continue
-        low, high = np.nanpercentile(drawn[:, column], [50 * (1 - SURE), 50 * (1 + SURE)])
-        found.append(Mean(count, float(values[:, column].sum() / count), float(low), float(high)))
-    return found
+    drawn = [found[rng.integers(0, found.size, found.size)].mean() for _ in range(RESAMPLES)]
+    low, high = np.percentile(drawn, [50 * (1 - SURE), 50 * (1 + SURE)])
+    return Mean(found.size, float(found.mean()), float(low), float(high))
 
 
 def sign_test(better: int, worse: int) -> float:
@@ -63,6 +53,6 @@ def sign_test(better: int, worse: int) -> float:
 
     Twice the smaller tail of the binomial distribution with p = 1/2, at most 1; rooms that are equal do not count.
     """
-    count = better + worse
-    tail = sum(math.comb(count, k) for k in range(min(better, worse) + 1)) / 2**count
-    return min(1.0, 2.0 * tail)
+    from scipy.stats import binomtest
+
+    return float(binomtest(better, better + worse).pvalue) if better + worse else 1.0

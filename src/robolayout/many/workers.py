@@ -15,6 +15,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cache
+from importlib.util import find_spec
 from multiprocessing import connection, get_context
 from multiprocessing.process import BaseProcess
 from pathlib import Path
@@ -31,6 +32,9 @@ AHEAD = 2
 
 ANSWER = 10.0
 """Seconds in which a cluster must answer."""
+
+PATIENCE = 10
+"""Seconds by the clock for each CPU second that a room may take."""
 
 TICK = 0.2
 """Seconds to wait for a worker before something else is looked at."""
@@ -141,15 +145,20 @@ def _serve(pipe: connection.Connection, ready: Ready, meshes: Path) -> None:
 
 
 def bounded(ready: Ready, task: Task, meshes: Path) -> Made:
-    """Return one try at a room, made within bounds of time and memory; the process ends where it takes too long."""
+    """Return one try at a room, made within bounds of time and memory; the process ends where it takes too long.
+
+    Time is counted in CPU seconds, lest a busy machine lose rooms; one that only waits has `PATIENCE` times as long.
+    """
     _limit_memory(int(ready.spec.memory * 1e9))
     with open(os.devnull, "w") as nowhere:
-        faulthandler.dump_traceback_later(ready.spec.seconds, exit=True, file=nowhere)
+        faulthandler.dump_traceback_later(PATIENCE * ready.spec.seconds, exit=True, file=nowhere)
+        signal.setitimer(signal.ITIMER_PROF, ready.spec.seconds)  # its signal ends a process that does not expect it
         try:
             return make(ready, task.index, task.attempt, meshes)
         except MemoryError:
             return Made(f"took more than {ready.spec.memory:g} GB of memory")
         finally:
+            signal.setitimer(signal.ITIMER_PROF, 0)
             faulthandler.cancel_dump_traceback_later()
 
 
@@ -171,19 +180,15 @@ class Ray:
         most: Most tasks under way; as many as the cluster has processors if None.
 
     Raises:
-        MissingExtraError: Ray is not installed.
         InputError: There is no cluster at that address.
     """
 
     def __init__(self, ready: Ready, address: str, most: int | None = None) -> None:
-        try:
-            import ray
-        except ImportError:
-            raise MissingExtraError("--cluster ray", "ray") from None
+        import ray
+
         self.ray: Any = ray
         self.mine = not ray.is_initialized()
         if self.mine:
-            _reach(address)
             given: dict[str, Any] = {"address": address} if address != "local" else {"num_cpus": most}
             try:
                 ray.init(**given, include_dashboard=False, log_to_driver=False, logging_level=logging.ERROR)
@@ -220,8 +225,15 @@ class Ray:
             self.ray.shutdown()
 
 
-def _reach(address: str) -> None:
-    """Refuse an address at which nobody answers, for which Ray itself would wait many minutes and then end the program."""
+def check_cluster(address: str) -> None:
+    """Refuse, before any work, an address at which nobody answers; Ray itself would wait many minutes and end the program.
+
+    Raises:
+        MissingExtraError: Ray is not installed.
+        InputError: Nobody answers.
+    """
+    if find_spec("ray") is None:
+        raise MissingExtraError("--cluster ray", "ray")
     host, _, port = address.removeprefix("ray://").rpartition(":")
     if not host:
         return

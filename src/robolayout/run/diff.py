@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
-from robolayout._errors import InputError
 from robolayout.render import PlanMarks
-from robolayout.run.judged import Judged, judge
-from robolayout.scene import Asset, Layout, Pose, Scene, load_layout
+from robolayout.run.result import Result
+from robolayout.scene import Asset, Pose
 from robolayout.verify import Report
 
 MOVED, TURNED = 0.001, 0.1
@@ -20,25 +18,6 @@ MOVED, TURNED = 0.001, 0.1
 
 CHANGED = 1e-4
 """Difference of a figure from which on it counts as changed."""
-
-
-class Laid(Protocol):
-    """A layout with its report: a `Result` of a run, or what `judge` returns."""
-
-    @property
-    def scene(self) -> Scene:
-        """What was given."""
-        ...
-
-    @property
-    def layout(self) -> Layout:
-        """Poses."""
-        ...
-
-    @property
-    def report(self) -> Report:
-        """What the verifier says."""
-        ...
 
 
 @dataclass(frozen=True)
@@ -76,8 +55,8 @@ class Difference:
         changes: Things, the farthest moved first; then figures, violations and statements, the worse ones first.
     """
 
-    before: Laid
-    after: Laid
+    before: Result
+    after: Result
     changes: tuple[Change, ...]
 
     @property
@@ -104,12 +83,12 @@ class Difference:
         )
 
 
-def diff(before: Laid, after: Laid) -> Difference:
+def diff(before: Result, after: Result) -> Difference:
     """Return what differs between two layouts, each with its report.
 
     Args:
-        before: A `Result`, or what `judge` returns.
-        after: The same; the scenes may differ.
+        before: The one, from `generate` or `judge`.
+        after: The other; the scenes may differ.
     """
     things = sorted(_things(before, after), key=lambda change: (-change.metres, -change.degrees))
     judged = [*_figures(before.report, after.report), *_violations(before.report, after.report)]
@@ -118,33 +97,7 @@ def diff(before: Laid, after: Laid) -> Difference:
     return Difference(before, after, (*things, *judged))
 
 
-def load_judged(
-    path: Path, scene: Scene | None, read_scene: Callable[[str], Scene], program: Path | None = None
-) -> Judged:
-    """Judge the layout of a run's folder, or a layout file for a scene that is given.
-
-    Args:
-        path: A folder with `scene.json` and `layout.json`, or a layout file.
-        scene: The scene of the layout; None takes the folder's own.
-        read_scene: Reads a scene file.
-        program: File of the program whose statements are measured; None takes the folder's own, if there is one.
-
-    Raises:
-        InputError: There is no layout, or nothing says which scene it belongs to.
-    """
-    folder = path if path.is_dir() else None
-    if scene is None:
-        if folder is None or not (folder / "scene.json").exists():
-            raise InputError(
-                f"{path} is not the folder of a run (it has no scene.json): name one, or give the scene with --scene."
-            )
-        scene = read_scene(str(folder / "scene.json"))
-        own = folder / "program.py"
-        program = program or (own if own.exists() else None)
-    return judge(scene, load_layout(path if folder is None else folder / "layout.json", scene), program)
-
-
-def _things(before: Laid, after: Laid) -> Iterator[Change]:
+def _things(before: Result, after: Result) -> Iterator[Change]:
     """Yield what happened to each thing; what came or went last, since it went no distance."""
     old, new = before.layout, after.layout
     for name in dict.fromkeys([*(a.name for a in after.scene.assets), *(a.name for a in before.scene.assets)]):

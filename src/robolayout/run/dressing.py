@@ -11,7 +11,7 @@ from robolayout.solve import Dressed, dress
 from robolayout.verify import physics, verify
 
 if TYPE_CHECKING:
-    from robolayout.run.flow import Result
+    from robolayout.run.result import Result
 
 
 def dressed(result: Result, amount: str, *, seed: int) -> Result:

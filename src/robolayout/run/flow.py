@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from robolayout._errors import SceneError
 from robolayout.floor import FLOOR, cell_size
@@ -15,8 +15,9 @@ from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.run.attempt import Attempt, Clock, Progress
 from robolayout.run.dressing import dressed
 from robolayout.run.edit import as_start, pinned_poses, started
+from robolayout.run.result import Result
 from robolayout.run.verdict import make_judge
-from robolayout.scene import Agent, Layout, Pose, Scene, Trace, check_dress, load_agents, load_scene, scene_from_dict
+from robolayout.scene import Agent, Layout, Pose, Scene, check_dress, load_agents, load_scene, scene_from_dict
 from robolayout.solve import (
     PAPER,
     UNREFINED,
@@ -31,9 +32,6 @@ from robolayout.solve import (
 )
 from robolayout.verify import Report, overfull, verify
 from robolayout.words import Wishes, read_words
-
-if TYPE_CHECKING:
-    from robolayout.run.answers import Sample
 
 AgentSpec = Agent | str | Path | Mapping[str, Any]
 
@@ -51,50 +49,6 @@ MOST_WAYS = 8
 
 ATTEMPT_STRIDE = 1000
 """Added to the planner's seed for each further attempt."""
-
-
-@dataclass(frozen=True)
-class Result:
-    """Everything that a run made.
-
-    Attributes:
-        scene: What was given.
-        groups: The planner's groups, in order.
-        program: What the program says, as asked.
-        reconciled: The same after the filter, with a decision for every statement.
-        layout: Poses.
-        report: What the verifier says of them.
-        solution: What the solver says of its run.
-        samples: Every answer of a model, with its score; empty without a model.
-    """
-
-    scene: Scene
-    groups: tuple[Group, ...]
-    program: Program
-    reconciled: Reconciled
-    layout: Layout
-    report: Report
-    solution: Solution = field(repr=False)
-    samples: tuple[Sample, ...] = field(default=(), repr=False)
-
-    @property
-    def trace(self) -> Trace:
-        """The record of the search; empty unless asked for."""
-        return self.solution.trace
-
-    def to_frame(self) -> Any:
-        """Return a pandas DataFrame with one row per asset (see `Report.to_frame`)."""
-        return self.report.to_frame()
-
-    def _repr_html_(self) -> str:
-        """Return the plan for the first agent beside the short report, for notebooks."""
-        from robolayout.page.marks import plan_marks
-        from robolayout.render import plan_svg
-
-        first = self.report.agents[0]
-        plan = plan_svg(self.scene, self.layout, navigation=plan_marks(first), agent=first.agent)
-        shown = self.report.to_html()
-        return f'<div style="display:flex;flex-wrap:wrap;gap:2em;align-items:flex-start">{plan}<div>{shown}</div></div>'
 
 
 def as_scene(
@@ -173,16 +127,9 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
 
 @dataclass(frozen=True)
 class _Try:
-    """A program that is to be solved.
+    """A program that is to be solved, from where it is `built` if that is known."""
 
-    Attributes:
-        amiss: How much is wrong with where its search starts; nothing if it is right.
-        seed: Settles every choice.
-        asked: The program.
-        built: Where its search starts, if that is known.
-    """
-
-    amiss: float
+    amiss: float  # how much is wrong with where its search starts
     seed: int
     asked: Program
     built: Layout | None = None
@@ -207,7 +154,7 @@ class _Run:
             report = report.with_planner(who)
         elif forgotten := best.asked.forgotten():
             report = report.with_notes((f"The program says nothing about {', '.join(forgotten)}.",))
-        found = Result(self.scene, groups, best.asked, best.reconciled, layout, report, best.solution)
+        found = Result(self.scene, layout, report, best.asked, best.reconciled, groups, best.solution)
         return dressed(found, self.scene.dress, seed=self.seed)
 
     def whole(self, planner: Planner, program: str | None, attempts: int) -> Attempt:
@@ -410,37 +357,24 @@ def _ways(scene: Scene, program: Program, found: Solution) -> Iterator[Program]:
                 yield replace(program, statements=changed)
 
 
-def solve_many(  # noqa: PLR0913 - as `generate`
+def solve_many(
     scene: Scene,
     programs: Sequence[Program],
     *,
     seed: int = 0,
     solver: str = "default",
     config: SolverConfig | None = None,
-    pinned: Mapping[str, Pose] | None = None,
     progress: Progress | None = None,
-    built: Layout | None = None,
+    **known: Any,
 ) -> list[Solution]:
-    """Solve several programs for one scene; the default solver shares its effort among them.
+    """Solve several programs for one scene, filtered; the default solver shares its effort among them.
 
-    Args:
-        scene: The scene.
-        programs: What to solve, filtered.
-        seed: Settles every choice.
-        solver: Name of a solver; see `solve`.
-        config: Constants of the default solver.
-        pinned: Poses that must stay.
-        progress: Called with the name of each phase.
-        built: Poses of what no program places, where they are known.
+    The arguments are those of `solve`; `known` are its `pinned` and `built`.
     """
     if solver != "default" or len(programs) == 1:
-        return [
-            solve(
-                scene, program, seed=seed, solver=solver, config=config, pinned=pinned, progress=progress, built=built
-            )
-            for program in programs
-        ]
-    problems = [compile_problem(scene, program, seed=seed, pinned=pinned, built=built) for program in programs]
+        given = {"seed": seed, "solver": solver, "config": config, "progress": progress, **known}
+        return [solve(scene, program, **given) for program in programs]
+    problems = [compile_problem(scene, program, seed=seed, **known) for program in programs]
     judges = [make_judge(scene, program) for program in programs]
     return solve_samples(problems, judges, seed=seed, config=config, progress=progress)
 

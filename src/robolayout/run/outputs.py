@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -13,17 +12,14 @@ from robolayout._files import write_atomic
 from robolayout._text import file_name
 from robolayout.export import Options, export, find_exporter, to_bytes
 from robolayout.page.marks import plan_marks
-from robolayout.render import PlanMarks
+from robolayout.render import PlanMarks, png_bytes
 from robolayout.run.folder import RunFolder, open_folder
 from robolayout.scene import scene_to_dict
 from robolayout.verify import AgentReport, Report
 
 if TYPE_CHECKING:
-    from PIL.Image import Image
-
     from robolayout.run.diff import Difference
-    from robolayout.run.flow import Result
-    from robolayout.run.judged import Judged
+    from robolayout.run.result import Result
 
 PICTURE_SIZE = 900
 """Pixels of a side of `top.png` and `view.png`."""
@@ -33,7 +29,7 @@ PLAIN = ("scene.json", "layout.json", "report.json")
 
 
 def write_result(
-    result: Result | Judged,
+    result: Result,
     folder: str | Path,
     *,
     pictures: bool = True,
@@ -66,7 +62,7 @@ def write_result(
 
 
 def write_files(
-    result: Result | Judged, run: RunFolder, *, pictures: bool, formats: Sequence[str], date: str = "", looks: int = 0
+    result: Result, run: RunFolder, *, pictures: bool, formats: Sequence[str], date: str = "", looks: int = 0
 ) -> list[Path]:
     """Write the files of a run to where they are made (see `write_result`); `looks` is the seed of how things look."""
     folder = run.path
@@ -82,20 +78,20 @@ def write_files(
     return written
 
 
-def write_plain(result: Result | Judged, folder: Path, base: Path) -> None:
+def write_plain(result: Result, folder: Path, base: Path) -> None:
     """Write scene, layout and report alone, the meshes of the scene named from `base`."""
     for name, data in _texts(result, base):
         if name in PLAIN:
             write_atomic(folder / name, data)
 
 
-def page_html(result: Result | Judged) -> str:
+def page_html(result: Result) -> str:
     """Return the run as one page to look at in a browser: the room in 3D, verdicts and figures; it needs no network."""
     glb = to_bytes(result.scene, result.layout, "glb", partial=True)
     return _page(result, glb, [plan_marks(agent) for agent in result.report.agents])
 
 
-def _page(result: Result | Judged, glb: bytes, marks: Sequence[PlanMarks]) -> str:
+def _page(result: Result, glb: bytes, marks: Sequence[PlanMarks]) -> str:
     from robolayout.page import content, document
 
     return document(content(result, marks), glb)
@@ -107,16 +103,13 @@ def export_options(report: Report) -> Options:
     return Options(agent=first.agent, routes={name: route.points for name, route in first.navigation.routes.items()})
 
 
-def _texts(result: Result | Judged, folder: Path) -> Iterator[tuple[str, str]]:
-    from robolayout.run.judged import Judged
-
+def _texts(result: Result, folder: Path) -> Iterator[tuple[str, str]]:
     yield "scene.json", _json(scene_to_dict(result.scene, base=folder.resolve()))
-    planned = not isinstance(result, Judged)
-    if planned:
+    if result.solution:
         yield "grouping.json", _json([group.to_dict() for group in result.groups])
         if result.samples:
             yield "samples.json", _json([sample.to_dict() for sample in result.samples])
-    if planned or result.program.text:
+    if result.solution or result.program.text:
         yield "program.py", result.program.text
         yield "constraints.json", _json(result.reconciled.to_dict())
     yield "layout.json", _json(result.layout.to_dict())
@@ -124,7 +117,7 @@ def _texts(result: Result | Judged, folder: Path) -> Iterator[tuple[str, str]]:
     yield "report.md", result.report.to_markdown()
 
 
-def _pictures(result: Result | Judged, glb: bytes, date: str, looks: int) -> Iterator[tuple[str, str | bytes]]:
+def _pictures(result: Result, glb: bytes, date: str, looks: int) -> Iterator[tuple[str, str | bytes]]:
     from robolayout.render import Studio, loss_png, plan_svg, progress_gif
 
     marks = [plan_marks(body) for body in result.report.agents]
@@ -134,8 +127,8 @@ def _pictures(result: Result | Judged, glb: bytes, date: str, looks: int) -> Ite
         yield file, plan_svg(result.scene, result.layout, navigation=marks[number - 1], agent=body.agent)
     yield "sheet.pdf", sheet(result.report, date=date)
     studio = Studio(result.scene, result.layout, seed=looks)
-    yield "top.png", png(studio.view("top", size=PICTURE_SIZE))
-    yield "view.png", png(studio.view("side", size=PICTURE_SIZE))
+    yield "top.png", png_bytes(studio.view("top", size=PICTURE_SIZE))
+    yield "view.png", png_bytes(studio.view("side", size=PICTURE_SIZE))
     if result.trace.losses:
         yield "progress.gif", progress_gif(result.scene, result.trace, layout=result.layout)
         yield "loss.png", loss_png(result.trace)
@@ -157,7 +150,7 @@ def comparison(results: Sequence[Result], suffix: str = ".png", *, width: int = 
     ]
     if suffix == ".svg":
         return compare_svg(panels).encode()
-    return png(compare_image(panels, width=width).quantize(256))
+    return png_bytes(compare_image(panels, width=width).quantize(256))
 
 
 def difference_picture(found: Difference, suffix: str = ".png", *, width: int = 1400) -> bytes:
@@ -174,12 +167,12 @@ def difference_picture(found: Difference, suffix: str = ".png", *, width: int = 
     if before.scene.room == after.scene.room:
         if suffix == ".svg":
             return plan_svg(after.scene, after.layout, navigation=found.marks()).encode()
-        return png(plan_image(after.scene, after.layout, navigation=found.marks(), width=width))
+        return png_bytes(plan_image(after.scene, after.layout, navigation=found.marks(), width=width))
     panels = [
         (when, side.scene, side.layout, plan_marks(side.report.agents[0]))
         for when, side in (("before", before), ("after", after))
     ]
-    return compare_svg(panels).encode() if suffix == ".svg" else png(compare_image(panels, width=width))
+    return compare_svg(panels).encode() if suffix == ".svg" else png_bytes(compare_image(panels, width=width))
 
 
 def sheet(report: Report, suffix: str = ".pdf", *, date: str = "", width: int = 1600) -> bytes:
@@ -202,18 +195,11 @@ def sheet(report: Report, suffix: str = ".pdf", *, date: str = "", width: int = 
         return sheet_pdf(*given, marks=marks, agent=agent)
     if suffix == ".svg":
         return sheet_svg(*given, marks=marks, agent=agent).encode()
-    return png(sheet_image(*given, marks=marks, agent=agent, width=width))
+    return png_bytes(sheet_image(*given, marks=marks, agent=agent, width=width))
 
 
 def _body(report: AgentReport) -> str:
     return report.agent.title or report.agent.name
-
-
-def png(image: Image) -> bytes:
-    """Return a picture as PNG."""
-    stream = io.BytesIO()
-    image.save(stream, "PNG", compress_level=4)  # half the time of the default level, files 8 % larger
-    return stream.getvalue()
 
 
 def _json(data: object) -> str:

@@ -37,7 +37,7 @@ def joined(parts: Sequence[tuple[Group, Program]]) -> Program:
         own = (*part.statements, *part.wishes)
         for line, statement in enumerate(own, len(lines) - len(own) + 1):
             kept = statements if statement.wish is None else wishes
-            kept.append(Statement(statement.relation, line, lines[line - 1], len(kept) + 1, statement.wish))
+            kept.append(replace(statement, line=line, source=lines[line - 1], number=len(kept) + 1))
         guesses |= part.guesses
     text = "".join(f"{line}\n" for line in lines)
     expressions = {name: text for _, part in parts for name, text in part.expressions.items()}

@@ -1,0 +1,124 @@
+"""A layout with everything that is known of it: what a run made, or what somebody else made, judged."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from robolayout._errors import InputError, ModelError
+from robolayout.program import Program, Reconciled, read_program, reconcile
+from robolayout.scene import Layout, Scene, Trace, load_layout
+from robolayout.verify import Report, verify
+from robolayout.words import read_words
+
+if TYPE_CHECKING:
+    from robolayout.planners import Group, ModelJudge
+    from robolayout.run.answers import Sample
+    from robolayout.solve import Solution
+
+SOUND = {"CF": 100.0, "IB": 100.0}
+"""Percent of the things that overlap nothing, and that are inside the room, in a plausible room (LayoutVLM's rule)."""
+
+
+@dataclass(frozen=True)
+class Result:
+    """A layout and its report, with all that a run made of it.
+
+    Attributes:
+        scene: What was given.
+        layout: Poses.
+        report: What the verifier says of them.
+        program: What the program says, as asked; empty if there was none.
+        reconciled: The same after the filter, with a decision for every statement.
+        groups: The planner's groups, in order.
+        solution: What the solver says of its run; None where somebody else made the layout.
+        samples: Every answer of a model, with its score; empty without a model.
+    """
+
+    scene: Scene
+    layout: Layout
+    report: Report
+    program: Program = field(default_factory=Program)
+    reconciled: Reconciled = field(default_factory=lambda: Reconciled(Program(), ()))
+    groups: tuple[Group, ...] = ()
+    solution: Solution | None = field(default=None, repr=False)
+    samples: tuple[Sample, ...] = field(default=(), repr=False)
+
+    @property
+    def trace(self) -> Trace:
+        """The record of the search; empty unless asked for."""
+        return self.solution.trace if self.solution else Trace()
+
+    def to_frame(self) -> Any:
+        """Return a pandas DataFrame with one row per asset (see `Report.to_frame`)."""
+        return self.report.to_frame()
+
+    def _repr_html_(self) -> str:
+        """Return the plan for the first agent beside the short report, for notebooks."""
+        from robolayout.page.marks import plan_marks
+        from robolayout.render import plan_svg
+
+        first = self.report.agents[0]
+        plan = plan_svg(self.scene, self.layout, navigation=plan_marks(first), agent=first.agent)
+        shown = self.report.to_html()
+        return f'<div style="display:flex;flex-wrap:wrap;gap:2em;align-items:flex-start">{plan}<div>{shown}</div></div>'
+
+
+def judge(scene: Scene, layout: Layout, program: str | Path | None = None) -> Result:
+    """Judge a layout, whoever made it.
+
+    Args:
+        scene: What was given.
+        layout: Poses.
+        program: File of the program whose statements are measured as well.
+    """
+    wishes, said = read_words(scene), Program()
+    if program is not None:
+        from robolayout.planners import FilePlanner, PlanRequest
+
+        said = wishes.marked(read_program(FilePlanner(program).plan(PlanRequest(scene)), scene))
+    report = verify(scene, layout, None if program is None else said)
+    report = report.with_asked(wishes.judged(scene, layout, report.agents[0].navigation.main))
+    return Result(scene, layout, report, said, reconcile(said, scene))
+
+
+def load_judged(
+    path: Path, scene: Scene | None, read_scene: Callable[[str], Scene], program: Path | None = None
+) -> Result:
+    """Judge the layout of a run's folder, or a layout file for a scene that is given.
+
+    Args:
+        path: A folder with `scene.json` and `layout.json`, or a layout file.
+        scene: The scene of the layout; None takes the folder's own.
+        read_scene: Reads a scene file.
+        program: File of the program whose statements are measured; None takes the folder's own, if there is one.
+
+    Raises:
+        InputError: There is no layout, or nothing says which scene it belongs to.
+    """
+    folder = path if path.is_dir() else None
+    if scene is None:
+        if folder is None or not (folder / "scene.json").exists():
+            raise InputError(
+                f"{path} is not the folder of a run (it has no scene.json): name one, or give the scene with --scene."
+            )
+        scene = read_scene(str(folder / "scene.json"))
+        own = folder / "program.py"
+        program = program or (own if own.exists() else None)
+    return judge(scene, load_layout(path if folder is None else folder / "layout.json", scene), program)
+
+
+def scored(judged: Result, model: ModelJudge) -> Result:
+    """Return a judged layout with a model's scores in its report; where no vote comes, with the reason."""
+    from robolayout.run.sight import finished_pictures
+
+    report = judged.report
+    valid = SOUND.items() <= report.metrics["LayoutVLM"].items() and all(report.physics.placed.values())
+    images = finished_pictures(judged.scene, judged.layout, model.pictures)
+    try:
+        found = model.opinion(judged.scene, judged.layout, images, valid=valid).to_dict()
+    except ModelError as error:
+        found = {"sentences": [f"No model scored the room: {error}"]}
+    return replace(judged, report=report.with_opinion(found))
