@@ -46,7 +46,7 @@ def run_of(scene: Scene, places: dict[str, tuple[float, float, float, float]], a
     )
     solution = Solution(layout, Verdict(0.0, 0.0, 0.0), "solved", "", trace=trace)
     report = verify(scene, layout, asked).with_timing({"plan": {"wall": 0.5, "cpu": 0.5}})
-    return Result(scene, (), asked, reconcile(asked, scene), layout, report, solution)
+    return Result(scene, layout, report, asked, reconcile(asked, scene), (), solution)
 
 
 def _on_the_way(layout: Layout, share: float) -> dict[str, tuple[float, float, float]]:
