@@ -257,7 +257,9 @@ def _thumb(result: Result, drawn: bytes | None) -> bytes:
 
     from robolayout.render import plan_image, png_bytes
 
-    picture = Image.open(BytesIO(drawn)) if drawn else plan_image(result.scene, result.layout, width=2 * THUMB)
+    picture = (
+        Image.open(BytesIO(drawn)) if drawn else plan_image(result.scene, result.layout, names=False, width=2 * THUMB)
+    )
     picture = picture.convert("RGB")
     picture.thumbnail((THUMB, THUMB), Image.Resampling.LANCZOS)
     return png_bytes(picture.quantize(64))

@@ -53,10 +53,11 @@ def plan_image(
     navigation: PlanMarks | None = None,
     agent: Agent | None = None,
     title: str | None = None,
+    names: bool = True,
     width: int = 1000,
 ) -> Image:
     """Return the plan as an RGB picture `width` pixels wide (see `draw_plan`)."""
-    return draw_image(draw_plan(scene, layout, navigation=navigation, agent=agent, title=title), width)
+    return draw_image(draw_plan(scene, layout, navigation=navigation, agent=agent, title=title, names=names), width)
 
 
 def plan_pdf(
@@ -80,6 +81,7 @@ def draw_plan(
     navigation: PlanMarks | None = None,
     agent: Agent | None = None,
     title: str | None = None,
+    names: bool = True,
     scale: int | None = None,
 ) -> Drawing:
     """Return the plan of a room as a drawing in paper millimetres.
@@ -90,6 +92,7 @@ def draw_plan(
         navigation: What the agent can do: free space, routes, passages, blocked assets.
         agent: The agent, for the legend; None leaves it out.
         title: A line above the plan.
+        names: Whether things are named; finding places for names takes most of the time.
         scale: Denominator of the scale (50 is 1:50); None chooses.
     """
     marks = navigation or PlanMarks()
@@ -108,7 +111,7 @@ def draw_plan(
 
     if title:
         sheet.words((width / 2, 6.0), title, min(3.4, 3.4 * (width - 8) / max(text_width(title, 3.4), 1)), color=INK)
-    naming = Naming((1.0, 1.0, sheet.width - 1, sheet.height - 1))
+    naming = Naming((1.0, 1.0, sheet.width - 1, sheet.height - 1)) if names else None
     draw_room(sheet, scene, layout, place, marks, agent, naming)
     _draw_foot(sheet, agent, navigation, scale, left)
     return sheet
@@ -121,14 +124,15 @@ def draw_room(
     place: Place,
     marks: PlanMarks,
     agent: Agent | None,
-    naming: Naming,
+    naming: Naming | None,
 ) -> None:
-    """Draw the room and what stands in it, then what is marked, then the names."""
+    """Draw the room and what stands in it, then what is marked, then the names, if it is said how to name."""
     draw_floor(sheet, scene.room, place)
     draw_contents(sheet, scene, layout, marks, place)
     draw_marks(sheet, marks, agent, place)
     draw_walls(sheet, scene.room, place)
-    draw_labels(sheet, scene, layout, place, marks, agent, naming)
+    if naming is not None:
+        draw_labels(sheet, scene, layout, place, marks, agent, naming)
 
 
 def plan_scale(scene: Scene) -> int:
