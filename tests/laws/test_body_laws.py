@@ -21,7 +21,7 @@ from robolayout.floor.routes import _rows as demand_rows
 from robolayout.program import read_program
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, load_agent
 from robolayout.solve import compile_problem
-from robolayout.verify import Navigation, judge_agent, navigation, verify
+from robolayout.verify import Drive, Navigation, judge_agent, navigation, verify
 from robolayout.verify._obstacles import part_rectangles
 from robolayout.verify.heading import rectangle as footprint_of
 from robolayout.verify.proofs import impossible, remedies
@@ -106,6 +106,10 @@ LONG = (
     Agent("cart", 0.3, 1.0, length=0.8, width=0.5, reach_distance=0.6),
     Agent("sled", 0.2, 0.09, step=0.02, length=0.7, width=0.3, turning_diameter=0.9),
     load_agent("dog_medium"),
+)
+DRIVEN = (
+    Agent("van", 0.4, 1.0, length=0.9, width=0.5, turning_diameter=1.6, turning_radius=0.4, reach_distance=0.6),
+    Agent("chair", 0.4, 1.2, length=0.8, width=0.5, turning_radius=0.0, reach_distance=0.7),
     load_agent("wheelchair"),
 )
 
@@ -120,21 +124,53 @@ def test_a_long_body_driven_to_where_it_uses_a_thing_meets_nothing_on_the_way(se
     assert report.headings is not None
     free = shapely.Polygon(scene.room.vertices).buffer(1e-6).difference(solid(scene, layout, agent).buffer(-1e-6))
     shapely.prepare(free)
-    corners = footprint_of(agent, 0.0)
     uses = report.usage.uses.items()
     stands = {name: use.stand for name, use in uses if use.stand is not None and not use.moved}
-    assert set(report.drives) == set(stands)
+    assert set(report.drives) == set(stands) and not report.undriven
     for name, drive in report.drives.items():
         assert math.dist(drive.poses[-1][:2], stands[name]) < 1e-6
+        assert_swept_free(free, agent, drive)
         for a, b in itertools.pairwise(drive.poses):
-            count = 2 + int(max(math.dist(a[:2], b[:2]) / 0.01, abs(b[2] - a[2]) / math.radians(1)))
-            for share in np.linspace(0, 1, count):
-                x, y, turn = (1 - share) * np.array(a) + share * np.array(b)
-                c, s = math.cos(turn), math.sin(turn)
-                body_now = shapely.Polygon(corners @ np.array([(c, s), (-s, c)]) * (1 - 1e-5) + (x, y))
-                assert free.covers(body_now), (name, x, y, math.degrees(turn))
             if agent.turning_diameter is not None and a[2] != b[2]:
                 assert free.covers(shapely.Point(a[:2]).buffer(agent.turning_diameter / 2 - 2e-3))
+
+
+def assert_swept_free(free: shapely.Geometry, agent: Agent, drive: Drive) -> None:
+    """The rectangle stays in a region on its whole way, looked at every centimetre and every degree."""
+    corners = footprint_of(agent, 0.0)
+    for a, b in itertools.pairwise(drive.poses):
+        count = 2 + int(max(math.dist(a[:2], b[:2]) / 0.01, abs(b[2] - a[2]) / math.radians(1)))
+        for share in np.linspace(0, 1, count):
+            x, y, turn = (1 - share) * np.array(a) + share * np.array(b)
+            c, s = math.cos(turn), math.sin(turn)
+            body_now = shapely.Polygon(corners @ np.array([(c, s), (-s, c)]) * (1 - 1e-5) + (x, y))
+            assert free.covers(body_now), (drive.asset, x, y, math.degrees(turn))
+
+
+@settings(max_examples=12, deadline=None, derandomize=True)
+@given(SEEDS)
+def test_a_body_that_cannot_slide_drives_ahead_and_back_on_arcs_no_tighter_than_its_own(seed: int):
+    scene, layout = furnished_room(seed, most=4)
+    agent = DRIVEN[seed % len(DRIVEN)]
+    report = judge_agent(scene, layout, agent)
+    free = shapely.Polygon(scene.room.vertices).buffer(1e-6).difference(solid(scene, layout, agent).buffer(-1e-6))
+    shapely.prepare(free)
+    assert set(report.drives).isdisjoint(report.undriven)
+    for name, drive in report.drives.items():
+        assert_swept_free(free, agent, drive)
+        x, y, _ = drive.poses[-1]
+        box = report.navigation.boxes.footprints[report.navigation.boxes.names.index(name)]
+        assert box.distance(shapely.Point(x, y)) <= agent.reach + 1e-6
+        gears: list[bool] = []
+        for (ax, ay, a), (bx, by, b) in itertools.pairwise(drive.poses):
+            length, middle = math.dist((ax, ay), (bx, by)), (a + b) / 2
+            assert length > 1e-9 or agent.turning_radius == 0.0
+            assert abs(b - a) * (agent.turning_radius or 0.0) <= length * 1.001
+            if length > 1e-9:
+                ahead = ((bx - ax) * math.cos(middle) + (by - ay) * math.sin(middle)) / length
+                assert abs(ahead) > 1 - 1e-6
+                gears.append(ahead > 0)
+        assert sum(a != b for a, b in itertools.pairwise(gears)) <= drive.reversals
 
 
 @settings(max_examples=25, deadline=None, derandomize=True)

@@ -31,6 +31,8 @@ class Agent:
         length: Length of a rectangular footprint in metres; None for a disc.
         width: Width of a rectangular footprint in metres; None for a disc.
         turning_diameter: Diameter in metres of the circle it needs to turn; None where it turns in place.
+        turning_radius: Radius in metres of the tightest arc that its centre drives; 0 where it turns on the spot; None where
+            it moves sideways, too.
         reach_distance: Horizontal reach in metres from the centre of its footprint; None if it does not reach.
         reach_low: Lowest height it reaches, metres.
         reach_high: Highest height it reaches, metres.
@@ -47,6 +49,7 @@ class Agent:
     length: float | None = None
     width: float | None = None
     turning_diameter: float | None = None
+    turning_radius: float | None = None
     reach_distance: float | None = None
     reach_low: float = 0.0
     reach_high: float = 2.0

@@ -28,6 +28,7 @@ FIGURES = (
     "length",
     "width",
     "turning_diameter",
+    "turning_radius",
     "reach_distance",
     "reach_low",
     "reach_high",
@@ -42,7 +43,7 @@ ENTRY_POINTS = "robolayout.agents"
 """Entry-point group through which other packages add agents: each loads to a dictionary or the path of a profile."""
 
 _CHECK = Checker(AgentError)
-_MAY_BE_ZERO = ("reach_low", "reach_high", "shoulder_height", "step")
+_MAY_BE_ZERO = ("turning_radius", "reach_low", "reach_high", "shoulder_height", "step")
 _LARGEST = 20.0
 _ALLOWED = ("name", "title", *FIGURES, "reach")
 

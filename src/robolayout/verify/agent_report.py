@@ -8,8 +8,9 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-from robolayout.scene import Agent
-from robolayout.verify.drives import Drive, find_drives
+from robolayout.scene import Agent, Point
+from robolayout.verify.drives import Drive, entry, find_drives
+from robolayout.verify.driving import Lattice
 from robolayout.verify.heading import HeadingSpace
 from robolayout.verify.limits import Demands
 from robolayout.verify.navigation import Navigation
@@ -64,13 +65,28 @@ class AgentReport:
     @cached_property
     def drives(self) -> Mapping[str, Drive]:
         """For a rectangular body the way, with its heading, to where it uses each thing; empty for a disc."""
-        if self.headings is None:
+        nav, space = self.navigation, self.headings
+        if space is None:
             return {}
-        uses = self.usage.uses.items()
-        asset = self.navigation.scene.by_name
+        if self.agent.turning_radius is None:
+            return find_drives(nav.scene.room, space, self._stands)
+        if space.start is None:
+            return {}
+        start = entry(nav.scene.room, space.pieces[space.start])
+        found = Lattice(nav.scene.room, nav.blocking, self.agent, space, start).drives(self.usage.places)
+        return {name: found[name] for name in self._stands if name in found}
+
+    @cached_property
+    def undriven(self) -> tuple[str, ...]:
+        """What a body that cannot slide sideways would use where it finds no way to drive."""
+        return tuple(name for name in self._stands if self.headings is not None and name not in self.drives)
+
+    @cached_property
+    def _stands(self) -> Mapping[str, Point]:
+        """Where it stands to use things, no chair moved, by name."""
+        uses, asset = self.usage.uses.items(), self.navigation.scene.by_name
         uses = [(name, use) for name, use in uses if not asset[name].lies_about]
-        stands = {name: use.stand for name, use in uses if use.stand is not None and not use.moved}
-        return find_drives(self.navigation.scene.room, self.headings, stands)
+        return {name: use.stand for name, use in uses if use.stand is not None and not use.moved}
 
     @property
     def doors_reached(self) -> bool:
@@ -124,10 +140,12 @@ class AgentReport:
                 name: {
                     "length": drive.length,
                     "turned": math.degrees(drive.turned),
+                    "reversals": drive.reversals,
                     "poses": [[x, y, math.degrees(heading)] for x, y, heading in drive.poses],
                 }
                 for name, drive in self.drives.items()
             },
+            "undriven": list(self.undriven),
             "turning_places": None if self.headings is None else _places(self.headings),
             "exempt": dict(self.exempt),
             "impossible": list(self.impossible),

@@ -21,6 +21,8 @@ from robolayout.scene import Point, Room
 from robolayout.verify.heading import HEADINGS, HeadingSpace, Node
 from robolayout.verify.routes import Mesh
 
+Pose = tuple[float, float, float]
+"""x and y of a body's centre in metres and its heading in radians."""
 TURN = 0.5
 """Metres of detour that a turn by one heading is worth."""
 INSIDE = 1e-4
@@ -34,11 +36,13 @@ class Drive:
     Attributes:
         asset: What is used at its end.
         poses: x and y of the body's centre in metres and its heading in radians; it moves straight between two places and
-            turns where two poses share one.
+            turns where two poses share one, or both on an arc.
+        reversals: How often it changes between driving ahead and back; 0 for a body that slides sideways.
     """
 
     asset: str
-    poses: tuple[tuple[float, float, float], ...]
+    poses: tuple[Pose, ...]
+    reversals: int = 0
 
     @cached_property
     def length(self) -> float:
@@ -61,12 +65,12 @@ def find_drives(room: Room, space: HeadingSpace, stands: Mapping[str, Point]) ->
     """
     if space.start is None:
         return {}
-    planner = _Planner(space, _entry(room, space.pieces[space.start]))
+    planner = _Planner(space, entry(room, space.pieces[space.start]))
     found = {name: planner.drive(name, stand) for name, stand in stands.items()}
     return {name: drive for name, drive in found.items() if drive is not None}
 
 
-def _entry(room: Room, piece: Polygon) -> Point:
+def entry(room: Room, piece: Polygon) -> Point:
     """Return the place in a piece that is nearest to the first door; without one, to the middle of the piece."""
     if not room.doors:
         x, y = piece.representative_point().coords[0]

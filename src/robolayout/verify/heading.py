@@ -151,17 +151,17 @@ class Headings:
         return components(disc_space(self._room, self._blocking, circle).free)
 
 
-def rectangle(agent: Agent, heading: float) -> NDArray[np.float64]:
-    """Return the four corners of a rectangular body around its centre."""
-    half_length, half_width = (agent.length or 0.0) / 2, (agent.width or 0.0) / 2
+def rectangle(agent: Agent, heading: float, more: float = 0.0) -> NDArray[np.float64]:
+    """Return the four corners of a rectangular body around its centre, `more` metres larger on each side."""
+    half_length, half_width = (agent.length or 0.0) / 2 + more, (agent.width or 0.0) / 2 + more
     corners = np.array([(1, -1), (1, 1), (-1, 1), (-1, -1)]) * (half_length, half_width)
     c, s = math.cos(heading), math.sin(heading)
     return corners @ np.array([(c, s), (-s, c)])
 
 
 def grown(shapes: NDArray[np.float64], body: NDArray[np.float64]) -> NDArray[np.object_]:
-    """Return the Minkowski sums of convex shapes (n, corners, 2) and a centrally symmetric convex body (m, 2)."""
-    sums = (shapes[:, :, None, :] + body[None, None, :, :]).reshape(len(shapes), shapes.shape[1] * len(body), 2)
+    """Return where the reference point of a convex body (m, 2) is while it meets convex shapes (n, corners, 2)."""
+    sums = (shapes[:, :, None, :] - body[None, None, :, :]).reshape(len(shapes), shapes.shape[1] * len(body), 2)
     return np.asarray(shapely.convex_hull(shapely.multipoints(sums)), dtype=object)
 
 
@@ -173,8 +173,13 @@ def _swept(agent: Agent, heading: float, step: float) -> NDArray[np.float64]:
 
 def convex_places(room: Room, shapes: NDArray[np.object_], body: NDArray[np.float64]) -> list[Polygon]:
     """Return the pieces of the free space of a convex body, largest first."""
+    return list(components(free_of(room, shapes, body)))
+
+
+def free_of(room: Room, shapes: NDArray[np.object_], body: NDArray[np.float64]) -> BaseGeometry:
+    """Return where the reference point of a convex body (m, 2) may be among rectangles."""
     free = _empty(room, _key(body))
-    return list(components(free.difference(shapely.union_all(_larger(body, shapes))) if len(shapes) else free))
+    return free.difference(shapely.union_all(_larger(body, shapes))) if len(shapes) else free
 
 
 def _larger(body: NDArray[np.float64], shapes: NDArray[np.object_], more: float = 0.0) -> NDArray[np.object_]:

@@ -19,6 +19,7 @@ from functools import cached_property
 import numpy as np
 import shapely
 from numpy.typing import NDArray
+from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.scene import Agent, Layout, Point, Scene
@@ -29,7 +30,7 @@ from robolayout.verify._knees import frontal, is_sat_at
 from robolayout.verify._sides import side_edge
 from robolayout.verify._stances import Stances
 from robolayout.verify._swept import Swept, handle_heights, handle_near
-from robolayout.verify.heading import HeadingSpace
+from robolayout.verify.heading import HeadingSpace, rectangle
 from robolayout.verify.limits import AREA_TOLERANCE
 from robolayout.verify.navigation import Navigation, navigation
 
@@ -83,6 +84,11 @@ class Usage:
         """Share of all assets that can be used."""
         return share(list(self.usable.values()))
 
+    def places(self, heading: float) -> tuple[tuple[str, ...], NDArray[np.object_]]:
+        """Return from where the centre of a body at a heading in radians uses what: (m,) names and zones, no chair moved."""
+        names = tuple(self._judge.found.names[row] for row in self._judge.ways.rows.tolist())
+        return names, self._judge.places(heading)
+
     @property
     def headings(self) -> HeadingSpace | None:
         """Where a rectangular body gets to and turns; None for a disc."""
@@ -134,7 +140,7 @@ class _Judge:
 
         def stand(number: int, region: BaseGeometry, zones: NDArray[np.object_]) -> None:
             some = waiting()
-            some = some[self._faces(number)[some]]
+            some = some[self._faces(self.stances.heading(number))[some]]
             shapely.prepare(region)
             usable[rows[some[shapely.intersects(region, zones[some])]]] = True
 
@@ -148,7 +154,7 @@ class _Judge:
         for row in sorted(set(rows[waiting()].tolist())):
             of_row = np.flatnonzero(able & (rows == row))
             for number, region in self.stances.opened(row)[1]:
-                here = of_row[self._faces(number)[of_row]]
+                here = of_row[self._faces(self.stances.heading(number))[of_row]]
                 usable[row] |= bool(shapely.intersects(region, zones[here]).any())
         return usable
 
@@ -165,13 +171,12 @@ class _Judge:
             dtype=object,
         )
 
-    def _faces(self, number: int) -> NDArray[np.bool_]:
-        """Return (m,) which approaches a body may make at a heading: sideways ones along their edge only."""
+    def _faces(self, heading: float) -> NDArray[np.bool_]:
+        """Return (m,) which approaches a body may make at a heading in radians: sideways ones along their edge only."""
         sideways = self._approach == "sideways"
         if not sideways.any():
             return ~sideways
         along = self.ways.edges[:, 1] - self.ways.edges[:, 0]
-        heading = self.stances.heading(number)
         across = np.abs(along[:, 0] * math.sin(heading) - along[:, 1] * math.cos(heading)) / np.hypot(*along.T)
         return ~sideways | (across <= math.sin(ALONG))
 
@@ -185,7 +190,7 @@ class _Judge:
         moved, beside = self.stances.opened(row)
         for regions, chairs in ((self.stances.everywhere, frozenset[int]()), (beside, moved)):
             for i, (number, region) in itertools.product(able, regions):
-                if not self._faces(number)[i]:
+                if not self._faces(self.stances.heading(number))[i]:
                     continue
                 for zones in (self.ways.zones, self._touching(number)) if self._touches else (self.ways.zones,):
                     yield i, region.intersection(zones[i]), chairs
@@ -195,6 +200,14 @@ class _Judge:
         if number not in self._touched:
             self._touched[number] = self.ways.touching(self.stances.body(number))
         return self._touched[number]
+
+    def places(self, heading: float) -> NDArray[np.object_]:
+        """Return (m,) from where the body uses each approach at a heading in radians; nothing where it cannot."""
+        able = [not self.opening_blockers(row, side) for row, side in self._each] & self._faces(heading)
+        zones = self.ways.zones
+        if self._touches:
+            zones = shapely.union(zones, self.ways.touching(rectangle(self.agent, heading)))
+        return np.where(able, zones, Polygon())
 
     def opening_blockers(self, row: int, side: str) -> tuple[str, ...]:
         """Return what stands in the depth that an asset needs in front to be opened: names, or "the wall"."""

@@ -1,0 +1,285 @@
+"""Driving: ways of a rectangular body that cannot slide sideways, in position and heading, with reversals counted.
+
+The body drives straight on, on arcs no tighter than its turning radius, ahead or back, and turns on the spot if that radius
+is 0 and its turning circle is free. Its moves join places and headings of a lattice that starts at the door: 16 headings whose
+directions are whole numbers of cells, so that every straight or curved move ends on the lattice exactly. A move is open where
+the shape that it sweeps meets neither wall nor obstacle (Minkowski sums with the convex hull of what is swept). One
+shortest-path search from the door serves all things. Finer ways than the lattice has may exist; one that is found is proved.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import dijkstra
+
+from robolayout.scene import Agent, Point, Room
+from robolayout.verify._obstacles import Obstacles
+from robolayout.verify.drives import Drive, Pose
+from robolayout.verify.heading import HeadingSpace, free_of, rectangle
+
+QUARTER = ((1, 0), (2, 1), (1, 1), (1, 2))
+"""Directions of the headings of a quarter turn, in cells."""
+TURNS = 4 * len(QUARTER)
+CELL, FINEST = 0.10, 0.04
+"""Metres between places of the lattice at most, unless the room is large, and at least."""
+ROWS = 3
+"""Rows of places that the middle of a body finds in a straight corridor for its disc."""
+PLACES = 60_000
+"""Places at most: larger rooms get wider cells."""
+REVERSAL, PIVOT = 2.0, 0.5
+"""Metres of detour that a reversal, and a turn on the spot by one heading, are worth."""
+SAMPLE = math.radians(2.0)
+"""Radians between the poses that stand for an arc."""
+ENTRY = 0.3
+"""Metres between where a body comes in and the place of the lattice from which it drives."""
+ROUNDING = 1e-3
+"""Metres by which a swept shape is drawn larger than the body: arcs bulge by less between two samples."""
+
+Poses = NDArray[np.float64]
+"""(n, 3): x and y in metres and heading in radians."""
+
+
+@dataclass(frozen=True, eq=False)
+class Move:
+    """What a body does from one place of the lattice to the next.
+
+    Attributes:
+        step: Cells along x and y.
+        turn: Headings by which it turns to the left: -1, 0 or 1.
+        cost: Metres driven, or what a turn on the spot is worth.
+        poses: The poses on the way in the lattice's frame, the first one aside.
+    """
+
+    step: tuple[int, int]
+    turn: int
+    cost: float
+    poses: Poses
+
+
+class Lattice:
+    """Where a body can drive from the door.
+
+    Args:
+        room: The room.
+        blocking: What stands in the body's way.
+        agent: The body; with length, width and turning radius.
+        space: Where it gets to if it may slide sideways; it comes in there.
+        start: Where its centre comes in, metres.
+    """
+
+    def __init__(self, room: Room, blocking: Obstacles, agent: Agent, space: HeadingSpace, start: Point) -> None:
+        self._room, self._blocking, self._agent = room, blocking, agent
+        self.cell = _cell(agent, room)
+        self._angle, self._origin = space.headings[0], np.array(start)
+        forward = np.array([math.cos(self._angle), math.sin(self._angle)])
+        self._axes = np.array([forward, (-forward[1], forward[0])])
+        corners = (np.array(room.vertices) - self._origin) @ self._axes.T / self.cell
+        self._low = np.floor(corners.min(axis=0)).astype(int)
+        self._shape = tuple((np.ceil(corners.max(axis=0)).astype(int) - self._low + 1).tolist())
+        self._moves = [list(_moves(k, self.cell, agent.turning_radius or 0.0)) for k in range(TURNS)]
+
+    @cached_property
+    def places(self) -> NDArray[np.float64]:
+        """(n, 2) all places of the lattice in metres."""
+        cells = np.indices(self._shape).reshape(2, -1).T + self._low
+        return cells * self.cell @ self._axes + self._origin
+
+    def heading(self, number: int) -> float:
+        """Return a heading of the lattice in radians."""
+        return self._angle + _angle(number)
+
+    @cached_property
+    def _open(self) -> list[list[NDArray[np.bool_]]]:
+        """For each heading and each of its moves, from which places it is open; a move and its way back are one."""
+        found: list[list[NDArray[np.bool_]]] = [[] for _ in range(TURNS)]
+        known: dict[tuple[int, int, bool], NDArray[np.bool_]] = {}
+        for k, moves in enumerate(self._moves):
+            for move in moves:
+                on_spot = not any(move.step)
+                half = TURNS // 2 if on_spot else TURNS  # on the spot a rectangle sweeps the same half a turn later
+                own = (k % half, move.turn, on_spot)
+                back = ((k + move.turn + TURNS // 2) % half, -move.turn, on_spot)
+                if back in known:
+                    step = (-move.step[0], -move.step[1])
+                    known[own] = np.roll(known[back].reshape(self._shape), step, axis=(0, 1)).ravel()
+                elif own not in known:
+                    known[own] = self._clear(k, move)
+                found[k].append(known[own])
+        return found
+
+    def _clear(self, number: int, move: Move) -> NDArray[np.bool_]:
+        """Return from which places the shape that a move sweeps meets nothing."""
+        poses = np.concatenate([[(0.0, 0.0, _angle(number))], move.poses])
+        rings = [rectangle(self._agent, self._angle + turn, ROUNDING) + at @ self._axes for *at, turn in poses]
+        body = shapely.get_coordinates(shapely.MultiPoint(np.concatenate(rings)).convex_hull)[:-1]
+        free = free_of(self._room, self._blocking.shapes, body)
+        shapely.prepare(free)
+        return np.asarray(shapely.contains_xy(free, *self.places.T))
+
+    @cached_property
+    def _graph(self) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+        """Cost in metres from the start to every (heading, place), and the node before it."""
+        count = len(self.places)
+        rows: list[NDArray[np.intp]] = []
+        ends: list[NDArray[np.intp]] = []
+        costs: list[NDArray[np.float64]] = []
+
+        def join(before: NDArray[np.intp], after: NDArray[np.intp], cost: float) -> None:
+            rows.append(before)
+            ends.append(after)
+            costs.append(np.full(len(before), cost))
+
+        stands = [np.zeros(count, dtype=bool) for _ in range(TURNS)]
+        for k, moves in enumerate(self._moves):
+            for move, free in zip(moves, self._open[k], strict=True):
+                here = np.flatnonzero(free)
+                there, turned = here + move.step[0] * self._shape[1] + move.step[1], (k + move.turn) % TURNS
+                join(k * count + here, turned * count + there, move.cost)
+                stands[k][here] = stands[turned][there] = True
+        for k in range(TURNS):
+            opposite = (k + TURNS // 2) % TURNS
+            here = np.flatnonzero(stands[k] & stands[opposite])
+            join(k * count + here, opposite * count + here, REVERSAL)
+        size = TURNS * count
+        before, after = np.concatenate(rows), np.concatenate(ends)
+        met = np.zeros(size, dtype=bool)
+        met[before] = met[after] = True
+        used, at = np.flatnonzero(met), np.cumsum(met) - 1
+        start = self._start(stands[0])
+        cost, previous = np.full(size, np.inf), np.full(size, -1, dtype=np.intp)
+        if start is None:
+            return cost, previous
+        graph = csr_array((np.concatenate(costs), (at[before], at[after])), shape=(len(used), len(used)))
+        spent, parents = dijkstra(graph, indices=int(at[start]), return_predecessors=True)
+        known = parents >= 0
+        cost[used], previous[used[known]] = spent, used[parents[known]]
+        return cost, previous
+
+    def _start(self, stands: NDArray[np.bool_]) -> int | None:
+        """Return the place nearest to where the body comes in at which it can stand, heading into the room."""
+        here = np.flatnonzero(stands)
+        away = np.hypot(*(self.places[here] - self._origin).T)
+        return int(here[np.argmin(away)]) if len(here) and away.min() <= ENTRY else None
+
+    def drives(self, places: Callable[[float], tuple[Sequence[str], NDArray[np.object_]]]) -> dict[str, Drive]:
+        """Return the cheapest drive to each thing that the body gets to.
+
+        Args:
+            places: Returns for a heading in radians the names (m,) of things and from where the centre uses them, (m,)
+                polygons; half a turn changes nothing.
+        """
+        cost, _ = self._graph
+        by_heading, count = cost.reshape(TURNS, -1), len(self.places)
+        best: dict[str, tuple[float, int]] = {}
+        for k in range(TURNS // 2):
+            both = by_heading[[k, k + TURNS // 2]]
+            there = np.flatnonzero(np.isfinite(both).any(axis=0))
+            spots = shapely.points(self.places[there])
+            names, zones = places(self.heading(k))
+            asked, hit = shapely.STRtree(spots).query(zones, predicate="intersects")
+            ahead = both[:, there[hit]].argmin(axis=0)
+            nodes = (k + ahead * (TURNS // 2)) * count + there[hit]
+            for at, node, spent in zip(asked.tolist(), nodes.tolist(), cost[nodes].tolist(), strict=True):
+                if (spent, node) < best.get(names[at], (math.inf, 0)):
+                    best[names[at]] = (spent, node)
+        return {name: self._drive(name, node) for name, (_, node) in best.items()}
+
+    def _drive(self, name: str, node: int) -> Drive:
+        """Return the way to a node; the body drives forwards until it first changes direction."""
+        _, previous = self._graph
+        count, chain = len(self.places), [node]
+        while previous[chain[-1]] >= 0:
+            chain.append(int(previous[chain[-1]]))
+        chain.reverse()
+        heading, reversals = self._angle, 0
+        poses = [(*self.places[chain[0] % count].tolist(), heading)]
+        for (before, here), (after, there) in pairwise(divmod(node, count) for node in chain):
+            turn = (after - before + TURNS // 2) % TURNS - TURNS // 2
+            if here == there and abs(turn) == TURNS // 2:
+                reversals += 1
+            else:
+                move = next(m for m in self._moves[before] if m.turn == turn and any(m.step) == (here != there))
+                spots = self.places[here] + move.poses[:, :2] @ self._axes
+                turned = heading + move.poses[:, 2] - _angle(before)
+                poses += [(x, y, yaw) for (x, y), yaw in zip(spots.tolist(), turned.tolist(), strict=True)]
+                heading = poses[-1][2]
+        return Drive(name, tuple(_straightened(poses)), reversals)
+
+
+def _cell(agent: Agent, room: Room) -> float:
+    """Return how far apart places are: so that a corridor for the body's disc holds rows of them, and arcs are tight."""
+    slack = 2 * (agent.radius - ROUNDING) - (agent.width or 0.0)
+    low_x, low_y, high_x, high_y = room.bounds
+    tight = (agent.turning_radius or 0.0) * math.tan(_angle(1) / 2)
+    cell = max(min(CELL, slack / ROWS), FINEST, math.sqrt((high_x - low_x) * (high_y - low_y) / PLACES))
+    return tight / math.ceil(tight / cell) if tight > 0 else cell
+
+
+def _direction(number: int) -> tuple[int, int]:
+    """Return the direction of a heading in cells."""
+    x, y = QUARTER[number % len(QUARTER)]
+    for _ in range(number // len(QUARTER) % 4):
+        x, y = -y, x
+    return x, y
+
+
+def _angle(number: int) -> float:
+    """Return a heading in radians in the lattice's frame."""
+    x, y = _direction(number)
+    return math.atan2(y, x)
+
+
+def _between(before: int, after: int) -> float:
+    """Return the angle in radians from one heading to another, within half a turn."""
+    return math.remainder(_angle(after) - _angle(before), math.tau)
+
+
+def _moves(number: int, cell: float, radius: float) -> Iterator[Move]:
+    """Yield the moves from a heading: straight on; to either side a line, an arc of at least a radius, and a line, or on the spot."""
+    ahead, angle = np.array(_direction(number)), _angle(number)
+    straight = ahead * cell
+    yield Move(_direction(number), 0, math.hypot(*straight), np.array([(*straight, angle)]))
+    for turn in (1, -1):
+        after = np.array(_direction((number + turn) % TURNS))
+        bend = _between(number, (number + turn) % TURNS)
+        part = np.linspace(0.0, bend, math.ceil(abs(bend) / SAMPLE) + 1)
+        if radius == 0.0:
+            yield Move((0, 0), turn, PIVOT, np.column_stack([0.0 * part, 0.0 * part, angle + part])[1:])
+        units = [math.hypot(*way) * cell for way in (ahead, after)]
+        tangent = radius * math.tan(abs(bend) / 2)
+        counts = [max(1, math.ceil(tangent / unit - 1e-9)) for unit in units]
+        near = min(count * unit for count, unit in zip(counts, units, strict=True))
+        true = near / math.tan(abs(bend) / 2)
+        first = ahead / math.hypot(*ahead) * (counts[0] * units[0] - near)
+        left = np.array([-math.sin(angle), math.cos(angle)]) * math.copysign(true, turn)
+        c, s = np.cos(part)[:, None], np.sin(part)[:, None]
+        arc = first + left - c * left - s * np.array([-left[1], left[0]])
+        step = counts[0] * ahead + counts[1] * after
+        poses = [*np.column_stack([arc, angle + part]), (*(step * cell), angle + bend)]
+        length = sum(count * unit - near for count, unit in zip(counts, units, strict=True)) + true * abs(bend)
+        yield Move((int(step[0]), int(step[1])), turn, length, np.array(poses))
+
+
+def _straightened(poses: Sequence[Pose]) -> Iterator[Pose]:
+    """Yield poses without those in the midst of a straight piece that is driven one way, and without repeats."""
+    poses = [
+        pose
+        for pose, before in zip(poses, [None, *poses], strict=False)
+        if before is None or math.dist(pose, before) > 1e-9
+    ]
+    for number, pose in enumerate(poses):
+        if 0 < number < len(poses) - 1:
+            (ax, ay, a), (x, y, yaw), (bx, by, b) = poses[number - 1], pose, poses[number + 1]
+            level = abs(a - yaw) < 1e-9 and abs(b - yaw) < 1e-9
+            if level and (x - ax) * (bx - x) + (y - ay) * (by - y) > 0:
+                continue
+        yield pose
