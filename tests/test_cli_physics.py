@@ -47,7 +47,8 @@ def test_drive_writes_every_route(command: Command, given: tuple[Path, Path], tm
     ran = command("drive", *given, "--report", report)
     assert ran.code == 0 and ran.out.startswith("0 contacts"), ran
     routes = json.loads(report.read_text())["routes"]
-    assert routes["double_bed-0"]["contacts"] == [] and routes["double_bed-0"]["length"] > 0.5
+    assert routes["double_bed-0"]["length"] > 0.05
+    assert not any(way["contacts"] for way in routes.values())
 
 
 def test_the_report_says_what_gravity_does_when_asked(command: Command, furnished: Furnished, tmp_path: Path) -> None:

@@ -16,9 +16,10 @@ from robolayout.export import EXPORTERS, Options, export
 from robolayout.export._exporter import mass
 from robolayout.export._mesh import as_box
 from robolayout.export.mjcf import AGENT, AGENT_MASS, start
-from robolayout.scene import DEFAULT_AGENT, Agent, Layout, Scene
+from robolayout.scene import DEFAULT_AGENT, Agent, Layout, Pose, Scene
 
 ROUTES = {"wardrobe-0": [(4.0, 0.5), (4.0, 2.0)]}
+BASE = Options(agent=DEFAULT_AGENT, routes=ROUTES, start=Pose(4.0, 0.5, 0.0, math.pi / 2))
 FREE = {"table_lamp-0", "dining_chair-0", "potted_plant-0"}
 
 
@@ -31,7 +32,7 @@ def loaded(scene: Scene, layout: Layout, options: Options) -> tuple[mujoco.MjMod
 
 @pytest.fixture(scope="module")
 def sim(scene: Scene, layout: Layout) -> tuple[mujoco.MjModel, mujoco.MjData]:
-    return loaded(scene, layout, Options(agent=DEFAULT_AGENT, routes=ROUTES))
+    return loaded(scene, layout, BASE)
 
 
 def test_every_asset_is_a_body_at_its_pose(sim: tuple, scene: Scene, layout: Layout) -> None:
@@ -112,7 +113,7 @@ def test_the_agent_is_a_planar_base_with_world_coordinates(sim: tuple, scene: Sc
 
 
 def test_the_base_goes_where_its_actuators_say(scene: Scene) -> None:
-    model, data = loaded(scene, Layout({}), Options(agent=DEFAULT_AGENT, routes=ROUTES))
+    model, data = loaded(scene, Layout({}), BASE)
     data.ctrl[:] = (-0.5, 1.0, 0.3)
     for _ in range(int(3 / model.opt.timestep)):
         mujoco.mj_step(model, data)
@@ -129,7 +130,7 @@ def test_the_base_has_the_bodys_shape(length: float | None, scene: Scene, layout
     assert geom.size[0] == pytest.approx(0.45 if length is None else 0.6)
 
 
-def test_without_routes_the_base_starts_inside_the_door(scene: Scene) -> None:
+def test_unsaid_the_base_starts_inside_the_door(scene: Scene) -> None:
     pose = start(scene, Options())
     assert (pose.x, pose.y, pose.yaw) == pytest.approx((4.05, 0.6, math.pi / 2))
     mid = start(Scene(type(scene.room)(scene.room.vertices, 2.5), ()), Options())

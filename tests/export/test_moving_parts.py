@@ -12,6 +12,7 @@ from robolayout.assets import CATALOGUE, parts
 from robolayout.export import EXPORTERS, LEAVES, Options, settle
 from robolayout.export.mjcf import build
 from robolayout.scene import DEFAULT_AGENT, Asset, Layout, Opening, Pose, Room, Scene, load_agent
+from robolayout.verify import judge_agent
 
 PULL = 160.0
 """Newtons at a handle at the most: heavy lids are lifted with two hands."""
@@ -120,8 +121,8 @@ def test_a_rectangular_body_starts_clear_of_the_door() -> None:
     scene, layout = room(doors=(Opening(0, 3.5, 0.9, 2.05),))
     chair = load_agent("wheelchair")
     assert chair.length is not None
-    for lines in ({}, {"x": [(0.0, -3.55), (0.0, 0.0)]}):
-        model, data = loaded(scene, layout, Options(agent=chair, leaves="shut", routes=lines))
+    for start in (None, judge_agent(scene, layout, chair).start):
+        model, data = loaded(scene, layout, Options(agent=chair, leaves="shut", start=start))
         assert data.body("agent").xpos[1] >= -4.0 + chair.length / 2 - 1e-6
         assert data.ncon == 0 or not (model.geom_bodyid[data.contact.geom] == model.body("agent").id).any()
 

@@ -57,18 +57,20 @@ def settle(
 
 @spread
 def drive(laid: Laid, told: Told, report: ReportOption = None, doors: DoorsOption = "open") -> None:
-    """Drive the agent along its routes to every asset in MuJoCo and report contacts (extra `sim`)."""
+    """Drive the agent's footprint to everything that it uses in MuJoCo and report contacts (extra `sim`)."""
     from robolayout.export import drive as run
-    from robolayout.run.outputs import export_options
-    from robolayout.verify import verify
+    from robolayout.verify import judge_agent
 
     leaves = standing(doors)
     _check(report)
     given, placed = laid.read_both()
-    found = run(given, placed, given.agent, export_options(verify(given, placed)).routes, leaves=leaves)
+    judged = judge_agent(given, placed, given.agent)
+    found = run(given, placed, given.agent, judged.ways, leaves=leaves)
 
     def show() -> None:
         say(f"{len(found.contacts)} contacts on all routes of {given.agent.name}, the room's doors {doors}")
+        if judged.undriven:
+            say(f"{given.agent.name} finds no way to drive to {', '.join(judged.undriven)}")
         say(*(f"- {sentence}" for sentence in found.violations))
 
     _tell(found, report, told, show)

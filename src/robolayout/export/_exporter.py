@@ -45,12 +45,14 @@ class Options:
         leaves: How the doors of the room stand in a simulator (MJCF): one of `LEAVES`.
         routes: Routes of that agent, kept as metadata or lines where the format has a place.
         seed: Seed of the parametric meshes.
+        start: Where that agent starts; None for inside the first door.
     """
 
     agent: Agent | None = None
     leaves: str = "swinging"
     routes: Routes = field(default_factory=dict[str, Sequence[Point]])
     seed: int = 0
+    start: Pose | None = None
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,8 @@ from __future__ import annotations
 
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
 
 import numpy as np
 
@@ -34,7 +33,7 @@ from robolayout.export._exporter import (
     reader,
 )
 from robolayout.export._mesh import Box, as_box, quaternion, volume
-from robolayout.scene import Agent, Asset, Layout, Point, Pose, Scene, Wall, vertical_span
+from robolayout.scene import Agent, Asset, Layout, Pose, Scene, vertical_span
 
 THINNEST = 5e-4
 """Half thickness in metres that a collider has at least; thinner parts become boxes of that thickness."""
@@ -52,8 +51,8 @@ AGENT = "agent"
 AGENT_MASS = 60.0
 """Mass of the planar base in kg (a person; judgement)."""
 
-INSIDE, PACE = 0.6, 0.05
-"""Metres inside the door at which a body without routes starts, and between the places that are tried on a route."""
+INSIDE = 0.6
+"""Metres inside the door at which a body starts if nothing is said, or more if it is longer."""
 STICTION = {"hinge": 1.0, "slide": 5.0}
 """Friction of a joint of furniture in N m or N: what it takes to move a cabinet's door or drawer (judgement); a flap stays shut."""
 DRAG = {"hinge": 0.5, "slide": 10.0}
@@ -287,37 +286,16 @@ def _pair(model: _Model, rug: Asset, asset: Asset) -> None:
 
 
 def start(scene: Scene, options: Options) -> Pose:
-    """Return where the agent starts: on its first route, or inside the first door, clear of the leaf; else mid-room."""
+    """Return where the agent starts: as it is said, else wholly inside the first door, or mid-room without one."""
     agent, room = options.agent, scene.room
-    wall = room.walls[room.doors[0].wall] if room.doors else None
-    for line in options.routes.values():
-        if len(line) > 1:
-            poses = [*_along(line), Pose(*line[0], 0.0, 0.0)]
-            return next((pose for pose in poses if wall is None or _clear(wall, agent, pose)), poses[0])
-    if wall is not None:
-        heading = math.atan2(wall.normal[1], wall.normal[0])
-        poses = [Pose(*wall.point(room.doors[0].center, depth), 0.0, heading) for depth in (INSIDE, 2 * INSIDE)]
-        return next((pose for pose in poses if _clear(wall, agent, pose)), poses[-1])
+    if options.start is not None:
+        return options.start
+    if room.doors:
+        wall = room.walls[room.doors[0].wall]
+        depth = max(INSIDE, (agent.length or 2 * agent.radius) / 2 + THINNEST if agent else 0.0)
+        return Pose(*wall.point(room.doors[0].center, depth), 0.0, math.atan2(wall.normal[1], wall.normal[0]))
     low_x, low_y, high_x, high_y = room.bounds
     return Pose((low_x + high_x) / 2, (low_y + high_y) / 2, 0.0, 0.0)
-
-
-def _along(line: Sequence[Point]) -> Iterator[Pose]:
-    """Yield poses along a line, `PACE` apart, that face ahead."""
-    for (ax, ay), (bx, by) in pairwise(line):
-        length = math.dist((ax, ay), (bx, by))
-        for step in range(math.ceil(length / PACE)):
-            share = step * PACE / length
-            yield Pose(ax + share * (bx - ax), ay + share * (by - ay), 0.0, math.atan2(by - ay, bx - ax))
-
-
-def _clear(wall: Wall, agent: Agent | None, pose: Pose) -> bool:
-    """Return whether an agent's body lies wholly on the room's side of a wall."""
-    away = (pose.x - wall.start[0]) * wall.normal[0] + (pose.y - wall.start[1]) * wall.normal[1]
-    if agent is None or agent.length is None or agent.width is None:
-        return away >= (agent.radius if agent else 0.0) - THINNEST
-    ahead = math.cos(pose.yaw) * wall.normal[0] + math.sin(pose.yaw) * wall.normal[1]
-    return away >= abs(ahead) * agent.length / 2 + math.sqrt(1 - min(1.0, ahead * ahead)) * agent.width / 2
 
 
 def _agent(model: _Model, own: str, agent: Agent, pose: Pose) -> None:

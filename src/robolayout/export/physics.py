@@ -11,16 +11,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from importlib import import_module
 from importlib.util import find_spec
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._errors import MissingExtraError
-from robolayout.export._exporter import Options, Routes, check_layout, hangs
+from robolayout.export._exporter import Options, check_layout, hangs
 from robolayout.export.mjcf import AGENT_MASS, DAMPING, STIFFNESS, build
-from robolayout.scene import Agent, Asset, Layout, Point, Scene
+from robolayout.scene import Agent, Asset, Layout, Scene
 
 STILL, UPRIGHT = 0.01, math.radians(2.0)
 """A stable asset moves by less than 1 cm and tilts by less than 2 degrees."""
@@ -44,7 +43,10 @@ SPACING = 0.01
 """Metres between the points of a driven line."""
 
 SETTLING = 0.3
-"""Seconds of standing still at the end of a route."""
+"""Seconds of standing still at the end of a way."""
+
+Ways = Mapping[str, Sequence[Sequence[float]]]
+"""Places or poses on the way to each asset, by asset name."""
 
 FloatArray = NDArray[np.float64]
 
@@ -251,26 +253,22 @@ def drive(
     scene: Scene,
     layout: Layout,
     agent: Agent,
-    routes: Routes,
+    ways: Ways,
     speed: float = 0.5,
     *,
-    footprint: bool = False,
     leaves: str = "open",
 ) -> Driven:
-    """Drive an agent's base along its routes and report what it touches.
+    """Drive an agent's footprint along its ways and report what it touches.
 
-    The base follows each line with position and velocity fed forward, slowing down for corners; the furniture holds
-    still. The base is the disc that routes are planned for (DESIGN section 8), which need not turn.
+    The base follows each way with position and velocity fed forward, slowing down for corners; the furniture holds still.
 
     Args:
         scene: The scene.
         layout: Where everything stands.
         agent: The body.
-        routes: Line in metres of the base's centre to each asset, by asset name; lines of fewer than two points are
-            skipped, since there is nothing to drive.
+        ways: Places (x, y) of the middle of its disc on the way to each asset, metres, or (x, y, heading in radians) of its
+            rectangular footprint, by asset name; ways of fewer than two places are skipped, since there is nothing to drive.
         speed: Metres per second.
-        footprint: Drive the rectangular footprint of a body that has one instead: it faces along the line and turns on
-            the spot at corners, which takes more room than a route for its disc grants.
         leaves: How the doors of the room stand, one of `LEAVES`; a body that comes in finds them open.
 
     Raises:
@@ -278,22 +276,20 @@ def drive(
         MissingExtraError: MuJoCo is not installed.
     """
     check_layout(scene, layout, partial=True)
-    lines = {name: line for name, line in routes.items() if len(line) > 1}
-    body = replace(agent, radius=agent.radius - MARGIN, length=None, width=None)
-    if agent.length and agent.width and footprint:
+    driven = {name: np.array(way, dtype=float) for name, way in ways.items() if len(way) > 1}
+    if agent.length and agent.width and all(way.shape[1] > 2 for way in driven.values()):
         body = replace(agent, length=agent.length - 2 * MARGIN, width=agent.width - 2 * MARGIN)
-    model, data = _model(build(scene, layout, Options(agent=body, leaves=leaves, routes=lines), free=_never))
-    return Driven(
-        agent.name,
-        {name: _drive(model, data, line, speed, turns=body.length is not None) for name, line in lines.items()},
-    )
+    else:
+        body = replace(agent, radius=agent.radius - MARGIN, length=None, width=None)
+    model, data = _model(build(scene, layout, Options(agent=body, leaves=leaves), free=_never))
+    return Driven(agent.name, {name: _drive(model, data, way, speed) for name, way in driven.items()})
 
 
-def _drive(model: Any, data: Any, line: Sequence[Point], speed: float, *, turns: bool) -> Drive:
-    """Drive one line from standstill to standstill."""
+def _drive(model: Any, data: Any, way: FloatArray, speed: float) -> Drive:
+    """Drive one way from standstill to standstill."""
     mujoco = _mujoco()
     step = float(model.opt.timestep)
-    times, path = timeline(line, speed, turns=turns)
+    times, path = timeline(way, speed)
     clock = np.arange(0.0, times[-1] + SETTLING, step)
     wanted = np.stack([np.interp(clock, times, column) for column in path.T], axis=1)
     rates = np.gradient(wanted, step, axis=0)
@@ -310,7 +306,7 @@ def _drive(model: Any, data: Any, line: Sequence[Point], speed: float, *, turns:
         error = max(error, math.dist(data.qpos[places[:2]], goal[:2]))
         if data.ncon:
             touched |= _touched(model, data)
-    length = sum(math.dist(a, b) for a, b in pairwise(line))
+    length = float(np.hypot(*np.diff(way[:, :2], axis=0).T).sum())
     return Drive(tuple(sorted(touched)), error, length, float(times[-1]))
 
 
@@ -325,39 +321,31 @@ def _touched(model: Any, data: Any) -> set[str]:
     return names
 
 
-def timeline(line: Sequence[Point], speed: float, *, turns: bool) -> tuple[FloatArray, FloatArray]:
+def timeline(way: FloatArray, speed: float) -> tuple[FloatArray, FloatArray]:
     """Return when the base is where: times (n,) in seconds and poses (n, 3) as x, y, yaw.
 
-    It starts and ends at rest, accelerates by no more than `ACCELERATION`, and slows down at corners: the cosine of the
-    turn tells how much of the speed is kept. With `turns` the yaw follows the line and the base turns on the spot at corners;
-    without, it keeps the first heading.
+    It starts and ends at rest, accelerates by no more than `ACCELERATION`, turns no faster than `TURN_RATE` and slows down at
+    corners: the cosine of the change of direction tells how much of the speed is kept, so it stops to drive back.
+
+    Args:
+        way: (m, 2) places, on which the yaw stays 0, or (m, 3) poses, between which it turns evenly.
+        speed: Metres per second.
     """
-    corners = np.array([point for point, after in zip(line, [*line[1:], None], strict=True) if point != after], float)
-    if len(corners) < 2:
-        return np.array([0.0, SPACING]), np.tile([*corners[0], 0.0], (2, 1))
-    headings = np.unwrap(np.arctan2(np.diff(corners[:, 1]), np.diff(corners[:, 0])))
-    kept = np.clip(np.cos(np.diff(headings)), 0.0, 1.0) ** 2
-    limits = np.concatenate([[0.0], np.zeros_like(kept) if turns else kept * speed, [0.0]])
-    times, rows, now = [0.0], [[*corners[0], headings[0]]], 0.0
-    for i, heading in enumerate(headings):
-        if turns and i and heading != headings[i - 1]:
-            now += abs(heading - headings[i - 1]) / TURN_RATE
-            times.append(now)
-            rows.append([*corners[i], heading])
-        for ahead, fraction in _segment(float(np.linalg.norm(corners[i + 1] - corners[i])), limits[i : i + 2], speed):
-            times.append(now + ahead)
-            yaw = heading if turns else headings[0]
-            rows.append([*(corners[i] + fraction * (corners[i + 1] - corners[i])), yaw])
-        now = times[-1]
-    return np.array(times), np.array(rows)
-
-
-def _segment(length: float, limits: FloatArray, speed: float) -> list[tuple[float, float]]:
-    """Return (seconds, share of the way) along one straight piece, under the speed limits at its ends."""
-    count = max(2, math.ceil(length / SPACING) + 1)
-    way = np.linspace(0.0, length, count)
-    allowed = np.minimum(np.sqrt(limits[0] ** 2 + 2 * ACCELERATION * way), speed)
-    allowed = np.minimum(allowed, np.sqrt(limits[1] ** 2 + 2 * ACCELERATION * way[::-1]))
-    rates = np.maximum(allowed, SLOWEST)
-    spent = np.concatenate([[0.0], np.cumsum(np.diff(way) / ((rates[1:] + rates[:-1]) / 2))])
-    return [(float(t), float(s)) for t, s in zip(spent[1:], way[1:] / length, strict=True)]
+    poses = np.pad(way, ((0, 0), (0, 3 - way.shape[1])))
+    counts = [max(1, math.ceil(np.abs(step).max() / SPACING)) for step in np.diff(poses, axis=0)]
+    fine = [np.linspace(a, b, n, endpoint=False) for a, b, n in zip(poses[:-1], poses[1:], counts, strict=True)]
+    path = np.concatenate([*fine, poses[-1:]])
+    path = path[np.append(np.abs(np.diff(path, axis=0)).max(axis=1) > 0.0, True)]
+    steps = np.diff(path, axis=0)
+    lengths, turned = np.hypot(steps[:, 0], steps[:, 1]), np.abs(steps[:, 2])
+    kept = np.clip(np.cos(np.diff(np.arctan2(steps[:, 1], steps[:, 0]))), 0.0, 1.0) ** 2
+    moving = (lengths[1:] > 0.0) & (lengths[:-1] > 0.0)
+    rates = np.concatenate([[0.0], speed * kept * moving, [0.0]])[: len(path)]
+    for order in (range(1, len(path)), range(len(path) - 2, -1, -1)):
+        for i in order:
+            before = i - order.step
+            reached = math.sqrt(rates[before] ** 2 + 2 * ACCELERATION * lengths[min(i, before)])
+            rates[i] = min(rates[i], reached)
+    spent = np.maximum(lengths / np.maximum((rates[1:] + rates[:-1]) / 2, SLOWEST), turned / TURN_RATE)
+    times = np.concatenate([[0.0], np.cumsum(spent)])
+    return np.append(times, times[-1] + SPACING), np.concatenate([path, path[-1:]])

@@ -100,7 +100,8 @@ def _page(result: Result, glb: bytes, marks: Sequence[PlanMarks]) -> str:
 def export_options(report: Report) -> Options:
     """Return what exporters may put beside the furniture: the first agent and its routes."""
     first = report.agents[0]
-    return Options(agent=first.agent, routes={name: route.points for name, route in first.navigation.routes.items()})
+    routes = {name: route.points for name, route in first.navigation.routes.items()}
+    return Options(agent=first.agent, routes=routes, start=first.start)
 
 
 def _texts(result: Result, folder: Path) -> Iterator[tuple[str, str]]:

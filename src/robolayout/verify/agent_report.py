@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-from robolayout.scene import Agent, Point
+from robolayout.scene import Agent, Point, Pose
 from robolayout.verify.drives import Drive, entry, find_drives
-from robolayout.verify.driving import Lattice
 from robolayout.verify.heading import HeadingSpace
 from robolayout.verify.limits import Demands
 from robolayout.verify.navigation import Navigation
@@ -65,16 +64,35 @@ class AgentReport:
     @cached_property
     def drives(self) -> Mapping[str, Drive]:
         """For a rectangular body the way, with its heading, to where it uses each thing; empty for a disc."""
-        nav, space = self.navigation, self.headings
-        if space is None:
+        from robolayout.verify.driving import Lattice
+
+        room, space = self.navigation.scene.room, self.headings
+        if space is None or space.start is None:
             return {}
         if self.agent.turning_radius is None:
-            return find_drives(nav.scene.room, space, self._stands)
-        if space.start is None:
-            return {}
-        start = entry(nav.scene.room, space.pieces[space.start])
-        found = Lattice(nav.scene.room, nav.blocking, self.agent, space, start).drives(self.usage.places)
+            return find_drives(room, space, self._stands)
+        came_in = entry(room, space.pieces[space.start])
+        lattice = Lattice(room, self.navigation.blocking, self.agent, came_in, space.headings[0])
+        found = lattice.drives(self.usage.places)
         return {name: found[name] for name in self._stands if name in found}
+
+    @property
+    def ways(self) -> Mapping[str, Sequence[tuple[float, ...]]]:
+        """The ways that its real footprint takes: x, y and heading of a rectangle, x and y of a disc; what it does not use aside."""
+        if self.headings is not None:
+            return {name: drive.poses for name, drive in self.drives.items()}
+        return {name: route.points for name, route in self.navigation.routes.items()}
+
+    @cached_property
+    def start(self) -> Pose | None:
+        """Where it comes in, wholly inside the room; None if it cannot."""
+        space, room, first = self.headings, self.navigation.scene.room, next(iter(self.ways.values()), ())
+        if first and len(first[0]) > 2:
+            x, y, yaw = first[0]
+            return Pose(x, y, 0.0, yaw)
+        place = self.navigation.entry if space is None else space.start and entry(room, space.pieces[space.start])
+        wall = room.walls[room.doors[0].wall if room.doors else 0]
+        return Pose(*place, 0.0, math.atan2(wall.normal[1], wall.normal[0])) if place else None
 
     @cached_property
     def undriven(self) -> tuple[str, ...]:

@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import shapely
@@ -24,7 +25,7 @@ from scipy.sparse.csgraph import dijkstra
 from robolayout.scene import Agent, Point, Room
 from robolayout.verify._obstacles import Obstacles
 from robolayout.verify.drives import Drive, Pose
-from robolayout.verify.heading import HeadingSpace, free_of, rectangle
+from robolayout.verify.heading import free_of, rectangle
 
 QUARTER = ((1, 0), (2, 1), (1, 1), (1, 2))
 """Directions of the headings of a quarter turn, in cells."""
@@ -72,14 +73,14 @@ class Lattice:
         room: The room.
         blocking: What stands in the body's way.
         agent: The body; with length, width and turning radius.
-        space: Where it gets to if it may slide sideways; it comes in there.
         start: Where its centre comes in, metres.
+        heading: The heading in which it comes in, radians.
     """
 
-    def __init__(self, room: Room, blocking: Obstacles, agent: Agent, space: HeadingSpace, start: Point) -> None:
+    def __init__(self, room: Room, blocking: Obstacles, agent: Agent, start: Point, heading: float) -> None:
         self._room, self._blocking, self._agent = room, blocking, agent
         self.cell = _cell(agent, room)
-        self._angle, self._origin = space.headings[0], np.array(start)
+        self._angle, self._origin = heading, np.array(start)
         forward = np.array([math.cos(self._angle), math.sin(self._angle)])
         self._axes = np.array([forward, (-forward[1], forward[0])])
         corners = (np.array(room.vertices) - self._origin) @ self._axes.T / self.cell
@@ -126,43 +127,38 @@ class Lattice:
         return np.asarray(shapely.contains_xy(free, *self.places.T))
 
     @cached_property
-    def _graph(self) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-        """Cost in metres from the start to every (heading, place), and the node before it."""
-        count = len(self.places)
-        rows: list[NDArray[np.intp]] = []
-        ends: list[NDArray[np.intp]] = []
-        costs: list[NDArray[np.float64]] = []
-
-        def join(before: NDArray[np.intp], after: NDArray[np.intp], cost: float) -> None:
-            rows.append(before)
-            ends.append(after)
-            costs.append(np.full(len(before), cost))
-
-        stands = [np.zeros(count, dtype=bool) for _ in range(TURNS)]
-        for k, moves in enumerate(self._moves):
-            for move, free in zip(moves, self._open[k], strict=True):
-                here = np.flatnonzero(free)
-                there, turned = here + move.step[0] * self._shape[1] + move.step[1], (k + move.turn) % TURNS
-                join(k * count + here, turned * count + there, move.cost)
-                stands[k][here] = stands[turned][there] = True
-        for k in range(TURNS):
-            opposite = (k + TURNS // 2) % TURNS
-            here = np.flatnonzero(stands[k] & stands[opposite])
-            join(k * count + here, opposite * count + here, REVERSAL)
-        size = TURNS * count
-        before, after = np.concatenate(rows), np.concatenate(ends)
-        met = np.zeros(size, dtype=bool)
+    def _found(self) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+        """Cost in metres from the start to every (heading, place), and the node before it; -1 where there is none."""
+        before, after, costs = self._edges()
+        cost, previous = np.full(TURNS * len(self.places), np.inf), np.full(TURNS * len(self.places), -1, dtype=np.intp)
+        met = np.zeros(len(cost), dtype=bool)
         met[before] = met[after] = True
-        used, at = np.flatnonzero(met), np.cumsum(met) - 1
-        start = self._start(stands[0])
-        cost, previous = np.full(size, np.inf), np.full(size, -1, dtype=np.intp)
+        start = self._start(met[: len(self.places)])
         if start is None:
             return cost, previous
-        graph = csr_array((np.concatenate(costs), (at[before], at[after])), shape=(len(used), len(used)))
+        used, at = np.flatnonzero(met), np.cumsum(met) - 1
+        graph = csr_array((costs, (at[before], at[after])), shape=(len(used), len(used)))
         spent, parents = dijkstra(graph, indices=int(at[start]), return_predecessors=True)
         known = parents >= 0
         cost[used], previous[used[known]] = spent, used[parents[known]]
         return cost, previous
+
+    def _edges(self) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.float64]]:
+        """Return from which node (heading, place) a body gets to which, and at what cost: moves, and reversals where it stands."""
+        count, half = len(self.places), TURNS // 2
+        stands = np.zeros((TURNS, count), dtype=bool)
+        edges: list[tuple[NDArray[np.intp], NDArray[np.intp], float]] = []
+        for k, moves in enumerate(self._moves):
+            for move, free in zip(moves, self._open[k], strict=True):
+                here, turned = np.flatnonzero(free), (k + move.turn) % TURNS
+                there = here + move.step[0] * self._shape[1] + move.step[1]
+                edges.append((k * count + here, turned * count + there, move.cost))
+                stands[k, here] = stands[turned, there] = True
+        for k in range(TURNS):
+            here = np.flatnonzero(stands[k] & stands[(k + half) % TURNS])
+            edges.append((k * count + here, (k + half) % TURNS * count + here, REVERSAL))
+        before, after = (np.concatenate(ends) for ends in list(zip(*edges, strict=True))[:2])
+        return before, after, np.concatenate([np.full(len(rows), cost) for rows, _, cost in edges])
 
     def _start(self, stands: NDArray[np.bool_]) -> int | None:
         """Return the place nearest to where the body comes in at which it can stand, heading into the room."""
@@ -177,25 +173,25 @@ class Lattice:
             places: Returns for a heading in radians the names (m,) of things and from where the centre uses them, (m,)
                 polygons; half a turn changes nothing.
         """
-        cost, _ = self._graph
+        cost, _ = self._found
         by_heading, count = cost.reshape(TURNS, -1), len(self.places)
         best: dict[str, tuple[float, int]] = {}
         for k in range(TURNS // 2):
             both = by_heading[[k, k + TURNS // 2]]
             there = np.flatnonzero(np.isfinite(both).any(axis=0))
-            spots = shapely.points(self.places[there])
+            spots: Any = shapely.points(self.places[there])
             names, zones = places(self.heading(k))
             asked, hit = shapely.STRtree(spots).query(zones, predicate="intersects")
             ahead = both[:, there[hit]].argmin(axis=0)
             nodes = (k + ahead * (TURNS // 2)) * count + there[hit]
-            for at, node, spent in zip(asked.tolist(), nodes.tolist(), cost[nodes].tolist(), strict=True):
-                if (spent, node) < best.get(names[at], (math.inf, 0)):
-                    best[names[at]] = (spent, node)
+            for number, node in zip(asked.tolist(), nodes.tolist(), strict=True):
+                name, found = names[int(number)], (float(cost[node]), int(node))
+                best[name] = min(best.get(name, found), found)
         return {name: self._drive(name, node) for name, (_, node) in best.items()}
 
     def _drive(self, name: str, node: int) -> Drive:
         """Return the way to a node; the body drives forwards until it first changes direction."""
-        _, previous = self._graph
+        _, previous = self._found
         count, chain = len(self.places), [node]
         while previous[chain[-1]] >= 0:
             chain.append(int(previous[chain[-1]]))

@@ -3,7 +3,7 @@
 For each heading of a lattice the free space of the rectangle is exact: the room minus all walls and obstacles grown by it
 (Minkowski sums of convex shapes). Headings are joined where the body can turn from one to the next: in place, where the
 shape that it sweeps is free; a body with a turning circle only where the whole circle is free. What is joined to the door,
-coming in along its normal, can be stood in. Bodies slide sideways as well as ahead: steering is not modelled.
+coming in along its normal, can be stood in. Here bodies slide sideways as well as ahead; `driving.py` finds the ways of those that cannot.
 """
 
 from __future__ import annotations

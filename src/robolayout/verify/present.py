@@ -139,6 +139,21 @@ def _stability(found: Mapping[str, Any]) -> list[str]:
     return [head, *_listed(found["violations"])]
 
 
+def _driving(report: AgentReport) -> list[str]:
+    """Return what a rectangular body drives to, after how many reversals, and to what it finds no way."""
+    if not report.drives and not report.undriven:
+        return []
+    back = {name: drive.reversals for name, drive in report.drives.items() if drive.reversals}
+    times = ", ".join(f"{plain(name)} {count}" for name, count in back.items())
+    lines = [
+        f"It drives to {len(report.drives)} things" + (f"; reversals: {times}." if times else ", without a reversal.")
+    ]
+    if report.undriven:
+        names = ", ".join(map(plain, report.undriven))
+        lines.append(f"**No way to drive** was found to {names}: near enough, but it cannot slide sideways there.")
+    return lines
+
+
 def _usable(use: Use) -> str:
     """Return whether an asset can be used, and what has to be moved for it."""
     if not use.usable:
@@ -162,6 +177,7 @@ def _agent_table(report: AgentReport) -> list[str]:
     if report.headings is not None:
         turns = len(report.headings.turning.geoms)
         lines.append(f"It can turn right round in {turns} {'place' if turns == 1 else 'places'}.")
+        lines += _driving(report)
     lines += ["", "| asset | reached | route | narrowest passage | between | usable |"]
     lines.append("|---|---|---:|---:|---|---|")
     for name, passage in nav.passages.items():

@@ -203,11 +203,13 @@ class _Judge:
 
     def places(self, heading: float) -> NDArray[np.object_]:
         """Return (m,) from where the body uses each approach at a heading in radians; nothing where it cannot."""
-        able = [not self.opening_blockers(row, side) for row, side in self._each] & self._faces(heading)
+        able = np.array([not self.opening_blockers(row, side) for row, side in self._each], dtype=bool)
         zones = self.ways.zones
         if self._touches:
             zones = shapely.union(zones, self.ways.touching(rectangle(self.agent, heading)))
-        return np.where(able, zones, Polygon())
+        found = zones.copy()
+        found[~(able & self._faces(heading))] = Polygon()
+        return found
 
     def opening_blockers(self, row: int, side: str) -> tuple[str, ...]:
         """Return what stands in the depth that an asset needs in front to be opened: names, or "the wall"."""
