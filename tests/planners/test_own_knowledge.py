@@ -33,7 +33,8 @@ use_sides = ["back"]
 name = "harp stool"
 like = "stool"
 
-[rooms."music room"]
+[rooms."harp room"]
+words = ["music room"]
 size = [4.5, 4.0]
 base = { "concert harp" = 1, "ceiling lamp" = 1 }
 """
@@ -74,7 +75,7 @@ def test_own_words_are_forgotten_without_the_file(music: Path) -> None:
 
 def test_a_sentence_knows_own_rooms_and_things(music: Path) -> None:
     scene, found = scene_from_sentence("a music room with two harps and a settee", knowledge=[music])
-    assert found.room_type == "music room"
+    assert found.room_type == "harp room"
     assert found.wished == {"concert harp": 2, "sofa": 1}
     harp = scene.by_name["concert_harp-0"]
     assert harp.like == "music stand"
@@ -84,7 +85,7 @@ def test_a_sentence_knows_own_rooms_and_things(music: Path) -> None:
 
 def test_the_command_line_takes_files_of_ones_own(music: Path, tmp_path: Path, command: Callable[..., Ran]) -> None:
     out = tmp_path / "out"
-    words = ("generate", "a music room with a harp", "--no-pictures", "--out", out)
+    words = ("generate", "a harp room with a harp", "--no-pictures", "--out", out)
     ran = command(*words, "--knowledge", music)
     assert ran.code in (0, 1), ran.err
     assert "1 concert harp" in ran.err
@@ -95,7 +96,7 @@ def test_the_command_line_takes_files_of_ones_own(music: Path, tmp_path: Path, c
     assert again.code in (0, 1), again.err
     assert shown.stat().st_size > 1000
     unknown = command(*words)
-    assert "'music room' is no room type that is known: room was taken." in unknown.err
+    assert "'harp room' is no room type that is known: room was taken." in unknown.err
 
 
 def test_a_scene_file_is_laid_out_with_own_knowledge(music: Path, tmp_path: Path, command: Callable[..., Ran]) -> None:
