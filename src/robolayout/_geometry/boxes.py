@@ -21,24 +21,15 @@ TINY = 1.0e-12
 
 
 class Body(NamedTuple):
-    """A batch of oriented boxes; all fields share one batch shape.
+    """A batch of oriented boxes; all fields share one batch shape."""
 
-    Attributes:
-        x: Centre, metres.
-        y: Centre, metres.
-        c: Cosine of the yaw.
-        s: Sine of the yaw.
-        hx: Half size along the heading, metres.
-        hy: Half size across the heading, metres.
-        core: Half length along the heading of the segment that distances are measured to, metres (0: the centre).
-    """
-
-    x: Float[Array, "*batch"]
-    y: Float[Array, "*batch"]
-    c: Float[Array, "*batch"]
-    s: Float[Array, "*batch"]
-    hx: Float[Array, "*batch"]
-    hy: Float[Array, "*batch"]
+    x: Float[Array, "*batch"]  # centre, metres
+    y: Float[Array, "*batch"]  # centre, metres
+    c: Float[Array, "*batch"]  # cosine of the yaw
+    s: Float[Array, "*batch"]  # sine of the yaw
+    hx: Float[Array, "*batch"]  # half size along the heading, metres
+    hy: Float[Array, "*batch"]  # half size across the heading, metres
+    # half length along the heading of the segment that distances are measured to, metres (0: the centre)
     core: Float[Array, "*batch"]
 
 

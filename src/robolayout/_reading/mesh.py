@@ -51,37 +51,24 @@ UNSAID = [102, 102, 102, 255]
 
 @dataclass(frozen=True)
 class Look:
-    """What a piece looks like.
+    """What a piece looks like."""
 
-    Attributes:
-        color: Red, green, blue (sRGB) and opacity from 0 to 1: of the whole, if there is a picture.
-        roughness: 0 mirror, 1 chalk.
-        metallic: 0 or 1, or between.
-        picture: A JPEG of its surface; None for none.
-    """
-
+    # red, green, blue (sRGB) and opacity from 0 to 1: of the whole, if there is a picture
     color: tuple[float, float, float, float]
-    roughness: float = 0.8
-    metallic: float = 0.0
-    picture: bytes | None = None
+    roughness: float = 0.8  # 0 mirror, 1 chalk
+    metallic: float = 0.0  # 0 or 1, or between
+    picture: bytes | None = None  # A JPEG of its surface; None for none
 
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """One piece of a mesh file in the file's own axes and units.
+    """One piece of a mesh file in the file's own axes and units."""
 
-    Attributes:
-        name: Name in the file.
-        vertices: (n, 3) in file units, placed by the file's scene.
-        faces: (m, 3) vertex indices.
-        look: What it looks like; None where the file says nothing.
-        uv: (n, 2) where its vertices lie in the picture, (0, 0) at the top left; None without a picture.
-    """
-
-    name: str
-    vertices: Array
-    faces: NDArray[np.int64]
-    look: Look | None
+    name: str  # name in the file
+    vertices: Array  # (n, 3) in file units, placed by the file's scene
+    faces: NDArray[np.int64]  # (m, 3) vertex indices
+    look: Look | None  # what it looks like; None where the file says nothing
+    # (n, 2) where its vertices lie in the picture, (0, 0) at the top left; None without a picture
     uv: Array | None = None
 
 

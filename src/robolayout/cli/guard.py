@@ -32,13 +32,9 @@ class Unforeseen(Exception):
 
 
 class Outlet(FileIO):
-    """A standard stream that never fails: a run goes on though nobody reads what it prints, and its files are complete.
+    """A standard stream that never fails: a run goes on though nobody reads what it prints, and its files are complete."""
 
-    Attributes:
-        blocked: The first error on writing; None if there was none.
-    """
-
-    blocked: OSError | None = None
+    blocked: OSError | None = None  # the first error on writing; None if there was none
 
     def write(self, data: ReadableBuffer, /) -> int | None:
         """Write some bytes; those that cannot be written are gone."""

@@ -21,21 +21,13 @@ from robolayout.scene import Layout, Scene
 
 @dataclass(frozen=True)
 class Outcome:
-    """What an exact check measured.
+    """What an exact check measured."""
 
-    Attributes:
-        met: Whether the relation holds within its tolerance.
-        value: The measured figure (the worst one where there are several).
-        limit: What that figure is compared with, in the same unit.
-        unit: Unit of both ("m", "deg", "m2", "").
-        text: The measurement as part of a sentence ("back edge 0.02 m from walls[2], front 1 deg off").
-    """
-
-    met: bool
-    value: float
-    limit: float
-    unit: str
-    text: str
+    met: bool  # whether the relation holds within its tolerance
+    value: float  # the measured figure (the worst one where there are several)
+    limit: float  # what that figure is compared with, in the same unit
+    unit: str  # unit of both ("m", "deg", "m2", "")
+    text: str  # the measurement as part of a sentence ("back edge 0.02 m from walls[2], front 1 deg off")
 
 
 def argument(*takes: str, many: bool = False, unit: str = "", choices: tuple[str, ...] = (), **options: Any) -> Any:

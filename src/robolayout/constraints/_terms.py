@@ -35,32 +35,22 @@ class Interval:
 
 @dataclass(frozen=True)
 class FrameTerm:
-    """One row of the frame kernel: where `a` stands in the frame of `b`.
+    """One row of the frame kernel: where `a` stands in the frame of `b`."""
 
-    Attributes:
-        a: What stands there.
-        b: Whose frame it is: an asset (x along its front), a wall (origin in its middle, x along it, y into the room), a
-            point (its axes: the world's, turned by its yaw).
-        along: Interval along b's x axis.
-        across: Interval along b's y axis.
-        fold: Whether `across` bounds the absolute value (either side of b will do).
-        distance: Lowest and highest distance in metres between centres (to a wall: from the centre to its segment).
-        heading: Angle in radians of a's front in b's frame; None leaves it free.
-        look: Angle in radians by which a's front is turned before it must point at b; None leaves it free.
-        moves: Which of the two yields: "a", "b" or "both".
-        weight: Factor on this row.
-    """
-
-    a: Ref
+    a: Ref  # what stands there
+    # whose frame it is: an asset (x along its front), a wall (origin in its middle, x along it, y into the room), a
+    # point (its axes: the world's, turned by its yaw)
     b: Ref
-    along: Interval = Interval()
-    across: Interval = Interval()
-    fold: bool = False
+    along: Interval = Interval()  # interval along b's x axis
+    across: Interval = Interval()  # interval along b's y axis
+    fold: bool = False  # whether `across` bounds the absolute value (either side of b will do)
+    # lowest and highest distance in metres between centres (to a wall: from the centre to its segment)
     distance: tuple[float, float] = (0.0, FAR)
-    heading: float | None = None
+    heading: float | None = None  # angle in radians of a's front in b's frame; None leaves it free
+    # angle in radians by which a's front is turned before it must point at b; None leaves it free
     look: float | None = None
-    moves: str = "a"
-    weight: float = 1.0
+    moves: str = "a"  # which of the two yields: "a", "b" or "both"
+    weight: float = 1.0  # factor on this row
 
     def row(self) -> tuple[float, ...]:
         """Return its numbers in the order that `_geometry.frame_residual` reads them."""
@@ -94,42 +84,25 @@ class MirrorTerm:
 
 @dataclass(frozen=True)
 class ClearTerm:
-    """One row of the clear kernel: a box that stays free of assets.
+    """One row of the clear kernel: a box that stays free of assets."""
 
-    Attributes:
-        owner: Whose frame the box is in; the owner itself may be in it. A wall's frame as in `FrameTerm`.
-        center: Middle of the box in that frame, metres.
-        half: Half its size along the axes of that frame, metres.
-        span: Lowest and highest height of the box in metres.
-        exempt: Names of assets that may be in it.
-        hard: Whether it must stay free before anything else counts.
-        weight: Factor on this row.
-    """
-
-    owner: Ref
-    center: tuple[float, float]
-    half: tuple[float, float]
-    span: tuple[float, float]
-    exempt: frozenset[str] = frozenset()
-    hard: bool = True
-    weight: float = 1.0
+    owner: Ref  # Whose frame the box is in; the owner itself may be in it. A wall's frame as in `FrameTerm`.
+    center: tuple[float, float]  # middle of the box in that frame, metres
+    half: tuple[float, float]  # half its size along the axes of that frame, metres
+    span: tuple[float, float]  # lowest and highest height of the box in metres
+    exempt: frozenset[str] = frozenset()  # names of assets that may be in it
+    hard: bool = True  # whether it must stay free before anything else counts
+    weight: float = 1.0  # factor on this row
 
 
 @dataclass(frozen=True)
 class OverlapTerm:
-    """One row of the overlap kernel: a prism of `a` and one of `b`, which share a height, keep apart in plan.
-
-    Attributes:
-        a: A thing.
-        b: Another one.
-        first: The prism of `a`.
-        second: The prism of `b`.
-    """
+    """One row of the overlap kernel: a prism of `a` and one of `b`, which share a height, keep apart in plan."""
 
     a: AssetRef
     b: AssetRef
-    first: Prism
-    second: Prism
+    first: Prism  # the prism of `a`
+    second: Prism  # the prism of `b`
 
 
 @dataclass(frozen=True)

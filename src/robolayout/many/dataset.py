@@ -49,23 +49,14 @@ _CHECK = Checker(InputError)
 
 @dataclass
 class Progress:
-    """How far a batch is.
+    """How far a batch is."""
 
-    Attributes:
-        rooms: Rooms in all.
-        made: Rooms that are there or given up.
-        met: Rooms that meet their demands.
-        replaced: Tries that were replaced by another.
-        here: Rooms that this run made.
-        since: When it began, by the monotonic clock.
-    """
-
-    rooms: int
-    made: int = 0
-    met: int = 0
-    replaced: int = 0
-    here: int = 0
-    since: float = field(default_factory=monotonic)
+    rooms: int  # rooms in all
+    made: int = 0  # rooms that are there or given up
+    met: int = 0  # rooms that meet their demands
+    replaced: int = 0  # tries that were replaced by another
+    here: int = 0  # rooms that this run made
+    since: float = field(default_factory=monotonic)  # when it began, by the monotonic clock
 
     def __str__(self) -> str:
         spent = max(monotonic() - self.since, 1e-9) / 60
@@ -76,25 +67,15 @@ class Progress:
 
 @dataclass(frozen=True)
 class Batch:
-    """A finished data set.
+    """A finished data set."""
 
-    Attributes:
-        folder: Where it is.
-        rooms: Rooms that were asked for.
-        met: Rooms that meet all demands.
-        unmet: Rooms that do not and were kept.
-        missing: Rooms that were given up, by their numbers, with the last reason.
-        replaced: Reasons for which tries were replaced, and how often.
-        least: Least difference between two rooms; 1 where none were compared.
-    """
-
-    folder: Path
-    rooms: int
-    met: int
-    unmet: int
-    missing: Mapping[int, str]
-    replaced: Mapping[str, int]
-    least: float
+    folder: Path  # where it is
+    rooms: int  # rooms that were asked for
+    met: int  # rooms that meet all demands
+    unmet: int  # rooms that do not and were kept
+    missing: Mapping[int, str]  # rooms that were given up, by their numbers, with the last reason
+    replaced: Mapping[str, int]  # reasons for which tries were replaced, and how often
+    least: float  # least difference between two rooms; 1 where none were compared
 
     @property
     def ok(self) -> bool:

@@ -36,38 +36,24 @@ PLOTTED = 24
 
 @dataclass(frozen=True)
 class Paired:
-    """A figure in two folders, room by room.
+    """A figure in two folders, room by room."""
 
-    Attributes:
-        difference: Mean of this folder less the other one, over the rooms that both have.
-        better: Rooms in which it is better here.
-        worse: Rooms in which it is worse here.
-        chance: Probability of so uneven a share by chance (sign test).
-    """
-
-    difference: Mean
-    better: int
-    worse: int
-    chance: float
+    difference: Mean  # mean of this folder less the other one, over the rooms that both have
+    better: int  # rooms in which it is better here
+    worse: int  # rooms in which it is worse here
+    chance: float  # probability of so uneven a share by chance (sign test)
 
 
 @dataclass(frozen=True)
 class Evaluation:
-    """What was measured in a folder.
+    """What was measured in a folder."""
 
-    Attributes:
-        rows: One row a room: its name, what a batch drew, and every figure.
-        skipped: Rooms that could not be read, with the reason.
-        groups: Names of what rooms are grouped by, then the means of each figure by group; the whole has the name "all".
-        against: Each figure in pairs with the other folder; empty without one.
-        unpaired: Names of rooms that only one of the two folders has.
-    """
-
-    rows: tuple[Mapping[str, Any], ...]
-    skipped: Mapping[str, str]
+    rows: tuple[Mapping[str, Any], ...]  # one row a room: its name, what a batch drew, and every figure
+    skipped: Mapping[str, str]  # rooms that could not be read, with the reason
+    # names of what rooms are grouped by, then the means of each figure by group; the whole has the name "all"
     groups: Mapping[str, Mapping[str, Mean]]
-    against: Mapping[str, Paired]
-    unpaired: tuple[str, ...] = ()
+    against: Mapping[str, Paired]  # each figure in pairs with the other folder; empty without one
+    unpaired: tuple[str, ...] = ()  # names of rooms that only one of the two folders has
 
     def to_markdown(self) -> str:
         """Return the tables: means by group, and the differences to the other folder."""

@@ -28,19 +28,12 @@ _CHECK = Checker(InputError)
 
 @dataclass(frozen=True)
 class Found:
-    """A room that was found.
+    """A room that was found."""
 
-    Attributes:
-        name: Where, from the folder that was looked through; rooms of two folders are paired by it.
-        layout: Its layout file, scene state or run folder.
-        scene: Its scene file; None where the layout brings the scene along.
-        facts: What a batch says of it.
-    """
-
-    name: str
-    layout: Path
-    scene: Path | None = None
-    facts: dict[str, Any] = field(default_factory=dict[str, Any])
+    name: str  # where, from the folder that was looked through; rooms of two folders are paired by it
+    layout: Path  # its layout file, scene state or run folder
+    scene: Path | None = None  # its scene file; None where the layout brings the scene along
+    facts: dict[str, Any] = field(default_factory=dict[str, Any])  # what a batch says of it
 
     def judged(self, agents: Sequence[Agent], asset_dir: Path | None) -> Result:
         """Return the room judged, for other bodies than its own if any are given."""

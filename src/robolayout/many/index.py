@@ -43,19 +43,12 @@ SUMMED = (
 
 @dataclass(frozen=True)
 class Table:
-    """A finished set.
+    """A finished set."""
 
-    Attributes:
-        ready: What was asked for.
-        folder: Where it is.
-        rows: One row a room, in order.
-        reasons: Why tries were replaced, and how often.
-    """
-
-    ready: Ready
-    folder: Path
-    rows: list[dict[str, Any]]
-    reasons: Mapping[str, int]
+    ready: Ready  # what was asked for
+    folder: Path  # where it is
+    rows: list[dict[str, Any]]  # one row a room, in order
+    reasons: Mapping[str, int]  # why tries were replaced, and how often
 
 
 def write_index(table: Table) -> None:

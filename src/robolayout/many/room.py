@@ -60,21 +60,13 @@ NOTE = "room.json"
 
 @dataclass(frozen=True)
 class Drawn:
-    """One room as it was drawn, not yet laid out.
+    """One room as it was drawn, not yet laid out."""
 
-    Attributes:
-        scene: The room with its things and bodies.
-        solver: Name of the solver.
-        reach: Whether the search knows the bodies.
-        seed: Settles plan and looks.
-        facts: What was drawn, for the index.
-    """
-
-    scene: Scene
-    solver: str
-    reach: bool
-    seed: int
-    facts: Mapping[str, Any]
+    scene: Scene  # the room with its things and bodies
+    solver: str  # name of the solver
+    reach: bool  # whether the search knows the bodies
+    seed: int  # settles plan and looks
+    facts: Mapping[str, Any]  # what was drawn, for the index
 
 
 _Tried = str | tuple[Drawn, Result]
@@ -83,20 +75,13 @@ _Tried = str | tuple[Drawn, Result]
 
 @dataclass(frozen=True)
 class Made:
-    """What became of one try at a room.
+    """What became of one try at a room."""
 
-    Attributes:
-        why: Why it is not kept; empty if it is.
-        row: Its row in the index.
-        things: What stands where, to tell rooms apart.
-        files: Its files by name.
-        seconds: CPU seconds by station, and the most memory of the process in MB.
-    """
-
-    why: str
-    row: Mapping[str, Any] = field(default_factory=dict[str, Any])
-    things: tuple[Thing, ...] = ()
-    files: Mapping[str, bytes] = field(default_factory=dict[str, bytes])
+    why: str  # why it is not kept; empty if it is
+    row: Mapping[str, Any] = field(default_factory=dict[str, Any])  # its row in the index
+    things: tuple[Thing, ...] = ()  # what stands where, to tell rooms apart
+    files: Mapping[str, bytes] = field(default_factory=dict[str, bytes])  # its files by name
+    # CPU seconds by station, and the most memory of the process in MB
     seconds: Mapping[str, float] = field(default_factory=dict[str, float])
 
 

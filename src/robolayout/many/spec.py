@@ -134,38 +134,24 @@ def _plain(value: Any) -> Any:
 
 @dataclass(frozen=True)
 class Source:
-    """One entry of `rooms`, read.
+    """One entry of `rooms`, read."""
 
-    Attributes:
-        text: The entry as written.
-        scene: The scene of a file; None for a sentence.
-        sentence: The sentence, without the full stop at its end.
-        size: Usual width and depth of such a room in metres.
-    """
-
-    text: str
-    scene: Scene | None = None
-    sentence: str = ""
-    size: tuple[float, float] = (0.0, 0.0)
+    text: str  # the entry as written
+    scene: Scene | None = None  # the scene of a file; None for a sentence
+    sentence: str = ""  # the sentence, without the full stop at its end
+    size: tuple[float, float] = (0.0, 0.0)  # usual width and depth of such a room in metres
 
 
 @dataclass(frozen=True)
 class Ready:
-    """A SPEC with everything read that it names.
+    """A SPEC with everything read that it names."""
 
-    Attributes:
-        spec: The table.
-        sources: The rooms.
-        bodies: The bodies; None for those that a room is usually for.
-        own: Entries of the catalogues by kind of thing; their paths are from the folder of meshes of the batch.
-        meshes: Mesh files of the catalogues by these paths.
-    """
-
-    spec: Spec
-    sources: tuple[Source, ...]
-    bodies: tuple[tuple[Agent, ...] | None, ...] = (None,)
+    spec: Spec  # the table
+    sources: tuple[Source, ...]  # the rooms
+    bodies: tuple[tuple[Agent, ...] | None, ...] = (None,)  # the bodies; None for those that a room is usually for
+    # entries of the catalogues by kind of thing; their paths are from the folder of meshes of the batch
     own: Mapping[str, tuple[Mapping[str, Any], ...]] = field(default_factory=dict[str, tuple[Mapping[str, Any], ...]])
-    meshes: Mapping[str, Path] = field(default_factory=dict[str, Path])
+    meshes: Mapping[str, Path] = field(default_factory=dict[str, Path])  # mesh files of the catalogues by these paths
 
     @property
     def choices(self) -> tuple[tuple[Any, ...], ...]:

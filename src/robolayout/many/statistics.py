@@ -17,19 +17,12 @@ SURE = 0.95
 
 @dataclass(frozen=True)
 class Mean:
-    """The mean of a figure over rooms.
+    """The mean of a figure over rooms."""
 
-    Attributes:
-        count: Rooms that have the figure.
-        mean: Its mean.
-        low: Lower end of the interval.
-        high: Upper end.
-    """
-
-    count: int
+    count: int  # rooms that have the figure
     mean: float
-    low: float
-    high: float
+    low: float  # lower end of the interval
+    high: float  # upper end
 
 
 def mean(values: NDArray[np.float64], seed: int = 0) -> Mean:

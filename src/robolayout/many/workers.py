@@ -42,15 +42,10 @@ TICK = 0.2
 
 @dataclass(frozen=True)
 class Task:
-    """One try at a room.
+    """One try at a room."""
 
-    Attributes:
-        index: Number of the room.
-        attempt: Number of the try.
-    """
-
-    index: int
-    attempt: int
+    index: int  # number of the room
+    attempt: int  # number of the try
 
 
 class Workers(Protocol):
@@ -82,17 +77,11 @@ class _Process:
 
 @dataclass
 class Local:
-    """Processes of this machine, started afresh (nothing is forked) and kept: each loads compiled programs once.
+    """Processes of this machine, started afresh (nothing is forked) and kept: each loads compiled programs once."""
 
-    Attributes:
-        ready: What is asked for.
-        meshes: Folder of the meshes of the catalogues.
-        slots: Number of processes.
-    """
-
-    ready: Ready
-    meshes: Path
-    slots: int
+    ready: Ready  # what is asked for
+    meshes: Path  # folder of the meshes of the catalogues
+    slots: int  # number of processes
     _all: list[_Process] = field(default_factory=list[_Process])
 
     def send(self, task: Task) -> None:

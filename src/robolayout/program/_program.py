@@ -18,82 +18,51 @@ from robolayout.scene import program_variable, split_name
 
 @dataclass(frozen=True)
 class Limits:
-    """What a program may use; everything beyond ends in a `ProgramLimitError`.
+    """What a program may use; everything beyond ends in a `ProgramLimitError`."""
 
-    Attributes:
-        seconds: Time to run, in seconds.
-        memory: Memory of the interpreter in bytes.
-        text: Characters of program text.
-        statements: Number of statements, however they are made.
-        items: Number of things named in all arguments together.
-        depth: Calls inside calls.
-        printed: Characters kept of what it prints; the rest is dropped.
-    """
-
-    seconds: float = 5.0
-    memory: int = 256 * 2**20
-    text: int = 128 * 1024
-    statements: int = 5_000
-    items: int = 50_000
-    depth: int = 200
-    printed: int = 4_000
+    seconds: float = 5.0  # time to run, in seconds
+    memory: int = 256 * 2**20  # memory of the interpreter in bytes
+    text: int = 128 * 1024  # characters of program text
+    statements: int = 5_000  # number of statements, however they are made
+    items: int = 50_000  # number of things named in all arguments together
+    depth: int = 200  # calls inside calls
+    printed: int = 4_000  # characters kept of what it prints; the rest is dropped
 
 
 @dataclass(frozen=True)
 class Statement:
-    """One relation that a program states.
+    """One relation that a program states."""
 
-    Attributes:
-        relation: What it says.
-        line: Line of the program text that states it, counted from 1; 0 if it was not read from text.
-        source: That call as it is written, on one line.
-        number: Its place among the statements, counted from 1; wishes are counted by themselves.
-        wish: Its weight if it is a wish and no demand; below 0 it is rather not wanted.
-        by: Who asks for it: "user" where it is what the words of the scene say, else "plan".
-    """
-
-    relation: Relation
-    line: int = 0
-    source: str = ""
-    number: int = 0
-    wish: float | None = None
-    by: str = "plan"
+    relation: Relation  # what it says
+    line: int = 0  # line of the program text that states it, counted from 1; 0 if it was not read from text
+    source: str = ""  # that call as it is written, on one line
+    number: int = 0  # its place among the statements, counted from 1; wishes are counted by themselves
+    wish: float | None = None  # its weight if it is a wish and no demand; below 0 it is rather not wanted
+    by: str = "plan"  # who asks for it: "user" where it is what the words of the scene say, else "plan"
 
 
 @dataclass(frozen=True)
 class Guess:
-    """Where a program first puts an asset.
+    """Where a program first puts an asset."""
 
-    Attributes:
-        position: Box centre in metres; None if the program does not say.
-        yaw: Radians counter-clockwise about z; None if the program does not say.
-    """
-
-    position: tuple[float, float, float] | None = None
-    yaw: float | None = None
+    position: tuple[float, float, float] | None = None  # box centre in metres; None if the program does not say
+    yaw: float | None = None  # radians counter-clockwise about z; None if the program does not say
 
 
 @dataclass(frozen=True)
 class Program:
-    """A constraint program that was read.
+    """A constraint program that was read."""
 
-    Attributes:
-        text: The program text that was run.
-        statements: What it states, in the order in which it ran.
-        guesses: First poses by asset name, in the order of the scene.
-        notes: Lines that it printed.
-        dropped: What could not be read and was left out, one message each with line and caret (`read_salvaged`).
-        expressions: How each asset is written in program text, by name ("bed-0": "bed[0]").
-        wishes: What it would like, and no more; each with its weight.
-    """
-
-    text: str = ""
-    statements: tuple[Statement, ...] = ()
+    text: str = ""  # the program text that was run
+    statements: tuple[Statement, ...] = ()  # what it states, in the order in which it ran
+    # first poses by asset name, in the order of the scene
     guesses: Mapping[str, Guess] = field(default_factory=dict[str, Guess])
-    notes: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()  # lines that it printed
+    # what could not be read and was left out, one message each with line and caret (`read_salvaged`)
     dropped: tuple[str, ...] = ()
+    # how each asset is written in program text, by name ("bed-0": "bed[0]")
     expressions: Mapping[str, str] = field(default_factory=dict[str, str], compare=False, repr=False)
-    wishes: tuple[Statement, ...] = ()
+    wishes: tuple[Statement, ...] = ()  # what it would like, and no more; each with its weight
 
     @property
     def complete(self) -> bool:

@@ -22,19 +22,12 @@ Verdict = Literal["accepted", "updated", "rejected"]
 
 @dataclass(frozen=True)
 class Decision:
-    """What the filter made of one statement.
+    """What the filter made of one statement."""
 
-    Attributes:
-        statement: The statement as asked.
-        verdict: "accepted", "updated" or "rejected".
-        reason: Why, in words.
-        replacement: The statement that is solved instead, for an update.
-    """
-
-    statement: Statement
-    verdict: Verdict
-    reason: str
-    replacement: Statement | None = None
+    statement: Statement  # the statement as asked
+    verdict: Verdict  # "accepted", "updated" or "rejected"
+    reason: str  # why, in words
+    replacement: Statement | None = None  # the statement that is solved instead, for an update
 
     @property
     def kept(self) -> Statement | None:
@@ -62,15 +55,10 @@ class Decision:
 
 @dataclass(frozen=True)
 class Reconciled:
-    """A program after the filter.
+    """A program after the filter."""
 
-    Attributes:
-        program: The program with the statements to solve.
-        decisions: One decision for every statement asked, in the program's order.
-    """
-
-    program: Program
-    decisions: tuple[Decision, ...]
+    program: Program  # the program with the statements to solve
+    decisions: tuple[Decision, ...]  # one decision for every statement asked, in the program's order
 
     @property
     def rejections(self) -> tuple[str, ...]:

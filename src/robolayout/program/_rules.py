@@ -51,41 +51,26 @@ AtWall = AgainstWall | MountedOn | Row
 
 @dataclass(frozen=True)
 class Change:
-    """Another relation instead of the one asked.
-
-    Attributes:
-        relation: The relation.
-        reason: Why, in words.
-    """
+    """Another relation instead of the one asked."""
 
     relation: Relation
-    reason: str
+    reason: str  # why, in words
 
 
 @dataclass
 class Accepted:
-    """What was accepted so far.
-
-    Attributes:
-        scene: The scene.
-        program: The program as asked; its guesses decide the wall in paper mode.
-        paper: Whether a wall is always the one nearest to the guess.
-        seen: What was said about what, with the statement.
-        parents: What each thing stands on.
-        walls: Wall of each thing that stands or hangs at one.
-        headings: The statement that turned each thing.
-        corners: Things that have a corner.
-        mounted: Heights in metres of the middles of wall things.
-    """
+    """What was accepted so far."""
 
     scene: Scene
-    program: Program
-    paper: bool
+    program: Program  # the program as asked; its guesses decide the wall in paper mode
+    paper: bool  # whether a wall is always the one nearest to the guess
+    # what was said about what, with the statement
     seen: dict[object, Statement] = field(default_factory=dict[object, Statement])
-    parents: dict[str, str] = field(default_factory=dict[str, str])
-    walls: dict[str, int] = field(default_factory=dict[str, int])
-    headings: dict[str, Statement] = field(default_factory=dict[str, Statement])
-    corners: set[str] = field(default_factory=set[str])
+    parents: dict[str, str] = field(default_factory=dict[str, str])  # what each thing stands on
+    walls: dict[str, int] = field(default_factory=dict[str, int])  # wall of each thing that stands or hangs at one
+    headings: dict[str, Statement] = field(default_factory=dict[str, Statement])  # the statement that turned each thing
+    corners: set[str] = field(default_factory=set[str])  # things that have a corner
+    # heights in metres of the middles of wall things
     mounted: dict[str, float] = field(default_factory=dict[str, float])
 
     def __post_init__(self) -> None:

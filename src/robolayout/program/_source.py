@@ -41,38 +41,23 @@ LONGEST_LINE = 160
 
 @dataclass(frozen=True)
 class Site:
-    """A place in the text that a mark points at.
+    """A place in the text that a mark points at."""
 
-    Attributes:
-        line: Line, counted from 1.
-        column: Column, counted from 0.
-        call: The call, for a statement.
-    """
-
-    line: int
-    column: int
-    call: ast.Call | None = None
+    line: int  # line, counted from 1
+    column: int  # column, counted from 0
+    call: ast.Call | None = None  # the call, for a statement
 
 
 @dataclass(frozen=True)
 class Source:
-    """Program text that may run.
+    """Program text that may run."""
 
-    Attributes:
-        text: The text as given, without fences and prose (their lines are empty).
-        lines: Its lines.
-        tree: Its syntax tree.
-        marked: The text with marks.
-        sites: What the marks point at.
-        edits: Where marks were inserted: (line, column in the text, length), in order.
-    """
-
-    text: str
+    text: str  # the text as given, without fences and prose (their lines are empty)
     lines: tuple[str, ...]
-    tree: ast.Module
-    marked: str
-    sites: tuple[Site, ...]
-    edits: tuple[tuple[int, int, int], ...]
+    tree: ast.Module  # its syntax tree
+    marked: str  # the text with marks
+    sites: tuple[Site, ...]  # what the marks point at
+    edits: tuple[tuple[int, int, int], ...]  # where marks were inserted: (line, column in the text, length), in order
 
     def error(
         self, message: str, line: int | None, column: int | None = None, *, kind: type[ProgramError] = ProgramError

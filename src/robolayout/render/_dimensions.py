@@ -40,23 +40,14 @@ Spot = tuple[Point, float, float, Outline]
 
 @dataclass(frozen=True)
 class Chain:
-    """Lengths along one line.
+    """Lengths along one line."""
 
-    Attributes:
-        origin: Where the line is measured from, metres: a point on the walls' inner face.
-        direction: Unit vector along the line.
-        out: Unit vector out of the room.
-        marks: Distances from the origin at which a length ends, metres, rising.
-        depths: For each mark, how far the wall it belongs to stands back from the origin, metres.
-        level: Its place outwards, from 0.
-    """
-
-    origin: Point
-    direction: Point
-    out: Point
-    marks: tuple[float, ...]
-    depths: tuple[float, ...]
-    level: int
+    origin: Point  # where the line is measured from, metres: a point on the walls' inner face
+    direction: Point  # unit vector along the line
+    out: Point  # unit vector out of the room
+    marks: tuple[float, ...]  # distances from the origin at which a length ends, metres, rising
+    depths: tuple[float, ...]  # for each mark, how far the wall it belongs to stands back from the origin, metres
+    level: int  # its place outwards, from 0
 
     def point(self, along: float, outward: float) -> Point:
         """Return the point so far along the line and out of the room, metres."""

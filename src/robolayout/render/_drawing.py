@@ -31,50 +31,31 @@ BEYOND_ASCII = "\u00a9\u00ab\u00b0\u00b1\u00b4\u00b7\u00bb\u2018\u2019\u201c\u20
 
 @dataclass(frozen=True)
 class Shape:
-    """Rings or lines with one style.
+    """Rings or lines with one style."""
 
-    Attributes:
-        rings: Point lists in millimetres; of a filled shape, later rings may be holes (even-odd rule).
-        fill: sRGB hex colour, or None.
-        stroke: sRGB hex colour, or None.
-        width: Line width, millimetres.
-        dash: Lengths of dash and gap in millimetres, or None.
-        opacity: Opacity of the fill.
-        closed: Whether the rings are closed.
-        title: Shown when the pointer rests on it (SVG).
-    """
-
+    # point lists in millimetres; of a filled shape, later rings may be holes (even-odd rule)
     rings: tuple[tuple[Point, ...], ...]
-    fill: str | None = None
-    stroke: str | None = None
-    width: float = 0.18
-    dash: tuple[float, float] | None = None
-    opacity: float = 1.0
-    closed: bool = True
-    title: str = ""
+    fill: str | None = None  # sRGB hex colour, or None
+    stroke: str | None = None  # sRGB hex colour, or None
+    width: float = 0.18  # line width, millimetres
+    dash: tuple[float, float] | None = None  # lengths of dash and gap in millimetres, or None
+    opacity: float = 1.0  # opacity of the fill
+    closed: bool = True  # whether the rings are closed
+    title: str = ""  # shown when the pointer rests on it (SVG)
 
 
 @dataclass(frozen=True)
 class Text:
-    """One line of text.
+    """One line of text."""
 
-    Attributes:
-        at: Millimetres; the anchor horizontally, the middle of the capitals vertically.
-        text: The words.
-        size: Font size, millimetres.
-        color: sRGB hex colour.
-        anchor: Which end is at the point.
-        angle: Degrees counter-clockwise.
-        halo: Colour of the outline that keeps it readable, or None.
-    """
-
-    at: Point
-    text: str
-    size: float
+    at: Point  # millimetres; the anchor horizontally, the middle of the capitals vertically
+    text: str  # the words
+    size: float  # font size, millimetres
+    # sRGB hex colour
     color: str = "#222222"
-    anchor: Anchor = "middle"
-    angle: float = 0.0
-    halo: str | None = None
+    anchor: Anchor = "middle"  # which end is at the point
+    angle: float = 0.0  # degrees counter-clockwise
+    halo: str | None = None  # colour of the outline that keeps it readable, or None
 
 
 Item = Shape | Text
@@ -82,18 +63,12 @@ Item = Shape | Text
 
 @dataclass
 class Drawing:
-    """A sheet and what is drawn on it, from back to front.
+    """A sheet and what is drawn on it, from back to front."""
 
-    Attributes:
-        width: Millimetres.
-        height: Millimetres.
-        items: Shapes and texts.
-        background: sRGB hex colour.
-    """
-
-    width: float
-    height: float
-    items: list[Shape | Text] = field(default_factory=list[Shape | Text])
+    width: float  # millimetres
+    height: float  # millimetres
+    items: list[Shape | Text] = field(default_factory=list[Shape | Text])  # shapes and texts
+    # sRGB hex colour
     background: str = "#ffffff"
 
     def polygon(self, rings: Iterable[Iterable[Point]], fill: str | None, **style: object) -> None:

@@ -17,17 +17,12 @@ RESTS = 0.05
 
 @dataclass(frozen=True)
 class Furniture:
-    """What a sheet says of the things in a room.
+    """What a sheet says of the things in a room."""
 
-    Attributes:
-        numbers: The number of each thing that has one; equal things have numbers that follow each other.
-        carriers: For each thing without a number, the numbered one that carries it.
-        rows: The list.
-    """
-
+    # the number of each thing that has one; equal things have numbers that follow each other
     numbers: Mapping[str, int]
-    carriers: Mapping[str, str]
-    rows: tuple[Row, ...]
+    carriers: Mapping[str, str]  # for each thing without a number, the numbered one that carries it
+    rows: tuple[Row, ...]  # the list
 
 
 def furniture(scene: Scene, layout: Layout) -> Furniture:

@@ -31,52 +31,32 @@ Box = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class Tag:
-    """A name to be placed.
+    """A name to be placed."""
 
-    Attributes:
-        text: The name.
-        outline: Corners of the footprint, millimetres.
-        beside: Whether the name may stand beside the footprint.
-        covers: Corners of what lies on top of the footprint and should stay free of text.
-        outward: Direction in which a name beside the footprint stands best, or None.
-        halo: Whether the name needs a light edge, because lines run under it.
-        quiet: Whether it is written in grey, since the thing hangs above.
-        shuns: Corners of what hangs above the footprint; the name keeps off their edges if it can.
-        short: What is written where the name finds no place, if need be over what lies on top; or nothing.
-    """
-
-    text: str
-    outline: tuple[Point, ...]
-    beside: bool
+    text: str  # the name
+    outline: tuple[Point, ...]  # corners of the footprint, millimetres
+    beside: bool  # whether the name may stand beside the footprint
+    # corners of what lies on top of the footprint and should stay free of text
     covers: tuple[tuple[Point, ...], ...] = ()
-    outward: Point | None = None
-    halo: bool = False
-    quiet: bool = False
+    outward: Point | None = None  # direction in which a name beside the footprint stands best, or None
+    halo: bool = False  # whether the name needs a light edge, because lines run under it
+    quiet: bool = False  # whether it is written in grey, since the thing hangs above
+    # corners of what hangs above the footprint; the name keeps off their edges if it can
     shuns: tuple[tuple[Point, ...], ...] = ()
-    short: str = ""
+    short: str = ""  # what is written where the name finds no place, if need be over what lies on top; or nothing
 
 
 @dataclass(frozen=True)
 class Label:
-    """A placed name.
+    """A placed name."""
 
-    Attributes:
-        lines: One or two lines, top first.
-        at: Middle of the text block, millimetres.
-        size: Font size, millimetres.
-        angle: Degrees counter-clockwise in which the text runs.
-        leader: Point of the footprint that a thin line leads to, for names that stand beside it.
-        halo: Whether it needs a light edge.
-        quiet: Whether it is written in grey.
-    """
-
-    lines: tuple[str, ...]
-    at: Point
-    size: float
-    angle: float = 0.0
-    leader: Point | None = None
-    halo: bool = False
-    quiet: bool = False
+    lines: tuple[str, ...]  # one or two lines, top first
+    at: Point  # middle of the text block, millimetres
+    size: float  # font size, millimetres
+    angle: float = 0.0  # degrees counter-clockwise in which the text runs
+    leader: Point | None = None  # point of the footprint that a thin line leads to, for names that stand beside it
+    halo: bool = False  # whether it needs a light edge
+    quiet: bool = False  # whether it is written in grey
 
     @property
     def extent(self) -> Point:

@@ -26,20 +26,14 @@ WIDTH_TEXT = 2.1
 
 @dataclass(frozen=True)
 class Naming:
-    """How the names on a plan are written.
+    """How the names on a plan are written."""
 
-    Attributes:
-        box: Left, upper, right and lower edge that they keep within, millimetres.
-        texts: For each asset that is named, what is written, and what where that finds no place; None is the names of all.
-        sizes: Font sizes that are tried, millimetres.
-        obstacles: Outlines that names keep off, besides things and walls.
-        lines: Lines in metres that names and widths keep off if they can: doors and how they swing.
-    """
-
-    box: Box
+    box: Box  # left, upper, right and lower edge that they keep within, millimetres
+    # for each asset that is named, what is written, and what where that finds no place; None is the names of all
     texts: Mapping[str, tuple[str, str]] | None = None
-    sizes: tuple[float, ...] = SIZES
-    obstacles: tuple[tuple[Point, ...], ...] = ()
+    sizes: tuple[float, ...] = SIZES  # font sizes that are tried, millimetres
+    obstacles: tuple[tuple[Point, ...], ...] = ()  # outlines that names keep off, besides things and walls
+    # lines in metres that names and widths keep off if they can: doors and how they swing
     lines: tuple[tuple[Point, ...], ...] = ()
 
 

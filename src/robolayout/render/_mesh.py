@@ -32,35 +32,21 @@ FLOOR_STRIP = "/strip"
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """Triangles in the world frame.
+    """Triangles in the world frame."""
 
-    Attributes:
-        corners: (n, 3, 3) corner positions in metres.
-        normals: (n, 3, 3) unit shading normals at the corners.
-        colors: (n, 4) linear colour and opacity.
-        gloss: (n,) 0 chalk, 1 mirror.
-        glow: (n,) light given off, as a share of the colour.
-        uvs: (n, 3, 2) texture coordinates of the corners.
-        layers: (n,) index of a triangle's texture, whose mean `colors` make up for; -1 for none.
-        ids: (n,) ROOM or the asset's place in the scene plus 1.
-        groups: (n,) index of the part a triangle belongs to.
-        names: Name of each part: "floor", "wall-0", "door-0", "window-0" for the room, the asset's name for assets.
-        convex: Whether each part is closed and convex, so that triangles that face away are never seen.
-        textures: What `layers` count.
-    """
-
-    corners: NDArray[np.float32]
-    normals: NDArray[np.float32]
-    colors: NDArray[np.float32]
-    gloss: NDArray[np.float32]
-    glow: NDArray[np.float32]
-    uvs: NDArray[np.float32]
-    layers: NDArray[np.int32]
-    ids: NDArray[np.int32]
-    groups: NDArray[np.int32]
+    corners: NDArray[np.float32]  # (n, 3, 3) corner positions in metres
+    normals: NDArray[np.float32]  # (n, 3, 3) unit shading normals at the corners
+    colors: NDArray[np.float32]  # (n, 4) linear colour and opacity
+    gloss: NDArray[np.float32]  # (n,) 0 chalk, 1 mirror
+    glow: NDArray[np.float32]  # (n,) light given off, as a share of the colour
+    uvs: NDArray[np.float32]  # (n, 3, 2) texture coordinates of the corners
+    layers: NDArray[np.int32]  # (n,) index of a triangle's texture, whose mean `colors` make up for; -1 for none
+    ids: NDArray[np.int32]  # (n,) ROOM or the asset's place in the scene plus 1
+    groups: NDArray[np.int32]  # (n,) index of the part a triangle belongs to
+    # name of each part: "floor", "wall-0", "door-0", "window-0" for the room, the asset's name for assets
     names: tuple[str, ...]
-    convex: tuple[bool, ...]
-    textures: tuple[str | bytes, ...] = ()
+    convex: tuple[bool, ...]  # whether each part is closed and convex, so that triangles that face away are never seen
+    textures: tuple[str | bytes, ...] = ()  # what `layers` count
 
     def __len__(self) -> int:
         return len(self.corners)

@@ -27,19 +27,12 @@ SUBSAMPLES = np.array([(-0.125, -0.375), (0.375, -0.125), (-0.375, 0.125), (0.12
 
 @dataclass(frozen=True, eq=False)
 class Lit:
-    """A refined mesh and the sky's light at its corners.
+    """A refined mesh and the sky's light at its corners."""
 
-    Attributes:
-        mesh: The refined mesh, n triangles.
-        first: (v,) for each distinct corner, where it is first found in `mesh.corners.reshape(-1, 3)`.
-        places: (n, 3) the distinct corner of each corner.
-        sky: (v,) irradiance of the sky, 1 under an open one.
-    """
-
-    mesh: Mesh
-    first: NDArray[np.intp]
-    places: NDArray[np.intp]
-    sky: Floats
+    mesh: Mesh  # the refined mesh, n triangles
+    first: NDArray[np.intp]  # (v,) for each distinct corner, where it is first found in `mesh.corners.reshape(-1, 3)`
+    places: NDArray[np.intp]  # (n, 3) the distinct corner of each corner
+    sky: Floats  # (v,) irradiance of the sky, 1 under an open one
 
 
 def lit_by_sky(mesh: Mesh, blockers: Floats) -> Lit:

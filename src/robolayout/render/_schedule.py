@@ -25,32 +25,20 @@ HEAD = 1.22
 
 @dataclass(frozen=True)
 class Row:
-    """One entry of a list.
+    """One entry of a list."""
 
-    Attributes:
-        text: What it says; it runs on over several lines where it must.
-        mark: What stands before it: a number, a bullet.
-        value: What stands at the right end of its first line.
-    """
-
-    text: str
-    mark: str = ""
-    value: str = ""
+    text: str  # what it says; it runs on over several lines where it must
+    mark: str = ""  # what stands before it: a number, a bullet
+    value: str = ""  # what stands at the right end of its first line
 
 
 @dataclass(frozen=True)
 class Block:
-    """A heading and its rows.
+    """A heading and its rows."""
 
-    Attributes:
-        title: The heading.
-        rows: What stands below it.
-        indent: Width that is kept for the marks, in font sizes.
-    """
-
-    title: str
-    rows: tuple[Row, ...]
-    indent: float = 0.0
+    title: str  # the heading
+    rows: tuple[Row, ...]  # what stands below it
+    indent: float = 0.0  # width that is kept for the marks, in font sizes
 
 
 @dataclass(frozen=True)

@@ -31,15 +31,10 @@ Line = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Leg:
-    """A way to one stop.
+    """A way to one stop."""
 
-    Attributes:
-        names: Assets that are reached at its end; empty for the way back to the door.
-        line: The way, metres.
-    """
-
-    names: tuple[str, ...]
-    line: tuple[Point, ...]
+    names: tuple[str, ...]  # assets that are reached at its end; empty for the way back to the door
+    line: tuple[Point, ...]  # the way, metres
 
     @property
     def length(self) -> float:

@@ -57,21 +57,13 @@ Box = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class Mark:
-    """One annotation.
+    """One annotation."""
 
-    Attributes:
-        kind: "grid", "front", "wall", "door" or "window".
-        text: What is written.
-        place: World point, metres.
-        tip: World point of the arrow's head, or None.
-        small: Whether it is written small, because it belongs to a small thing.
-    """
-
-    kind: Literal["grid", "front", "wall", "door", "window"]
-    text: str
-    place: tuple[float, float, float]
-    tip: tuple[float, float, float] | None = None
-    small: bool = False
+    kind: Literal["grid", "front", "wall", "door", "window"]  # "grid", "front", "wall", "door" or "window"
+    text: str  # what is written
+    place: tuple[float, float, float]  # world point, metres
+    tip: tuple[float, float, float] | None = None  # world point of the arrow's head, or None
+    small: bool = False  # whether it is written small, because it belongs to a small thing
 
 
 def annotate(

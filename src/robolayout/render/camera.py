@@ -30,23 +30,14 @@ Vector = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Camera:
-    """A pinhole camera.
+    """A pinhole camera."""
 
-    Attributes:
-        position: Pinhole, metres, world frame.
-        target: Point in the middle of the picture, metres.
-        up: Direction that is up in the picture; not parallel to the line of sight.
-        fov: Vertical field of view, radians.
-        width: Picture width, pixels.
-        height: Picture height, pixels.
-    """
-
-    position: Vector
-    target: Vector
-    up: Vector
-    fov: float
-    width: int
-    height: int
+    position: Vector  # pinhole, metres, world frame
+    target: Vector  # point in the middle of the picture, metres
+    up: Vector  # direction that is up in the picture; not parallel to the line of sight
+    fov: float  # vertical field of view, radians
+    width: int  # picture width, pixels
+    height: int  # picture height, pixels
 
     @cached_property
     def axes(self) -> NDArray[np.float64]:

@@ -62,21 +62,13 @@ SCALES = (
 
 @dataclass(frozen=True)
 class SheetNotes:
-    """What a sheet says beside the drawing.
+    """What a sheet says beside the drawing."""
 
-    Attributes:
-        date: What the title block gives as the date, as the user wrote it; nothing leaves it out.
-        areas: What is measured of the room, and the figure with its unit.
-        verdict: Whether all demands are met, in a few words.
-        findings: What is wrong and what would help, in sentences.
-        rules: Named rules with what was measured, in words, and whether each is met.
-    """
-
-    date: str = ""
-    areas: tuple[tuple[str, str], ...] = ()
-    verdict: str = ""
-    findings: tuple[str, ...] = ()
-    rules: tuple[tuple[str, bool], ...] = ()
+    date: str = ""  # what the title block gives as the date, as the user wrote it; nothing leaves it out
+    areas: tuple[tuple[str, str], ...] = ()  # what is measured of the room, and the figure with its unit
+    verdict: str = ""  # whether all demands are met, in a few words
+    findings: tuple[str, ...] = ()  # what is wrong and what would help, in sentences
+    rules: tuple[tuple[str, bool], ...] = ()  # named rules with what was measured, in words, and whether each is met
 
 
 @dataclass(frozen=True)

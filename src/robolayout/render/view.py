@@ -69,21 +69,13 @@ class _Draws(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Buffers:
-    """A picture with what a machine may ask about it.
+    """A picture with what a machine may ask about it."""
 
-    Attributes:
-        color: (height, width, 3) sRGB bytes.
-        ids: (height, width) -1 background, 0 room, k + 1 the k-th asset of the scene.
-        depth: (height, width) metres along the line of sight; inf for the background.
-        names: Name of each id from 0 on.
-        camera: The camera that took it.
-    """
-
-    color: NDArray[np.uint8]
-    ids: NDArray[np.int32]
-    depth: NDArray[np.float32]
-    names: tuple[str, ...]
-    camera: Camera
+    color: NDArray[np.uint8]  # (height, width, 3) sRGB bytes
+    ids: NDArray[np.int32]  # (height, width) -1 background, 0 room, k + 1 the k-th asset of the scene
+    depth: NDArray[np.float32]  # (height, width) metres along the line of sight; inf for the background
+    names: tuple[str, ...]  # name of each id from 0 on
+    camera: Camera  # the camera that took it
 
 
 class Studio:

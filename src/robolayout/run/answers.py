@@ -20,27 +20,16 @@ REOPEN = re.compile(r"^[ \t]*#[ \t]*reopen:?[ \t]+(.{1,300}?):[ \t]*(.{1,300})",
 
 @dataclass(frozen=True)
 class Sample:
-    """One answer of a model and what came of it.
+    """One answer of a model and what came of it."""
 
-    Attributes:
-        group: Label of the group that it was asked for.
-        attempt: How often the group was asked for before, plus one.
-        number: Which of the answers to that question, from 1.
-        text: The answer.
-        score: What it achieves; None if it could not be read.
-        error: Why it, or what was left out of it, could not be read.
-        layout: Where it puts the things of the group.
-        kept: Whether this one was taken.
-    """
-
-    group: str
-    attempt: int
-    number: int
+    group: str  # label of the group that it was asked for
+    attempt: int  # how often the group was asked for before, plus one
+    number: int  # which of the answers to that question, from 1
     text: str
-    score: Score | None = None
-    error: str = ""
-    layout: Layout | None = None
-    kept: bool = False
+    score: Score | None = None  # what it achieves; None if it could not be read
+    error: str = ""  # why it, or what was left out of it, could not be read
+    layout: Layout | None = None  # where it puts the things of the group
+    kept: bool = False  # whether this one was taken
 
     def to_dict(self) -> dict[str, Any]:
         """Return the sample as it is written to `samples.json`."""
@@ -58,27 +47,17 @@ class Sample:
 
 @dataclass(frozen=True)
 class Candidate:
-    """One readable answer for a group, solved and verified.
-
-    Attributes:
-        sample: The answer.
-        attempt: What came of it.
-        report: What the judge says.
-        wrong: What the judge finds wrong that was not wrong before this group, and what of the brief is not met, in sentences.
-        forgotten: Things of the group that it says nothing about, as programs write them.
-        strays: Statements about things that are not this group's business, and why they were left out.
-        own: Numbers of its own statements.
-        cut: Whether it was cut off at its end.
-    """
+    """One readable answer for a group, solved and verified."""
 
     sample: Sample
-    attempt: Attempt
-    report: Report
+    attempt: Attempt  # what came of it
+    report: Report  # what the judge says
+    # what the judge finds wrong that was not wrong before this group, and what of the brief is not met, in sentences
     wrong: tuple[str, ...]
-    forgotten: tuple[str, ...]
-    strays: tuple[str, ...]
-    own: frozenset[int]
-    cut: bool
+    forgotten: tuple[str, ...]  # things of the group that it says nothing about, as programs write them
+    strays: tuple[str, ...]  # statements about things that are not this group's business, and why they were left out
+    own: frozenset[int]  # numbers of its own statements
+    cut: bool  # whether it was cut off at its end
 
     @property
     def done(self) -> bool:
@@ -122,29 +101,18 @@ class Candidate:
 
 @dataclass
 class Question:
-    """One group in the room as it stands.
+    """One group in the room as it stands."""
 
-    Attributes:
-        here: The scene with the things of this group and those before it.
-        group: The group.
-        placed: Where the things before it stand.
-        before: What was said about them.
-        known: What was wrong before this group, without figures.
-        earlier: Labels of earlier groups that may be asked to be planned again.
-        images: The room as it stands, and the things to place.
-        samples: All answers.
-        candidates: Those that could be read.
-    """
-
-    here: Scene
+    here: Scene  # the scene with the things of this group and those before it
     group: Group
-    placed: Mapping[str, Pose]
-    before: tuple[Statement, ...]
-    known: frozenset[str] = frozenset()
-    earlier: tuple[str, ...] = ()
+    placed: Mapping[str, Pose]  # where the things before it stand
+    before: tuple[Statement, ...]  # what was said about them
+    known: frozenset[str] = frozenset()  # what was wrong before this group, without figures
+    earlier: tuple[str, ...] = ()  # labels of earlier groups that may be asked to be planned again
+    # the room as it stands, and the things to place
     images: Mapping[str, bytes] = field(default_factory=dict[str, bytes])
     samples: list[Sample] = field(default_factory=list[Sample])
-    candidates: list[Candidate] = field(default_factory=list[Candidate])
+    candidates: list[Candidate] = field(default_factory=list[Candidate])  # those that could be read
 
     def wrong(self, report: Report) -> tuple[str, ...]:
         """Return what is wrong that was not wrong before this group, in sentences."""

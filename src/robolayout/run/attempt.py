@@ -18,17 +18,11 @@ Progress = Callable[[str], None]
 
 @dataclass(frozen=True)
 class Attempt:
-    """One program and what came of it.
+    """One program and what came of it."""
 
-    Attributes:
-        asked: The program as the planner wrote it.
-        reconciled: The same after the filter.
-        solution: What the solver made of it.
-    """
-
-    asked: Program
-    reconciled: Reconciled
-    solution: Solution
+    asked: Program  # the program as the planner wrote it
+    reconciled: Reconciled  # the same after the filter
+    solution: Solution  # what the solver made of it
 
 
 class Finisher(Protocol):

@@ -25,21 +25,13 @@ MOST_REASONS, LONGEST_REASON = 5, 300
 
 @dataclass(frozen=True)
 class Critique:
-    """What the critic said and what came of it.
+    """What the critic said and what came of it."""
 
-    Attributes:
-        outcome: What happened, in one sentence.
-        kept: Whether the amended room was taken.
-        before: Rating of the room as it was, 0 to 10; None if there was no answer.
-        after: Rating of the amended room; None if it was not rated.
-        reasons: What the critic wanted otherwise.
-    """
-
-    outcome: str
-    kept: bool = False
-    before: int | None = None
-    after: int | None = None
-    reasons: tuple[str, ...] = ()
+    outcome: str  # what happened, in one sentence
+    kept: bool = False  # whether the amended room was taken
+    before: int | None = None  # rating of the room as it was, 0 to 10; None if there was no answer
+    after: int | None = None  # rating of the amended room; None if it was not rated
+    reasons: tuple[str, ...] = ()  # what the critic wanted otherwise
 
     def to_dict(self) -> dict[str, Any]:
         """Return what the report says of it, also in sentences."""
@@ -49,21 +41,13 @@ class Critique:
 
 @dataclass(frozen=True)
 class CriticPass:
-    """One look at a finished room.
+    """One look at a finished room."""
 
-    Attributes:
-        scene: What is given.
-        critic: Who looks.
-        finish: Filters and solves programs.
-        clock: Where seconds are counted.
-        say: Told the name of each phase.
-    """
-
-    scene: Scene
-    critic: Critic
-    finish: Finish
-    clock: Clock
-    say: Progress
+    scene: Scene  # what is given
+    critic: Critic  # who looks
+    finish: Finish  # filters and solves programs
+    clock: Clock  # where seconds are counted
+    say: Progress  # told the name of each phase
 
     def run(self, room: Attempt) -> tuple[Attempt, Critique]:
         """Return the better of the room and its amendment: no worse by the judge, and rated higher by the critic."""

@@ -22,23 +22,14 @@ CHANGED = 1e-4
 
 @dataclass(frozen=True)
 class Change:
-    """One thing that differs.
+    """One thing that differs."""
 
-    Attributes:
-        kind: "thing", "figure", "violation" or "statement".
-        name: Of the asset or the figure; of a violation or statement its sentence.
-        verdict: "better", "worse", or nothing where it is neither.
-        text: What differs, in words.
-        metres: How far a thing moved.
-        degrees: How far it turned, at most 180.
-    """
-
-    kind: str
-    name: str
-    verdict: str
-    text: str
-    metres: float = 0.0
-    degrees: float = 0.0
+    kind: str  # "thing", "figure", "violation" or "statement"
+    name: str  # of the asset or the figure; of a violation or statement its sentence
+    verdict: str  # "better", "worse", or nothing where it is neither
+    text: str  # what differs, in words
+    metres: float = 0.0  # how far a thing moved
+    degrees: float = 0.0  # how far it turned, at most 180
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain data."""
@@ -47,16 +38,11 @@ class Change:
 
 @dataclass(frozen=True)
 class Difference:
-    """What differs between two layouts.
+    """What differs between two layouts."""
 
-    Attributes:
-        before: The first one.
-        after: The second one.
-        changes: Things, the farthest moved first; then figures, violations and statements, the worse ones first.
-    """
-
-    before: Result
-    after: Result
+    before: Result  # the first one
+    after: Result  # the second one
+    # things, the farthest moved first; then figures, violations and statements, the worse ones first
     changes: tuple[Change, ...]
 
     @property

@@ -41,19 +41,13 @@ CLAIM = "report."
 
 @dataclass
 class RunFolder:
-    """Where a run writes.
+    """Where a run writes."""
 
-    Attributes:
-        target: The output folder.
-        path: Where its files are made.
-        kept: What was in the folder and belongs to no run of ours, as it is called now; known at the end.
-        answers: Where a model's answers are after a run that failed; None if there were none.
-    """
-
-    target: Path
-    path: Path
+    target: Path  # the output folder
+    path: Path  # where its files are made
+    # what was in the folder and belongs to no run of ours, as it is called now; known at the end
     kept: list[str] = field(default_factory=list[str])
-    answers: Path | None = None
+    answers: Path | None = None  # where a model's answers are after a run that failed; None if there were none
 
     def place(self, path: Path) -> Path:
         """Return where a file that was made is in the end."""

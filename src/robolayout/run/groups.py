@@ -27,24 +27,16 @@ from robolayout.words import Wishes
 
 @dataclass(frozen=True)
 class Planned:
-    """What came of planning with a model.
+    """What came of planning with a model."""
 
-    Attributes:
-        attempt: The whole program and its solution.
-        groups: The groups as they were planned.
-        samples: All answers, in the order in which they were given.
-        taken_over: Why the offline planner planned a group, by its label.
-        given_up: Why a group was not asked for again though something was wrong, by its label.
-        left_out: What the kept answers say that could not be read, and what they say nothing about, in sentences.
-        reopened: Why a group was planned again for the sake of a later one, in sentences, by its label.
-    """
-
-    attempt: Attempt
-    groups: tuple[Group, ...]
-    samples: tuple[Sample, ...]
-    taken_over: Mapping[str, str]
-    given_up: Mapping[str, str]
+    attempt: Attempt  # the whole program and its solution
+    groups: tuple[Group, ...]  # the groups as they were planned
+    samples: tuple[Sample, ...]  # all answers, in the order in which they were given
+    taken_over: Mapping[str, str]  # why the offline planner planned a group, by its label
+    given_up: Mapping[str, str]  # why a group was not asked for again though something was wrong, by its label
+    # what the kept answers say that could not be read, and what they say nothing about, in sentences
     left_out: tuple[str, ...] = ()
+    # why a group was planned again for the sake of a later one, in sentences, by its label
     reopened: Mapping[str, str] | None = None
 
     def to_dict(self) -> dict[str, Any]:

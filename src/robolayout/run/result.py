@@ -24,26 +24,18 @@ SOUND = {"CF": 100.0, "IB": 100.0}
 
 @dataclass(frozen=True)
 class Result:
-    """A layout and its report, with all that a run made of it.
+    """A layout and its report, with all that a run made of it."""
 
-    Attributes:
-        scene: What was given.
-        layout: Poses.
-        report: What the verifier says of them.
-        program: What the program says, as asked; empty if there was none.
-        reconciled: The same after the filter, with a decision for every statement.
-        groups: The planner's groups, in order.
-        solution: What the solver says of its run; None where somebody else made the layout.
-        samples: Every answer of a model, with its score; empty without a model.
-    """
-
-    scene: Scene
-    layout: Layout
-    report: Report
-    program: Program = field(default_factory=Program)
+    scene: Scene  # what was given
+    layout: Layout  # poses
+    report: Report  # what the verifier says of them
+    program: Program = field(default_factory=Program)  # what the program says, as asked; empty if there was none
+    # the same after the filter, with a decision for every statement
     reconciled: Reconciled = field(default_factory=lambda: Reconciled(Program(), ()))
-    groups: tuple[Group, ...] = ()
+    groups: tuple[Group, ...] = ()  # the planner's groups, in order
+    # what the solver says of its run; None where somebody else made the layout
     solution: Solution | None = field(default=None, repr=False)
+    # every answer of a model, with its score; empty without a model
     samples: tuple[Sample, ...] = field(default=(), repr=False)
 
     @property

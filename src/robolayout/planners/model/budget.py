@@ -33,19 +33,12 @@ def tokens_of(question: Question) -> int:
 
 @dataclass
 class Budget:
-    """What may be spent, what is spent, and what is set aside for questions that are being answered.
+    """What may be spent, what is spent, and what is set aside for questions that are being answered."""
 
-    Attributes:
-        most: US dollars; None is without limit.
-        price: What tokens cost.
-        spent: US dollars so far.
-        reserved: US dollars set aside.
-    """
-
-    most: Decimal | None
-    price: Price
-    spent: Decimal = Decimal(0)
-    reserved: Decimal = Decimal(0)
+    most: Decimal | None  # US dollars; None is without limit
+    price: Price  # what tokens cost
+    spent: Decimal = Decimal(0)  # US dollars so far
+    reserved: Decimal = Decimal(0)  # US dollars set aside
     _received: list[int] = field(default_factory=list[int])
     _dearest: Decimal = Decimal(0)
 

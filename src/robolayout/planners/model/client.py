@@ -73,19 +73,12 @@ PATIENCE = 3.0
 
 @dataclass(frozen=True)
 class Usage:
-    """What a planner has used so far.
+    """What a planner has used so far."""
 
-    Attributes:
-        requests: Answers received.
-        input_tokens: Tokens sent, pictures included.
-        output_tokens: Tokens received.
-        cost: US dollars; None where no price is known.
-    """
-
-    requests: int = 0
-    input_tokens: int = 0
-    output_tokens: int = 0
-    cost: float | None = None
+    requests: int = 0  # answers received
+    input_tokens: int = 0  # tokens sent, pictures included
+    output_tokens: int = 0  # tokens received
+    cost: float | None = None  # US dollars; None where no price is known
 
     def to_dict(self) -> dict[str, int | float | None]:
         """Return the usage as it is written to the report."""

@@ -50,29 +50,18 @@ Picture = tuple[str, bytes]
 
 @dataclass(frozen=True)
 class Question:
-    """One question to a model.
+    """One question to a model."""
 
-    Attributes:
-        kind: One of `KINDS`.
-        label: The group it is about.
-        attempt: How often this was asked before, plus one.
-        sample: Which of several answers to the same question, from 1.
-        instructions: The system prompt.
-        parts: The user's message: texts, and pictures as label and PNG bytes; what changes least between questions comes first.
-        key: Hash of what the question rests on.
-        temperature: How freely the model answers.
-        seed: Settles the answer, where the provider can.
-    """
-
-    kind: str
-    label: str
-    attempt: int
-    sample: int
-    instructions: str
+    kind: str  # one of `KINDS`
+    label: str  # the group it is about
+    attempt: int  # how often this was asked before, plus one
+    sample: int  # which of several answers to the same question, from 1
+    instructions: str  # the system prompt
+    # the user's message: texts, and pictures as label and PNG bytes; what changes least between questions comes first
     parts: tuple[str | Picture, ...]
-    key: str
-    temperature: float = 0.3
-    seed: int = 0
+    key: str  # hash of what the question rests on
+    temperature: float = 0.3  # how freely the model answers
+    seed: int = 0  # settles the answer, where the provider can
 
     @property
     def texts(self) -> tuple[str, ...]:
@@ -96,19 +85,12 @@ class Question:
 
 @dataclass
 class Tape:
-    """Writes exchanges to one folder and reads them from another.
+    """Writes exchanges to one folder and reads them from another."""
 
-    Attributes:
-        record: Folder to write to; None writes nothing.
-        replay: Folder to read from; None asks the model.
-        model: The model's name, written into every exchange.
-        notes: What was odd in a replay, one sentence each.
-    """
-
-    record: Path | None = None
-    replay: Path | None = None
-    model: str = ""
-    notes: list[str] = field(default_factory=list[str])
+    record: Path | None = None  # folder to write to; None writes nothing
+    replay: Path | None = None  # folder to read from; None asks the model
+    model: str = ""  # the model's name, written into every exchange
+    notes: list[str] = field(default_factory=list[str])  # what was odd in a replay, one sentence each
 
     def __post_init__(self) -> None:
         if self.record and self.replay and self.record.resolve() == self.replay.resolve():

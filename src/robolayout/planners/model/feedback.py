@@ -17,29 +17,18 @@ NO_NAMES: Mapping[str, str] = MappingProxyType({})
 
 @dataclass(frozen=True)
 class Feedback:
-    """What is told before the next attempt.
+    """What is told before the next attempt."""
 
-    Attributes:
-        error: Why the program could not be read, with line and caret.
-        cut: Whether the answer was cut off at its end.
-        dropped: What could not be read and was left out of the program, with line and caret.
-        wishes: What a critic of the finished room wants otherwise.
-        forgotten: Things that the program says nothing about, as they are written in it.
-        rejections: Statements that the filter rejected, with reasons (`Reconciled.rejections`).
-        violations: What the judge found, unmet statements with measured values included (`Report.violations`).
-        stands: Where the things that the program is about stand, one line each.
-        moved: How far the solver moved things from their guesses, and why.
-    """
-
-    error: ProgramError | None = None
-    cut: bool = False
-    dropped: Sequence[str] = ()
-    wishes: Sequence[str] = ()
-    forgotten: Sequence[str] = ()
-    rejections: Sequence[str] = ()
+    error: ProgramError | None = None  # why the program could not be read, with line and caret
+    cut: bool = False  # whether the answer was cut off at its end
+    dropped: Sequence[str] = ()  # what could not be read and was left out of the program, with line and caret
+    wishes: Sequence[str] = ()  # what a critic of the finished room wants otherwise
+    forgotten: Sequence[str] = ()  # things that the program says nothing about, as they are written in it
+    rejections: Sequence[str] = ()  # statements that the filter rejected, with reasons (`Reconciled.rejections`)
+    # what the judge found, unmet statements with measured values included (`Report.violations`)
     violations: Sequence[str] = ()
-    stands: str = ""
-    moved: Sequence[str] = ()
+    stands: str = ""  # where the things that the program is about stand, one line each
+    moved: Sequence[str] = ()  # how far the solver moved things from their guesses, and why
 
     def text(self, names: Mapping[str, str] = NO_NAMES) -> str:
         """Return it in words, things called as a program writes them (`names`); empty if nothing is wrong."""

@@ -53,19 +53,12 @@ class Vote(BaseModel):
 
 @dataclass(frozen=True)
 class Opinion:
-    """What a model thinks of a room.
+    """What a model thinks of a room."""
 
-    Attributes:
-        model: Its name.
-        votes: Every vote that came.
-        valid: Whether every thing is inside the room and overlaps nothing, by the published rule.
-        notes: What did not go as asked, and what it took, in sentences.
-    """
-
-    model: str
-    votes: tuple[Vote, ...]
-    valid: bool
-    notes: tuple[str, ...] = ()
+    model: str  # its name
+    votes: tuple[Vote, ...]  # every vote that came
+    valid: bool  # whether every thing is inside the room and overlaps nothing, by the published rule
+    notes: tuple[str, ...] = ()  # what did not go as asked, and what it took, in sentences
 
     @property
     def psa(self) -> float:

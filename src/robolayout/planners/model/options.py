@@ -21,29 +21,18 @@ THINKING: tuple[Thinking, ...] = get_args(Thinking)
 
 @dataclass(frozen=True)
 class ModelOptions:
-    """How a model is asked.
+    """How a model is asked."""
 
-    Attributes:
-        base_url: Address of a server: Anthropic's protocol for "anthropic:...", else OpenAI's.
-        max_cost: US dollars that may be spent; what the next answer will most likely cost is set aside before it is asked for.
-        exchanges: Folder to which every exchange is written, without secrets.
-        replay: Folder of such exchanges to answer from, without any network.
-        timeout: Seconds for one try of one question.
-        thinking: One of `THINKING`; None is the model's own habit.
-        fallback: Models to ask, in order, where the first one cannot be had.
-        at_once: Questions under way at the same time, at most; None is as many as there are.
-        cache: Whether the provider is asked to keep what all questions share, where that must be asked for.
-    """
-
-    base_url: str | None = None
+    base_url: str | None = None  # address of a server: Anthropic's protocol for "anthropic:...", else OpenAI's
+    # US dollars that may be spent; what the next answer will most likely cost is set aside before it is asked for
     max_cost: float | None = None
-    exchanges: str | Path | None = None
-    replay: str | Path | None = None
-    timeout: float = 60.0
-    thinking: Thinking | None = None
-    fallback: tuple[str, ...] = ()
-    at_once: int | None = None
-    cache: bool = True
+    exchanges: str | Path | None = None  # folder to which every exchange is written, without secrets
+    replay: str | Path | None = None  # folder of such exchanges to answer from, without any network
+    timeout: float = 60.0  # seconds for one try of one question
+    thinking: Thinking | None = None  # one of `THINKING`; None is the model's own habit
+    fallback: tuple[str, ...] = ()  # models to ask, in order, where the first one cannot be had
+    at_once: int | None = None  # questions under way at the same time, at most; None is as many as there are
+    cache: bool = True  # whether the provider is asked to keep what all questions share, where that must be asked for
 
     def __post_init__(self) -> None:
         """Check every number and name.

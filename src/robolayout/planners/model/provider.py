@@ -39,18 +39,13 @@ MOST_BYTES = 4_000_000
 
 @dataclass(frozen=True)
 class Spec:
-    """Which model, and where it is.
+    """Which model, and where it is."""
 
-    Attributes:
-        name: The model as the user wrote it ("openai:gpt-4o").
-        base_url: Address of a server that speaks Anthropic's protocol (provider "anthropic") or OpenAI's; None asks the provider
-            itself.
-        model: A ready model of pydantic-ai, used instead.
-    """
-
-    name: str
+    name: str  # the model as the user wrote it ("openai:gpt-4o")
+    # address of a server that speaks Anthropic's protocol (provider "anthropic") or OpenAI's; None asks the provider
+    # itself
     base_url: str | None = None
-    model: Model | None = None
+    model: Model | None = None  # A ready model of pydantic-ai, used instead
 
     @property
     def provider(self) -> str:

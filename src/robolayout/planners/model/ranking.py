@@ -23,19 +23,12 @@ STEP = 1e-4
 
 @dataclass(frozen=True)
 class Score:
-    """What one sample achieves, to be compared from the first figure to the last.
+    """What one sample achieves, to be compared from the first figure to the last."""
 
-    Attributes:
-        hard: Mean of the hard demands, 0 to 1.
-        access: Mean of what the agent reaches, uses and can walk (as far as that is demanded), 0 to 1.
-        statements: Share of statements met.
-        agreement: Mean overlap of its statements with those of the other samples.
-    """
-
-    hard: float
-    access: float
-    statements: float
-    agreement: float
+    hard: float  # mean of the hard demands, 0 to 1
+    access: float  # mean of what the agent reaches, uses and can walk (as far as that is demanded), 0 to 1
+    statements: float  # share of statements met
+    agreement: float  # mean overlap of its statements with those of the other samples
 
     @property
     def key(self) -> tuple[int, int, int, int]:

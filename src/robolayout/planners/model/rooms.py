@@ -62,17 +62,11 @@ class Furnishing(BaseModel):
 
 @dataclass(frozen=True)
 class Choice:
-    """A kind of thing that a model may choose.
+    """A kind of thing that a model may choose."""
 
-    Attributes:
-        size: Depth, width and height in metres.
-        places: Where it may be.
-        entry: What a scene file says of it.
-    """
-
-    size: tuple[float, float, float]
-    places: tuple[str, ...]
-    entry: Mapping[str, object]
+    size: tuple[float, float, float]  # depth, width and height in metres
+    places: tuple[str, ...]  # where it may be
+    entry: Mapping[str, object]  # what a scene file says of it
 
 
 def choices(folder: Path | None) -> dict[str, Choice]:
