@@ -211,7 +211,7 @@ def test_a_hostile_body_and_wish_go_through_a_whole_run(tmp_path: Path) -> None:
     written = {path.name for path in out.iterdir()}
     assert all(name.isprintable() for name in written) and {"plan.svg", "report.html", "run.json"} < written
     assert len([name for name in written if name.startswith("plan_2__.._[_red]")]) == 1
-    for path in out.iterdir():
+    for path in (path for path in out.rglob("*") if path.is_file()):
         data = path.read_bytes()
         if path.suffix in (".svg", ".xml", ".urdf"):
             assert not [e for e in ElementTree.fromstring(data).iter() if e.tag.endswith("script")]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import os
-from collections.abc import Generator
+from collections.abc import Generator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -31,12 +31,9 @@ def check_writable(folder: Path) -> None:
 def write_atomic(path: Path, data: bytes | str) -> Path:
     """Write a file in one step: either the whole new content is there, or what was there before.
 
-    The data goes to a temporary file in the same folder, reaches the disk, and then takes the place of `path`. Missing
-    folders are made. Text is written as UTF-8 with the line ends it has.
-
     Args:
-        path: Where to write.
-        data: The whole content.
+        path: Where to write; missing folders are made.
+        data: The whole content; text is written as UTF-8 with the line ends it has.
 
     Returns:
         The path.
@@ -44,16 +41,37 @@ def write_atomic(path: Path, data: bytes | str) -> Path:
     Raises:
         OutputError: The folder or file cannot be written; nothing is left half-written.
     """
-    content = utf8(data) if isinstance(data, str) else data
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    return write_together({path: data})[0]
+
+
+def write_together(files: Mapping[Path, bytes | str]) -> list[Path]:
+    """Write files that need each other: none takes its place before the contents of all have reached the disk.
+
+    Args:
+        files: What each file is to hold, in the order in which they take their places.
+
+    Returns:
+        Their paths.
+
+    Raises:
+        OutputError: One of them cannot be written; no temporary file and no folder that was made for them is left.
+    """
+    waiting: dict[Path, Path] = {}
+    folders: list[Path] = []
+    path, content = Path(), b""
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        descriptor = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o666)
-        with os.fdopen(descriptor, "wb") as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(temporary, path)
+        for path, data in files.items():
+            content = utf8(data) if isinstance(data, str) else data
+            folders += [folder for folder in (path.parent, *path.parent.parents) if not os.path.exists(folder)]
+            path.parent.mkdir(parents=True, exist_ok=True)
+            waiting[path] = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+            descriptor = os.open(waiting[path], os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o666)
+            with os.fdopen(descriptor, "wb") as file:
+                file.write(content)
+                file.flush()
+                os.fsync(file.fileno())
+        for path, temporary in waiting.items():
+            os.replace(temporary, path)
     except OSError as error:
         reason = error.strerror or str(error)
         raise OutputError(
@@ -61,9 +79,13 @@ def write_atomic(path: Path, data: bytes | str) -> Path:
             "free some space or choose a folder that you may write to."
         ) from error
     finally:
-        with suppress(OSError):
-            temporary.unlink()
-    return path
+        for temporary in waiting.values():
+            with suppress(OSError):
+                temporary.unlink()
+        for folder in sorted(folders, reverse=True):
+            with suppress(OSError):
+                folder.rmdir()  # it stays where something is in it
+    return list(files)
 
 
 def exchange(one: Path, other: Path) -> bool:

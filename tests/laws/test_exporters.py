@@ -214,7 +214,7 @@ def test_a_full_disk_leaves_the_old_file_and_no_other(
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr(os, "fsync", full)
-    with pytest.raises(OutputError, match=r"cannot write .*room.*: No space left on device. Nothing was left"):
+    with pytest.raises(OutputError, match=rf"cannot write {tmp_path}/.*: No space left on device. Nothing was left"):
         export(SCENE, LAYOUT, path)
     assert path.read_bytes() == b"old"
     assert [file.name for file in tmp_path.iterdir()] == [path.name]

@@ -17,7 +17,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from robolayout._errors import UnknownNameError
-from robolayout._files import write_atomic
+from robolayout._files import write_together
 from robolayout._text import file_name
 from robolayout.export._exporter import LEAVES, Contents, Exporter, Options, Routes, check_layout
 from robolayout.export.dxf import DXF
@@ -161,6 +161,5 @@ def export_all(
         if exporter.beside is not None:
             beside = exporter.beside(scene, layout, options or Options())
             further |= {path.parent / name: content for name, content in beside.items()}
-    for path, data in further.items():
-        write_atomic(path, data)
-    return [write_atomic(path, data) for path, data in made.items()]
+    write_together({**further, **made})
+    return list(made)

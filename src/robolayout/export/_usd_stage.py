@@ -426,7 +426,7 @@ def assets_of(path: Path) -> list[Row]:
     if not folder:
         raise RuntimeError(f"it has no {ASSETS}")
     rows: list[Row] = []
-    for prim in folder.GetChildren():
+    for prim in folder.GetAllChildren():  # payloads are not loaded, and without them the others are no "children"
         x, y, z = prim.GetAttribute("xformOp:translate").Get()
         depth, width, height = prim.GetAttribute("robolayout:size").Get()
         degrees = prim.GetAttribute("xformOp:rotateZ").Get()
