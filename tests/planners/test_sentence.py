@@ -43,6 +43,13 @@ def test_area_and_height() -> None:
     assert found.wished["chair"] == 10
 
 
+def test_what_is_asked_for_is_made_as_low_as_the_ceiling_and_nothing_higher_is_added() -> None:
+    scene, found = scene_from_sentence("a bedroom with 1.9 m high walls and two wardrobes")
+    assert max(asset.size[2] for asset in scene.assets) < 1.9
+    assert "The walls are 1.9 m high, so wardrobe is 1.88 m high, not 2.1 m." in found.sentences()
+    assert scene.room.doors[0].height < 1.9
+
+
 def test_counts_people_and_refusals() -> None:
     _, found = scene_from_sentence("a classroom for 24 pupils without a clock")
     assert found.wished["student desk"] == 24

@@ -190,6 +190,17 @@ def test_the_unit_of_a_vast_room_is_asked_about() -> None:
     assert scene_from_dict(corners((0, 0), (90, 0), (90, 40), (0, 40))).warnings == ()
 
 
+@pytest.mark.parametrize(
+    ("key", "field", "value", "left"), [("doors", "height", 2.7, "2.6"), ("windows", "sill", 1.5, "1.1")]
+)
+def test_a_door_or_window_higher_than_its_wall_ends_with_it(key: str, field: str, value: float, left: str) -> None:
+    scene = scene_from_dict(changed(key, 0, field, to=value))
+    (opening,) = getattr(scene.room, key)
+    assert opening.sill + opening.height == pytest.approx(2.6)
+    above = f"{key}[0] ends 2.700 m above the floor; the walls are 2.6 m high"
+    assert scene.warnings == (f"{above}, so it was made {left} m high.",)
+
+
 def test_no_placement_flag_means_floor() -> None:
     scene = scene_from_dict(without("assets", "lamp-0", "onObject"))
     assert scene.by_name["lamp-0"].on_floor
@@ -350,8 +361,11 @@ WRONG: list[tuple[Data | list[int], str]] = [
     (changed("doors", 0, "offset", to=3.2), "doors[0] ends at 4.100 m, past the end of wall 0, which is 4.000 m long."),
     (changed("doors", 0, "offset", to=-0.1), "doors[0].offset must be at least -1e-06, but is -0.1."),
     (changed("doors", 0, "width", to=0), "doors[0].width must be above 0, but is 0."),
-    (changed("doors", 0, "height", to=2.7), "doors[0] ends 2.700 m above the floor; the walls are 2.6 m high."),
-    (changed("windows", 0, "sill", to=1.5), "windows[0] ends 2.700 m above the floor; the walls are 2.6 m high."),
+    (
+        changed("windows", 0, "sill", to=2.55),
+        "windows[0] ends 3.750 m above the floor; the walls are 2.6 m high: lower its sill, which is at 2.55 m, "
+        "or raise boundary.wall_height.",
+    ),
     (
         changed("windows", 0, to={"wall": 0, "offset": 2.0, "width": 1.0, "height": 1.2, "sill": 0.9}),
         "doors[0] and windows[0] overlap by 0.100 m on wall 0; move one of them.",

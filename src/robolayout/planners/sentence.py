@@ -7,8 +7,7 @@ catalogue with seeded variety. What was understood, what was assumed and what wa
 from __future__ import annotations
 
 import math
-from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,21 +16,16 @@ import numpy as np
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.palette import PALETTES
-from robolayout.planners._knowledge import Role, load_knowledge
+from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, Known, both, head, times_usual
+from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import openings
 from robolayout.planners._own import own_sides
 from robolayout.planners._wishes import Wishes, read_wishes
 from robolayout.scene import Scene, scene_from_dict, variable_name
-from robolayout.words import KIN, Rooms, RoomType, dressing, read_rooms, wanted_openings
+from robolayout.words import RoomType, dressing, read_rooms, wanted_openings
 
 FULLEST = 0.55
 """Share of the floor that wished things may take before the wish is called impossible."""
-
-COMFORT, AIRY = 0.26, 0.15
-"""Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
-
-BASIC = 0.38
-"""Share of the floor up to which what such a room always has is added."""
 
 ROOMY = 0.22
 """Share of the floor that wished things take where no size is given."""
@@ -39,12 +33,6 @@ ROOMY = 0.22
 
 WALKWAY = 0.6
 """Metres by which a room is longer and wider than the longest thing in it, where no size is given."""
-
-LARGER, LARGEST = 1.6, 8.0
-"""How many times as large as usual a room is from which on it has more zones and people, and up to which their number grows."""
-
-LIT = 22.0
-"""Square metres that one ceiling lamp lights."""
 
 
 @dataclass(frozen=True)
@@ -104,33 +92,6 @@ class Understanding:
         return tuple(lines)
 
 
-@dataclass(frozen=True)
-class _Known:
-    """The built-in categories and room types, with those of the user's own."""
-
-    kinds: Mapping[str, Category]
-    rooms: Rooms
-    roles: Mapping[str, Role]
-
-    def useless(self, name: str, present: Iterable[str]) -> bool:
-        """Return whether a thing belongs at others of which none is there: a chair without a table."""
-        role = self.roles.get(self.kinds[name].like or name)
-        wanted = {other for join in role.joins if not join.loose for other in join.of} if role else set[str]()
-        there = {self.roles[other].name for other in present if other in self.roles}
-        return bool(wanted) and "*" not in wanted and not wanted & there
-
-    def head(self, name: str) -> str:
-        """Return the word that says what a thing is, by what it is like."""
-        return _head(self.kinds[name].like or name)
-
-    def floor_area(self, things: Mapping[str, int]) -> float:
-        """Return the floor in m2 that things take."""
-        kinds = ((self.kinds[name], count) for name, count in things.items())
-        return sum(
-            kind.size[0] * kind.size[1] * count for kind, count in kinds if kind.on_floor and kind.size[2] > 0.03
-        )
-
-
 def scene_from_sentence(
     text: str, *, seed: int = 0, variant: int = 0, knowledge: Iterable[str | Path] = (), fill: float = COMFORT
 ) -> tuple[Scene, Understanding]:
@@ -151,20 +112,21 @@ def scene_from_sentence(
     rooms = read_rooms(own.rooms)
     wishes = read_wishes(text, rooms, own.things)
     roles = {name: role for role in own.roles.values() for name in role.names}
-    known = _Known({**CATALOGUE, **{thing.name: thing for thing in own.things}, **wishes.named}, rooms, roles)
+    known = Known({**CATALOGUE, **{thing.name: thing for thing in own.things}, **wishes.named}, rooms, roles)
     room = wishes.room
     wished = _wished(wishes, room)
     size = _room_size(wishes, room, wished, known)
     _possible(wishes.reading.shape, wished, size, known)
-    added = _Added(wishes, wished, size, known, fill).things(rng)
+    added = Added(wishes, wished, size, known, fill).things(rng)
     agent = wishes.reading.agent or room.agent
-    assumed = (*wishes.guesses, *_assumed(wishes, room, size))
+    height = _height(wishes, room, [known.kinds[name] for name in (*wished, *added)])
+    assumed = (*wishes.guesses, *_assumed(wishes, room, size), *_lowered(height, map(known.kinds.__getitem__, wished)))
     found = Understanding(
         text.strip(),
         room.name,
         size,
         wishes.reading.shape,
-        _height(wishes, room, [known.kinds[name] for name in (*wished, *added)]),
+        height,
         agent,
         wished,
         added,
@@ -178,28 +140,20 @@ def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
     """Return what was asked for, with what the people in the sentence bring along."""
     wished = dict(wishes.things)
     people = _people(wishes, room, wished)
-    heads = {_head(name) for name in wished}
+    heads = {head(name) for name in wished}
     heads |= {"chair"} if SEATS & {*wished} and "table" in heads else set()
     for name, count in room.person.items():
-        if people and _head(name) not in heads and name not in wishes.reading.unwanted:
+        if people and head(name) not in heads and name not in wishes.reading.unwanted:
             wished[name] = wished.get(name, 0) + count * people
-    chairs = sum(n for name, n in wished.items() if _head(name) == "chair")
-    if room.tables and not any(_head(name) == "table" for name in wished if "buffet" not in name):
+    chairs = sum(n for name, n in wished.items() if head(name) == "chair")
+    if room.tables and not any(head(name) == "table" for name in wished if "buffet" not in name):
         wished[room.tables] = math.ceil(chairs / (2 if room.tables == "round table" else 4))
     return wished
 
 
-def _larger(wishes: Wishes) -> float:
-    """Return how many times as large as usual a room is said to be, 1 where nothing is said."""
-    width, depth = wishes.room.size
-    size, area = wishes.reading.size, wishes.reading.measure("area")
-    asked = math.prod(size) if size else area[0] if area else wishes.reading.scale * width * depth
-    return min(asked / (width * depth), LARGEST)
-
-
 def _usual_people(wishes: Wishes) -> int:
     """Return for how many such a room usually is; where each has a table of his own, for more in a larger one."""
-    room, times = wishes.room, _larger(wishes)
+    room, times = wishes.room, times_usual(wishes)
     grows = times >= LARGER and (bool(room.tables) or len(room.person) > 1)
     return round(room.people * times) if grows else room.people
 
@@ -207,32 +161,19 @@ def _usual_people(wishes: Wishes) -> int:
 def _people(wishes: Wishes, room: RoomType, wished: dict[str, int]) -> int:
     """Return for how many the room is: as said, else as many as have a seat, a desk or a bed; seats are wished for."""
     if wishes.seats:
-        adults = [name for name in wished if _head(name) == "chair" and name not in ("high chair", "kids chair")]
+        adults = [name for name in wished if head(name) == "chair" and name not in ("high chair", "kids chair")]
         several = wishes.seats_each
-        tables = sum(count for name, count in wished.items() if _head(name) == "table") if several else 1
-        chair = next((name for name in room.person if _head(name) == "chair"), "chair")
+        tables = sum(count for name, count in wished.items() if head(name) == "table") if several else 1
+        chair = next((name for name in room.person if head(name) == "chair"), "chair")
         if not adults:
             wished[chair] = tables * wishes.seats
     if wishes.reading.people:
         return 0 if room.couple and wishes.reading.people == 2 and not wishes.reading.young else wishes.reading.people
-    taken = {_head(name) for name in room.person}
-    return max((count for name, count in wished.items() if _head(name) in taken), default=_usual_people(wishes))
+    taken = {head(name) for name in room.person}
+    return max((count for name, count in wished.items() if head(name) in taken), default=_usual_people(wishes))
 
 
-SEATS = {"bench", "stool", "pew"}
-"""What people sit on at tables in place of chairs."""
-
-VAGUE = ("stand", "rack", "machine", "board")
-"""Last words that do not say what a thing is for."""
-
-
-def _head(name: str) -> str:
-    """Return the word that says what a thing is: "bed" for a bunk bed."""
-    last = name.split()[-1]
-    return KIN.get(name, name if last in VAGUE else last)
-
-
-def _room_size(wishes: Wishes, room: RoomType, wished: Mapping[str, int], known: _Known) -> tuple[float, float]:
+def _room_size(wishes: Wishes, room: RoomType, wished: Mapping[str, int], known: Known) -> tuple[float, float]:
     """Return width and depth in metres: as asked, else usual ones, enlarged for what is wished."""
     if wishes.reading.size is not None:
         return wishes.reading.size
@@ -249,7 +190,7 @@ def _room_size(wishes: Wishes, room: RoomType, wished: Mapping[str, int], known:
     return (round(width, 2), round(depth, 2))
 
 
-def _possible(shape: str, wished: Mapping[str, int], size: tuple[float, float], known: _Known) -> None:
+def _possible(shape: str, wished: Mapping[str, int], size: tuple[float, float], known: Known) -> None:
     """Refuse wishes that no arrangement can meet."""
     floor = size[0] * size[1] * (0.75 if shape == "L-shaped" else 1.0)
     need = known.floor_area(wished)
@@ -268,102 +209,18 @@ def _possible(shape: str, wished: Mapping[str, int], size: tuple[float, float], 
             )
 
 
-class _Added:
-    """What belongs in a room and was not named.
-
-    Args:
-        wishes: What was asked for.
-        wished: The things of it, with what people bring along.
-        size: Width and depth of the room in metres.
-        known: Categories and room types.
-        fill: Share of the floor up to which further things are added.
-    """
-
-    def __init__(
-        self, wishes: Wishes, wished: Mapping[str, int], size: tuple[float, float], known: _Known, fill: float
-    ) -> None:
-        self.wishes, self.room, self.wished, self.known = wishes, wishes.room, wished, known
-        self.floor = size[0] * size[1] * (0.75 if wishes.reading.shape == "L-shaped" else 1.0)
-        self.fill = AIRY if wishes.reading.airy else fill
-        self.asked = {known.head(name) for name in wishes.things}
-        self.asked |= {known.head(name) for name in wished if known.head(name) == "bed"}
-        self.lasts = {name.split()[-1] for name in wishes.things} | wishes.general
-        self.found: dict[str, int] = {}
-
-    def things(self, rng: np.random.Generator) -> dict[str, int]:
-        """Return what goes with the wished things, what is usual, extras in random order, and zones where the room is large."""
-        if self.wishes.reading.only:
-            return {}
-        for name, count in self.wished.items():
-            self._go_along(name, count)
-        extras = list(self.room.extras.items())
-        for name, most in [*self.room.base.items(), *(extras[i] for i in rng.permutation(len(extras)))]:
-            if not self._named(name) and name not in self.found:
-                self._add(name, most)
-        self._zones()
-        if "ceiling lamp" in self.found:
-            self.found["ceiling lamp"] = max(self.found["ceiling lamp"], round(self.floor / LIT))
-        return self.found
-
-    def _named(self, name: str) -> bool:
-        """Whether a thing was named, like it or not."""
-        last, wishes = name.split()[-1], self.wishes
-        return (
-            name in wishes.reading.unwanted
-            or last in self.lasts
-            or self.known.head(name) in self.asked | {*self.wished}
-        )
-
-    def _fits(self, group: Mapping[str, int], limit: float) -> bool:
-        taken = self.known.floor_area(_both(self.wished, self.found, group))
-        return self.known.floor_area(group) == 0 or taken <= limit * self.floor
-
-    def _go_along(self, name: str, count: int) -> None:
-        """Add what a wished thing is of no use without; benches and stools are seats of tables, too."""
-        there = {self.known.head(other) for other in self.wished}
-        there |= {"chair"} if _head(name) == "table" and SEATS & {*self.wished} else set()
-        for other, each in self.known.rooms.companions.get(name, {}).items():
-            if other not in self.wishes.reading.unwanted and _head(other) not in there | self.wishes.general:
-                self.found[other] = self.found.get(other, 0) + count * each
-
-    def _add(self, name: str, most: int) -> None:
-        """Add a thing with what it needs, as many times as there is room for."""
-        present = {self.known.head(other) for other in (*self.wished, *self.found)}
-        needs = {
-            other: each
-            for other, each in self.known.rooms.companions.get(name, {}).items()
-            if _head(other) not in present and other not in self.room.base
-        }
-        limit = BASIC if name in self.room.base and self.fill > AIRY else self.fill
-        for count in range(most, 0, -1):
-            group = {other: count * each for other, each in {name: 1, **needs}.items()}
-            if self._fits(group, limit):
-                useless = self.known.useless(name, {**self.wished, **self.found, **group})
-                self.found |= {} if useless else group
-                return
-
-    def _zones(self) -> None:
-        """Add one group after the other to a large room."""
-        larger = _larger(self.wishes)
-        zones = [zone for zone in self.room.zones if not any(self._named(name) for name in zone)]
-        for turn in range(round(2 * larger) if zones and larger >= LARGER else 0):
-            zone = zones[turn % len(zones)]
-            self.found = _both(self.found, zone) if self._fits(zone, self.fill) else self.found
-
-
-def _both(*lists: Mapping[str, int]) -> dict[str, int]:
-    """Return what several lists hold together."""
-    total = Counter[str]()
-    for one in lists:
-        total.update(one)
-    return dict(total)
-
-
 def _height(wishes: Wishes, room: RoomType, things: Iterable[Category]) -> float:
     """Return the wall height in metres: as asked, or as usual, or enough for the tallest thing."""
     tallest = max((kind.size[2] for kind in things), default=0.0)
     given = wishes.reading.measure("height")
     return given[0] if given else max(room.height, math.ceil(10 * (1.07 * tallest + 0.2)) / 10)
+
+
+def _lowered(height: float, things: Iterable[Category]) -> Iterator[str]:
+    """Yield a sentence for each thing that is asked for and is made as low as the walls."""
+    for kind in things:
+        if kind.size[2] + SPARE > height:
+            yield f"The walls are {height:g} m high, so {kind.name} is {height - SPARE:g} m high, not {kind.size[2]:g} m."
 
 
 def _assumed(wishes: Wishes, room: RoomType, size: tuple[float, float]) -> tuple[str, ...]:
@@ -400,7 +257,7 @@ def _scene(
     doors, windows = openings(outline, wide, wanted_openings(wishes.reading), rng, found.height)
     style = wishes.reading.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
     floor = wishes.reading.floor or str(rng.choice(wishes.room.floors))
-    things = _both(found.wished, found.added)
+    things = both(found.wished, found.added)
     scene: dict[str, object] = {
         "dress": dressing(found.text),
         "task_description": found.text,
@@ -408,7 +265,9 @@ def _scene(
         "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in outline], "wall_height": found.height, "floor": floor},
         "doors": doors,
         "windows": windows,
-        "assets": _assets([(kinds[name], count) for name, count in things.items()], style, wishes.looks, rng),
+        "assets": _assets(
+            [(kinds[name], count) for name, count in things.items()], found.height, style, wishes.looks, rng
+        ),
     }
     if found.agent is not None:
         scene["agent"] = found.agent
@@ -416,13 +275,18 @@ def _scene(
 
 
 def _assets(
-    things: Iterable[tuple[Category, int]], style: str, looks: Mapping[str, str], rng: np.random.Generator
+    things: Iterable[tuple[Category, int]],
+    height: float,
+    style: str,
+    looks: Mapping[str, str],
+    rng: np.random.Generator,
 ) -> dict[str, dict[str, object]]:
     """Return the asset list; equal things have equal sizes, within 6 % of typical ones, and look alike."""
     assets: dict[str, dict[str, object]] = {}
     for kind, count in things:
         scale = 1.0 + 0.06 * float(rng.uniform(-1, 1))
         size = [round(max(0.01, value * (scale if kind.on_floor else 1.0)), 3) for value in kind.size]
+        size[2] = min(size[2], round(height - SPARE, 3))
         look = ", ".join(filter(None, (style, looks.get(kind.name, ""))))
         for index in range(count):
             assets[f"{variable_name(kind.name)}-{index}"] = asset_entry(kind, size) | {"look": look}

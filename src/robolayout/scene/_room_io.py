@@ -26,6 +26,8 @@ DOOR_HEIGHT = 2.05
 """Height in metres of a door that gives none."""
 WINDOW_HEIGHT, WINDOW_SILL = 1.2, 0.9
 """Height and sill in metres of a window that gives none."""
+LOWEST = 0.1
+"""Height in metres that is left to a door or window higher than its wall, or else it is refused."""
 
 LEAF = ("hinge", "swing", "open")
 """What a door may say of its leaf."""
@@ -44,8 +46,8 @@ def read_room(data: Mapping[str, object], warnings: list[str]) -> Room:
     room = Room(vertices, height, floor=_CHECK.text(boundary.get("floor", ""), "boundary.floor", most=40))
     _check_shape(room)
     _check_units(room, warnings)
-    doors = _openings(data, "doors", room)
-    windows = _openings(data, "windows", room)
+    doors = _openings(data, "doors", room, warnings)
+    windows = _openings(data, "windows", room, warnings)
     _check_overlaps([*doors, *windows])
     room = replace(room, doors=tuple(o for _, o in doors), windows=tuple(o for _, o in windows))
     if room.area > 0:
@@ -147,12 +149,12 @@ def _touching(a: Wall, b: Wall, room: Room) -> bool:
     return crossing or min(ends) < TOLERANCE
 
 
-def _openings(data: Mapping[str, object], key: str, room: Room) -> list[tuple[str, Opening]]:
+def _openings(data: Mapping[str, object], key: str, room: Room, warnings: list[str]) -> list[tuple[str, Opening]]:
     entries = _CHECK.sequence(data.get(key, []), key, most=MAX_OPENINGS)
-    return [(f"{key}[{i}]", _opening(entry, f"{key}[{i}]", room)) for i, entry in enumerate(entries)]
+    return [(f"{key}[{i}]", _opening(entry, f"{key}[{i}]", room, warnings)) for i, entry in enumerate(entries)]
 
 
-def _opening(value: object, where: str, room: Room) -> Opening:
+def _opening(value: object, where: str, room: Room, warnings: list[str]) -> Opening:
     data = _CHECK.mapping(value, where)
     index, count = _CHECK.required(data, "wall", where), len(room.walls)
     if isinstance(index, bool) or not isinstance(index, int) or not 0 <= index < count:
@@ -170,9 +172,11 @@ def _opening(value: object, where: str, room: Room) -> Opening:
             f"{where} ends at {offset + width:.3f} m, past the end of wall {index}, which is {length:.3f} m long."
         )
     if sill + height > room.wall_height + TOLERANCE:
-        raise SceneError(
-            f"{where} ends {sill + height:.3f} m above the floor; the walls are {room.wall_height:g} m high."
-        )
+        above = f"{where} ends {sill + height:.3f} m above the floor; the walls are {room.wall_height:g} m high"
+        if room.wall_height - sill < LOWEST:
+            raise SceneError(f"{above}: lower its sill, which is at {sill:g} m, or raise boundary.wall_height.")
+        height = room.wall_height - sill
+        warnings.append(f"{above}, so it was made {height:.3g} m high.")
     return Opening(index, max(offset, 0.0), width, height, sill, **({} if window else _leaf(data, where)))
 
 

@@ -1,0 +1,172 @@
+"""What belongs in a room besides what was asked for: what goes along with it, what is usual, and zones where it is large."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from robolayout.assets import Category
+from robolayout.planners._knowledge import Role
+from robolayout.planners._wishes import Wishes
+from robolayout.words import KIN, Rooms
+
+COMFORT, AIRY = 0.26, 0.15
+"""Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
+
+BASIC = 0.38
+"""Share of the floor up to which what such a room always has is added."""
+
+LARGER, LARGEST = 1.6, 8.0
+"""How many times as large as usual a room is from which on it has more zones and people, and up to which their number grows."""
+
+LIT = 22.0
+"""Square metres that one ceiling lamp lights."""
+
+SPARE = 0.02
+"""Metres between the top of a thing and the ceiling."""
+
+SEATS = {"bench", "stool", "pew"}
+"""What people sit on at tables in place of chairs."""
+
+VAGUE = ("stand", "rack", "machine", "board")
+"""Last words that do not say what a thing is for."""
+
+
+def head(name: str) -> str:
+    """Return the word that says what a thing is: "bed" for a bunk bed."""
+    last = name.split()[-1]
+    return KIN.get(name, name if last in VAGUE else last)
+
+
+@dataclass(frozen=True)
+class Known:
+    """The built-in categories and room types, with those of the user's own."""
+
+    kinds: Mapping[str, Category]
+    rooms: Rooms
+    roles: Mapping[str, Role]
+
+    def useless(self, name: str, present: Iterable[str]) -> bool:
+        """Return whether a thing belongs at others of which none is there: a chair without a table."""
+        role = self.roles.get(self.kinds[name].like or name)
+        wanted = {other for join in role.joins if not join.loose for other in join.of} if role else set[str]()
+        there = {self.roles[other].name for other in present if other in self.roles}
+        return bool(wanted) and "*" not in wanted and not wanted & there
+
+    def head(self, name: str) -> str:
+        """Return the word that says what a thing is, by what it is like."""
+        return head(self.kinds[name].like or name)
+
+    def floor_area(self, things: Mapping[str, int]) -> float:
+        """Return the floor in m2 that things take."""
+        kinds = ((self.kinds[name], count) for name, count in things.items())
+        return sum(
+            kind.size[0] * kind.size[1] * count for kind, count in kinds if kind.on_floor and kind.size[2] > 0.03
+        )
+
+
+def times_usual(wishes: Wishes) -> float:
+    """Return how many times as large as usual a room is said to be, 1 where nothing is said."""
+    width, depth = wishes.room.size
+    size, area = wishes.reading.size, wishes.reading.measure("area")
+    asked = math.prod(size) if size else area[0] if area else wishes.reading.scale * width * depth
+    return min(asked / (width * depth), LARGEST)
+
+
+class Added:
+    """What belongs in a room and was not named.
+
+    Args:
+        wishes: What was asked for.
+        wished: The things of it, with what people bring along.
+        size: Width and depth of the room in metres.
+        known: Categories and room types.
+        fill: Share of the floor up to which further things are added.
+    """
+
+    def __init__(
+        self, wishes: Wishes, wished: Mapping[str, int], size: tuple[float, float], known: Known, fill: float
+    ) -> None:
+        self.wishes, self.room, self.wished, self.known = wishes, wishes.room, wished, known
+        self.floor = size[0] * size[1] * (0.75 if wishes.reading.shape == "L-shaped" else 1.0)
+        self.fill = AIRY if wishes.reading.airy else fill
+        self.asked = {known.head(name) for name in wishes.things}
+        self.asked |= {known.head(name) for name in wished if known.head(name) == "bed"}
+        self.lasts = {name.split()[-1] for name in wishes.things} | wishes.general
+        height = wishes.reading.measure("height")
+        self.ceiling = height[0] if height else math.inf
+        self.found: dict[str, int] = {}
+
+    def things(self, rng: np.random.Generator) -> dict[str, int]:
+        """Return what goes with the wished things, what is usual, extras in random order, and zones where the room is large."""
+        if self.wishes.reading.only:
+            return {}
+        for name, count in self.wished.items():
+            self._go_along(name, count)
+        extras = list(self.room.extras.items())
+        for name, most in [*self.room.base.items(), *(extras[i] for i in rng.permutation(len(extras)))]:
+            if not self._named(name) and name not in self.found:
+                self._add(name, most)
+        self._zones()
+        if "ceiling lamp" in self.found:
+            self.found["ceiling lamp"] = max(self.found["ceiling lamp"], round(self.floor / LIT))
+        return self.found
+
+    def _named(self, name: str) -> bool:
+        """Whether a thing was named, like it or not."""
+        last, wishes = name.split()[-1], self.wishes
+        return (
+            name in wishes.reading.unwanted
+            or last in self.lasts
+            or self.known.head(name) in self.asked | {*self.wished}
+        )
+
+    def _fits(self, group: Mapping[str, int], limit: float) -> bool:
+        if any(self.known.kinds[name].size[2] + SPARE > self.ceiling for name in group):
+            return False
+        taken = self.known.floor_area(both(self.wished, self.found, group))
+        return self.known.floor_area(group) == 0 or taken <= limit * self.floor
+
+    def _go_along(self, name: str, count: int) -> None:
+        """Add what a wished thing is of no use without; benches and stools are seats of tables, too."""
+        there = {self.known.head(other) for other in self.wished}
+        there |= {"chair"} if head(name) == "table" and SEATS & {*self.wished} else set()
+        for other, each in self.known.rooms.companions.get(name, {}).items():
+            if other not in self.wishes.reading.unwanted and head(other) not in there | self.wishes.general:
+                self.found[other] = self.found.get(other, 0) + count * each
+
+    def _add(self, name: str, most: int) -> None:
+        """Add a thing with what it needs, as many times as there is room for."""
+        present = {self.known.head(other) for other in (*self.wished, *self.found)}
+        needs = {
+            other: each
+            for other, each in self.known.rooms.companions.get(name, {}).items()
+            if head(other) not in present and other not in self.room.base
+        }
+        limit = BASIC if name in self.room.base and self.fill > AIRY else self.fill
+        for count in range(most, 0, -1):
+            group = {other: count * each for other, each in {name: 1, **needs}.items()}
+            if self._fits(group, limit):
+                useless = self.known.useless(name, {**self.wished, **self.found, **group})
+                self.found |= {} if useless else group
+                return
+
+    def _zones(self) -> None:
+        """Add one group after the other to a large room."""
+        times = times_usual(self.wishes)
+        zones = [zone for zone in self.room.zones if not any(self._named(name) for name in zone)]
+        for turn in range(round(2 * times) if zones and times >= LARGER else 0):
+            zone = zones[turn % len(zones)]
+            self.found = both(self.found, zone) if self._fits(zone, self.fill) else self.found
+
+
+def both(*lists: Mapping[str, int]) -> dict[str, int]:
+    """Return what several lists hold together."""
+    total = Counter[str]()
+    for one in lists:
+        total.update(one)
+    return dict(total)
