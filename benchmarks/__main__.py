@@ -34,24 +34,26 @@ from benchmarks import (
 )
 from benchmarks.store import Row, Store
 
-SECTIONS = {
-    "examples": examples.cases,
-    "bodies": bodies.cases,
-    "speed": speed.cases,
-    "crowded": crowded.cases,
-    "ablation": ablation.cases,
-    "rough": rough.cases,
-    "paper": paper.cases,
-    "many": many.cases,
-    "tasks": tasks.cases,
-    "vlm": vlm.cases,
-    "pictures": pictures.cases,
-    "exports": exports.cases,
-    "opening": opening.cases,
-    "fuzz": fuzz.cases,
-    "words": words.cases,
-    "lists": lists.cases,
-}
+MODULES = (
+    examples,
+    bodies,
+    tasks,
+    speed,
+    crowded,
+    ablation,
+    rough,
+    paper,
+    many,
+    vlm,
+    pictures,
+    exports,
+    opening,
+    fuzz,
+    words,
+    lists,
+)
+SECTIONS = {module.__name__.rpartition(".")[2]: module for module in MODULES}
+"""Each has `cases`, what it measures, and `section`, its part of the page; in the order of the page."""
 
 
 def main() -> None:
@@ -66,10 +68,10 @@ def main() -> None:
     results = Path(tempfile.gettempdir(), "robolayout-bench-quick") if given.quick else page.RESULTS
     if not given.page:
         for name in given.section or SECTIONS:
-            cases = {key: run for key, run in SECTIONS[name](given.quick) if given.case in key}
+            cases = {key: run for key, run in SECTIONS[name].cases(given.quick) if given.case in key}
             measure(name, cases, Store(results / f"{name}.json"), fresh=given.fresh)
     target = results / "benchmarks.md" if given.quick else page.PAGE
-    page.write(results, target)
+    page.write(results, target, {name: module.section for name, module in SECTIONS.items()})
     sys.stdout.write(f"{target}\n")
 
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from hashlib import sha256
+from pathlib import Path
 
 import robolayout as rl
 from benchmarks.examples import ROOT
@@ -13,6 +14,7 @@ from benchmarks.measures import figures, watch
 from benchmarks.rooms import Crowd, crowd
 from benchmarks.rough import away, rough
 from benchmarks.store import Row
+from benchmarks.tables import Rows, mean, phases, summary, table
 from robolayout.planners import OfflinePlanner, PlanRequest
 from robolayout.solve import Effort, SolverConfig
 from robolayout.solve.runner import STILL
@@ -88,3 +90,28 @@ def solved(scene: rl.Scene, program: str, config: SolverConfig) -> Row:
         "layout": named,
         "cpu": spent.cpu,
     }
+
+
+def section(rows: Rows, images: Path) -> str:
+    """Return the table of what each part is worth."""
+    groups: dict[tuple[str, str], dict[str, Row]] = {}
+    for key, row in rows.items():
+        name, family, case = key.split("/", 2)
+        groups.setdefault((family, name), {})[case] = row
+    heads = ["family", "solver", "runs", "hard demands met", "all demands met", "reachable", "usable", "statements met"]
+    heads += ["moved, m", "CPU s", "other layouts than the default's", "made by"]
+    lines: list[list[str]] = []
+    for (family, name), found in sorted(
+        groups.items(), key=lambda item: (item[0][0], item[0][1] != "default", item[0])
+    ):
+        runs, plain = list(found.values()), groups[family, "default"]
+        shares = [f"{mean(runs, n):.2f}" for n in ("reachable_share", "usable_share", "statements_met_share", "moved")]
+        other = sum(row["layout"] != plain[case]["layout"] for case, row in found.items())
+        lines.append([family, name, *summary(runs)[:3], *shares, f"{mean(runs, 'cpu'):.1f}", str(other), phases(runs)])
+    intro = (
+        "The solver without one of its parts, or with other numbers of starts (the default has 16): crowded rooms with blind "
+        "guesses, examples for a wheelchair with the planner's statements but no guesses, tasks with a model's rough guess "
+        "(below); one attempt each. A row that makes no other layouts than the default changes nothing in its family: where the "
+        "planner's statements are built right at once, none does.\n"
+    )
+    return f"## What each part is worth\n\n{intro}\n{table(heads, lines)}"

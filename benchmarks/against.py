@@ -16,7 +16,7 @@ from typing import Any
 import robolayout as rl
 from benchmarks.examples import ROOMS, ROOT
 from benchmarks.measures import watch
-from benchmarks.page import table
+from benchmarks.tables import table
 from robolayout.planners import ModelJudge, ModelPlanner
 from robolayout.run.result import scored
 

@@ -13,6 +13,7 @@ from benchmarks.examples import ROOMS, ROOT
 from benchmarks.measures import figures, generated, watch
 from benchmarks.rooms import Crowd, crowd
 from benchmarks.store import Row
+from benchmarks.tables import HEADS, Rows, mean, summary, table
 from robolayout.planners import OfflinePlanner, PlanRequest
 from robolayout.scene import agent_names
 
@@ -74,3 +75,68 @@ def reach(way: str, body: str, room: str, seed: int) -> Row:
         found = rl.solve(seen, program, seed=seed, solver=solver)
     report = rl.verify(scene, found.layout, rl.read_program(program, scene))
     return figures(report) | {"wall": spent.wall, "cpu": spent.cpu, "assets": len(scene.assets)}
+
+
+def section(rows: Rows, images: Path) -> str:
+    """Return the table of all bodies and the table of what the ways to mind reach are worth."""
+    groups: dict[str, list[Row]] = {}
+    ways: dict[str, list[Row]] = {}
+    for key, row in rows.items():
+        kind, first, second, *_ = key.split("/")
+        (groups if kind == "shares" else ways).setdefault(
+            first if kind != "shares" else f"{first}/{second}", []
+        ).append(row)
+    names = ("walkable_ratio", "reachable_share", "usable_share")
+    lines: list[list[str]] = []
+    for key, found in groups.items():
+        body, _, room = key.partition("/")
+        met = f"{sum(row['ok'] for row in found)} of {len(found)}"
+        why = f"{max(row['impossible'] for row in found)}"
+        cells = [f"{mean(found, name):.2f}" for name in (*names, "exempt", "short")]
+        lines.append(
+            [f"{body.replace('_', ' ')}, {room.replace('_', ' ')}", met, *cells, why, f"{mean(found, 'wall'):.1f}"]
+        )
+    heads = [
+        "body and room",
+        "all demands met",
+        "walkable",
+        "reachable",
+        "usable",
+        "not asked",
+        "short",
+        "impossible",
+        "s",
+    ]
+    intro = (
+        "*Not asked*: assets that no layout brings within this body's reach; *short*: assets that it should reach or use "
+        "and does not; *impossible*: what no layout could do (a forklift through a house door). *crowded*: 10 assets on "
+        "40 % of the floor.\n"
+    )
+    text = f"## Fifteen bodies\n\n{intro}\n{table(heads, lines)}\n"
+    if ways:
+        heads = ["what minds the body", "runs", "hard demands met", "all demands met", *HEADS, "seconds"]
+        cells = [[way, *summary(found), f"{mean(found, 'wall'):.1f}"] for way, found in ways.items()]
+        text += (
+            "The planner's statements without its guesses, solved once; *no reach*: the solver knows no body, its layout is "
+            f"judged for one.\n\n{table(heads, cells)}\n{_by_body(rows)}"
+        )
+    return text
+
+
+def _by_body(rows: Rows) -> str:
+    """Return what each way to mind reach gives each body: walkable, reachable, usable."""
+    cells: dict[str, dict[str, list[Row]]] = {}
+    for key, row in rows.items():
+        kind, way, body, *_ = key.split("/")
+        if kind == "reach":
+            cells.setdefault(body.replace("_", " "), {}).setdefault(way, []).append(row)
+    ways = list(dict.fromkeys(way for found in cells.values() for way in found))
+    names = ("walkable_ratio", "reachable_share", "usable_share")
+    lines = [
+        [
+            body,
+            *(" / ".join(f"{mean(found[way], name):.2f}" for name in names) if way in found else "-" for way in ways),
+        ]
+        for body, found in cells.items()
+    ]
+    return "Walkable / reachable / usable by body:\n\n" + table(["body", *ways], lines)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
+from pathlib import Path
 
 import robolayout as rl
 from benchmarks.measures import generated
 from benchmarks.rooms import Crowd, crowd
 from benchmarks.store import Row
+from benchmarks.tables import HEADS, Rows, mean, plot, sorted_groups, summary, table
 from robolayout.solve import solver_names
 
 FILLS = (0.30, 0.45, 0.60)
@@ -51,3 +53,26 @@ def solved(asked: Crowd, **options: object) -> Row:
 def planned(asked: Crowd) -> Row:
     """Return what the offline planner and the solver make of the room."""
     return generated(rl.scene_from_dict(crowd(asked)[0]), seed=asked.seed)
+
+
+def section(rows: Rows, images: Path) -> str:
+    """Return the table of crowded rooms and draw how often all demands are met."""
+    groups: dict[str, list[Row]] = {}
+    for key, row in rows.items():
+        groups.setdefault(key.rpartition("/")[0], []).append(row)
+    heads = ["program / solver / room", "rooms", "hard demands met", "all demands met", *HEADS, "CPU s"]
+    lines = [
+        [name.replace("/", ", "), *summary(found), f"{mean(found, 'cpu'):.1f}"] for name, found in sorted_groups(groups)
+    ]
+    intro = (
+        "Rooms made by rule (`benchmarks/rooms.py`), default disc of 0.30 m. *program*: a program with blind guesses, "
+        "walls asked without thinking; *planned*: the offline planner writes it. "
+        "Hard demands: placed, no collision, inside, supported, doors clear.\n"
+    )
+    curves: dict[str, list[tuple[float, float]]] = {}
+    for name, found in groups.items():
+        who, solver, size, fill, *extra = name.split("/")
+        if not extra and solver == "default":
+            curves.setdefault(f"{who}, {size}", []).append((float(fill.rstrip("%")), 100 * mean(found, "ok")))
+    picture = plot(images / "benchmark-crowded.png", curves, ("floor filled, %", "rooms with all demands met, %"))
+    return f"## Crowded rooms\n\n{intro}\n{table(heads, lines)}\n{picture}"

@@ -13,11 +13,13 @@ import json
 import time
 from collections.abc import Callable, Iterator
 from functools import partial
+from pathlib import Path
 
 from shapely import Polygon
 from shapely.ops import unary_union
 
 from benchmarks.store import Row
+from benchmarks.tables import Rows, table
 from benchmarks.words import Room
 
 LISTS = {
@@ -136,3 +138,29 @@ def measured(kind: str, size: str) -> Row:
         "empty": Polygon(room.floor).area > BIG and share < FILLED,
         "seconds": time.process_time() - start,
     }
+
+
+def section(rows: Rows, images: Path) -> str:
+    """Return what a person would object to in rooms made from lists."""
+    lines = [
+        [
+            *key.split("/"),
+            "refused" if "refused" in row else "yes" if row["ok"] else "no",
+            str(row.get("seats") or "-"),
+            str(row.get("soft") or "-"),
+            f"{row.get('filled', 0.0):.0%}",
+        ]
+        for key, row in rows.items()
+    ]
+    heads = [
+        "room",
+        "size",
+        "all demands met",
+        "seats at nothing",
+        "hard things on seats",
+        "floor within 1.5 m of furniture",
+    ]
+    intro = (
+        "Rooms from lists of names and counts, in three sizes, judged by a person's rules (`benchmarks/lists.py`).\n"
+    )
+    return f"## Lists\n\n{intro}\n{table(heads, lines)}"

@@ -7,6 +7,7 @@ python -m benchmarks --section many --case large      1,000 rooms in out/many; t
 from __future__ import annotations
 
 import csv
+import re
 import statistics
 import tempfile
 import time
@@ -16,6 +17,7 @@ from pathlib import Path
 
 from benchmarks.examples import ROOT
 from benchmarks.store import Row
+from benchmarks.tables import Rows, table
 from robolayout.many import batch
 from robolayout.many.dataset import STATIONS
 
@@ -76,3 +78,37 @@ def summary(times: list[dict[str, str]]) -> Row:
     row |= {"median": statistics.median(laid_out), "tenth": laid_out[int(0.9 * len(laid_out))], "longest": laid_out[-1]}
     memory = [float(one["memory_mb"]) for one in times]
     return row | {"first": statistics.fmean(memory[:100]), "last": statistics.fmean(memory[-100:]), "tries": len(times)}
+
+
+def section(rows: Rows, images: Path) -> str:
+    """Return the table of how fast rooms are made side by side, and what a large set is like."""
+    side = {key.partition("/")[2]: row for key, row in rows.items() if key.startswith("workers/")}
+    alone = side.get("1 process")
+    lines: list[list[str]] = []
+    for name, row in side.items():
+        rate = 60 * row["rooms"] / row["wall"]
+        count = int(re.findall(r"\d+", name)[0])
+        share = f"{rate / (count * 60 * alone['rooms'] / alone['wall']):.0%}" if alone else "-"
+        cells = [f"{rate:.0f}", f"{60 / row['cpu']:.0f}", share, f"{row['cpu']:.2f}"]
+        lines.append([name, str(row["rooms"]), *cells, *(f"{row[part]:.2f}" for part in ("draw", "generate", "write"))])
+    heads = ["workers", "rooms", "rooms a minute", "a minute and core", "efficiency"]
+    heads += ["CPU s a room", "drawing", "laying out", "writing"]
+    parts = [
+        "## Many rooms\n\nMixed rooms of ten kinds for six bodies, without pictures; start of the workers included.\n"
+    ]
+    parts.append(table(heads, lines))
+    for key, row in rows.items():
+        if key.startswith("large/"):
+            near, memory = row["near"] / row["tries"], f"{row['first']:.0f} and {row['last']:.0f} MB"
+            stations = {"drawing": ("draw",), "planning": ("plan", "program"), "solving": ("solve",)}
+            stations |= {"judging": ("verify",), "writing": ("write",)}
+            spent = ", ".join(f"{name} {sum(row[part] for part in found):.2f}" for name, found in stations.items())
+            parts.append(
+                f"{row['rooms']} rooms with {key.partition('/')[2]}: {row['met']} meet all demands, {row['missing']} were given up; "
+                f"{row['tries'] - row['rooms']} tries were replaced, {near:.1%} of all as near-duplicates, and none is left (least "
+                f"difference {row['least']:.2f}); {row['cpu']:.2f} CPU s a room ({spent}), {60 / row['cpu']:.0f} rooms a minute and core; "
+                f"one room is laid out in {row['median']:.1f} s (median), nine of ten within {row['tenth']:.1f} s, the longest took "
+                f"{row['longest']:.0f} s; memory of a process over the first and the last hundred {memory}; "
+                f"{1000 * row['mb'] / row['rooms']:.0f} kB in {row['files'] / row['rooms']:.0f} files a room.\n"
+            )
+    return "\n".join(parts)

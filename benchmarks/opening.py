@@ -12,6 +12,7 @@ from pathlib import Path
 import robolayout as rl
 from benchmarks.examples import ROOMS, ROOT
 from benchmarks.store import Row
+from benchmarks.tables import Rows, figure, table
 
 CROWDED = "tasks/classroom_medium"
 TIMES = 5
@@ -50,3 +51,15 @@ def opened(room: str) -> Row:
             tab.close()
         browser.close()
     return row | {"figures": statistics.median(figures), "drawn": statistics.median(drawn), "slowest": max(drawn)}
+
+
+def section(rows: Rows, images: Path) -> str:
+    """Return the table of how long `report.html` takes to open."""
+    lines: list[list[str]] = []
+    for room in sorted(rows, key=lambda room: rows[room]["assets"]):
+        row = rows[room]
+        times = [figure(row, key, "{:.2f} s") for key in ("figures", "drawn", "slowest")]
+        lines.append([room.replace("_", " "), str(row["assets"]), f"{row['kb']:.0f} kB", *times])
+    heads = ["room", "assets", "page", "figures are there", "first picture", "slowest of five"]
+    intro = "`report.html` in headless Chromium, 1280 x 800, drawn without a graphics card; medians of five.\n"
+    return f"## Opening the page\n\n{intro}\n{table(heads, lines)}"

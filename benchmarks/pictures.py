@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import lru_cache, partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ import robolayout as rl
 from benchmarks.examples import ROOMS, ROOT
 from benchmarks.measures import watch
 from benchmarks.store import Row
+from benchmarks.tables import Rows, figure, table
 from robolayout.page.marks import plan_marks
 from robolayout.render import (
     Studio,
@@ -97,3 +99,37 @@ def _views(result: rl.Result) -> Row:
         row["differ_mean"] = float(np.mean(apart))
         row["differ_share"] = float(np.mean([(gap.max(axis=2) > VISIBLE).mean() for gap in apart]))
     return row
+
+
+def section(rows: Rows, images: Path) -> str:
+    """Return the table of what each picture costs."""
+    rooms = sorted(rows, key=lambda room: rows[room]["assets"])
+    files = dict.fromkeys(key.removesuffix("_cpu") for room in rooms for key in rows[room] if key.endswith("_cpu"))
+    lines = [[name, *(_picture(rows[room], name) for room in rooms)] for name in files]
+    lines += [[words, *(figure(rows[room], key, "{:.2f} s") for room in rooms)] for key, words in VIEWS.items()]
+    lines.append(["ray casting against OpenGL: mean difference, of 255"])
+    lines[-1] += [figure(rows[room], "differ_mean", "{:.2f}") for room in rooms]
+    lines.append(["the same: pixels that differ by more than 32"])
+    lines[-1] += [figure(rows[room], "differ_share", "{:.2%}") for room in rooms]
+    heads = ["CPU seconds, size", *(f"{room.replace('_', ' ')}, {rows[room]['assets']} assets" for room in rooms)]
+    intro = "Each picture drawn a second time in one process; OpenGL without a graphics card.\n"
+    return f"## Pictures\n\n{intro}\n{table(heads, lines)}"
+
+
+VIEWS = {
+    "gl_load": "loading a room for OpenGL",
+    "gl_top": "OpenGL in software, top view, 512 x 512",
+    "gl_top_wall": "the same, wall seconds",
+    "gl_side": "OpenGL in software, side view, 512 x 512",
+    "gl_side_wall": "the same, wall seconds",
+    "rays_load": "loading a room for ray casting",
+    "rays_top": "ray casting, top view, 512 x 512",
+    "rays_side": "ray casting, side view, 512 x 512",
+}
+"""Figures of the views, and what they are."""
+
+
+def _picture(row: Row, name: str) -> str:
+    if f"{name}_cpu" not in row:
+        return "-"
+    return f"{row[f'{name}_cpu']:.2f} s, {row[f'{name}_kb']:.0f} kB"

@@ -12,11 +12,13 @@ import random
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 
 import robolayout as rl
 from benchmarks.examples import ROOT
 from benchmarks.measures import figures, watch
 from benchmarks.store import Row
+from benchmarks.tables import Rows, mean, phases, table
 from robolayout.constraints import AssetRef, Relation, WallRef
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
@@ -242,3 +244,38 @@ def away(scene: Scene, result: rl.Result) -> dict[str, float]:
 
 def _back(layout: Layout, name: str, pose: Pose) -> Layout:
     return Layout({**layout, name: pose})
+
+
+def section(rows: Rows, images: Path) -> str:
+    """Return the table of programs with a rough guess, one line per room."""
+    lines = [
+        [
+            *(key.replace("_", " ").replace("/", ", seed "), str(row["assets"]), "yes" if row["hard_ok"] else "no"),
+            *(f"{row['walkable_ratio']:.2f}", str(row["short"]), f"{row['guess_met']} / {row['met']} / {row['asked']}"),
+            *(f"{row['moved']:.2f} / {row['farthest']:.2f}", f"{row['turned']:.0f}", str(row["needless"])),
+            *(row["phase"], f"{row['cpu']:.1f}"),
+        ]
+        for key, row in _natural_rows(rows)
+    ]
+    found = list(rows.values())
+    total = [f"{sum(row[name] for row in found)}" for name in ("guess_met", "met", "asked")]
+    means = [
+        f"**{mean(found, 'moved'):.2f}** / {max(row['farthest'] for row in found):.2f}",
+        f"{mean(found, 'turned'):.0f}",
+    ]
+    last = [*means, str(sum(row["needless"] for row in found)), phases(found), f"{mean(found, 'cpu'):.1f}"]
+    hard = f"{mean(found, 'hard_ok'):.0%}"
+    lines.append(["all", "", hard, "", str(sum(row["short"] for row in found)), " / ".join(total), *last])
+    heads = ["room", "assets", "hard demands met", "walkable", "out of reach", "statements met: guess / result / asked"]
+    heads += ["moved: mean / most, m", "turned, mean degrees", "without need", "made by", "CPU s, warm"]
+    intro = (
+        "Programs as a model writes them (`benchmarks/rough.py`): statements read off a good layout of a task, some left out and "
+        "some that contradict the others; everything 0.1 to 0.6 m off, some of it turned around. *Without need*: moved by "
+        "more than 5 cm although the layout would be no worse with that one thing where the program put it.\n"
+    )
+    return f"## Programs with a rough guess\n\n{intro}\n{table(heads, lines)}"
+
+
+def _natural_rows(rows: Rows) -> list[tuple[str, Row]]:
+    """Return rows by number of assets, then by name."""
+    return sorted(rows.items(), key=lambda item: (item[1]["assets"], item[0]))

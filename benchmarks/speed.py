@@ -18,6 +18,7 @@ from typing import Any
 from benchmarks.examples import ROOMS, ROOT
 from benchmarks.measures import watch
 from benchmarks.store import Row
+from benchmarks.tables import Rows, plot, table
 from robolayout.solve import solver_names
 
 COUNTS = (10, 20, 40, 80)
@@ -183,3 +184,68 @@ def _one_start(scene: Any, asked: Any) -> float:
 if __name__ == "__main__":
     made = {"stations": stations, "bucket": bucket, "shared": shared, "growth": growth}[sys.argv[1]](sys.argv[2])
     sys.stdout.write(json.dumps(made) + "\n")
+
+
+def section(rows: Rows, images: Path) -> str:
+    """Return the tables of seconds and draw how they grow."""
+    parts = ["## Speed\n"]
+    commands = [
+        [k.partition("/")[2], f"{r['wall']:.2f}", f"{r['cpu']:.2f}"]
+        for k, r in rows.items()
+        if k.startswith("process/")
+    ]
+    parts.append(table(["a new process", "wall s", "CPU s"], commands))
+    names = ("scene", "plan", "program", "solve", "verify")
+    lines: list[list[str]] = []
+    for key, row in rows.items():
+        if key.startswith("stations/"):
+            cells = [f"{row.get(f'{n}_wall', 0.0):.2f} / {row.get(f'{n}_cpu', 0.0):.2f}" for n in names]
+            lines.append([f"{key[9:].replace('_', ' ')}, {row['assets']} assets", f"{row['first_wall']:.1f}", *cells])
+    parts.append(table(["station, warm: wall / CPU s", "first run, in all", *names], lines))
+    compiled = [
+        [f"up to {r['slots']} assets", f"{r['wall']:.1f}", f"{r['cpu']:.1f}"]
+        for r in sorted((row for key, row in rows.items() if key.startswith("bucket/")), key=lambda row: row["slots"])
+    ]
+    parts.append(table(["compiling the search, import of JAX included", "wall s", "CPU s"], compiled))
+    for key, row in rows.items():
+        if key.startswith("shared/"):
+            sizes = ", ".join(map(str, row["assets"]))
+            parts.append(
+                f"{row['rooms']} rooms with {sizes} assets, laid out one after the other from an empty cache, "
+                f"needed {row['programs']} compiled programs between them.\n"
+            )
+    grown = sorted((row for key, row in rows.items() if key.startswith("growth/")), key=lambda row: row["assets"])
+    heads = [
+        "solve and verify, blind program, 30 % filled",
+        "first s",
+        "warm s",
+        "warm CPU s",
+        "for nobody, warm s",
+        "without routes and repair, warm s",
+        "one start of 400 steps, CPU s",
+        "the published code's, CPU s",
+    ]
+    names = ("routes_first", "routes_wall", "routes_cpu", "nobody_wall", "no_routes_wall")
+    cells = [
+        [
+            f"{r['assets']} assets",
+            *(f"{r[n]:.2f}" for n in names),
+            f"{r['start_cpu']:.4f}",
+            PUBLISHED.get(r["assets"], "-"),
+        ]
+        for r in grown
+    ]
+    parts.append(table(heads, cells))
+    parts.append(
+        "*For nobody*: the solver knows no body that could be kept out; what it finds is verified for the disc all the same. "
+        "The published code was run by us on other rooms with one CPU thread, drawing off.\n"
+    )
+    if len(grown) > 1:
+        curves = {"for a disc": "routes_wall", "for nobody": "nobody_wall", "no routes, no repair": "no_routes_wall"}
+        lines_xy = {label: [(r["assets"], r[name]) for r in grown] for label, name in curves.items()}
+        parts.append(plot(images / "benchmark-growth.png", lines_xy, ("assets", "seconds, warm"), logarithmic=True))
+    return "\n".join(parts)
+
+
+PUBLISHED = {10: "10 to 13", 40: "99 to 131 (42 assets)", 80: "184 to 334 (66 assets)"}
+"""CPU seconds of one start of the published solvers by number of assets: their variants, on the rooms nearest in size."""

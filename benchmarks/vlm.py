@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import nullcontext
 from functools import partial
+from pathlib import Path
 from typing import Any
 from unittest.mock import patch
 
@@ -12,6 +13,7 @@ import robolayout as rl
 from benchmarks.examples import ROOT
 from benchmarks.measures import figures, watch
 from benchmarks.store import Row
+from benchmarks.tables import HEADS, Rows, mean, select, summary, table
 from robolayout.planners import ModelPlanner, PlanRequest
 from robolayout.program import Decision, Program, Reconciled
 
@@ -91,3 +93,34 @@ def measured(run: Callable[[], rl.Result], filtered: bool) -> Row:
 def unfiltered(program: Program, scene: rl.Scene, *, paper: bool = False) -> Reconciled:
     """Stand in for the filter: accept every statement."""
     return Reconciled(program, tuple(Decision(s, "accepted", "not filtered") for s in program.statements))
+
+
+def section(rows: Rows, images: Path) -> str:
+    """Return the table of what the parts of planning with a model are worth, and what four samples cost the solver."""
+    groups = {
+        f"{mode}, {way}": found
+        for mode in MODES
+        for way in WAYS
+        if (found := select(rows, lambda key, way=way, mode=mode: key[:2] == [way, mode]))
+    }
+    heads = ["mode, and what is different", "runs", "hard demands met", "all demands met", *HEADS]
+    lines = [
+        [
+            name,
+            *summary(found),
+            *(f"{sum(row[n] for row in found)}" for n in ("answers", "unreadable", "asked_again", "taken_over")),
+            *(f"{mean(found, n):.1f}" for n in ("solve_wall", "solve_cpu")),
+        ]
+        for name, found in groups.items()
+    ]
+    heads += ["answers", "unreadable", "asked again", "taken over", "solver wall s", "solver CPU s"]
+    intro = (
+        "Six rooms with recorded answers (`tests/planners/recordings`): programs as a strong model writes them, with the faults "
+        "of such models. *as it is*: one sample, at most three retries, with the filter. *asked again*: answers to a question "
+        "that told what was wrong before. *taken over*: groups for which the offline planner stood in. Means over the runs, "
+        "sums of the answers; four samples were recorded for one_shot only. A statement that the filter rejects counts as unmet "
+        "unless the layout meets it all the same. *each alone*: every recorded program solved by itself, without asking "
+        "again; *4 samples* solves them together and keeps the best, for about the CPU time of one. Others used "
+        "the machine meanwhile: its CPU seconds compare, its wall seconds do not.\n"
+    )
+    return f"## Planning with a model\n\n{intro}\n{table(heads, lines)}"

@@ -16,6 +16,7 @@ from __future__ import annotations
 import json
 import math
 import re
+import statistics
 import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
@@ -27,6 +28,7 @@ from shapely import LineString, Point, Polygon
 from shapely.ops import unary_union
 
 from benchmarks.store import Row
+from benchmarks.tables import Rows, of, select, table
 
 FOLDER = Path(__file__).parent / "prompts"
 FILES = ("held", "open")
@@ -462,3 +464,50 @@ WORDS = {
 
 def _same_word(kind: str, words: str) -> bool:
     return any(word in words for word in WORDS.get(kind, (kind,)))
+
+
+def section(rows: Rows, images: Path) -> str:
+    """Return the demands met by kind, for the prompts set aside and those of development, and how the ledger agrees."""
+    kinds = ("counts", "relations", "places in the room", "room")
+    lines: list[list[str]] = []
+    for file, shown in (("held", "set aside"), ("open", "of development")):
+        found = select(rows, lambda key, file=file: key[0] == file)
+        totals = {
+            key: sum(int(row.get(key, 0)) for row in found)
+            for kind in kinds
+            for key in (f"{kind} met", f"{kind} asked")
+        }
+        cells = [of(totals[f"{kind} met"], totals[f"{kind} asked"]) for kind in kinds]
+        met, asked = (sum(totals[f"{kind} {word}"] for kind in kinds) for word in ("met", "asked"))
+        compared, agreed = (sum(int(row.get(word, 0)) for row in found) for word in ("compared", "agreed"))
+        refused = str(sum("refused" in row for row in found))
+        if found:
+            seconds = f"{statistics.median(row['seconds'] for row in found):.1f}"
+            lines.append([f"{len(found)} {shown}", of(met, asked), *cells, of(agreed, compared), refused, seconds])
+    heads = ["prompts", "all demands", *kinds, "ledger agrees", "refused", "CPU s, median"]
+    intro = (
+        "Prompts of our own in the manner of published ones, with the demands that a person reads in them "
+        "(`benchmarks/prompts/`), checked by a script that knows nothing of the reader. *Ledger agrees*: of the demands "
+        "that have a row of the ledger, those to which both give the same verdict.\n"
+    )
+    return f"## Words\n\n{intro}\n{table(heads, lines)}\n{_words_by_kind(rows)}"
+
+
+def _words_by_kind(rows: Rows) -> str:
+    """Return how many demands of each single kind are met."""
+    asked: dict[str, list[int]] = {}
+    for column, file in enumerate(FILES):
+        for number, prompt in enumerate(prompts(file)):
+            row = rows.get(f"{file}/{number:03}")
+            if row is None:
+                continue
+            unmet = [text.split()[0] for text in str(row.get("unmet", "")).split("; ") if text]
+            for demand in prompt.demands:
+                counts = asked.setdefault(demand.kind, [0, 0, 0, 0])
+                counts[2 * column + 1] += 1
+                lost = "refused" in row or demand.kind in unmet
+                counts[2 * column] += not lost
+                if lost and demand.kind in unmet:
+                    unmet.remove(demand.kind)
+    lines = [[kind, of(*asked[kind][:2]), of(*asked[kind][2:])] for kind in ("count", *RELATIONS) if kind in asked]
+    return table(["demand", "set aside", "of development"], lines)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -37,11 +38,11 @@ def test_rooms_are_as_full_as_they_claim_and_their_programs_read(asked: Crowd) -
 def test_every_section_has_cases_with_names_of_their_own() -> None:
     for name in set(command.SECTIONS) - {"fuzz", "lists", "tasks", "words"}:
         for quick in (True, False):
-            keys = [key for key, _ in command.SECTIONS[name](quick)]
+            keys = [key for key, _ in command.SECTIONS[name].cases(quick)]
             assert keys and len(set(keys)) == len(keys)
 
 
-def test_what_is_measured_is_kept_and_not_measured_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_is_measured_is_kept_and_not_measured_again(tmp_path: Path) -> None:
     measured: list[str] = []
 
     def case(key: str) -> Row:
@@ -49,14 +50,17 @@ def test_what_is_measured_is_kept_and_not_measured_again(tmp_path: Path, monkeyp
         return {"wall": 0.123456789}
 
     keys = ["a", "b"]
-    monkeypatch.setitem(command.SECTIONS, "speed", lambda quick: [(key, lambda key=key: case(key)) for key in keys])
+
+    def cases() -> dict[str, Callable[[], Row]]:
+        return {key: lambda key=key: case(key) for key in keys}
+
     file = tmp_path / "speed.json"
-    command.measure("speed", dict(command.SECTIONS["speed"](False)), Store(file), fresh=False)
+    command.measure("speed", cases(), Store(file), fresh=False)
     keys.append("c")
-    command.measure("speed", dict(command.SECTIONS["speed"](False)), Store(file), fresh=False)
+    command.measure("speed", cases(), Store(file), fresh=False)
     assert measured == ["a", "b", "c"]
     assert json.loads(file.read_text())["rows"]["a"] == {"wall": 0.12346}
-    command.measure("speed", dict(command.SECTIONS["speed"](False)), Store(file), fresh=True)
+    command.measure("speed", cases(), Store(file), fresh=True)
     assert measured == ["a", "b", "c"] * 2 or measured[3:] == ["a", "b", "c"]
 
 
@@ -69,7 +73,7 @@ def test_the_page_follows_from_the_results(tmp_path: Path) -> None:
     store = Store(tmp_path / "crowded.json")
     for fill in ("30%", "45%"):
         store.save(f"program/default/10 assets/{fill}/0", row)
-    page.write(tmp_path, tmp_path / "page.md")
+    page.write(tmp_path, tmp_path / "page.md", {name: module.section for name, module in command.SECTIONS.items()})
     text = (tmp_path / "page.md").read_text()
     assert "| bedroom, wheelchair | 1 of 2 |" in text
     assert "| 0.99 |" in text, "1.00 is only written where every run has it"
@@ -90,7 +94,7 @@ def test_pictures_and_exports_without_a_tool_still_have_a_page(tmp_path: Path) -
         "routes": 2,
     }
     Store(tmp_path / "exports.json").save("bedroom", row | {"off_mm": 1.5})
-    page.write(tmp_path, tmp_path / "page.md")
+    page.write(tmp_path, tmp_path / "page.md", {name: module.section for name, module in command.SECTIONS.items()})
     text = (tmp_path / "page.md").read_text()
     assert "| plan.svg | 0.05 s, 38 kB |" in text
     assert "| OpenGL in software, top view, 512 x 512 | - |" in text and "512 x 512 | 0.55 s |" in text
@@ -101,6 +105,6 @@ def test_the_page_says_what_minding_reach_is_worth_for_each_body() -> None:
     poor: Row = dict.fromkeys(SHARES, 0.5) | {"ok": False, "hard_ok": False, "wall": 1.0}
     rich: Row = dict.fromkeys(SHARES, 1.0) | {"ok": True, "hard_ok": True, "wall": 1.0}
     ways = list(bodies.WAYS)
-    text = page.bodies({f"reach/{ways[1]}/spot/bedroom/0": poor, f"reach/{ways[3]}/spot/bedroom/0": rich}, Path())
+    text = bodies.section({f"reach/{ways[1]}/spot/bedroom/0": poor, f"reach/{ways[3]}/spot/bedroom/0": rich}, Path())
     assert f"| body | {ways[1]} | {ways[3]} |" in text
     assert "| spot | 0.50 / 0.50 / 0.50 | 1.00 / 1.00 / 1.00 |" in text
