@@ -18,9 +18,8 @@ from robolayout.page.marks import plan_marks
 from robolayout.render import (
     Studio,
     annotate,
-    loss_png,
-    plan_pdf,
-    plan_svg,
+    draw_losses,
+    draw_plan,
     png_bytes,
     progress_gif,
     render_beauty,
@@ -63,11 +62,11 @@ def _files(result: rl.Result) -> dict[str, Callable[[], bytes]]:
     scene, layout, first = result.scene, result.layout, result.report.agents[0]
     marks = plan_marks(first)
     return {
-        "plan.svg": lambda: plan_svg(scene, layout, navigation=marks, agent=first.agent).encode(),
-        "plan.pdf": lambda: plan_pdf(scene, layout, navigation=marks, agent=first.agent),
+        "plan.svg": lambda: draw_plan(scene, layout, navigation=marks, agent=first.agent).file(".svg"),
+        "plan.pdf": lambda: draw_plan(scene, layout, navigation=marks, agent=first.agent).file(".pdf"),
         "walk.gif": lambda: walk_gif(scene, layout, marks, agent=first.agent),
         "progress.gif": lambda: progress_gif(scene, result.trace, layout=layout),
-        "loss.png": lambda: loss_png(result.trace),
+        "loss.png": lambda: draw_losses(result.trace).file(".png"),
         "report.html": lambda: page_html(result).encode(),
         "annotated top view, 768": lambda: png_bytes(annotate(scene, layout, view="top")),
     }

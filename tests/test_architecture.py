@@ -28,6 +28,7 @@ LAYERS: dict[str, float] = {
     "_version": 0,
     "_text": 0,
     "_color": 0,
+    "_lazy": 0,
     "_files": 0.5,
     "_html": 0.5,
     "_geometry": 0,

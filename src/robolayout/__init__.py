@@ -12,10 +12,10 @@ Everything below is loaded when it is first used, so that importing the package 
 from __future__ import annotations
 
 import sys
-from importlib import import_module
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from robolayout._lazy import loader
 from robolayout._version import __version__ as __version__
 
 if TYPE_CHECKING:
@@ -45,43 +45,24 @@ if TYPE_CHECKING:
     from robolayout.solve import SolverConfig
     from robolayout.verify import Report, verify
 
-_HOMES = {
-    "Agent": "scene",
-    "Asset": "scene",
-    "InputError": "_errors",
-    "Layout": "scene",
-    "Pose": "scene",
-    "Program": "program",
-    "Report": "verify",
-    "Result": "run.result",
-    "RoboLayoutError": "_errors",
-    "Room": "scene",
-    "Scene": "scene",
-    "SolverConfig": "solve",
-    "batch": "many",
-    "compare": "run.flow",
-    "diff": "run.diff",
-    "evaluate": "many",
-    "export": "export",
-    "generate": "run.flow",
-    "judge": "run.result",
-    "load_agent": "scene",
-    "load_layout": "scene",
-    "load_scene": "scene",
-    "page_html": "run.outputs",
-    "plan_svg": "render",
-    "read_program": "program",
-    "reconcile": "program",
-    "render": "render",
-    "rooms": "many",
-    "scene_from_dict": "scene",
-    "scene_from_sentence": "planners",
-    "solve": "run.flow",
-    "verify": "verify",
-    "write_result": "run.outputs",
-}
-
-_NAMES = {"render": "render_view"}
+__getattr__ = loader(
+    __name__,
+    {
+        "_errors": "InputError RoboLayoutError",
+        "export": "export",
+        "many": "batch evaluate rooms",
+        "planners": "scene_from_sentence",
+        "program": "Program read_program reconcile",
+        "render": "plan_svg render:render_view",
+        "run.diff": "diff",
+        "run.flow": "compare generate solve",
+        "run.outputs": "page_html write_result",
+        "run.result": "Result judge",
+        "scene": "Agent Asset Layout Pose Room Scene load_agent load_layout load_scene scene_from_dict",
+        "solve": "SolverConfig",
+        "verify": "Report verify",
+    },
+)
 
 __all__ = [
     "Agent",
@@ -125,20 +106,11 @@ class _Page(ModuleType):
     """This page: `rl.verify(...)` stays the function although a folder of that name is imported too."""
 
     def __setattr__(self, name: str, value: object) -> None:
-        if not (name in _HOMES and isinstance(value, ModuleType)):
+        if not (name in __all__ and isinstance(value, ModuleType)):
             super().__setattr__(name, value)
 
 
 sys.modules[__name__].__class__ = _Page
-
-
-def __getattr__(name: str) -> Any:
-    """Load a name of the public page when it is first used."""
-    if name not in _HOMES:
-        raise AttributeError(f"module 'robolayout' has no attribute {name!r}")
-    value = getattr(import_module(f"robolayout.{_HOMES[name]}"), _NAMES.get(name, name))
-    setattr(sys.modules[__name__], name, value)
-    return value
 
 
 def __dir__() -> list[str]:

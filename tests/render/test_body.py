@@ -8,7 +8,7 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 import pytest
 
-from robolayout.render import body_image, body_pdf, body_svg, body_text
+from robolayout.render import body_text
 from robolayout.render._drawing import Shape, Text
 from robolayout.render.body import LABELS, draw_body
 from robolayout.render.palette import REACH, ROUTE, TURN
@@ -82,10 +82,10 @@ def test_labels_of_heights_do_not_overlap():
 
 def test_all_forms():
     chair = load_agent("wheelchair")
-    root = ElementTree.fromstring(body_svg(chair))
-    assert root.tag.endswith("svg") and "wheelchair user (ADA)" in body_svg(chair)
-    assert body_image(chair, width=400).width == 400
-    assert body_pdf(chair).startswith(b"%PDF-1.4")
+    svg = draw_body(chair).svg()
+    assert ElementTree.fromstring(svg).tag.endswith("svg") and "wheelchair user (ADA)" in svg
+    assert draw_body(chair).image(400).width == 400
+    assert draw_body(chair).pdf().startswith(b"%PDF-1.4")
 
 
 def test_on_a_terminal_it_is_lines_of_braille():

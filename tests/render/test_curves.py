@@ -10,7 +10,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image
 
-from robolayout.render import loss_image, loss_png
 from robolayout.render._drawing import Shape, Text
 from robolayout.render.curves import draw_losses, loss_terms, nice_ticks
 from robolayout.scene import Snapshot, Trace
@@ -31,7 +30,7 @@ def test_every_term_is_drawn_and_named(trace):
 
 def test_negative_and_zero_values_have_a_logarithm_or_a_gap():
     trace = Trace(tuple({"a": v} for v in (1.0, -0.1, 0.0, 0.01, math.inf, math.nan)))
-    image = loss_image(trace, width=300)
+    image = draw_losses(trace).image(300)
     assert image.size == (300, 115)
 
 
@@ -41,13 +40,13 @@ def test_an_empty_trace_says_so():
 
 
 def test_png_is_readable_and_repeatable(trace):
-    data = loss_png(trace, width=400)
-    assert data == loss_png(trace, width=400)
+    data = draw_losses(trace).file(".png", 400)
+    assert data == draw_losses(trace).file(".png", 400)
     assert Image.open(io.BytesIO(data)).size == (400, 153)
 
 
 def test_curves_look_as_they_did(trace, golden):
-    golden(loss_image(trace, width=480), "loss-480")
+    golden(draw_losses(trace).image(480), "loss-480")
 
 
 @given(st.floats(-1e6, 1e6), st.floats(1e-6, 1e6))
@@ -64,12 +63,12 @@ def test_long_runs_keep_their_peaks():
     losses[1234] = {"total": 9.0}
     ticks = [i.text for i in draw_losses(Trace(tuple(losses))).items if isinstance(i, Text)]
     assert any(text in ticks for text in ("9", "10"))
-    assert loss_image(Trace(tuple(losses)), width=200) is not None
+    assert draw_losses(Trace(tuple(losses))).image(200) is not None
 
 
 @pytest.mark.parametrize("steps", [1, 2])
 def test_short_runs(steps):
-    assert loss_image(Trace(({"total": 0.5},) * steps), width=200).width == 200
+    assert draw_losses(Trace(({"total": 0.5},) * steps)).image(200).width == 200
 
 
 def test_a_room_that_needed_no_search_says_so():

@@ -12,11 +12,10 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from robolayout._errors import InputError
-from robolayout.render import PlanMarks, compare_image, compare_svg, draw_plan, plan_image, plan_pdf, plan_svg
-from robolayout.render._drawing import Drawing, Shape, Text, draw_image, draw_svg
+from robolayout.render import PlanMarks, draw_comparison, draw_plan, plan_svg
+from robolayout.render._drawing import Drawing, Shape, Text
 from robolayout.render._labels import Tag, place_labels
 from robolayout.render._marked import passage_spots
-from robolayout.render._pdf import draw_pdf
 from robolayout.render.palette import BLOCKED, FREE, NARROW, ROUTE, TIGHT
 from robolayout.render.plan import plan_scale
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene
@@ -90,13 +89,14 @@ def test_hostile_titles_do_no_harm(bedroom, layout, title):
     svg = plan_svg(bedroom, layout, title=title)
     root = ElementTree.fromstring(svg.encode())
     assert not list(root.iter(f"{SVG}script"))
-    assert plan_image(bedroom, layout, title=title, width=200).width == 200
-    assert plan_pdf(bedroom, layout, title=title).startswith(b"%PDF-1.4")
+    assert draw_plan(bedroom, layout, title=title).image(200).width == 200
+    assert draw_plan(bedroom, layout, title=title).pdf().startswith(b"%PDF-1.4")
 
 
 def test_same_bytes_twice(bedroom, layout, marks):
-    for make in (plan_svg, plan_pdf):
-        assert make(bedroom, layout, navigation=marks) == make(bedroom, layout, navigation=marks)
+    one, other = (draw_plan(bedroom, layout, navigation=marks) for _ in range(2))
+    for suffix in (".svg", ".pdf", ".png"):
+        assert one.file(suffix, 200) == other.file(suffix, 200)
 
 
 def test_order_of_routes_and_poses_does_not_matter(bedroom, layout, marks):
@@ -108,26 +108,26 @@ def test_order_of_routes_and_poses_does_not_matter(bedroom, layout, marks):
 
 def test_plan_looks_as_it_did(bedroom, layout, marks, golden):
     golden(
-        plan_image(bedroom, layout, navigation=marks, agent=bedroom.agent, title="Bedroom", width=420),
+        draw_plan(bedroom, layout, navigation=marks, agent=bedroom.agent, title="Bedroom").image(420),
         "plan-bedroom-420",
     )
 
 
 def test_comparison_looks_as_it_did(bedroom, layout, marks, golden):
-    image = compare_image([("with a walker", bedroom, layout, marks), ("on foot", bedroom, layout, None)], width=640)
+    image = draw_comparison([("with a walker", bedroom, layout, marks), ("on foot", bedroom, layout, None)]).image(640)
     golden(image, "compare-bedroom-640")
 
 
 def test_comparison_keeps_one_scale(bedroom, layout):
     big = Scene(Room(((0, 0), (12, 0), (12, 4), (0, 4)), 2.6), ())
-    svg = compare_svg([("small", bedroom, layout, None), ("big", big, Layout({}), None)])
+    svg = draw_comparison([("small", bedroom, layout, None), ("big", big, Layout({}), None)]).svg()
     assert svg.count("1 : 100") == 2
     with pytest.raises(InputError, match="give at least one"):
-        compare_image([])
+        draw_comparison([])
 
 
 def test_pdf_has_a_sound_table_of_objects(bedroom, layout, marks):
-    data = plan_pdf(bedroom, layout, navigation=marks, agent=bedroom.agent, title="a (b) \\ ü")
+    data = draw_plan(bedroom, layout, navigation=marks, agent=bedroom.agent, title="a (b) \\ ü").pdf()
     start = int(re.search(rb"startxref\n(\d+)", data)[1])
     assert data[start : start + 4] == b"xref"
     offsets = [int(row) for row in re.findall(rb"(\d{10}) 00000 n", data)]
@@ -141,7 +141,7 @@ def test_pdf_has_a_sound_table_of_objects(bedroom, layout, marks):
 def test_pdf_writes_what_its_fonts_lack_in_the_readers_own():
     drawing = Drawing(20, 10)
     drawing.words((10, 5), "стол 桌子", 3)
-    data = draw_pdf(drawing)
+    data = drawing.pdf()
     codes = "桌子".encode("utf-16-be").hex().encode()
     assert written(data) == {"стол "} and b"<" + codes + b"> Tj" in streams(data)[0]
     assert b"/STSong-Light" in data and b"/HYSMyeongJo" not in data
@@ -174,10 +174,10 @@ def test_the_three_forms_draw_the_same_lines():
     drawing = Drawing(20, 10)
     drawing.polygon([[(2, 2), (8, 2), (8, 8), (2, 8)], [(4, 4), (6, 4), (6, 6), (4, 6)]], "#ff0000")
     drawing.line([(10, 5), (20, 5)], "#0000ff", width=1.0, dash=(2.0, 2.0))
-    image = np.asarray(draw_image(drawing, 200))
+    image = np.asarray(drawing.image(200))
     assert tuple(image[30, 30]) == (255, 0, 0) and tuple(image[50, 50]) == (255, 255, 255)
     assert tuple(image[50, 110]) == (0, 0, 255) and tuple(image[50, 132]) == (255, 255, 255)
-    svg = draw_svg(drawing)
+    svg = drawing.svg()
     assert 'fill-rule="evenodd"' in svg and 'stroke-dasharray="2 2"' in svg and "M2 2L8 2L8 8L2 8Z" in svg
 
 
@@ -227,7 +227,7 @@ def test_crowded_tables_stay_drawable():
     plates = tuple(Asset(f"plate-{k}", "plate", (0.25, 0.25, 0.03), on_floor=False, on_object=True) for k in range(40))
     scene = Scene(room, (Asset("table-0", "dining table", (1.0, 3.0, 0.75)), *plates))
     poses = {f"plate-{k}": Pose(1.7 + 0.3 * (k % 2), 0.6 + 0.07 * k, 0.77, 0) for k in range(40)}
-    image = plan_image(scene, Layout({"table-0": Pose(2, 2, 0.375, 0), **poses}), width=300)
+    image = draw_plan(scene, Layout({"table-0": Pose(2, 2, 0.375, 0), **poses})).image(300)
     assert isinstance(image, Image.Image)
 
 

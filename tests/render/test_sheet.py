@@ -16,7 +16,7 @@ from PIL import Image
 
 from robolayout.page.marks import sheet_marks
 from robolayout.page.notes import sheet_notes
-from robolayout.render import PlanMarks, SheetNotes, sheet_pdf, sheet_svg
+from robolayout.render import PlanMarks, SheetNotes, draw_sheet
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene
 from robolayout.verify import verify
 
@@ -83,7 +83,7 @@ def printed(case: str, date: str = "") -> ElementTree.Element:
     report = verify(scene, layout) if case != "vast" else None
     notes = sheet_notes(report, date) if report else SheetNotes(date)
     marks = sheet_marks(report.agents[0]) if report else PlanMarks()
-    return ElementTree.fromstring(sheet_svg(scene, layout, notes, marks=marks, agent=WHEELS))
+    return ElementTree.fromstring(draw_sheet(scene, layout, notes, marks=marks, agent=WHEELS).svg())
 
 
 def texts(svg: ElementTree.Element) -> list[Words]:
@@ -186,7 +186,7 @@ def test_things_on_a_table_are_listed_with_it_and_have_no_number():
         }
     )
     scene = Scene(SQUARE, assets, agents=(WHEELS,), name="room")
-    svg = ElementTree.fromstring(sheet_svg(scene, layout, SheetNotes(), marks=PlanMarks(), agent=WHEELS))
+    svg = ElementTree.fromstring(draw_sheet(scene, layout, SheetNotes(), marks=PlanMarks(), agent=WHEELS).svg())
     written = [words.text for words in texts(svg)]
     assert "1 table" in written
     assert {"tray, on 1", "2 x cup, on 1", "stool, not placed"} <= set(written)
@@ -201,7 +201,7 @@ def test_a_covered_thing_among_others_keeps_its_number():
     assets += [Asset(name, "tray", (0.48, 0.48, 0.04), on_floor=False, on_object=True) for name in trays]
     scene = Scene(SQUARE, tuple(assets), agents=(WHEELS,), name="room")
     layout = Layout(tables | trays)
-    svg = ElementTree.fromstring(sheet_svg(scene, layout, SheetNotes(), marks=PlanMarks(), agent=WHEELS))
+    svg = ElementTree.fromstring(draw_sheet(scene, layout, SheetNotes(), marks=PlanMarks(), agent=WHEELS).svg())
     written = {words.text.split()[0] for words in texts(svg) if words.text}
     assert {str(number) for number in range(1, 10)} <= written
 
@@ -211,7 +211,7 @@ def test_findings_speak_of_the_numbers_on_the_drawing():
     scene = Scene(SQUARE, assets, agents=(WHEELS,), name="room")
     layout = Layout({"sofa-1": Pose(1, 1.2, 0.4, 0), "sofa-10": Pose(3, 3, 0.4, 0)})
     notes = SheetNotes(verdict="not all demands are met", findings=("sofa-10 and sofa-1 block door 0 beside wall 2.",))
-    svg = ElementTree.fromstring(sheet_svg(scene, layout, notes, marks=PlanMarks(), agent=WHEELS))
+    svg = ElementTree.fromstring(draw_sheet(scene, layout, notes, marks=PlanMarks(), agent=WHEELS).svg())
     written = [words.text for words in texts(svg)]
     assert "Findings: not all demands are met" in written
     assert "big sofa (2) and sofa (1) block door D1 beside wall 2." in written
@@ -221,7 +221,7 @@ def test_findings_speak_of_the_numbers_on_the_drawing():
 def test_a_list_that_finds_no_place_says_how_much_is_missing():
     rows = [(f"kind {k}", 0.2 + 0.0001 * k, 0.2, 0.2 + 0.3 * (k % 30), 0.2 + 0.3 * (k // 30)) for k in range(600)]
     scene, layout = furnished(Room(((0, 0), (10, 0), (10, 10), (0, 10)), 3), rows)
-    svg = ElementTree.fromstring(sheet_svg(scene, layout, SheetNotes(), marks=PlanMarks(), agent=WHEELS))
+    svg = ElementTree.fromstring(draw_sheet(scene, layout, SheetNotes(), marks=PlanMarks(), agent=WHEELS).svg())
     assert any(re.fullmatch(r"\.\.\. and \d+ more lines, .*", words.text) for words in texts(svg))
 
 
@@ -233,7 +233,7 @@ def test_the_date_is_the_users_and_nobody_elses():
 def page_of(case: str) -> bytes:
     scene, layout = ROOMS[case]
     report = verify(scene, layout)
-    return sheet_pdf(scene, layout, sheet_notes(report), marks=sheet_marks(report.agents[0]), agent=WHEELS)
+    return draw_sheet(scene, layout, sheet_notes(report), marks=sheet_marks(report.agents[0]), agent=WHEELS).pdf()
 
 
 def test_the_same_room_gives_the_same_bytes():

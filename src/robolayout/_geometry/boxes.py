@@ -89,8 +89,6 @@ def cut_separation(
     its sides and of its cut corners.
 
     Args:
-        a: Boxes.
-        b: Boxes.
         cut_a: How much of either side each cut corner of `a` takes, metres.
         cut_b: The same of `b`.
     """

@@ -14,8 +14,6 @@ def signed_distance(
     """Return the signed distance of points to a polygon in metres: negative inside.
 
     Args:
-        px: x of the points.
-        py: y of the points.
         edges: (x1, y1, x2, y2) of each edge, a closed ring; repeated edges of zero length do no harm.
     """
     x1, y1, x2, y2 = (edges[:, i] for i in range(4))

@@ -42,7 +42,7 @@ def agents(
 def _one(body: Agent, out: Path | None) -> None:
     """Show a body: its figures with their sources, and a drawing on the terminal or in a file."""
     from robolayout._files import write_atomic
-    from robolayout.render import body_text
+    from robolayout.render import body_text, draw_body
 
     suffix = "" if out is None else ending(out, "a body", (".svg", ".png", ".pdf"))
     figures = [
@@ -53,7 +53,7 @@ def _one(body: Agent, out: Path | None) -> None:
     figures += [[key, f"{value:g}", "-", "given without a source"] for key, value in _unsourced(body)]
     table(f"{body.title or body.name} (metres)", ["figure", "value", "verified", "source"], figures)
     if out is not None:
-        say(str(write_atomic(out, _drawn(body, suffix))))
+        say(str(write_atomic(out, draw_body(body).file(suffix))))
     elif (sys.stdout.encoding or "utf-8").lower().startswith("utf"):
         say(*body_text(body).splitlines())
 
@@ -65,12 +65,3 @@ def _unsourced(body: Agent) -> list[tuple[str, float]]:
     found = [(key, getattr(body, key)) for key in ("radius", "height", *FIGURES) if key not in body.sources]
     given = body.reach_distance is not None
     return [(k, v) for k, v in dict(found).items() if v is not None and (given or not k.startswith("reach_"))]
-
-
-def _drawn(body: Agent, suffix: str) -> bytes:
-    """Return the drawing of a body in the form that a file's suffix names."""
-    from robolayout.render import body_image, body_pdf, body_svg, png_bytes
-
-    if suffix == ".svg":
-        return body_svg(body).encode()
-    return body_pdf(body) if suffix == ".pdf" else png_bytes(body_image(body))

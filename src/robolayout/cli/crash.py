@@ -43,10 +43,6 @@ def write_note(error: BaseException, words: Sequence[str]) -> Path | None:
 
     The file is named after what it says: the same mistake twice is one file.
 
-    Args:
-        error: What happened.
-        words: The arguments of the command line.
-
     Returns:
         The file; None where none can be written.
     """

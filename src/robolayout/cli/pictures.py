@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
@@ -19,7 +19,7 @@ from robolayout.cli.terminal import say
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-    from robolayout.render import Buffers, PlanMarks, Studio
+    from robolayout.render import Buffers, Studio
     from robolayout.scene import Layout, Point, Pose, Scene
 
 SUFFIXES = {"plan": (".png", ".svg", ".pdf"), "sheet": (".pdf", ".svg", ".png"), "walk": (".gif",)}
@@ -116,21 +116,17 @@ def _files(scene: Scene, layout: Layout, wish: Wish, target: Path) -> list[tuple
 def _drawn(scene: Scene, layout: Layout, wish: Wish, suffix: str) -> bytes:
     """Return the plan, the sheet or the walk."""
     from robolayout.page.marks import plan_marks
-    from robolayout.render import plan_image, plan_pdf, plan_svg, png_bytes, walk_gif
+    from robolayout.render import draw_plan, walk_gif
     from robolayout.run.outputs import sheet
     from robolayout.verify import judge_agent, verify
 
     if wish.view == "sheet":
         return sheet(verify(scene, layout), suffix, date=wish.date, width=wish.size)
-    marks: PlanMarks = plan_marks(judge_agent(scene, layout, scene.agent))
     agent = scene.agent
-    made: dict[str, Callable[[], bytes]] = {
-        ".gif": lambda: walk_gif(scene, layout, marks, agent=agent, size=wish.size),
-        ".svg": lambda: plan_svg(scene, layout, navigation=marks, agent=agent).encode(),
-        ".pdf": lambda: plan_pdf(scene, layout, navigation=marks, agent=agent),
-        ".png": lambda: png_bytes(plan_image(scene, layout, navigation=marks, agent=agent, width=wish.size)),
-    }
-    return made[suffix]()
+    marks = plan_marks(judge_agent(scene, layout, agent))
+    if wish.view == "walk":
+        return walk_gif(scene, layout, marks, agent=agent, size=wish.size)
+    return draw_plan(scene, layout, navigation=marks, agent=agent).file(suffix, wish.size)
 
 
 def _stand(scene: Scene, layout: Layout, view: str) -> Point | None:

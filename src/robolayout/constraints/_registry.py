@@ -33,9 +33,6 @@ AnyRelation = TypeVar("AnyRelation", bound=type[Relation])
 def register(relation: AnyRelation) -> AnyRelation:
     """Make a relation known to every reader and planner of this process, and return it (so it may stand as a decorator).
 
-    Args:
-        relation: A frozen dataclass derived from `Relation`; see docs/how-to/constraint.md.
-
     Raises:
         InputError: If a part of it is missing or its word is taken.
     """
@@ -50,9 +47,6 @@ def register_file(path: str | Path) -> tuple[type[Relation], ...]:
     """Run a Python file of your own and register every relation that it defines.
 
     The file runs with all your rights: load only what you wrote or read.
-
-    Args:
-        path: The file.
 
     Raises:
         InputError: If it cannot be read or defines no relation.

@@ -72,7 +72,6 @@ class Relation(ABC):
         """Return the rows that the solver evaluates; their sum is the residual, 0 when satisfied.
 
         Args:
-            scene: The scene.
             near: A first guess of all poses, by which a relation with several ways out ("a corner") picks one.
         """
 
@@ -132,13 +131,7 @@ Way = tuple[Relation, ...]
 
 
 def best_way(ways: Sequence[Way], scene: Scene, layout: Layout) -> tuple[Way, Outcome]:
-    """Return which of several ways holds best in a layout, and its worst outcome; of equals the first.
-
-    Args:
-        ways: Relations that hold together, for each way.
-        scene: The scene.
-        layout: Poses of all their assets.
-    """
+    """Return which of several ways holds best in a layout, and its worst outcome; of equals the first."""
 
     def short(outcome: Outcome) -> tuple[bool, float]:
         return (not outcome.met, outcome.value - outcome.limit)

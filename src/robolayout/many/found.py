@@ -56,7 +56,6 @@ def find_rooms(folder: Path, scenes: Path | None = None) -> list[Found]:
     """Return all rooms below a folder, by name.
 
     Args:
-        folder: Where to look.
         scenes: Folder of scene files whose layouts are in folders of their names.
 
     Raises:

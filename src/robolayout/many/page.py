@@ -21,8 +21,6 @@ def page(
     """Return the page.
 
     Args:
-        title: What it is of.
-        rows: One row a room.
         thumbs: Whether each row's `path` holds a picture `thumb.png`.
         plots: PNG pictures to show above, by what they show.
     """

@@ -91,9 +91,6 @@ def draw(ready: Ready, index: int, attempt: int = 0, meshes: Path | None = None)
     Where combinations are compared, all of them get the same rooms.
 
     Args:
-        ready: What is asked for.
-        index: Number of the room, from 0.
-        attempt: Number of the try, from 0.
         meshes: Folder of the meshes of the catalogues.
 
     Raises:
@@ -240,12 +237,10 @@ def _thumb(result: Result, drawn: bytes | None) -> bytes:
     """Return the small picture of a room: from above where that is drawn, else the plan, which costs a fifth."""
     from PIL import Image
 
-    from robolayout.render import plan_image, png_bytes
+    from robolayout.render import draw_plan, png_bytes
 
-    picture = (
-        Image.open(BytesIO(drawn)) if drawn else plan_image(result.scene, result.layout, names=False, width=2 * THUMB)
-    )
-    picture = picture.convert("RGB")
+    plan = None if drawn else draw_plan(result.scene, result.layout, names=False)
+    picture = plan.image(2 * THUMB) if plan else Image.open(BytesIO(drawn or b"")).convert("RGB")
     picture.thumbnail((THUMB, THUMB), Image.Resampling.LANCZOS)
     return png_bytes(picture.quantize(64))
 
@@ -287,10 +282,6 @@ class Rooms(Sequence[Result]):
     """The rooms of a SPEC, made when they are asked for; the same number is the same room.
 
     A room that does not meet its demands is drawn again, as in a batch; that no two are much alike is looked at there only.
-
-    Args:
-        ready: What is asked for.
-        meshes: Folder of the meshes of the catalogues.
     """
 
     def __init__(self, ready: Ready, meshes: Path | None = None) -> None:

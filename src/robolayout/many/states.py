@@ -26,8 +26,6 @@ def read_state(data: Json, name: str, asset_dir: Path | None = None) -> tuple[Sc
     """Return what a scene state of one room holds.
 
     Args:
-        data: The content of the file.
-        name: Name of the scene.
         asset_dir: Folder in which the sizes of things are looked up that the file gives none for (`<id>/data.json`).
 
     Raises:

@@ -26,12 +26,7 @@ class Mean:
 
 
 def mean(values: NDArray[np.float64], seed: int = 0) -> Mean:
-    """Return the mean of a figure with its interval, by percentiles of the bootstrap.
-
-    Args:
-        values: (rooms,); NaN where a room lacks the figure.
-        seed: Settles which rooms are drawn.
-    """
+    """Return the mean of a figure (NaN where a room lacks it) with its interval, by percentiles of the bootstrap."""
     found = values[~np.isnan(values)]
     if found.size == 0:
         return Mean(0, math.nan, math.nan, math.nan)

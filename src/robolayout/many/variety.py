@@ -41,11 +41,7 @@ def things(scene: Scene, layout: Layout) -> tuple[Thing, ...]:
 
 
 class Plan:
-    """What stands where in one room, ready to be compared.
-
-    Args:
-        found: Its things.
-    """
+    """What stands where in one room, ready to be compared."""
 
     def __init__(self, found: Sequence[Sequence[Any]]) -> None:
         self.counts = Counter(str(thing[0]) for thing in found)
@@ -61,7 +57,6 @@ class Plan:
         """Return the difference of two rooms: 0 where the same stands at the same places, 1 where nothing does.
 
         Args:
-            other: The other room.
             below: What it is compared with: from there on, a bound that is no less may be returned instead.
         """
         apart = self.seen[0][None, :, None] - other.seen[:, None, :]

@@ -164,7 +164,6 @@ class Ray:
     """Tasks of a Ray cluster.
 
     Args:
-        ready: What is asked for; it is put into the cluster's store once, and the meshes beside it.
         address: Of the cluster; "local" starts one on this machine that ends with it.
         most: Most tasks under way; as many as the cluster has processors if None.
 

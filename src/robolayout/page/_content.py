@@ -66,7 +66,6 @@ def content(result: Shown, marks: Sequence[PlanMarks]) -> dict[str, Any]:
     """Return everything that the page shows, the meshes aside.
 
     Args:
-        result: The run.
         marks: For each agent of the report: its free space, routes and narrowest passage.
     """
     scene, report = result.scene, result.report

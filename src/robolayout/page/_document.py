@@ -21,12 +21,7 @@ _ESCAPES = str.maketrans({"<": "\\u003c", ">": "\\u003e", "&": "\\u0026"})
 
 
 def document(data: Mapping[str, Any], glb: bytes) -> str:
-    """Return the page, ASCII only.
-
-    Args:
-        data: What `content` returns.
-        glb: The furnished room as this package's GLB.
-    """
+    """Return the page of what `content` returns and the furnished room as GLB, ASCII only."""
     parts = {"asked": _asked(data.get("asked", ())), "glb": base64.b64encode(glb).decode()}
     return sealed(_part("page.html"), _part("viewer.js"), _part("viewer.css"), data, **parts)
 
@@ -36,9 +31,6 @@ def sealed(template: str, script: str, style: str, data: object, *, images: str 
 
     Args:
         template: HTML with {{policy}}, {{style}}, {{script}}, {{data}} and the names of further parts.
-        script: The only script.
-        style: The only style sheet.
-        data: Plain values, which the script reads.
         images: Where pictures may come from, as the policy says it.
         parts: Further parts, already harmless.
     """

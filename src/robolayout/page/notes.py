@@ -13,12 +13,7 @@ STANDS = 0.05
 
 
 def sheet_notes(report: Report, date: str = "") -> SheetNotes:
-    """Return areas, findings and rules for the first body of a report.
-
-    Args:
-        report: What the judge says.
-        date: What the title block gives as the date; nothing leaves it out.
-    """
+    """Return areas, findings and rules for the first body of a report; `date` is what the title block says."""
     first = report.agents[0]
     verdict = "all demands are met" if report.ok else "not all demands are met"
     helps = first.remedies.sentences(first.agent)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from robolayout._lazy import loader
 from robolayout.planners._types import USELESS, Critic, Group, GroupPlanner, Judgement, Pictures, Planner, PlanRequest
 
 if TYPE_CHECKING:
@@ -17,18 +17,19 @@ if TYPE_CHECKING:
     from robolayout.planners.offline import OfflinePlanner
     from robolayout.planners.sentence import Understanding, scene_from_sentence
 
-_LAZY = {
-    "FilePlanner": "file",
-    "ModelJudge": "model.judge",
-    "ModelPlanner": "model.planner",
-    "OfflinePlanner": "offline",
-    "Score": "model.ranking",
-    "Understanding": "sentence",
-    "Feedback": "model.feedback",
-    "poses_text": "model.prompt",
-    "scene_from_sentence": "sentence",
-    "score_samples": "model.ranking",
-}
+__getattr__ = loader(
+    __name__,
+    {
+        "file": "FilePlanner",
+        "model.feedback": "Feedback",
+        "model.judge": "ModelJudge",
+        "model.planner": "ModelPlanner",
+        "model.prompt": "poses_text",
+        "model.ranking": "Score score_samples",
+        "offline": "OfflinePlanner",
+        "sentence": "Understanding scene_from_sentence",
+    },
+)
 
 __all__ = [
     "USELESS",
@@ -50,10 +51,3 @@ __all__ = [
     "scene_from_sentence",
     "score_samples",
 ]
-
-
-def __getattr__(name: str) -> Any:
-    """Load a planner when it is first asked for."""
-    if name not in _LAZY:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(f"{__name__}.{_LAZY[name]}"), name)

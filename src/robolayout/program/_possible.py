@@ -41,9 +41,6 @@ def height_span(scene: Scene, name: str, parents: Mapping[str, str], mounted: Ma
     """Return the heights in metres of bottom and top: on the floor, on its carriers, at the wall or at the ceiling.
 
     Args:
-        scene: The scene.
-        name: The asset.
-        parents: What stands on what.
         mounted: Heights in metres of the middles of wall things.
     """
     asset, ceiling = scene.by_name[name], scene.room.wall_height
@@ -98,8 +95,6 @@ def distance_range(scene: Scene, asset: Asset, other: Ref, *, collide: bool) -> 
     """Return the smallest and the largest distance in metres that an asset can have from something in this room.
 
     Args:
-        scene: The scene.
-        asset: The asset that moves.
         other: An asset (centre to centre), a wall (centre to segment) or a point.
         collide: Whether the two cannot be in the same place in plan.
     """

@@ -28,7 +28,6 @@ def read_program(text: str, scene: Scene, limits: Limits | None = None) -> Progr
     Args:
         text: Program text, or a model's answer with the program in ``` fences.
         scene: What the program is about; its assets and walls are the program's variables.
-        limits: What the program may use.
 
     Raises:
         ProgramError: With line, source and caret, and what would have worked.
@@ -54,11 +53,6 @@ def read_salvaged(text: str, scene: Scene, limits: Limits | None = None) -> Prog
     """Return what can be read of a model's answer: a statement that cannot costs that statement, not the program.
 
     The smallest Python statement that an error points at is left out and the rest read again, until all of it runs.
-
-    Args:
-        text: A model's answer.
-        scene: What the program is about.
-        limits: What the program may use.
 
     Raises:
         ProgramError: Nothing in it places or states anything, or more than `MOST_DROPPED` statements are wrong.
@@ -90,10 +84,7 @@ class _Said:
     """The recorded calls of a program as statements.
 
     Args:
-        log: The calls in order.
         inner: Places of those that are part of another one.
-        source: The text.
-        scene: What the program is about.
     """
 
     def __init__(self, log: list[list[Any]], inner: set[int], source: Source, scene: Scene) -> None:

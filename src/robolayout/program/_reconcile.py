@@ -79,8 +79,6 @@ def reconcile(program: Program, scene: Scene, *, paper: bool = False) -> Reconci
     """Return the program without statements that contradict the room or earlier statements.
 
     Args:
-        program: A program as it was read.
-        scene: Its scene.
         paper: Put a thing always at the wall nearest to its first guess, as the paper does.
     """
     so_far = Accepted(scene, program, paper)

@@ -6,11 +6,13 @@ forms show the same drawing.
 
 from __future__ import annotations
 
+import io
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import pairwise
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 from unicodedata import east_asian_width
 
 from robolayout._text import html, printable
@@ -83,6 +85,39 @@ class Drawing:
         """Add a line of text."""
         self.items.append(Text(at, text, size, **style))  # type: ignore[arg-type]
 
+    def svg(self) -> str:
+        """Return the drawing as SVG text, to scale in millimetres."""
+        w, h = _number(self.width), _number(self.height)
+        rows = [
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{w}mm" height="{h}mm" viewBox="0 0 {w} {h}"'
+            " font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\">",
+            f'<rect width="{w}" height="{h}" fill="{self.background}"/>',
+            *(_svg_text(item) if isinstance(item, Text) else _svg_shape(item) for item in self.items),
+        ]
+        return "\n".join([*rows, "</svg>", ""])
+
+    def pdf(self) -> bytes:
+        """Return the drawing as a PDF page of its own size, to scale."""
+        from robolayout.render._pdf import draw_pdf
+
+        return draw_pdf(self)
+
+    def image(self, width: int = 1200) -> Image:
+        """Return the drawing as an RGB picture `width` pixels wide."""
+        from PIL import Image
+
+        scale = width / self.width
+        size = (width, max(1, round(self.height * scale)))
+        big = Image.new("RGB", (size[0] * SAMPLES, size[1] * SAMPLES), self.background)
+        paint(big, self.items, scale * SAMPLES)
+        return big.reduce(SAMPLES)
+
+    def file(self, suffix: str, width: int = 1200) -> bytes:
+        """Return the content of a file that ends in ".svg", ".pdf" or ".png"; the last is `width` pixels wide."""
+        if suffix == ".svg":
+            return self.svg().encode()
+        return self.pdf() if suffix == ".pdf" else png_bytes(self.image(width))
+
     def moved(self, dx: float, dy: float) -> list[Shape | Text]:
         """Return the items moved by millimetres, to be put on another sheet."""
         from dataclasses import replace
@@ -96,6 +131,12 @@ class Drawing:
             else replace(item, rings=tuple(tuple(map(shift, ring)) for ring in item.rings))
             for item in self.items
         ]
+
+
+def circle(center: Point, radius: float, sides: int = 40) -> list[Point]:
+    """Return a circle as a polygon."""
+    angles = [2 * math.pi * i / sides for i in range(sides)]
+    return [(center[0] + radius * math.cos(a), center[1] + radius * math.sin(a)) for a in angles]
 
 
 def _rings(rings: Iterable[Iterable[Point]]) -> tuple[tuple[Point, ...], ...]:
@@ -133,54 +174,38 @@ def text_width(text: str, size: float) -> float:
     return (font(100, is_latin(narrow)).getlength(narrow) / 100 + len(wide)) * size
 
 
-def draw_svg(drawing: Drawing) -> str:
-    """Return the drawing as SVG text, to scale in millimetres."""
-    w, h = _number(drawing.width), _number(drawing.height)
-    rows = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{w}mm" height="{h}mm" viewBox="0 0 {w} {h}"'
-        " font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\">",
-        f'<rect width="{w}" height="{h}" fill="{drawing.background}"/>',
-    ]
-    for item in drawing.items:
-        if isinstance(item, Text):
-            x, y = _number(item.at[0]), _number(item.at[1])
-            turn = f' transform="rotate({_number(-item.angle)} {x} {y})"' if item.angle else ""
-            halo = (
-                f' stroke="{item.halo}" stroke-width="{_number(0.28 * item.size)}" stroke-linejoin="round" paint-order="stroke"'
-                if item.halo
-                else ""
-            )
-            anchor = "" if item.anchor == "start" else f' text-anchor="{item.anchor}"'
-            width = text_width(item.text, item.size)
-            fit = f' textLength="{_number(width)}" lengthAdjust="spacingAndGlyphs"' if len(item.text) > 2 else ""
-            rows.append(
-                f'<text x="{x}" y="{y}" dy="0.35em" font-size="{_number(item.size)}" fill="{item.color}"{anchor}{fit}{turn}{halo}>'
-                f"{html(item.text)}</text>"
-            )
-            continue
-        path = "".join(
-            "M" + "L".join(f"{_number(x)} {_number(y)}" for x, y in ring) + ("Z" if item.closed else "")
-            for ring in item.rings
-        )
-        style = f'fill="{item.fill or "none"}"' + (' fill-rule="evenodd"' if len(item.rings) > 1 else "")
-        style += f' fill-opacity="{_number(item.opacity)}"' if item.opacity < 1 and item.fill else ""
-        if item.stroke:
-            style += f' stroke="{item.stroke}" stroke-width="{_number(item.width)}" stroke-linejoin="round" stroke-linecap="round"'
-            style += f' stroke-dasharray="{_number(item.dash[0])} {_number(item.dash[1])}"' if item.dash else ""
-        end = f"><title>{html(item.title)}</title></path>" if item.title else "/>"
-        rows.append(f'<path d="{path}" {style}{end}')
-    return "\n".join([*rows, "</svg>", ""])
+def _svg_text(item: Text) -> str:
+    x, y = _number(item.at[0]), _number(item.at[1])
+    turn = f' transform="rotate({_number(-item.angle)} {x} {y})"' if item.angle else ""
+    edge = (
+        f' stroke="{item.halo}" stroke-width="{_number(0.28 * item.size)}" stroke-linejoin="round" paint-order="stroke"'
+    )
+    anchor = "" if item.anchor == "start" else f' text-anchor="{item.anchor}"'
+    width = text_width(item.text, item.size)
+    fit = f' textLength="{_number(width)}" lengthAdjust="spacingAndGlyphs"' if len(item.text) > 2 else ""
+    place = f'x="{x}" y="{y}" dy="0.35em" font-size="{_number(item.size)}" fill="{item.color}"'
+    return f"<text {place}{anchor}{fit}{turn}{edge if item.halo else ''}>{html(item.text)}</text>"
 
 
-def draw_image(drawing: Drawing, width: int) -> Image:
-    """Return the drawing as an RGB picture `width` pixels wide."""
-    from PIL import Image
+def _svg_shape(item: Shape) -> str:
+    path = "".join(
+        "M" + "L".join(f"{_number(x)} {_number(y)}" for x, y in ring) + ("Z" if item.closed else "")
+        for ring in item.rings
+    )
+    style = f'fill="{item.fill or "none"}"' + (' fill-rule="evenodd"' if len(item.rings) > 1 else "")
+    style += f' fill-opacity="{_number(item.opacity)}"' if item.opacity < 1 and item.fill else ""
+    if item.stroke:
+        style += f' stroke="{item.stroke}" stroke-width="{_number(item.width)}" stroke-linejoin="round" stroke-linecap="round"'
+        style += f' stroke-dasharray="{_number(item.dash[0])} {_number(item.dash[1])}"' if item.dash else ""
+    end = f"><title>{html(item.title)}</title></path>" if item.title else "/>"
+    return f'<path d="{path}" {style}{end}'
 
-    scale = width / drawing.width
-    size = (width, max(1, round(drawing.height * scale)))
-    big = Image.new("RGB", (size[0] * SAMPLES, size[1] * SAMPLES), drawing.background)
-    paint(big, drawing.items, scale * SAMPLES)
-    return big.reduce(SAMPLES)
+
+def png_bytes(image: Image) -> bytes:
+    """Return a picture as PNG bytes."""
+    stream = io.BytesIO()
+    image.save(stream, "PNG", compress_level=3)
+    return stream.getvalue()
 
 
 def paint(image: Image, items: Iterable[Shape | Text], scale: float) -> None:
@@ -235,30 +260,14 @@ def _paint_text(image: Image, item: Text, scale: float) -> None:
     anchor = {"start": "l", "middle": "m", "end": "r"}[item.anchor]
     x, y = item.at[0] * scale, item.at[1] * scale
     lift = 0.36 * pixels
+    style: dict[str, Any] = {"fill": item.color, "font": face, "anchor": anchor + "s"}
+    style |= {"stroke_width": edge, "stroke_fill": item.halo}
     if not item.angle:
-        pen = ImageDraw.Draw(image)
-        pen.text(
-            (x, y + lift),
-            text,
-            fill=item.color,
-            font=face,
-            anchor=anchor + "s",
-            stroke_width=edge,
-            stroke_fill=item.halo,
-        )
+        ImageDraw.Draw(image).text((x, y + lift), text, **style)
         return
     side = 2 * (int(face.getlength(text)) + pixels)
     layer = Image.new("RGBA", (side, side), (*_rgb(item.halo or item.color), 0))
-    pen = ImageDraw.Draw(layer)
-    pen.text(
-        (side / 2, side / 2 + lift),
-        text,
-        fill=item.color,
-        font=face,
-        anchor=anchor + "s",
-        stroke_width=edge,
-        stroke_fill=item.halo,
-    )
+    ImageDraw.Draw(layer).text((side / 2, side / 2 + lift), text, **style)
     layer = layer.rotate(item.angle, Image.Resampling.BICUBIC)
     image.paste(layer, (round(x - side / 2), round(y - side / 2)), layer)
 

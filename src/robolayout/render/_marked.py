@@ -10,7 +10,7 @@ from itertools import product
 import numpy as np
 
 from robolayout.render._architecture import THICKNESS, Place
-from robolayout.render._drawing import Drawing, Point, text_width
+from robolayout.render._drawing import Drawing, Point, circle, text_width
 from robolayout.render._labels import LINE, SIZES, Box, Label, Tag, place_labels
 from robolayout.render.contents import cord, display_name, front, has_arrow
 from robolayout.render.marks import PlanMarks
@@ -41,23 +41,23 @@ def draw_marks(sheet: Drawing, marks: PlanMarks, agent: Agent | None, place: Pla
     """Draw turning circles, reach, routes with a dot at their end, and the agent's disc."""
     k = millimetres(place)
     for center, diameter in marks.circles:
-        sheet.polygon([_circle(place(*center), diameter / 2 * k, 72)], None, stroke=TURN, width=0.3, dash=(1.4, 0.8))
+        sheet.polygon([circle(place(*center), diameter / 2 * k, 72)], None, stroke=TURN, width=0.3, dash=(1.4, 0.8))
     for points in marks.arcs:
         fan = [place(*p) for p in points]
         sheet.polygon([fan], REACH, opacity=0.09)
         sheet.line(fan[1:], REACH, width=0.25)
-        sheet.polygon([_circle(fan[0], 0.45)], PAPER, stroke=REACH, width=0.2)
+        sheet.polygon([circle(fan[0], 0.45)], PAPER, stroke=REACH, width=0.2)
     lines = [[place(*p) for p in points] for _, points in sorted(marks.routes.items()) if len(points) > 1]
     for points in lines:
         sheet.line(points, PAPER, width=0.75)
     for points in lines:
         sheet.line(points, ROUTE, width=0.32)
     for points in lines:
-        sheet.polygon([_circle(points[-1], 0.55)], ROUTE, stroke=PAPER, width=0.15)
+        sheet.polygon([circle(points[-1], 0.55)], ROUTE, stroke=PAPER, width=0.15)
     _draw_changes(sheet, marks, place)
     if marks.agent_at is not None and agent is not None:
         at = place(*marks.agent_at)
-        sheet.polygon([_circle(at, agent.radius * k)], ROUTE, opacity=0.22, stroke=ROUTE, width=0.3)
+        sheet.polygon([circle(at, agent.radius * k)], ROUTE, opacity=0.22, stroke=ROUTE, width=0.3)
 
 
 def _draw_changes(sheet: Drawing, marks: PlanMarks, place: Place) -> None:
@@ -81,7 +81,7 @@ def _draw_changes(sheet: Drawing, marks: PlanMarks, place: Place) -> None:
         sheet.line([(ax, ay), neck], PAPER, width=0.9)
         sheet.line([(ax, ay), neck], ROUTE, width=0.4)
         sheet.polygon([[(bx, by), *sides]], ROUTE)
-        sheet.polygon([_circle((ax, ay), 0.5)], PAPER, stroke=ROUTE, width=0.25)
+        sheet.polygon([circle((ax, ay), 0.5)], PAPER, stroke=ROUTE, width=0.25)
 
 
 def _draw_passages(sheet: Drawing, marks: PlanMarks, agent: Agent | None, place: Place, at: Sequence[Point]) -> None:
@@ -149,7 +149,7 @@ def draw_labels(
         obstacles.append(tuple(place(*wall.point(s, d)) for s, d in corners))
     k = millimetres(place)
     lines = [[place(*p) for p in line] for line in marks.routes.values() if len(line) > 1]
-    lines += [_circle(place(*center), diameter / 2 * k, 72) for center, diameter in marks.circles]
+    lines += [circle(place(*center), diameter / 2 * k, 72) for center, diameter in marks.circles]
     lines += [[place(*p) for p in line] for line in (*naming.lines, *marks.arrows)]
     spots = passage_spots(marks, place, lines, obstacles)
     _draw_passages(sheet, marks, agent, place, spots)
@@ -220,12 +220,6 @@ def _draw_label(sheet: Drawing, label: Label) -> None:
         at = label.point(0.0, (number - (len(label.lines) - 1) / 2) * pitch)
         color = QUIET if label.quiet else INK
         sheet.words(at, line, label.size, color=color, angle=label.angle, halo=PAPER if label.halo else None)
-
-
-def _circle(center: Point, radius: float, sides: int = 40) -> list[Point]:
-    """Return a circle as a polygon."""
-    angles = [2 * math.pi * i / sides for i in range(sides)]
-    return [(center[0] + radius * math.cos(a), center[1] + radius * math.sin(a)) for a in angles]
 
 
 def millimetres(place: Place) -> float:

@@ -42,7 +42,6 @@ def progress_gif(
     """Return the optimisation as a GIF: the plan step by step above the curve of the total loss.
 
     Args:
-        scene: The scene.
         trace: Losses and snapshots of the run; one in which nothing moved shows the final layout alone and says so.
         layout: The final layout, added as the last frame and held.
         size: Pixels of the longer side.

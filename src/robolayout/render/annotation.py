@@ -17,7 +17,7 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout._errors import UnknownNameError
-from robolayout.render._drawing import Drawing, Point, Text, paint, text_width
+from robolayout.render._drawing import Drawing, Point, Text, circle, paint, text_width
 from robolayout.render.camera import SIDE_POLAR, Camera, spherical_camera
 from robolayout.render.view import TOP_AZIMUTH, Renderer, Studio, picture_size
 from robolayout.scene import Layout, Room, Scene
@@ -77,7 +77,6 @@ def annotate(
     """Return an annotated view of the room, taken by the paper's camera.
 
     Args:
-        scene: The scene.
         layout: Poses of what is placed so far; it may be empty.
         view: "top" or "side" (45 degrees).
         size: Pixels: a side of a square, or (width, height).
@@ -139,10 +138,7 @@ def draw_marks(color: NDArray[np.uint8], depth: NDArray[np.float32], camera: Cam
     """Return the picture with marks drawn over it.
 
     Args:
-        color: (height, width, 3) the picture.
         depth: (height, width) depths in metres; grid points behind something are faint and carry no numbers.
-        camera: The camera that took it.
-        marks: The annotations.
     """
     from PIL import Image
 
@@ -186,9 +182,9 @@ def _draw_grid(
             continue
         seen = far < float(depth[int(v), int(u)]) + 0.12
         if not seen:
-            sheet.polygon([_disc((u, v), 1.3 * unit)], GRID_COLOR, opacity=0.45)
+            sheet.polygon([circle((u, v), 1.3 * unit, 20)], GRID_COLOR, opacity=0.45)
             continue
-        sheet.polygon([_disc((u, v), 3.0 * unit)], GRID_COLOR, stroke=WHITE, width=0.8 * unit)
+        sheet.polygon([circle((u, v), 3.0 * unit, 20)], GRID_COLOR, stroke=WHITE, width=0.8 * unit)
         column, row = np.round((np.array(mark.place[:2]) - corner) / step).astype(int)
         if column % every == 0 and row % every == 0:
             numbers.append(Text((u, v + 9 * unit), mark.text, NUMBER * unit, color=GRID_COLOR, halo=WHITE))
@@ -219,7 +215,7 @@ def _draw_arrows(sheet: Drawing, fronts: Sequence[Mark], camera: Camera, unit: f
         sheet.polygon([wings], WHITE, stroke=WHITE, width=2.4 * unit)
         sheet.line([(ax, ay), neck], FRONT_COLOR, width=2.6 * unit)
         sheet.polygon([wings], FRONT_COLOR)
-        sheet.polygon([_disc((ax, ay), 3.6 * unit)], FRONT_COLOR, stroke=WHITE, width=0.8 * unit)
+        sheet.polygon([circle((ax, ay), 3.6 * unit, 20)], FRONT_COLOR, stroke=WHITE, width=0.8 * unit)
 
 
 def _draw_tag(sheet: Drawing, mark: Mark, camera: Camera, taken: list[Box], unit: float) -> None:
@@ -229,7 +225,7 @@ def _draw_tag(sheet: Drawing, mark: Mark, camera: Camera, taken: list[Box], unit
     size = (10.0 if mark.small else 12.0) * unit
     w, h = text_width(mark.text, size) + 6 * unit, size + 3 * unit
     if mark.kind != "front":
-        sheet.polygon([_disc((u, v), 3.6 * unit)], color, stroke=WHITE, width=0.8 * unit)
+        sheet.polygon([circle((u, v), 3.6 * unit, 20)], color, stroke=WHITE, width=0.8 * unit)
     reach = 6 * unit
     options: list[tuple[Box, float]] = []
     for ring, (dx, dy) in product((0.0, 14.0, 30.0, 50.0, 75.0), COMPASS):
@@ -259,8 +255,3 @@ def _covered(boxes: Sequence[Box], taken: Sequence[Box]) -> NDArray[np.float64]:
 
 def _holds(box: Box, point: Point) -> bool:
     return box[0] < point[0] < box[2] and box[1] < point[1] < box[3]
-
-
-def _disc(center: Point, radius: float) -> list[Point]:
-    angles = [2 * math.pi * k / 20 for k in range(20)]
-    return [(center[0] + radius * math.cos(a), center[1] + radius * math.sin(a)) for a in angles]

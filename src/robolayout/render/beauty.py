@@ -46,16 +46,10 @@ def render_beauty(  # noqa: PLR0913 - what `render_view` takes, and the paths of
     stand: tuple[float, float] | None = None,
     seed: int = 0,
 ) -> Image:
-    """Return a path-traced picture of the room.
+    """Return a path-traced picture of the room; the other arguments are those of `render_view`.
 
     Args:
-        scene: The scene.
-        layout: Poses; assets without one are not drawn.
-        view: As in `render_view`.
-        size: Pixels: a side of a square, or (width, height).
         samples: Light paths per pixel.
-        agent: Whose eyes an "eye:" view uses.
-        stand: Where it stands, metres in plan (see `render_view`).
         seed: Seed of the light paths.
 
     Raises:

@@ -4,14 +4,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
-from robolayout.render._drawing import Drawing, Point, Shape, draw_image, draw_svg, paint
+from robolayout.render._drawing import Drawing, Point, Shape, circle, paint
 from robolayout.render.palette import FREE, INK, NARROW, QUIET, REACH, ROUTE, TURN
 from robolayout.scene import Agent
-
-if TYPE_CHECKING:
-    from PIL.Image import Image
 
 SCALES = (5, 10, 20, 25, 50, 100)
 """Scales that a drawing may have."""
@@ -43,30 +39,8 @@ def draw_body(agent: Agent) -> Drawing:
     return sheet
 
 
-def body_svg(agent: Agent) -> str:
-    """Return the drawing of a body as SVG text, to scale."""
-    return draw_svg(draw_body(agent))
-
-
-def body_image(agent: Agent, *, width: int = 1200) -> Image:
-    """Return the drawing of a body as an RGB picture `width` pixels wide."""
-    return draw_image(draw_body(agent), width)
-
-
-def body_pdf(agent: Agent) -> bytes:
-    """Return the drawing of a body as a PDF page of its own size, to scale."""
-    from robolayout.render._pdf import draw_pdf
-
-    return draw_pdf(draw_body(agent))
-
-
 def body_text(agent: Agent, *, columns: int = 76) -> str:
-    """Return the outlines of the drawing as lines of Braille characters, for a terminal.
-
-    Args:
-        agent: The body.
-        columns: Characters of a line.
-    """
+    """Return the outlines of the drawing as lines of at most `columns` Braille characters, for a terminal."""
     import numpy as np
     from PIL import Image
 
@@ -102,14 +76,14 @@ def _draw_above(sheet: Drawing, agent: Agent, middle: Point, k: float) -> None:
     x, y = middle
     length, width = (v * k for v in _size(agent))
     if _has_arm(agent):
-        sheet.polygon([_circle(middle, agent.reach * k)], REACH, opacity=0.07, stroke=REACH, width=0.2)
-    sheet.polygon([_circle(middle, agent.radius * k)], FREE, opacity=0.7, stroke=ROUTE, width=0.2, dash=(0.5, 0.6))
+        sheet.polygon([circle(middle, agent.reach * k, 72)], REACH, opacity=0.07, stroke=REACH, width=0.2)
+    sheet.polygon([circle(middle, agent.radius * k, 72)], FREE, opacity=0.7, stroke=ROUTE, width=0.2, dash=(0.5, 0.6))
     if agent.length is not None:
-        sheet.polygon([_circle(middle, _turning(agent) / 2 * k)], None, stroke=TURN, width=0.3, dash=(1.4, 0.8))
+        sheet.polygon([circle(middle, _turning(agent) / 2 * k, 72)], None, stroke=TURN, width=0.3, dash=(1.4, 0.8))
         corners = [(x + sx * length / 2, y + sy * width / 2) for sx, sy in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
         sheet.polygon([corners], ROUTE, opacity=0.25, stroke=ROUTE, width=0.35)
     else:
-        sheet.polygon([_circle(middle, agent.radius * k)], ROUTE, opacity=0.25, stroke=ROUTE, width=0.35)
+        sheet.polygon([circle(middle, agent.radius * k, 72)], ROUTE, opacity=0.25, stroke=ROUTE, width=0.35)
     tip = min(2.0, 0.25 * length)
     sheet.polygon(
         [[(x + length / 2 - 0.4, y), (x + length / 2 - tip, y - 0.6 * tip), (x + length / 2 - tip, y + 0.6 * tip)]],
@@ -187,9 +161,3 @@ def _draw_legend(sheet: Drawing, agent: Agent, at: Point, scale: int) -> None:
 def _metres(value: float) -> str:
     """Return a length in words, to the centimetre or, where that is not all of it, to the millimetre."""
     return f"{value:.2f} m" if abs(value - round(value, 2)) < 5e-4 else f"{value:.3f} m"
-
-
-def _circle(center: Point, radius: float, sides: int = 72) -> list[Point]:
-    """Return a circle as a polygon."""
-    turns = [2 * math.pi * i / sides for i in range(sides)]
-    return [(center[0] + radius * math.cos(t), center[1] + radius * math.sin(t)) for t in turns]

@@ -18,13 +18,7 @@ MOST_COLUMNS = 10
 
 
 def asset_sheet(assets: Sequence[Asset], *, tile: int = 200, seed: int = 0) -> Image:
-    """Return a sheet with a picture of every asset, row by row, its category below it.
-
-    Args:
-        assets: What to draw, in this order.
-        tile: Pixels of each picture's sides.
-        seed: Settles the colours.
-    """
+    """Return a sheet with a picture of every asset, `tile` pixels a side, row by row, its category below it."""
     from PIL import Image, ImageDraw
 
     columns = min(MOST_COLUMNS, math.ceil(math.sqrt(len(assets))))

@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-import io
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from robolayout.render._drawing import Drawing, draw_image, text_width
+from robolayout.render._drawing import Drawing, text_width
 from robolayout.render.palette import INK, QUIET
 from robolayout.scene import Trace
-
-if TYPE_CHECKING:
-    from PIL.Image import Image
 
 COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8c6d31", "#7f7f7f")
 """Line colours, after Okabe and Ito; the total is INK."""
@@ -46,24 +41,12 @@ class Frame:
     bottom: float
 
 
-def loss_png(trace: Trace, *, width: int = 1200) -> bytes:
-    """Return the loss curves as PNG bytes, `width` pixels wide (see `loss_image`)."""
-    stream = io.BytesIO()
-    loss_image(trace, width=width).save(stream, "PNG", compress_level=6)
-    return stream.getvalue()
-
-
-def loss_image(trace: Trace, *, width: int = 1200) -> Image:
-    """Return two panels side by side: the terms of the loss, linear, and log10 of their absolute values.
+def draw_losses(trace: Trace) -> Drawing:
+    """Return two panels side by side, 240 x 92 mm: the terms of the loss, linear, and log10 of their absolute values.
 
     Terms may be absent from any step; a line has a gap there. An empty trace gives empty axes that say so, and one in which
     nothing moved a sentence instead of axes.
     """
-    return draw_image(draw_losses(trace), width)
-
-
-def draw_losses(trace: Trace) -> Drawing:
-    """Return the drawing behind `loss_image`, 240 x 92 mm."""
     sheet = Drawing(240.0, 92.0)
     terms = loss_terms(trace)
     if terms and is_still(trace):

@@ -11,7 +11,7 @@ import shapely
 
 from robolayout.assets import category_of
 from robolayout.render._architecture import THICKNESS, Place, draw_floor, draw_walls, swings
-from robolayout.render._drawing import Drawing, Point, draw_image, text_width
+from robolayout.render._drawing import Drawing, Point, text_width
 from robolayout.render._marked import Naming, draw_labels, draw_marks, millimetres
 from robolayout.render.annotation import DOOR_COLOR, GRID_COLOR, WALL_COLOR, WHITE
 from robolayout.render.contents import draw_contents
@@ -51,14 +51,12 @@ def model_plan(
     """Return the plan of a room for a model: seen from straight above, so that lengths are lengths everywhere.
 
     Args:
-        scene: The scene.
-        layout: Poses of what is placed so far; it may be empty.
         marks: What the body can do there; where things were meant to stand, as ghosts.
         agent: The body, drawn to scale at the entrance.
         size: Pixels of the picture's longer side.
     """
     sheet = _sheet(scene, layout, marks or PlanMarks(), agent)
-    return draw_image(sheet, round(size * sheet.width / max(sheet.width, sheet.height)))
+    return sheet.image(round(size * sheet.width / max(sheet.width, sheet.height)))
 
 
 def _sheet(scene: Scene, layout: Layout, marks: PlanMarks, agent: Agent | None) -> Drawing:
@@ -180,6 +178,3 @@ def _draw_key(sheet: Drawing, scene: Scene, numbers: Mapping[str, str]) -> None:
     if numbers:
         sheet.height = y + TEXT
         sheet.line([(4.0, sheet.height), (sheet.width - 4.0, sheet.height)], QUIET, width=0.1)
-
-
-__all__ = ["model_plan"]

@@ -1,22 +1,20 @@
 """The plan: a room to scale, as an architect would draw it, with what the agent can do in it.
 
-`draw_plan` makes the drawing; `plan_svg`, `plan_image` and `plan_pdf` are its forms.
+`draw_plan` makes the drawing, `draw_comparison` several of them side by side at one scale.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
+from robolayout._errors import InputError
 from robolayout.render._architecture import THICKNESS, Place, draw_floor, draw_walls
-from robolayout.render._drawing import Drawing, Point, draw_image, draw_svg, text_width
+from robolayout.render._drawing import Drawing, Point, text_width
 from robolayout.render._marked import Naming, draw_labels, draw_marks
 from robolayout.render.contents import draw_contents
 from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import BLOCKED, FREE, INK, ISLAND, NARROW, PAPER, QUIET, REACH, ROUTE, TIGHT, TURN
 from robolayout.scene import Agent, Layout, Scene
-
-if TYPE_CHECKING:
-    from PIL.Image import Image
 
 SCALES = (25, 50, 100, 200, 500)
 """Scales that a plan may have."""
@@ -33,6 +31,9 @@ LINES: dict[str, tuple[float, tuple[float, float] | None]] = {
 MARGIN = 6.0
 """Millimetres around the room's walls."""
 
+Panel = tuple[str, Scene, Layout, PlanMarks | None]
+"""Title, scene (its first agent is the panel's body), layout and marks of one plan."""
+
 
 def plan_svg(
     scene: Scene,
@@ -43,35 +44,7 @@ def plan_svg(
     title: str | None = None,
 ) -> str:
     """Return the plan as SVG text, to scale (see `draw_plan`)."""
-    return draw_svg(draw_plan(scene, layout, navigation=navigation, agent=agent, title=title))
-
-
-def plan_image(
-    scene: Scene,
-    layout: Layout,
-    *,
-    navigation: PlanMarks | None = None,
-    agent: Agent | None = None,
-    title: str | None = None,
-    names: bool = True,
-    width: int = 1000,
-) -> Image:
-    """Return the plan as an RGB picture `width` pixels wide (see `draw_plan`)."""
-    return draw_image(draw_plan(scene, layout, navigation=navigation, agent=agent, title=title, names=names), width)
-
-
-def plan_pdf(
-    scene: Scene,
-    layout: Layout,
-    *,
-    navigation: PlanMarks | None = None,
-    agent: Agent | None = None,
-    title: str | None = None,
-) -> bytes:
-    """Return the plan as a PDF page of its own size, to scale (see `draw_plan`)."""
-    from robolayout.render._pdf import draw_pdf
-
-    return draw_pdf(draw_plan(scene, layout, navigation=navigation, agent=agent, title=title))
+    return draw_plan(scene, layout, navigation=navigation, agent=agent, title=title).svg()
 
 
 def draw_plan(
@@ -87,11 +60,9 @@ def draw_plan(
     """Return the plan of a room as a drawing in paper millimetres.
 
     Args:
-        scene: The scene.
         layout: Poses; assets without one are not drawn.
         navigation: What the agent can do: free space, routes, passages, blocked assets.
         agent: The agent, for the legend; None leaves it out.
-        title: A line above the plan.
         names: Whether things are named; finding places for names takes most of the time.
         scale: Denominator of the scale (50 is 1:50); None chooses.
     """
@@ -114,6 +85,27 @@ def draw_plan(
     naming = Naming((1.0, 1.0, sheet.width - 1, sheet.height - 1)) if names else None
     draw_room(sheet, scene, layout, place, marks, agent, naming)
     _draw_foot(sheet, agent, navigation, scale, left)
+    return sheet
+
+
+def draw_comparison(panels: Sequence[Panel]) -> Drawing:
+    """Return plans side by side: all at the scale of the largest room, tops aligned.
+
+    Raises:
+        InputError: There is no panel.
+    """
+    if not panels:
+        raise InputError("a comparison has nothing to show: give at least one (title, scene, layout, marks).")
+    scale = max(plan_scale(scene) for _, scene, _, _ in panels)
+    plans = [
+        draw_plan(scene, layout, navigation=marks, agent=scene.agent, title=title, scale=scale)
+        for title, scene, layout, marks in panels
+    ]
+    sheet = Drawing(sum(plan.width for plan in plans), max(plan.height for plan in plans))
+    left = 0.0
+    for plan in plans:
+        sheet.items += plan.moved(left, 0.0)
+        left += plan.width
     return sheet
 
 

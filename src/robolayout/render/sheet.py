@@ -1,8 +1,7 @@
 """A plan to print: one sheet of paper with the room to scale, its dimensions, a furniture list and what was found.
 
-Paper (A4, else A3), direction, scale and size of the lists are those of the first arrangement that holds everything:
-`draw_sheet` makes the drawing, `sheet_svg`, `sheet_pdf` and `sheet_image` are its forms. A millimetre of the drawing is
-a millimetre of paper, so that lengths can be measured with a ruler.
+Paper (A4, else A3), direction, scale and size of the lists are those of the first arrangement that holds everything.
+A millimetre of the drawing is a millimetre of paper, so that lengths can be measured with a ruler.
 """
 
 from __future__ import annotations
@@ -11,11 +10,10 @@ import math
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 from robolayout.render._architecture import THICKNESS, Place, swings
 from robolayout.render._dimensions import Outline, draw_chains, margin, upright
-from robolayout.render._drawing import Drawing, Point, draw_image, draw_svg, text_width
+from robolayout.render._drawing import Drawing, Point, text_width
 from robolayout.render._furniture import Furniture, furniture
 from robolayout.render._labels import Label
 from robolayout.render._marked import Naming
@@ -24,9 +22,6 @@ from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import INK, QUIET
 from robolayout.render.plan import draw_legend, draw_room, draw_scale_bar
 from robolayout.scene import Agent, Layout, Opening, Scene, Wall
-
-if TYPE_CHECKING:
-    from PIL.Image import Image
 
 PAPERS = {"A4": (210.0, 297.0), "A3": (297.0, 420.0)}
 """Width and height of the papers, millimetres."""
@@ -97,34 +92,12 @@ class _Arranged:
     lines: list[list[Line]]
 
 
-def sheet_svg(scene: Scene, layout: Layout, notes: SheetNotes, *, marks: PlanMarks, agent: Agent) -> str:
-    """Return the sheet as SVG text, in true millimetres (see `draw_sheet`)."""
-    return draw_svg(draw_sheet(scene, layout, notes, marks=marks, agent=agent))
-
-
-def sheet_pdf(scene: Scene, layout: Layout, notes: SheetNotes, *, marks: PlanMarks, agent: Agent) -> bytes:
-    """Return the sheet as a PDF page of A4 or A3, in true millimetres (see `draw_sheet`)."""
-    from robolayout.render._pdf import draw_pdf
-
-    return draw_pdf(draw_sheet(scene, layout, notes, marks=marks, agent=agent))
-
-
-def sheet_image(
-    scene: Scene, layout: Layout, notes: SheetNotes, *, marks: PlanMarks, agent: Agent, width: int = 1600
-) -> Image:
-    """Return the sheet as an RGB picture `width` pixels wide (see `draw_sheet`)."""
-    return draw_image(draw_sheet(scene, layout, notes, marks=marks, agent=agent), width)
-
-
 def draw_sheet(scene: Scene, layout: Layout, notes: SheetNotes, *, marks: PlanMarks, agent: Agent) -> Drawing:
     """Return the sheet as a drawing in paper millimetres.
 
     Args:
-        scene: The scene.
         layout: Poses; assets without one are listed as not placed.
-        notes: What it says beside the drawing.
         marks: What the agent can do; the free space, passages and turning circles are drawn.
-        agent: The body that the room is planned for.
     """
     given = _Given(
         scene, layout, notes, replace(marks, routes={}, arcs=(), agent_at=None), agent, furniture(scene, layout)

@@ -82,7 +82,6 @@ class Studio:
     """One scene and layout, ready to be drawn from anywhere.
 
     Args:
-        scene: The scene.
         layout: Poses; assets without one are not drawn.
         renderer: "gl" for OpenGL on EGL, "rays" for ray casting, "auto" for the first that works here.
         seed: Seed of the parametric meshes.
@@ -226,12 +225,10 @@ def render_view(
     """Return a picture of the room.
 
     Args:
-        scene: The scene.
         layout: Poses; assets without one are not drawn.
         view: "top", "side" (45 degrees, from where most is seen), an asset's name (close up, from its front), or
             "eye:ASSET": what the agent sees when it looks at that asset.
         size: Pixels: a side of a square, or (width, height).
-        renderer: "auto", "gl" or "rays".
         agent: Whose eyes an "eye:" view uses; None takes the scene's first agent.
         stand: Where it stands, metres in plan; None is the landing of the first door, or the middle of the room.
 

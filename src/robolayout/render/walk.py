@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from robolayout._errors import InputError
 from robolayout.assets.obstacles import pieces
-from robolayout.render._drawing import Drawing, Item, paint
+from robolayout.render._drawing import Drawing, Item, circle, paint
 from robolayout.render._tour import Leg, tour
 from robolayout.render.animation import HOLD, SHEET, Stage, draw_names, save_gif
 from robolayout.render.contents import display_name, draw_contents
@@ -61,9 +61,6 @@ def walk_gif(
     it may slide sideways or back out.
 
     Args:
-        scene: The scene.
-        layout: The layout.
-        marks: Routes and free space.
         agent: The body; None takes the scene's first agent.
         size: Pixels of the longer side.
         frames: Most frames.
@@ -241,8 +238,7 @@ def _outline(body: Agent, pose: Pose) -> list[Point]:
     """Return the outline of the agent in metres: its rectangle if it has one, else its disc."""
     if body.length is not None and body.width is not None:
         return list(pose.corners((body.length, body.width, 0.0)))
-    angles = [2 * math.pi * k / 32 for k in range(32)]
-    return [(pose.x + body.radius * math.cos(a), pose.y + body.radius * math.sin(a)) for a in angles]
+    return circle((pose.x, pose.y), body.radius, 32)
 
 
 def _arrow(body: Agent, pose: Pose) -> list[Point]:

@@ -39,11 +39,7 @@ def conflicts(
     """Return for each unmet statement, by its number, what it lost to, in words.
 
     Args:
-        scene: What was given.
-        reconciled: The program after the filter.
-        layout: The layout that was found.
         said: The user's words by the statements that they ask for; a wish that stands against another is called by them.
-        seed: Settles where is looked.
     """
     found = {d.statement.number: f"the filter, {d.reason}" for d in reconciled.decisions if d.verdict != "accepted"}
     program = reconciled.program

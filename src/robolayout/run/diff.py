@@ -70,12 +70,7 @@ class Difference:
 
 
 def diff(before: Result, after: Result) -> Difference:
-    """Return what differs between two layouts, each with its report.
-
-    Args:
-        before: The one, from `generate` or `judge`.
-        after: The other; the scenes may differ.
-    """
+    """Return what differs between two layouts, each with its report, from `generate` or `judge`; their scenes may differ."""
     things = sorted(_things(before, after), key=lambda change: (-change.metres, -change.degrees))
     judged = [*_figures(before.report, after.report), *_violations(before.report, after.report)]
     judged += _statements(before.report, after.report)

@@ -15,13 +15,7 @@ if TYPE_CHECKING:
 
 
 def dressed(result: Result, amount: str, *, seed: int) -> Result:
-    """Return a run's room with small things on its surfaces; what the judge does not pass is left out.
-
-    Args:
-        result: The run.
-        amount: One of `DRESSINGS`.
-        seed: Settles what lies where.
-    """
+    """Return a run's room with small things on its surfaces (`DRESSINGS`); what the judge does not pass is left out."""
     wall, cpu = time.perf_counter(), time.process_time()
     found = _passed(result.layout, dress(result.scene, result.layout, amount, seed=seed))
     if not found.names:

@@ -320,13 +320,9 @@ def solve(  # noqa: PLR0913 - as `generate`
     """Solve a program, selecting by exact verification.
 
     Args:
-        scene: The scene.
         program: A program, or its text (read and filtered first).
-        seed: Settles every choice.
         solver: Name of a solver: "default", "paper", "paper-unrefined", "trust-constr" or "dual-annealing".
-        config: Constants of the default solver.
         pinned: Poses that must stay.
-        progress: Called with the name of each phase.
         built: Poses of what no program places, where they are known.
     """
     if isinstance(program, str):

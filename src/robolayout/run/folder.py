@@ -58,9 +58,6 @@ class RunFolder:
 def open_folder(target: Path) -> Generator[RunFolder]:
     """Give a place to write a run to, and put it in place of the target when the block ends; if it fails, nothing changes.
 
-    Args:
-        target: The output folder; made if missing.
-
     Raises:
         OutputError: It cannot be written, or another run writes to it.
     """

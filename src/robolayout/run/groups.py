@@ -75,17 +75,7 @@ class _Reopen:
 
 
 class GroupedRun:
-    """The loop over groups.
-
-    Args:
-        scene: What is given.
-        planner: Who is asked.
-        finisher: Filters and solves programs.
-        wishes: What the user's words ask for.
-        seed: Settles every choice.
-        clock: Where seconds are counted.
-        say: Told the name of each phase.
-    """
+    """The loop over groups."""
 
     def __init__(
         self,

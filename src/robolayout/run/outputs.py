@@ -12,7 +12,7 @@ from robolayout._files import write_atomic
 from robolayout._text import file_name
 from robolayout.export import Options, export, find_exporter, to_bytes
 from robolayout.page.marks import plan_marks
-from robolayout.render import PlanMarks, png_bytes
+from robolayout.render import Drawing, PlanMarks, png_bytes
 from robolayout.run.folder import RunFolder, open_folder
 from robolayout.scene import scene_to_dict
 from robolayout.verify import AgentReport, Report
@@ -42,9 +42,6 @@ def write_result(
     run stays; if it has the name of one of our files, it gets `.kept` at its end.
 
     Args:
-        result: The run, or the judged layout.
-        folder: Where to write; made if missing.
-        pictures: Whether to draw.
         formats: Export formats beside GLB ("usda", "mjcf"); see `robolayout.export.EXPORTERS`.
         date: What the sheet to print gives as the date; nothing leaves it out.
 
@@ -119,7 +116,7 @@ def _texts(result: Result, folder: Path) -> Iterator[tuple[str, str]]:
 
 
 def _pictures(result: Result, glb: bytes, date: str, looks: int) -> Iterator[tuple[str, str | bytes]]:
-    from robolayout.render import Studio, loss_png, plan_svg, progress_gif
+    from robolayout.render import Studio, draw_losses, plan_svg, progress_gif
 
     marks = [plan_marks(body) for body in result.report.agents]
     yield "report.html", _page(result, glb, marks)
@@ -132,71 +129,40 @@ def _pictures(result: Result, glb: bytes, date: str, looks: int) -> Iterator[tup
     yield "view.png", png_bytes(studio.view("side", size=PICTURE_SIZE))
     if result.trace.losses:
         yield "progress.gif", progress_gif(result.scene, result.trace, layout=result.layout)
-        yield "loss.png", loss_png(result.trace)
+        yield "loss.png", draw_losses(result.trace).file(".png")
 
 
 def comparison(results: Sequence[Result], suffix: str = ".png", *, width: int = 1800) -> bytes:
-    """Return the plans of several runs side by side.
-
-    Args:
-        results: The runs, from left to right.
-        suffix: ".png" or ".svg".
-        width: Pixels of the PNG's width.
-    """
-    from robolayout.render import compare_image, compare_svg
-
-    panels = [
-        (f"{run.scene.name} for {_body(run.report.agents[0])}", run.scene, run.layout, plan_marks(run.report.agents[0]))
-        for run in results
-    ]
-    if suffix == ".svg":
-        return compare_svg(panels).encode()
-    return png_bytes(compare_image(panels, width=width).quantize(256))
+    """Return the plans of several runs side by side as the content of a PNG (`width` in pixels) or SVG file."""
+    drawing = _side_by_side([(f"{run.scene.name} for {_body(run.report.agents[0])}", run) for run in results])
+    return drawing.svg().encode() if suffix == ".svg" else png_bytes(drawing.image(width).quantize(256))
 
 
 def difference_picture(found: Difference, suffix: str = ".png", *, width: int = 1400) -> bytes:
-    """Return two layouts in one plan, with arrows from then to now; side by side if they are of different rooms.
-
-    Args:
-        found: What differs.
-        suffix: ".png" or ".svg".
-        width: Pixels of the PNG's width.
-    """
-    from robolayout.render import compare_image, compare_svg, plan_image, plan_svg
+    """Return two layouts in one plan, with arrows from then to now; side by side if they are of different rooms."""
+    from robolayout.render import draw_plan
 
     before, after = found.before, found.after
     if before.scene.room == after.scene.room:
-        if suffix == ".svg":
-            return plan_svg(after.scene, after.layout, navigation=found.marks()).encode()
-        return png_bytes(plan_image(after.scene, after.layout, navigation=found.marks(), width=width))
-    panels = [
-        (when, side.scene, side.layout, plan_marks(side.report.agents[0]))
-        for when, side in (("before", before), ("after", after))
-    ]
-    return compare_svg(panels).encode() if suffix == ".svg" else png_bytes(compare_image(panels, width=width))
+        return draw_plan(after.scene, after.layout, navigation=found.marks()).file(suffix, width)
+    return _side_by_side([("before", before), ("after", after)]).file(suffix, width)
+
+
+def _side_by_side(titled: Sequence[tuple[str, Result]]) -> Drawing:
+    from robolayout.render import draw_comparison
+
+    return draw_comparison([(title, r.scene, r.layout, plan_marks(r.report.agents[0])) for title, r in titled])
 
 
 def sheet(report: Report, suffix: str = ".pdf", *, date: str = "", width: int = 1600) -> bytes:
-    """Return the sheet to print for the first body of a report.
-
-    Args:
-        report: What the judge says of a layout.
-        suffix: ".pdf", ".svg" or ".png".
-        date: What the title block gives as the date; nothing leaves it out.
-        width: Pixels of the PNG's width.
-    """
+    """Return the sheet to print for the first body of a report; `date` is what its title block says."""
     from robolayout.page.marks import sheet_marks
     from robolayout.page.notes import sheet_notes
-    from robolayout.render import sheet_image, sheet_pdf, sheet_svg
+    from robolayout.render import draw_sheet
 
-    first = report.agents[0]
-    given = (report.scene, report.layout, sheet_notes(report, date))
-    marks, agent = sheet_marks(first), first.agent
-    if suffix == ".pdf":
-        return sheet_pdf(*given, marks=marks, agent=agent)
-    if suffix == ".svg":
-        return sheet_svg(*given, marks=marks, agent=agent).encode()
-    return png_bytes(sheet_image(*given, marks=marks, agent=agent, width=width))
+    first, notes = report.agents[0], sheet_notes(report, date)
+    drawing = draw_sheet(report.scene, report.layout, notes, marks=sheet_marks(first), agent=first.agent)
+    return drawing.file(suffix, width)
 
 
 def _body(report: AgentReport) -> str:

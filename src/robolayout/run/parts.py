@@ -22,11 +22,7 @@ def about(program: Program, group: Group, here: Scene, before: tuple[Statement, 
 
 
 def joined(parts: Sequence[tuple[Group, Program]]) -> Program:
-    """Return one program that says what the groups' programs say, in plain statements under a heading for each group.
-
-    Args:
-        parts: Each group with its own statements and guesses.
-    """
+    """Return one program that says what the groups' programs say, in plain statements under a heading for each group."""
     lines: list[str] = []
     statements, wishes = list[Statement](), list[Statement]()
     guesses: dict[str, Guess] = {}

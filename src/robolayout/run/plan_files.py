@@ -6,23 +6,23 @@ the judge, the pictures and the formats, which do not know each other.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from robolayout.export import Exporter, Options
 from robolayout.render import PlanMarks
 from robolayout.scene import Layout, Scene
 
 
-def _svg(scene: Scene, layout: Layout, options: Options) -> bytes:
-    """Return the plan as SVG."""
-    from robolayout.render import plan_svg
+def _plan(suffix: str) -> Callable[[Scene, Layout, Options], bytes]:
+    """Return what makes the plan as a file that ends so."""
 
-    return plan_svg(scene, layout, navigation=_marks(scene, layout, options), agent=options.agent).encode()
+    def made(scene: Scene, layout: Layout, options: Options) -> bytes:
+        from robolayout.render import draw_plan
 
+        marks = _marks(scene, layout, options)
+        return draw_plan(scene, layout, navigation=marks, agent=options.agent).file(suffix)
 
-def _pdf(scene: Scene, layout: Layout, options: Options) -> bytes:
-    """Return the plan as PDF."""
-    from robolayout.render import plan_pdf
-
-    return plan_pdf(scene, layout, navigation=_marks(scene, layout, options), agent=options.agent)
+    return made
 
 
 def _marks(scene: Scene, layout: Layout, options: Options) -> PlanMarks | None:
@@ -35,5 +35,5 @@ def _marks(scene: Scene, layout: Layout, options: Options) -> PlanMarks | None:
     return plan_marks(judge_agent(scene, layout, options.agent))
 
 
-SVG = Exporter("svg", ".svg", "the plan as a picture to scale, with free space and routes", None, _svg)
-PDF = Exporter("pdf", ".pdf", "the same as a page to print, to scale", None, _pdf)
+SVG = Exporter("svg", ".svg", "the plan as a picture to scale, with free space and routes", None, _plan(".svg"))
+PDF = Exporter("pdf", ".pdf", "the same as a page to print, to scale", None, _plan(".pdf"))

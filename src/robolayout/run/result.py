@@ -62,8 +62,6 @@ def judge(scene: Scene, layout: Layout, program: str | Path | None = None) -> Re
     """Judge a layout, whoever made it.
 
     Args:
-        scene: What was given.
-        layout: Poses.
         program: File of the program whose statements are measured as well.
     """
     wishes, said = read_words(scene), Program()
@@ -84,7 +82,6 @@ def load_judged(
     Args:
         path: A folder with `scene.json` and `layout.json`, or a layout file.
         scene: The scene of the layout; None takes the folder's own.
-        read_scene: Reads a scene file.
         program: File of the program whose statements are measured; None takes the folder's own, if there is one.
 
     Raises:

@@ -21,9 +21,6 @@ def room_pictures(scene: Scene, layout: Layout, new: Sequence[str], pictures: Pi
     """Return the plan and the annotated views of a room, and one picture per kind of thing to place.
 
     Args:
-        scene: The scene.
-        layout: What is placed.
-        new: Names of the things to place.
         pictures: "drawn", "named" (the names with no bytes) or "none".
     """
     kinds = sorted({scene.by_name[name].variable: name for name in reversed(new)}.values())
@@ -50,13 +47,7 @@ def finished_pictures(scene: Scene, layout: Layout, pictures: Pictures) -> dict[
 
 
 def failed_picture(report: Report, asked: Program, mine: Collection[str]) -> bytes:
-    """Return the plan of what came of a program, with where it had put its things and arrows from there.
-
-    Args:
-        report: What the judge says of the layout.
-        asked: The program.
-        mine: Names of the things that it is about.
-    """
+    """Return the plan of what came of a program, with where it had put its things and arrows from there."""
     from robolayout.page.marks import plan_marks
     from robolayout.render import model_plan, png_bytes
 

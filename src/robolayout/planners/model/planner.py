@@ -127,7 +127,6 @@ class ModelPlanner:
         """Return a scene for a sentence, and what was understood; by rules where the model cannot.
 
         Args:
-            text: One or a few sentences.
             assets: Folder of a user's own assets; its catalogue's things are offered beside the built-in ones.
         """
         reader = Furnisher(text, assets)
@@ -202,8 +201,6 @@ class ModelPlanner:
         """Return the model's own rating of a finished room.
 
         Args:
-            scene: The scene.
-            layout: Where its things stand.
             images: "finished top" and "finished side" as PNG bytes.
             report: What the judge measured, in words.
         """

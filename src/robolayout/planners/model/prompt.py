@@ -67,7 +67,6 @@ def request_text(scene: Scene, group: Group | None, *, names: bool = False) -> s
     """Return what is asked: the task, the room, the agents, and the things to place.
 
     Args:
-        scene: The scene.
         group: The things to place; None places all.
         names: Show the things under their names ("bed-0") instead of their variables ("bed[0]").
     """

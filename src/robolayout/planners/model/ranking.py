@@ -42,12 +42,7 @@ class Score:
 
 
 def score_samples(figures: Sequence[Mapping[str, float | bool]], programs: Sequence[Program]) -> tuple[Score, ...]:
-    """Return one score per sample.
-
-    Args:
-        figures: `Report.figures` of each sample.
-        programs: Its program, as asked.
-    """
+    """Return one score per sample, of its `Report.figures` and its program as asked."""
     agreed = agreement(programs)
     return tuple(
         Score(_mean(row, HARD), _access(row), float(row["statements_met_share"]), shared)

@@ -96,7 +96,6 @@ class Furnisher:
     """Reads what a model answered to a sentence.
 
     Args:
-        text: The sentence.
         folder: Folder of a user's own assets, with a catalogue or without.
     """
 
