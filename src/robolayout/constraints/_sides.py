@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import ClassVar
+
 from robolayout.constraints._exact import GAP_TOLERANCE, footprint, frame, half_size
 from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome
+from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FAR, FrameTerm, Interval, Term
 from robolayout.scene import Layout, Scene
 
@@ -42,3 +45,23 @@ def side_outcome(
     where = "at the side" if side == "beside" else f"on the {side} side"
     text = f"{gaps[side]:.2f} m {where} of {b}" + (f", {slip:.2f} m past its end" if slip > GAP_TOLERANCE else "")
     return Outcome(met, gaps[side], limit, "m", text)
+
+
+@dataclass(frozen=True)
+class SideRelation(Relation):
+    """`a` stands on one `side` of `b`, as b sees it, with `min_gap` to `max_gap` m between their edges."""
+
+    side: ClassVar[str]
+
+    a: AssetRef = argument("asset")
+    b: AssetRef = argument("asset")
+    min_gap: float = argument("number", unit="m", default=0.0)
+    max_gap: float = argument("number", unit="m", default=1.0)
+
+    def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
+        """Return one row in b's frame."""
+        return side_terms(self.a, self.b, self.side, (self.min_gap, self.max_gap), scene)
+
+    def check(self, scene: Scene, layout: Layout) -> Outcome:
+        """Gap within [min_gap - 0.05, max_gap + 0.05] m, centre within b's extent along that side."""
+        return side_outcome(self.a, self.b, self.side, (self.min_gap, self.max_gap), scene, layout)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.constraints._exact import GAP_TOLERANCE, frame, half_size
 from robolayout.constraints._refs import AssetRef
@@ -19,8 +18,8 @@ BEHIND = 0.3
 class Above(Relation):
     """The centre of `a` is over `b`, or over the wall right behind it; the height is that at which such a thing hangs."""
 
-    name: ClassVar[str] = "above"
-    example: ClassVar[str] = "solver.above(picture[0], bed[0])"
+    name = "above"
+    example = "solver.above(picture[0], bed[0])"
 
     a: AssetRef = argument("asset")
     b: AssetRef = argument("asset")

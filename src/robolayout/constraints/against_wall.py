@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 from robolayout.constraints._exact import ANGLE_TOLERANCE, GAP_TOLERANCE, angle_between, footprint, frame
 from robolayout.constraints._refs import AssetRef, WallRef
@@ -45,12 +44,10 @@ def wall_outcome(a: AssetRef, wall: WallRef, scene: Scene, layout: Layout) -> Ou
 class AgainstWall(Relation):
     """The back of `a` stands at `wall` (None: any wall) and `a` faces into the room; `weight` says how much it matters."""
 
-    name: ClassVar[str] = "against_wall"
-    orients: ClassVar[bool] = True
-    surrogate: ClassVar[bool] = (
-        True  # its whole width stays within the ends of the wall, where the check wants some of it
-    )
-    example: ClassVar[str] = "solver.against_wall(bed[0], walls[2])"
+    name = "against_wall"
+    orients = True
+    surrogate = True  # its whole width stays within the ends of the wall, where the check wants some of it
+    example = "solver.against_wall(bed[0], walls[2])"
 
     a: AssetRef = argument("asset")
     wall: WallRef | None = argument("wall", "none", default=None)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 from robolayout.constraints._exact import ANGLE_TOLERANCE, angle_between, frame
 from robolayout.constraints._refs import AssetRef, WallRef
@@ -17,9 +16,9 @@ from robolayout.scene import Layout, Scene
 class AlignWith(Relation):
     """The front of `a` is turned by `angle` degrees (counter-clockwise) from that of `b`, or a wall's direction; room: square to any."""
 
-    name: ClassVar[str] = "align_with"
-    orients: ClassVar[bool] = True
-    example: ClassVar[str] = "solver.align_with(monitor[0], desk[0])"
+    name = "align_with"
+    orients = True
+    example = "solver.align_with(monitor[0], desk[0])"
 
     a: AssetRef = argument("asset")
     b: AssetRef | WallRef | None = argument("asset", "wall", "room", default=None)

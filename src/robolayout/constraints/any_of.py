@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.constraints._refs import AssetRef, Ref
 from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
@@ -15,10 +14,10 @@ from robolayout.scene import Layout, Scene
 class AnyOf(Relation):
     """At least one of `choices` holds, whichever: each a statement, or a list of statements that hold together."""
 
-    name: ClassVar[str] = "any_of"
-    moves: ClassVar[tuple[str, ...]] = ("choices",)
-    surrogate: ClassVar[bool] = True  # as what it is made of
-    example: ClassVar[str] = "solver.any_of([solver.corner(plant[0], 0), solver.near(plant[0], sofa[0])])"
+    name = "any_of"
+    moves = ("choices",)
+    surrogate = True  # as what it is made of
+    example = "solver.any_of([solver.corner(plant[0], 0), solver.near(plant[0], sofa[0])])"
 
     choices: tuple[Way, ...] = argument("statement", many=True)
 

@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
-from typing import ClassVar
 
 from robolayout.constraints._assignment import assignment
 from robolayout.constraints._exact import ANGLE_TOLERANCE, GAP_TOLERANCE, facing_error, footprint, frame, half_size
@@ -93,11 +92,11 @@ def shares(count: int, table: tuple[float, float], width: float) -> dict[str, in
 class Around(Relation):
     """The `items` stand evenly around `b`, `gap` m from its edge (None: as people leave them, under it), each facing it."""
 
-    name: ClassVar[str] = "around"
-    moves: ClassVar[tuple[str, ...]] = ("items",)
-    orients: ClassVar[bool] = True
-    surrogate: ClassVar[bool] = True  # each at a place of its own, where the check takes any at the edge
-    example: ClassVar[str] = "solver.around([chair[0], chair[1], chair[2], chair[3]], dining_table[0])"
+    name = "around"
+    moves = ("items",)
+    orients = True
+    surrogate = True  # each at a place of its own, where the check takes any at the edge
+    example = "solver.around([chair[0], chair[1], chair[2], chair[3]], dining_table[0])"
 
     items: tuple[AssetRef, ...] = argument("asset", many=True)
     b: AssetRef = argument("asset")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 from robolayout.constraints._exact import GAP_TOLERANCE, footprint, frame
 from robolayout.constraints._refs import AssetRef, WallRef
@@ -19,8 +18,8 @@ CLOSE = 0.3
 class AtWindow(Relation):
     """`a` stands at a `window` (its number; None: any): its middle before the window, at most 0.3 m from the wall."""
 
-    name: ClassVar[str] = "at_window"
-    example: ClassVar[str] = "solver.at_window(desk[0])"
+    name = "at_window"
+    example = "solver.at_window(desk[0])"
 
     a: AssetRef = argument("asset")
     window: int | None = argument("integer", "none", default=None)

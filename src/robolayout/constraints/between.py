@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
 
 from shapely import LineString
 
@@ -25,10 +24,10 @@ ENDS = 0.2
 class BetweenTwo(Relation):
     """`a` stands between `b` and `c`: at most 0.5 m from the line between their middles, and not past its ends."""
 
-    name: ClassVar[str] = "between"
-    as_guessed: ClassVar[bool] = True
-    surrogate: ClassVar[bool] = True  # its middle near the line as b and c are guessed, where the check takes its edge
-    example: ClassVar[str] = "solver.between(side_table[0], armchair[0], armchair[1])"
+    name = "between"
+    as_guessed = True
+    surrogate = True  # its middle near the line as b and c are guessed, where the check takes its edge
+    example = "solver.between(side_table[0], armchair[0], armchair[1])"
 
     a: AssetRef = argument("asset")
     b: AssetRef | PointRef = argument("asset", "point")

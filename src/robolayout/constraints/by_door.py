@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.constraints._refs import AssetRef, PointRef
 from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
@@ -16,9 +15,9 @@ from robolayout.scene import Layout, Scene
 class ByDoor(Relation):
     """`a` stands by a door, whichever: at most `max_gap` m from the middle of its threshold."""
 
-    name: ClassVar[str] = "by_door"
-    surrogate: ClassVar[bool] = True  # the disc inside a within the distance, where the check takes its nearest edge
-    example: ClassVar[str] = "solver.by_door(coat_rack[0])"
+    name = "by_door"
+    surrogate = True  # the disc inside a within the distance, where the check takes its nearest edge
+    example = "solver.by_door(coat_rack[0])"
 
     a: AssetRef = argument("asset")
     max_gap: float = argument("number", unit="m", default=1.4)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.constraints._exact import frame, point_ref
 from robolayout.constraints._refs import AssetRef, Ref
@@ -20,8 +19,8 @@ ABOVE_TOLERANCE = 0.15
 class CeilingAbove(Relation):
     """`a` hangs from the ceiling above the middle of `b`; None is the middle of the room."""
 
-    name: ClassVar[str] = "ceiling_above"
-    example: ClassVar[str] = "solver.ceiling_above(pendant_lamp[0], dining_table[0])"
+    name = "ceiling_above"
+    example = "solver.ceiling_above(pendant_lamp[0], dining_table[0])"
 
     a: AssetRef = argument("asset")
     b: Ref | None = argument("asset", "point", "room", default=None)

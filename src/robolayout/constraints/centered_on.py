@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.constraints._exact import frame, point_ref
 from robolayout.constraints._refs import AssetRef, PointRef, Ref, WallRef
@@ -22,8 +21,8 @@ MIDDLE = Interval(0.0, 0.0)
 class CenteredOn(Relation):
     """`a` is centred on `b`: along a wall, over an asset (wall things and `axis` "side": sideways only), on a point or the room (None)."""
 
-    name: ClassVar[str] = "centered_on"
-    example: ClassVar[str] = "solver.centered_on(picture[0], bed[0])"
+    name = "centered_on"
+    example = "solver.centered_on(picture[0], bed[0])"
 
     a: AssetRef = argument("asset")
     b: Ref | None = argument("asset", "wall", "point", "room", default=None)

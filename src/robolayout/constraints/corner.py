@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 from robolayout.constraints._exact import GAP_TOLERANCE, footprint, frame, shape
 from robolayout.constraints._refs import AssetRef, WallRef
@@ -30,8 +29,8 @@ def convex_corners(room: Room) -> tuple[int, ...]:
 class Corner(Relation):
     """`a` stands in a corner of the room, close to both walls; `vertex` picks the corner, None takes the nearest one."""
 
-    name: ClassVar[str] = "corner"
-    example: ClassVar[str] = "solver.corner(plant[0])"
+    name = "corner"
+    example = "solver.corner(plant[0])"
 
     a: AssetRef = argument("asset")
     vertex: int | None = argument("integer", "none", default=None)

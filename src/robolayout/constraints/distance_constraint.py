@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
 
 from shapely import Point
 
@@ -19,8 +18,8 @@ from robolayout.scene import Layout, Scene
 class DistanceConstraint(Relation):
     """The centre of `a` is `min_distance` to `max_distance` m from `b` (from a wall: its segment); None is open; `weight`."""
 
-    name: ClassVar[str] = "distance_constraint"
-    example: ClassVar[str] = "solver.distance_constraint(armchair[0], coffee_table[0], 0.8, 1.4)"
+    name = "distance_constraint"
+    example = "solver.distance_constraint(armchair[0], coffee_table[0], 0.8, 1.4)"
 
     a: AssetRef = argument("asset")
     b: Ref = argument("asset", "wall", "point")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
 
 from shapely import Polygon
 
@@ -23,10 +22,10 @@ CLEAR_HEIGHT = 2.0
 class DoorClear(Relation):
     """Nothing below 2 m stands within a door's width and 0.9 m of it, nor where a leaf swings in; rugs may lie there."""
 
-    name: ClassVar[str] = "door_clear"
-    hard: ClassVar[bool] = True
-    implicit: ClassVar[bool] = True
-    example: ClassVar[str] = ""
+    name = "door_clear"
+    hard = True
+    implicit = True
+    example = ""
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one strip per door, in the frame of its wall."""

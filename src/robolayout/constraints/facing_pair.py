@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.constraints._exact import ANGLE_TOLERANCE, facing_error
 from robolayout.constraints._refs import AssetRef
@@ -16,10 +15,10 @@ from robolayout.scene import Layout, Scene
 class FacingPair(Relation):
     """`a` and `b` look at each other."""
 
-    name: ClassVar[str] = "facing_pair"
-    moves: ClassVar[tuple[str, ...]] = ("a", "b")
-    orients: ClassVar[bool] = True
-    example: ClassVar[str] = "solver.facing_pair(armchair[0], armchair[1])"
+    name = "facing_pair"
+    moves = ("a", "b")
+    orients = True
+    example = "solver.facing_pair(armchair[0], armchair[1])"
 
     a: AssetRef = argument("asset")
     b: AssetRef = argument("asset")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.constraints._neighbours import Link, link_terms, links_outcome
 from robolayout.constraints._refs import AssetRef
@@ -16,10 +15,10 @@ from robolayout.scene import Layout, Scene
 class Grid(Relation):
     """The `items` fill `rows` x `columns`, row by row to the right and backwards, `aisle` m between rows, `gap` m (None: aisle) beside."""
 
-    name: ClassVar[str] = "grid"
-    moves: ClassVar[tuple[str, ...]] = ("items",)
-    orients: ClassVar[bool] = True
-    example: ClassVar[str] = "solver.grid([desk[i] for i in range(6)], 2, 3, aisle=1.2, gap=0.9)"
+    name = "grid"
+    moves = ("items",)
+    orients = True
+    example = "solver.grid([desk[i] for i in range(6)], 2, 3, aisle=1.2, gap=0.9)"
 
     items: tuple[AssetRef, ...] = argument("asset", many=True)
     rows: int = argument("integer")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from shapely.ops import nearest_points
 
@@ -19,12 +18,10 @@ from robolayout.scene import Layout, Scene
 class Grouped(Relation):
     """`a` stands near one of `items`, whichever, at most `max_gap` m from edge to edge."""
 
-    name: ClassVar[str] = "grouped"
-    as_guessed: ClassVar[bool] = True
-    surrogate: ClassVar[bool] = (
-        True  # the disc inside a close to one point of it, where the check takes the nearest edges
-    )
-    example: ClassVar[str] = "solver.grouped(armchair[0], [bookshelf[0], bookshelf[1]], 0.8)"
+    name = "grouped"
+    as_guessed = True
+    surrogate = True  # the disc inside a close to one point of it, where the check takes the nearest edges
+    example = "solver.grouped(armchair[0], [bookshelf[0], bookshelf[1]], 0.8)"
 
     a: AssetRef = argument("asset")
     items: tuple[AssetRef, ...] = argument("asset", many=True)

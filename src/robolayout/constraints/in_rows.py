@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.constraints._exact import ANGLE_TOLERANCE, GAP_TOLERANCE, Frame, angle_between, frame
 from robolayout.constraints._refs import AssetRef
@@ -17,10 +16,10 @@ from robolayout.scene import Layout, Scene
 class InRows(Relation):
     """The `items` stand in straight rows, at least `aisle` m between rows and `gap` m beside; `backs` "paired": back to back in pairs."""
 
-    name: ClassVar[str] = "in_rows"
-    moves: ClassVar[tuple[str, ...]] = ("items",)
-    surrogate: ClassVar[bool] = True  # each keeps the row that it is in, where the check takes any row
-    example: ClassVar[str] = "solver.in_rows([desk[0], desk[1], desk[2], desk[3]], aisle=1.2, gap=0.6)"
+    name = "in_rows"
+    moves = ("items",)
+    surrogate = True  # each keeps the row that it is in, where the check takes any row
+    example = "solver.in_rows([desk[0], desk[1], desk[2], desk[3]], aisle=1.2, gap=0.6)"
 
     items: tuple[AssetRef, ...] = argument("asset", many=True)
     aisle: float = argument("number", unit="m", default=1.0)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.assets import Surface
 from robolayout.assets.surfaces import inner_surfaces
@@ -15,8 +14,8 @@ from robolayout.scene import Asset, Scene
 class Inside(OnTopOf):
     """`a` stands in `b`: on a shelf or in a drawer that can hold it, on the `surface` named so ("shelf 2"), in a box or basket."""
 
-    name: ClassVar[str] = "inside"
-    example: ClassVar[str] = 'solver.inside(box[0], bookshelf[0], surface="shelf 2")'
+    name = "inside"
+    example = 'solver.inside(box[0], bookshelf[0], surface="shelf 2")'
 
     @staticmethod
     def usual(lower: Asset) -> tuple[Surface, ...]:

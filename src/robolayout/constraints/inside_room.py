@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from shapely import Polygon
 
@@ -21,10 +20,10 @@ INSIDE_TOLERANCE = 0.01
 class InsideRoom(Relation):
     """Every footprint lies inside the room."""
 
-    name: ClassVar[str] = "inside_room"
-    hard: ClassVar[bool] = True
-    implicit: ClassVar[bool] = True
-    example: ClassVar[str] = ""
+    name = "inside_room"
+    hard = True
+    implicit = True
+    example = ""
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row per asset."""

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Collection
 from dataclasses import dataclass
-from typing import ClassVar
 
 from shapely import box
 from shapely.affinity import rotate, translate
@@ -33,8 +32,8 @@ def side_box(half: tuple[float, float], side: str, depth: float) -> tuple[tuple[
 class KeepClear(Relation):
     """The strip `depth` m deep before one `side` of `a` stays free of other things that stand at its height."""
 
-    name: ClassVar[str] = "keep_clear"
-    example: ClassVar[str] = 'solver.keep_clear(wardrobe[0], "front", 0.7)'
+    name = "keep_clear"
+    example = 'solver.keep_clear(wardrobe[0], "front", 0.7)'
 
     a: AssetRef = argument("asset")
     side: str = argument("text", choices=("front", "back", "left", "right"), default="front")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
@@ -17,9 +16,9 @@ from robolayout.scene import Layout, Scene
 class MidWall(Relation):
     """`a` stands with its back in the middle of a wall, whichever."""
 
-    name: ClassVar[str] = "mid_wall"
-    surrogate: ClassVar[bool] = True  # as against_wall
-    example: ClassVar[str] = "solver.mid_wall(bed[0])"
+    name = "mid_wall"
+    surrogate = True  # as against_wall
+    example = "solver.mid_wall(bed[0])"
 
     a: AssetRef = argument("asset")
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 from robolayout.constraints._exact import GAP_TOLERANCE
 from robolayout.constraints._refs import AssetRef, WallRef
@@ -17,10 +16,10 @@ from robolayout.scene import Layout, Scene
 class MountedOn(Relation):
     """`a` hangs at `wall` (None: any wall), facing into the room, its centre `height` m up (None: as usual for such a thing)."""
 
-    name: ClassVar[str] = "mounted_on"
-    orients: ClassVar[bool] = True
-    surrogate: ClassVar[bool] = True  # as against_wall
-    example: ClassVar[str] = "solver.mounted_on(picture[0], walls[2], height=1.5)"
+    name = "mounted_on"
+    orients = True
+    surrogate = True  # as against_wall
+    example = "solver.mounted_on(picture[0], walls[2], height=1.5)"
 
     a: AssetRef = argument("asset")
     wall: WallRef | None = argument("wall", "none", default=None)

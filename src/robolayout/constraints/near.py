@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.constraints._exact import GAP_TOLERANCE, footprint, half_size, shape
 from robolayout.constraints._refs import AssetRef, PointRef
@@ -17,9 +16,9 @@ from robolayout.scene import Layout, Scene
 class Near(Relation):
     """`a` stands near `b`, on any side of it, at most `max_gap` m from edge to edge."""
 
-    name: ClassVar[str] = "near"
-    surrogate: ClassVar[bool] = True  # its gap along either axis of b is so small that past a corner it is enough, too
-    example: ClassVar[str] = "solver.near(armchair[0], bookshelf[0], 0.8)"
+    name = "near"
+    surrogate = True  # its gap along either axis of b is so small that past a corner it is enough, too
+    example = "solver.near(armchair[0], bookshelf[0], 0.8)"
 
     a: AssetRef = argument("asset")
     b: AssetRef | PointRef = argument("asset", "point")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, argument
@@ -16,8 +15,8 @@ from robolayout.scene import Layout, Scene
 class NextTo(Relation):
     """`a` stands close to `b` on a `side` of it ("beside" is left or right), `min_gap` to `max_gap` m from edge to edge."""
 
-    name: ClassVar[str] = "next_to"
-    example: ClassVar[str] = 'solver.next_to(night_stand[0], bed[0], "left")'
+    name = "next_to"
+    example = 'solver.next_to(night_stand[0], bed[0], "left")'
 
     a: AssetRef = argument("asset")
     b: AssetRef = argument("asset")

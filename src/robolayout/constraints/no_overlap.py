@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
-from typing import ClassVar
 
 import shapely
 from shapely import Polygon
@@ -70,10 +69,10 @@ def prisms_meet(one: tuple[Asset, Pose], other: tuple[Asset, Pose], margin: floa
 class NoOverlap(Relation):
     """No two things at the same height overlap in plan; flat rugs may lie under furniture."""
 
-    name: ClassVar[str] = "no_overlap"
-    hard: ClassVar[bool] = True
-    implicit: ClassVar[bool] = True
-    example: ClassVar[str] = ""
+    name = "no_overlap"
+    hard = True
+    implicit = True
+    example = ""
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row per pair of prisms that share a height."""

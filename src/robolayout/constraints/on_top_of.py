@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 import numpy as np
 from shapely import Point
@@ -24,10 +23,10 @@ SUPPORT_TOLERANCE = 0.02
 class OnTopOf(Relation):
     """`a` stands on top of `b`: on its highest place that can hold it (a cushion on the seat), or on the `surface` named so."""
 
-    name: ClassVar[str] = "on_top_of"
-    hard: ClassVar[bool] = True
-    surrogate: ClassVar[bool] = True  # its whole footprint stays over the place, where the check wants the centre
-    example: ClassVar[str] = "solver.on_top_of(lamp[0], night_stand[0])"
+    name = "on_top_of"
+    hard = True
+    surrogate = True  # its whole footprint stays over the place, where the check wants the centre
+    example = "solver.on_top_of(lamp[0], night_stand[0])"
 
     a: AssetRef = argument("asset")
     b: AssetRef = argument("asset")

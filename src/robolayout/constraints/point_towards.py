@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.constraints._exact import ANGLE_TOLERANCE, facing_error
 from robolayout.constraints._refs import AssetRef, Ref
@@ -21,9 +20,9 @@ class PointTowards(Relation):
     R(-angle) f hits b's footprint, else 1 - cos between R(-angle) f and the direction from a to b's centre counts.
     """
 
-    name: ClassVar[str] = "point_towards"
-    orients: ClassVar[bool] = True
-    example: ClassVar[str] = "solver.point_towards(sofa[0], tv[0])"
+    name = "point_towards"
+    orients = True
+    example = "solver.point_towards(sofa[0], tv[0])"
 
     a: AssetRef = argument("asset")
     b: Ref = argument("asset", "wall", "point")

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from itertools import combinations
-from typing import ClassVar
 
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation
@@ -20,10 +19,10 @@ ALPHA = 0.01
 class ReachablePairwise(Relation):
     """Every two floor things leave room for the agent's disc between them: d >= e_i + e_j + 2 r, e half the smaller side; rugs aside."""
 
-    name: ClassVar[str] = "reachable_pairwise"
-    implicit: ClassVar[bool] = True
-    surrogate: ClassVar[bool] = True
-    example: ClassVar[str] = ""
+    name = "reachable_pairwise"
+    implicit = True
+    surrogate = True
+    example = ""
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row per pair of floor things; none if the radius is not positive."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.assets import category_of, sweeps_of
 from robolayout.constraints._refs import AssetRef
@@ -17,9 +16,9 @@ from robolayout.scene import Asset, Layout, Scene
 class RoomToOpen(Relation):
     """Nothing that stays put stands where doors and drawers open; movable things (chairs) may stand there."""
 
-    name: ClassVar[str] = "room_to_open"
-    implicit: ClassVar[bool] = True
-    example: ClassVar[str] = ""
+    name = "room_to_open"
+    implicit = True
+    example = ""
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one strip per thing that opens: what holds all that it sweeps."""

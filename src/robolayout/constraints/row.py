@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import ClassVar
 
 from robolayout.constraints._neighbours import Link, link_terms, links_outcome
 from robolayout.constraints._refs import AssetRef, WallRef
@@ -18,11 +17,11 @@ from robolayout.scene import Layout, Scene
 class Row(Relation):
     """The `items` stand side by side (each at the right hand of the one before), `gap` m apart, backs in line, at `wall`."""
 
-    name: ClassVar[str] = "row"
-    moves: ClassVar[tuple[str, ...]] = ("items",)
-    orients: ClassVar[bool] = True
-    surrogate: ClassVar[bool] = True  # at a wall, as against_wall
-    example: ClassVar[str] = "solver.row([shelf[0], shelf[1], shelf[2]], walls[1], gap=0.02)"
+    name = "row"
+    moves = ("items",)
+    orients = True
+    surrogate = True  # at a wall, as against_wall
+    example = "solver.row([shelf[0], shelf[1], shelf[2]], walls[1], gap=0.02)"
 
     items: tuple[AssetRef, ...] = argument("asset", many=True)
     wall: WallRef | None = argument("wall", "none", default=None)

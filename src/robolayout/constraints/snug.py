@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
@@ -20,8 +19,8 @@ CRACK = 0.15
 class Snug(Relation):
     """`a` stands in a corner or close beside something else that stands on the floor, at most 0.15 m from it."""
 
-    name: ClassVar[str] = "snug"
-    example: ClassVar[str] = "solver.snug(wardrobe[0])"
+    name = "snug"
+    example = "solver.snug(wardrobe[0])"
 
     a: AssetRef = argument("asset")
 

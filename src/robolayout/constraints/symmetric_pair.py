@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.constraints._exact import frame
 from robolayout.constraints._refs import AssetRef, WallRef
@@ -20,10 +19,10 @@ MIRROR_TOLERANCE = 0.10
 class SymmetricPair(Relation):
     """`a` and `b` are mirror images left and right of `ref` (about its front axis; for a wall: its middle normal)."""
 
-    name: ClassVar[str] = "symmetric_pair"
-    moves: ClassVar[tuple[str, ...]] = ("a", "b")
-    surrogate: ClassVar[bool] = True  # mirrored headings too, which the check leaves free
-    example: ClassVar[str] = "solver.symmetric_pair(night_stand[0], night_stand[1], bed[0])"
+    name = "symmetric_pair"
+    moves = ("a", "b")
+    surrogate = True  # mirrored headings too, which the check leaves free
+    example = "solver.symmetric_pair(night_stand[0], night_stand[1], bed[0])"
 
     a: AssetRef = argument("asset")
     b: AssetRef = argument("asset")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.constraints._exact import GAP_TOLERANCE, frame
 from robolayout.constraints._refs import AssetRef
@@ -16,8 +15,8 @@ from robolayout.scene import Layout, Scene
 class Toward(Relation):
     """`a` stands on the `side` half of what it is on, `b`, as b sees it: "front", "back", "left" or "right"."""
 
-    name: ClassVar[str] = "toward"
-    example: ClassVar[str] = 'solver.toward(monitor[0], desk[0], "back")'
+    name = "toward"
+    example = 'solver.toward(monitor[0], desk[0], "back")'
 
     a: AssetRef = argument("asset")
     b: AssetRef = argument("asset")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from robolayout.constraints._exact import common_area, footprint, half_size
 from robolayout.constraints._refs import AssetRef
@@ -19,9 +18,9 @@ OVERLAP = 0.10
 class Under(Relation):
     """The rug `a` lies under `items`: each of them stands at least partly on it."""
 
-    name: ClassVar[str] = "under"
-    surrogate: ClassVar[bool] = True  # things reach 10 cm over the rug, where the check takes any overlap
-    example: ClassVar[str] = "solver.under(rug[0], [sofa[0], coffee_table[0]])"
+    name = "under"
+    surrogate = True  # things reach 10 cm over the rug, where the check takes any overlap
+    example = "solver.under(rug[0], [sofa[0], coffee_table[0]])"
 
     a: AssetRef = argument("asset")
     items: tuple[AssetRef, ...] = argument("asset", many=True)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import ClassVar
 
 from shapely import MultiPoint, Polygon, get_coordinates
 from shapely.geometry.polygon import orient
@@ -21,8 +20,8 @@ from robolayout.scene import Layout, Point, Scene
 class Zone(Relation):
     """The footprint of `a` stays in the convex `polygon`, a list of points (x, y) in metres."""
 
-    name: ClassVar[str] = "zone"
-    example: ClassVar[str] = "solver.zone(toy_box[0], [(0, 0), (2, 0), (2, 2), (0, 2)])"
+    name = "zone"
+    example = "solver.zone(toy_box[0], [(0, 0), (2, 0), (2, 2), (0, 2)])"
 
     a: AssetRef = argument("asset")
     polygon: tuple[PointRef, ...] = argument("point", many=True)
