@@ -10,6 +10,7 @@ import os
 import threading
 from collections.abc import Sequence
 from functools import lru_cache
+from importlib.resources import files
 from itertools import product
 from typing import Any
 
@@ -28,109 +29,6 @@ SUN_TILE, SUN_COLUMNS = 768, 3
 
 LARGEST_TEXTURE = 512
 """Most pixels along a side of a texture; larger pictures of own meshes are made smaller."""
-
-_DEPTH_VERTEX = """
-#version 330
-uniform mat4 light;
-in vec3 position;
-void main() { gl_Position = light * vec4(position, 1.0); }
-"""
-
-_DEPTH_FRAGMENT = """
-#version 330
-void main() {}
-"""
-
-_LOOKUP = """
-#version 330
-const int COUNT = %(count)d;
-const int COLUMNS = %(columns)d;
-uniform sampler2DShadow atlas;
-uniform mat4 lights[COUNT];
-uniform vec3 toward[COUNT];
-float visible(int k, vec3 at) {
-    vec3 q = (lights[k] * vec4(at, 1.0)).xyz * 0.5 + 0.5;
-    if (q.x < 0.0 || q.y < 0.0 || q.x > 1.0 || q.y > 1.0) return 1.0;
-    vec2 inside = clamp(q.xy, vec2(%(half)f), vec2(1.0 - %(half)f));
-    vec2 tile = vec2(k - k / COLUMNS * COLUMNS, k / COLUMNS);
-    return textureLod(atlas, vec3((inside + tile) / float(COLUMNS), q.z), 0.0);
-}
-"""
-
-_VERTEX = """
-#version 330
-uniform mat4 camera;
-in vec3 position;
-in vec3 normal;
-in vec4 color;
-in float gloss;
-in float glow;
-in float sky;
-in vec2 uv;
-in int layer;
-in int id;
-centroid out vec3 p;
-centroid out vec3 n;
-centroid out float s;
-flat out vec4 c;
-centroid out vec2 t;
-flat out float g;
-flat out float e;
-flat out int l;
-flat out int i;
-void main() {
-    p = position; n = normal; c = color; g = gloss; e = glow; s = sky; t = uv; l = layer; i = id;
-    gl_Position = camera * vec4(position, 1.0);
-}
-"""
-
-_FRAGMENT = """
-uniform vec3 eye;
-uniform sampler2DArray tiles;
-centroid in vec3 p;
-centroid in vec3 n;
-centroid in float s;
-centroid in vec2 t;
-flat in vec4 c;
-flat in float g;
-flat in float e;
-flat in int l;
-out vec4 result;
-void main() {
-    vec3 look = normalize(eye - p);
-    vec3 m = normalize(n);
-    vec3 at = p + m * %(bias)f;
-    float sun = 0.0;
-    float seen = 0.0;
-    vec3 middle = vec3(0.0);
-    for (int k = 0; k < COUNT; k++) {
-        float slope = dot(m, toward[k]);
-        float here = slope > 0.0 ? visible(k, at) : 0.0;
-        sun += here * slope;
-        seen += here;
-        middle += toward[k];
-    }
-    float shine = seen * pow(max(dot(m, normalize(normalize(middle) + look)), 0.0), 8.0 + 56.0 * g);
-    vec3 light = vec3(%(sun)s) * sun / float(COUNT) + vec3(%(sky)s) * s + vec3(%(bounce)s) * (%(level)f - %(tilt)f * m.z) + e;
-    vec3 texel = texture(tiles, vec3(t, max(l, 0))).rgb;
-    vec3 lit = (l < 0 ? c.rgb : c.rgb * texel) * light + 0.25 * g * g * shine / float(COUNT);
-    vec3 over = max(lit - %(shoulder)f, 0.0);
-    vec3 bent = min(lit, %(shoulder)f) + (1.0 - %(shoulder)f) * (1.0 - exp(-over / (1.0 - %(shoulder)f)));
-    vec3 curve = 1.055 * pow(max(bent, 1e-9), vec3(1.0 / 2.4)) - 0.055;
-    result = vec4(mix(curve, 12.92 * bent, lessThanEqual(bent, vec3(0.0031308))), c.a);
-}
-"""
-
-_ID_FRAGMENT = """
-#version 330
-uniform vec3 eye;
-uniform vec3 forward;
-centroid in vec3 p;
-flat in int i;
-layout(location = 0) out int id;
-layout(location = 1) out float depth;
-void main() { id = i; depth = dot(p - eye, forward); }
-"""
 
 
 def _text(values: NDArray[np.float64]) -> str:
@@ -168,11 +66,16 @@ def _programs(context: Any) -> dict[str, Any]:
         "bounce": _text(_light.BOUNCE),
     }
     suns = {"count": _light.SUN_COUNT, "columns": SUN_COLUMNS, "half": 0.5 / SUN_TILE}
+    vertex = _shader("shade.vert")
     return {
-        "shade": context.program(_VERTEX, _LOOKUP % suns + _FRAGMENT % words),
-        "marks": context.program(_VERTEX, _ID_FRAGMENT),
-        "depth": context.program(_DEPTH_VERTEX, _DEPTH_FRAGMENT),
+        "shade": context.program(vertex, _shader("lookup.frag") % suns + _shader("shade.frag") % words),
+        "marks": context.program(vertex, _shader("marks.frag")),
+        "depth": context.program(_shader("depth.vert"), _shader("depth.frag")),
     }
+
+
+def _shader(name: str) -> str:
+    return (files("robolayout.render") / "shaders" / name).read_text(encoding="utf-8")
 
 
 class GLRenderer:
