@@ -368,7 +368,7 @@ def solve_many(
     The arguments are those of `solve`; `known` are its `pinned` and `built`.
     """
     if solver != "default" or len(programs) == 1:
-        given = {"seed": seed, "solver": solver, "config": config, "progress": progress, **known}
+        given: dict[str, Any] = {"seed": seed, "solver": solver, "config": config, "progress": progress, **known}
         return [solve(scene, program, **given) for program in programs]
     problems = [compile_problem(scene, program, seed=seed, **known) for program in programs]
     judges = [make_judge(scene, program) for program in programs]
