@@ -29,6 +29,12 @@ MOST_LISTED = 100
 """Known names that a message lists."""
 
 
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """Return the question whether the known name most like a wrong one was meant, after a blank; nothing if none is."""
+    near = difflib.get_close_matches(name, list(known), n=1)
+    return f" Did you mean {near[0]!r}?" if near else ""
+
+
 class RoboLayoutError(Exception):
     """Base of every error that RoboLayout raises on purpose."""
 
@@ -105,10 +111,10 @@ class UnknownNameError(InputError):
         self.name = name
         self.known = sorted(known)
         shown = name if len(name) <= LONGEST_NAME else f"{name[:LONGEST_NAME]}..."
-        near = difflib.get_close_matches(shown, self.known, n=1)
-        hint = f" Did you mean {near[0]!r}?" if near else ""
         more = f", ... ({len(self.known)} in all)" if len(self.known) > MOST_LISTED else ""
-        super().__init__(f"unknown {kind} {shown!r}.{hint} Known: {', '.join(self.known[:MOST_LISTED])}{more}.")
+        super().__init__(
+            f"unknown {kind} {shown!r}.{did_you_mean(shown, self.known)} Known: {', '.join(self.known[:MOST_LISTED])}{more}."
+        )
 
 
 class OutputError(InputError):

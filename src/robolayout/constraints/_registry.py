@@ -9,7 +9,7 @@ import sys
 import traceback
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from types import MappingProxyType
+from types import MappingProxyType, ModuleType
 from typing import TypeVar
 
 from robolayout._errors import InputError
@@ -64,14 +64,16 @@ def register_file(path: str | Path) -> tuple[type[Relation], ...]:
         line = error.lineno if isinstance(error, SyntaxError) else lines[-1] if lines else None
         reason = " ".join(f"{type(error).__name__}: {error}".split())[:300]
         raise InputError(f"{path} cannot be run (line {line}): {reason}. Correct the file.") from error
-    found = [
-        value
-        for value in vars(module).values()
-        if inspect.isclass(value) and issubclass(value, Relation) and value.__module__ == name
-    ]
+    found = own_relations(module)
     if not found:
         raise InputError(f"{path} defines no relation, that is, no class derived from robolayout.constraints.Relation.")
     return tuple(register(relation) for relation in found)
+
+
+def own_relations(module: ModuleType) -> list[type[Relation]]:
+    """Return the relations that a module defines, in its order."""
+    found = (value for value in vars(module).values() if inspect.isclass(value) and issubclass(value, Relation))
+    return [relation for relation in found if relation.__module__ == module.__name__]
 
 
 def _faults(relation: type[Relation]) -> Iterator[str]:

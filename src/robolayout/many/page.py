@@ -25,7 +25,8 @@ def page(
         plots: PNG pictures to show above, by what they show.
     """
     names = list(dict.fromkeys(name for row in rows for name in row))
-    cells = [[_shown(row.get(name)) for name in names] for row in rows[:MOST]]
+    values = ((row.get(name) for name in names) for row in rows[:MOST])
+    cells = [[printable(value) if isinstance(value, str) else value for value in row] for row in values]
     note = f"The first {MOST} of {len(rows)} rooms; the index has all." if len(rows) > MOST else ""
     shown = "".join(
         f'<figure><img alt="{html(name)}" src="data:image/png;base64,{base64.b64encode(data).decode()}">'
@@ -35,10 +36,6 @@ def page(
     data = {"columns": names, "rows": cells, "thumbs": thumbs}
     parts = {"title": html(title), "note": html(note), "plots": shown}
     return sealed(_part("many.html"), _part("many.js"), _part("many.css"), data, images="'self' file: data:", **parts)
-
-
-def _shown(value: Any) -> Any:
-    return printable(value) if isinstance(value, str) else value
 
 
 @cache

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
-import difflib
 import math
 from collections.abc import Mapping
 from typing import Any
 
+from robolayout._errors import did_you_mean
 from robolayout.constraints import RELATIONS, AssetRef, PointRef, Relation, WallRef
 from robolayout.scene import Scene
 
@@ -94,8 +94,7 @@ def _bind(
     for word, value in named:
         key = word if word in specs else OTHER_NAMES.get(word, word)
         if key not in specs:
-            near = difflib.get_close_matches(word, names, n=1)
-            hint = f" Did you mean {near[0]!r}?" if near else ""
+            hint = did_you_mean(word, names)
             raise ArgumentError(f"{name} has no argument {word!r}.{hint} It takes {', '.join(names)}.", word)
         if key in bound:
             raise ArgumentError(f"{name} gets {key!r} twice", word)

@@ -8,13 +8,12 @@ killed should it ever overrun them.
 from __future__ import annotations
 
 import ast
-import difflib
 import json
 import re
 from collections.abc import Collection
 from typing import TYPE_CHECKING, Any
 
-from robolayout._errors import ProgramError, ProgramLimitError
+from robolayout._errors import ProgramError, ProgramLimitError, did_you_mean
 from robolayout.program._prelude import RESULT, prelude, scene_data
 from robolayout.program._program import Limits
 from robolayout.program._source import Source, characters
@@ -114,9 +113,7 @@ def _unknown_name(name: str, scene: Scene, relations: Collection[str]) -> str:
     if name in relations:
         return f"{name!r} is a relation: write solver.{name}(...)"
     known = [*scene.variables, "walls", "room", "solver"]
-    near = difflib.get_close_matches(name, known, n=1)
-    hint = f" Did you mean {near[0]!r}?" if near else ""
-    return f"unknown asset or variable {name!r}.{hint} Known variables: {', '.join(known)}."
+    return f"unknown asset or variable {name!r}.{did_you_mean(name, known)} Known variables: {', '.join(known)}."
 
 
 def _out_of_range(source: Source, scene: Scene, line: int | None, column: int | None) -> str | None:

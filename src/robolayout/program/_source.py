@@ -8,7 +8,6 @@ call of the text it is about. Marks never add a line, so every message of the in
 from __future__ import annotations
 
 import ast
-import difflib
 import json
 import re
 import warnings
@@ -16,7 +15,7 @@ from collections.abc import Collection, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 
-from robolayout._errors import ProgramError, ProgramLimitError
+from robolayout._errors import ProgramError, ProgramLimitError, did_you_mean
 from robolayout.program._program import Limits
 
 FENCE = re.compile(r"^(\s*)```+\s*([A-Za-z0-9_+-]*)")
@@ -256,9 +255,7 @@ def _refused_import(node: ast.Import | ast.ImportFrom) -> str | None:
 
 
 def _unknown_relation(name: str, relations: Collection[str]) -> str:
-    near = difflib.get_close_matches(name, relations, n=1)
-    hint = f" Did you mean {near[0]!r}?" if near else ""
-    return f"unknown relation {name!r}.{hint} Known: {', '.join(relations)}."
+    return f"unknown relation {name!r}.{did_you_mean(name, relations)} Known: {', '.join(relations)}."
 
 
 def _identifiers(node: ast.AST) -> Iterator[str]:

@@ -17,6 +17,12 @@ THICKNESS = 0.12
 Place = Callable[[float, float], Point]
 
 
+def placing(room: Room, k: float, left: float, top: float) -> Place:
+    """Return where points of a room land: `k` millimetres to a metre, the corner of its bounds at (left, top)."""
+    x0, _, _, y1 = room.bounds
+    return lambda x, y: (left + (x - x0) * k, top + (y1 - y) * k)
+
+
 def draw_floor(sheet: Drawing, room: Room, place: Place) -> None:
     """Draw the floor."""
     sheet.polygon([[place(x, y) for x, y in room.vertices]], FLOOR)

@@ -12,10 +12,10 @@ import numpy as np
 from robolayout.render._architecture import THICKNESS, Place
 from robolayout.render._drawing import Drawing, Point, circle, text_width
 from robolayout.render._labels import LINE, SIZES, Box, Label, Tag, place_labels
-from robolayout.render.contents import cord, display_name, front, has_arrow
+from robolayout.render.contents import Shown, cord, display_name, front, has_arrow
 from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import INK, NARROW, PAPER, QUIET, REACH, ROUTE, TIGHT, TURN
-from robolayout.scene import Agent, Layout, Pose, Scene, Wall, vertical_span
+from robolayout.scene import Pose, Scene, Wall, vertical_span
 
 ARROW = 1.8
 """Length of an arrow's head, millimetres."""
@@ -37,8 +37,9 @@ class Naming:
     lines: tuple[tuple[Point, ...], ...] = ()
 
 
-def draw_marks(sheet: Drawing, marks: PlanMarks, agent: Agent | None, place: Place) -> None:
+def draw_marks(sheet: Drawing, shown: Shown) -> None:
     """Draw turning circles, reach, routes with a dot at their end, and the agent's disc."""
+    marks, agent, place = shown.marks, shown.agent, shown.place
     k = millimetres(place)
     for center, diameter in marks.circles:
         sheet.polygon([circle(place(*center), diameter / 2 * k, 72)], None, stroke=TURN, width=0.3, dash=(1.4, 0.8))
@@ -84,9 +85,10 @@ def _draw_changes(sheet: Drawing, marks: PlanMarks, place: Place) -> None:
         sheet.polygon([circle((ax, ay), 0.5)], PAPER, stroke=ROUTE, width=0.25)
 
 
-def _draw_passages(sheet: Drawing, marks: PlanMarks, agent: Agent | None, place: Place, at: Sequence[Point]) -> None:
+def _draw_passages(sheet: Drawing, shown: Shown, at: Sequence[Point]) -> None:
     """Draw each narrowest passage as a measured line, with its width at the places `at`."""
-    needed = 2 * agent.radius if agent is not None else 0.0
+    marks, place = shown.marks, shown.place
+    needed = 2 * shown.agent.radius if shown.agent is not None else 0.0
     for (a, b, metres), spot in zip(sorted(marks.passages), at, strict=True):
         color = TIGHT if metres < needed - 1e-6 else NARROW
         (ax, ay), (bx, by) = place(*a), place(*b)
@@ -131,16 +133,9 @@ def passage_spots(
     return spots
 
 
-def draw_labels(
-    sheet: Drawing,
-    scene: Scene,
-    layout: Layout,
-    place: Place,
-    marks: PlanMarks,
-    agent: Agent | None,
-    naming: Naming,
-) -> frozenset[str]:
+def draw_labels(sheet: Drawing, shown: Shown, naming: Naming) -> frozenset[str]:
     """Draw the passages and write the names; return what is written."""
+    scene, layout, marks, place = shown.scene, shown.layout, shown.marks, shown.place
     outlines = {n: tuple(place(*c) for c in layout[n].corners(scene.by_name[n].size)) for n in layout}
     solid = [n for n in layout if not scene.by_name[n].is_flat and not scene.by_name[n].on_ceiling]
     obstacles = [outlines[n] for n in solid] + list(naming.obstacles)
@@ -152,13 +147,13 @@ def draw_labels(
     lines += [circle(place(*center), diameter / 2 * k, 72) for center, diameter in marks.circles]
     lines += [[place(*p) for p in line] for line in (*naming.lines, *marks.arrows)]
     spots = passage_spots(marks, place, lines, obstacles)
-    _draw_passages(sheet, marks, agent, place, spots)
+    _draw_passages(sheet, shown, spots)
     for (a, b, metres), (x, y) in zip(sorted(marks.passages), spots, strict=True):
         half = text_width(f"{metres:.2f} m", WIDTH_TEXT) / 2 + 0.5
         obstacles.append(((x - half, y - 1.4), (x + half, y - 1.4), (x + half, y + 1.4), (x - half, y + 1.4)))
         lines.append([place(*a), place(*b)])
     lines += [[place(*p) for p in arc[1:]] for arc in marks.arcs]
-    tags = _tags(scene, layout, place, marks, outlines)
+    tags = _tags(shown, outlines)
     if naming.texts is not None:
         texts = naming.texts
         named = zip((asset.name for asset in scene.assets if asset.name in layout), tags, strict=True)
@@ -169,10 +164,9 @@ def draw_labels(
     return frozenset(" ".join(label.lines) for label in labels)
 
 
-def _tags(
-    scene: Scene, layout: Layout, place: Place, marks: PlanMarks, outlines: Mapping[str, tuple[Point, ...]]
-) -> list[Tag]:
+def _tags(shown: Shown, outlines: Mapping[str, tuple[Point, ...]]) -> list[Tag]:
     """Return the names and where they may stand."""
+    scene, layout, place = shown.scene, shown.layout, shown.place
     spans = {n: vertical_span(scene.by_name[n], layout[n]) for n in layout}
     solid = [n for n in layout if not scene.by_name[n].is_flat and not scene.by_name[n].on_ceiling]
     hanging = {n: outlines[n] for n in layout if scene.by_name[n].on_ceiling}
@@ -193,7 +187,7 @@ def _tags(
                 beside,
                 tuple(covers),
                 _outward(scene, layout[name]) if asset.on_wall else None,
-                halo=name in marks.blocked,
+                halo=name in shown.marks.blocked,
                 quiet=asset.on_ceiling,
                 shuns=tuple(corners for other, corners in hanging.items() if other != name),
             )

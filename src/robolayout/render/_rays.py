@@ -59,8 +59,7 @@ class RayRenderer:
         shadows = _scene(self._coarse.corners[self._sun_blockers & keep[self._coarse.groups]])
         layers = [np.flatnonzero(shown & self._fine.opaque), np.flatnonzero(shown & ~self._fine.opaque)]
         scenes = [(_scene(self._fine.corners[which]), which) for which in layers]
-        columns, rows = np.meshgrid(np.arange(camera.width), np.arange(camera.height))
-        centers = np.stack([columns, rows], axis=-1).reshape(-1, 2) + 0.5
+        centers = _centers(camera)
         flat, surface = self._shade(camera, centers, scenes, shadows)
         image = flat.reshape(camera.height, camera.width, 3)
         edges = _edges(surface.reshape(camera.height, camera.width, -1))
@@ -72,8 +71,7 @@ class RayRenderer:
     def marks(self, camera: Camera, keep: NDArray[np.bool_]) -> tuple[NDArray[np.int32], NDArray[np.float32]]:
         """Return ids and depths in metres (height, width); the background has id -1 and depth inf."""
         which = np.flatnonzero(keep[self._fine.groups])
-        columns, rows = np.meshgrid(np.arange(camera.width), np.arange(camera.height))
-        rays = camera.rays(np.stack([columns, rows], axis=-1).reshape(-1, 2) + 0.5)
+        rays = camera.rays(_centers(camera))
         triangle, _, _, far = _hits(_scene(self._fine.corners[which]), camera, rays)
         shape = (camera.height, camera.width)
         missed = triangle < 0
@@ -173,9 +171,8 @@ def textured(
 
 def surfaces(mesh: Mesh, camera: Camera) -> tuple[Floats, Floats]:
     """Return linear colour and normal (height, width, 3) of what each pixel shows, smoothed; 0 where there is nothing."""
-    columns, rows = np.meshgrid(np.arange(camera.width), np.arange(camera.height))
-    centers = np.stack([columns, rows], axis=-1).reshape(-1, 1, 2) + 0.5
-    triangle, u, v, far = _hits(_scene(mesh.corners), camera, camera.rays((centers + SUBSAMPLES).reshape(-1, 2)))
+    samples = (_centers(camera)[:, None] + SUBSAMPLES).reshape(-1, 2)
+    triangle, u, v, far = _hits(_scene(mesh.corners), camera, camera.rays(samples))
     hit = triangle >= 0
     face = triangle[hit]
     weights = np.column_stack([1 - u[hit] - v[hit], u[hit], v[hit]])
@@ -186,6 +183,12 @@ def surfaces(mesh: Mesh, camera: Camera) -> tuple[Floats, Floats]:
     normals[hit] = np.einsum("nk,nkd->nd", weights, mesh.normals[face])
     shape = (camera.height, camera.width, len(SUBSAMPLES), 3)
     return colors.reshape(shape).mean(axis=2), normals.reshape(shape).mean(axis=2)
+
+
+def _centers(camera: Camera) -> NDArray[Any]:
+    """Return the middles of all pixels (n, 2), row by row."""
+    columns, rows = np.meshgrid(np.arange(camera.width), np.arange(camera.height))
+    return np.stack([columns, rows], axis=-1).reshape(-1, 2) + 0.5
 
 
 def _scene(corners: Floats) -> Any:

@@ -2,18 +2,32 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from robolayout.render._architecture import Place
 from robolayout.render._drawing import Drawing, Point
 from robolayout.render.marks import PlanMarks, Rings
 from robolayout.render.palette import BLOCKED, FREE, ISLAND, QUIET, asset_colors
-from robolayout.scene import Asset, Layout, Pose, Scene, split_name, vertical_span
+from robolayout.scene import Agent, Asset, Layout, Pose, Scene, split_name, vertical_span
 
 CORD = 0.9
 """Half the sides of the cross that shows where the cord of what hangs from the ceiling is fixed, millimetres."""
 
 
-def draw_contents(sheet: Drawing, scene: Scene, layout: Layout, marks: PlanMarks, place: Place) -> None:
+@dataclass(frozen=True)
+class Shown:
+    """What a plan shows, and where it lands on the paper."""
+
+    scene: Scene
+    layout: Layout
+    marks: PlanMarks
+    agent: Agent | None
+    place: Place
+
+
+def draw_contents(sheet: Drawing, shown: Shown) -> None:
     """Draw rugs, free space, then every footprint from the floor up; what hangs from the ceiling is dashed."""
+    scene, layout, marks, place = shown.scene, shown.layout, shown.marks, shown.place
     placed = [(asset, layout[asset.name]) for asset in scene.assets if asset.name in layout]
     placed.sort(key=lambda pair: (vertical_span(*pair)[0], -pair[0].size[0] * pair[0].size[1]))
     for asset, pose in placed:

@@ -8,13 +8,14 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import shapely
+from shapely.affinity import rotate, translate
 
-from robolayout.assets import category_of
-from robolayout.render._architecture import THICKNESS, Place, draw_floor, draw_walls, swings
+from robolayout.assets import sweeps_of
+from robolayout.render._architecture import THICKNESS, Place, draw_floor, draw_walls, placing, swings
 from robolayout.render._drawing import Drawing, Point, text_width
 from robolayout.render._marked import Naming, draw_labels, draw_marks, millimetres
 from robolayout.render.annotation import DOOR_COLOR, GRID_COLOR, WALL_COLOR, WHITE
-from robolayout.render.contents import draw_contents
+from robolayout.render.contents import Shown, draw_contents
 from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import INK, QUIET, TIGHT
 from robolayout.render.plan import draw_legend
@@ -68,40 +69,33 @@ def _sheet(scene: Scene, layout: Layout, marks: PlanMarks, agent: Agent | None) 
     left = (width - (x1 - x0) * k) / 2
     sheet = Drawing(width, height)
 
-    def place(x: float, y: float) -> Point:
-        return (left + (x - x0) * k, edge + (y1 - y) * k)
-
-    shown = replace(marks, routes={}, arcs=(), parts=())
-    draw_floor(sheet, scene.room, place)
-    draw_contents(sheet, scene, layout, shown, place)
+    room, place = scene.room, placing(scene.room, k, left, edge)
+    shown = Shown(scene, layout, replace(marks, routes={}, arcs=(), parts=()), agent, place)
+    draw_floor(sheet, room, place)
+    draw_contents(sheet, shown)
     for area in _kept_free(scene, layout):
         _draw_hatched(sheet, [place(*corner) for corner in area])
-    _draw_ticks(sheet, scene.room, place)
-    draw_marks(sheet, shown, agent, place)
-    draw_walls(sheet, scene.room, place)
-    _draw_names(sheet, scene.room, place)
+    _draw_ticks(sheet, room, place)
+    draw_marks(sheet, shown)
+    draw_walls(sheet, room, place)
+    _draw_names(sheet, room, place)
     numbers = {asset.name: f"#{i}" for i, asset in enumerate(scene.assets, 1)}
     texts = {name: (scene.expressions[name], numbers[name]) for name in layout}
     box = (left - 1, edge - 1, width - left + 1, height - edge + 1)
-    naming = Naming(box, texts, SIZES, lines=swings(scene.room))
-    written = draw_labels(sheet, scene, layout, place, shown, agent, naming)
+    written = draw_labels(sheet, shown, Naming(box, texts, SIZES, lines=swings(room)))
     _draw_key(sheet, scene, {name: numbers[name] for name in layout if texts[name][0] not in written})
     sheet.height += 2 * TEXT
-    draw_legend(sheet, shown, (4.0, sheet.height - TEXT), width - 8.0)
+    draw_legend(sheet, shown.marks, (4.0, sheet.height - TEXT), width - 8.0)
     return sheet
 
 
 def _kept_free(scene: Scene, layout: Layout) -> Iterator[Sequence[Point]]:
-    """Yield the outlines of what must stay free: landings, and where doors and drawers of placed things open; metres."""
+    """Yield the outlines of what must stay free, metres: landings, and what doors, drawers and flaps sweep."""
     yield from (scene.room.landing(door) for door in scene.room.doors)
     for name, pose in layout.items():
-        asset = scene.by_name[name]
-        reach = category_of(asset).open_depth
-        if reach > 0:
-            (depth, width, _), (c, s) = asset.size, pose.forward
-            near, far = depth / 2, depth / 2 + reach
-            corners = ((near, -width / 2), (far, -width / 2), (far, width / 2), (near, width / 2))
-            yield [(pose.x + c * x - s * y, pose.y + s * x + c * y) for x, y in corners]
+        for sweep in sweeps_of(scene.by_name[name]):
+            swept = translate(rotate(sweep.region, pose.yaw, (0, 0), use_radians=True), pose.x, pose.y)
+            yield from ([*part.exterior.coords] for part in shapely.get_parts(swept) if part.geom_type == "Polygon")
 
 
 def _draw_hatched(sheet: Drawing, corners: Sequence[Point]) -> None:

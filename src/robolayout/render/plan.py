@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from robolayout._errors import InputError
-from robolayout.render._architecture import THICKNESS, Place, draw_floor, draw_walls
+from robolayout.render._architecture import THICKNESS, draw_floor, draw_walls, placing
 from robolayout.render._drawing import Drawing, Point, text_width
 from robolayout.render._marked import Naming, draw_labels, draw_marks
-from robolayout.render.contents import draw_contents
+from robolayout.render.contents import Shown, draw_contents
 from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import BLOCKED, FREE, INK, ISLAND, NARROW, PAPER, QUIET, REACH, ROUTE, TIGHT, TURN
 from robolayout.scene import Agent, Layout, Scene
@@ -77,13 +77,10 @@ def draw_plan(
     left = (width - (x1 - x0) * k) / 2
     sheet = Drawing(width, (y1 - y0) * k + 2 * border + head + foot)
 
-    def place(x: float, y: float) -> Point:
-        return (left + (x - x0) * k, head + border + (y1 - y) * k)
-
     if title:
         sheet.words((width / 2, 6.0), title, min(3.4, 3.4 * (width - 8) / max(text_width(title, 3.4), 1)), color=INK)
     naming = Naming((1.0, 1.0, sheet.width - 1, sheet.height - 1)) if names else None
-    draw_room(sheet, scene, layout, place, marks, agent, naming)
+    draw_room(sheet, Shown(scene, layout, marks, agent, placing(scene.room, k, left, head + border)), naming)
     _draw_foot(sheet, agent, navigation, scale, left)
     return sheet
 
@@ -109,22 +106,14 @@ def draw_comparison(panels: Sequence[Panel]) -> Drawing:
     return sheet
 
 
-def draw_room(
-    sheet: Drawing,
-    scene: Scene,
-    layout: Layout,
-    place: Place,
-    marks: PlanMarks,
-    agent: Agent | None,
-    naming: Naming | None,
-) -> None:
+def draw_room(sheet: Drawing, shown: Shown, naming: Naming | None) -> None:
     """Draw the room and what stands in it, then what is marked, then the names, if it is said how to name."""
-    draw_floor(sheet, scene.room, place)
-    draw_contents(sheet, scene, layout, marks, place)
-    draw_marks(sheet, marks, agent, place)
-    draw_walls(sheet, scene.room, place)
+    draw_floor(sheet, shown.scene.room, shown.place)
+    draw_contents(sheet, shown)
+    draw_marks(sheet, shown)
+    draw_walls(sheet, shown.scene.room, shown.place)
     if naming is not None:
-        draw_labels(sheet, scene, layout, place, marks, agent, naming)
+        draw_labels(sheet, shown, naming)
 
 
 def plan_scale(scene: Scene) -> int:

@@ -11,13 +11,14 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from robolayout.render._architecture import THICKNESS, Place, swings
+from robolayout.render._architecture import THICKNESS, Place, placing, swings
 from robolayout.render._dimensions import Outline, draw_chains, margin, upright
 from robolayout.render._drawing import Drawing, Point, text_width
 from robolayout.render._furniture import Furniture, furniture
 from robolayout.render._labels import Label
 from robolayout.render._marked import Naming
 from robolayout.render._schedule import GAP, Block, Line, Row, columns, draw_columns, shortened, wrapped
+from robolayout.render.contents import Shown
 from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import INK, QUIET
 from robolayout.render.plan import draw_legend, draw_room, draw_scale_bar
@@ -167,20 +168,17 @@ def _draw_frame(sheet: Drawing) -> None:
 def _draw_plan(sheet: Drawing, given: _Given, at: _Arranged) -> None:
     """Draw room, dimension lines, numbers and legend."""
     scene = given.scene
-    x0, _, _, y1 = scene.room.bounds
     k = 1000 / at.scale
     around = THICKNESS * k + margin(scene.room)
 
-    def place(x: float, y: float) -> Point:
-        return (at.plan[0] + around + (x - x0) * k, at.plan[1] + around + (y1 - y) * k)
-
+    place = placing(scene.room, k, at.plan[0] + around, at.plan[1] + around)
     width, height = _plan_size(scene, at.scale)
     written = draw_chains(sheet, scene.room, place, k, _draw_names(sheet, given, place, k))
     numbers = given.things.numbers.items()
     texts = {name: (f"{number} {scene.by_name[name].category}".strip(), str(number)) for name, number in numbers}
     box = (at.plan[0], at.plan[1], at.plan[0] + width, at.plan[1] + height)
     naming = Naming(box, texts, NAMES, tuple(written), swings(scene.room))
-    draw_room(sheet, scene, given.layout, place, given.marks, given.agent, naming)
+    draw_room(sheet, Shown(scene, given.layout, given.marks, given.agent, place), naming)
     draw_legend(sheet, given.marks, (at.plan[0] + around, at.plan[1] + height + LEGEND / 2), width - 2 * around)
 
 
@@ -220,7 +218,10 @@ def _blocks(given: _Given) -> list[Block]:
     """Return the lists of the sheet."""
     scene, notes = given.scene, given.notes
     areas = [Row(words, value=value) for words, value in notes.areas]
-    sizes = [Row(f"{name} {_kind(name)}", value=_size(opening)) for name, opening in _named_openings(scene)]
+    sizes = [
+        Row(f"{name} {'door' if name[0] == 'D' else 'window'}", value=_size(opening))
+        for name, opening in _named_openings(scene)
+    ]
     findings = [Row(_numbered(sentence, scene, given.things), "-") for sentence in notes.findings]
     rules = [Row(_numbered(words, scene, given.things), "met" if met else "NOT") for words, met in notes.rules]
     blocks = [
@@ -231,10 +232,6 @@ def _blocks(given: _Given) -> list[Block]:
     ]
     told = Block(f"Findings: {notes.verdict}".removesuffix(": "), tuple(findings), 1.0)
     return [*(block for block in blocks if block.rows), told]
-
-
-def _kind(name: str) -> str:
-    return "door" if name.startswith("D") else "window"
 
 
 def _size(opening: Opening) -> str:

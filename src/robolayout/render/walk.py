@@ -16,7 +16,7 @@ from robolayout.assets.obstacles import pieces
 from robolayout.render._drawing import Drawing, Item, circle, paint
 from robolayout.render._tour import Leg, tour
 from robolayout.render.animation import HOLD, SHEET, Stage, draw_names, save_gif
-from robolayout.render.contents import display_name, draw_contents
+from robolayout.render.contents import Shown, display_name, draw_contents
 from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import INK, PAPER, ROUTE
 from robolayout.scene import Agent, Layout, Point, Pose, Scene
@@ -167,7 +167,7 @@ class _Film:
         self._stage = Stage(scene.room, FOOT)
         sheet = self._stage.sheet
         below = Drawing(SHEET, sheet.height)
-        draw_contents(below, scene, layout, marks, self._stage.place)
+        draw_contents(below, Shown(scene, layout, marks, body, self._stage.place))
         sheet.items[1:1] = below.items
         poses = {name: (pose.x, pose.y, pose.yaw) for name, pose in layout.items()}
         sheet.items += draw_names(scene, list(scene.assets), poses, self._stage)

@@ -15,7 +15,7 @@ from robolayout.page.marks import plan_marks
 from robolayout.render import Drawing, PlanMarks, png_bytes
 from robolayout.run.folder import RunFolder, open_folder
 from robolayout.scene import scene_to_dict
-from robolayout.verify import AgentReport, Report
+from robolayout.verify import Report
 
 if TYPE_CHECKING:
     from robolayout.run.diff import Difference
@@ -134,7 +134,9 @@ def _pictures(result: Result, glb: bytes, date: str, looks: int) -> Iterator[tup
 
 def comparison(results: Sequence[Result], suffix: str = ".png", *, width: int = 1800) -> bytes:
     """Return the plans of several runs side by side as the content of a PNG (`width` in pixels) or SVG file."""
-    drawing = _side_by_side([(f"{run.scene.name} for {_body(run.report.agents[0])}", run) for run in results])
+    bodies = (run.report.agents[0].agent for run in results)
+    titled = [(f"{run.scene.name} for {b.title or b.name}", run) for run, b in zip(results, bodies, strict=True)]
+    drawing = _side_by_side(titled)
     return drawing.svg().encode() if suffix == ".svg" else png_bytes(drawing.image(width).quantize(256))
 
 
@@ -163,10 +165,6 @@ def sheet(report: Report, suffix: str = ".pdf", *, date: str = "", width: int = 
     first, notes = report.agents[0], sheet_notes(report, date)
     drawing = draw_sheet(report.scene, report.layout, notes, marks=sheet_marks(first), agent=first.agent)
     return drawing.file(suffix, width)
-
-
-def _body(report: AgentReport) -> str:
-    return report.agent.title or report.agent.name
 
 
 def _json(data: object) -> str:

@@ -84,19 +84,11 @@ def _access(scene: Scene, layout: Layout, agent: Agent) -> tuple[float, list[str
     """Return how much an agent cannot get to (in assets; a door counts as one) and which assets to move for it."""
     found = judge_agent(scene, layout, agent)
     nav = found.navigation
-    fixable = [
-        name
-        for name in found.short
-        if name in layout and (not nav.reached[name] or _in_height(scene, layout, agent, name))
-    ]
+    spans = {name: vertical_span(scene.by_name[name], layout[name]) for name in found.short if name in layout}
+    fixable = [n for n, span in spans.items() if not nav.reached[n] or horizontal_reach(agent, *span) is not None]
     unreached = sum(not nav.reached[name] for name in fixable)
     cut_off = max(0.0, WALKABLE - nav.walkable_ratio) if nav.free.area > 0 else 0.0
     blamed = [*fixable, *(other for name in fixable for other in found.usage.shutting(name))]
     blamed += nav.dividing if cut_off else ()
     blamed += [name for door in nav.shut_doors for name in nav.shutting(door)]
     return unreached + 0.5 * (len(fixable) - unreached) + cut_off + len(nav.shut_doors), blamed
-
-
-def _in_height(scene: Scene, layout: Layout, agent: Agent, name: str) -> bool:
-    """Return whether moving an asset about could ever bring it into the agent's reach."""
-    return horizontal_reach(agent, *vertical_span(scene.by_name[name], layout[name])) is not None

@@ -59,7 +59,8 @@ class Feedback:
 
 
 def _bullets(lines: Sequence[str], names: Mapping[str, str]) -> str:
-    shown = [f"- {_one_line(in_program_words(line, names))}" for line in lines[:MOST_LINES]]
+    told = (" ".join(in_program_words(line, names).split()) for line in lines[:MOST_LINES])
+    shown = [f"- {line}".replace("```", "'''") for line in told]
     more = len(lines) - MOST_LINES
     return "\n".join([*shown, f"- and {more} more."] if more > 0 else shown)
 
@@ -74,7 +75,3 @@ def in_program_words(sentence: str, names: Mapping[str, str]) -> str:
         return sentence
     known = "|".join(re.escape(name) for name in sorted(names, key=len, reverse=True))
     return re.sub(rf"(?<![\w\[-])(?:{known})(?![\w\[-])", lambda found: names[found[0]], sentence)
-
-
-def _one_line(text: str) -> str:
-    return " ".join(text.split()).replace("```", "'''")

@@ -153,7 +153,7 @@ def room_data(room: Room) -> dict[str, object]:
     return {
         "wall_height": round(room.wall_height, 3),
         "walls": walls,
-        "doors": [_opening(room, door) | {"keep_free": _landing(room, door)} for door in room.doors],
+        "doors": [_opening(room, door) | {"keep_free": list(map(_point, room.landing(door)))} for door in room.doors],
         "windows": [_opening(room, window) | {"sill": round(window.sill, 3)} for window in room.windows],
     }
 
@@ -262,7 +262,3 @@ def _opening(room: Room, opening: Opening) -> dict[str, object]:
         "to": _point(wall.point(opening.offset + opening.width)),
         "height": round(opening.height, 3),
     }
-
-
-def _landing(room: Room, door: Opening) -> list[list[float]]:
-    return [_point(corner) for corner in room.landing(door)]
