@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from robolayout.scene import Layout, Scene
 
 SeedOption = Annotated[int, Option(min=0, help="Settles every choice.")]
-OutOption = Annotated[Path | None, Option(help="Output folder; out/<scene> if not given.")]
 AssetDirOption = Annotated[Path | None, Option(help="Folder of the assets that the scene refers to.")]
 QuietOption = Annotated[bool, Option("--quiet", help="Print nothing but errors.")]
 ProgramOption = Annotated[Path | None, Option(help="Also measure the statements of this program.")]

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
 from robolayout._version import __version__
 from robolayout.page._agents import agent_content, listed, millimetres
 from robolayout.page.notes import rule_rows
-from robolayout.program import Program, Reconciled
+from robolayout.program import Reconciled
 from robolayout.render import PlanMarks, palette
 from robolayout.render.contents import display_name
 from robolayout.render.curves import TOTAL, loss_terms
-from robolayout.scene import Asset, Layout, Scene, Trace
+from robolayout.scene import Asset, Trace
 from robolayout.verify import Report
 
 FRAMES = 120
@@ -28,47 +28,9 @@ Row = tuple[str, str, bool | None]
 """What was looked at, what came out, and whether that is enough (None: nothing is asked)."""
 
 
-class Shown(Protocol):
-    """What the page shows of a run."""
-
-    @property
-    def scene(self) -> Scene:
-        """What was given."""
-        ...
-
-    @property
-    def program(self) -> Program:
-        """What was asked."""
-        ...
-
-    @property
-    def reconciled(self) -> Reconciled:
-        """The same after the filter."""
-        ...
-
-    @property
-    def layout(self) -> Layout:
-        """Poses."""
-        ...
-
-    @property
-    def report(self) -> Report:
-        """What the verifier says."""
-        ...
-
-    @property
-    def trace(self) -> Trace:
-        """The record of the search."""
-        ...
-
-
-def content(result: Shown, marks: Sequence[PlanMarks]) -> dict[str, Any]:
-    """Return everything that the page shows, the meshes aside.
-
-    Args:
-        marks: For each agent of the report: its free space, routes and narrowest passage.
-    """
-    scene, report = result.scene, result.report
+def content(report: Report, reconciled: Reconciled, trace: Trace, marks: Sequence[PlanMarks]) -> dict[str, Any]:
+    """Return everything that the page shows of a judged run, the meshes aside; `marks` are those of each agent."""
+    scene = report.scene
     room = scene.room
     return {
         "version": __version__,
@@ -76,8 +38,11 @@ def content(result: Shown, marks: Sequence[PlanMarks]) -> dict[str, Any]:
         "task": scene.task_description,
         "ok": report.ok,
         "asked": [[row.words, row.understanding, row.verdict, row.value] for row in report.asked],
-        "checks": [_check(*row) for row in report.rows()],
-        "problems": [*report.physics.reasons, *_unmet(report)],
+        "checks": [
+            {"name": name, "shown": shown, "met": met, "share": None if shown in ("yes", "no") else float(shown)}
+            for name, shown, met in report.rows()
+        ],
+        "problems": [*report.physics.reasons, *(item.complaint for item in report.statements if not item.met)],
         "timing": [[station, round(spent["wall"], 3)] for station, spent in report.timing.items()],
         "room": {
             "floor": [listed(vertex) for vertex in room.vertices],
@@ -85,31 +50,22 @@ def content(result: Shown, marks: Sequence[PlanMarks]) -> dict[str, Any]:
             "doors": [door.wall for door in room.doors],
             "windows": [window.wall for window in room.windows],
         },
-        "assets": list(_assets(result)),
-        "statements": list(_statements(result)),
+        "assets": list(_assets(report, reconciled)),
+        "statements": list(_statements(report, reconciled)),
         "rules": rule_rows(report),
         "agents": [
             agent_content(agent, shown, report.demands) for agent, shown in zip(report.agents, marks, strict=True)
         ],
-        "trace": _trace(result.trace, [asset.name for asset in scene.assets]),
+        "trace": _trace(trace, [asset.name for asset in scene.assets]),
         "colors": {"route": palette.ROUTE, "narrow": palette.NARROW, "bad": palette.BLOCKED, "wall": palette.WALL},
     }
 
 
-def _check(name: str, shown: str, met: bool) -> dict[str, Any]:
-    """Return one figure of the report; what is no share ("yes") has no bar."""
-    return {"name": name, "shown": shown, "met": met, "share": None if shown in ("yes", "no") else float(shown)}
-
-
-def _unmet(report: Report) -> Iterator[str]:
-    return (item.complaint for item in report.statements if not item.met)
-
-
-def _assets(result: Shown) -> Iterator[dict[str, Any]]:
-    scene, layout = result.scene, result.layout
+def _assets(report: Report, reconciled: Reconciled) -> Iterator[dict[str, Any]]:
+    scene, layout = report.scene, report.layout
     about = {asset.name: list[int]() for asset in scene.assets}
-    for i, statement in enumerate(result.program.statements):
-        for name in dict.fromkeys(statement.relation.asset_names()):
+    for i, decision in enumerate(reconciled.decisions):
+        for name in dict.fromkeys(decision.statement.relation.asset_names()):
             about[name].append(i)
     for asset in scene.assets:
         pose = layout.get(asset.name)
@@ -121,7 +77,7 @@ def _assets(result: Shown) -> Iterator[dict[str, Any]]:
             "level": _level(asset),
             "size": [millimetres(length) for length in asset.size],
             "pose": None if pose is None else [*map(millimetres, (pose.x, pose.y, pose.z)), _tenths(pose.yaw)],
-            "rows": _physical(result.report, asset.name),
+            "rows": _physical(report, asset.name),
             "statements": about[asset.name],
         }
 
@@ -151,9 +107,9 @@ def _physical(report: Report, name: str) -> list[Row]:
     return rows or [("Physics", "placed, collides with nothing, inside the room, held", True)]
 
 
-def _statements(result: Shown) -> Iterator[dict[str, Any]]:
-    decided = {decision.statement.number: decision for decision in result.reconciled.decisions}
-    for item in result.report.statements:
+def _statements(report: Report, reconciled: Reconciled) -> Iterator[dict[str, Any]]:
+    decided = {decision.statement.number: decision for decision in reconciled.decisions}
+    for item in report.statements:
         decision = decided.get(item.number)
         changed = decision is not None and decision.verdict != "accepted"
         yield {

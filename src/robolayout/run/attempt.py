@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Generator, Iterable, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from typing import Protocol
 
 from robolayout.program import Program, Reconciled
-from robolayout.scene import Pose, Scene, Snapshot, Trace
+from robolayout.scene import Snapshot, Trace
 from robolayout.solve import Solution
 
 Progress = Callable[[str], None]
@@ -23,22 +22,6 @@ class Attempt:
     asked: Program  # the program as the planner wrote it
     reconciled: Reconciled  # the same after the filter
     solution: Solution  # what the solver made of it
-
-
-class Finisher(Protocol):
-    """What makes an attempt of a program that was read."""
-
-    def filtered(self, asked: Program, here: Scene) -> Reconciled:
-        """Filter a program for a scene."""
-        ...
-
-    def prepare(self, here: Scene, samples: int) -> None:
-        """Warm up for solving so many programs of a scene."""
-        ...
-
-    def finished(self, asked: Sequence[Program], here: Scene, placed: Mapping[str, Pose]) -> list[Attempt]:
-        """Filter and solve programs for a scene, together; the poses given stay."""
-        ...
 
 
 def joined_traces(traces: Iterable[Trace]) -> Trace:

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robolayout._errors import ModelError, ProgramError
 from robolayout.planners import Critic, Feedback, Judgement, PlanRequest, Score, score_samples
 from robolayout.program import Guess, Program, read_salvaged
-from robolayout.run.attempt import Attempt, Clock, Progress, joined_traces
+from robolayout.run.attempt import Attempt, joined_traces
 from robolayout.run.sight import finished_pictures, room_pictures
-from robolayout.scene import Pose, Scene
 from robolayout.verify import Report, verify
 
-Finish = Callable[[Sequence[Program], Scene, Mapping[str, Pose]], list[Attempt]]
+if TYPE_CHECKING:
+    from robolayout.run.flow import Run
 
 FULL_MARKS = 10
 """Rating at which nothing is amended."""
@@ -43,15 +43,12 @@ class Critique:
 class CriticPass:
     """One look at a finished room."""
 
-    scene: Scene  # what is given
+    whole: Run  # the run that the room is of
     critic: Critic  # who looks
-    finish: Finish  # filters and solves programs
-    clock: Clock  # where seconds are counted
-    say: Progress  # told the name of each phase
 
     def run(self, room: Attempt) -> tuple[Attempt, Critique]:
         """Return the better of the room and its amendment: no worse by the judge, and rated higher by the critic."""
-        self.say("critic")
+        self.whole.say("critic")
         try:
             return self._run(room)
         except ModelError as error:
@@ -65,7 +62,7 @@ class CriticPass:
         if first.score >= FULL_MARKS:
             return room, replace(said, outcome=f"{said.outcome} and had nothing to amend.")
         try:
-            asked = read_salvaged(self._amended(room, report, reasons), self.scene)
+            asked = read_salvaged(self._amended(room, report, reasons), self.whole.scene)
         except ModelError as error:
             return room, replace(said, outcome=f"{said.outcome} and was asked for an amendment in vain: {error}")
         except ProgramError as error:
@@ -88,33 +85,33 @@ class CriticPass:
         return (found if kept else room), replace(said, outcome=outcome, kept=kept, after=second)
 
     def _verified(self, room: Attempt) -> Report:
-        with self.clock.station("verify"):
-            return verify(self.scene, room.solution.layout, room.asked)
+        with self.whole.clock.station("verify"):
+            return verify(self.whole.scene, room.solution.layout, room.asked)
 
     def _rating(self, room: Attempt, report: Report) -> Judgement:
         images = self._pictures(room)
-        with self.clock.station("plan"):
-            return self.critic.rate(self.scene, room.solution.layout, images, summary(report))
+        with self.whole.clock.station("plan"):
+            return self.critic.rate(self.whole.scene, room.solution.layout, images, summary(report))
 
     def _amended(self, room: Attempt, report: Report, reasons: Sequence[str]) -> str:
         request = PlanRequest(
-            self.scene,
+            self.whole.scene,
             placed=room.solution.layout,
-            feedback=Feedback(wishes=reasons, violations=report.violations).text(self.scene.expressions),
+            feedback=Feedback(wishes=reasons, violations=report.violations).text(self.whole.scene.expressions),
             previous=room.asked.text,
             images=self._annotated(room),
         )
-        with self.clock.station("plan"):
+        with self.whole.clock.station("plan"):
             return self.critic.amend(request)
 
     def _solved(self, asked: Program, room: Attempt) -> Attempt:
         """Solve the amendment with everything pinned that it says nothing new about; if that does not do, without pins."""
         asked = replace(asked, guesses=self._guesses(asked, room))
         pinned = {name: room.solution.layout[name] for name in _unchanged(room.asked, asked, room)}
-        (found,) = self.finish([asked], self.scene, pinned)
+        (found,) = self.whole.finished([asked], self.whole.scene, pinned)
         if found.solution.verdict.ok or not pinned:
             return found
-        (free,) = self.finish([asked], self.scene, {})
+        (free,) = self.whole.finished([asked], self.whole.scene, {})
         return min((found, free), key=lambda attempt: attempt.solution.verdict.merit)
 
     def _guesses(self, asked: Program, room: Attempt) -> dict[str, Guess]:
@@ -125,13 +122,13 @@ class CriticPass:
 
     def _pictures(self, room: Attempt) -> dict[str, bytes]:
         """Return the finished room from above and from the side."""
-        with self.clock.station("pictures"):
-            return finished_pictures(self.scene, room.solution.layout, self.critic.pictures)
+        with self.whole.clock.station("pictures"):
+            return finished_pictures(self.whole.scene, room.solution.layout, self.critic.pictures)
 
     def _annotated(self, room: Attempt) -> dict[str, bytes]:
         """Return the finished room with grid, names and fronts, and its plan."""
-        with self.clock.station("pictures"):
-            return room_pictures(self.scene, room.solution.layout, (), self.critic.pictures)
+        with self.whole.clock.station("pictures"):
+            return room_pictures(self.whole.scene, room.solution.layout, (), self.critic.pictures)
 
 
 def summary(report: Report) -> str:

@@ -113,7 +113,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         wishes = read_words(scene)
     if solver == "default":
         warm_up(scene, config, missing_only=program is None and attempts > 1)  # a right guess needs no search
-    run = _Run(scene, seed, solver, config, clock, say, wishes)
+    run = Run(scene, seed, solver, config, clock, say, wishes)
     given = None if start is None else as_start(scene, start)
     pinned = pinned_poses(scene, given, keep, free)
     with clock.station("plan"):
@@ -136,7 +136,7 @@ class _Try:
 
 
 @dataclass(frozen=True)
-class _Run:
+class Run:
     """One call of `generate`: the loop over attempts; the loop over groups is in `groups`."""
 
     scene: Scene
@@ -237,13 +237,12 @@ class _Run:
         """Plan with a model, group by group; the report says who planned."""
         from robolayout.run.groups import GroupedRun
 
-        asking = GroupedRun(self.scene, planner, self, self.wishes, seed=self.seed, clock=self.clock, say=self.say)
-        planned = asking.run(groups)
+        planned = GroupedRun(self, planner).run(groups)
         best, parts = planned.attempt, [planned.to_dict()]
         if isinstance(planner, Critic) and planner.critic:
             from robolayout.run.critic import CriticPass
 
-            best, said = CriticPass(self.scene, planner, self.finished, self.clock, self.say).run(best)
+            best, said = CriticPass(self, planner).run(best)
             parts.append(said.to_dict())
         parts = [planner.to_dict(), *parts]
         sentences = [sentence for part in parts for sentence in part["sentences"]]

@@ -10,19 +10,21 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from robolayout._errors import AnswerError, ModelError, ProgramError, UnavailableError
 from robolayout.planners import USELESS, Feedback, Group, GroupPlanner, OfflinePlanner, PlanRequest
 from robolayout.program import Guess, Program, Statement, read_program, read_salvaged
 from robolayout.run.answers import Candidate, Question, Sample
-from robolayout.run.attempt import Attempt, Clock, Finisher, Progress, joined_traces
+from robolayout.run.attempt import Attempt, joined_traces
 from robolayout.run.diff import without_figures
 from robolayout.run.parts import about, joined, strays
 from robolayout.run.sight import failed_picture, room_pictures
-from robolayout.scene import Layout, Scene, Trace
+from robolayout.scene import Layout, Trace
 from robolayout.verify import Report, verify
-from robolayout.words import Wishes
+
+if TYPE_CHECKING:
+    from robolayout.run.flow import Run
 
 
 @dataclass(frozen=True)
@@ -75,21 +77,11 @@ class _Reopen:
 
 
 class GroupedRun:
-    """The loop over groups."""
+    """The loop over groups of one run."""
 
-    def __init__(
-        self,
-        scene: Scene,
-        planner: GroupPlanner,
-        finisher: Finisher,
-        wishes: Wishes,
-        *,
-        seed: int,
-        clock: Clock,
-        say: Progress,
-    ) -> None:
-        self.scene, self.planner, self.finisher, self.wishes = scene, planner, finisher, wishes
-        self.seed, self.clock, self.say = seed, clock, say
+    def __init__(self, whole: Run, planner: GroupPlanner) -> None:
+        self.whole, self.planner = whole, planner
+        self.scene, self.wishes, self.clock, self.say = whole.scene, whole.wishes, whole.clock, whole.say
         self._answered = False
         self._tries = Counter[str]()
         self._samples: list[Sample] = []
@@ -154,7 +146,7 @@ class GroupedRun:
         """Return the whole program, in plain statements, with its layout."""
         whole = joined(parts)
         return Attempt(
-            whole, self.finisher.filtered(whole, self.scene), replace(last.solution, trace=joined_traces(traces))
+            whole, self.whole.filtered(whole, self.scene), replace(last.solution, trace=joined_traces(traces))
         )
 
     def _once_more(self, last: Attempt, traces: list[Trace], *, alone: bool) -> Attempt:
@@ -165,7 +157,7 @@ class GroupedRun:
         guesses = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in last.solution.layout.items()}
         there = replace(last.asked, guesses=guesses)
         for asked in (last.asked, there) if alone else (there,):
-            (again,) = self.finisher.finished([asked], self.scene, {})
+            (again,) = self.whole.finished([asked], self.scene, {})
             if again.solution.verdict.merit < last.solution.verdict.merit:
                 traces.append(again.solution.trace)
                 return replace(last, solution=replace(again.solution, trace=joined_traces(traces)))
@@ -174,7 +166,7 @@ class GroupedRun:
     def _group(self, question: Question) -> _Standing | _Reopen:
         """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable."""
         label, failure = question.group.label, ""
-        self.finisher.prepare(question.here, self.planner.samples)
+        self.whole.prepare(question.here, self.planner.samples)
         feedback, said = self._reopened.get(label, ""), self._said.pop(label, "")
         previous = said
         if said and not feedback:  # it was said before an earlier group was planned again, and may still do
@@ -226,7 +218,7 @@ class GroupedRun:
             group,
             Layout(question.placed),
             feedback,
-            self.seed,
+            self.whole.seed,
             previous=previous,
             images=question.images if feedback else {k: v for k, v in question.images.items() if k != "failed"},
             reopen=question.earlier if feedback else (),
@@ -241,11 +233,11 @@ class GroupedRun:
     def _offline(self, question: Question) -> Attempt:
         """Plan a group by rules."""
         placed = Layout(question.placed)
-        request = PlanRequest(self.scene, question.group, placed, seed=self.seed, asked=self.wishes.demands)
+        request = PlanRequest(self.scene, question.group, placed, seed=self.whole.seed, asked=self.wishes.demands)
         asked = about(
             read_program(OfflinePlanner().plan(request), self.scene), question.group, question.here, question.before
         )
-        return self.finisher.finished([asked], question.here, question.placed)[0]
+        return self.whole.finished([asked], question.here, question.placed)[0]
 
     def _try(self, question: Question, texts: Sequence[str], attempt: int) -> tuple[str, str]:
         """Solve and verify the answers that can be read, together; return what to tell of them, and the program it is about."""
@@ -266,7 +258,7 @@ class GroupedRun:
                 wrong = (Feedback(error=error, cut=self.planner.cut_off(text)).text(), text)
             question.samples.append(sample)
         if readable:
-            found = self.finisher.finished([asked for *_, asked in readable], question.here, question.placed)
+            found = self.whole.finished([asked for *_, asked in readable], question.here, question.placed)
             question.candidates += [
                 self._candidate(question, sample, read, attempt)
                 for (sample, read, _), attempt in zip(readable, found, strict=True)

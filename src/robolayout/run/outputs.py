@@ -91,7 +91,7 @@ def page_html(result: Result) -> str:
 def _page(result: Result, glb: bytes, marks: Sequence[PlanMarks]) -> str:
     from robolayout.page import content, document
 
-    return document(content(result, marks), glb)
+    return document(content(result.report, result.reconciled, result.trace, marks), glb)
 
 
 def export_options(report: Report) -> Options:
