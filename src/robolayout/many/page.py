@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import base64
 from collections.abc import Mapping, Sequence
-from functools import cache
-from importlib.resources import files
 from typing import Any
 
 from robolayout._text import html, printable
-from robolayout.page import sealed
+from robolayout.page import part, sealed
 
 MOST = 5000
 """Rows that one page holds; the index has all."""
@@ -35,9 +33,5 @@ def page(
     )
     data = {"columns": names, "rows": cells, "thumbs": thumbs}
     parts = {"title": html(title), "note": html(note), "plots": shown}
-    return sealed(_part("many.html"), _part("many.js"), _part("many.css"), data, images="'self' file: data:", **parts)
-
-
-@cache
-def _part(name: str) -> str:
-    return (files("robolayout.many") / "data" / name).read_text(encoding="utf-8").replace("\r\n", "\n")
+    html_, script, style = (part("robolayout.many", f"many.{suffix}") for suffix in ("html", "js", "css"))
+    return sealed(html_, script, style, data, images="'self' file: data:", **parts)

@@ -20,7 +20,7 @@ from multiprocessing import connection, get_context
 from multiprocessing.process import BaseProcess
 from pathlib import Path
 from tempfile import mkdtemp
-from typing import Any, Protocol, cast
+from typing import Any, cast
 
 from robolayout._errors import InputError, MissingExtraError
 from robolayout._files import write_atomic
@@ -48,24 +48,6 @@ class Task:
     attempt: int  # number of the try
 
 
-class Workers(Protocol):
-    """Makes rooms."""
-
-    slots: int
-
-    def send(self, task: Task) -> None:
-        """Begin one try at a room; the caller keeps within `slots`."""
-        ...
-
-    def done(self) -> Iterator[tuple[Task, Made | None]]:
-        """Yield what has become of tries, None where the worker ended; returns after a moment, with or without any."""
-        ...
-
-    def close(self) -> None:
-        """End everything."""
-        ...
-
-
 @dataclass
 class _Process:
     """One worker of this machine."""
@@ -85,7 +67,7 @@ class Local:
     _all: list[_Process] = field(default_factory=list[_Process])
 
     def send(self, task: Task) -> None:
-        """Give a try to an idle process, or to a new one."""
+        """Give a try to an idle process, or to a new one; the caller keeps within `slots`."""
         free = next((one for one in self._all if one.task is None), None) or self._started()
         free.task = task
         with suppress(OSError):  # it has ended; `done` says so
@@ -101,7 +83,7 @@ class Local:
         return self._all[-1]
 
     def done(self) -> Iterator[tuple[Task, Made | None]]:
-        """Yield what processes have made, and the tries of those that have ended."""
+        """Yield what processes have made, and None for the tries of those that have ended; after a moment, with or without any."""
         busy = [one for one in self._all if one.task is not None]
         heard = connection.wait([*(one.pipe for one in busy), *(one.process.sentinel for one in busy)], TICK)
         for one in busy:
@@ -211,6 +193,10 @@ class Ray:
             self.ray.cancel(reference, force=True)
         if self.mine:
             self.ray.shutdown()
+
+
+Workers = Local | Ray
+"""Who makes rooms: `send` begins a try, `done` yields what has become of tries, `close` ends everything."""
 
 
 def check_cluster(address: str) -> None:

@@ -11,6 +11,6 @@
 from __future__ import annotations
 
 from robolayout.page._content import content
-from robolayout.page._document import document, sealed
+from robolayout.page._document import document, part, sealed
 
-__all__ = ["content", "document", "sealed"]
+__all__ = ["content", "document", "part", "sealed"]

@@ -23,7 +23,8 @@ _ESCAPES = str.maketrans({"<": "\\u003c", ">": "\\u003e", "&": "\\u0026"})
 def document(data: Mapping[str, Any], glb: bytes) -> str:
     """Return the page of what `content` returns and the furnished room as GLB, ASCII only."""
     parts = {"asked": _asked(data.get("asked", ())), "glb": base64.b64encode(glb).decode()}
-    return sealed(_part("page.html"), _part("viewer.js"), _part("viewer.css"), data, **parts)
+    html, script, style = (part("robolayout.page", name) for name in ("page.html", "viewer.js", "viewer.css"))
+    return sealed(html, script, style, data, **parts)
 
 
 def sealed(template: str, script: str, style: str, data: object, *, images: str = "'none'", **parts: str) -> str:
@@ -70,6 +71,6 @@ def _hash(text: str) -> str:
 
 
 @cache
-def _part(name: str) -> str:
-    """Return a file of the viewer, its lines ended as browsers count them for hashes."""
-    return (files("robolayout.page") / "data" / name).read_text(encoding="utf-8").replace("\r\n", "\n")
+def part(package: str, name: str) -> str:
+    """Return a file of a page from a package's folder `data`, its lines ended as browsers count them for hashes."""
+    return (files(package) / "data" / name).read_text(encoding="utf-8").replace("\r\n", "\n")

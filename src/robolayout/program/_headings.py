@@ -7,8 +7,7 @@ thing shall look at another, both need a first guess: what a statement asks is c
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from typing import NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple
 
 from shapely import LineString, Point
 from shapely.geometry.base import BaseGeometry
@@ -21,8 +20,9 @@ from robolayout.constraints.mounted_on import MountedOn
 from robolayout.constraints.point_towards import PointTowards
 from robolayout.constraints.row import Row
 from robolayout.program._possible import inner_radius
-from robolayout.program._program import Program, Statement
-from robolayout.scene import Scene
+
+if TYPE_CHECKING:
+    from robolayout.program._rules import Accepted
 
 ROOM = ""
 """Stands for the frame of the room."""
@@ -35,19 +35,7 @@ class Heading(NamedTuple):
     yaw: float
 
 
-class Turned(Protocol):
-    """What is known of headings so far: the scene, the program's guesses, and the statement that turned each thing."""
-
-    scene: Scene
-    program: Program
-
-    @property
-    def headings(self) -> Mapping[str, Statement]:
-        """The first statement that turned each thing."""
-        ...
-
-
-def heading_gap(known: Turned, relation: Relation, name: str) -> float | None:
+def heading_gap(known: Accepted, relation: Relation, name: str) -> float | None:
     """Return by how many degrees a relation would turn a thing away from its first heading; None if nobody can tell."""
     first = heading_of(known, name)
     if isinstance(relation, FacingPair):
@@ -61,14 +49,14 @@ def heading_gap(known: Turned, relation: Relation, name: str) -> float | None:
     return abs(math.degrees(math.remainder(wanted.yaw - first.yaw, math.tau)))
 
 
-def heading_of(known: Turned, name: str, above: tuple[str, ...] = ()) -> Heading:
+def heading_of(known: Accepted, name: str, above: tuple[str, ...] = ()) -> Heading:
     """Return how the first statement about it turns a thing: at least in its own frame."""
     earlier = known.headings.get(name) if name not in above else None
     found = _implied(known, earlier.relation, (*above, name)) if earlier else None
     return found or Heading(name, 0.0)
 
 
-def _implied(known: Turned, relation: Relation, above: tuple[str, ...]) -> Heading | None:
+def _implied(known: Accepted, relation: Relation, above: tuple[str, ...]) -> Heading | None:
     """Return the heading that a relation asks for."""
     if isinstance(relation, AgainstWall | MountedOn | Row) and relation.wall is not None:
         return Heading(ROOM, _yaw(known.scene.room.walls[relation.wall.index].normal))
@@ -85,7 +73,7 @@ def _implied(known: Turned, relation: Relation, above: tuple[str, ...]) -> Headi
     return None
 
 
-def _looks_at(known: Turned, relation: PointTowards, yaw: float) -> bool:
+def _looks_at(known: Accepted, relation: PointTowards, yaw: float) -> bool:
     """Return whether the front of a thing with that yaw, turned back by the angle, hits what it shall look at."""
     x, y = _place(known, relation.a) or (0.0, 0.0)
     yaw, (x0, y0, x1, y1) = yaw - math.radians(relation.angle), known.scene.room.bounds
@@ -95,7 +83,7 @@ def _looks_at(known: Turned, relation: PointTowards, yaw: float) -> bool:
     )
 
 
-def _shape(known: Turned, ref: Ref) -> BaseGeometry:
+def _shape(known: Accepted, ref: Ref) -> BaseGeometry:
     """Return a wall's segment, or the disc that a thing covers whatever its heading, where it is first guessed."""
     if isinstance(ref, WallRef):
         wall = known.scene.room.walls[ref.index]
@@ -105,7 +93,7 @@ def _shape(known: Turned, ref: Ref) -> BaseGeometry:
     return Point(place).buffer(radius) if place else Point()
 
 
-def _place(known: Turned, ref: Ref) -> tuple[float, float] | None:
+def _place(known: Accepted, ref: Ref) -> tuple[float, float] | None:
     """Return where something is: a wall's middle, a point, a thing's first guess."""
     if isinstance(ref, WallRef):
         return known.scene.room.walls[ref.index].midpoint
