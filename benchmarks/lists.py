@@ -20,7 +20,7 @@ from shapely.ops import unary_union
 
 from benchmarks.store import Row
 from benchmarks.tables import Rows, table
-from benchmarks.words import Room
+from benchmarks.words import Room, resting
 
 LISTS = {
     "bedroom": ("3.5 x 4", "1 bed, 2 nightstands, 1 wardrobe, 1 desk, 1 chair, 1 lamp, 1 rug"),
@@ -73,8 +73,9 @@ def idle_seats(room: Room) -> list[str]:
 
 
 def laid_on_seats(room: Room) -> list[str]:
-    """Return what lies on seats and is not soft."""
+    """Return what lies on seats, not on a table that they are under, and is not soft."""
     seats = [name for name in room.layout if _last(room, name) in SEATS]
+    others = [name for name in room.layout if name not in seats]
     found: list[str] = []
     for name in room.layout:
         bottom = room.box(name)[2]
@@ -84,7 +85,9 @@ def laid_on_seats(room: Room) -> list[str]:
             and room.outline(seat).contains(room.outline(name).centroid)
             for seat in seats
         )
-        if over and _last(room, name) not in SOFT and room.scene["assets"][name]["onObject"]:
+        if not over or _last(room, name) in SOFT or not room.scene["assets"][name]["onObject"]:
+            continue
+        if not any(resting(room, name, other) for other in others if other != name):
             found.append(name)
     return found
 

@@ -158,7 +158,8 @@ class Room:
         return sorted(shape.distance(LineString(wall)) for wall in self.walls)
 
 
-def _resting(room: Room, a: str, b: str) -> bool:
+def resting(room: Room, a: str, b: str) -> bool:
+    """Return whether an asset stands on another."""
     (x, y, _), (_, _, bottom, _), (_, _, _, top) = room.pose(a), room.box(a), room.box(b)
     return abs(bottom - top) <= 0.03 and room.outline(b).buffer(0.02).contains(Point(x, y))
 
@@ -201,7 +202,7 @@ def _behind(room: Room, a: str, b: str) -> bool:
 
 
 PAIRS: dict[str, Callable[[Room, str, str], bool]] = {
-    "on": _resting,
+    "on": resting,
     "next": lambda room, a, b: room.gap(a, b) <= 0.8,
     "near": lambda room, a, b: room.gap(a, b) <= 1.5,
     "far": lambda room, a, b: room.gap(a, b) >= 1.0,
@@ -237,7 +238,7 @@ def _at_place(room: Room, kind: str, a: str) -> bool:
 
 def _stacked(room: Room, names: list[str]) -> bool:
     """Whether all but the lowest stand on one of their own kind."""
-    return len(names) > 1 and sum(any(_resting(room, a, b) for b in names if b != a) for a in names) >= len(names) - 1
+    return len(names) > 1 and sum(any(resting(room, a, b) for b in names if b != a) for a in names) >= len(names) - 1
 
 
 def _in_pairs(room: Room, names: list[str]) -> bool:

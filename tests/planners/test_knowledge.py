@@ -6,9 +6,9 @@ import pytest
 
 from robolayout.assets import CATALOGUE, find_category
 from robolayout.constraints import RELATIONS
-from robolayout.planners import OfflinePlanner, PlanRequest
+from robolayout.planners import OfflinePlanner, PlanRequest, scene_from_sentence
 from robolayout.planners._knowledge import load_knowledge
-from robolayout.planners._roles import FALLBACKS, fallback
+from robolayout.planners._roles import FALLBACKS, cast_scene, fallback
 from robolayout.scene import Asset, agent_names, scene_from_dict
 from robolayout.words import read_rooms
 
@@ -23,6 +23,19 @@ def test_every_word_has_one_role() -> None:
             owners[name] = role.name
     assert {category.name: category.role for category in CATALOGUE.values() if category.role}.items() <= owners.items()
     assert len(owners) > 400
+
+
+@pytest.mark.parametrize(
+    ("text", "anchors"),
+    [
+        ("a kitchen", {"kitchen_counter-0": "fridge-0", "stove-0": "kitchen_counter-0", "range_hood-0": None}),
+        ("a bookstore with only 2 armchairs", {"armchair-0": "armchair-1", "armchair-1": None}),
+        ("a shop with only a counter and 2 stools", {"stool-0": "checkout_counter-0", "stool-1": "checkout_counter-0"}),
+    ],
+)
+def test_what_is_used_together_stands_together(text: str, anchors: dict[str, str | None]) -> None:
+    cast = cast_scene(scene_from_sentence(text)[0], KNOWLEDGE)
+    assert {name: cast[name].anchor for name in anchors} == anchors
 
 
 def test_what_a_record_says_is_not_said_again_by_its_role() -> None:
