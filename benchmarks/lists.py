@@ -2,7 +2,7 @@
 
 Eleven types of room, each small, medium and large. The rules look at the dictionaries of `scene.json` and `layout.json` alone:
 
-    seats       every seat is at a table, desk, counter or instrument, or beside or before another seat
+    seats       every seat is at a table, desk, counter or instrument, or beside or before another seat; a sofa may look at a game
     soft        nothing lies on a seat but soft things
     filled      of a room of more than 30 m2 at least 60 % of the floor lies within 1.5 m of furniture
 """
@@ -20,7 +20,7 @@ from shapely.ops import unary_union
 
 from benchmarks.store import Row
 from benchmarks.tables import Rows, table
-from benchmarks.words import Room, resting
+from benchmarks.words import Room, resting, turned_to
 
 LISTS = {
     "bedroom": ("3.5 x 4", "1 bed, 2 nightstands, 1 wardrobe, 1 desk, 1 chair, 1 lamp, 1 rug"),
@@ -43,8 +43,9 @@ SIZES = {"small": 1, "medium": 2, "large": 4}
 SEATS = ("chair", "armchair", "stool", "sofa", "bench", "recliner", "loveseat")
 TABLES = ("table", "desk", "counter", "island", "piano", "machine", "easel")
 SOFT = ("cushion", "pillow", "blanket", "bear", "clothes", "towel", "throw", "book")
-NEAR, TOGETHER, AROUND, BIG, FILLED = 0.8, 2.2, 1.5, 30.0, 0.6
-"""Metres from a seat to its table, and to another seat; metres around furniture; what a big room is (m2), and the share asked of it."""
+NEAR, TOGETHER, WATCHED, AROUND, BIG, FILLED = 0.8, 2.2, 3.5, 1.5, 30.0, 0.6
+"""Metres from a seat to its table, to another seat, and from a sofa to a game; metres around furniture; what a big room is (m2), and
+the share asked of it."""
 
 
 def _last(room: Room, name: str) -> str:
@@ -67,7 +68,11 @@ def idle_seats(room: Room) -> list[str]:
         gaps = {other: shape.distance(there) for other, there in shapes.items() if other != name}
         at_table = any(gap <= NEAR and _last(room, other) in TABLES for other, gap in gaps.items())
         in_company = any(gap <= TOGETHER and _last(room, other) in SEATS for other, gap in gaps.items())
-        if not at_table and not (in_company and _last(room, name) != "stool"):
+        looks = _last(room, name) == "sofa" and any(
+            gap <= WATCHED and _last(room, other) in TABLES and turned_to(room, name, shapes[other])
+            for other, gap in gaps.items()
+        )
+        if not at_table and not looks and not (in_company and _last(room, name) != "stool"):
             found.append(name)
     return found
 

@@ -177,7 +177,8 @@ def _before(room: Room, a: str, b: str, most: float, sign: int = 1) -> bool:
     return u * sign > depth / 2 - 0.05 and abs(v) <= width / 2 + 0.3 and room.gap(a, b) <= most
 
 
-def _turned_to(room: Room, a: str, shape: Polygon | LineString) -> bool:
+def turned_to(room: Room, a: str, shape: Polygon | LineString) -> bool:
+    """Return whether a front of an asset looks at a shape."""
     x, y, yaw = room.pose(a)
     fronts = (yaw, yaw + math.pi) if room.scene["assets"][a]["category"].endswith(TWO_FRONTS) else (yaw,)
     target = shape.centroid
@@ -211,7 +212,7 @@ PAIRS: dict[str, Callable[[Room, str, str], bool]] = {
     "left": partial(_beside, side=1),
     "right": partial(_beside, side=-1),
     "around": lambda room, a, b: room.gap(a, b) <= 1.3,
-    "facing": lambda room, a, b: _turned_to(room, a, room.outline(b)),
+    "facing": lambda room, a, b: turned_to(room, a, room.outline(b)),
     "opposite": lambda room, a, b: _before(room, a, b, 15.0) or _before(room, b, a, 15.0),
     "above": _over,
     "under": lambda room, a, b: (
@@ -318,7 +319,7 @@ def related(room: Room, demand: Demand, wanted: int) -> bool:
         good = [a for a in things if _between(room, a, [end for end in ends if end != a])]
     elif demand.kind == "facing" and demand.about[1] in ("door", "window"):
         lines = room.openings(f"{demand.about[1]}s")
-        good = [a for a in things if any(_turned_to(room, a, line) for line in lines)]
+        good = [a for a in things if any(turned_to(room, a, line) for line in lines)]
     else:
         others = room.find(demand.about[1])
         test = PAIRS[demand.kind]

@@ -5,6 +5,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from robolayout._errors import SceneError
+from robolayout.assets.meshes import parts
 from robolayout.planners import scene_from_sentence
 from robolayout.scene import scene_to_dict
 
@@ -48,6 +49,21 @@ def test_what_is_asked_for_is_made_as_low_as_the_ceiling_and_nothing_higher_is_a
     assert max(asset.size[2] for asset in scene.assets) < 1.9
     assert "The walls are 1.9 m high, so wardrobe is 1.88 m high, not 2.1 m." in found.sentences()
     assert scene.room.doors[0].height < 1.9
+
+
+def test_what_is_said_in_other_words_is_drawn_as_what_it_is_like() -> None:
+    scene, _ = scene_from_sentence("a bedroom with a twin bed and a bistro table")
+    for name, like in (("twin_bed-0", "single bed"), ("bistro_table-0", "round table")):
+        assert (scene.by_name[name].like, scene.by_name[name].parts) == (like, "")
+        assert parts(scene.by_name[name])
+
+
+def test_small_tables_among_chairs_are_for_these() -> None:
+    assert scene_from_sentence("a deli with two small tables and four chairs")[1].wished == {
+        "round table": 2,
+        "chair": 4,
+    }
+    assert "round table" not in scene_from_sentence("a living room with a small table")[1].wished
 
 
 def test_counts_people_and_refusals() -> None:

@@ -35,7 +35,10 @@ LARGE, ALONG_WALLS = 40.0, 1.6
 NARROWEST = 0.6
 """Metres that people need to get to a side of a thing."""
 
-WISHES = {"centre": "mid_wall({a})", "corner": "corner({a})", "window": "at_window({a})", "tuck": "snug({a})"}
+WISHES = {
+    "centre": "mid_wall({a})", "corner": "corner({a})", "window": "at_window({a})", "tuck": "snug({a})",
+    "middle": "centered_on({a}, room)",
+}  # fmt: skip
 """What the preferences of roles are as wishes; those of `_Thing.wishes` aside."""
 
 
@@ -68,7 +71,7 @@ class Writer:
     def _turn(self, name: str) -> tuple[object, ...]:
         top = self.cast[root(self.cast, name)]
         own = self.cast[name]
-        return (top.role.rank, -_area(top), top.name, name != top.name, own.role.rank)
+        return (top.role.rank, -top.asset.size[0] * top.asset.size[1], top.name, name != top.name, own.role.rank)
 
     def lines(self, name: str) -> Iterator[Line]:
         """Yield what is said of one asset; sets of assets speak with their last one."""
@@ -285,8 +288,6 @@ class Writer:
                 continue
             if key == "door" and self.scene.room.doors:
                 text, weight = f"by_door({a})", -weight
-            if key == "middle":
-                text = f"centered_on({a}, room)"
             if key == "long":
                 hangs = "mounted_on" if _modes(item)[0] == "hang" else "against_wall"
                 wall = max(self.scene.room.walls, key=lambda w: (round(w.length, 3), -w.index))
@@ -336,9 +337,12 @@ class Writer:
         return [n for n, one in self.cast.items() if one.role.face and one.role.face.say and target in self._faces(one)]
 
     def _faces(self, item: Cast) -> list[str]:
-        """Return what a thing should face: all of the first role that is there."""
-        for role in item.role.face.roles if item.role.face else ():
+        """Return what a thing should face: all of the first role that is there, one each where it stands before them."""
+        face, equal = item.role.face, self._equal(item)
+        for role in face.roles if face else ():
             found = [n for n, one in self.cast.items() if one.role.name == role and n != item.name]
+            if face and face.say and item.name in equal and found:
+                return [found[equal.index(item.name) % len(found)]]
             if found:
                 return found
         return []
@@ -423,10 +427,6 @@ def _roles(others: Sequence[Cast], item: Cast) -> list[object]:
     roles = list(dict.fromkeys(id(o.role) for o in others))
     found = {id(o.role): o.role for o in others}
     return [found[key] for key in roles if found[key] is not item.role]
-
-
-def _area(item: Cast) -> float:
-    return item.asset.size[0] * item.asset.size[1]
 
 
 def _keys(text: str) -> list[str]:

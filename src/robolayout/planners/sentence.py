@@ -296,7 +296,9 @@ def _assets(
 def asset_entry(kind: Category, size: Sequence[float]) -> dict[str, object]:
     """Return a thing of a kind as a scene file has it."""
     sides = own_sides(kind) if kind.like else None
-    own = {"like": kind.like, "parts": kind.parts} if kind.like else {}
+    own = {"like": kind.like} if kind.like else {}
+    if kind.like and kind.parts not in (CATALOGUE[kind.like].parts, *CATALOGUE):
+        own["parts"] = kind.parts  # else it is drawn as what it is like
     return {
         "category": kind.name,
         "description": "",
@@ -305,7 +307,7 @@ def asset_entry(kind: Category, size: Sequence[float]) -> dict[str, object]:
         "onCeiling": kind.on_ceiling and not kind.on_wall,
         "onObject": kind.on_object,
         "assetMetadata": {"boundingBox": dict(zip("xyz", size, strict=True))},
-        **{key: value for key, value in own.items() if value},
+        **own,
         **({"useSides": list(sides)} if sides is not None else {}),
     }
 

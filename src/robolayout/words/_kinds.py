@@ -13,6 +13,11 @@ STANDING = frozenset(("next", "flank", "behind", "front", "corner", "left", "rig
 
 def settle_kinds(parsed: Parsed) -> None:
     """Give things whose noun means several kinds the first kind that can be where they are asked to be."""
+    heads = {thing.noun.kind.split()[-1] for thing in parsed.things if thing.noun.kind != "side table"}
+    for thing in parsed.things:
+        if thing.noun.said == "small table" and "chair" in heads and not heads & {"table", "desk"}:
+            thing.noun = replace(thing.noun, words="round table", kind="round table", others=())
+            thing.adjectives = (*thing.adjectives, "small")
     for link in parsed.links:
         place = _where(link)
         for mention in link.subjects:
