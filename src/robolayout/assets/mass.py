@@ -59,7 +59,7 @@ def part_masses(made: tuple[Part, ...]) -> tuple[NDArray[np.float64], NDArray[np
     low, reach = z.min(), np.ptp(z)
     weights, middles = np.empty(len(made)), np.empty((len(made), 3))
     for i, part in enumerate(made):
-        density, wall = _bulk(part.material.name)
+        density, wall = _bulk(part)
         foot = part.vertices[:, 2].max() - low <= min(LOW[0] * reach, LOW[1])
         weighted = any(word in part.name for word in _data()["feet"] if foot) or part.name in _data()["solid"]
         volume, surface, inner, outer = _measured(part)
@@ -83,10 +83,11 @@ def _measured(part: Part) -> tuple[float, float, NDArray[np.float64], NDArray[np
     return volume, float(areas.sum()), inner, outer
 
 
-def _bulk(name: str) -> tuple[float, float]:
-    """Return density in kg/m3 and wall thickness in metres of a material."""
-    data = _data()
-    row = next((row for row in data["bulk"] if any(word in name for word in row["of"])), data["usual"])
+def _bulk(part: Part) -> tuple[float, float]:
+    """Return density in kg/m3 and wall thickness in metres of what a part is made of."""
+    data, name = _data(), part.material.name
+    rows = (row for row in data["bulk"] if part.name in row.get("parts", ()) or any(word in name for word in row["of"]))
+    row = next(rows, data["usual"])
     return float(row["density"]), float(row["wall"])
 
 

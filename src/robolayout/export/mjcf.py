@@ -18,8 +18,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from robolayout._reading.syntax import Unreadable, decoded, xml_root
-from robolayout.assets import Joint, Material, Part, category_of, parts, room_parts, turned
+from robolayout.assets import Joint, Material, Part, category_of, parts, prisms_of, room_parts, turned
 from robolayout.assets.mass import part_masses
+from robolayout.assets.shapes import prism
 from robolayout.export._exporter import (
     Contents,
     Exporter,
@@ -148,7 +149,7 @@ def _start(scene: Scene) -> _Model:
 
 
 def _asset(model: _Model, asset: Asset, pose: Pose, *, seed: int, free: bool) -> None:
-    """Add one asset as a body; its mass is shared among its parts by what they are made of."""
+    """Add one asset as a body; its mass is shared among its parts by what they are made of; own meshes collide by their shape."""
     half = pose.yaw / 2
     place = {"pos": f"{pose.x!r} {pose.y!r} {pose.z!r}", "quat": f"{math.cos(half)!r} 0 0 {math.sin(half)!r}"}
     body = ET.SubElement(model.world, "body", {"name": asset.name, **place})
@@ -162,10 +163,16 @@ def _asset(model: _Model, asset: Asset, pose: Pose, *, seed: int, free: bool) ->
     friction = f"{category_of(asset).friction:.6g} 0.005 0.0001"
     kind = "look" if asset.is_flat else "free" if free else "fixed"
     for number, (part, share) in enumerate(zip(pieces, shares, strict=True)):
-        note = {"name": f"{asset.name}/{part.name}/{number}", "class": kind}
+        note = {"name": f"{asset.name}/{part.name}/{number}", "class": kind if part.convex else "look"}
         if not asset.is_flat:
             note |= {"mass": f"{share:.9g}", "friction": friction}
         _geom(model, bodies.get(part.joint, body), part, note)
+    if not (asset.is_flat or all(part.convex for part in pieces)):
+        for number, shape in enumerate(prisms_of(asset)):
+            span = (shape.low - asset.size[2] / 2, shape.high - asset.size[2] / 2)
+            solid = prism("solid", pieces[0].material, [*dict.fromkeys(shape.outline)], span)
+            note = {"name": f"{asset.name}/solid/{number}", "class": kind, "group": "3", "mass": "0"}
+            _geom(model, body, solid, note | {"friction": friction})
 
 
 def _stood(part: Part, leaves: str) -> Part:
