@@ -16,11 +16,7 @@ AT_HERE, EXCHANGE = -100, 2
 
 
 def check_writable(folder: Path) -> None:
-    """Refuse a folder that cannot be made or written to, before any work is done for it.
-
-    Raises:
-        OutputError: The nearest existing folder above (or the folder itself) is none or is read-only.
-    """
+    """Refuse a folder that cannot be made or written to, before any work is done for it."""
     nearest = next(path for path in (folder.absolute(), *folder.absolute().parents) if os.path.exists(path))
     if not nearest.is_dir():
         raise OutputError(f"cannot write to {folder}: {nearest} is not a folder; choose another one.")

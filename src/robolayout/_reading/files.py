@@ -20,11 +20,7 @@ _HOW = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 
 
 def regular_bytes(path: Path, most: int) -> bytes:
-    """Return the content of a regular file of at most `most` bytes.
-
-    Raises:
-        Unreadable: It is no regular file, is larger, or cannot be opened.
-    """
+    """Return the content of a regular file of at most `most` bytes; raises `Unreadable` for anything else."""
     if is_folder(path):
         raise Unreadable("is a folder")
     try:

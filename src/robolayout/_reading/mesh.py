@@ -73,11 +73,7 @@ class Piece:
 
 
 def mesh_pieces(data: bytes, suffix: str) -> tuple[Piece, ...]:
-    """Return the triangle pieces of a mesh file of a kind of `MESH_SUFFIXES`.
-
-    Raises:
-        Unreadable: The file is broken, promises more than is read, or holds no triangles.
-    """
+    """Return the triangle pieces of a mesh file of a kind of `MESH_SUFFIXES`; raises `Unreadable` for a broken one."""
     try:
         _check_promises(data, suffix)
         pieces = tuple(_pieces(data, suffix[1:]))

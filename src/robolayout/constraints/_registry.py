@@ -31,11 +31,7 @@ AnyRelation = TypeVar("AnyRelation", bound=type[Relation])
 
 
 def register(relation: AnyRelation) -> AnyRelation:
-    """Make a relation known to every reader and planner of this process, and return it (so it may stand as a decorator).
-
-    Raises:
-        InputError: If a part of it is missing or its word is taken.
-    """
+    """Make a relation known to every reader and planner of this process, and return it (so it may stand as a decorator)."""
     faults = list(_faults(relation))
     if faults:
         raise InputError(f"the relation {relation.__name__} cannot be registered: {'; '.join(faults)}.")

@@ -200,12 +200,7 @@ def _paired(pairs: Sequence[tuple[Mapping[str, Any], Mapping[str, Any]]]) -> dic
 
 
 def write_evaluation(found: Evaluation, folder: str | Path) -> list[Path]:
-    """Write an evaluation: the rows and the sums as CSV and Parquet, the tables in Markdown, a page with plots.
-
-    Raises:
-        MissingExtraError: pyarrow is not installed.
-        OutputError: The folder cannot be written.
-    """
+    """Write an evaluation: the rows and the sums as CSV and Parquet, the tables in Markdown, a page with plots."""
     check_tables()
     sums = [{"group": g, "figure": n, **vars(m)} for g, part in found.groups.items() for n, m in part.items()]
     for name, pair in found.against.items():

@@ -291,12 +291,7 @@ class Rooms(Sequence[Result]):
         return self.ready.count
 
     def __getitem__(self, index: Any) -> Any:
-        """Return a room by its number, counted from the end if below 0, or a list of those of a slice.
-
-        Raises:
-            IndexError: There is no such number.
-            InputError: None of the tries met its demands, and those are not to be kept.
-        """
+        """Return a room by its number, counted from the end if below 0, or a list of those of a slice."""
         if isinstance(index, slice):
             return [self[number] for number in range(*index.indices(len(self)))]
         number = range(len(self))[index]

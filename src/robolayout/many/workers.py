@@ -200,12 +200,7 @@ Workers = Local | Ray
 
 
 def check_cluster(address: str) -> None:
-    """Refuse, before any work, an address at which nobody answers; Ray itself would wait many minutes and end the program.
-
-    Raises:
-        MissingExtraError: Ray is not installed.
-        InputError: Nobody answers.
-    """
+    """Refuse, before any work, an address at which nobody answers; Ray itself would wait many minutes and end the program."""
     if find_spec("ray") is None:
         raise MissingExtraError("--cluster ray", "ray")
     host, _, port = address.removeprefix("ray://").rpartition(":")

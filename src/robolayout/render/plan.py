@@ -86,11 +86,7 @@ def draw_plan(
 
 
 def draw_comparison(panels: Sequence[Panel]) -> Drawing:
-    """Return plans side by side: all at the scale of the largest room, tops aligned.
-
-    Raises:
-        InputError: There is no panel.
-    """
+    """Return plans side by side: all at the scale of the largest room, tops aligned; at least one is needed."""
     if not panels:
         raise InputError("a comparison has nothing to show: give at least one (title, scene, layout, marks).")
     scale = max(plan_scale(scene) for _, scene, _, _ in panels)

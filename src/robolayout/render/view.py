@@ -277,11 +277,7 @@ def make_renderer(mesh: Mesh, sky: NDArray[np.bool_], sun: NDArray[np.bool_], re
 
 
 def picture_size(size: int | tuple[int, int]) -> tuple[int, int]:
-    """Return (width, height) in pixels; an int is a square.
-
-    Raises:
-        InputError: A side is not between 16 and 8192 pixels.
-    """
+    """Return (width, height) in pixels, each 16 to 8192; an int is a square."""
     width, height = (size, size) if isinstance(size, int) else size
     if not (16 <= width <= LARGEST and 16 <= height <= LARGEST):
         raise InputError(f"picture size {width} x {height} is not possible: each side must be 16 to {LARGEST} pixels.")

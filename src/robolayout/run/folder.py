@@ -56,11 +56,7 @@ class RunFolder:
 
 @contextmanager
 def open_folder(target: Path) -> Generator[RunFolder]:
-    """Give a place to write a run to, and put it in place of the target when the block ends; if it fails, nothing changes.
-
-    Raises:
-        OutputError: It cannot be written, or another run writes to it.
-    """
+    """Give a place to write a run to, and put it in place of the target when the block ends; if it fails, nothing changes."""
     check_writable(target)
     with _as_output_error(target):
         home = target.resolve()

@@ -49,11 +49,7 @@ class Budget:
         return self._dearest if priced is None else priced
 
     def reserve(self, question: Question, name: str) -> Decimal:
-        """Set aside what a question will most likely cost, and return it.
-
-        Raises:
-            BudgetError: It does not fit.
-        """
+        """Set aside what a question will most likely cost, and return it; raises `BudgetError` if it does not fit."""
         cost = self.estimate(question)
         if self.most is not None and self.spent + self.reserved + cost > self.most:
             raise BudgetError(

@@ -35,11 +35,7 @@ class ModelOptions:
     cache: bool = True  # whether the provider is asked to keep what all questions share, where that must be asked for
 
     def __post_init__(self) -> None:
-        """Check every number and name.
-
-        Raises:
-            InputError: One cannot be meant.
-        """
+        """Refuse numbers and names that cannot be meant."""
         if not 0 < self.timeout <= 3600:
             raise InputError(f"the timeout is {self.timeout:g} s; give more than 0 and at most 3600.")
         if self.max_cost is not None and not 0 < self.max_cost < 1e6:

@@ -163,11 +163,7 @@ class ModelPlanner:
         return self.plan_many(request, 1)[0]
 
     def plan_many(self, request: PlanRequest, n: int) -> tuple[str, ...]:
-        """Return up to n answers to the same request, asked for at the same time; those that failed are left out.
-
-        Raises:
-            ModelError: None of them came.
-        """
+        """Return up to n answers to the same request, asked for at once; those that failed are left out, unless all did."""
         if request.group and request.group.label == EVERYTHING:
             request = replace(request, group=None)
         guess = "guess" if self.mode == "no_constraint" else "plan"

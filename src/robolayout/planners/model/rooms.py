@@ -70,11 +70,7 @@ class Choice:
 
 
 def choices(folder: Path | None) -> dict[str, Choice]:
-    """Return the built-in kinds by name, then those of a user's own catalogue, which take the place of built-in ones.
-
-    Raises:
-        SceneError: The catalogue cannot be read.
-    """
+    """Return the built-in kinds by name, then those of a user's own catalogue, which take the place of built-in ones."""
     found = {kind.name: Choice(kind.size, kind.places, asset_entry(kind, kind.size)) for kind in CATALOGUE.values()}
     if folder is None or not (folder / FILE).is_file():
         return found
