@@ -15,14 +15,12 @@ from shapely import Point, Polygon
 
 from robolayout.assets import resting_place
 from robolayout.constraints import AssetRef, Ref, WallRef
+from robolayout.constraints.door_clear import CLEAR_HEIGHT
+from robolayout.constraints.no_overlap import OVERLAP_HEIGHT
 from robolayout.scene import Asset, Room, Scene, Wall
 
 EYE_HEIGHT = 1.5
 """Metres above the floor of the middle of a wall thing that nobody gave a height."""
-DOOR_HEIGHT = 2.0
-"""Metres below which nothing may stand before a door (DESIGN section 4)."""
-SHARED_HEIGHT = 0.01
-"""Metres of common height from which on two things can collide (DESIGN section 4)."""
 
 Span = tuple[float, float]
 
@@ -59,7 +57,7 @@ def height_span(scene: Scene, name: str, parents: Mapping[str, str], mounted: Ma
 
 def share_height(first: Span, second: Span) -> bool:
     """Return whether two things are somewhere at the same height."""
-    return min(first[1], second[1]) - max(first[0], second[0]) > SHARED_HEIGHT
+    return min(first[1], second[1]) - max(first[0], second[0]) > OVERLAP_HEIGHT
 
 
 def inner_radius(asset: Asset) -> float:
@@ -72,7 +70,7 @@ def free_intervals(room: Room, wall: Wall, span: Span) -> list[Span]:
     doors = sorted((d.offset, d.offset + d.width) for d in room.doors if d.wall == wall.index)
     free: list[Span] = []
     start = 0.0
-    for near, far in doors if span[0] < DOOR_HEIGHT else ():
+    for near, far in doors if span[0] < CLEAR_HEIGHT else ():
         free.append((start, near))
         start = max(start, far)
     free.append((start, wall.length))
@@ -82,13 +80,6 @@ def free_intervals(room: Room, wall: Wall, span: Span) -> list[Span]:
 def longest(intervals: Iterable[Span]) -> float:
     """Return the length in metres of the longest interval."""
     return max((far - near for near, far in intervals), default=0.0)
-
-
-def wall_distance(wall: Wall, x: float, y: float) -> float:
-    """Return the distance in metres from a point to a wall's segment."""
-    (sx, sy), (dx, dy) = wall.start, wall.direction
-    along = min(max((x - sx) * dx + (y - sy) * dy, 0.0), wall.length)
-    return math.dist(wall.point(along), (x, y))
 
 
 def distance_range(scene: Scene, asset: Asset, other: Ref, *, collide: bool) -> Span:
@@ -106,7 +97,7 @@ def distance_range(scene: Scene, asset: Asset, other: Ref, *, collide: bool) -> 
         return (both if collide else 0.0, max(farthest - both, 0.0))
     if isinstance(other, WallRef):
         wall = scene.room.walls[other.index]
-        return (radius, max(max(wall_distance(wall, *corner) for corner in corners) - radius, 0.0))
+        return (radius, max(max(map(wall.distance, corners)) - radius, 0.0))
     outside = Polygon(corners).distance(Point(other.x, other.y))
     farthest = max(math.dist(corner, (other.x, other.y)) for corner in corners)
     return (outside + radius if outside > 0 else 0.0, max(farthest - radius, 0.0))

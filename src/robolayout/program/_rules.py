@@ -35,7 +35,6 @@ from robolayout.program._possible import (
     is_fixed_to_wall,
     longest,
     share_height,
-    wall_distance,
 )
 from robolayout.program._program import Program, Statement
 from robolayout.scene import Scene
@@ -272,7 +271,7 @@ def wall_holds(so_far: Accepted, relation: Relation) -> Answer:
         best = min(able, key=lambda wall: (round(math.dist(wall.midpoint, asked.midpoint), 9), wall.index))
         why = f"{trouble}; walls[{best.index}] is the nearest that can hold it"
     else:
-        best = min(able, key=lambda wall: (round(wall_distance(wall, *place), 9), wall.index))
+        best = min(able, key=lambda wall: (round(wall.distance(place), 9), wall.index))
         why = f"walls[{best.index}] is the nearest to the first guess"
     return Change(replace(relation, wall=WallRef(best.index)), why) if best.index != asked.index else None
 

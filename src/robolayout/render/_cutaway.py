@@ -41,8 +41,8 @@ def hidden_parts(scene: Scene, layout: Layout, camera: Camera) -> set[str]:
     for asset in scene.assets:
         if asset.on_wall and asset.name in layout:
             pose = layout[asset.name]
-            nearest = min(room.walls, key=lambda wall: _distance(wall, (pose.x, pose.y)))
-            if nearest.index in cut and _distance(nearest, (pose.x, pose.y)) < asset.size[0] / 2 + ON_WALL:
+            nearest = min(room.walls, key=lambda wall: wall.distance((pose.x, pose.y)))
+            if nearest.index in cut and nearest.distance((pose.x, pose.y)) < asset.size[0] / 2 + ON_WALL:
                 names.add(asset.name)
     return names
 
@@ -102,10 +102,3 @@ def _hidden_share(wall: Wall, height: float, eye: NDArray[np.float64], floor: ND
     along = (hit[:, :2] - wall.start) @ np.array(wall.direction)
     crosses = (share > 0) & (share < 1 - 1e-6) & (along > 0) & (along < wall.length)
     return float((crosses & (hit[:, 2] > 0) & (hit[:, 2] < height)).mean()) if len(floor) else 0.0
-
-
-def _distance(wall: Wall, point: tuple[float, float]) -> float:
-    """Return the distance in metres from a point to the wall's segment."""
-    offset = np.subtract(point, wall.start)
-    along = float(np.clip(offset @ np.array(wall.direction), 0, wall.length))
-    return float(np.linalg.norm(np.subtract(point, wall.point(along))))

@@ -128,21 +128,14 @@ def _height(wall: Wall, point: Point) -> float:
     return (point[0] - x) * nx + (point[1] - y) * ny
 
 
-def _distance(wall: Wall, point: Point) -> float:
-    """Return the distance of a point from the wall."""
-    (dx, dy), (x, y) = wall.direction, wall.start
-    along = min(max((point[0] - x) * dx + (point[1] - y) * dy, 0.0), wall.length)
-    return math.dist(point, wall.point(along))
-
-
 def _touching(a: Wall, b: Wall, room: Room) -> bool:
     """Return whether two walls cross or touch elsewhere than at the corner they share."""
     count = len(room.walls)
     if b.index - a.index == 1:
-        return _distance(a, b.end) < TOLERANCE or _distance(b, a.start) < TOLERANCE
+        return a.distance(b.end) < TOLERANCE or b.distance(a.start) < TOLERANCE
     if (b.index + 1) % count == a.index:
-        return _distance(a, b.start) < TOLERANCE or _distance(b, a.end) < TOLERANCE
-    ends = [_distance(a, b.start), _distance(a, b.end), _distance(b, a.start), _distance(b, a.end)]
+        return a.distance(b.start) < TOLERANCE or b.distance(a.end) < TOLERANCE
+    ends = [a.distance(b.start), a.distance(b.end), b.distance(a.start), b.distance(a.end)]
     crossing = (_height(a, b.start) > 0) != (_height(a, b.end) > 0) and (_height(b, a.start) > 0) != (
         _height(b, a.end) > 0
     )

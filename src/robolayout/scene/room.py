@@ -58,6 +58,12 @@ class Wall:
         (dx, dy), (nx, ny) = self.direction, self.normal
         return (self.start[0] + dx * offset + nx * depth, self.start[1] + dy * offset + ny * depth)
 
+    def distance(self, point: Point) -> float:
+        """Return how far a point is from the wall, metres."""
+        (dx, dy), (x, y) = self.direction, self.start
+        along = min(max((point[0] - x) * dx + (point[1] - y) * dy, 0.0), self.length)
+        return math.dist(point, self.point(along))
+
 
 @dataclass(frozen=True)
 class Opening:
