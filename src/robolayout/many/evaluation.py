@@ -20,8 +20,8 @@ from robolayout._files import write_atomic
 from robolayout._text import markdown
 from robolayout.many.dataset import MESHES
 from robolayout.many.found import Found, find_rooms
-from robolayout.many.index import check_tables, columns, write_rows
-from robolayout.many.page import page
+from robolayout.many.index import check_tables, write_rows
+from robolayout.many.page import columns, page
 from robolayout.many.room import figures
 from robolayout.many.statistics import Mean, mean, sign_test
 from robolayout.run.folder import open_folder

@@ -20,10 +20,11 @@ from robolayout._reading import MAX_MESH_BYTES, Unreadable, regular_bytes
 from robolayout._reading.glb import glb_notice
 from robolayout._text import markdown
 from robolayout._version import __version__
-from robolayout.many.page import page
+from robolayout.many.page import columns, page
 from robolayout.many.spec import Ready
 from robolayout.many.variety import LEAST
 from robolayout.render import png_bytes
+from robolayout.render.animation import spread
 
 TILE = 160
 """Pixels of a side of one room in the picture of all."""
@@ -74,11 +75,6 @@ def check_tables() -> None:
         raise MissingExtraError("a table in Parquet", "many")
 
 
-def columns(rows: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return the names of all columns, in the order in which they first come."""
-    return list(dict.fromkeys(name for row in rows for name in row))
-
-
 def write_rows(stem: Path, rows: Sequence[Mapping[str, Any]]) -> list[Path]:
     """Write rows as `<stem>.csv` and `<stem>.parquet`; what a row lacks is empty."""
     import pyarrow
@@ -108,8 +104,7 @@ def contact(folder: Path, rows: Sequence[Mapping[str, Any]]) -> bytes:
     from PIL import Image
 
     there = [row for row in rows if row["status"] != "missing"]
-    if len(there) > MOST_TILES:
-        there = [there[round(i)] for i in np.linspace(0, len(there) - 1, MOST_TILES)]
+    there = [there[k] for k in spread(len(there), MOST_TILES)]
     across = max(1, int(np.ceil(np.sqrt(1.6 * len(there)))))
     down = max(1, -(-len(there) // across))
     sheet = Image.new("RGB", (across * TILE, down * TILE), "white")

@@ -13,6 +13,11 @@ MOST = 5000
 """Rows that one page holds; the index has all."""
 
 
+def columns(rows: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Return the names of all columns, in the order in which they first come."""
+    return list(dict.fromkeys(name for row in rows for name in row))
+
+
 def page(
     title: str, rows: Sequence[Mapping[str, Any]], *, thumbs: bool = False, plots: Mapping[str, bytes] | None = None
 ) -> str:
@@ -22,7 +27,7 @@ def page(
         thumbs: Whether each row's `path` holds a picture `thumb.png`.
         plots: PNG pictures to show above, by what they show.
     """
-    names = list(dict.fromkeys(name for row in rows for name in row))
+    names = columns(rows)
     values = ((row.get(name) for name in names) for row in rows[:MOST])
     cells = [[printable(value) if isinstance(value, str) else value for value in row] for row in values]
     note = f"The first {MOST} of {len(rows)} rooms; the index has all." if len(rows) > MOST else ""

@@ -13,6 +13,7 @@ from robolayout.page._agents import agent_content, listed, millimetres
 from robolayout.page.notes import rule_rows
 from robolayout.program import Reconciled
 from robolayout.render import PlanMarks, palette
+from robolayout.render.animation import spread
 from robolayout.render.contents import display_name
 from robolayout.render.curves import TOTAL, loss_terms
 from robolayout.scene import Asset, Trace
@@ -124,10 +125,8 @@ def _statements(report: Report, reconciled: Reconciled) -> Iterator[dict[str, An
 
 def _trace(trace: Trace, names: Sequence[str]) -> dict[str, Any]:
     """Return the moments of the search as flat lists of x, y, angle in the order of the assets; absent ones are None."""
-    count = len(trace.snapshots)
-    kept = range(count) if count <= FRAMES else sorted({round(k) for k in np.linspace(0, count - 1, FRAMES).tolist()})
     frames: list[list[Any]] = []
-    for snapshot in (trace.snapshots[k] for k in kept):
+    for snapshot in (trace.snapshots[k] for k in spread(len(trace.snapshots), FRAMES)):
         poses: list[int | None] = []
         for name in names:
             x, y, yaw = snapshot.poses.get(name, (None, None, None))

@@ -51,7 +51,7 @@ def progress_gif(
     still = bool(trace.losses) and is_still(trace)
     if still and layout is not None:
         trace = Trace(trace.losses)
-    chosen = [trace.snapshots[k] for k in _spread(len(trace.snapshots), frames - 1)]
+    chosen = [trace.snapshots[k] for k in spread(len(trace.snapshots), frames - 1)]
     if layout is not None:
         last = max((s.step for s in trace.snapshots), default=0)
         last = max(last, len(trace.losses) - 1)
@@ -88,7 +88,7 @@ class Stage:
         return (self._origin[0] + x * self.scale, self._origin[1] - y * self.scale)
 
 
-def _spread(count: int, most: int) -> list[int]:
+def spread(count: int, most: int) -> list[int]:
     """Return at most `most` indices out of `count`, evenly spread, first and last among them."""
     if count <= most:
         return list(range(count))

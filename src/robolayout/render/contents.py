@@ -106,10 +106,4 @@ def front(asset: Asset, pose: Pose) -> list[Point]:
     depth, width, _ = asset.size
     arrow = min(0.08, 0.3 * depth, 0.3 * width)
     tips = ((depth / 2 - 0.2 * arrow, 0.0), (depth / 2 - arrow, 0.7 * arrow), (depth / 2 - arrow, -0.7 * arrow))
-    return [_world(pose, *tip) for tip in tips]
-
-
-def _world(pose: Pose, forward: float, left: float) -> Point:
-    """Return the point `forward` and `left` metres from the pose."""
-    c, s = pose.forward
-    return (pose.x + c * forward - s * left, pose.y + s * forward + c * left)
+    return [pose.point(*tip) for tip in tips]

@@ -15,7 +15,7 @@ from robolayout._errors import InputError
 from robolayout.assets.obstacles import pieces
 from robolayout.render._drawing import Drawing, Item, circle, paint
 from robolayout.render._tour import Leg, tour
-from robolayout.render.animation import HOLD, SHEET, Stage, draw_names, save_gif
+from robolayout.render.animation import HOLD, SHEET, Stage, draw_names, save_gif, spread
 from robolayout.render.contents import Shown, display_name, draw_contents
 from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import INK, PAPER, ROUTE
@@ -104,8 +104,7 @@ def _steps(legs: Sequence[Leg], frames: int) -> list[_Step]:
         for k in range(1, count + 1):
             x, y = (float(np.interp(leg.length * k / count, ways, column)) for column in points.T)
             steps.append(_Step((x, y), number, stop=k == count))
-    kept = sorted({round(float(k)) for k in np.linspace(0, len(steps) - 1, max(frames, 2))})
-    return steps if len(steps) <= frames else [steps[k] for k in kept]
+    return [steps[k] for k in spread(len(steps), max(frames, 2))]
 
 
 def _headings(scene: Scene, layout: Layout, body: Agent, places: FloatArray) -> list[float]:
@@ -147,8 +146,7 @@ def _touches(scene: Scene, layout: Layout, body: Agent, places: FloatArray, head
     blocked: list[shapely.Polygon] = []
     for name, pose in layout.items():
         for x, y, depth, across in pieces(scene.by_name[name], pose.z, body)[0]:
-            c, s = pose.forward
-            at = Pose(pose.x + c * x - s * y, pose.y + s * x + c * y, 0.0, pose.yaw)
+            at = Pose(*pose.point(x, y), 0.0, pose.yaw)
             blocked.append(shapely.Polygon(at.corners((2 * depth, 2 * across, 0.0))))
     ways_in = [shapely.Polygon(scene.room.landing(door, -(body.length or 0.0))) for door in scene.room.doors]
     floor = shapely.union_all([shapely.buffer(shapely.Polygon(scene.room.vertices), 0.01), *ways_in])

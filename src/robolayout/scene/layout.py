@@ -31,6 +31,11 @@ class Pose:
         """Unit vector of the front, in plan."""
         return (math.cos(self.yaw), math.sin(self.yaw))
 
+    def point(self, ahead: float, left: float) -> tuple[float, float]:
+        """Return the point so many metres ahead of it and to its left, in the room."""
+        c, s = self.forward
+        return (self.x + c * ahead - s * left, self.y + s * ahead + c * left)
+
     def corners(self, size: tuple[float, float, float]) -> tuple[tuple[float, float], ...]:
         """Return the four footprint corners of a box of `size` at this pose, counter-clockwise."""
         c, s = self.forward
