@@ -6,6 +6,10 @@ tell apart; furniture differs in lightness as well as hue, and always carries it
 
 from __future__ import annotations
 
+import tomllib
+from functools import cache
+from importlib.resources import files
+
 from robolayout.assets import category_of
 from robolayout.scene import Asset
 
@@ -23,35 +27,15 @@ TURN = "#8e6a9b"
 REACH = "#b0527f"
 QUIET = "#77736d"
 
-_FAMILIES: dict[str, tuple[str, str]] = {
-    "sleeping": ("#ddd5ea", "#6f5f93"),
-    "care": ("#ddd5ea", "#6f5f93"),
-    "seating": ("#c6d7ea", "#45688f"),
-    "hospitality": ("#c6d7ea", "#45688f"),
-    "dining": ("#f3dfb4", "#8f6a1c"),
-    "kitchen": ("#f3dfb4", "#8f6a1c"),
-    "tableware": ("#fffaf0", "#8f6a1c"),
-    "work": ("#cfe3cb", "#4b7547"),
-    "classroom": ("#cfe3cb", "#4b7547"),
-    "workshop": ("#cfe3cb", "#4b7547"),
-    "storage": ("#e2d2c1", "#7d5f42"),
-    "retail": ("#e2d2c1", "#7d5f42"),
-    "warehouse": ("#e2d2c1", "#7d5f42"),
-    "structure": ("#d5d2cd", "#65615b"),
-    "bathroom": ("#c9e6e6", "#3d7a7c"),
-    "media": ("#d4d4da", "#50505e"),
-    "games": ("#efd0dc", "#8d4a67"),
-    "play": ("#efd0dc", "#8d4a67"),
-    "gym": ("#efd0dc", "#8d4a67"),
-    "lighting": ("#fbf3c4", "#8a7a1f"),
-    "plants": ("#c3dcb0", "#52762f"),
-    "decoration": ("#ecdcd3", "#8a6656"),
-    "textiles": ("#f1e3dc", "#a98270"),
-}
+_PLAIN = ["#e6e4e0", "#6a665f"]
 
-_PLAIN = ("#e6e4e0", "#6a665f")
+
+@cache
+def _families() -> dict[str, list[str]]:
+    return tomllib.loads((files("robolayout.render") / "palette.toml").read_text(encoding="utf-8"))
 
 
 def asset_colors(asset: Asset) -> tuple[str, str]:
     """Return the fill and the line colour of an asset's footprint, as sRGB hex."""
-    return _FAMILIES.get(category_of(asset).group, _PLAIN)
+    fill, line = _families().get(category_of(asset).group, _PLAIN)
+    return fill, line

@@ -22,6 +22,21 @@ SCALES = (25, 50, 100, 200, 500)
 LONGEST = 180.0
 """Millimetres that the room may take; the first scale that fits is used."""
 
+LEGEND = (
+    ("free", "area", FREE, "free to move"),
+    ("islands", "area", ISLAND, "cut off"),
+    ("routes", "line", ROUTE, "route"),
+    ("passages", "line", NARROW, "narrowest"),
+    ("circles", "dash", TURN, "turning circle"),
+    ("arcs", "line", REACH, "reach"),
+    ("blocked", "cross", BLOCKED, "out of reach"),
+    ("ghosts", "dash", QUIET, "stood before"),
+    ("arrows", "line", ROUTE, "moved"),
+    ("added", "line", NARROW, "new"),
+    ("gone", "cross", TIGHT, "gone"),
+)
+"""Marks of a plan (fields of `PlanMarks`) in the legend: how they are drawn there, and in words."""
+
 LINES: dict[str, tuple[float, tuple[float, float] | None]] = {
     "line": (0.5, None),
     "dash": (0.35, (1.1, 0.6)),
@@ -152,18 +167,7 @@ def draw_scale_bar(sheet: Drawing, at: Point, scale: int, width: float) -> float
 def draw_legend(sheet: Drawing, marks: PlanMarks, at: Point, width: float) -> None:
     """Explain the marks that are on the plan, in one row of at most `width` millimetres."""
     (x, y), size = at, 1.9
-    rows: list[tuple[str, str, str]] = []
-    rows += [("area", FREE, "free to move")] if marks.free else []
-    rows += [("area", ISLAND, "cut off")] if marks.islands else []
-    rows += [("line", ROUTE, "route")] if marks.routes else []
-    rows += [("line", NARROW, "narrowest")] if marks.passages else []
-    rows += [("dash", TURN, "turning circle")] if marks.circles else []
-    rows += [("line", REACH, "reach")] if marks.arcs else []
-    rows += [("cross", BLOCKED, "out of reach")] if marks.blocked else []
-    rows += [("dash", QUIET, "stood before")] if marks.ghosts else []
-    rows += [("line", ROUTE, "moved")] if marks.arrows else []
-    rows += [("line", NARROW, "new")] if marks.added else []
-    rows += [("cross", TIGHT, "gone")] if marks.gone else []
+    rows = [row for name, *row in LEGEND if getattr(marks, name)]
     total = sum(6.0 + text_width(words, size) for *_, words in rows)
     size *= min(1.0, width / max(total, 1))
     for kind, color, words in rows:
