@@ -218,7 +218,8 @@ def _cylinder(name: str, material: Material, place: Place) -> Part:
 
 def _prism(name: str, material: Material, place: Place) -> Part:
     axis = span_axis(place)
-    outline = list(zip(place["at"][::2], place["at"][1::2], strict=True))
+    u, v = (place.get(across, [0.0])[0] for across in CROSS[axis])
+    outline = [(a + u, b + v) for a, b in zip(place["at"][::2], place["at"][1::2], strict=True)]
     low, high = place[axis]
     return prism(name, material, outline, (low, high), axis=axis)
 

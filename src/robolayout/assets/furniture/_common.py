@@ -1,4 +1,4 @@
-"""What several builders share: legs, open cases, books."""
+"""What several builders share: books."""
 
 from __future__ import annotations
 
@@ -6,37 +6,10 @@ from collections.abc import Callable, Iterable, Iterator
 
 from robolayout._text import utf8
 from robolayout.assets.palette import SPINES, Piece
-from robolayout.assets.part import Material, Part
-from robolayout.assets.shapes import Range, box, cylinder
+from robolayout.assets.part import Part
+from robolayout.assets.shapes import Range, box
 
 Builder = Callable[[Piece], Iterable[Part]]
-
-
-def four(
-    p: Piece, material: Material, top: float, *, thick: float = 0.045, inset: float = 0.01, round_: bool = False
-) -> Iterator[Part]:
-    """Yield four legs from the floor up to `top`, tapered towards the floor, `inset` metres from the edges."""
-    t = min(thick, 0.2 * p.d, 0.2 * p.w)
-    for sx in (-1, 1):
-        for sy in (-1, 1):
-            x, y = sx * (p.d / 2 - inset - t / 2), sy * (p.w / 2 - inset - t / 2)
-            if round_:
-                yield cylinder("leg", material, (x, y), (t * 0.3, t / 2), (0.0, top), sides=10)
-            else:
-                yield box("leg", material, (x - t / 2, x + t / 2), (y - t / 2, y + t / 2), (0.0, top))
-
-
-def open_case(
-    p: Piece, material: Material, levels: Iterable[float], thick: float, *, z: Range | None = None
-) -> Iterator[Part]:
-    """Yield an open shelf: two sides, a back, and boards whose upper faces lie at `levels`."""
-    bottom, top = z or p.z
-    for y0, y1 in ((p.y[0], p.y[0] + thick), (p.y[1] - thick, p.y[1])):
-        yield box("side", material, p.x, (y0, y1), (bottom, top))
-    inner = (p.y[0] + thick, p.y[1] - thick)
-    yield box("back", material, (p.x[0], p.x[0] + 0.008), inner, (bottom, top - 0.002))
-    for level in levels:
-        yield box("shelf", material, (p.x[0] + 0.008, p.x[1] - 0.002), inner, (level - thick, level))
 
 
 def books(p: Piece, y: Range, floor: float, room: float, *, x: Range | None = None, salt: str = "") -> Iterator[Part]:

@@ -3,31 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 
 from robolayout._text import utf8
 from robolayout.assets.furniture._common import Builder
 from robolayout.assets.palette import BRIGHT, PLAIN, SPINES, Piece
 from robolayout.assets.part import Part
 from robolayout.assets.shapes import box, cylinder, slab
-
-
-def cash_register(p: Piece) -> Iterator[Part]:
-    """Yield a cash register with keys and a display; the cashier is at +x."""
-    yield box("drawer", PLAIN["anthracite"], p.x, p.y, (0.0, 0.28 * p.h))
-    body = box(
-        "body",
-        PLAIN["light-grey"],
-        (p.x[0] + 0.01, p.x[1] - 0.02),
-        (0.94 * p.y[0], 0.94 * p.y[1]),
-        (0.28 * p.h, 0.4 * p.h),
-    )
-    body.vertices[(body.vertices[:, 2] > 0.35 * p.h) & (body.vertices[:, 0] < 0), 2] += 0.24 * p.h
-    yield body
-    yield box("display", PLAIN["black"], (0.76 * p.x[0], 0.5 * p.x[0]), (0.7 * p.y[0], 0.7 * p.y[1]), (0.6 * p.h, p.h))
-    yield box(
-        "screen", PLAIN["glow"], (0.5 * p.x[0], 0.49 * p.x[0]), (0.6 * p.y[0], 0.6 * p.y[1]), (0.72 * p.h, 0.96 * p.h)
-    )
-    yield box("handle", PLAIN["steel"], (p.x[1] - 0.001, p.x[1] + 0.008), (-0.06, 0.06), (0.12 * p.h, 0.17 * p.h))
 
 
 def buffet_counter(p: Piece) -> Iterator[Part]:
@@ -56,27 +38,14 @@ def back_bar(p: Piece) -> Iterator[Part]:
 
 
 def spice_rack(p: Piece) -> Iterator[Part]:
-    """Yield a small rack of jars."""
-    rows = max(1, round(p.h / 0.14))
-    for y0 in (p.y[0], p.y[1] - 0.012):
-        yield box("side", p.wood, p.x, (y0, y0 + 0.012), p.z)
-    inner = (p.y[0] + 0.012, p.y[1] - 0.012)
-    for i in range(rows):
-        z = i * p.h / rows
-        yield box("shelf", p.wood, p.x, inner, (z, z + 0.01))
-        for j in range(n := max(2, round(p.w / 0.065))):
-            y = inner[0] + (j + 0.5) * (inner[1] - inner[0]) / n
-            r = min(0.02, 0.4 * p.d)
-            tone = (*BRIGHT, PLAIN["coffee"])[(i * 3 + j * 2) % 7]
-            yield cylinder("jar", tone, (0.0, y), r, (z + 0.01, z + 0.01 + 0.55 * p.h / rows), sides=10)
-            yield cylinder(
-                "lid",
-                PLAIN["anthracite"],
-                (0.0, y),
-                r,
-                (z + 0.01 + 0.55 * p.h / rows, z + 0.01 + 0.65 * p.h / rows),
-                sides=10,
-            )
+    """Yield jars with lids."""
+    step = p.h / max(1, round(p.h / 0.14))
+    r, n = min(0.02, 0.4 * p.d), max(2, round(p.w / 0.065))
+    for i, j in product(range(round(p.h / step)), range(n)):
+        at, z = (0.0, p.y[0] + 0.012 + (j + 0.5) * (p.w - 0.024) / n), i * step + 0.01
+        tone = (*BRIGHT, PLAIN["coffee"])[(i * 3 + j * 2) % 7]
+        yield cylinder("jar", tone, at, r, (z, z + 0.55 * step), sides=10)
+        yield cylinder("lid", PLAIN["anthracite"], at, r, (z + 0.55 * step, z + 0.65 * step), sides=10)
 
 
 def goods(p: Piece, y: tuple[float, float], low: float, room: float, x: tuple[float, float]) -> Iterator[Part]:
@@ -99,21 +68,12 @@ def goods(p: Piece, y: tuple[float, float], low: float, room: float, x: tuple[fl
 
 
 def shop_shelf(p: Piece) -> Iterator[Part]:
-    """Yield a shop shelf with goods on four or five levels."""
+    """Yield goods on all levels of a shop shelf."""
     rows = max(2, round(p.h / 0.36))
-    yield box("back", PLAIN["light-grey"], (p.x[0], p.x[0] + 0.02), p.y, (0.0, p.h))
-    yield box("base", PLAIN["light-grey"], (p.x[0] + 0.02, p.x[1]), p.y, (0.0, 0.12))
+    step = (p.h - 0.14) / rows
     for i in range(rows):
-        low = 0.12 + i * (p.h - 0.14) / rows
         deep = p.x[1] - 0.01 - 0.06 * (i > 0)
-        if i:
-            yield box(
-                "shelf", PLAIN["white"], (p.x[0] + 0.02, deep), (p.y[0] + 0.005, p.y[1] - 0.005), (low - 0.02, low)
-            )
-        yield box(
-            "price rail", p.accent, (deep, deep + 0.008), (p.y[0] + 0.005, p.y[1] - 0.005), (low - 0.045, low - 0.003)
-        )
-        yield from goods(p, p.y, low, (p.h - 0.14) / rows - 0.02, (p.x[0] + 0.03, deep - 0.02))
+        yield from goods(p, p.y, 0.12 + i * step, step - 0.02, (p.x[0] + 0.03, deep - 0.02))
 
 
 def display_case(p: Piece) -> Iterator[Part]:
@@ -124,24 +84,14 @@ def display_case(p: Piece) -> Iterator[Part]:
 
 
 def card_rack(p: Piece) -> Iterator[Part]:
-    """Yield a turning rack with cards on four sides."""
-    yield cylinder("foot", PLAIN["anthracite"], (0.0, 0.0), (0.5 * p.d, 0.46 * p.d), (0.0, 0.05), sides=20)
-    yield cylinder("pole", PLAIN["steel"], (0.0, 0.0), 0.03, (0.05, p.h), sides=10)
-    rng = p.rng()
-    side = 0.32 * min(p.d, p.w)
-    yield box("core", PLAIN["light-grey"], (-side, side), (-side, side), (0.2 * p.h, 0.95 * p.h))
-    rows = 5
-    for i in range(rows):
-        z = (0.22 + 0.146 * i) * p.h
-        for j in range(3):
-            y = (-0.66 + 0.66 * j) * side
-            for way in (-1, 1):
-                face = (side, side + 0.012) if way > 0 else (-side - 0.012, -side)
-                size = 0.28 * side
-                yield box("card", rng.choice((*BRIGHT, *SPINES)), face, (y - size, y + size), (z, z + 0.12 * p.h))
-                yield box("card", rng.choice((*BRIGHT, *SPINES)), (y - size, y + size), face, (z, z + 0.12 * p.h))
-        for x0 in (-side - 0.05, side + 0.03):
-            yield box("rail", PLAIN["steel"], (x0, x0 + 0.02), (-side, side), (z, z + 0.02))
+    """Yield cards on the four sides of a rack."""
+    rng, side = p.rng(), 0.32 * min(p.d, p.w)
+    size = 0.28 * side
+    for i, j, way in product(range(5), range(3), (-1, 1)):
+        z, y = (0.22 + 0.146 * i) * p.h, (-0.66 + 0.66 * j) * side
+        face = (side, side + 0.012) if way > 0 else (-side - 0.012, -side)
+        yield box("card", rng.choice((*BRIGHT, *SPINES)), face, (y - size, y + size), (z, z + 0.12 * p.h))
+        yield box("card", rng.choice((*BRIGHT, *SPINES)), (y - size, y + size), face, (z, z + 0.12 * p.h))
 
 
 def display_fridge(p: Piece) -> Iterator[Part]:
@@ -161,7 +111,6 @@ def bottles(y: tuple[float, float], low: float, tall: float, x: float) -> Iterat
 
 
 BUILDERS: dict[str, Builder] = {
-    "cash register": cash_register,
     "buffet counter": buffet_counter,
     "back bar": back_bar,
     "spice rack": spice_rack,

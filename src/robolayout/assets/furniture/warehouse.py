@@ -7,27 +7,10 @@ from collections.abc import Iterator
 from robolayout._text import utf8
 from robolayout.assets.furniture._common import Builder
 from robolayout.assets.palette import PLAIN, Piece
-from robolayout.assets.part import Material, Part
-from robolayout.assets.shapes import box, cylinder, sheared, soft
+from robolayout.assets.part import Part
+from robolayout.assets.shapes import box
 
 Span = tuple[float, float]
-
-
-def wheel(p: Piece, x: float, y: float, r: float, *, wide: float = 0.03) -> Iterator[Part]:
-    """Yield a large spoked wheel: tyre disc, lighter inside, hub."""
-    yield cylinder("tyre", PLAIN["rubber"], (r, x), r, (y - wide / 2, y + wide / 2), axis="y", sides=24)
-    yield cylinder(
-        "spokes",
-        PLAIN["light-grey"],
-        (r, x),
-        0.86 * r,
-        (y - wide / 2 - 0.002, y + wide / 2 + 0.002),
-        axis="y",
-        sides=24,
-    )
-    yield cylinder(
-        "hub", PLAIN["anthracite"], (r, x), 0.2 * r, (y - wide / 2 - 0.006, y + wide / 2 + 0.006), axis="y", sides=12
-    )
 
 
 def pallet_at(x: Span, y: Span, low: float, tall: float = 0.144) -> Iterator[Part]:
@@ -121,7 +104,6 @@ def roll_cage(p: Piece) -> Iterator[Part]:
 def pegboard(p: Piece) -> Iterator[Part]:
     """Yield a wall board with hanging tools."""
     face = p.x[0] + 0.3 * p.d
-    yield box("board", p.wood, (p.x[0], face), p.y, p.z)
     rng = p.rng()
     columns = max(3, round(p.w / 0.17))
     for i in range(columns):
@@ -148,44 +130,6 @@ def pegboard(p: Piece) -> Iterator[Part]:
                 )
 
 
-def bicycle(p: Piece) -> Iterator[Part]:
-    """Yield a bicycle that faces +x."""
-    r = 0.32 * p.h
-    rear, front = p.x[0] + r, p.x[1] - r
-    for x in (rear, front):
-        yield from wheel(p, x, 0.0, r, wide=0.035)
-    frame = p.accent
-    yield sheared(
-        "seat tube", frame, (-0.13 * p.d, -0.1 * p.d), (-0.016, 0.016), (0.3 * p.h, 0.82 * p.h), lean=(-0.06 * p.d, 0.0)
-    )
-    yield sheared("fork", frame, (front - 0.02, front + 0.02), (-0.03, 0.03), (r, 0.84 * p.h), lean=(-0.1 * p.d, 0.0))
-    yield bar(frame, (-0.15 * p.d, 0.24 * p.d), (0.7 * p.h, 0.74 * p.h), 0.017)
-    yield bar(frame, (-0.12 * p.d, 0.26 * p.d), (0.32 * p.h, 0.68 * p.h), 0.014)
-    yield bar(frame, (rear, -0.12 * p.d), (r, 0.32 * p.h), 0.010)
-    yield bar(frame, (rear + 0.005, -0.17 * p.d), (r, 0.7 * p.h), 0.0125)
-    yield soft("saddle", PLAIN["black"], (-0.25 * p.d, -0.1 * p.d), (-0.07, 0.07), (0.82 * p.h, 0.88 * p.h), bevel=0.02)
-    yield box("stem", PLAIN["steel"], (front - 0.12 * p.d, front - 0.09 * p.d), (-0.02, 0.02), (0.84 * p.h, 0.96 * p.h))
-    yield cylinder("handle bar", PLAIN["black"], (0.98 * p.h, front - 0.11 * p.d), 0.02 * p.h, p.y, axis="y", sides=8)
-    yield cylinder(
-        "chain ring", PLAIN["steel"], (0.3 * p.h, -0.11 * p.d), 0.09 * p.h, (-0.05, -0.04), axis="y", sides=16
-    )
-    for side in (-1, 1):
-        yield box(
-            "pedal",
-            PLAIN["anthracite"],
-            (-0.11 * p.d - 0.05, -0.11 * p.d + 0.05),
-            (side * 0.11 - 0.05, side * 0.11 + 0.05),
-            (0.3 * p.h + side * 0.13, 0.3 * p.h + side * 0.13 + 0.02),
-        )
-
-
-def bar(tone: Material, x: Span, z: Span, half: float = 0.015) -> Part:
-    """Return a slim tube of a frame from (x[0], z[0]) to (x[1], z[1]), `half` as wide."""
-    part = box("tube", tone, x, (-half, half), (-0.016, 0.016))
-    part.vertices[:, 2] += z[0] + (part.vertices[:, 0] - x[0]) / (x[1] - x[0]) * (z[1] - z[0])
-    return part
-
-
 BUILDERS: dict[str, Builder] = {
     "loaded pallet": loaded_pallet,
     "pallet rack": pallet_rack,
@@ -193,5 +137,4 @@ BUILDERS: dict[str, Builder] = {
     "packing table": packing_table,
     "roll cage": roll_cage,
     "pegboard": pegboard,
-    "bicycle": bicycle,
 }
