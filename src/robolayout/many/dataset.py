@@ -113,7 +113,8 @@ def batch(
         check_cluster(cluster)
     folder.mkdir(parents=True, exist_ok=True)
     with locked(folder / LOCK, folder):
-        write_atomic(folder / HEAD, _head(ready))
+        content = {"robolayout": __version__, "digest": ready.digest(), "spec": ready.spec.to_dict()}
+        write_atomic(folder / HEAD, json.dumps(content, indent=2, ensure_ascii=False) + "\n")
         meshes = shelved(ready, folder / MESHES)
         run = _Run(ready, folder, progress or (lambda progress: None))
         run.go_on()
@@ -123,11 +124,6 @@ def batch(
             with closing(engine):
                 run.finish(engine)
         return run.close()
-
-
-def _head(ready: Ready) -> str:
-    content = {"robolayout": __version__, "digest": ready.digest(), "spec": ready.spec.to_dict()}
-    return json.dumps(content, indent=2, ensure_ascii=False) + "\n"
 
 
 def _check_folder(folder: Path, ready: Ready) -> None:

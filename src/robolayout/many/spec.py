@@ -15,7 +15,7 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 from robolayout._errors import InputError, UnknownNameError
 from robolayout._reading import Checker
@@ -120,16 +120,12 @@ class Spec:
 
     def to_dict(self) -> dict[str, Any]:
         """Return the table as plain values."""
-        return {one.name: _plain(getattr(self, one.name)) for one in fields(self)}
+        return {name: list(value) if isinstance(value, tuple) else value for name, value in vars(self).items()}
 
     @property
     def distinct(self) -> bool:
         """Whether a room that is much like an earlier one is replaced; not where combinations are compared."""
         return not self.each
-
-
-def _plain(value: Any) -> Any:
-    return list(cast("tuple[Any, ...]", value)) if isinstance(value, tuple) else value
 
 
 @dataclass(frozen=True)

@@ -39,7 +39,7 @@ def agent_content(report: AgentReport, marks: PlanMarks, demands: Demands) -> di
         "free": _areas(Polygon(rings[0], rings[1:]) for rings in marks.free),
         "islands": _areas(Polygon(rings[0], rings[1:]) for rings in marks.islands),
         "beyond": _areas(shapely.get_parts(_beyond(report))),
-        "routes": [_line(marks.routes.get(name, ())) for name in names],
+        "routes": [[v for point in marks.routes.get(name, ()) for v in listed(point)] for name in names],
         "passage": [[listed(a), listed(b), f"{width:.2f} m"] for a, b, width in marks.passages],
         "turns": [[*listed(center), millimetres(across)] for center, across in marks.circles],
         "assets": [_asset(report, name) for name in names],
@@ -56,11 +56,6 @@ def millimetres(metres: float) -> int:
 def listed(point: Iterable[float]) -> list[int]:
     """Return coordinates in whole millimetres."""
     return [millimetres(value) for value in point]
-
-
-def _line(points: Iterable[Point]) -> list[int]:
-    """Return a line as x, y, x, y ... in millimetres."""
-    return [value for point in points for value in listed(point)]
 
 
 def _rings(shape: Polygon) -> list[list[int]]:

@@ -232,7 +232,8 @@ def _draw_tag(sheet: Drawing, mark: Mark, camera: Camera, taken: list[Box], unit
         x = min(max(u + dx * (w / 2 + reach + ring * unit), w / 2 + 1), camera.width - w / 2 - 1)
         y = min(max(v + dy * (h / 2 + reach + ring * unit), h / 2 + 1), camera.height - h / 2 - 1)
         box = (x - w / 2, y - h / 2, x + w / 2, y + h / 2)
-        options.append((box, 400 * _holds(box, (u, v)) + 1.5 * ring * unit))
+        hides = box[0] < u < box[2] and box[1] < v < box[3]
+        options.append((box, 400 * hides + 1.5 * ring * unit))
     costs = _covered([box for box, _ in options], taken) + np.array([cost for _, cost in options])
     best, least = options[int(np.argmin(costs))][0], float(costs.min())
     taken += [best, (u - reach, v - reach, u + reach, v + reach)]
@@ -251,7 +252,3 @@ def _covered(boxes: Sequence[Box], taken: Sequence[Box]) -> NDArray[np.float64]:
     a, b = np.array(boxes)[:, None], np.array(taken)[None]
     sides = np.minimum(a[..., 2:], b[..., 2:]) - np.maximum(a[..., :2], b[..., :2])
     return np.maximum(sides, 0).prod(axis=-1).sum(axis=1)
-
-
-def _holds(box: Box, point: Point) -> bool:
-    return box[0] < point[0] < box[2] and box[1] < point[1] < box[3]

@@ -46,14 +46,10 @@ def conflicts(
     unmet = [s for s in program.statements if not s.relation.check(scene, layout).met]
     if unmet:
         looker = _Looker(scene, reconciled, layout, said, np.random.default_rng(seed))
-        found |= {s.number: looker.against(s) + _tried(s, scene) for s in unmet}
+        for s in unmet:
+            ways = len(s.relation.ways(scene))
+            found[s.number] = looker.against(s) + (f"; each of its {ways} ways was tried by itself" if ways else "")
     return found
-
-
-def _tried(statement: Statement, scene: Scene) -> str:
-    """Return what else was tried for a statement that leaves open which way it holds."""
-    ways = len(statement.relation.ways(scene))
-    return f"; each of its {ways} ways was tried by itself" if ways else ""
 
 
 class _Looker:

@@ -10,6 +10,7 @@ from robolayout._errors import ModelError, ProgramError
 from robolayout.planners import Critic, Feedback, Judgement, PlanRequest, Score, score_samples
 from robolayout.program import Guess, Program, read_salvaged
 from robolayout.run.attempt import Attempt, joined_traces
+from robolayout.run.edit import guesses_of
 from robolayout.run.sight import finished_pictures, room_pictures
 from robolayout.verify import Report, verify
 
@@ -89,17 +90,20 @@ class CriticPass:
             return verify(self.whole.scene, room.solution.layout, room.asked)
 
     def _rating(self, room: Attempt, report: Report) -> Judgement:
-        images = self._pictures(room)
+        with self.whole.clock.station("pictures"):
+            images = finished_pictures(self.whole.scene, room.solution.layout, self.critic.pictures)
         with self.whole.clock.station("plan"):
             return self.critic.rate(self.whole.scene, room.solution.layout, images, summary(report))
 
     def _amended(self, room: Attempt, report: Report, reasons: Sequence[str]) -> str:
+        with self.whole.clock.station("pictures"):
+            images = room_pictures(self.whole.scene, room.solution.layout, (), self.critic.pictures)
         request = PlanRequest(
             self.whole.scene,
             placed=room.solution.layout,
             feedback=Feedback(wishes=reasons, violations=report.violations).text(self.whole.scene.expressions),
             previous=room.asked.text,
-            images=self._annotated(room),
+            images=images,
         )
         with self.whole.clock.station("plan"):
             return self.critic.amend(request)
@@ -117,18 +121,9 @@ class CriticPass:
     def _guesses(self, asked: Program, room: Attempt) -> dict[str, Guess]:
         """Return where things start from: where they stand, except what the amendment puts elsewhere."""
         before = room.asked.guesses
-        here = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in room.solution.layout.items()}
-        return here | {name: guess for name, guess in asked.guesses.items() if guess != before.get(name)}
-
-    def _pictures(self, room: Attempt) -> dict[str, bytes]:
-        """Return the finished room from above and from the side."""
-        with self.whole.clock.station("pictures"):
-            return finished_pictures(self.whole.scene, room.solution.layout, self.critic.pictures)
-
-    def _annotated(self, room: Attempt) -> dict[str, bytes]:
-        """Return the finished room with grid, names and fronts, and its plan."""
-        with self.whole.clock.station("pictures"):
-            return room_pictures(self.whole.scene, room.solution.layout, (), self.critic.pictures)
+        return guesses_of(room.solution.layout) | {
+            name: guess for name, guess in asked.guesses.items() if guess != before.get(name)
+        }
 
 
 def summary(report: Report) -> str:
@@ -144,8 +139,8 @@ def _unchanged(before: Program, after: Program, room: Attempt) -> list[str]:
     for one, other in ((before, after), (after, before)):
         said = [statement.relation for statement in other.statements]
         changed |= {name for s in one.statements if s.relation not in said for name in s.relation.asset_names()}
-    here = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in room.solution.layout.items()}
-    return [name for name, guess in here.items() if name not in changed and after.guesses.get(name) == guess]
+    here = guesses_of(room.solution.layout).items()
+    return [name for name, guess in here if name not in changed and after.guesses.get(name) == guess]
 
 
 def _worse(before: Score, after: Score) -> str:

@@ -45,5 +45,9 @@ def pinned_poses(scene: Scene, start: Layout | None, keep: Sequence[str], free: 
 
 def started(program: Program, start: Layout) -> Program:
     """Return a program whose guesses are the poses of a layout; its own are for what that does not place."""
-    given = {name: Guess((pose.x, pose.y, pose.z), pose.yaw) for name, pose in start.items()}
-    return replace(program, guesses={**program.guesses, **given})
+    return replace(program, guesses={**program.guesses, **guesses_of(start)})
+
+
+def guesses_of(layout: Layout) -> dict[str, Guess]:
+    """Return the poses of a layout as guesses."""
+    return {name: Guess((pose.x, pose.y, pose.z), pose.yaw) for name, pose in layout.items()}

@@ -14,10 +14,11 @@ from typing import TYPE_CHECKING, Any
 
 from robolayout._errors import AnswerError, ModelError, ProgramError, UnavailableError
 from robolayout.planners import USELESS, Feedback, Group, GroupPlanner, OfflinePlanner, PlanRequest
-from robolayout.program import Guess, Program, Statement, read_program, read_salvaged
+from robolayout.program import Program, Statement, read_program, read_salvaged
 from robolayout.run.answers import Candidate, Question, Sample
 from robolayout.run.attempt import Attempt, joined_traces
 from robolayout.run.diff import without_figures
+from robolayout.run.edit import guesses_of
 from robolayout.run.parts import about, joined, strays
 from robolayout.run.sight import failed_picture, room_pictures
 from robolayout.scene import Layout, Trace
@@ -108,7 +109,8 @@ class GroupedRun:
             best = self._once_more(best, traces, alone=len(groups) == 1)
         if len(groups) > 1 or self.planner.mode == "no_constraint":
             best = self._joint(best, [(g, s.part) for g, s in zip(groups, stands, strict=True)], traces)
-        done = tuple(replace(group, rationale=self._rationale(group)) for group in groups)
+        other = " Planned by the offline planner in place of the model."
+        done = tuple(replace(g, rationale=g.rationale + other * (g.label in self._taken_over)) for g in groups)
         left_out = tuple(sentence for standing in stands for sentence in standing.left_out)
         given = (tuple(self._samples), self._taken_over, self._given_up, left_out, self._reopened)
         return Planned(best, done, *given)
@@ -138,10 +140,6 @@ class GroupedRun:
             self._given_up.pop(label, None)
         del stands[first:]
 
-    def _rationale(self, group: Group) -> str:
-        taken = group.label in self._taken_over
-        return group.rationale + (" Planned by the offline planner in place of the model." if taken else "")
-
     def _joint(self, last: Attempt, parts: list[tuple[Group, Program]], traces: list[Trace]) -> Attempt:
         """Return the whole program, in plain statements, with its layout."""
         whole = joined(parts)
@@ -154,8 +152,7 @@ class GroupedRun:
 
         From where its things are, with all free to move; one that is `alone`, first as it would be without other samples.
         """
-        guesses = {name: Guess((p.x, p.y, p.z), p.yaw) for name, p in last.solution.layout.items()}
-        there = replace(last.asked, guesses=guesses)
+        there = replace(last.asked, guesses=guesses_of(last.solution.layout))
         for asked in (last.asked, there) if alone else (there,):
             (again,) = self.whole.finished([asked], self.scene, {})
             if again.solution.verdict.merit < last.solution.verdict.merit:
