@@ -14,9 +14,9 @@ from robolayout.page.notes import rule_rows
 from robolayout.program import Reconciled
 from robolayout.render import PlanMarks, palette
 from robolayout.render.animation import spread
-from robolayout.render.contents import display_name
+from robolayout.render.contents import display_name, level
 from robolayout.render.curves import TOTAL, loss_terms
-from robolayout.scene import Asset, Trace
+from robolayout.scene import Trace
 from robolayout.verify import Report
 
 FRAMES = 120
@@ -75,23 +75,12 @@ def _assets(report: Report, reconciled: Reconciled) -> Iterator[dict[str, Any]]:
             "label": display_name(scene, asset),
             "category": asset.category,
             "description": asset.description,
-            "level": _level(asset),
+            "level": level(asset),
             "size": [millimetres(length) for length in asset.size],
             "pose": None if pose is None else [*map(millimetres, (pose.x, pose.y, pose.z)), _tenths(pose.yaw)],
             "rows": _physical(report, asset.name),
             "statements": about[asset.name],
         }
-
-
-def _level(asset: Asset) -> str:
-    """Return where an asset is held, which decides whose label comes first."""
-    if asset.is_flat:
-        return "flat"
-    if asset.on_ceiling:
-        return "ceiling"
-    if asset.on_wall:
-        return "wall"
-    return "floor" if asset.on_floor else "object"
 
 
 def _physical(report: Report, name: str) -> list[Row]:

@@ -12,7 +12,7 @@ import numpy as np
 from robolayout._errors import InputError
 from robolayout.render._architecture import THICKNESS, draw_floor, draw_walls
 from robolayout.render._drawing import Drawing, Item, Point, Text, paint, text_width
-from robolayout.render.contents import display_name, draw_footprint
+from robolayout.render.contents import LEVELS, display_name, draw_footprint, level
 from robolayout.render.curves import NO_SEARCH, TOTAL, Frame, draw_panel, is_still, loss_terms
 from robolayout.render.palette import INK, QUIET, ROUTE
 from robolayout.scene import Asset, Layout, Pose, Room, Scene, Snapshot, Trace
@@ -64,7 +64,7 @@ def progress_gif(
         stage.sheet.words((SHEET / 2, (frame.top + frame.bottom) / 2), NO_SEARCH, 3.2, color=INK)
     elif trace.losses:
         _draw_curve(stage.sheet, frame, trace)
-    order = sorted(scene.assets, key=_level)
+    order = sorted(scene.assets, key=lambda asset: LEVELS.index(level(asset)))
     curve = (frame, 0 if still else len(trace.losses))
     painted = [_progress_items(scene, order, snapshot, stage, curve) for snapshot in chosen]
     return _gif(stage.sheet, painted, size, [*[pause] * (len(chosen) - 1), HOLD])
@@ -95,13 +95,6 @@ def spread(count: int, most: int) -> list[int]:
     return sorted({round(float(k)) for k in np.linspace(0, count - 1, max(most, 1))})
 
 
-def _level(asset: Asset) -> int:
-    """Return how high an asset lies: rugs, floor, tops, walls, ceiling."""
-    if asset.is_flat:
-        return 0
-    return 4 if asset.on_ceiling else 3 if asset.on_wall else 1 if asset.on_floor else 2
-
-
 def _draw_curve(sheet: Drawing, frame: Frame, trace: Trace) -> None:
     """Draw the total loss on a logarithmic scale."""
     terms = loss_terms(trace)
@@ -120,7 +113,9 @@ def _progress_items(
     for asset in order:
         if asset.name in snapshot.poses:
             x, y, yaw = snapshot.poses[asset.name]
-            draw_footprint(sheet, asset, Pose(x, y, asset.size[2] / 2 + 0.1 * (_level(asset) == 2), yaw), stage.place)
+            draw_footprint(
+                sheet, asset, Pose(x, y, asset.size[2] / 2 + 0.1 * (level(asset) == "object"), yaw), stage.place
+            )
     sheet.items += draw_names(scene, order, snapshot.poses, stage)
     frame, steps = curve
     if steps:

@@ -86,6 +86,18 @@ def cord(pose: Pose, place: Place) -> tuple[Point, Point, Point, Point]:
     return ((x - CORD, y - CORD), (x + CORD, y - CORD), (x + CORD, y + CORD), (x - CORD, y + CORD))
 
 
+LEVELS = ("flat", "floor", "object", "wall", "ceiling")
+"""Where things are held, from below."""
+
+
+def level(asset: Asset) -> str:
+    """Return where an asset is held, one of `LEVELS`."""
+    if asset.is_flat:
+        return "flat"
+    found = {"ceiling": asset.on_ceiling, "wall": asset.on_wall, "floor": asset.on_floor}
+    return next((name for name, here in found.items() if here), "object")
+
+
 def display_name(scene: Scene, asset: Asset) -> str:
     """Return the asset's name for people: "bed", or "night stand 1" where there are several."""
     alike = scene.variables[asset.variable]
