@@ -133,3 +133,13 @@ def test_a_floor_that_is_named_lies_there_whatever_the_seed(name: str) -> None:
 
 def test_a_floor_that_nobody_knows_is_left_to_the_seed() -> None:
     assert room_style(2, "lava") is room_style(2) is STYLES[2]
+
+
+def test_curtains_hang_in_the_reveal_of_windows_whose_style_has_them() -> None:
+    for style in (STYLES[0], STYLES[3]):
+        cloth = [part for part in room_parts(RECTANGLE, style=style) if part.material == style.curtain]
+        assert bool(cloth) == (style.curtain is not None)
+        for part in cloth:
+            wall = RECTANGLE.walls[RECTANGLE.windows[int(part.name.removeprefix("window-"))].wall]
+            depths = (part.vertices[:, :2] - wall.start) @ wall.normal
+            assert depths.max() < 0.0 and depths.min() > -THICKNESS

@@ -96,6 +96,12 @@ def _data(path: Path) -> Mapping[str, Any]:
         raise AssetError(f"catalogue {path.name} cannot be read: {error}.") from error
 
 
+@cache
+def read_data(name: str) -> Mapping[str, Any]:
+    """Read one of the package's own data files."""
+    return _data(DATA / name)
+
+
 def _categories(data: Mapping[str, Any], group: str) -> tuple[Category, ...]:
     return tuple(_category(name, entry, group) for name, entry in data.items() if name not in HEADS)
 

@@ -9,13 +9,12 @@ from __future__ import annotations
 
 import math
 import re
-import tomllib
 import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 
-from robolayout.assets.category import DATA, PLACES, Category, built_in_categories
+from robolayout.assets.category import PLACES, Category, built_in_categories, read_data
 from robolayout.scene import FLAT_HEIGHT, Asset
 
 Size = tuple[float, float, float]
@@ -232,13 +231,11 @@ def _index_of(own: tuple[Category, ...]) -> dict[str, tuple[str, ...]]:
 @cache
 def phrase_index() -> dict[str, tuple[str, ...]]:
     """Build the phrase table: ambiguous words, then names, synonyms and WordNet's words; earlier entries win."""
-    ambiguous = tomllib.loads((DATA / "ambiguous.toml").read_text(encoding="utf-8"))
-    wordnet = tomllib.loads((DATA / "wordnet.toml").read_text(encoding="utf-8"))
     catalogue = built_in_categories()
-    known = [(word, tuple(names)) for word, names in ambiguous.items()]
+    known = [(word, tuple(names)) for word, names in read_data("ambiguous.toml").items()]
     known += [(name, (name,)) for name in catalogue if not name.startswith("unknown ")]
     known += [(word, (category.name,)) for category in catalogue.values() for word in category.synonyms]
-    known += [(word, (name,)) for name, entry in wordnet.items() for word in entry["words"]]
+    known += [(word, (name,)) for name, entry in read_data("wordnet.toml").items() for word in entry["words"]]
     return _index(known)
 
 

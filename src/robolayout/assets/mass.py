@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import tomllib
-from functools import cache, lru_cache
-from typing import Any
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._errors import AssetError
-from robolayout.assets.category import CATALOGUE, DATA
+from robolayout.assets.category import CATALOGUE, read_data
 from robolayout.assets.lexicon import category_of
 from robolayout.assets.part import Part
 from robolayout.assets.prisms import SMALL
@@ -57,11 +55,11 @@ def part_masses(made: tuple[Part, ...]) -> tuple[NDArray[np.float64], NDArray[np
     """
     z = np.concatenate([part.vertices[:, 2] for part in made])
     low, reach = z.min(), np.ptp(z)
-    weights, middles = np.empty(len(made)), np.empty((len(made), 3))
+    data, weights, middles = read_data("bulk.toml"), np.empty(len(made)), np.empty((len(made), 3))
     for i, part in enumerate(made):
         density, wall = _bulk(part)
         foot = part.vertices[:, 2].max() - low <= min(LOW[0] * reach, LOW[1])
-        weighted = any(word in part.name for word in _data()["feet"] if foot) or part.name in _data()["solid"]
+        weighted = any(word in part.name for word in data["feet"] if foot) or part.name in data["solid"]
         volume, surface, inner, outer = _measured(part)
         hollow = surface * wall < volume and not weighted
         weights[i] = max(density * (surface * wall if hollow else volume), 1e-9)
@@ -85,12 +83,7 @@ def _measured(part: Part) -> tuple[float, float, NDArray[np.float64], NDArray[np
 
 def _bulk(part: Part) -> tuple[float, float]:
     """Return density in kg/m3 and wall thickness in metres of what a part is made of."""
-    data, name = _data(), part.material.name
+    data, name = read_data("bulk.toml"), part.material.name
     rows = (row for row in data["bulk"] if part.name in row.get("parts", ()) or any(word in name for word in row["of"]))
     row = next(rows, data["usual"])
     return float(row["density"]), float(row["wall"])
-
-
-@cache
-def _data() -> dict[str, Any]:
-    return tomllib.loads((DATA / "bulk.toml").read_text("utf-8"))

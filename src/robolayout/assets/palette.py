@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import random
-import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 from robolayout._text import utf8
-from robolayout.assets.category import CATALOGUE, DATA
+from robolayout.assets.category import CATALOGUE, read_data
 from robolayout.assets.part import Material
 
 CLOTH = 0.95
@@ -42,7 +41,10 @@ class Palette:
     bedding: tuple[Material, ...]
 
 
-def _material(entry: Mapping[str, Any]) -> Material:
+def material_from(entry: str | Mapping[str, Any]) -> Material:
+    """Return a material of a data file: one of `PLAIN` by its name, or one that is written out."""
+    if isinstance(entry, str):
+        return PLAIN[entry]
     found: dict[str, Any] = {**entry, "color": tuple(entry["color"])}
     return Material(**found)
 
@@ -56,12 +58,12 @@ def _palette(entry: Mapping[str, Any]) -> Palette:
                 Material(f"fabric {i}", tuple(color), CLOTH, texture="weave") for i, color in enumerate(value)
             )
         else:
-            found[key] = PLAIN[value] if isinstance(value, str) else _material(value)
+            found[key] = material_from(value)
     return Palette(**found)
 
 
-_FILE: Mapping[str, Any] = tomllib.loads((DATA / "materials.toml").read_text("utf-8"))
-PLAIN: Mapping[str, Material] = {key: _material(entry) for key, entry in _FILE["materials"].items()}
+_FILE = read_data("materials.toml")
+PLAIN: Mapping[str, Material] = {key: material_from(entry) for key, entry in _FILE["materials"].items()}
 """Materials that are the same in every room, by the names that rows use."""
 PALETTES = tuple(_palette(entry) for entry in _FILE["palettes"])
 """The palettes that a seed picks from."""
@@ -74,9 +76,9 @@ STYLED: Mapping[str, Palette] = {palette.wood.name: palette for palette in PALET
 """Palettes by the words that a look names them with: a style, or the main wood of one that seeds pick."""
 COLORS: Mapping[str, Material] = {word: Material(word, tuple(color), CLOTH) for word, color in _FILE["colors"].items()}
 """Colours that a look may name."""
-WOODS: Mapping[str, Material] = {word: _material(entry) for word, entry in _FILE["woods"].items()}
+WOODS: Mapping[str, Material] = {word: material_from(entry) for word, entry in _FILE["woods"].items()}
 """What a look may say that tables and cupboards are made of."""
-CLOTHS: Mapping[str, Material] = {word: _material(entry) for word, entry in _FILE["cloths"].items()}
+CLOTHS: Mapping[str, Material] = {word: material_from(entry) for word, entry in _FILE["cloths"].items()}
 """What a look may say that seats are covered with."""
 LOOKS = frozenset((*STYLED, *COLORS, *WOODS, *CLOTHS))
 """Every word that a look may name."""

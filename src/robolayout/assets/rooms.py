@@ -7,16 +7,18 @@ say what a part belongs to: "floor", "wall-2", "door-0", "window-1", "skirting-3
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from shapely import Polygon, box, constrained_delaunay_triangles
 from shapely.geometry.base import BaseGeometry
 
+from robolayout.assets.category import read_data
 from robolayout.assets.joints import turned
-from robolayout.assets.palette import PLAIN
+from robolayout.assets.palette import PLAIN, material_from
 from robolayout.assets.part import Joint, Material, Part
 from robolayout.assets.shapes import prism
 from robolayout.scene import Opening, Point, Room, Wall
@@ -31,6 +33,8 @@ LEAF = (-0.075, -0.035)
 """Between which depths into the room a shut leaf hangs, in metres."""
 SKIRTING = (0.008, 0.07)
 """Depth into the room and height of the skirting board in metres."""
+GATHERED, FOLDS, WIDEST = 0.17, 6, 2.6
+"""Share of a window's width that a curtain drawn aside takes, its folds, and metres beyond which a window has none (a shop's)."""
 MAX_STRIPS = 60
 MAX_TILES = 110
 SHORTEST = 1e-6
@@ -47,6 +51,7 @@ class RoomStyle:
         wall: Wall paint.
         trim: Skirting, door and window frames.
         door: Door leaves.
+        curtain: What hangs at its windows; None where nothing does.
     """
 
     name: str
@@ -55,76 +60,19 @@ class RoomStyle:
     wall: Material
     trim: Material
     door: Material
+    curtain: Material | None = None
 
 
-def _wood(name: str, *colors: tuple[float, float, float]) -> tuple[Material, ...]:
-    """Return plank tones."""
-    return tuple(Material(f"{name} floor {i}", color, 0.6, texture="wood") for i, color in enumerate(colors))
+def _style(name: str, entry: Mapping[str, Any]) -> RoomStyle:
+    tones = tuple(map(material_from, entry["tones"]))
+    rest = {key: material_from(entry[key]) for key in ("wall", "trim", "door", "curtain") if key in entry}
+    return RoomStyle(name, entry["floor"], tones, **rest)
 
 
-def _paint(name: str, color: tuple[float, float, float]) -> Material:
-    """Return wall paint."""
-    return Material(f"{name} paint", color, 0.95, texture="plaster")
-
-
-def _leaf(name: str, color: tuple[float, float, float], texture: str | None = None) -> Material:
-    """Return what door leaves are made of."""
-    return Material(f"{name} door", color, 0.6, texture=texture)
-
-
-STYLES = (
-    RoomStyle(
-        "oak planks", "planks", _wood("oak", (0.76, 0.62, 0.45), (0.72, 0.58, 0.41), (0.79, 0.66, 0.49)),
-        _paint("warm white", (0.93, 0.91, 0.87)), PLAIN["white"], _leaf("white", (0.91, 0.90, 0.87)),
-    ),
-    RoomStyle(
-        "walnut planks", "planks", _wood("walnut", (0.50, 0.36, 0.25), (0.46, 0.32, 0.22), (0.54, 0.39, 0.28)),
-        _paint("linen", (0.90, 0.86, 0.79)), PLAIN["white"], _leaf("walnut", (0.48, 0.34, 0.23), "wood"),
-    ),
-    RoomStyle(
-        "pale ash planks", "planks", _wood("ash", (0.84, 0.77, 0.66), (0.81, 0.73, 0.62), (0.87, 0.80, 0.70)),
-        _paint("mist", (0.84, 0.87, 0.87)), PLAIN["white"], _leaf("grey", (0.70, 0.72, 0.72)),
-    ),
-    RoomStyle(
-        "grey tiles", "tiles", (Material("stone tile", (0.76, 0.75, 0.73), 0.4, texture="stone"), Material("joint", (0.60, 0.59, 0.58))),
-        _paint("clean white", (0.94, 0.94, 0.93)), PLAIN["anthracite"], _leaf("light", (0.86, 0.84, 0.80)),
-    ),
-    RoomStyle(
-        "sand carpet", "carpet", (Material("sand carpet", (0.78, 0.73, 0.65), 1.0, texture="pile"),),
-        _paint("sage", (0.81, 0.84, 0.78)), PLAIN["white"], _leaf("oak", (0.72, 0.57, 0.40), "wood"),
-    ),
-)  # fmt: skip
-
-
-def _tiled(name: str, tile: tuple[float, float, float], joint: tuple[float, float, float]) -> RoomStyle:
-    """Return a style with tiles on the floor."""
-    return replace(
-        STYLES[3],
-        name=name,
-        tones=(Material(f"{name} floor", tile, 0.35, texture="stone"), Material("joint", joint)),
-        trim=PLAIN["white"],
-    )
-
-
-def _even(name: str, color: tuple[float, float, float], roughness: float, texture: str | None) -> RoomStyle:
-    """Return a style with one sheet on the floor."""
-    tones = (Material(f"{name} floor", color, roughness, texture=texture),)
-    return replace(STYLES[4], name=name, tones=tones, wall=STYLES[0].wall, door=STYLES[3].door)
-
-
-FLOORS = {
-    style.name: style
-    for style in (
-        *STYLES,
-        _tiled("white tiles", (0.90, 0.90, 0.89), (0.74, 0.74, 0.73)),
-        _tiled("marble tiles", (0.93, 0.92, 0.90), (0.83, 0.82, 0.80)),
-        _tiled("terracotta tiles", (0.72, 0.46, 0.34), (0.60, 0.52, 0.45)),
-        _even("concrete", (0.64, 0.63, 0.61), 0.9, "stone"),
-        _even("rubber", (0.24, 0.25, 0.27), 0.95, None),
-        _even("grey carpet", (0.52, 0.53, 0.55), 1.0, "pile"),
-    )
-}
+FLOORS = {name: _style(name, entry) for name, entry in read_data("room_styles.toml").items()}
 """Styles by the name of their floor."""
+STYLES = tuple(FLOORS.values())[:5]
+"""Those that seeds pick from."""
 
 
 def room_style(seed: int, floor: str = "") -> RoomStyle:
@@ -348,6 +296,19 @@ def _window(wall: Wall, window: Opening, name: str, look: RoomStyle) -> Iterator
     if panes > 1:
         yield _bar(name, PLAIN["black"], wall, (near + (far - near) / panes - 0.01, near + (far - near) / panes + 0.01),
                    (-0.03, -0.01), (low + 0.3 * (top - low), low + 0.3 * (top - low) + 0.1))  # fmt: skip
+    if look.curtain is not None and window.width <= WIDEST:
+        yield from _curtains(wall, window, name, look.curtain)
+
+
+def _curtains(wall: Wall, window: Opening, name: str, cloth: Material) -> Iterator[Part]:
+    """Yield curtains drawn aside, in folds, on a rod in the reveal of a window."""
+    near, far, top = window.offset, window.offset + window.width, window.sill + window.height
+    yield _bar(name, PLAIN["steel"], wall, (near, far), (-0.018, -0.008), (top - 0.03, top - 0.02))
+    fold = GATHERED * window.width / FOLDS
+    for i in range(FOLDS):
+        depth = ((-0.019, -0.009), (-0.012, -0.002))[i % 2]
+        for at in (near + i * fold, far - (i + 1) * fold):
+            yield _bar(name, cloth, wall, (at, at + fold), depth, (window.sill + 0.022, top - 0.018))
 
 
 def _skirting(room: Room, look: RoomStyle) -> Iterator[Part]:

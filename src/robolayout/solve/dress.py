@@ -9,12 +9,10 @@ from __future__ import annotations
 
 import math
 import random
-import tomllib
 import zlib
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache
 from itertools import count
 from typing import Any
 
@@ -25,7 +23,7 @@ from shapely.geometry.base import BaseGeometry
 
 from robolayout._text import utf8
 from robolayout.assets import CATALOGUE, Surface, category_of, surfaces_of
-from robolayout.assets.category import DATA
+from robolayout.assets.category import read_data
 from robolayout.assets.prisms import piece_spans
 from robolayout.assets.surfaces import LEVEL, hung_from
 from robolayout.scene import DRESSINGS, Asset, Layout, Pose, Scene, variable_name
@@ -106,17 +104,11 @@ def dress(
     return _Dresser(scene, layout, AMOUNTS[amount], seed, config or DressConfig()).run()
 
 
-@cache
-def _data() -> Mapping[str, Any]:
-    """Return the rules."""
-    return tomllib.loads((DATA / "dressing.toml").read_text("utf-8"))
-
-
 def _rules(kind: str, words: str) -> list[Mapping[str, Any]]:
     """Return the rules for a kind of carrier in a room of which some words are known."""
     return [
         rule
-        for rule in _data()["rule"]
+        for rule in read_data("dressing.toml")["rule"]
         if kind in rule["on"] and any(word in words for word in rule.get("rooms", [""]))
     ]
 
@@ -176,7 +168,7 @@ class _Dresser:
 
     def __post_init__(self) -> None:
         self._standing = [(a, self.layout[a.name]) for a in self.scene.assets if a.name in self.layout]
-        self._had = {category_of(asset).name for asset in self.scene.assets} & set(_data()["once"])
+        self._had = {category_of(asset).name for asset in self.scene.assets} & set(read_data("dressing.toml")["once"])
         self._lists: Counter[str] = Counter()
         self._count: Counter[str] = Counter()
 
@@ -322,7 +314,7 @@ class _Dresser:
     def _places(self, place: _Place, rule: Mapping[str, Any]) -> None:
         """Put a set before every seat that faces the surface: first the plates of all, then what lies beside them."""
         seats = [seat for seat in self._seats(place) if place.rng.random() <= 0.5 + 0.5 * self.amount]
-        for kind, ahead, aside, turn in _data()["sets"][rule["set"]]:
+        for kind, ahead, aside, turn in read_data("dressing.toml")["sets"][rule["set"]]:
             thing, served = Asset("", kind, CATALOGUE[kind].size), list[tuple[tuple[float, float], float]]()
             for edge, facing in seats:
                 c, s = math.cos(facing), math.sin(facing)
@@ -330,7 +322,7 @@ class _Dresser:
                 spot = (edge[0] + c * away + s * aside, edge[1] + s * away - c * aside)
                 if self._put(place, thing, (*spot, facing + math.pi + math.radians(turn)), self._variable(kind)):
                     served.append((edge, facing))
-            if kind == _data()["sets"][rule["set"]][0][0]:
+            if kind == read_data("dressing.toml")["sets"][rule["set"]][0][0]:
                 seats = served  # where something lies already, nothing is set
 
     def _seats(self, place: _Place) -> Iterator[tuple[tuple[float, float], float]]:
@@ -403,7 +395,7 @@ class _Dresser:
         self.assets.append(made)
         self.poses[name] = pose
         self._standing.append((made, pose))
-        self._had |= {thing.category} & set(_data()["once"])
+        self._had |= {thing.category} & set(read_data("dressing.toml")["once"])
 
     def _hang(self, place: _Place, rule: Mapping[str, Any]) -> None:
         """Hang a thing from a hook, if nothing else is where it would hang."""
