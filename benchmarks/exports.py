@@ -36,7 +36,7 @@ def measured(room: str) -> Row:
     """Return what comes back from every format, what validators find, and what moves and touches in MuJoCo."""
     result = furnished(room)
     options = export_options(result.report)
-    row: Row = {"assets": len(result.scene.assets)} | _read_back(result, options) | _validated(result, options)
+    row: Row = {"assets": len(result.scene.assets)} | _read_back(result, options) | validated(result, options)
     with watch() as spent:
         settled = settle(result.scene, result.layout)
     row |= {
@@ -71,7 +71,7 @@ def _read_back(result: rl.Result, options: Options) -> Row:
     return {"formats": len(EXPORTERS), "read_back": apart}
 
 
-def _validated(result: rl.Result, options: Options) -> Row:
+def validated(result: rl.Result, options: Options) -> Row:
     """Return how many errors and warnings validators find; what is not installed is left out."""
     row: Row = {}
     with tempfile.TemporaryDirectory() as folder:

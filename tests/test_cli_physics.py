@@ -9,6 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from robolayout.export import settle
+from robolayout.scene import Asset, Layout, Pose, Room, Scene
+from robolayout.verify import verify
 from running import Furnished, Ran
 
 Command = Callable[..., Ran]
@@ -105,3 +108,15 @@ def test_a_model_is_written_without_the_body_and_with_open_doors(
     text = (tmp_path / "scene.xml").read_text()
     assert ran.code == 0 and 'name="agent"' not in text and '<key name="home"' in text
     assert 'joint name="room/door-0"' not in text and 'name="wardrobe-0/door 0"' in text
+
+
+def test_what_falls_makes_the_verdict_short() -> None:
+    room = Room(((0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)), 2.6)
+    scene = Scene(room, (Asset("stool-0", "stool", (0.4, 0.4, 0.45)),))
+    for height, short in ((0.225, False), (0.3, True)):
+        layout = Layout({"stool-0": Pose(2.0, 2.0, height, 0.0)})
+        found = settle(scene, layout, 1.0)
+        assert settle(scene, layout, 1.0).to_dict() == found.to_dict()
+        report = verify(scene, layout).with_stability(found.to_dict())
+        assert ("stable_share" in report.unmet) == short and not (short and report.ok)
+        assert any("stool-0 does not stay" in sentence for sentence in report.violations) == short

@@ -153,7 +153,7 @@ def test_drawings_and_simulator_files_are_read_back(name: str) -> None:
     drawn = ElementTree.fromstring(plan_svg(scene, layout, agent=agent).encode())
     assert not [element for element in drawn.iter() if element.tag.endswith("script")]
     options = Options(agent=agent, routes={f"{name}-0": [(0.5, 0.5), (1.0, 0.5)]})
-    for kind in ("mjcf", "urdf"):
+    for kind in ("mjcf", "urdf", "sdf"):
         found = EXPORTERS[kind].read(to_bytes(scene, layout, kind, options=options))  # type: ignore[misc]
         assert list(found.layout) == [xml(f"{name}-0")], kind
 
@@ -204,7 +204,9 @@ def test_a_hostile_body_and_wish_go_through_a_whole_run(tmp_path: Path) -> None:
     file.write_text(json.dumps(scene))
     out = tmp_path / "out"
     for words in ((), ("--json",), ("--quiet",)):
-        ran = run_command("generate", file, "--out", out, "--export", "mjcf,urdf,dxf,usda,svg", "--starts", 1, *words)
+        ran = run_command(
+            "generate", file, "--out", out, "--export", "mjcf,urdf,sdf,dxf,usda,svg", "--starts", 1, *words
+        )
         assert ran.code in (0, 1), ran
         printed = ran.out + ran.err
         assert not any(end in printed for end in ENDS) and ("--quiet" not in words or printed == "")
@@ -213,7 +215,7 @@ def test_a_hostile_body_and_wish_go_through_a_whole_run(tmp_path: Path) -> None:
     assert len([name for name in written if name.startswith("plan_2__.._[_red]")]) == 1
     for path in (path for path in out.rglob("*") if path.is_file()):
         data = path.read_bytes()
-        if path.suffix in (".svg", ".xml", ".urdf"):
+        if path.suffix in (".svg", ".xml", ".urdf", ".sdf"):
             assert not [e for e in ElementTree.fromstring(data).iter() if e.tag.endswith("script")]
         elif path.suffix == ".json":
             json.loads(data)

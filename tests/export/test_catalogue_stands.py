@@ -9,7 +9,7 @@ import shapely
 from robolayout.assets import CATALOGUE, parts
 from robolayout.assets.mass import part_masses
 from robolayout.export import settle
-from robolayout.export.mjcf import FOOT
+from robolayout.export._bodies import FOOT
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
 EACH = 24

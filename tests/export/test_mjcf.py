@@ -1,10 +1,9 @@
-"""MJCF and URDF, loaded by MuJoCo."""
+"""MJCF, loaded by MuJoCo."""
 
 from __future__ import annotations
 
 import math
 import xml.etree.ElementTree as ET
-from pathlib import Path
 
 import mujoco
 import numpy as np
@@ -12,7 +11,7 @@ import pytest
 
 from robolayout._errors import LayoutError
 from robolayout.assets import category_of, parts
-from robolayout.export import EXPORTERS, Options, export
+from robolayout.export import EXPORTERS, Options
 from robolayout.export._exporter import mass
 from robolayout.export._mesh import as_box
 from robolayout.export.mjcf import AGENT, AGENT_MASS, start
@@ -144,26 +143,7 @@ def test_facts_are_kept_as_custom_data(scene: Scene, layout: Layout) -> None:
     assert texts["route/wardrobe-0"] == "4 0.5 4 2"
 
 
-def test_urdf_loads_with_the_same_bodies_and_masses(scene: Scene, layout: Layout, tmp_path: Path) -> None:
-    model = mujoco.MjModel.from_xml_path(str(export(scene, layout, "urdf", folder=tmp_path)))
-    data = mujoco.MjData(model)
-    mujoco.mj_forward(model, data)
-    moving = {f"{a.name}/{part.joint.name}" for a in scene.assets for part in parts(a) if part.joint is not None}
-    assert {model.body(i).name for i in range(1, model.nbody)} == FREE | moving
-    assert {model.joint(f"{name}/joint").range[1] > 0 for name in moving} == {True}
-    for name in FREE:
-        pose = layout[name]
-        assert model.body(name).mass == pytest.approx(mass(scene.by_name[name]), rel=1e-6)
-        assert data.body(name).xpos == pytest.approx((pose.x, pose.y, pose.z), abs=1e-6)
-        matrix = data.body(name).xmat.reshape(3, 3)
-        assert matrix[:2, 0] == pytest.approx(pose.forward, abs=1e-6)
-    root = ET.parse(tmp_path / "den.urdf").getroot()
-    assert {link.get("name") for link in root.iter("link")} == {"room", *layout} | moving
-    fixed = {joint.find("child").get("link") for joint in root.iter("joint") if joint.get("type") == "fixed"}
-    assert fixed == set(layout) - FREE
-
-
-@pytest.mark.parametrize("name", ["mjcf", "urdf"])
+@pytest.mark.parametrize("name", ["mjcf", "urdf", "sdf"])
 def test_entities_are_refused(name: str) -> None:
     bomb = b'<!DOCTYPE x [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;">]><mujoco>&b;</mujoco>'
     with pytest.raises(LayoutError, match="has a document type or entities"):

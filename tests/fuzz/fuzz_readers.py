@@ -309,6 +309,7 @@ READERS = {
         Reader("export glb", ".glb", _exported("glb"), as_glb, _read_export("glb")),
         Reader("export mjcf", ".xml", _exported("mjcf"), None, _read_export("mjcf")),
         Reader("export urdf", ".urdf", _exported("urdf"), None, _read_export("urdf")),
+        Reader("export sdf", ".sdf", _exported("sdf"), None, _read_export("sdf")),
         Reader("export dxf", ".dxf", _exported("dxf"), None, _read_export("dxf")),
     )
 }

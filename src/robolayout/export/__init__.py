@@ -27,6 +27,7 @@ from robolayout.export.mjcf import MJCF
 from robolayout.export.physics import Drive, Driven, Motion, Settled, check_simulator, drive, settle
 from robolayout.export.procthor import PROCTHOR
 from robolayout.export.sceneeval import SCENEEVAL, write_meshes
+from robolayout.export.sdf import SDF
 from robolayout.export.urdf import URDF
 from robolayout.export.usd import USDA, USDZ
 from robolayout.scene import Layout, Scene
@@ -65,6 +66,7 @@ EXPORTERS: Mapping[str, Exporter] = MappingProxyType(
             USDA,
             USDZ,
             MJCF,
+            SDF,
             URDF,
         )
     }

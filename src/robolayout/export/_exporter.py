@@ -7,7 +7,6 @@ import json
 import math
 import re
 import struct
-import xml.etree.ElementTree as ET
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import wraps
@@ -16,7 +15,7 @@ import numpy as np
 
 from robolayout._errors import LayoutError
 from robolayout._reading import MAX_MESH_BYTES, Unreadable
-from robolayout._text import utf8, xml
+from robolayout._text import utf8
 from robolayout.assets import Part, category_of
 from robolayout.scene import Agent, Asset, Layout, Point, Pose, Scene, vertical_span
 
@@ -184,12 +183,12 @@ def supporter(asset: Asset, scene: Scene, layout: Layout, *, tolerance: float = 
     found: list[tuple[float, str]] = []
     for other, place in placed(scene, layout):
         gap = abs(bottom - vertical_span(other, place)[1])
-        if other.name != asset.name and gap <= tolerance and _covers(place, other, pose):
+        if other.name != asset.name and gap <= tolerance and covers(place, other, pose):
             found.append((gap, other.name))
     return min(found)[1] if found and asset.on_object else None
 
 
-def _covers(place: Pose, other: Asset, pose: Pose) -> bool:
+def covers(place: Pose, other: Asset, pose: Pose) -> bool:
     """Return whether the centre of `pose` is over the footprint of `other` at `place`."""
     cosine, sine = place.forward
     dx, dy = pose.x - place.x, pose.y - place.y
@@ -199,15 +198,6 @@ def _covers(place: Pose, other: Asset, pose: Pose) -> bool:
 def dump_json(content: object) -> bytes:
     """Return JSON text, indented, with a newline at its end; numbers keep every digit."""
     return utf8(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False) + "\n")
-
-
-def dump_xml(root: ET.Element) -> bytes:
-    """Return an XML file, indented, with a newline at its end; what XML cannot hold is replaced."""
-    for element in root.iter():
-        for key, value in element.attrib.items():
-            element.set(key, xml(value))
-    ET.indent(root)
-    return ET.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n"
 
 
 def reader(what: str) -> Callable[[Read], Read]:

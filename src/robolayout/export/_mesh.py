@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -217,3 +218,24 @@ def volume(part: Part) -> float:
         return float(np.ptp(part.vertices, axis=0).prod())
     a, b, c = (part.vertices[part.faces[:, corner]] for corner in range(3))
     return abs(float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum())) / 6
+
+
+def numbers(values: Iterable[float]) -> str:
+    """Return numbers with nine digits, separated by blanks."""
+    return " ".join(f"{value + 0.0:.9g}" for value in values)
+
+
+def roll_pitch_yaw(rotation: FloatArray) -> tuple[float, float, float]:
+    """Return roll, pitch and yaw in radians of a rotation matrix (turned about the fixed x, then y, then z)."""
+    pitch = math.asin(min(1.0, max(-1.0, -float(rotation[2, 0]))))
+    if abs(rotation[2, 0]) > 1 - 1e-12:
+        return (0.0, pitch, math.atan2(-float(rotation[0, 1]), float(rotation[1, 1])))
+    roll = math.atan2(float(rotation[2, 1]), float(rotation[2, 2]))
+    return (roll, pitch, math.atan2(float(rotation[1, 0]), float(rotation[0, 0])))
+
+
+def obj(part: Part) -> bytes:
+    """Return a part as a Wavefront OBJ file, without a look."""
+    lines = [f"v {numbers(point)}" for point in part.vertices.tolist()]
+    lines += [f"f {a} {b} {c}" for a, b, c in (part.faces + 1).tolist()]
+    return "\n".join([*lines, ""]).encode()

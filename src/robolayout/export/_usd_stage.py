@@ -21,10 +21,10 @@ from pxr import Gf, Kind, Sdf, Tf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantic
 from robolayout._text import xml
 from robolayout.assets import Joint, Material, Part, category_of, parts, room_parts
 from robolayout.assets.textures import media_type, picture
+from robolayout.export._bodies import LEAF_MASS, SMALLEST_VOLUME
 from robolayout.export._exporter import Options, is_movable, is_trim, kind_name, mass, placed
 from robolayout.export._mesh import base_color, linear, volume, welded
 from robolayout.export._scenery import ASPECT, FIELD, LUMENS, WARM, lamp, overview
-from robolayout.export.mjcf import LEAF_MASS, SMALLEST_VOLUME
 from robolayout.scene import Asset, Layout, Room, Scene
 
 BULB = 0.05

@@ -1,0 +1,273 @@
+"""What simulators are told of a room, whatever their format: bodies of links, with colliders, masses, inertias, friction and joints.
+
+The room comes first. A link's frame lies in its joint; the first link of a thing is what of it stays, in the thing's own frame. Every
+collider is convex: a box or a part; meshes of users collide as their prisms.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from robolayout.assets import Joint, Material, Part, category_of, parts, prisms_of, room_parts, turned
+from robolayout.assets.mass import part_masses
+from robolayout.assets.shapes import prism
+from robolayout.export._exporter import Options, covers, free_name, is_movable, is_trim, kind_name, mass, placed
+from robolayout.export._mesh import Box, FloatArray, as_box, numbers, obj, roll_pitch_yaw, volume
+from robolayout.scene import Asset, Layout, Pose, Room, Scene, vertical_span
+
+THINNEST = 5e-4
+"""Half thickness in metres that a collider has at least; thinner parts become boxes of that thickness."""
+
+FOOT = 0.08
+"""Share of a mesh's height that is pressed flat where it stands, so that pots and cushions with round bottoms stand."""
+
+SMALLEST_VOLUME = 1e-8
+"""Volume in cubic metres below which a part collides as its box."""
+
+SMALLEST_MOMENT = 1e-7
+"""Moment of inertia in kg m2 that is added to every link's, so that forks and leaves do not tremble."""
+
+LEAF_MASS = 600.0
+"""Kilograms per cubic metre of the leaf of a door: wood."""
+
+SLAB = 0.1
+"""Thickness of the floor that is stood on in metres, and how far it reaches beyond the room."""
+
+FLOOR_FRICTION = 0.6
+ON_RUG = 0.003
+"""Largest gap in metres between a rug's top and what stands on it."""
+
+STICTION = {"hinge": 1.0, "slide": 5.0}
+"""Friction of a joint of furniture in N m or N: what it takes to move a cabinet's door or drawer (judgement); a flap stays shut."""
+DRAG = {"hinge": 0.5, "slide": 10.0}
+"""Damping of such a joint in N m s/rad or N s/m."""
+
+Free = Callable[[Asset, Scene, Layout], bool]
+"""Says whether an asset may move as a whole."""
+
+
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """One part as a simulator knows it.
+
+    Attributes:
+        name: Unique in its thing ("leg/3").
+        part: What is seen, in the frame of its link.
+        box: The box that it is or collides as; None for its part.
+        mass: Kilograms; 0 for what never moves.
+        seen: Whether it is seen.
+        touched: Whether it collides.
+    """
+
+    name: str
+    part: Part
+    box: Box | None = None
+    mass: float = 0.0
+    seen: bool = True
+    touched: bool = True
+
+    @property
+    def mesh(self) -> str:
+        """Where its mesh lies in the folder of its thing."""
+        return f"meshes/{self.name.rpartition('/')[2]}.obj"
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """What URDF and SDF say of it."""
+        return ("visual",) * self.seen + ("collision",) * self.touched
+
+    def place(self) -> tuple[str, str, str]:
+        """Return place, roll, pitch and yaw, and size of its box as text; no size where it has none."""
+        if self.box is None:
+            return "0 0 0", "0 0 0", ""
+        return (
+            numbers(self.box.center.tolist()),
+            numbers(roll_pitch_yaw(self.box.rotation)),
+            numbers((2 * self.box.half).tolist()),
+        )
+
+    def inertia(self) -> tuple[FloatArray, FloatArray]:
+        """Return the centre of mass (3,) in metres and the inertia (3, 3) about it in kg m2, of a solid."""
+        if self.box is not None:
+            square = self.box.half**2
+            moments = np.diag(self.mass / 3 * (square.sum() - square))
+            return self.box.center, self.box.rotation @ moments @ self.box.rotation.T
+        from trimesh.convex import convex_hull
+        from trimesh.triangles import mass_properties
+
+        solid = self.part if self.part.convex else convex_hull(self.part.vertices)
+        found = mass_properties(np.asarray(solid.vertices)[np.asarray(solid.faces)])
+        return np.array(found.center_mass), np.array(found.inertia) * (self.mass / found.mass)
+
+
+@dataclass(frozen=True, eq=False)
+class Link:
+    """What of a thing moves as one.
+
+    Attributes:
+        shapes: What it is made of.
+        joint: With what it moves against the thing's first link; None for that one.
+    """
+
+    shapes: tuple[Shape, ...]
+    joint: Joint | None = None
+
+    @property
+    def at(self) -> FloatArray:
+        """Where its frame is in that of its thing."""
+        return np.zeros(3) if self.joint is None else np.array(self.joint.at)
+
+    def inertia(self) -> tuple[float, FloatArray, FloatArray]:
+        """Return mass, centre of mass and the inertia about it; a mass of 0 where nothing has one."""
+        solids = [(shape.mass, *shape.inertia()) for shape in self.shapes if shape.mass]
+        total = sum(weight for weight, _, _ in solids)
+        middle = sum((weight * at for weight, at, _ in solids), np.zeros(3)) / max(total, 1e-12)
+        moments = SMALLEST_MOMENT * np.eye(3)
+        for weight, at, own in solids:
+            apart = at - middle
+            moments = moments + own + weight * (apart @ apart * np.eye(3) - np.outer(apart, apart))
+        return total, middle, moments
+
+
+@dataclass(frozen=True, eq=False)
+class Thing:
+    """The room or an asset.
+
+    Attributes:
+        name: That of the asset, or one for the room.
+        pose: Where its frame is.
+        links: What of it stays, then what moves.
+        friction: Coefficient of all that it touches with.
+        free: Whether it may move as a whole; else it is welded to the world.
+        asset: None for the room.
+    """
+
+    name: str
+    pose: Pose
+    links: tuple[Link, ...]
+    friction: float = FLOOR_FRICTION
+    free: bool = False
+    asset: Asset | None = None
+
+    def folder(self) -> str:
+        """Return the path of the folder for all things that are alike."""
+        shapes = [shape for link in self.links for shape in link.shapes]
+        hidden = [(box.center.tolist(), box.half.tolist()) for s in shapes if not s.seen and (box := s.box) is not None]
+        asset, facts = self.asset, (self.friction, self.free, [shape.mass for shape in shapes], hidden)
+        if asset is None:
+            return f"models/{kind_name('room', [shape.part for shape in shapes], *facts)}"
+        facts = (asset.category, asset.size, *facts)
+        return f"models/{kind_name(category_of(asset).name, [shape.part for shape in shapes], *facts)}"
+
+    def meshes(self) -> dict[str, bytes]:
+        """Return the meshes that its model refers to, by their paths from its folder."""
+        return {s.mesh: obj(s.part) for link in self.links for s in link.shapes if s.box is None and s.kinds}
+
+
+def things(scene: Scene, layout: Layout, options: Options, *, free: Free = is_movable) -> Iterator[Thing]:
+    """Yield the room, its doors as the options say, and every placed asset, in the order of the scene."""
+    shown = [part for part in room_parts(scene.room, seed=options.seed) if np.ptp(part.vertices[:, 2]) > THINNEST]
+    shapes = [
+        _shape(number, _stood(part, options.leaves), touched=not is_trim(part) and part.name != "floor")
+        for number, part in enumerate(shown)
+    ]
+    leaves = (replace(s, mass=LEAF_MASS * volume(s.part)) if s.part.joint is not None else s for s in shapes)
+    ground = Shape("floor", shown[0], _ground(scene.room), seen=False)
+    yield Thing(free_name("room", scene), Pose(0.0, 0.0, 0.0, 0.0), _links((ground, *leaves)))
+    for asset, pose in placed(scene, layout):
+        pieces = tuple(_footed(part, -asset.size[2] / 2) for part in parts(asset, seed=options.seed))
+        weights = part_masses(pieces)[0]
+        shares = (mass(asset) * weights / weights.sum()).tolist()
+        shapes = [
+            replace(_shape(number, part, touched=part.convex and not asset.is_flat), mass=share)
+            for number, (part, share) in enumerate(zip(pieces, shares, strict=True))
+        ]
+        if asset.is_flat:
+            patches = enumerate(_patches(asset, scene, layout))
+            shapes += [Shape(f"patch/{number}", pieces[0], box, seen=False) for number, box in patches]
+        elif not all(part.convex for part in pieces):
+            solids = enumerate(_solids(asset), len(pieces))
+            shapes += [replace(_shape(number, solid, touched=True), seen=False) for number, solid in solids]
+        friction = category_of(asset).friction
+        yield Thing(asset.name, pose, _links(shapes), friction, free(asset, scene, layout), asset)
+
+
+def _solids(asset: Asset) -> Iterator[Part]:
+    """Yield what an own mesh collides as."""
+    material = Material("solid", (0.5, 0.5, 0.5))
+    for shape in prisms_of(asset):
+        span = (shape.low - asset.size[2] / 2, shape.high - asset.size[2] / 2)
+        yield prism("solid", material, [*dict.fromkeys(shape.outline)], span)
+
+
+def _links(shapes: Sequence[Shape]) -> tuple[Link, ...]:
+    """Return shapes sorted into what stays and what moves, each in the frame of its joint."""
+    links = [Link(tuple(shape for shape in shapes if shape.part.joint is None))]
+    for joint in dict.fromkeys(shape.part.joint for shape in shapes):
+        if joint is not None:
+            links.append(Link(tuple(_moved(s, np.array(joint.at)) for s in shapes if s.part.joint == joint), joint))
+    return tuple(links)
+
+
+def _moved(shape: Shape, at: FloatArray) -> Shape:
+    """Return a shape in a frame at some place."""
+    box = None if shape.box is None else replace(shape.box, center=shape.box.center - at)
+    return replace(shape, part=replace(shape.part, vertices=shape.part.vertices - at), box=box)
+
+
+def _shape(number: int, part: Part, *, touched: bool) -> Shape:
+    """Return a part as a box if it is one or is too thin for a hull, else as its hull."""
+    box = as_box(part)
+    if box is None and (volume(part) < SMALLEST_VOLUME or np.ptp(part.vertices, axis=0).min() < 2 * THINNEST):
+        box = _around(part.vertices.min(axis=0), part.vertices.max(axis=0))
+    if box is not None:
+        box = replace(box, half=np.maximum(box.half, THINNEST))
+    return Shape(f"{part.name}/{number}", part, box, touched=touched)
+
+
+def _around(low: FloatArray, high: FloatArray) -> Box:
+    """Return the axis-aligned box between two corners."""
+    return Box((low + high) / 2, (high - low) / 2, np.eye(3))
+
+
+def _ground(room: Room) -> Box:
+    """Return what everything stands on: a slab under the whole room, its top at zero."""
+    low_x, low_y, high_x, high_y = room.bounds
+    return _around(np.array([low_x - SLAB, low_y - SLAB, -SLAB]), np.array([high_x + SLAB, high_y + SLAB, 0.0]))
+
+
+def _stood(part: Part, leaves: str) -> Part:
+    """Return a part of the room as its door stands: fixed, open or shut, unless it swings."""
+    if part.joint is None or leaves == "swinging":
+        return part
+    far = part.joint.span[leaves == "open"]
+    return replace(part, vertices=turned(part.joint, part.vertices, far), joint=None)
+
+
+def _footed(part: Part, bottom: float) -> Part:
+    """Return a part that stands on the bottom of its asset with a flat foot; any other part as it is."""
+    heights = part.vertices[:, 2]
+    if heights.min() > bottom + THINNEST:
+        return part
+    low = heights < heights.min() + FOOT * np.ptp(heights)
+    vertices = part.vertices.copy()
+    vertices[low, 2] = heights.min()
+    return replace(part, vertices=vertices)
+
+
+def _patches(rug: Asset, scene: Scene, layout: Layout) -> Iterator[Box]:
+    """Yield where a rug is touched, in its frame: under what stands on its top; furniture stands through it."""
+    place = layout[rug.name]
+    (cosine, sine), top = place.forward, vertical_span(rug, place)[1]
+    for asset, pose in placed(scene, layout):
+        gap = abs(vertical_span(asset, pose)[0] - top)
+        if not asset.is_flat and gap < ON_RUG and covers(place, rug, pose):
+            dx, dy, turn = pose.x - place.x, pose.y - place.y, pose.yaw - place.yaw
+            half = np.array([asset.size[0] / 2, asset.size[1] / 2, max(rug.size[2] / 2, THINNEST)])
+            a, b = math.cos(turn), math.sin(turn)
+            axes = np.array([[a, -b, 0.0], [b, a, 0.0], [0.0, 0.0, 1.0]])
+            yield Box(np.array([cosine * dx + sine * dy, cosine * dy - sine * dx, 0.0]), half, axes)
