@@ -16,7 +16,8 @@ import trimesh
 
 from robolayout._errors import LayoutError
 from robolayout.export import Options, sceneeval
-from robolayout.scene import Layout, Scene
+from robolayout.export._rugs import laid_parts
+from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
 
 @pytest.fixture(scope="module")
@@ -85,3 +86,21 @@ def test_tops_name_what_they_stand_on(state: dict) -> None:
 def test_other_json_is_refused() -> None:
     with pytest.raises(LayoutError, match="a scene state says"):
         sceneeval.read(b'{"format": "else"}')
+
+
+def test_rugs_are_cut_out_around_what_stands_through_them() -> None:
+    rug = Asset("rug-0", "rug", (1.6, 2.2, 0.012))
+    table = Asset("dining_table-0", "dining table", (0.9, 1.6, 0.75))
+    scene = Scene(Room(((0, 0), (5, 0), (5, 4), (0, 4)), 2.6), (rug, table))
+    for turn in (0.0, 0.4):
+        layout = Layout({"rug-0": Pose(2.5, 2, 0.006, turn), "dining_table-0": Pose(2.7, 2.1, 0.375, 0.2)})
+        found = trimesh.collision.CollisionManager()
+        for asset in scene.assets:
+            pieces = laid_parts(asset, scene, layout)
+            mesh = trimesh.util.concatenate([trimesh.Trimesh(p.vertices, p.faces, process=False) for p in pieces])
+            assert all(trimesh.Trimesh(p.vertices, p.faces).is_watertight for p in pieces)
+            place = trimesh.transformations.rotation_matrix(layout[asset.name].yaw, (0, 0, 1))
+            place[:3, 3] = (layout[asset.name].x, layout[asset.name].y, layout[asset.name].z)
+            found.add_object(asset.name, mesh, place)
+            assert np.ptp(mesh.vertices, axis=0) == pytest.approx(asset.size)
+        assert not found.in_collision_internal()

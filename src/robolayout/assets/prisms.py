@@ -225,11 +225,11 @@ def _slices(part: Part) -> Iterator[Array]:
     for low, high in pairwise(edges.tolist()):
         met = triangles[(triangles[:, :, 2].max(axis=1) > low + 1e-6) & (triangles[:, :, 2].min(axis=1) < high - 1e-6)]
         if len(met):
-            points = np.concatenate([_clipped(triangle, low, high, step) for triangle in met])
+            points = np.concatenate([clipped(triangle, low, high, step) for triangle in met])
             yield from _covers(points, step)
 
 
-def _clipped(triangle: Array, low: float, high: float, step: float) -> Array:
+def clipped(triangle: Array, low: float, high: float, step: float) -> Array:
     """Return points over what of a triangle lies between two heights, at most about `step` apart, its corners among them."""
     for level, sign in ((low, 1.0), (high, -1.0)):
         above = sign * (triangle[:, 2] - level)

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from shapely import Polygon, box, constrained_delaunay_triangles
 from shapely.geometry.base import BaseGeometry
+from shapely.geometry.polygon import orient
 
 from robolayout.assets.category import read_data
 from robolayout.assets.joints import turned
@@ -101,7 +102,7 @@ def _floor(room: Room, look: RoomStyle) -> Iterator[Part]:
     """Yield the slab below the floor and the sheets that lie on it."""
     outline = Polygon(room.vertices)
     base = look.tones[-1] if look.floor == "tiles" else look.tones[0]
-    yield _extruded("floor", base, outline, (-SLAB, -0.001))
+    yield extruded("floor", base, outline, (-SLAB, -0.001))
     for tone, pieces in zip(look.tones, _sheets(outline, look), strict=False):
         part = _sheet("floor", tone, pieces)
         if part is not None:
@@ -165,17 +166,19 @@ def _sheet(name: str, tone: Material, pieces: Sequence[BaseGeometry]) -> Part | 
     return Part(name, points, faces, tone, convex=False)
 
 
-def _extruded(name: str, tone: Material, outline: Polygon, span: tuple[float, float]) -> Part:
-    """Return a closed prism over a polygon, which may be concave."""
-    ring = [(x, y) for x, y, *_ in outline.exterior.coords[:-1]]
-    ring = ring if outline.exterior.is_ccw else ring[::-1]
-    index = {point: i for i, point in enumerate(ring)}
-    n = len(ring)
-    caps = [[index[p] for p in triangle] for triangle in _triangles(Polygon(ring))]
+def extruded(name: str, tone: Material, outline: Polygon, span: tuple[float, float]) -> Part:
+    """Return a closed prism over a polygon, which may be concave and have holes."""
+    ring: list[Point] = []
+    walls: list[tuple[int, int]] = []
+    whole = orient(outline)
+    for edge in (whole.exterior, *whole.interiors):
+        start, count = len(ring), len(edge.coords) - 1
+        ring += [(x, y) for x, y, *_ in edge.coords[:-1]]
+        walls += [(start + i, start + (i + 1) % count) for i in range(count)]
+    index, n = {point: i for i, point in enumerate(ring)}, len(ring)
+    caps = [[index[p] for p in triangle] for triangle in _triangles(whole)]
     faces = [[c, b, a] for a, b, c in caps] + [[a + n, b + n, c + n] for a, b, c in caps]
-    for i in range(n):
-        j = (i + 1) % n
-        faces += [[i, j, j + n], [i, j + n, i + n]]
+    faces += [face for i, j in walls for face in ([i, j, j + n], [i, j + n, i + n])]
     points = np.array([(x, y, z) for z in span for x, y in ring])
     return Part(name, points, np.array(faces, dtype=np.int32), tone, convex=len(caps) == 2 and n == 4)
 

@@ -12,11 +12,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from robolayout.assets import Joint, Material, Part, category_of, parts, prisms_of, room_parts, turned
+from robolayout.assets import Joint, Material, Part, category_of, prisms_of, room_parts, turned
 from robolayout.assets.mass import part_masses
 from robolayout.assets.shapes import prism
 from robolayout.export._exporter import Options, covers, free_name, is_movable, is_trim, kind_name, mass, placed
 from robolayout.export._mesh import Box, FloatArray, as_box, numbers, obj, roll_pitch_yaw, volume
+from robolayout.export._rugs import laid_parts
 from robolayout.scene import Asset, Layout, Pose, Room, Scene, vertical_span
 
 THINNEST = 5e-4
@@ -179,7 +180,9 @@ def things(scene: Scene, layout: Layout, options: Options, *, free: Free = is_mo
     ground = Shape("floor", shown[0], _ground(scene.room), seen=False)
     yield Thing(free_name("room", scene), Pose(0.0, 0.0, 0.0, 0.0), _links((ground, *leaves)))
     for asset, pose in placed(scene, layout):
-        pieces = tuple(_footed(part, -asset.size[2] / 2) for part in parts(asset, seed=options.seed))
+        pieces = tuple(
+            _footed(part, -asset.size[2] / 2) for part in laid_parts(asset, scene, layout, seed=options.seed)
+        )
         weights = part_masses(pieces)[0]
         shares = (mass(asset) * weights / weights.sum()).tolist()
         shapes = [

@@ -19,11 +19,12 @@ import numpy as np
 from pxr import Gf, Kind, Sdf, Tf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantics, UsdShade, Vt
 
 from robolayout._text import xml
-from robolayout.assets import Joint, Material, Part, category_of, parts, room_parts
+from robolayout.assets import Joint, Material, Part, category_of, room_parts
 from robolayout.assets.textures import media_type, picture
 from robolayout.export._bodies import LEAF_MASS, SMALLEST_VOLUME
 from robolayout.export._exporter import Options, is_movable, is_trim, kind_name, mass, placed
 from robolayout.export._mesh import base_color, linear, volume, welded
+from robolayout.export._rugs import laid_parts
 from robolayout.export._scenery import ASPECT, FIELD, LUMENS, WARM, lamp, overview
 from robolayout.scene import Asset, Layout, Room, Scene
 
@@ -69,7 +70,7 @@ def _kinds(scene: Scene, layout: Layout, options: Options) -> Iterator[_Kind]:
     pieces = room_parts(scene.room, seed=options.seed)
     yield _Kind(_file("room", pieces), pieces)
     for asset, _ in placed(scene, layout):
-        pieces, movable = parts(asset, seed=options.seed), is_movable(asset, scene, layout)
+        pieces, movable = laid_parts(asset, scene, layout, seed=options.seed), is_movable(asset, scene, layout)
         facts = (asset.category, category_of(asset).name, asset.size, movable)
         yield _Kind(_file(category_of(asset).name, pieces, *facts), pieces, asset, movable)
 

@@ -23,6 +23,7 @@ from robolayout.assets import Material, Part, category_of, parts, room_parts
 from robolayout.assets.textures import media_type, picture
 from robolayout.export._exporter import Contents, Exporter, Json, Options, facts, is_movable, placed, reader
 from robolayout.export._mesh import Surface, base_color, linear, merged, quaternion
+from robolayout.export._rugs import laid_parts
 from robolayout.export._scenery import ASPECT, FIELD, LUMENS, WARM, lamp, overview
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
@@ -190,7 +191,7 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
         children.append(
             builder.object(
                 asset.name,
-                parts(asset, seed=options.seed),
+                laid_parts(asset, scene, layout, seed=options.seed),
                 translation=[pose.x, pose.y, pose.z],
                 rotation=[0.0, 0.0, math.sin(half), math.cos(half)],
                 extras={"kind": "asset", **facts(asset, movable=is_movable(asset, scene, layout))},
@@ -207,10 +208,10 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     return _packed(builder.document(root), bytes(builder.blob))
 
 
-def asset_glb(asset: Asset, *, seed: int = 0) -> bytes:
-    """Return one asset alone in glTF's own frame: y up, front along +z, origin in the middle of its box."""
+def asset_glb(asset: Asset, made: tuple[Part, ...] | None = None, *, seed: int = 0) -> bytes:
+    """Return one asset, of these parts or its own, alone in glTF's own frame: y up, front along +z, origin in the middle."""
     builder, known = _Builder(), facts(asset, movable=category_of(asset).movable)
-    body = builder.object(asset.name, parts(asset, seed=seed), extras={"kind": "asset", **known})
+    body = builder.object(asset.name, made or parts(asset, seed=seed), extras={"kind": "asset", **known})
     return _packed(builder.document(builder.turned(asset.name, body)), bytes(builder.blob))
 
 

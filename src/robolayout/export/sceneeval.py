@@ -30,6 +30,7 @@ from robolayout.export._exporter import (
     reader,
     supporter,
 )
+from robolayout.export._rugs import laid_parts
 from robolayout.export.glb import asset_glb
 from robolayout.scene import Layout, Opening, Pose, Room, Scene
 
@@ -135,8 +136,14 @@ def _hole(kind: str, number: int, opening: Opening) -> Json:
     return {"id": f"{kind.lower()}-{opening.wall}-{number}", "type": kind, "box": {"min": low, "max": high}}
 
 
-def write_meshes(scene: Scene, folder: Path, *, seed: int = 0) -> Path:
+def write_meshes(scene: Scene, folder: Path, layout: Layout | None = None, *, seed: int = 0) -> Path:
     """Write every asset's mesh and description below a folder, as SceneEval looks for them below a data set's root.
+
+    Args:
+        scene: The scene.
+        folder: The folder.
+        layout: Where everything stands: rugs are cut out around what stands through them.
+        seed: Seed of the parametric meshes.
 
     Returns:
         The folder.
@@ -148,7 +155,9 @@ def write_meshes(scene: Scene, folder: Path, *, seed: int = 0) -> Path:
         box: Json = {"boundingBox": {"x": width, "y": depth, "z": height}}
         content: Json = {"annotations": {**notes, "onObject": asset.on_object}, "assetMetadata": box}
         name = _file_name(asset.name)
-        write_atomic(folder / name / f"{name}.glb", asset_glb(asset, seed=seed))
+        write_atomic(
+            folder / name / f"{name}.glb", asset_glb(asset, laid_parts(asset, scene, layout or Layout({}), seed=seed))
+        )
         write_atomic(folder / name / "data.json", dump_json(content))
     return folder
 

@@ -53,6 +53,7 @@ class DressConfig:
         ahead: How far before the back edge a thing is tried, one after the other.
         level: Most by which the tops under one thing may differ in height.
         sunk: Most by which a thing may lie below its surface, whose parts are level within little more.
+        lift: How far above what carries it a thing lies: where meshes touch, collision checks find a collision.
     """
 
     edge: float = 0.015
@@ -70,6 +71,7 @@ class DressConfig:
     ahead: tuple[float, ...] = (0.0, 0.03, 0.08, 0.14)
     level: float = 0.002
     sunk: float = 0.008
+    lift: float = 0.0002
 
 
 @dataclass(frozen=True)
@@ -383,7 +385,7 @@ class _Dresser:
             shape.buffer(self.config.gap * 0.9 if gap is None else gap / 2, join_style="mitre")
         )
         pose, (c, s) = place.pose, place.pose.forward
-        level = pose.z - place.carrier.size[2] / 2 + height + thing.size[2] / 2
+        level = pose.z - place.carrier.size[2] / 2 + height + self.config.lift + thing.size[2] / 2
         self._lay(thing, Pose(pose.x + c * x - s * y, pose.y + s * x + c * y, level, pose.yaw + turn), variable)
         return True
 
@@ -405,7 +407,7 @@ class _Dresser:
         pose, (c, s) = place.pose, place.pose.forward
         spot = hung_from(place.surface, thing)
         x, y = spot.region.centroid.coords[0]
-        level = pose.z - place.carrier.size[2] / 2 + spot.height + thing.size[2] / 2
+        level = pose.z - place.carrier.size[2] / 2 + spot.height + self.config.lift + thing.size[2] / 2
         yaw = pose.yaw + math.atan2(spot.out[1], spot.out[0])
         at = Pose(pose.x + c * x - s * y, pose.y + s * x + c * y, level, yaw)
         shape = Polygon(at.corners(thing.size))

@@ -1,0 +1,82 @@
+"""Rugs as they are exported: cut out around what stands on the floor through them, so that nothing goes through anything."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import shapely
+from shapely.geometry.base import BaseGeometry
+
+from robolayout.assets import Part, parts, prisms_of
+from robolayout.assets.prisms import clipped
+from robolayout.assets.rooms import extruded
+from robolayout.scene import Asset, Layout, Pose, Scene, vertical_span
+
+CLEAR = 0.001
+"""Metres between a rug and what stands in its holes."""
+
+
+def laid_parts(asset: Asset, scene: Scene, layout: Layout, *, seed: int = 0) -> tuple[Part, ...]:
+    """Return the parts of a thing as they lie in a room: those of a rug have holes where others stand through it.
+
+    A rug that is a mesh of one's own stays whole.
+
+    Args:
+        asset: The thing.
+        scene: The scene.
+        layout: Where everything is; what is not placed stands on no rug.
+        seed: Picks the palette.
+    """
+    made = parts(asset, seed=seed)
+    if not asset.is_flat or asset.name not in layout or asset.path is not None:
+        return made
+    holes = shapely.union_all([*_feet(asset, scene, layout)])
+    return tuple(piece for part in made for piece in _cut(part, holes))
+
+
+def _feet(rug: Asset, scene: Scene, layout: Layout) -> Iterator[BaseGeometry]:
+    """Yield what stands below the top of a rug, in plan, in its frame."""
+    place, top = layout[rug.name], vertical_span(rug, layout[rug.name])[1]
+    reach = math.hypot(*rug.size[:2]) / 2
+    for other in scene.assets:
+        pose = layout.get(other.name)
+        if pose is None or other.is_flat or vertical_span(other, pose)[0] > top - CLEAR:
+            continue
+        if math.hypot(pose.x - place.x, pose.y - place.y) < reach + math.hypot(*other.size[:2]) / 2:
+            for points in _low(other, top - pose.z):
+                yield shapely.MultiPoint(_seen(points, pose, place)).convex_hull.buffer(CLEAR, join_style="mitre")
+
+
+def _low(asset: Asset, top: float) -> Iterator[np.ndarray[tuple[int, ...], np.dtype[np.float64]]]:
+    """Yield the points in plan of each part of a thing below a height in its frame."""
+    bottom = -asset.size[2] / 2
+    if asset.path is not None:
+        yield from (np.array(prism.outline) for prism in prisms_of(asset) if prism.low + bottom < top)
+        return
+    for part in parts(asset):
+        if part.vertices[:, 2].min() < top - CLEAR:
+            met = [clipped(triangle, bottom, top, math.inf) for triangle in part.vertices[part.faces]]
+            yield np.concatenate(met)[:, :2]
+
+
+def _seen(
+    points: np.ndarray[tuple[int, ...], np.dtype[np.float64]], pose: Pose, place: Pose
+) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    """Return points (n, 2) of one thing's frame in that of another."""
+    (c, s), (a, b) = pose.forward, place.forward
+    world = points @ np.array([[c, s], [-s, c]]) + (pose.x - place.x, pose.y - place.y)
+    return world @ np.array([[a, -b], [b, a]])
+
+
+def _cut(part: Part, holes: BaseGeometry) -> Iterator[Part]:
+    """Yield what is left of a level part; the part itself where nothing stands in it."""
+    whole = shapely.MultiPoint(part.vertices[:, :2]).convex_hull
+    if not whole.intersects(holes):
+        yield part
+        return
+    span = (float(part.vertices[:, 2].min()), float(part.vertices[:, 2].max()))
+    for piece in shapely.get_parts(shapely.set_precision(whole.difference(holes), 1e-6)):
+        if piece.geom_type == "Polygon" and piece.area > CLEAR**2:
+            yield extruded(part.name, part.material, piece, span)
