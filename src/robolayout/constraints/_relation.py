@@ -44,28 +44,19 @@ def argument(*takes: str, many: bool = False, unit: str = "", choices: tuple[str
 
 
 class Relation(ABC):
-    """One statement about where things stand; concrete relations are frozen dataclasses, one per file.
+    """One statement about where things stand; concrete relations are frozen dataclasses, one per file."""
 
-    Class attributes:
-        name: The word in a program, `solver.<name>(...)`.
-        moves: Which arguments the solver may move to satisfy it.
-        orients: Whether it settles the heading of its first argument (the filter allows one of those per asset).
-        hard: Whether it must hold before anything else counts.
-        implicit: Whether it belongs to every program and cannot be written in one.
-        surrogate: Whether the terms ask for more than the check, such as a whole footprint where the check wants the
-            centre. The laws then hold one direction only: residual 0 means that the check passes.
-        as_guessed: Whether its rows hold only while what it refers to stays where it is guessed.
-        example: One line of program text that uses it.
-    """
-
-    name: ClassVar[str]
-    moves: ClassVar[tuple[str, ...]] = ("a",)
+    name: ClassVar[str]  # the word in a program, `solver.<name>(...)`
+    moves: ClassVar[tuple[str, ...]] = ("a",)  # which arguments the solver may move to satisfy it
+    # whether it settles the heading of its first argument (the filter allows one of those per asset)
     orients: ClassVar[bool] = False
-    hard: ClassVar[bool] = False
-    implicit: ClassVar[bool] = False
+    hard: ClassVar[bool] = False  # whether it must hold before anything else counts
+    implicit: ClassVar[bool] = False  # whether it belongs to every program and cannot be written in one
+    # whether the terms ask for more than the check, such as a whole footprint where the check wants the centre: the
+    # laws then hold one direction only, residual 0 means that the check passes
     surrogate: ClassVar[bool] = False
-    as_guessed: ClassVar[bool] = False
-    example: ClassVar[str]
+    as_guessed: ClassVar[bool] = False  # whether its rows hold only while what it refers to stays where it is guessed
+    example: ClassVar[str]  # one line of program text that uses it
 
     @abstractmethod
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:

@@ -6,10 +6,11 @@ import csv
 import io
 import statistics
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
+from string import Template
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,7 @@ from robolayout._version import __version__
 from robolayout.many.page import columns, page
 from robolayout.many.spec import Ready
 from robolayout.many.variety import LEAST
+from robolayout.page import part
 from robolayout.render import png_bytes
 from robolayout.render.animation import spread
 
@@ -34,6 +36,8 @@ MOST_TILES = 600
 
 SHOWN = 12
 """Reasons that the card tells."""
+
+OWN = "Own meshes, with the notice that each file holds:"
 
 SUMMED = (
     "area", "things", "kinds", "collision_free_share", "walkable_ratio", "reachable_share_chairs_aside", "usable_share",
@@ -121,46 +125,36 @@ def card(table: Table) -> str:
     """Return the card of the set in Markdown: how it was made, what it holds, whose things are in it."""
     rows, spec = table.rows, table.ready.spec
     count = Counter(row["status"] for row in rows)
-    lines = [f"# {len(rows)} rooms", ""]
-    lines += [f"Made by RoboLayout {__version__} with seed {spec.seed}; `batch.json` holds all that was asked. "]
-    lines += ["Every room was judged exactly for its bodies; its `report.json` says what holds.", ""]
-    lines += [f"- {count['met']} rooms meet all their demands"]
-    lines += [f"- {count['unmet']} rooms do not, and were kept"] if count["unmet"] else []
-    lines += (
-        [f"- {count['missing']} rooms were given up (status `missing`, with the reason)"] if count["missing"] else []
-    )
-    lines += [f"- {sum(table.reasons.values())} tries were replaced"]
-    lines += [f"  - {number} x {markdown(why)}" for why, number in list(table.reasons.items())[:SHOWN]]
+    told = {"unmet": "do not, and were kept", "missing": "were given up (status `missing`, with the reason)"}
+    states = [f"- {count['met']} rooms meet all their demands"]
+    states += [f"- {count[status]} rooms {words}" for status, words in told.items() if count[status]]
+    states += [f"- {sum(table.reasons.values())} tries were replaced"]
+    states += [f"  - {number} x {markdown(why)}" for why, number in list(table.reasons.items())[:SHOWN]]
     if spec.distinct:
         near = sum(row["difference"] < LEAST for row in rows if row["status"] != "missing")
-        lines += [
-            f"- {near} near-duplicates (pairs with less than {LEAST:.0%} of their things at other places) are left"
-        ]
-    lines += ["", "| figure | least | mean | most |", "|---|---:|---:|---:|"]
-    for name in SUMMED:
-        found = [float(row[name]) for row in rows if row.get(name) is not None]
-        if found:
-            lines.append(f"| {name} | {min(found):.3g} | {statistics.fmean(found):.3g} | {max(found):.3g} |")
-    lines += ["", "| rooms of | number |", "|---|---:|"]
-    lines += [f"| {markdown(name)} | {number} |" for name, number in Counter(row["source"] for row in rows).items()]
-    lines += [
-        "",
-        "`index.csv` and `index.parquet` have one row a room; `train.txt` and `test.txt` share the rooms out; ",
-    ]
-    lines += [
-        "`timing.csv` says how long each try took. The rest is the same, byte for byte, whenever and wherever it is made."
-    ]
-    return "\n".join([*lines, *_licences(table.ready)]) + "\n"
+        alike = f"pairs with less than {LEAST:.0%} of their things at other places"
+        states += [f"- {near} near-duplicates ({alike}) are left"]
+    known = {name: [float(row[name]) for row in rows if row.get(name) is not None] for name in SUMMED}
+    found = ((name, min(v), statistics.fmean(v), max(v)) for name, v in known.items() if v)
+    filled = {
+        "count": len(rows),
+        "version": __version__,
+        "seed": spec.seed,
+        "states": "\n".join(states),
+        "figures": "\n".join(
+            f"| {name} | {least:.3g} | {mean:.3g} | {most:.3g} |" for name, least, mean, most in found
+        ),
+        "sources": _table(Counter(row["source"] for row in rows).items()),
+        "things": "",
+    }
+    if meshes := table.ready.meshes:
+        notices = _table((name, markdown(_notice(path))) for name, path in sorted(meshes.items()))
+        filled["things"] = f" {OWN}\n\n| mesh | notice |\n|---|---|\n{notices}"
+    return Template(part("robolayout.many", "card.md")).substitute(filled)
 
 
-def _licences(ready: Ready) -> list[str]:
-    """Return whose meshes the set holds, as their files say."""
-    lines = ["", "## Things", "", "Furniture is drawn by RoboLayout (MIT)."]
-    if ready.meshes:
-        lines[-1] += " Own meshes, with the notice that each file holds:"
-        lines += ["", "| mesh | notice |", "|---|---|"]
-        lines += [f"| {markdown(name)} | {markdown(_notice(path))} |" for name, path in sorted(ready.meshes.items())]
-    return lines
+def _table(rows: Iterable[tuple[str, object]]) -> str:
+    return "\n".join(f"| {markdown(name)} | {value} |" for name, value in rows)
 
 
 def _notice(path: Path) -> str:

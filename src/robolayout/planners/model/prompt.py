@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import json
 import math
+import tomllib
 from collections.abc import Iterable, Mapping
 from functools import cache
 from importlib.resources import files
@@ -223,25 +224,23 @@ def placed_data(asset: Asset, pose: Pose) -> dict[str, object]:
     }
 
 
+@cache
+def _labels() -> dict[str, str]:
+    """Return the line above each picture of a room, in the order in which they are shown."""
+    text = files("robolayout.planners.model").joinpath("pictures.toml").read_text(encoding="utf-8")
+    return tomllib.loads(text)
+
+
 def image_label(name: str) -> str:
     """Return the line above an image."""
-    return {
-        "plan": "The plan of the room, seen from straight above without perspective: ticks in metres along its edges, footprints "
-        "with their fronts, names (a number stands for the name below), blue what the body gets to from the first door, hatched "
-        "what must stay free, the body to scale in the door. Measure here.",
-        "failed": "What came of your program, as a plan: dashed where it had put things, arrows to where they stand now, "
-        "crossed out what the body does not get to.",
-        "top": "The room from above: a grid with coordinates in metres, names, arrows along the fronts, wall numbers. "
-        "Check your guesses against the grid.",
-        "side": "The room from the side, with the same marks.",
-        "finished top": "The finished room from above.",
-        "finished side": "The finished room from the side.",
-    }.get(name, f"What {quoted(name)} looks like from its front, a little from its right and from above.")
+    return _labels().get(
+        name, f"What {quoted(name)} looks like from its front, a little from its right and from above."
+    )
 
 
 def images_in_order(images: Mapping[str, bytes]) -> tuple[tuple[str, bytes], ...]:
     """Return images with the room first, assets by name."""
-    rank = {name: i for i, name in enumerate(("finished top", "finished side", "plan", "top", "side"))}
+    rank = {name: i for i, name in enumerate(_labels()) if name != "failed"}
     return tuple(sorted(images.items(), key=lambda entry: (rank.get(entry[0], len(rank)), entry[0])))
 
 
