@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from itertools import pairwise
+from itertools import combinations, pairwise
 from typing import Any
 
 import numpy as np
@@ -262,23 +262,23 @@ def _covers(points: Array, step: float) -> Iterator[Array]:
     for number in range(RECTANGLES):
         if not left.any():
             return
-        i, j, k, m = _largest(full, left) if number < RECTANGLES - 1 else (0, full.shape[0], 0, full.shape[1])
+        i, j, k, m = (
+            largest_block(full, left.astype(float)) if number < RECTANGLES - 1 else (0, full.shape[0], 0, full.shape[1])
+        )
         inside = (cells[:, 0] >= i) & (cells[:, 0] < j) & (cells[:, 1] >= k) & (cells[:, 1] < m)
         inside &= left[cells[:, 0], cells[:, 1]] | (number < RECTANGLES - 1)
         yield _span(points[inside])
         left[i:j, k:m] = False
 
 
-def _largest(full: NDArray[np.bool_], left: NDArray[np.bool_]) -> tuple[int, int, int, int]:
-    """Return the rows and columns of the rectangle of full cells that holds the most cells that are left."""
-    best, found = 0, (0, 1, 0, 1)
-    count = np.pad(left.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
-    for i in range(full.shape[0]):
-        for j in range(i + 1, full.shape[0] + 1):
-            row = full[i:j].all(axis=0)
-            ends = np.flatnonzero(np.diff(np.concatenate([[False], row, [False]])))
-            for k, m in zip(ends[::2], ends[1::2], strict=True):
-                held = int(count[j, m] - count[i, m] - count[j, k] + count[i, k])
-                if held > best:
-                    best, found = held, (i, j, int(k), int(m))
+def largest_block(full: NDArray[np.bool_], weight: Array) -> tuple[int, int, int, int]:
+    """Return between which rows and columns the rectangle of full cells lies that weighs the most; zeros where none is full."""
+    best, found = 0.0, (0, 0, 0, 0)
+    count = np.pad(weight.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
+    for i, j in combinations(range(full.shape[0] + 1), 2):
+        ends = np.flatnonzero(np.diff(np.concatenate([[False], full[i:j].all(axis=0), [False]])))
+        for k, m in zip(ends[::2].tolist(), ends[1::2].tolist(), strict=True):
+            held = float(count[j, m] - count[i, m] - count[j, k] + count[i, k])
+            if held > best + 1e-9:
+                best, found = held, (i, j, k, m)
     return found

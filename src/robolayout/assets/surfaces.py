@@ -22,7 +22,7 @@ from robolayout._errors import AssetError
 from robolayout.assets.fronts import TRAY, ends
 from robolayout.assets.lexicon import category_of
 from robolayout.assets.part import Part
-from robolayout.assets.prisms import level_tops, piece_spans
+from robolayout.assets.prisms import largest_block, level_tops, piece_spans
 from robolayout.scene import Asset
 
 LEVEL = 0.012
@@ -298,17 +298,8 @@ def _largest_rectangle(region: Polygon) -> tuple[float, float, float, float]:
     shapely.prepare(region)
     grown = region.buffer(SIMPLE / 2)
     inside = shapely.covers(grown, cells).reshape(len(xs) - 1, len(ys) - 1)
-    best, found = 0.0, (xs[0], ys[0], xs[0], ys[0])
-    for i, j in product(range(len(xs) - 1), repeat=2):
-        if j < i:
-            continue
-        full = inside[i : j + 1].all(axis=0)
-        edges = np.flatnonzero(np.diff(np.concatenate([[False], full, [False]])))
-        for k, m in zip(edges[::2], edges[1::2], strict=True):
-            area = (xs[j + 1] - xs[i]) * (ys[m] - ys[k])
-            if area > best:
-                best, found = area, (xs[i], ys[k], xs[j + 1], ys[m])
-    return found
+    i, j, k, m = largest_block(inside, np.outer(np.diff(xs), np.diff(ys)))
+    return xs[i], ys[k], xs[j], ys[m]
 
 
 def _thinned(values: NDArray[np.float64]) -> list[float]:

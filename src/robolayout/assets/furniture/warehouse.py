@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 
 from robolayout._text import utf8
 from robolayout.assets.furniture._common import Builder
@@ -13,75 +14,35 @@ from robolayout.assets.shapes import box
 Span = tuple[float, float]
 
 
-def pallet_at(x: Span, y: Span, low: float, tall: float = 0.144) -> Iterator[Part]:
-    """Yield a wooden pallet over two ranges."""
-    t = 0.15 * tall
-    for i in range(3):
-        a = x[0] + i * (x[1] - x[0] - 0.1) / 2
-        yield box("runner", PLAIN["pine"], (a, a + 0.1), y, (low, low + tall - 2 * t))
-    yield box("cross", PLAIN["pine"], x, (y[0] + 0.002, y[1] - 0.002), (low + tall - 2 * t, low + tall - t))
-    for i in range(5):
-        b = y[0] + i * (y[1] - y[0]) / 5 + 0.006
-        yield box("deck", PLAIN["pine"], (x[0], x[1]), (b, b + (y[1] - y[0]) / 5 - 0.012), (low + tall - t, low + tall))
-
-
 def stack(p: Piece, x: Span, y: Span, z: Span, salt: int) -> Iterator[Part]:
     """Yield cartons stacked in two or three layers."""
     rng = p.rng()
     rng.seed(utf8(f"{p.key}/{salt}"))
-    layers, columns, rows = (
-        max(1, round((z[1] - z[0]) / 0.38)),
-        max(1, round((y[1] - y[0]) / 0.5)),
-        max(1, round((x[1] - x[0]) / 0.5)),
-    )
-    for k in range(layers):
-        for i in range(rows):
-            for j in range(columns):
-                if k == layers - 1 and layers > 1 and rng.random() < 0.25:
-                    continue
-                a = (x[0] + i * (x[1] - x[0]) / rows + 0.004, x[0] + (i + 1) * (x[1] - x[0]) / rows - 0.004)
-                b = (y[0] + j * (y[1] - y[0]) / columns + 0.004, y[0] + (j + 1) * (y[1] - y[0]) / columns - 0.004)
-                c = (z[0] + k * (z[1] - z[0]) / layers, z[0] + (k + 1) * (z[1] - z[0]) / layers - 0.003)
-                yield box("carton", PLAIN["cardboard"] if rng.random() < 0.75 else PLAIN["pine"], a, b, c)
+    spans = (z, x, y)
+    counts = [max(1, round((b - a) / edge)) for (a, b), edge in zip(spans, (0.38, 0.5, 0.5), strict=True)]
+    for cell in product(*map(range, counts)):
+        if cell[0] == counts[0] - 1 and counts[0] > 1 and rng.random() < 0.25:
+            continue
+        c, a, b = (
+            (low + i * (high - low) / n + gap, low + (i + 1) * (high - low) / n - (gap or 0.003))
+            for (low, high), i, n, gap in zip(spans, cell, counts, (0.0, 0.004, 0.004), strict=True)
+        )
+        yield box("carton", PLAIN["cardboard"] if rng.random() < 0.75 else PLAIN["pine"], a, b, c)
 
 
 def loaded_pallet(p: Piece) -> Iterator[Part]:
-    """Yield a pallet with cartons and a strap."""
-    yield from pallet_at(p.x, p.y, 0.0)
+    """Yield the cartons on a pallet."""
     yield from stack(p, (0.98 * p.x[0], 0.98 * p.x[1]), (0.98 * p.y[0], 0.98 * p.y[1]), (0.145, p.h), 0)
-    for y in (-0.2 * p.w, 0.2 * p.w):
-        yield box("strap", PLAIN["blue"], (p.x[1] - 0.001, p.x[1] + 0.002), (y - 0.01, y + 0.01), (0.145, 0.6 * p.h))
 
 
 def pallet_rack(p: Piece) -> Iterator[Part]:
-    """Yield a bay of pallet racking with loads on every level."""
-    t = 0.08
-    for x in (p.x[0], p.x[1] - t):
-        for y in (p.y[0], p.y[1] - t):
-            yield box("upright", PLAIN["blue"], (x, x + t), (y, y + t), (0.0, p.h))
-    for y in (p.y[0], p.y[1] - t):
-        for i in range(n := max(2, round(p.h / 0.9))):
-            z = (i + 0.3) * p.h / n
-            yield box("brace", PLAIN["blue"], (p.x[0] + t, p.x[1] - t), (y + 0.02, y + t - 0.02), (z, z + 0.03))
-    levels = max(2, round(p.h / 1.4))
-    bays = max(1, round(p.w / 1.3))
-    for i in range(levels):
-        low = i * p.h / levels + (0.02 if i == 0 else 0.0)
-        if i:
-            for x in (p.x[0] + 0.004, p.x[1] - t + 0.004):
-                yield box("beam", PLAIN["orange"], (x, x + t - 0.008), (p.y[0] + t, p.y[1] - t), (low - 0.1, low))
-        room = p.h / levels - 0.2
-        for j in range(bays):
-            inner = (p.y[0] + t + j * (p.w - 2 * t) / bays + 0.06, p.y[0] + t + (j + 1) * (p.w - 2 * t) / bays - 0.06)
-            x = (0.92 * p.x[0], 0.92 * p.x[1])
-            yield from pallet_at(x, inner, low)
-            yield from stack(
-                p,
-                (0.9 * p.x[0], 0.9 * p.x[1]),
-                (inner[0] + 0.02, inner[1] - 0.02),
-                (low + 0.145, low + 0.145 + (0.6 + 0.2 * ((i + j) % 2)) * (room - 0.145)),
-                10 * i + j,
-            )
+    """Yield the loads on every pallet of a rack."""
+    levels, bays = max(2, round(p.h / 1.4)), max(1, round(p.w / 1.3))
+    wide, x = (p.w - 0.16) / bays, (0.9 * p.x[0], 0.9 * p.x[1])
+    for i, j in product(range(levels), range(bays)):
+        low, y = i * p.h / levels + (0.0 if i else 0.02) + 0.145, p.y[0] + 0.16 + j * wide
+        high = low + (0.6 + 0.2 * ((i + j) % 2)) * (p.h / levels - 0.345)
+        yield from stack(p, x, (y, y + wide - 0.16), (low, high), 10 * i + j)
 
 
 def platform_cart(p: Piece) -> Iterator[Part]:
