@@ -18,7 +18,6 @@ from robolayout.assets import category_of
 from robolayout.assets.meshes import parts
 from robolayout.floor.ground import Obstacles, clearance, make_ground, obstacles_of
 from robolayout.floor.routes import _rows as demand_rows
-from robolayout.program import read_program
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, load_agent
 from robolayout.solve import compile_problem
 from robolayout.verify import Drive, Navigation, judge_agent, navigation, verify
@@ -271,7 +270,7 @@ def sides_of(asset: Asset) -> tuple[str, ...]:
 
 def grid(scene: Scene, layout: Layout, agent: Agent):
     """The solver's view: its grid, its distance field, its obstacles."""
-    problem = compile_problem(scene, read_program("", scene))
+    problem = compile_problem(scene, built=layout)
     world = np.array([(p.x, p.y, math.cos(p.yaw), math.sin(p.yaw)) for p in (layout[n] for n in problem.names)])
     ground = make_ground(problem.contents, agent, 0.05)
     things = obstacles_of(problem.contents, agent)

@@ -53,7 +53,7 @@ def ungranted(scene: Scene, layout: Layout, agent: Agent) -> tuple[set[str], sha
 def missing(scene: Scene, layout: Layout, agent: Agent) -> tuple[set[str], Ground]:
     """Names that the solver would plan a way to, and its grid."""
     parent = tuple(boxes(scene, layout).carriers.tolist())
-    problem = replace(compile_problem(scene), guess=layout, parent=parent)
+    problem = replace(compile_problem(scene, built=layout), guess=layout, parent=parent)
     world = np.array([(p.x, p.y, math.cos(p.yaw), math.sin(p.yaw)) for p in (layout[n] for n in problem.names)])
     ground, things = make_ground(problem.contents, agent, CELL), obstacles_of(problem.contents, agent)
     passable = ground.passable(clearance(ground, world, things))
@@ -97,5 +97,11 @@ def test_the_solvers_goals_are_what_the_judge_does_not_grant(body: str, seed: in
 
 
 def test_nobody_without_an_arm_moves_chairs():
-    assert not len(make_ground(compile_problem(dining(3)[0]).contents, load_agent("spot"), CELL).targets.chairs)
-    assert len(make_ground(compile_problem(dining(3)[0]).contents, load_agent("wheelchair"), CELL).targets.chairs)
+    assert not len(
+        make_ground(compile_problem(dining(3)[0], built=dining(3)[1]).contents, load_agent("spot"), CELL).targets.chairs
+    )
+    assert len(
+        make_ground(
+            compile_problem(dining(3)[0], built=dining(3)[1]).contents, load_agent("wheelchair"), CELL
+        ).targets.chairs
+    )
