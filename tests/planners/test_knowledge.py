@@ -7,10 +7,11 @@ import pytest
 from robolayout.assets import CATALOGUE, find_category
 from robolayout.constraints import RELATIONS
 from robolayout.planners import OfflinePlanner, PlanRequest, scene_from_sentence
+from robolayout.planners._asked import join_as_asked
 from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._roles import FALLBACKS, cast_scene, fallback
 from robolayout.scene import Asset, agent_names, scene_from_dict
-from robolayout.words import read_rooms
+from robolayout.words import read_rooms, read_words
 
 KNOWLEDGE = load_knowledge()
 
@@ -28,13 +29,15 @@ def test_every_word_has_one_role() -> None:
 @pytest.mark.parametrize(
     ("text", "anchors"),
     [
+        ("a kitchen with the fridge right of the stove", {"kitchen_counter-0": None, "stove-0": "kitchen_counter-0"}),
         ("a kitchen", {"kitchen_counter-0": "fridge-0", "stove-0": "kitchen_counter-0", "range_hood-0": None}),
         ("a bookstore with only 2 armchairs", {"armchair-0": "armchair-1", "armchair-1": None}),
         ("a shop with only a counter and 2 stools", {"stool-0": "checkout_counter-0", "stool-1": "checkout_counter-0"}),
     ],
 )
 def test_what_is_used_together_stands_together(text: str, anchors: dict[str, str | None]) -> None:
-    cast = cast_scene(scene_from_sentence(text)[0], KNOWLEDGE)
+    scene = scene_from_sentence(text)[0]
+    cast = join_as_asked(cast_scene(scene, KNOWLEDGE), read_words(scene).demands)
     assert {name: cast[name].anchor for name in anchors} == anchors
 
 

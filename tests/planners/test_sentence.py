@@ -66,6 +66,13 @@ def test_small_tables_among_chairs_are_for_these() -> None:
     assert "round table" not in scene_from_sentence("a living room with a small table")[1].wished
 
 
+def test_what_is_asked_to_hang_from_the_ceiling_can_and_curtains_are_one_thing() -> None:
+    scene, found = scene_from_sentence("a bar with curtains at the window and a lantern hanging from the ceiling")
+    lantern = scene.by_name["lantern-0"]
+    assert (lantern.on_ceiling, lantern.on_object) == (True, False)
+    assert found.wished["curtain"] == 1
+
+
 def test_counts_people_and_refusals() -> None:
     _, found = scene_from_sentence("a classroom for 24 pupils without a clock")
     assert found.wished["student desk"] == 24

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import replace
 
 from robolayout.constraints import Relation
@@ -46,11 +46,23 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> dict[s
         others = {other for demand in demands if name in subjects(demand) for other in demand.names()}
         if item.anchor is not None and item.anchor not in others and not _only_on(item):
             found[name] = replace(item, anchor=None, join=None)
+    for a, b in (pair for demand in demands for relation in demand.ways[0] if len(pair := relation.asset_names()) == 2):
+        if a in found and b in found:
+            _loosen(b, a, found, set(wanted))
     for name, (anchor, join) in wanted.items():
         found[name] = replace(found[name], anchor=None, join=None)
         if not depends(anchor, name, found):
             found[name] = replace(found[name], anchor=anchor, join=join)
     return found
+
+
+def _loosen(name: str, root: str, cast: dict[str, Cast], held: Set[str]) -> None:
+    """Let what usually stands in a row that ends at `root` stand by itself, where `root` is asked to be placed by `name`."""
+    while name in cast and (anchor := cast[name].anchor) is not None:
+        join = cast[name].join
+        if anchor == root and join is not None and join.loose and name not in held:
+            cast[name] = replace(cast[name], anchor=None, join=None)
+        name = anchor
 
 
 def _only_on(item: Cast) -> bool:

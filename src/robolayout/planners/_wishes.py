@@ -12,6 +12,7 @@ from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import (
     Lexicon,
     Mention,
+    Place,
     Reading,
     Rooms,
     RoomType,
@@ -148,6 +149,12 @@ def _things(
         for mention in link.subjects
         if lexicon.kinds[link.objects[0].thing.noun.kind].size[2] >= FLAT_HEIGHT
     }
+    hung = {
+        mention.thing
+        for link in reading.parsed.links
+        if any(isinstance(place, Place) and place.name == "ceiling" for place in link.objects)
+        for mention in link.subjects
+    }
     stacked = {
         mention.thing for link in reading.parsed.links if link.relation == "stacked" for mention in link.subjects
     }
@@ -158,6 +165,8 @@ def _things(
         kind = replace(kind, name=shown, like=like, size=sized(kind, thing.adjectives))
         if thing in resting and kind.size[0] * kind.size[1] < CARRIED:
             kind = replace(kind, on_object=True, on_wall=False, on_ceiling=False, on_floor=False)
+        if thing in hung and not kind.on_ceiling:
+            kind = replace(kind, on_ceiling=True, on_floor=False, on_wall=False, on_object=False)
         if thing in stacked:
             kind = replace(kind, on_object=True)
         if kind != lexicon.kinds[name] and wished.get(shown, 0) == 0:

@@ -2,7 +2,7 @@
 
 from robolayout.words._lexicon import Lexicon, dressing, grammar
 from robolayout.words._match import KIN
-from robolayout.words._said import Mention, Thing
+from robolayout.words._said import Mention, Place, Thing
 from robolayout.words._traits import WantedOpening, sized, wanted_openings
 from robolayout.words._walls import COMPASS
 from robolayout.words.demands import Demand
@@ -17,6 +17,7 @@ __all__ = [
     "Demand",
     "Lexicon",
     "Mention",
+    "Place",
     "Reading",
     "RoomType",
     "Rooms",

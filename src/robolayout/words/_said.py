@@ -11,6 +11,9 @@ from robolayout.words._function_words import YOUNG
 from robolayout.words._lexicon import Noun
 from robolayout.words._tokens import NUMBERS
 
+IN_PAIRS = ("curtain", "blinds")
+"""What is one thing in the plural."""
+
 
 @dataclass(eq=False)
 class Thing:
@@ -50,7 +53,7 @@ class Thing:
     @property
     def count(self) -> int:
         """How many are asked for: as said, else two for a plural, else one; twice "each with two" is four."""
-        usual = 2 if self.plural else 1
+        usual = 2 if self.plural and self.noun.kind not in IN_PAIRS else 1
         one = usual if self.number is None else self.number + (self.bound == "more")
         return one * self.times
 
