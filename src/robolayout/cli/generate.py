@@ -71,9 +71,9 @@ def generate(asked: Asked) -> None:
     met = True
     for variant in range(asked.variants):
         with _output(whole if asked.variants == 1 else whole / f"variant-{variant}") as run:
-            seed = asked.seed + variant * (given is not None or asked.asks_a_model)  # words leave open what may vary
+            seed = asked.seed + variant
             planner = asked.planner(run, seed)
-            room = given or _furnished(asked, planner, run, seed, variant)
+            room = given or _furnished(asked, planner, run, variant)
             result, files = _laid_out(asked, room, planner, run, seed)
         _tell(asked, result, run, files)
         met = met and result.report.ok
@@ -111,7 +111,7 @@ def _output(folder: Path) -> Generator[RunFolder]:
             warn(f"the answers so far are in {run.answers}.")
 
 
-def _furnished(asked: Asked, planner: Planner, run: RunFolder, seed: int, variant: int) -> Scene:
+def _furnished(asked: Asked, planner: Planner, run: RunFolder, variant: int) -> Scene:
     """Return the scene of a sentence, and write and say what was understood: by the model that plans, else by rules."""
     from robolayout._files import write_atomic
     from robolayout.planners import ModelPlanner, scene_from_sentence
@@ -120,7 +120,7 @@ def _furnished(asked: Asked, planner: Planner, run: RunFolder, seed: int, varian
         scene, understood = planner.furnish(asked.scene, assets=asked.asset_dir)
     else:
         scene, understood = scene_from_sentence(
-            asked.scene, seed=seed, variant=variant, knowledge=asked.knowledge or ()
+            asked.scene, seed=asked.seed, variant=variant, knowledge=asked.knowledge or ()
         )
     if not asked.quiet:
         for line in understood.sentences():

@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence, Set
 from dataclasses import replace
 
 from robolayout.constraints import Relation
+from robolayout.constraints.above import Above
+from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.any_of import AnyOf
 from robolayout.constraints.in_front_of import InFrontOf
 from robolayout.planners._knowledge import Join
@@ -22,14 +24,24 @@ CLOSE = 3.0
 
 
 def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dict[str, str]:
-    """Return what the user's words ask of known things as statements, each with its first subject; all ways that are open."""
+    """Return what the user's words ask of known things as statements, each with its first subject; all ways that are open.
+
+    What a thing on a wall is to hang above stands at a wall, unless words put it elsewhere.
+    """
     program, found = Program(expressions=scene.expressions), list[Relation]()
+    placed = {name for demand in demands for name in subjects(demand)}
     for demand in demands:
         if not demand.names() <= known:
             continue
         found += demand.ways[0] if len(demand.ways) == 1 else [AnyOf(demand.ways)]
         if demand.exact is not None:
             found.append(demand.exact)
+        found += [
+            AgainstWall(relation.b)
+            for relation in demand.ways[0]
+            if isinstance(relation, Above) and relation.b.name not in placed
+            if scene.by_name[relation.a.name].on_wall and scene.by_name[relation.b.name].on_floor
+        ]
     return {f"solver.{program.call(relation)}": relation.asset_names()[0] for relation in found}
 
 

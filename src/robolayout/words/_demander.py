@@ -355,7 +355,9 @@ class Demander:
             hangs = (
                 "mounted_on" if self._only_wall(a) or (on and asset.on_wall and not asset.on_floor) else "against_wall"
             )
-            yield from ((_say(hangs, ref, WallRef(w.index)),) for w in self._walls(place) if self._fits(a, w))
+            walls = [w for w in self._walls(place) if self._fits(a, w)]
+            free = len(walls) == len(self.room.walls)
+            yield from [(_say(hangs, ref),)] if free else ((_say(hangs, ref, WallRef(w.index)),) for w in walls)
         elif place.name == "corner":
             yield from ((_say("corner", ref, vertex),) for vertex in self._corners(place))
         elif place.name in ("window", "door"):
