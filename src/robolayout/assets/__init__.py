@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import importlib
 from typing import TYPE_CHECKING
 
+from robolayout._lazy import loader
 from robolayout.assets.category import CATALOGUE, Category, read_categories
 from robolayout.assets.lexicon import category_of, find_category, unknown_kinds
 
@@ -18,6 +18,22 @@ if TYPE_CHECKING:
     from robolayout.assets.rooms import RoomStyle, room_parts, room_style
     from robolayout.assets.surfaces import Surface, resting_place, surfaces_of
     from robolayout.assets.sweeps import Sweep, sweeps_of
+
+__getattr__ = loader(
+    __name__,
+    {
+        "folder": "import_folder",
+        "joints": "turned",
+        "meshes": "parts",
+        "own": "check_meshes load_mesh_parts",
+        "part": "Joint Material Part",
+        "prisms": "Prism prisms_of",
+        "rooms": "RoomStyle room_parts room_style",
+        "surfaces": "Surface resting_place surfaces_of",
+        "sweeps": "Sweep sweeps_of",
+    },
+)
+"""Loads the names that need array libraries when they are first used."""
 
 __all__ = [
     "CATALOGUE",
@@ -45,32 +61,3 @@ __all__ = [
     "turned",
     "unknown_kinds",
 ]
-
-_LAZY = {
-    "Joint": "part",
-    "Material": "part",
-    "Part": "part",
-    "Prism": "prisms",
-    "RoomStyle": "rooms",
-    "Surface": "surfaces",
-    "Sweep": "sweeps",
-    "check_meshes": "own",
-    "import_folder": "folder",
-    "load_mesh_parts": "own",
-    "parts": "meshes",
-    "prisms_of": "prisms",
-    "resting_place": "surfaces",
-    "room_parts": "rooms",
-    "room_style": "rooms",
-    "surfaces_of": "surfaces",
-    "sweeps_of": "sweeps",
-    "turned": "joints",
-}
-"""Names that need numpy or shapely, and the module that holds each."""
-
-
-def __getattr__(name: str) -> object:
-    """Load the names that need array libraries when they are first used."""
-    if name not in _LAZY:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(importlib.import_module(f"{__name__}.{_LAZY[name]}"), name)
