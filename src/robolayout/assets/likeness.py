@@ -17,8 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.assets.category import Category
-from robolayout.assets.meshes import builder_for, fit
+from robolayout.assets.meshes import builder_for
 from robolayout.assets.palette import make_piece
+from robolayout.assets.part import fit
 
 if TYPE_CHECKING:
     from scipy.spatial import KDTree

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from itertools import accumulate, chain, pairwise
-
-import numpy as np
+from itertools import chain
 
 from robolayout.assets.category import CATALOGUE, Category
 from robolayout.assets.fronts import hollowed
@@ -13,7 +10,7 @@ from robolayout.assets.furniture import BUILDERS, Builder
 from robolayout.assets.joints import Rule, jointed, read_joints
 from robolayout.assets.lexicon import category_of
 from robolayout.assets.palette import make_piece
-from robolayout.assets.part import Part
+from robolayout.assets.part import Part, fit
 from robolayout.assets.rows import read_rows
 from robolayout.scene import Asset
 
@@ -70,18 +67,3 @@ def builder_for(category: Category) -> Builder:
     drawing = read_rows(category.parts, f"{category.name!r} in group {category.group!r}")
     more = BUILDERS.get(category.name)
     return drawing if more is None else lambda p: chain(drawing(p), more(p))
-
-
-def fit(pieces: Iterable[Part], size: tuple[float, float, float]) -> tuple[Part, ...]:
-    """Scale and move parts, axis by axis, so that together they fill a box of `size` about the origin."""
-    built = tuple(pieces)
-    points = np.concatenate([part.vertices for part in built])
-    low, high = points.min(axis=0), points.max(axis=0)
-    half = np.array(size) / 2
-    scale = np.array(size) / np.maximum(high - low, 1e-12)
-    fitted = np.clip((points - (low + high) / 2) * scale, -half, half)
-    ends = [*accumulate((len(part.vertices) for part in built), initial=0)]
-    return tuple(
-        Part(part.name, fitted[start:end], part.faces, part.material, part.convex)
-        for part, (start, end) in zip(built, pairwise(ends), strict=True)
-    )

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from robolayout._errors import AssetError
 from robolayout._reading import MAX_MESH_BYTES, MESH_SUFFIXES, Checker, regular_bytes
-from robolayout.assets.part import Material, Part
+from robolayout.assets.part import Material, Part, fit
 from robolayout.assets.rows import check_rows
 from robolayout.scene import Scene
 
@@ -74,16 +74,13 @@ def load_mesh_parts(path: Path, size: Size, *, up: str | None = None, front: str
     """
     edges, pieces = _thin_pieces(path)
     matrix = orientation(path, edges, size, up=up, front=front)
-    points = np.concatenate([piece.vertices for piece in pieces]) @ matrix.T
-    low, high = points.min(axis=0), points.max(axis=0)
-    scale = np.array(size) / np.maximum(high - low, 1e-9)
-    half = np.array(size) / 2
-    built: list[Part] = []
-    for piece in pieces:
-        vertices = np.clip((piece.vertices @ matrix.T - (low + high) / 2) * scale, -half, half)
-        faces = piece.faces.astype(np.int32)
-        built.append(Part(piece.name, vertices, faces, piece.material, convex=False, uv=piece.uv))
-    return _stretched(built, size)
+    return fit(
+        (
+            Part(p.name, p.vertices @ matrix.T, p.faces.astype(np.int32), p.material, convex=False, uv=p.uv)
+            for p in pieces
+        ),
+        size,
+    )
 
 
 def orientation(path: Path, edges: Size, size: Size, *, up: str | None, front: str | None) -> Array:
@@ -239,14 +236,3 @@ def _distinct(faces: NDArray[np.int64]) -> NDArray[np.int64]:
     faces = faces[alive]
     _, first = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)
     return faces[np.sort(first)]
-
-
-def _stretched(built: Sequence[Part], size: Size) -> tuple[Part, ...]:
-    """Scale parts once more so that they fill the box exactly after thinning; flat axes stay flat."""
-    points = np.concatenate([part.vertices for part in built])
-    low, high = points.min(axis=0), points.max(axis=0)
-    scale = np.where(high - low > 1e-9, np.array(size) / np.maximum(high - low, 1e-12), 1.0)
-    half = np.array(size) / 2
-    for part in built:
-        part.vertices[:] = np.clip((part.vertices - (low + high) / 2) * scale, -half, half)
-    return tuple(built)

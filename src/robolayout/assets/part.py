@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from itertools import accumulate, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -75,3 +77,17 @@ class Part:
     convex: bool = True
     uv: NDArray[np.float64] | None = None
     joint: Joint | None = None
+
+
+def fit(pieces: Iterable[Part], size: tuple[float, float, float]) -> tuple[Part, ...]:
+    """Scale and move parts, axis by axis, so that together they fill a box of `size` about the origin."""
+    built = tuple(pieces)
+    points = np.concatenate([part.vertices for part in built])
+    low, high = points.min(axis=0), points.max(axis=0)
+    half = np.array(size) / 2
+    scale = np.array(size) / np.maximum(high - low, 1e-12)
+    fitted = np.clip((points - (low + high) / 2) * scale, -half, half)
+    ends = [*accumulate((len(part.vertices) for part in built), initial=0)]
+    return tuple(
+        replace(part, vertices=fitted[start:end]) for part, (start, end) in zip(built, pairwise(ends), strict=True)
+    )
