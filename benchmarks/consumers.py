@@ -38,15 +38,17 @@ FORMATS = ("mjcf", "sdf", "urdf", "usd", "usdz", "glb", "plan.dxf")
 PAGE, START, END = ROOT / "docs" / "exports.md", "<!-- consumers -->\n", "<!-- /consumers -->\n"
 
 BLENDER = """
-import json, sys, bpy
+import json, sys, bpy, mathutils
 bpy.ops.wm.read_factory_settings(use_empty=True)
 bpy.ops.import_scene.gltf(filepath=sys.argv[1])
 rows = {}
 for thing in bpy.data.objects:
     if thing.get("kind") == "asset":
-        corners = [tuple(c) for child in thing.children if child.type == "MESH" for c in child.bound_box]
-        sides = [max(axis) - min(axis) for axis in zip(*corners)]
         place = thing.matrix_world
+        turned = mathutils.Matrix.Rotation(-place.to_euler()[2], 3, "Z")
+        meshes = [child for child in thing.children if child.type == "MESH"]
+        corners = [turned @ (mesh.matrix_world @ mathutils.Vector(c)) for mesh in meshes for c in mesh.bound_box]
+        sides = [max(axis) - min(axis) for axis in zip(*corners)]
         rows[thing.name] = [*place.translation, place.to_euler()[2], *sides]
 print(json.dumps(rows), file=open(sys.argv[2], "w"))
 """
