@@ -192,7 +192,7 @@ class _Mine(EntryPoint):
         (
             {"name": "x", "radius": 0.3, "height": 1, "raduis": 1},
             "agent 'x' has the unknown key 'raduis'. Allowed: name, title, radius, height, length, width, turning_diameter, "
-            "turning_radius, reach_distance, reach_low, reach_high, shoulder_height, knee_height, step, reach.",
+            "turning_radius, reach_distance, reach_low, reach_high, shoulder_height, knee_height, step, reach, reach_bands.",
         ),
         (
             {"radius": {"value": 0.3, "from": "x"}, "height": 1},

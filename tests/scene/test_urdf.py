@@ -162,8 +162,10 @@ def test_other_encodings_do_not_smuggle_entities(tmp_path: Path) -> None:
 
 def test_not_a_robot(tmp_path: Path) -> None:
     path = tmp_path / "x.urdf"
-    path.write_text("<mujoco/>")
-    with pytest.raises(AgentError, match="starts with <'mujoco'>, but a URDF starts with <robot>"):
+    path.write_text("<sdf/>")
+    with pytest.raises(
+        AgentError, match="starts with <'sdf'>, but a URDF starts with <robot> and an MJCF with <mujoco>"
+    ):
         load_agent(path)
     with pytest.raises(AgentError, match=r"agent file .*none\.urdf does not exist; check the path\."):
         load_agent(tmp_path / "none.urdf")
@@ -215,7 +217,7 @@ def test_reach_is_what_the_hand_gets_to(tmp_path: Path) -> None:
     agent = load_agent(write(tmp_path, arm("-3.0 3.0")))
     assert agent.reach_distance is not None
     assert 0.3 < agent.reach_distance <= 0.5  # the gripper's own joint is 0.5 m from the shoulder
-    assert agent.shoulder_height == pytest.approx(0.7, abs=0.1)
+    assert max(agent.reach_bands, key=lambda band: band[2])[0] == pytest.approx(0.7, abs=0.11)
     assert agent.reach_high == pytest.approx(1.1, abs=0.1)
     assert "gripper" in agent.sources["reach_distance"].text
 
@@ -223,14 +225,14 @@ def test_reach_is_what_the_hand_gets_to(tmp_path: Path) -> None:
 def test_a_profile_names_a_model_and_its_pose(tmp_path: Path) -> None:
     write(tmp_path, arm("-3.0 3.0"))
     profile = tmp_path / "mine.toml"
-    profile.write_text('urdf = "robot.urdf"\nheight = 1.7\n[pose]\nupper_joint = -1.5708\n')
+    profile.write_text('model = "robot.urdf"\nheight = 1.7\n[pose]\nupper_joint = -1.5708\n')
     agent = load_agent(profile)
     assert agent.height == 1.7
     assert agent.circumradius < 0.32  # straight up, 3 cm to each side
-    profile.write_text('urdf = "robot.urdf"\n[pose]\nuper_joint = 0\n')
+    profile.write_text('model = "robot.urdf"\n[pose]\nuper_joint = 0\n')
     with pytest.raises(UnknownNameError, match="upper_joint"):
         load_agent(profile)
-    profile.write_text('urdf = "robot.urdf"\n[pose]\nupper_joint = 4\n')
+    profile.write_text('model = "robot.urdf"\n[pose]\nupper_joint = 4\n')
     with pytest.raises(AgentError, match="upper_joint' must be at most 3"):
         load_agent(profile)
 
@@ -251,3 +253,4 @@ def test_a_car_needs_the_circle_that_it_steers(tmp_path: Path) -> None:
     agent = load_agent(write(tmp_path, body))
     assert agent.turning_diameter is not None
     assert agent.turning_diameter > 2 * 0.6 / math.tan(0.5)
+    assert agent.turning_radius == pytest.approx(0.6 / math.tan(0.5), abs=1e-3)

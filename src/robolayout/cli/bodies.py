@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 
 def agents(
     name: Annotated[
-        str | None, typer.Argument(help="Show one body with its sources: a name, or a .toml, .json or .urdf file.")
+        str | None,
+        typer.Argument(help="Show one body with its sources: a name, or a .toml, .json, .urdf or .xml file."),
     ] = None,
     out: Annotated[Path | None, typer.Option("--out", help="Draw it to this file: SVG, PNG or PDF.")] = None,
 ) -> None:

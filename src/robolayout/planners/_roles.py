@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from robolayout.assets import Category, category_of
 from robolayout.planners._knowledge import Join, Knowledge, Role
 from robolayout.scene import Agent, Asset, Scene
+from robolayout.scene.agent import horizontal_reach
 
 TOP_HEIGHT = 1.45
 """Metres above which nothing is put on a top: out of sight and of most hands."""
@@ -165,11 +166,9 @@ def in_height(agents: Sequence[Agent], asset: Asset, bottom: float, *, narrow: b
     for agent in agents:
         if agent.reach_distance is None:
             continue
-        low, high = max(bottom, agent.reach_low), min(bottom + asset.size[2], agent.reach_high)
-        shoulder = min(max(agent.shoulder_height or low, low), high)
-        away = 0.0 if agent.shoulder_height is None else shoulder - agent.shoulder_height
+        far = horizontal_reach(agent, bottom, bottom + asset.size[2])
         edge = min(agent.length, agent.width) / 2 if narrow and agent.length and agent.width else agent.radius
-        if low > high or agent.reach**2 - away**2 < (edge + BEYOND) ** 2:
+        if far is None or far < edge + BEYOND:
             return False
     return True
 

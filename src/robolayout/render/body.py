@@ -8,6 +8,7 @@ from dataclasses import replace
 from robolayout.render._drawing import Drawing, Point, Shape, circle, paint
 from robolayout.render.palette import FREE, INK, NARROW, QUIET, REACH, ROUTE, TURN
 from robolayout.scene import Agent
+from robolayout.scene.agent import horizontal_reach
 
 SCALES = (5, 10, 20, 25, 50, 100)
 """Scales that a drawing may have."""
@@ -130,12 +131,8 @@ def _draw_side(sheet: Drawing, agent: Agent, floor: Point, k: float, broad: floa
 def _reached(agent: Agent, floor: Point, k: float) -> list[Point]:
     """Return the outline, ahead of the body's middle, of what its arm reaches: a band, cut round about a shoulder."""
     (x, y), levels = floor, [agent.reach_low + (agent.reach_high - agent.reach_low) * i / 24 for i in range(25)]
-    shoulder = agent.shoulder_height
-    far: list[Point] = []
-    for level in levels:
-        across = agent.reach**2 - (level - shoulder) ** 2 if shoulder is not None else agent.reach**2
-        if across >= 0:
-            far.append((x + math.sqrt(across) * k, y - level * k))
+    reached = [(level, horizontal_reach(agent, level, level)) for level in levels]
+    far = [(x + across * k, y - level * k) for level, across in reached if across is not None]
     return [(x, far[0][1]), *far, (x, far[-1][1])] if far else []
 
 

@@ -37,6 +37,7 @@ class Agent:
         reach_low: Lowest height it reaches, metres.
         reach_high: Highest height it reaches, metres.
         shoulder_height: Height of the shoulder in metres; None leaves the reach a cylinder.
+        reach_bands: How far the hand gets by height, from the model of a robot: (from, to, reach) in metres, lowest first.
         knee_height: Height in metres that its knees need under a top at which it sits; None where it does not sit.
         step: Height in metres that it steps or drives over.
         title: Name for people.
@@ -54,6 +55,7 @@ class Agent:
     reach_low: float = 0.0
     reach_high: float = 2.0
     shoulder_height: float | None = None
+    reach_bands: tuple[tuple[float, float, float], ...] = ()
     knee_height: float | None = None
     step: float = 0.03
     title: str = ""
@@ -85,14 +87,18 @@ SLACK = 1e-6
 def horizontal_reach(agent: Agent, bottom: float, top: float) -> float | None:
     """Return the horizontal reach in metres to something between two heights; None if it is out of reach in height.
 
-    An agent without a reach distance only gets to things, whatever their height. With a shoulder height the reach is a
-    sphere around the shoulder, otherwise a cylinder between the lowest and the highest height it reaches.
+    An agent without a reach distance only gets to things, whatever their height. The reach is what its bands say; without
+    them, a sphere around the shoulder, and without its height a cylinder between the lowest and the highest height it reaches.
     """
     if agent.reach_distance is None:
         return agent.reach
     low, high = max(bottom, agent.reach_low), min(top, agent.reach_high)
     if low > high + SLACK:
         return None
+    if agent.reach_bands:
+        return max(
+            (far for begin, end, far in agent.reach_bands if begin <= high + SLACK and end >= low - SLACK), default=None
+        )
     if agent.shoulder_height is None:
         return agent.reach
     height = abs(min(max(agent.shoulder_height, low), high) - agent.shoulder_height)

@@ -1,7 +1,7 @@
-"""Reads agents: built-in profiles, TOML and JSON files, dictionaries and URDF models.
+"""Reads agents: built-in profiles, TOML and JSON files, dictionaries and robots' URDF and MJCF models.
 
 A profile gives each figure either as a number or as `{ value = 0.45, source = "where it is from", verified = true }`; with
-`urdf = "robot.urdf"`, and `[pose]` for joints in which it drives about, it takes from that model what it does not say.
+`model = "robot.urdf"`, and `[pose]` for joints in which it drives about, it takes from that model what it does not say.
 Lengths are in metres. `radius` may be left out where `length` and `width` are given: it is then half the width and
 3 cm.
 """
@@ -45,7 +45,7 @@ ENTRY_POINTS = "robolayout.agents"
 _CHECK = Checker(AgentError)
 _MAY_BE_ZERO = ("turning_radius", "reach_low", "reach_high", "shoulder_height", "step")
 _LARGEST = 20.0
-_ALLOWED = ("name", "title", *FIGURES, "reach")
+_ALLOWED = ("name", "title", *FIGURES, "reach", "reach_bands")
 
 
 def agent_names() -> tuple[str, ...]:
@@ -57,17 +57,17 @@ def load_agent(spec: str | Path | Mapping[str, object] | Agent) -> Agent:
     """Return one agent.
 
     Args:
-        spec: A name, the path of a .toml, .json or .urdf file, a dictionary of figures, or an agent itself.
+        spec: A name, the path of a .toml, .json, .urdf or .xml file, a dictionary of figures, or an agent itself.
     """
     if isinstance(spec, Agent):
         return checked(spec)
     if not isinstance(spec, (str, Path)):
         return agent_from_dict(spec)
     path = Path(spec)
-    if path.suffix.lower() == ".urdf":
-        from robolayout.scene.urdf import load_urdf
+    if path.suffix.lower() in (".urdf", ".xml"):
+        from robolayout.scene.robot import load_robot
 
-        return checked(load_urdf(path))
+        return checked(load_robot(path))
     if path.suffix.lower() in (".toml", ".json"):
         return _load_profile(path)
     return built_in_agent(str(spec))
@@ -112,6 +112,7 @@ def agent_from_dict(data: object, name: str = "agent") -> Agent:
         raise AgentError(f"agent {label!r} has the unknown key {show(unknown[0])}. Allowed: {', '.join(_ALLOWED)}.")
     if "reach" in content:
         content["reach_distance"] = content.pop("reach")
+    bands = _bands(content.pop("reach_bands", ()), f"agent {label!r}: reach_bands")
     figures: dict[str, float] = {}
     sources: dict[str, Source] = {}
     for key, value in content.items():
@@ -122,7 +123,7 @@ def agent_from_dict(data: object, name: str = "agent") -> Agent:
         figures["radius"] = _half_passage(figures, label)
     if "height" not in figures:
         raise AgentError(f"agent {label!r} has no height; give it in metres.")
-    return checked(Agent(name=label, title=title, sources=sources, **figures))
+    return checked(Agent(name=label, title=title, sources=sources, reach_bands=bands, **figures))
 
 
 def agent_to_dict(agent: Agent) -> str | dict[str, object]:
@@ -135,7 +136,7 @@ def agent_to_dict(agent: Agent) -> str | dict[str, object]:
         if value is not None:
             full = source and {"value": value, "source": source.text, "verified": source.verified}
             data[key] = full or value
-    return data
+    return {**data, "reach_bands": [list(band) for band in agent.reach_bands]} if agent.reach_bands else data
 
 
 def checked(agent: Agent) -> Agent:
@@ -194,21 +195,23 @@ def _load_profile(path: Path) -> Agent:
     if path.suffix.lower() == ".json":
         return agent_from_dict(_CHECK.read_json(path, "agent file"), name=path.stem)
     content = _CHECK.read_toml(path, "agent file")
-    return agent_from_dict(_with_model(content, path) if "urdf" in content else content, name=path.stem)
+    return agent_from_dict(_with_model(content, path) if "model" in content else content, name=path.stem)
 
 
 def _with_model(content: dict[str, object], path: Path) -> dict[str, object]:
     """Return a profile with the figures of the robot model that it names, in its pose, where it gives none itself."""
-    from robolayout.scene.urdf import load_urdf
+    from robolayout.scene.robot import load_robot
 
     where = f"agent file {path}"
-    file = Path(_CHECK.text(content.pop("urdf"), f"{where}: urdf", most=1000))
+    file = Path(_CHECK.text(content.pop("model"), f"{where}: model", most=1000))
     given = content.pop("pose", None)
     values: dict[str, float] | None = None
     if given is not None:
         pose = _CHECK.mapping(given, f"{where}: pose")
         values = {name: _CHECK.number(value, f"{where}: pose.{name}") for name, value in pose.items()}
-    known = agent_to_dict(load_urdf(path.parent / file, values))
+    known = agent_to_dict(load_robot(path.parent / file, values))
+    if isinstance(known, dict) and content.keys() & {"reach", "reach_distance", "shoulder_height"}:
+        known.pop("reach_bands", None)
     return {**known, **content} if isinstance(known, dict) else content
 
 
@@ -224,6 +227,16 @@ def _figure(value: object, where: str, key: str) -> tuple[float, Source | None]:
     verified = _CHECK.flag(table.get("verified", False), f"{where}.verified")
     number = _positive(_CHECK.required(table, "value", where), where, key)
     return number, Source(text, verified) if text else None
+
+
+def _bands(value: object, where: str) -> tuple[tuple[float, float, float], ...]:
+    """Return how far a hand gets by height: (from, to, reach) in metres."""
+    rows = [_CHECK.numbers(row, where, (3,)) for row in _CHECK.sequence(value, where, 1000)]
+    if any(low > high or min(row) < 0 or max(row) > _LARGEST for row in rows for low, high in [row[:2]]):
+        raise AgentError(
+            f"{where}: each is [from, to, reach] in metres, from 0 to {_LARGEST:g}, the lower height first."
+        )
+    return tuple((low, high, far) for low, high, far in rows)
 
 
 def _positive(value: object, where: str, key: str) -> float:

@@ -7,13 +7,15 @@ are arms, heads and lifts, which may be folded and stretched.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
+
+from robolayout.scene._model import spread
 
 if TYPE_CHECKING:
     from scipy.spatial import ConvexHull
@@ -32,6 +34,9 @@ DEPTH = 0.01
 
 LEVEL = 0.9
 """Cosine of the angle to the vertical above which an axis is upright; what is below one minus that is level."""
+
+ASKEW = 0.25
+"""Share of its radius by which the middle of a wheel may lie beside its axis."""
 
 SIDES = 60
 """Directions in which the farthest corners of a hull stand for it while folding."""
@@ -93,14 +98,31 @@ class Robot:
     """Links in a tree of joints.
 
     Attributes:
+        name: Its name.
         root: The link that all others hang on; its frame has x ahead and z up.
         joints: All joints, each after the one that moves its parent.
         hulls: (n, 3) corners of the convex hull of a link's collision geometry, in its frame, by link.
+        home: Values of the joints in the pose that its file names; None where it names none.
     """
 
+    name: str
     root: str
     joints: tuple[Joint, ...]
     hulls: Mapping[str, Array]
+    home: Mapping[str, float] | None = None
+
+    @classmethod
+    def of(
+        cls,
+        name: str,
+        root: str,
+        joints: tuple[Joint, ...],
+        clouds: Mapping[str, Sequence[Array]],
+        home: Mapping[str, float] | None = None,
+    ) -> Robot:
+        """Return the robot whose links have these points (n, 3) on their shapes."""
+        hulls = {link: _hull(np.concatenate(shapes)) for link, shapes in clouds.items() if shapes}
+        return cls(name, root, joints, hulls, home)
 
     def poses(self, values: Mapping[str, Array], count: int = 1) -> dict[str, Array]:
         """Return the poses (count, 4, 4) of all links in the root's frame; joints without values (count,) are at 0."""
@@ -122,9 +144,7 @@ class Robot:
 
     @cached_property
     def _coarse(self) -> dict[str, Array]:
-        k = np.arange(SIDES) + 0.5
-        z, turn = 1 - 2 * k / SIDES, math.pi * (1 + math.sqrt(5)) * k
-        ways = np.column_stack([np.sqrt(1 - z * z) * np.cos(turn), np.sqrt(1 - z * z) * np.sin(turn), z])
+        ways = spread(SIDES)
         return {link: hull[np.unique((hull @ ways.T).argmax(axis=0))] for link, hull in self.hulls.items()}
 
     def beyond(self, joint: Joint) -> set[str]:
@@ -136,15 +156,30 @@ class Robot:
         return moved
 
     @cached_property
+    def _wheels(self) -> tuple[Joint, ...]:
+        """The joints that turn for ever, with something round about their axes."""
+        found: list[Joint] = []
+        for joint in self.joints:
+            if joint.kind == "revolute" and joint.high - joint.low >= math.tau - 1e-6 and joint.child in self.hulls:
+                hull = self.hulls[joint.child]
+                across = hull - (hull @ joint.axis)[:, None] * joint.axis
+                middle = (across.min(axis=0) + across.max(axis=0)) / 2
+                if np.linalg.norm(middle) < ASKEW * np.linalg.norm(across, axis=1).max():
+                    found.append(joint)
+        return tuple(found)
+
+    @cached_property
     def arms(self) -> tuple[Joint, ...]:
-        """The joints that move nothing that stands on the ground."""
+        """The joints that move nothing that stands on the ground: its wheels, and where none stands there, all that is lowest."""
         poses = self.poses({})
         lowest = {
             link: float((hull @ poses[link][0, 2, :3] + poses[link][0, 2, 3]).min())
             for link, hull in self.hulls.items()
         }
         floor = min(lowest.values(), default=0.0)
-        standing = {link for link, low in lowest.items() if low < floor + GROUND}
+        low = {link for link, height in lowest.items() if height < floor + GROUND}
+        rolling = {link for joint in self._wheels for link in self.beyond(joint)}
+        standing = low & rolling or low
         free = (
             joint for joint in self.joints if joint.kind != "fixed" and joint.mimics is None and joint.low < joint.high
         )
@@ -237,35 +272,28 @@ class Robot:
         planes = self._solids[link].equations
         return bool((local @ planes[:, :3].T + planes[:, 3] < -DEPTH).all(axis=1).any())
 
-    def steering(self) -> float | None:
-        """Return the radius in metres of the tightest circle that the root drives on if it steers like a car, else None.
+    def turning(self) -> float | None:
+        """Return the radius in metres of the tightest arc that it drives on: 0 on the spot, None where wheels do not say or slide.
 
-        Wheels turn about level axes; those that an upright joint of less than half a turn swings are steered. For a wheelbase
-        L and an angle a, the radius is L / tan a (bicycle model).
+        Wheels stand on the ground and turn for ever about level axes; those that an upright joint of less than half a turn
+        swings are steered, those that one swings right round are casters. For a wheelbase L and an angle a, the radius is
+        L / tan a (bicycle model). Wheels whose axes are not parallel, or with rollers on them, go sideways.
         """
         poses = {link: pose[0] for link, pose in self.poses({}).items()}
-        upright = [
-            joint
-            for joint in self.joints
-            if joint.kind == "revolute"
-            and abs((poses[joint.child][:3, :3] @ joint.axis)[2]) > LEVEL
-            and 0.0 < joint.high - joint.low < math.pi
-        ]
-        steered = {link: joint for joint in upright for link in self.beyond(joint)}
-        wheels = [
-            joint.child
-            for joint in self.joints
-            if joint.kind == "revolute"
-            and joint not in self.arms
-            and abs((poses[joint.child][:3, :3] @ joint.axis)[2]) < 1 - LEVEL
-            and joint.high - joint.low >= math.tau - 1e-6
-        ]
-        front = [(poses[wheel][0, 3], steered[wheel].high) for wheel in wheels if wheel in steered]
-        rear = [poses[wheel][0, 3] for wheel in wheels if wheel not in steered]
-        if not front or not rear:
+        ways = {j.name: poses[j.child][:3, :3] @ j.axis for j in self.joints if j.kind == "revolute"}
+        arms = {joint.name for joint in self.arms}
+        turning = [j for j in self.joints if j.kind == "revolute" and j.low < j.high and j.name not in arms]
+        swung = {link: j for j in turning if abs(ways[j.name][2]) > LEVEL for link in self.beyond(j)}
+        level = [j for j in self._wheels if j in turning and abs(ways[j.name][2]) < 1 - LEVEL]
+        steered = [j for j in level if j.child in swung and swung[j.child].high - swung[j.child].low < math.pi]
+        fixed = [j for j in level if j.child not in swung]
+        if not fixed or any(abs(ways[j.name] @ ways[fixed[0].name]) < LEVEL for j in fixed):
             return None
-        base = abs(float(np.mean([x for x, _ in front])) - float(np.mean(rear)))
-        return base / math.tan(min(angle for _, angle in front))
+        if not steered:
+            return 0.0 if len(fixed) > 1 else None
+        rear = float(np.mean([poses[j.child][0, 3] for j in fixed]))
+        base = abs(float(np.mean([poses[j.child][0, 3] for j in steered])) - rear)
+        return base / math.tan(min(swung[j.child].high for j in steered))
 
     @cached_property
     def hand(self) -> str | None:
@@ -279,8 +307,8 @@ class Robot:
         most = max(candidates.values())
         return min(link for link, count in candidates.items() if count == most) if most >= 2 else None
 
-    def reach(self, floor: float, seed: int = 0) -> list[tuple[float, float]]:
-        """Return how far from the root's axis the hand gets, by height above the floor: (middle of a band, metres), lowest first.
+    def reach(self, floor: float, seed: int = 0) -> list[tuple[float, float, float]]:
+        """Return how far from the root's axis the hand gets, by height above the floor: (from, to, metres), lowest first.
 
         Args:
             floor: Height of the ground in the root's frame.
@@ -293,7 +321,18 @@ class Robot:
         at = self.poses(values, POSES)[self.hand][:, :3, 3]
         band = np.floor((at[:, 2] - floor) / BAND).astype(int)
         away = np.hypot(at[:, 0], at[:, 1])
-        return [((k + 0.5) * BAND, float(away[band == k].max())) for k in np.unique(band) if k >= 0]
+        ends = ((int(k), float(away[band == k].max())) for k in np.unique(band) if k >= 0)
+        return [(round(k * BAND, 2), round((k + 1) * BAND, 2), far) for k, far in ends]
+
+
+def _hull(points: Array) -> Array:
+    """Return the corners of the convex hull of points (n, 3); flat ones stay as they are."""
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        return points[ConvexHull(points).vertices]
+    except (QhullError, ValueError):
+        return np.unique(points, axis=0)
 
 
 def _column(values: Mapping[str, float]) -> dict[str, Array]:
