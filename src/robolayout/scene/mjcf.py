@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element
@@ -160,6 +160,7 @@ class _Reader:
         self.model.count("body")
         link = self._name(element, "body")
         child_class = element.get("childclass") or child_class
+        fixed = True
         for joint in (each for each in element if each.tag in ("joint", "freejoint")):
             self.model.count("joint")
             moved = self._joint(joint, parent, pose, child_class)
@@ -167,7 +168,12 @@ class _Reader:
                 body.inner += 1
                 body.joints.append(moved[0])
                 parent, pose = moved[0].child, moved[1]
-        body.joints.append(Joint(f"{link} (body)", parent, link, pose, "fixed", np.array([0.0, 0.0, 1.0]), 0.0, 0.0))
+                fixed = bool(pose[:3, 3].any())
+        if fixed:
+            up = np.array([0.0, 0.0, 1.0])
+            body.joints.append(Joint(f"{link} (body)", parent, link, pose, "fixed", up, 0.0, 0.0))
+        else:
+            body.joints[-1] = replace(body.joints[-1], child=link)
         self._inside(element, link, np.eye(4), child_class, body)
 
     def _inside(self, element: Element, link: str, pose: Matrix, child_class: str, body: _Body) -> None:
