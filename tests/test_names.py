@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from hostile_names import NAMES, hostile_scene
-from robolayout.export import EXPORTERS, to_bytes, write_meshes
+from robolayout.export import EXPORTERS, export, to_bytes
 from robolayout.scene import load_layout, load_scene
 from running import Ran
 
@@ -81,9 +81,10 @@ def test_mujoco_loads_them(made: Path) -> None:
 
 def test_meshes_of_any_name_stay_in_their_folder(made: Path, tmp_path: Path) -> None:
     scene = load_scene(made / "given.json")
-    write_meshes(scene, tmp_path / "in")
+    export(scene, load_layout(made / "out" / "layout.json", scene), "a.sceneeval.json", folder=tmp_path / "in")
     assert [path.name for path in tmp_path.iterdir()] == ["in"]
-    assert len(list((tmp_path / "in").rglob("*.glb"))) == len(NAMES)
+    meshes = {path.stem for path in (tmp_path / "in" / "sceneeval").rglob("*.glb")}
+    assert meshes and not any("." in name or "/" in name for name in meshes)
 
 
 def test_a_plan_and_a_view_are_drawn(command: Command, made: Path) -> None:

@@ -6,6 +6,7 @@ FOLDER holds the meshes. SceneEval asks a model of vision and language how each 
 in the state says it.
 """
 
+# ruff: noqa: E402
 from __future__ import annotations
 
 import json
@@ -17,13 +18,13 @@ from unittest.mock import MagicMock
 for _module in ("cv2", "openai", "dotenv", "vlm", "matplotlib", "matplotlib.pyplot", "natsort", "hydra"):
     sys.modules.setdefault(_module, MagicMock())  # what it imports for its other metrics
 
-import bpy  # type: ignore[import-not-found]  # noqa: F401
 import numpy as np
-from assets import Retriever  # type: ignore[import-not-found]
 from assets.base import DatasetConfig  # type: ignore[import-not-found]
 from metrics.collision import CollisionMetric, CollisionMetricConfig  # type: ignore[import-not-found]
 from metrics.support import SupportMetric, SupportMetricConfig  # type: ignore[import-not-found]
 from scenes import BlenderConfig, Scene, SceneConfig, SceneState, TrimeshConfig  # type: ignore[import-not-found]
+
+from assets import Retriever  # type: ignore[import-not-found]
 
 
 class Held:
@@ -56,7 +57,9 @@ def judged(path: Path, meshes: Path) -> dict[str, object]:
         },
     }  # fmt: skip
     hits = CollisionMetric(scene, CollisionMetricConfig()).run().data["collision_results"]
-    kinds = ["wall" if "|wall|" in o.parentId else "ceiling" if "ceiling" in o.parentId else "ground" for o in state.objs]
+    kinds = [
+        "wall" if "|wall|" in o.parentId else "ceiling" if "ceiling" in o.parentId else "ground" for o in state.objs
+    ]
     scene.get_obj_render_path = lambda *_: ""
     held = SupportMetric(scene, Held(kinds), SupportMetricConfig()).run().data
     return {

@@ -14,7 +14,7 @@ import pytest
 import trimesh
 
 from robolayout._errors import AssetError
-from robolayout.assets import Material, Part
+from robolayout.assets import Material, Part, parts
 from robolayout.export import Options, export
 from robolayout.export._mesh import as_box, linear, quaternion, surface, volume, welded
 from robolayout.export.glb import GLB, asset_glb, document
@@ -55,7 +55,7 @@ def test_khronos_finds_no_error_and_no_warning(scene: Scene, layout: Layout, tmp
     ]
     for asset in scene.assets[:3]:
         paths.append(tmp_path / f"{asset.name}.glb")
-        paths[-1].write_bytes(asset_glb(asset))
+        paths[-1].write_bytes(asset_glb(asset, parts(asset)))
     for path, result in validated(*paths).items():
         assert (result["errors"], result["warnings"]) == (0, 0), (path, result["messages"])
 

@@ -8,15 +8,19 @@ sorts elements into Floor, Ceiling, Wall; loads `<root>/<id>/<id>.glb` as one me
 from __future__ import annotations
 
 import json
+import os
+import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
 import trimesh
 
+import robolayout as rl
 from robolayout._errors import LayoutError
-from robolayout.export import Options, sceneeval
+from robolayout.export import Options, export, sceneeval
 from robolayout.export._rugs import laid_parts
+from robolayout.export.glb import document
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
 
@@ -49,17 +53,23 @@ def test_walls_run_on_and_holes_are_along_them(state: dict, scene: Scene) -> Non
     assert len(walls[1]["holes"]) == 1
 
 
-def test_meshes_land_where_the_layout_says_facing_as_it_says(
-    state: dict, scene: Scene, layout: Layout, tmp_path: Path
-) -> None:
-    folder = sceneeval.write_meshes(scene, tmp_path / "assets")
-    for entry in state["scene"]["object"]:
-        name = entry["modelId"].removeprefix("robolayout.")
-        mesh = trimesh.load(folder / name / f"{name}.glb", force="mesh")
+@pytest.fixture
+def written(scene: Scene, layout: Layout, tmp_path: Path) -> Path:
+    """A scene state with its meshes beside it."""
+    return export(scene, layout, "sceneeval", folder=tmp_path)
+
+
+def test_meshes_land_where_the_layout_says_facing_as_it_says(written: Path, scene: Scene, layout: Layout) -> None:
+    for entry in json.loads(written.read_text())["scene"]["object"]:
+        prefix, kind = entry["modelId"].split(".")  # as it does
+        mesh = trimesh.load(written.parent / "sceneeval" / kind / f"{kind}.glb", force="mesh")
         mesh.apply_transform(np.asarray(entry["transform"]["data"]).reshape(4, 4).T)
+        name = entry["id"]
         pose, size = layout[name], scene.by_name[name].size
         corners = np.array(pose.corners(size))
-        assert np.allclose(mesh.bounds[:, 2], [pose.z - size[2] / 2, pose.z + size[2] / 2], atol=1e-5)
+        low = pose.z - size[2] / 2
+        assert prefix == "robolayout"
+        assert np.allclose(mesh.bounds[:, 2], [low, low + size[2]], atol=1e-5)
         assert (mesh.bounds[0, :2] >= corners.min(axis=0) - 1e-5).all()
         assert (mesh.bounds[1, :2] <= corners.max(axis=0) + 1e-5).all()
         matrix = np.asarray(entry["transform"]["data"]).reshape(4, 4).T
@@ -68,19 +78,48 @@ def test_meshes_land_where_the_layout_says_facing_as_it_says(
         assert np.linalg.det(matrix[:3, :3]) == pytest.approx(1)
 
 
-def test_descriptions_lie_where_its_layoutvlm_data_set_looks(scene: Scene, tmp_path: Path) -> None:
-    folder = sceneeval.write_meshes(scene, tmp_path)
-    notes = json.loads((folder / "double_bed-0" / "data.json").read_text())
+def test_a_mesh_is_one_node_that_nothing_turns(written: Path) -> None:
+    for path in written.parent.rglob("*.glb"):
+        (node,) = document(path.read_bytes())["nodes"]
+        assert "mesh" in node and not {"rotation", "matrix", "children"} & set(node)
+
+
+def test_descriptions_lie_where_its_layoutvlm_data_set_looks(written: Path, scene: Scene, state: dict) -> None:
+    kind = next(e["modelId"] for e in state["scene"]["object"] if e["id"] == "double_bed-0").partition(".")[2]
+    notes = json.loads((written.parent / "sceneeval" / kind / "data.json").read_text())
     assert {"category", "description", "materials"} <= set(notes["annotations"])
-    assert notes["annotations"]["description"] == scene.assets[0].description
+    assert notes["annotations"]["description"] == scene.by_name["double_bed-0"].description
     assert notes["assetMetadata"]["boundingBox"] == {"x": 1.6, "y": 2.0, "z": 0.9}
-    assert len(list(folder.iterdir())) == len(scene.assets)
+
+
+@pytest.mark.slow
+def test_its_own_code_finds_everything_upright_held_and_apart(tmp_path: Path) -> None:
+    home, python = os.environ.get("ROBOLAYOUT_SCENEEVAL", ""), os.environ.get("ROBOLAYOUT_BLENDER_PYTHON", "")
+    if not (home and python):
+        pytest.skip("ROBOLAYOUT_SCENEEVAL (its folder) and ROBOLAYOUT_BLENDER_PYTHON (with bpy and fcl) are not set")
+    result = rl.generate(Path(__file__).parents[2] / "examples" / "bedroom.json")
+    path = export(result.scene, result.layout, "sceneeval", folder=tmp_path)
+    judge, out = Path(__file__).with_name("sceneeval_judge.py"), tmp_path / "out.json"
+    told = [python, str(judge), str(path.parent / "sceneeval"), str(out), str(path)]
+    subprocess.run(told, cwd=home, env={**os.environ, "PYTHONPATH": home}, check=True, capture_output=True)
+    found = json.loads(out.read_text())[path.name]
+    assert found["trimesh"].keys() == set(result.layout)
+    for name, bounds in found["trimesh"].items():
+        assert np.allclose(bounds, found["blender"][name], atol=1e-5), name
+    assert not any(found["collisions"].values())
+    assert all(found["supported"].values())
 
 
 def test_tops_name_what_they_stand_on(state: dict) -> None:
     parents = {entry["id"]: entry["parentId"] for entry in state["scene"]["object"]}
     assert parents["table_lamp-0"] == "night_stand-0"
-    assert {parents[name] for name in parents if name != "table_lamp-0"} == {""}
+    held = {name: parent for name, parent in parents.items() if parent and name != "table_lamp-0"}
+    assert held["ceiling_lamp-0"] == "room|ceiling"
+    assert all(parent.startswith("room|wall|") for name, parent in held.items() if name != "ceiling_lamp-0")
+
+
+def test_rugs_come_first(state: dict, scene: Scene) -> None:
+    assert scene.by_name[state["scene"]["object"][0]["id"]].is_flat
 
 
 def test_other_json_is_refused() -> None:

@@ -98,8 +98,6 @@ def test_every_form_of_a_room_is_found_and_measured_alike(furnished: Furnished, 
 
 
 def test_a_state_without_sizes_asks_for_the_folder_of_assets(furnished: Furnished, tmp_path: Path) -> None:
-    from robolayout.export import write_meshes
-
     scene = rl.load_scene(furnished.folder / "scene.json")
     layout = rl.load_layout(furnished.folder / "layout.json", scene)
     path = rl.export(scene, layout, tmp_path / "rooms" / "a.sceneeval.json")
@@ -111,8 +109,7 @@ def test_a_state_without_sizes_asks_for_the_folder_of_assets(furnished: Furnishe
     assert (
         not found.rows and "has no size in its metadata; name the folder of assets (--asset-dir)" in found.skipped["a"]
     )
-    write_meshes(scene, tmp_path / "assets")
-    (row,) = rl.evaluate(tmp_path / "rooms", asset_dir=tmp_path / "assets").rows
+    (row,) = rl.evaluate(tmp_path / "rooms", asset_dir=tmp_path / "rooms" / "sceneeval").rows
     assert row["collision_free_share"] == 1.0 and row["things"] == len(scene.assets)
     for text, said in (
         ('{"format": "sceneState"}', "has another form than scene@1.0.2"),

@@ -26,7 +26,7 @@ from robolayout.export.layout_json import LAYOUT_JSON
 from robolayout.export.mjcf import MJCF
 from robolayout.export.physics import Drive, Driven, Motion, Settled, check_simulator, drive, settle
 from robolayout.export.procthor import PROCTHOR
-from robolayout.export.sceneeval import SCENEEVAL, write_meshes
+from robolayout.export.sceneeval import SCENEEVAL
 from robolayout.export.sdf import SDF
 from robolayout.export.urdf import URDF
 from robolayout.export.usd import USDA, USDZ
@@ -51,7 +51,6 @@ __all__ = [
     "find_exporter",
     "settle",
     "to_bytes",
-    "write_meshes",
 ]
 
 EXPORTERS: Mapping[str, Exporter] = MappingProxyType(

@@ -11,6 +11,7 @@ import json
 import math
 import struct
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any, cast
 
 import numpy as np
@@ -19,7 +20,7 @@ from numpy.typing import NDArray
 from robolayout._reading.syntax import Unreadable, decoded, json_value
 from robolayout._text import utf8
 from robolayout._version import __version__
-from robolayout.assets import Material, Part, category_of, parts, room_parts
+from robolayout.assets import Material, Part, category_of, room_parts
 from robolayout.assets.textures import media_type, picture
 from robolayout.export._exporter import Contents, Exporter, Json, Options, facts, is_movable, placed, reader
 from robolayout.export._mesh import Surface, base_color, linear, merged, quaternion
@@ -72,10 +73,6 @@ class _Builder:
             children.append(self.node(f"{name}.light", translation=list(bulb), extensions=light))
         return self.node(name, **content, **({"children": children} if children else {}))
 
-    def turned(self, name: str, child: int) -> int:
-        """Add a node that turns this package's axes (front x, up z) into glTF's (front z, up y); return its index."""
-        return self.node(name, rotation=[-0.5, -0.5, -0.5, 0.5], children=[child])
-
     def camera(self, room: Room) -> int:
         """Add a camera that sees the whole room; return its node's index."""
         self.cameras.append(
@@ -89,17 +86,22 @@ class _Builder:
         arrays = (shape.positions, shape.normals, shape.indices, shape.uvs)
         key = (material, closed, *(array.tobytes() for array in arrays))
         if key not in self._known:
-            attributes = {
-                "POSITION": self._accessor(shape.positions.astype("<f4"), VERTICES),
-                "NORMAL": self._accessor(shape.normals.astype("<f4"), VERTICES),
-            }
-            if material.texture is not None:
-                attributes["TEXCOORD_0"] = self._accessor(shape.uvs.astype("<f4"), VERTICES)
-            indices = self._accessor(shape.indices.reshape(-1).astype("<u4"), INDICES)
-            primitive = {"attributes": attributes, "indices": indices, "material": self._material(material, closed)}
-            self.meshes.append({"name": f"{name}.{material.name}", "primitives": [primitive]})
+            self.meshes.append(
+                {"name": f"{name}.{material.name}", "primitives": [self.primitive(material, closed, shape)]}
+            )
             self._known[key] = len(self.meshes) - 1
         return self._known[key]
+
+    def primitive(self, material: Material, closed: bool, shape: Surface) -> Json:
+        """Add a surface of one material; return what a mesh says of it."""
+        attributes = {
+            "POSITION": self._accessor(shape.positions.astype("<f4"), VERTICES),
+            "NORMAL": self._accessor(shape.normals.astype("<f4"), VERTICES),
+        }
+        if material.texture is not None:
+            attributes["TEXCOORD_0"] = self._accessor(shape.uvs.astype("<f4"), VERTICES)
+        indices = self._accessor(shape.indices.reshape(-1).astype("<u4"), INDICES)
+        return {"attributes": attributes, "indices": indices, "material": self._material(material, closed)}
 
     def _material(self, material: Material, closed: bool) -> int:
         key = (material, closed)
@@ -208,11 +210,19 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     return _packed(builder.document(root), bytes(builder.blob))
 
 
-def asset_glb(asset: Asset, made: tuple[Part, ...] | None = None, *, seed: int = 0) -> bytes:
-    """Return one asset, of these parts or its own, alone in glTF's own frame: y up, front along +z, origin in the middle."""
+def asset_glb(asset: Asset, pieces: tuple[Part, ...]) -> bytes:
+    """Return one asset alone, as a single mesh in glTF's own frame: y up, front along +z, origin in the middle of its box."""
     builder, known = _Builder(), facts(asset, movable=category_of(asset).movable)
-    body = builder.object(asset.name, made or parts(asset, seed=seed), extras={"kind": "asset", **known})
-    return _packed(builder.document(builder.turned(asset.name, body)), bytes(builder.blob))
+    primitives = [builder.primitive(material, closed, _turned(shape)) for material, closed, shape in merged(pieces)]
+    builder.meshes.append({"name": asset.name, "primitives": primitives})
+    body = builder.node(asset.name, mesh=0, extras={"kind": "asset", **known})
+    return _packed(builder.document(body), bytes(builder.blob))
+
+
+def _turned(shape: Surface) -> Surface:
+    """Return a surface in glTF's axes (front z, up y) instead of this package's (front x, up z)."""
+    axes = [1, 2, 0]
+    return replace(shape, positions=shape.positions[:, axes], normals=shape.normals[:, axes])
 
 
 def _packed(document: Json, blob: bytes) -> bytes:

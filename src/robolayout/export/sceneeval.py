@@ -1,23 +1,21 @@
 """Scene state JSON, which SceneEval loads (format `scene@1.0.2`, from its scene_state_template.json and GUIDE.md).
 
 SceneEval places each object's mesh by a column-major 4 x 4 matrix; meshes are glTF files, y up with the front along +z.
-Model ids are `robolayout.<name>`, the name escaped where no file may have it.
-`write_meshes` writes the meshes in the folder form of its LayoutVLM data set
-(`<name>/<name>.glb`, `<name>/data.json`), so a data set entry with the prefix "robolayout" and that folder as its root
-is all that SceneEval needs.
+Model ids are `robolayout.<kind>`, one for all things that are alike. Their meshes lie beside the state in the folder form of
+its LayoutVLM data set (`sceneeval/<kind>/<kind>.glb`, `data.json`), so a data set entry with the prefix "robolayout" and that
+folder as its root is all that SceneEval needs. It takes whatever touches for a collision, and tells a touch by moving the
+later of two things away: rugs have holes where furniture stands, and come first.
 """
 
 from __future__ import annotations
 
-import hashlib
 import math
-from pathlib import Path
+from dataclasses import replace
 from typing import cast
-from urllib.parse import quote
 
 from robolayout._errors import LayoutError
-from robolayout._files import write_atomic
 from robolayout._reading.syntax import decoded, json_value
+from robolayout.assets import Part
 from robolayout.export._exporter import (
     Contents,
     Exporter,
@@ -25,36 +23,39 @@ from robolayout.export._exporter import (
     Options,
     dump_json,
     facts,
+    hangs,
     is_movable,
+    kind_name,
     placed,
     reader,
     supporter,
 )
 from robolayout.export._rugs import laid_parts
 from robolayout.export.glb import asset_glb
-from robolayout.scene import Layout, Opening, Pose, Room, Scene
+from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene
 
 PREFIX = "robolayout"
 ROOM = "room"
-LONGEST_NAME = 120
-"""Characters of a file's name, beyond which an asset's name is shortened."""
+FOLDER = "sceneeval"
+"""Folder of the meshes, beside the scene state."""
 THICKNESS = 0.1
 """Thickness of walls in metres, as in the files that SceneEval ships."""
 
 
 def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     """Return the scene state of a layout."""
-    rows = placed(scene, layout)
+    rows = sorted(placed(scene, layout), key=lambda row: not row[0].is_flat)
     index = {asset.name: i for i, (asset, _) in enumerate(rows)}
     objects: list[Json] = []
     for asset, pose in rows:
         parent = supporter(asset, scene, layout)
+        held = _held(asset, pose, scene.room) if parent is None and hangs(asset, scene, layout) else ""
         objects.append(
             {
                 "id": asset.name,
                 "index": index[asset.name],
-                "modelId": f"{PREFIX}.{_file_name(asset.name)}",
-                "parentId": parent or "",
+                "modelId": f"{PREFIX}.{_kind(asset, scene, layout, options.seed)[0]}",
+                "parentId": parent or held,
                 "parentIndex": -1 if parent is None else index[parent],
                 "transform": {"rows": 4, "cols": 4, "data": _matrix(pose)},
                 "metadata": facts(asset, movable=is_movable(asset, scene, layout)),
@@ -78,12 +79,10 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     )
 
 
-def _file_name(name: str) -> str:
-    """Return an asset's name as that of a file: as it is, unless it has a slash or the like, then escaped as in addresses."""
-    escaped = quote(name, safe=" ").replace(".", "%2E") if not name.strip(".") else quote(name, safe=" ")
-    return (
-        escaped if len(escaped) <= LONGEST_NAME else f"{escaped[:80]}-{hashlib.sha256(name.encode()).hexdigest()[:16]}"
-    )
+def _held(asset: Asset, pose: Pose, room: Room) -> str:
+    """Return the id of the part of the room that something hangs on: the nearest wall, or the ceiling."""
+    wall = min(room.walls, key=lambda wall: wall.distance((pose.x, pose.y)))
+    return f"{ROOM}|wall|{wall.index}" if asset.on_wall else f"{ROOM}|ceiling"
 
 
 def _matrix(pose: Pose) -> list[float]:
@@ -136,30 +135,26 @@ def _hole(kind: str, number: int, opening: Opening) -> Json:
     return {"id": f"{kind.lower()}-{opening.wall}-{number}", "type": kind, "box": {"min": low, "max": high}}
 
 
-def write_meshes(scene: Scene, folder: Path, layout: Layout | None = None, *, seed: int = 0) -> Path:
-    """Write every asset's mesh and description below a folder, as SceneEval looks for them below a data set's root.
+def _kind(asset: Asset, scene: Scene, layout: Layout, seed: int) -> tuple[str, tuple[Part, ...]]:
+    """Return the model id of an asset's kind, without a dot in it, and its parts."""
+    pieces = laid_parts(asset, scene, layout, seed=seed)
+    return kind_name(asset.category, pieces, asset.description, asset.size), pieces
 
-    Args:
-        scene: The scene.
-        folder: The folder.
-        layout: Where everything stands: rugs are cut out around what stands through them.
-        seed: Seed of the parametric meshes.
 
-    Returns:
-        The folder.
-    """
-    for asset in scene.assets:
+def _beside(scene: Scene, layout: Layout, options: Options) -> dict[str, bytes]:
+    """Return the mesh and the description of every kind of thing, as SceneEval looks for them below a data set's root."""
+    found: dict[str, bytes] = {}
+    for asset, _ in placed(scene, layout):
+        name, pieces = _kind(asset, scene, layout, options.seed)
         depth, width, height = asset.size
         notes: Json = {"category": asset.category, "description": asset.description, "materials": []}
         notes |= {"onFloor": asset.on_floor, "onWall": asset.on_wall, "onCeiling": asset.on_ceiling}
         box: Json = {"boundingBox": {"x": width, "y": depth, "z": height}}
         content: Json = {"annotations": {**notes, "onObject": asset.on_object}, "assetMetadata": box}
-        name = _file_name(asset.name)
-        write_atomic(
-            folder / name / f"{name}.glb", asset_glb(asset, laid_parts(asset, scene, layout or Layout({}), seed=seed))
-        )
-        write_atomic(folder / name / "data.json", dump_json(content))
-    return folder
+        if f"{FOLDER}/{name}/data.json" not in found:
+            found[f"{FOLDER}/{name}/{name}.glb"] = asset_glb(replace(asset, name=name), pieces)
+            found[f"{FOLDER}/{name}/data.json"] = dump_json(content)
+    return found
 
 
 @reader("scene state")
@@ -179,4 +174,6 @@ def read(data: bytes) -> Contents:
     return Contents(Layout(poses), sizes)
 
 
-SCENEEVAL = Exporter("sceneeval", ".sceneeval.json", "scene state JSON, which SceneEval loads", None, write, read)
+SCENEEVAL = Exporter(
+    "sceneeval", ".sceneeval.json", "scene state JSON and meshes, which SceneEval loads", None, write, read, _beside
+)
