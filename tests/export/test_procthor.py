@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 
 import pytest
 
 from robolayout.assets import CATALOGUE
 from robolayout.export import Options, procthor
-from robolayout.export._thor import catalogue, nearest, thor_type
-from robolayout.scene import Asset, Layout, Opening, Room, Scene
+from robolayout.export._thor import as_in_thor, catalogue, nearest, thor_type
+from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene
 
 
 @pytest.fixture(scope="module")
@@ -100,8 +101,9 @@ def test_fronts_and_places_are_kept(house: dict, scene: Scene, layout: Layout) -
 
 def test_rugs_and_ceiling_lamps_are_left_out_and_named_and_lamps_shine(house: dict, layout: Layout) -> None:
     notes = house["metadata"]["robolayout"]["assets"]
-    assert [name for name, note in notes.items() if note["id"] is None] == ["ceiling_lamp-0", "rug-0"]
-    assert len(flat(house["objects"])) == len(layout) - 2
+    left = {name for name, note in notes.items() if note["id"] is None}
+    assert left == {"ceiling_lamp-0", "rug-0", "wardrobe-0"}
+    assert len(flat(house["objects"])) == len(layout) - len(left)
     (lamp,) = [light for light in house["proceduralParameters"]["lights"] if light["type"] == "point"]
     pose = layout["ceiling_lamp-0"]
     assert lamp["position"] == {"x": pose.x, "y": pose.z, "z": pose.y}
@@ -120,15 +122,29 @@ def test_distances_are_reported(house: dict) -> None:
     for note in (note for note in notes.values() if note["id"]):
         largest = max(abs(a - b) for a, b in zip(note["size"], note["thorSize"], strict=True))
         assert note["sizeDistance"] == pytest.approx(largest, abs=1e-4)
-    assert notes["double_bed-0"]["sameType"] is True
     assert notes["double_bed-0"]["sizeDistance"] < 0.3
 
 
-def test_an_unknown_thing_gets_a_stand_in_of_its_proportions() -> None:
-    size = (0.7, 1.7, 0.6)
-    found = nearest(Asset("bathtub-0", "bathtub", size))
-    assert found is not None
-    assert found.stretch(size) < math.log(1.3)
+@pytest.mark.parametrize("category", ["bathtub", "printer", "wardrobe", "pool table", "wall shelf", "monitor", "oven"])
+def test_what_is_not_the_same_is_left_out(category: str) -> None:
+    assert nearest(Asset("a-0", category, (0.7, 1.7, 0.6))) is None
+
+
+def test_a_room_as_thor_has_it_keeps_where_things_stand(scene: Scene, layout: Layout) -> None:
+    printer = Asset("printer-0", "printer", (0.4, 0.5, 0.3))
+    room, there = as_in_thor(
+        replace(scene, assets=(*scene.assets, printer)), Layout({**layout, "printer-0": Pose(1, 1, 0.15, 0)})
+    )
+    assert set(layout) - {"wardrobe-0"} == set(there) == set(room.by_name)
+    for name, asset in room.by_name.items():
+        thor = nearest(scene.by_name[name])
+        assert asset.size == (thor.size if thor else scene.by_name[name].size)
+        if thor and asset.on_floor:
+            assert there[name].z - asset.size[2] / 2 == pytest.approx(layout[name].z - scene.by_name[name].size[2] / 2)
+    house = json.loads(procthor.PROCTHOR.write(room, there, Options(left_out=("printer-0",))))
+    notes = house["metadata"]["robolayout"]
+    assert notes["leftOut"] == ["printer-0"]
+    assert all(note["sizeDistance"] == 0 for note in notes["assets"].values() if note["id"])
 
 
 def test_the_nearest_of_the_type_is_taken() -> None:

@@ -177,6 +177,7 @@ def export(
     """Write a layout for simulators and viewers."""
     from robolayout._files import check_writable
     from robolayout.export import export_all, exporters, find_exporter
+    from robolayout.run.flow import generate as solve_again
     from robolayout.run.outputs import export_options
     from robolayout.verify import verify
 
@@ -190,8 +191,19 @@ def export(
     one_of("body to export", body, BODIES)
     options = replace(export_options(verify(given, placed)), leaves=standing(doors))
     options = options if body == "base" else replace(options, agent=None)
-    for path in export_all(given, placed, formats, folder=out, options=options, partial=partial):
+    plain = [name for name in formats if find_exporter(name).fit is None]
+    for path in export_all(given, placed, plain, folder=out, options=options, partial=partial):
         say(str(path))
+    for name in formats:
+        if (fit := find_exporter(name).fit) is not None:
+            room, there = fit(given, placed)
+            found = solve_again(room, start=there)
+            left = tuple(sorted(set(placed) - set(found.layout)))
+            inside = replace(options, left_out=left)
+            say(*map(str, export_all(found.scene, found.layout, [name], folder=out, options=inside, partial=partial)))
+            verdict = "ok" if found.report.ok else " ".join(["not ok:", *found.report.violations])
+            say(f"solved again with the sizes of {name}'s things: {verdict}")
+            say(f"left out, for want of a counterpart: {', '.join(left) or 'nothing'}")
 
 
 def constraints() -> None:

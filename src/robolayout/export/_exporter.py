@@ -45,6 +45,7 @@ class Options:
         routes: Routes of that agent, kept as metadata or lines where the format has a place.
         seed: Seed of the parametric meshes.
         start: Where that agent starts; None for inside the first door.
+        left_out: Names of things that the scene had, for which the format has none.
     """
 
     agent: Agent | None = None
@@ -52,6 +53,7 @@ class Options:
     routes: Routes = field(default_factory=dict[str, Sequence[Point]])
     seed: int = 0
     start: Pose | None = None
+    left_out: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -83,6 +85,7 @@ class Exporter:
         write: The file's content for a scene, a layout and options.
         read: Reads such content back; None where the format cannot say where things are.
         beside: The files that it refers to, by their paths from its folder; None where it stands alone.
+        fit: The room with the things that its readers have; the command line solves that again. None where ours are theirs.
     """
 
     name: str
@@ -92,6 +95,7 @@ class Exporter:
     write: Callable[[Scene, Layout, Options], bytes]
     read: Read | None = None
     beside: Callable[[Scene, Layout, Options], Mapping[str, bytes]] | None = None
+    fit: Callable[[Scene, Layout], tuple[Scene, Layout]] | None = None
 
 
 def placed(scene: Scene, layout: Layout) -> tuple[tuple[Asset, Pose], ...]:

@@ -7,15 +7,11 @@ The table of 1,653 assets (names, types, boxes) is `data/thor_assets.csv`, deriv
 from __future__ import annotations
 
 import csv
-import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from importlib.resources import files
 
-from robolayout.scene import Asset
-
-HOLES = ("Doorway", "Doorframe", "Window")
-"""Types that belong into walls, never onto a floor."""
+from robolayout.scene import Asset, Layout, Pose, Scene
 
 Size = tuple[float, float, float]
 
@@ -38,10 +34,6 @@ class ThorAsset:
         """Return the largest difference in metres between its sides and those of a box."""
         return max(abs(a - b) for a, b in zip(self.size, size, strict=True))
 
-    def stretch(self, size: Size) -> float:
-        """Return the largest factor, as a logarithm, by which one of its sides differs from a box's."""
-        return max(abs(math.log(a / b)) for a, b in zip(self.size, size, strict=True))
-
 
 def _rows(name: str) -> list[dict[str, str]]:
     """Return the rows of a table of this package, without its comment lines."""
@@ -60,39 +52,53 @@ def catalogue() -> dict[str, tuple[ThorAsset, ...]]:
 
 
 @cache
-def _phrases() -> dict[tuple[str, ...], str]:
-    """Return the THOR type of every known phrase, as words."""
-    return {tuple(row["words"].split()): row["type"] for row in _rows("thor_types.csv")}
+def _phrases() -> dict[str, str]:
+    """Return the THOR type of every known phrase; empty where there is none."""
+    return {row["words"]: row["type"] for row in _rows("thor_types.csv")}
 
 
 def thor_type(category: str) -> str | None:
-    """Return the THOR type of a category in words, or None.
+    """Return the THOR type that a category in words is, or None.
 
-    The longest known phrase within the category wins; of equally long ones the last, since the head of an English
-    compound comes last ("desk chair" is a chair).
+    The head of an English compound comes last ("desk chair" is a chair), so the longest known phrase at its end decides.
     """
     words = category.lower().replace("_", " ").replace("-", " ").split()
-    for length in range(len(words), 0, -1):
-        for start in range(len(words) - length, -1, -1):
-            found = _phrases().get(tuple(words[start : start + length]))
-            if found is not None:
-                return found
-    return None
+    ends = [f"={' '.join(words)}", *(" ".join(words[start:]) for start in range(len(words)))]
+    return next((_phrases()[phrase] or None for phrase in ends if phrase in _phrases()), None)
 
 
 def nearest(asset: Asset) -> ThorAsset | None:
-    """Return the THOR asset that stands for one of ours, or None where nothing can.
+    """Return the THOR asset that stands for one of ours, the nearest in size of the same type; None where there is none.
 
-    It is the nearest in size of the same type. Where no type fits, it is the asset of nearly the same proportions among
-    all types, a stand-in that at least takes up the room. THOR has no rugs and nothing that hangs from a ceiling.
+    THOR has no rugs and nothing that hangs from a ceiling.
     """
-    if asset.is_flat or (asset.on_ceiling and not (asset.on_floor or asset.on_object)):
-        return None
     kind = thor_type(asset.category)
-    if kind is not None:
-        return nearest_of([kind], asset.size)
-    others = [each for name, assets in catalogue().items() if name not in HOLES for each in assets]
-    return min(others, key=lambda each: (each.stretch(asset.size), each.name))
+    if kind is None or asset.is_flat or (asset.on_ceiling and not (asset.on_floor or asset.on_object)):
+        return None
+    return nearest_of([kind], asset.size)
+
+
+def kept(asset: Asset) -> str:
+    """Return what is kept of an asset's height in THOR: its bottom where it stands, else its middle."""
+    return "bottom" if asset.on_floor or asset.on_object else "middle"
+
+
+def as_in_thor(scene: Scene, layout: Layout) -> tuple[Scene, Layout]:
+    """Return a room with the boxes of THOR's assets, each where ours is, and without what has no counterpart.
+
+    Rugs and what hangs from the ceiling stay: they take no room, and lamps shine.
+    """
+    assets: list[Asset] = []
+    poses: dict[str, Pose] = {}
+    for asset in scene.assets:
+        thor = nearest(asset)
+        if thor is None and not (asset.is_flat or asset.on_ceiling):
+            continue
+        assets.append(asset if thor is None else replace(asset, size=thor.size))
+        if (pose := layout.get(asset.name)) is not None:
+            rise = (assets[-1].size[2] - asset.size[2]) / 2 if kept(asset) == "bottom" else 0.0
+            poses[asset.name] = replace(pose, z=pose.z + rise)
+    return replace(scene, assets=tuple(assets)), Layout(poses)
 
 
 def nearest_of(types: list[str], size: Size) -> ThorAsset:

@@ -1,20 +1,22 @@
 """House JSON, which AI2-THOR's `CreateHouse` loads (schema 1.0.0, that of ProcTHOR-10k).
 
 Unity is y up and left-handed: our (x, y, z) is its (x, z, y), and a yaw counter-clockwise from +x is a rotation
-clockwise from +z, that is 90 degrees minus the yaw. Every asset becomes the nearest THOR asset of the same type and size, on the same
-floor, thing or wall; `metadata.robolayout.assets` says which one, and how far its box is from the asked one. THOR has no
-rugs and no ceiling lamps: they are left out and named there, and lights shine where the lamps hang. A wall of THOR holds
-one door or window, so walls with more are cut into pieces.
+clockwise from +z, that is 90 degrees minus the yaw. Every asset becomes the THOR asset of the same type that is nearest in
+size, on the same floor, thing or wall; `metadata.robolayout.assets` says which one, and how far its box is from the asked one.
+What THOR has no type for, rugs and ceiling lamps among it, is left out and has no id there; lights shine where the lamps hang. A
+wall of THOR holds one door or window, so walls with more are cut into pieces.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import cast
 
 from robolayout._errors import LayoutError
 from robolayout._reading.syntax import decoded, json_value
+from robolayout.assets import parts
 from robolayout.export._exporter import (
     Contents,
     Exporter,
@@ -26,8 +28,9 @@ from robolayout.export._exporter import (
     reader,
     supporter,
 )
-from robolayout.export._thor import ThorAsset, nearest, nearest_of, thor_type
-from robolayout.scene import Asset, Layout, Opening, Point, Pose, Room, Scene, Wall
+from robolayout.export._scenery import lamp as lamp_light
+from robolayout.export._thor import as_in_thor, kept, nearest, nearest_of
+from robolayout.scene import Layout, Opening, Point, Pose, Room, Scene, Wall
 
 ROOM = "room|2"
 """Rooms of THOR are numbered from 2; 1 is outside."""
@@ -51,7 +54,7 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     objects, assets = _objects(scene, layout)
     house: Json = {
         "doors": [_cover(index, piece) for index, piece in holes if piece[3] and piece[3][0] == "door"],
-        "metadata": _metadata(scene, assets),
+        "metadata": _metadata(scene, assets, options.left_out),
         "objects": objects,
         "proceduralParameters": _parameters(scene, layout),
         "rooms": [_room(scene)],
@@ -141,7 +144,8 @@ def _objects(scene: Scene, layout: Layout) -> tuple[list[Json], dict[str, Json]]
         if thor is None:
             assets[asset.name]["id"] = None
             continue
-        anchor, shift = _shift(asset, thor)
+        anchor = kept(asset)
+        shift = (thor.size[2] - asset.size[2]) / 2 if anchor == "bottom" else 0.0
         objects[asset.name] = {
             "assetId": thor.name,
             "id": f"{thor.type}|2|{number}",
@@ -154,7 +158,6 @@ def _objects(scene: Scene, layout: Layout) -> tuple[list[Json], dict[str, Json]]
             "id": objects[asset.name]["id"],
             "thorSize": list(thor.size),
             "sizeDistance": round(thor.distance(asset.size), 4),
-            "sameType": thor_type(asset.category) is not None,
             "anchor": anchor,
         }
     roots: list[Json] = []
@@ -168,13 +171,6 @@ def _objects(scene: Scene, layout: Layout) -> tuple[list[Json], dict[str, Json]]
 def _pose(pose: Pose) -> Json:
     """Return a Unity position and rotation."""
     return {"position": _vector(pose.x, pose.y, pose.z), "rotation": {"x": 0.0, "y": _degrees(pose.yaw), "z": 0.0}}
-
-
-def _shift(asset: Asset, thor: ThorAsset) -> tuple[str, float]:
-    """Return what is kept of an asset's height (bottom or middle), and how far up its middle moves for that."""
-    if asset.on_floor or asset.on_object:
-        return "bottom", (thor.size[2] - asset.size[2]) / 2
-    return "middle", 0.0
 
 
 def _room(scene: Scene) -> Json:
@@ -202,7 +198,7 @@ def _entrance(room: Room) -> tuple[Point, float]:
     return wall.point(room.doors[0].center, 0.5), math.atan2(wall.normal[1], wall.normal[0])
 
 
-def _metadata(scene: Scene, assets: dict[str, Json]) -> Json:
+def _metadata(scene: Scene, assets: dict[str, Json], left_out: Sequence[str]) -> Json:
     """Return the schema, the agent's start and our own facts."""
     (x, y), yaw = _entrance(scene.room)
     pose: Json = {"horizon": 30, "position": _vector(x, y, AGENT_HEIGHT), "standing": True}
@@ -212,14 +208,14 @@ def _metadata(scene: Scene, assets: dict[str, Json]) -> Json:
         "agentPoses": {mode: pose for mode in ("default", "arm", "locobot", "stretch")},
         "roomSpecId": "robolayout",
         "schema": "1.0.0",
-        "robolayout": {"scene": scene.name, "assets": assets},
+        "robolayout": {"scene": scene.name, "assets": assets, "leftOut": list(left_out)},
     }
 
 
 def _parameters(scene: Scene, layout: Layout) -> Json:
     """Return ceiling, sky and lights: a soft sun, and a lamp where ours hang (without any, under the ceiling's middle)."""
     low_x, low_y, high_x, high_y = scene.room.bounds
-    spots = [layout[a.name] for a in scene.assets if a.name in layout and a.on_ceiling and thor_type(a.category)]
+    spots = [layout[a.name] for a in scene.assets if a.name in layout and a.on_ceiling and lamp_light(parts(a))]
     spots = spots or [Pose((low_x + high_x) / 2, (low_y + high_y) / 2, scene.room.wall_height - 0.2, 0.0)]
     shadow: Json = {"type": "Soft", "strength": 1, "normalBias": 0, "bias": 0.05, "nearPlane": 0.2}
     shadow["resolution"] = "FromQualitySettings"
@@ -271,4 +267,12 @@ def _flat(objects: list[Json]) -> list[Json]:
     return [each for entry in objects for each in (entry, *_flat(cast(list[Json], entry["children"])))]
 
 
-PROCTHOR = Exporter("procthor", ".procthor.json", "AI2-THOR house JSON with the nearest THOR assets", None, write, read)
+PROCTHOR = Exporter(
+    "procthor",
+    ".procthor.json",
+    "AI2-THOR house JSON with the nearest THOR assets",
+    None,
+    write,
+    read,
+    fit=as_in_thor,
+)
