@@ -74,6 +74,9 @@ class Agent:
         return math.hypot(self.length, self.width) / 2
 
 
+CLEARANCE = 0.03
+"""Metres kept free on each side of a rectangular body for which no corridor is given (rule of thumb)."""
+
 TOUCH = 0.10
 """Metres beyond its own disc at which every agent counts as having got to a thing."""
 

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from robolayout._errors import AgentError, UnknownNameError
 from robolayout._reading import Checker, show
-from robolayout.scene.agent import Agent, Source
+from robolayout.scene.agent import CLEARANCE, Agent, Source
 from robolayout.scene.agents import BUILT_IN
 from robolayout.scene.room import Room
 
@@ -37,8 +37,6 @@ FIGURES = (
     "step",
 )
 """Figures of a profile, in metres; `reach` is short for `reach_distance`."""
-CLEARANCE = 0.03
-"""Metres kept free on each side of a rectangular body for which no corridor is given (rule of thumb)."""
 ENTRY_POINTS = "robolayout.agents"
 """Entry-point group through which other packages add agents: each loads to a dictionary or the path of a profile."""
 

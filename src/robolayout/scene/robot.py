@@ -17,15 +17,13 @@ import numpy as np
 from robolayout._errors import UnknownNameError
 from robolayout._reading import show
 from robolayout.scene._model import CHECK, Matrix, Model
-from robolayout.scene.agent import Agent, Source
+from robolayout.scene.agent import CLEARANCE, Agent, Source
 from robolayout.scene.kinematics import POSES, Robot
 from robolayout.scene.mjcf import read_mjcf
 from robolayout.scene.urdf import read_urdf
 
 ROUND = 1.1
 """A body is a disc if its farthest point is at most this many times as far as its farthest side."""
-CLEARANCE = 0.03
-"""Metres kept free on each side of a rectangular body (rule of thumb)."""
 STEP = 0.03
 """Metres that the body is taken to drive over; a model does not say."""
 

@@ -118,9 +118,9 @@ class Boxes:
 
     def _contact(self, row: int, lower: int) -> Any:
         """Return where an asset's base lies on surfaces of another."""
-        return _shared_base(*self._placed(row), *self._placed(lower))
+        return _shared_base(*self.where(row), *self.where(lower))
 
-    def _placed(self, row: int) -> tuple[Asset, Place]:
+    def where(self, row: int) -> tuple[Asset, Place]:
         """Return an asset and where it stands."""
         x, y, z, yaw = self.poses[row].tolist()
         return self.assets[row], (x, y, z, yaw)
@@ -129,9 +129,7 @@ class Boxes:
         """Return the prisms of a placed asset: outlines in plan, and between which heights each stands, metres."""
         if row not in self._shapes:
             ring, low, high = _prism_table(self.assets[row])
-            x, y, _, yaw = self.poses[row]
-            turn = np.array([[math.cos(yaw), math.sin(yaw)], [-math.sin(yaw), math.cos(yaw)]])
-            outlines = np.asarray(shapely.polygons(ring @ turn + (x, y)), dtype=object)
+            outlines = np.asarray(shapely.polygons(_in_plan(ring, self.where(row)[1])), dtype=object)
             self._shapes[row] = (outlines, low + self.bottom[row], high + self.bottom[row])
         return self._shapes[row]
 
@@ -169,26 +167,34 @@ def _lift(asset: Asset) -> float:
 def _base(asset: Asset, place: Place) -> Any:
     """Return the hull of a placed asset's lowest prisms, or of the loop that it hangs by; whoever judges many layouts asks for
     the same again and again."""
-    (ring, low, _), (x, y, _, yaw) = _prism_table(asset), place
-    turn = np.array([[math.cos(yaw), math.sin(yaw)], [-math.sin(yaw), math.cos(yaw)]])
+    ring, low, _ = _prism_table(asset)
     if category_of(asset).hangs:
-        return shapely.polygons(np.array(LOOP) @ turn + (x, y))
-    lowest = shapely.polygons(ring[low <= low.min() + CARRIED] @ turn + (x, y))
-    return shapely.union_all(lowest).convex_hull
+        return shapely.polygons(_in_plan(np.array(LOOP), place))
+    return shapely.union_all(shapely.polygons(_in_plan(ring[low <= low.min() + CARRIED], place))).convex_hull
+
+
+def _in_plan(points: NDArray[np.float64], place: Place) -> NDArray[np.float64]:
+    """Return points (..., 2) of an asset's frame where they are in the room."""
+    x, y, _, yaw = place
+    return points @ np.array([[math.cos(yaw), math.sin(yaw)], [-math.sin(yaw), math.cos(yaw)]]) + (x, y)
+
+
+def in_room(shape: Any, place: Place) -> Any:
+    """Return a shape of an asset's frame as it lies in the room."""
+    x, y, _, yaw = place
+    c, s = math.cos(yaw), math.sin(yaw)
+    return affine_transform(shape, [c, -s, s, c, x, y])
 
 
 @lru_cache(maxsize=4096)
 def _shared_base(upper: Asset, place: Place, lower: Asset, under: Place) -> Any:
     """Return where a placed asset's base lies on surfaces of another."""
-    x, y, z, yaw = under
-    level = (place[2] - upper.size[2] / 2 + _lift(upper)) - (z - lower.size[2] / 2)
+    level = (place[2] - upper.size[2] / 2 + _lift(upper)) - (under[2] - lower.size[2] / 2)
     hangs = _lift(upper) > 0.0
     regions = [s.region for s in surfaces_of(lower) if s.is_hook == hangs and abs(s.height - level) <= CARRIED + 1e-9]
     if not regions:
         return Polygon()
-    c, s = math.cos(yaw), math.sin(yaw)
-    there = [affine_transform(region, [c, -s, s, c, x, y]) for region in regions]
-    return shapely.union_all(there).intersection(_base(upper, place))
+    return shapely.union_all([in_room(region, under) for region in regions]).intersection(_base(upper, place))
 
 
 @lru_cache(maxsize=1024)

@@ -9,13 +9,12 @@ from functools import lru_cache
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from shapely.affinity import affine_transform
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import Joint, sweeps_of
 from robolayout.scene import Agent, Asset, Point
 from robolayout.scene.agent import horizontal_reach
-from robolayout.verify._boxes import Boxes
+from robolayout.verify._boxes import Boxes, in_room
 from robolayout.verify._sides import within
 from robolayout.verify._space import QUAD_SEGS
 from robolayout.verify.limits import REACH_SLACK
@@ -42,16 +41,9 @@ class Swept:
         """Return what some placed assets sweep."""
         items = [(row, sweep) for row in dict.fromkeys(rows) for sweep in sweeps_of(found.assets[row])]
         zones = np.empty(len(items), dtype=object)
-        zones[:] = [_placed(found, row, sweep.region) for row, sweep in items]
+        zones[:] = [in_room(sweep.region, found.where(row)[1]) for row, sweep in items]
         levels = np.array([found.poses[row, 2] + np.array(sweep.heights) for row, sweep in items]).reshape(-1, 2)
         return cls(np.array([row for row, _ in items], dtype=np.intp), zones, levels[:, 0], levels[:, 1])
-
-
-def _placed(found: Boxes, row: int, shape: BaseGeometry) -> BaseGeometry:
-    """Return a shape in an asset's frame as it lies in the room."""
-    x, y, _, yaw = found.poses[row].tolist()
-    c, s = float(np.cos(yaw)), float(np.sin(yaw))
-    return affine_transform(shape, [c, -s, s, c, x, y])
 
 
 def opens(found: Boxes, agent: Agent, row: int) -> list[Joint]:
@@ -70,7 +62,7 @@ def opens(found: Boxes, agent: Agent, row: int) -> list[Joint]:
 def handle_near(found: Boxes, agent: Agent, row: int, place: Point) -> str:
     """Return the name of the joint whose handle is nearest to a place; empty where nothing is opened."""
     far = {
-        joint.name: _placed(found, row, shapely.Point(joint.handle[:2])).distance(shapely.Point(place))
+        joint.name: in_room(shapely.Point(joint.handle[:2]), found.where(row)[1]).distance(shapely.Point(place))
         for joint in opens(found, agent, row)
         if _reach(found, agent, row, joint) is not None
     }
@@ -105,7 +97,7 @@ def opening_zone(found: Boxes, agent: Agent, row: int) -> BaseGeometry:
     """
     asset = found.assets[row]
     far = tuple(_reach(found, agent, row, sweep.joint) if sweep.joint else None for sweep in sweeps_of(asset))
-    return _placed(found, row, _before(asset, agent.radius, far))
+    return in_room(_before(asset, agent.radius, far), found.where(row)[1])
 
 
 @lru_cache(maxsize=4096)
