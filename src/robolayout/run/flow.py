@@ -180,7 +180,7 @@ class Run:
             if best is None or rank < least:
                 best, least = found, rank
             verdict = found.solution.verdict
-            served = report.ok and not verdict.access  # the judge asks for more free floor than the report demands
+            served = report.ok and not verdict.barred  # the judge asks for more free floor than the report demands
             if served or (verdict.ok and any(one.impossible for one in report.agents)):
                 break
             lost = best.solution.verdict.hard + best.solution.verdict.access

@@ -36,7 +36,17 @@ class Verdict:
     @property
     def worth(self) -> tuple[float, float, float, float]:
         """The order of layouts, smaller is better: hard demands, access, statements; among equals, how little was moved."""
-        return (self.hard, self.access if self.access > SPARE else 0.0, self.soft + 2.0 * self.access, self.moved)
+        return (self.hard, self.barred, self.soft + 2.0 * self.access, self.moved)
+
+    @property
+    def barred(self) -> float:
+        """What the agents cannot get to or use, as far as it outweighs statements."""
+        return self.access if self.access > SPARE else 0.0
+
+    @property
+    def broken(self) -> float:
+        """Hard demands and access that are not met: what nothing else makes up for."""
+        return self.hard + self.barred
 
     @property
     def merit(self) -> float:

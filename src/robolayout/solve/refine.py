@@ -86,7 +86,7 @@ class Solver:
             best = self._stage(number, world)
             world = best.world
         assert best is not None
-        if best.verdict.hard + best.verdict.access:
+        if best.verdict.broken:
             best = self._repair(best)
         best = best if self.blind else self._restored(best)
         trace = self.runner.trace(self.problem) if self.config.trace else Trace()
@@ -157,19 +157,19 @@ class Solver:
             return best
         best, run = self._polished(stage, number, best)
         self.blind |= self._amiss(stage, best) > self.effort.lost
-        if number == 0 and self.config.route_rounds and best.verdict.access and not self.blind:
+        if number == 0 and self.config.route_rounds and best.verdict.barred and not self.blind:
             best, run = self._opened(stage, run, best)
             best = self._route(stage, run, best)
         self.blind |= self._amiss(stage, best) > self.effort.blind
         best = best if self.blind else self._near(number, best)
         self.blind |= best.verdict.soft > self.effort.blind * len(self.problem.relations)
-        if not self.blind and not best.verdict.hard + best.verdict.access:
+        if not self.blind and not best.verdict.broken:
             return best
         return self._anew(stage, number, best)
 
     def _amiss(self, stage: Stage, best: _Best) -> float:
         """Return the share of what a stage moves that is out of place or out of reach."""
-        return (best.verdict.hard + best.verdict.access) / len(stage.moving)
+        return best.verdict.broken / len(stage.moving)
 
     def _pushed(self, stage: Stage, number: int, best: _Best) -> _Best:
         """Return the best of the guess and of what its own statements make of it."""
@@ -249,7 +249,7 @@ class Solver:
             best, run = self._with(more, number, best, run)
         if number == 0 and best.verdict.hard and self.effort.repair_rounds and self._fill() > FULL:
             best = self._pack(best)
-        if number == 0 and self.config.route_rounds and best.verdict.access:
+        if number == 0 and self.config.route_rounds and best.verdict.barred:
             best = self._route(stage, run, best)
         return best
 
@@ -320,7 +320,7 @@ class Solver:
         kept: list[list[Floats]] = [[] for _ in run.world]
         fruitless = False
         for _ in range(self.config.route_rounds):
-            if not (best.verdict.hard or best.verdict.access) or fruitless or self.spent:
+            if not best.verdict.broken or fruitless or self.spent:
                 break
             before = self.gained
             self._say("routes")

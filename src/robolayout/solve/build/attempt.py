@@ -9,7 +9,7 @@ from functools import partial
 
 import numpy as np
 
-from robolayout.solve.build.cluster import Cluster, ClusterBuilder
+from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.grid import grid_batches, last_cell, put_grid
 from robolayout.solve.build.member import GridPlan, Member
 from robolayout.solve.build.overhead import hang, overhead
@@ -78,6 +78,9 @@ STRAY = 2.0
 SHUFFLE = 0.35
 """Standard deviation of the turns of kinds from one attempt to the next, in places."""
 
+NOISE = 0.1
+"""Cost by which places vary from one attempt to the next."""
+
 MOOD = 0.5
 """Standard deviation of the logarithm by which wishes vary from one attempt to the next."""
 
@@ -127,14 +130,14 @@ class _Step:
 class Attempt:
     """One pass over all assets."""
 
-    def __init__(self, site: Site, builder: ClusterBuilder, rng: np.random.Generator, *, calm: bool) -> None:
+    def __init__(self, site: Site, rng: np.random.Generator, *, calm: bool) -> None:
         self.base = site.copy()
         self.site = site
-        self.builder = builder
         self.rng = rng
         self.calm = calm
+        self.noise = 0.0 if calm else NOISE
         self.steps: list[_Step] = []
-        self.missing = 0
+        self.lost: list[str] = self.site.unreached() if self.site.spots else []
         self.trials = TRIALS
 
     def furnish_floor(self) -> float:
@@ -167,7 +170,7 @@ class Attempt:
         self.trials = 2 * TRIALS
         for out in self._in_the_way(before):
             self.site, self.steps = self._without(out), [step for step in steps if step not in out]
-            self.missing = len(self.site.unreached())
+            self.lost = self.site.unreached()
             for step in out:
                 if step.cluster is not None:
                     self._place(step.cluster, step.modes, step.weights)
@@ -203,15 +206,18 @@ class Attempt:
 
     def furnish_walls(self) -> None:
         """Hang and lay the rest, where the agents reach it over the finished floor."""
-        self.site.survey()
-        for items in self._turns(last=True):
+        turns = self._turns(last=True)
+        if turns:
+            self.site.survey()
+        for items in turns:
             self._place_kind(items)
 
     def _turns(self, *, last: bool) -> list[list[Want]]:
-        """Return what stands by itself and has no place yet, kind by kind, big things first."""
+        """Return what stands by itself, or at what is given, and has no place yet, kind by kind, big things first."""
         by_kind: dict[str, list[Want]] = {}
         for item in self.site.wants.values():
-            if item.anchor is None and item.name not in self.site.spots and (item.name in self.site.late) == last:
+            alone = item.anchor is None or (item.anchor in self.base.spots and item.asset.on_floor)
+            if alone and item.name not in self.site.spots and (item.name in self.site.late) == last:
                 by_kind.setdefault(item.kind, []).append(item)
         nudge = 0.0 if self.calm else SHUFFLE
         turns = [(turn + nudge * self.rng.normal(), turn, items) for turn, items in enumerate(by_kind.values())]
@@ -229,10 +235,10 @@ class Attempt:
         lay_rugs(self.site, flat)
         there = [name for name in (*hung, *high, *flat) if name in self.site.spots]
         self.steps += [_Step(partial(Site.settle, name=name, spot=self.site.spots[name])) for name in there]
-        clusters = [self.builder.build(name) for name in standing]
+        clusters = [self.site.clusters.build(name) for name in standing]
         if not clusters:
             return
-        weights, modes = self._weights(items[0].weights), items[0].stands
+        weights, modes = self._weights(items[0].weights), _modes(items[0])
         if items[0].rows is not None:
             clusters = self._in_rows(clusters, modes, weights)
         for cluster in clusters:
@@ -269,15 +275,15 @@ class Attempt:
         ranked = self._ranked(batches(self.site, cluster, modes), weights, modes)
         if not ranked:
             return False if limit is not None else self._anywhere(cluster)
-        before = self.missing
+        before = self.lost
         cost, batch, row = self._choose(ranked)
         if limit is not None and cost > limit:
-            self.missing = before
+            self.lost = before
             return False
         if cost > MUCH and limit is None and len(cluster.members) > 1 and self._split(cluster, modes, weights):
             return True
         if cost > MUCH and limit is None and "middle" not in modes:
-            self.missing = before
+            self.lost = before
             return self._place(cluster, {**modes, "middle": MISSED}, weights)
         step = _Step(partial(_put, batch=batch, row=row), cost, cluster, modes, weights)
         step.put(self.site)
@@ -291,14 +297,14 @@ class Attempt:
             cost = self.site.base_cost(batch.cluster, batch.poses) + taste(self.site, batch, weights)
             cost += self.site.missed(batch.cluster, batch.poses)
             cost += modes[batch.mode]
-            cost += 0.0 if self.calm else self.rng.random(len(cost)) * 0.1
+            cost += self.rng.random(len(cost)) * self.noise
             best = np.argsort(cost, kind="stable")[:CHECKED]
             choices += [(float(cost[row]), batch, int(row)) for row in best]
         return sorted(choices, key=lambda choice: choice[0])[:CHECKED]
 
     def _choose(self, ranked: Sequence[Choice]) -> Choice:
         """Return the first place that is exactly free and cuts nothing off, or else the one that does least harm."""
-        best, rejected, left = None, list[Choice](), dict[float, int]()
+        best, rejected, left = None, list[Choice](), dict[float, list[str]]()
         for cost, batch, row in ranked:
             if best is not None and cost > best[0]:
                 break
@@ -311,15 +317,15 @@ class Attempt:
                 continue
             trial = self.site.copy(trial=True)
             _put(trial, batch, row)
-            missing = len(trial.unreached())
-            harm = UNREACHED * max(0, missing - self.missing) + CUT_OFF * trial.cut_off
-            left[cost + harm] = missing
+            lost = trial.unreached(self.lost)
+            harm = UNREACHED * (len(lost) - len(self.lost)) + CUT_OFF * trial.cut_off
+            left[cost + harm] = lost
             best = min((c for c in (best, (cost + harm, batch, row)) if c), key=lambda choice: choice[0])
             rejected.append((cost, batch, row))
             if harm < HARMLESS or len(rejected) >= self.trials:
                 break
         chosen = best or ranked[0]
-        self.missing = left.get(chosen[0], self.missing)
+        self.lost = left.get(chosen[0], self.lost)
         return chosen
 
     def _split(self, cluster: Cluster, modes: Modes, weights: Mapping[str, float]) -> bool:
@@ -327,7 +333,7 @@ class Attempt:
         loose = [m for m in cluster.members[1:] if self._stands_alone(m.name)]
         out, rest = list[str](), cluster
         for out in given_up(loose):
-            gone = {m.name for name in out for m in self.builder.build(name).members}
+            gone = {m.name for name in out for m in self.site.clusters.build(name).members}
             rest = replace(cluster, members=tuple(m for m in cluster.members if m.name not in gone))
             if len(out) < len(loose):
                 found = self._ranked(batches(self.site, rest, modes), weights, modes)
@@ -338,7 +344,7 @@ class Attempt:
         self._place(rest, modes, weights)
         for name in out:
             want = self.site.wants[name]
-            self._place(self.builder.build(name), want.stands, want.weights)
+            self._place(self.site.clusters.build(name), want.stands, want.weights)
         return True
 
     def _stands_alone(self, name: str) -> bool:
@@ -370,7 +376,7 @@ class Attempt:
             cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5
             ranked += [(float(cost[row]), plan, batch, int(row)) for row in np.argsort(cost, kind="stable")[:4]]
         best: tuple[float, GridPlan, Batch, int] | None = None
-        before, tried = len(self.site.unreached()), 0
+        before, tried = self.site.unreached(), 0
         for cost, plan, batch, row in sorted(ranked, key=lambda entry: entry[0]):
             if cost > HOPELESS or tried >= 3 * TRIALS or (best is not None and cost > best[0]):
                 break
@@ -378,7 +384,7 @@ class Attempt:
                 tried += 1
                 trial = self.site.copy(trial=True)
                 put_grid(trial, clusters, plan, batch.poses[row])
-                harm = UNREACHED * max(0, len(trial.unreached()) - before) + CUT_OFF * trial.cut_off
+                harm = UNREACHED * (len(trial.unreached(before)) - len(before)) + CUT_OFF * trial.cut_off
                 harm /= len(clusters) ** 0.5
                 if best is None or cost + harm < best[0]:
                     best = (cost + harm, plan, batch, row)
@@ -388,6 +394,14 @@ class Attempt:
         self.steps.append(_Step(put, best[0] * len(clusters) ** 0.5 + STRAY * strays))
         put(self.site)
         return True
+
+
+def _modes(item: Want) -> Modes:
+    """Return the ways of standing of a thing, at what it joins if it joins anything."""
+    if item.anchor is None:
+        return item.stands
+    alone = {mode: cost + OTHERWISE for mode, cost in item.stands.items()} if item.loose else {}
+    return {"join": 0.0} | alone
 
 
 def _harm(site: Site) -> float:

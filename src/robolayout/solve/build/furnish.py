@@ -11,9 +11,8 @@ import numpy as np
 from robolayout.program import Program
 from robolayout.scene import Layout, Pose, Scene
 from robolayout.solve.build.attempt import Attempt
-from robolayout.solve.build.cluster import ClusterBuilder
+from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.member import Member
-from robolayout.solve.build.said import Said
 from robolayout.solve.build.site import Site, Spot
 from robolayout.solve.build.wants import wants_of
 
@@ -26,6 +25,9 @@ HOPE = 4
 ENOUGH, FORLORN = 2, 0.5
 """Attempts after which the search ends if more than this share of the things is out of reach in all of them: such a room is
 built anew by the solver."""
+
+LIFTED = 0.01
+"""Metres above the floor from which on a thing stands on another."""
 
 WORTH = 1.0
 """Cost by which a room is clearly better."""
@@ -40,7 +42,7 @@ def furnished(scene: Scene, program: Program, given: Mapping[str, Pose], seed: i
         given: Poses that are settled already.
         seed: Settles every choice; 0 follows the wishes to the letter first.
     """
-    site = _furnish(scene, program, given, seed)
+    site = _furnish(Site.of(scene, wants_of(scene, program), program), given, seed)
     poses: dict[str, Pose] = {}
     for name, spot in site.spots.items():
         at = spot.member
@@ -48,26 +50,24 @@ def furnished(scene: Scene, program: Program, given: Mapping[str, Pose], seed: i
     return Layout(poses)
 
 
-def _furnish(scene: Scene, program: Program, given: Mapping[str, Pose], seed: int) -> Site:
+def _furnish(empty: Site, given: Mapping[str, Pose], seed: int) -> Site:
     """Return the best of several attempts; the very first one follows the wishes to the letter.
 
     The floor is furnished in every attempt, walls and ceiling only in the best one. It is good enough after `PATIENCE`
     attempts without one that is better by `WORTH`, or `HOPE` where it does not serve. Where something is out of the way,
     single things are moved once more; a room that serves then is good enough at once. A hopeless room gets `ENOUGH` attempts.
     """
-    wants = wants_of(scene, program)
-    empty = Site.of(scene, wants, Said.of(scene, program))
-    builder = ClusterBuilder(scene, wants)
+    count = len(empty.scene.assets)
     best: tuple[float, Attempt] | None = None
     leap, forlorn = (math.inf, 0), True
-    for number in range(attempts(len(scene.assets))):
+    for number in range(attempts(count)):
         site = empty.copy()
-        _keep(site, builder, given)
-        attempt = Attempt(site, builder, np.random.default_rng((seed, number)), calm=number == 0 and seed == 0)
+        _keep(site, given)
+        attempt = Attempt(site, np.random.default_rng((seed, number)), calm=number == 0 and seed == 0)
         cost = attempt.furnish_floor()
         if best is None or cost < best[0]:
             best = (cost, attempt)
-        forlorn = forlorn and len(attempt.site.unreached()) > FORLORN * len(scene.assets)
+        forlorn = forlorn and len(attempt.site.unreached()) > FORLORN * count
         if forlorn and number + 1 >= ENOUGH:
             break
         if number >= PATIENCE and not best[1].serves and (number == PATIENCE or best[1] is attempt):
@@ -88,17 +88,19 @@ def attempts(count: int) -> int:
     return max(3, min(12, 240 // max(count, 1)))
 
 
-def _keep(site: Site, builder: ClusterBuilder, placed: Mapping[str, Pose]) -> None:
-    """Put down what is settled already, and let what joins it join it."""
+def _keep(site: Site, placed: Mapping[str, Pose]) -> None:
+    """Put down what is settled already, and onto its tops what belongs there."""
     given = [name for name in site.wants if name in placed]
     for name in given:
-        pose = placed[name]
-        member = Member(name, pose.x, pose.y, pose.yaw, pose.z - site.size(name)[2] / 2)
-        site.settle(name, Spot(member, "given"))
+        want, pose = site.wants[name], placed[name]
+        member = Member(name, 0.0, 0.0, 0.0, pose.z - site.size(name)[2] / 2)
+        mode = "hang" if want.hung else "ceiling" if want.overhead else "rug" if want.asset.is_flat else "given"
+        mode = "join" if want.anchor is not None and member.bottom > LIFTED else mode
+        site.put(Cluster(name, (member,)), np.array([pose.x, pose.y, pose.yaw]), mode, None, want.anchor)
     for name in given:
         pose = placed[name]
-        for member in builder.build(name).members:
-            if member.name not in site.spots and site.wants[member.name].anchor is not None:
+        for member in site.clusters.build(name).members:
+            if member.name not in site.spots and member.bottom > 0.0 and site.wants[member.name].anchor in given:
                 world = member.moved(pose.x, pose.y, pose.yaw)
                 world = replace(world, bottom=world.bottom + site.spots[name].member.bottom)
                 site.settle(member.name, Spot(world, "join", None, site.wants[member.name].anchor))

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Wall
 from robolayout.solve.build.cluster import Cluster
+from robolayout.solve.build.member import Member
 from robolayout.solve.build.site import AT_WALL, Poses, Site
 
 WALL_STEP = 0.1
@@ -22,6 +23,9 @@ WALL_STEPS = 300
 
 WALL_GAP = 0.01
 """Metres left between a back and its wall."""
+
+ALONG = 0.1
+"""Metres of a side along which a thing beside it stands at least."""
 
 DOOR_MARGIN = 0.05
 """Metres left beside a door."""
@@ -47,9 +51,10 @@ class Batch:
 
 
 def batches(site: Site, cluster: Cluster, modes: Iterable[str]) -> list[Batch]:
-    """Return all places for a floor cluster, for it and its mirror image."""
+    """Return all places for a floor cluster, for it and its mirror image if nothing says which side is which."""
     found: list[Batch] = []
-    lopsided = len(cluster.members) > 1 and any(abs(m.y) > 0.02 for m in cluster.members)
+    joins = [site.wants[member.name].join for member in cluster.members[1:]]
+    lopsided = any(abs(m.y) > 0.02 for m in cluster.members) and not any(join and join.side for join in joins)
     for variant in (cluster, cluster.mirrored()) if lopsided else (cluster,):
         for mode in modes:
             poses, walls, anchors = _PLACES[mode](site, variant)
@@ -143,6 +148,25 @@ def _before_what_it_faces(site: Site, cluster: Cluster) -> Found:
     return poses, [-1] * len(poses), names
 
 
+def _at_its_anchor(site: Site, cluster: Cluster) -> Found:
+    """Return places around what a thing joins: its own there and those of the others, then all along the four sides."""
+    want = site.wants[cluster.anchor]
+    anchor = want.anchor or ""
+    here, (hx, hy) = site.spots[anchor].member, (side / 2 for side in site.size(anchor)[:2])
+    depth, width, _ = site.size(cluster.anchor)
+    own = [m for m in site.clusters.build(anchor).members[1:] if m.bottom == 0.0]
+    found = [m for own_place in own for m in (own_place, own_place.mirrored())]
+    for k, (out, half) in enumerate(((hx, hy), (hy, hx), (hx, hy), (hy, hx))):
+        for turn in range(4):
+            reach, wide = (depth, width) if (k + turn) % 2 == 0 else (width, depth)
+            ends = half + wide / 2 - ALONG
+            for aside in np.linspace(-ends, ends, 2 * math.ceil(ends / WALL_STEP / 2) + 1).tolist():
+                away = out + want.joined.gap + reach / 2
+                found.append(Member("", away, aside, turn * math.pi / 2).moved(0.0, 0.0, k * math.pi / 2))
+    poses = [(m.x, m.y, m.yaw) for m in (m.moved(here.x, here.y, here.yaw) for m in found)]
+    return poses, [-1] * len(poses), [anchor] * len(poses)
+
+
 def targets(site: Site, name: str) -> list[str]:
     """Return the placed assets that an asset should face."""
     face = site.wants[name].face
@@ -159,4 +183,5 @@ _PLACES = {
     "corner": _in_corners,
     "middle": _in_the_middle,
     "facing": _before_what_it_faces,
+    "join": _at_its_anchor,
 }

@@ -27,8 +27,9 @@ from robolayout.floor import (
     turning_radius,
     use_cells,
 )
+from robolayout.program import Program
 from robolayout.scene import Room, Scene, Wall
-from robolayout.solve.build.cluster import Cluster
+from robolayout.solve.build.cluster import Cluster, ClusterBuilder
 from robolayout.solve.build.form import Forms, at, corners_of, side_rect
 from robolayout.solve.build.member import GridPlan, Member, Rect, box_of, overlaps
 from robolayout.solve.build.said import Said
@@ -93,11 +94,13 @@ class Claim:
         cells: Its own cells, to which an agent should get.
         uses: The cells, by agent, from which it uses the thing; None where that is not asked of it.
         shadow: What it takes of the floor, if it stands there.
+        foot: Its footprint.
     """
 
     cells: Cells
     uses: tuple[Cells | None, ...]
     shadow: Shadow | None
+    foot: shapely.Polygon
 
 
 @dataclass
@@ -119,6 +122,7 @@ class Site:
         claims: What is asked of the floor by everything that an agent should get to.
         known: What things in places that were settled before ask of it; shared by all copies.
         said: What statements ask of places.
+        clusters: Lays out what joins what.
         late: What is hung and laid once the floor is furnished.
         trial: Whether this is only to find out what is reached: nothing else is recorded.
     """
@@ -129,6 +133,7 @@ class Site:
     forms: Forms
     corridor: float
     said: Said
+    clusters: ClusterBuilder
     spots: dict[str, Spot] = field(default_factory=dict[str, Spot])
     spans: list[Span] = field(default_factory=list["Span"])
     standings: tuple[Standing, ...] = ()
@@ -141,11 +146,12 @@ class Site:
     trial: bool = False
 
     @staticmethod
-    def of(scene: Scene, wants: Mapping[str, Want], said: Said) -> Site:
-        """Return the empty site of a scene."""
+    def of(scene: Scene, wants: Mapping[str, Want], program: Program) -> Site:
+        """Return the empty site of a scene, with what a program says of it."""
         corridor = max(0.6, 2 * max(agent.radius for agent in scene.agents) + 0.1)
         floor = Floor.of(scene.room, corridor, max(turning_radius(agent) for agent in scene.agents))
-        site = Site(scene, wants, floor, Forms(scene, wants, corridor), corridor, said, late=frozenset(late(wants)))
+        forms, said, clusters = Forms(scene, wants, corridor), Said.of(scene, program), ClusterBuilder(scene, wants)
+        site = Site(scene, wants, floor, forms, corridor, said, clusters, late=frozenset(late(wants)))
         site.solids += [shapely.Polygon(scene.room.landing(door)) for door in scene.room.doors]
         return site
 
@@ -185,13 +191,17 @@ class Site:
         """Find out where the agents get to over the floor as it is furnished now."""
         self.standings = tuple(standing(self.floor, agent) for agent in self.scene.agents)
 
-    def unreached(self) -> list[str]:
-        """Return the assets that some agent of the scene cannot get to or cannot use, moving chairs away where it has an arm."""
+    def unreached(self, known: Sequence[str] = ()) -> list[str]:
+        """Return the assets that some agent of the scene cannot get to or cannot use, moving chairs away where it has an arm.
+
+        Args:
+            known: Some that were so before more was put down: they are so still.
+        """
         self.survey()
-        short = [name for name, claim in self.claims.items() if not self.serves(claim)]
+        short = [name for name, claim in self.claims.items() if name not in known and not self.serves(claim)]
         chairs = [name for name in self.claims if self._is_chair(name)] if short else []
-        feet = np.array([self.foot(name) for name in chairs], dtype=object)
-        return [name for name in short if not self._makes_way(name, chairs, feet)]
+        feet = np.array([self.claims[name].foot for name in chairs], dtype=object)
+        return [*known, *(name for name in short if not self._makes_way(name, chairs, feet))]
 
     def serves(self, claim: Claim) -> bool:
         """Whether every agent gets to a thing and stands on some of the cells from which it uses it."""
@@ -202,8 +212,8 @@ class Site:
         if self._is_chair(name):
             return False
         claim, carrier = self.claims[name], self.spots[name].anchor
-        at = carrier if claim.shadow is None and carrier in self.spots else name
-        near = shapely.dwithin(feet, self.foot(at), FLOOR.chair_at)
+        at = carrier if claim.shadow is None and carrier in self.claims else name
+        near = shapely.dwithin(feet, self.claims[at].foot, FLOOR.chair_at)
         moved = [self.claims[chair].shadow for chair, at_it in zip(chairs, near, strict=True) if at_it]
         away = [shadow for shadow in moved if shadow is not None]
         return all(
@@ -230,7 +240,8 @@ class Site:
             place = (member.x, member.y, member.yaw)
             uses = [use_cells(self.floor, asset, a, place, member.bottom, carried=carried) for a in self.scene.agents]
             shadow = self.floor.shadow(corners_of(member, asset.size)) if self._takes_floor(spot) else None
-            found = Claim(self.floor.flat(placed(points, *place))[0], tuple(uses), shadow)
+            foot = shapely.Polygon(corners_of(member, asset.size))
+            found = Claim(self.floor.flat(placed(points, *place))[0], tuple(uses), shadow, foot)
             if not self.trial:
                 self.known[member, spot.mode] = found
         return found
@@ -268,7 +279,8 @@ class Site:
         good = total <= total.min() + 4.0
         cost, here = total[good], poses[good]
         for points, area in self.forms.bodies(cluster):
-            cost += 4.0 * math.sqrt(area) * maps.wanted[self.floor.under(points, here)].mean(axis=1)
+            under = self.floor.under(points, here)
+            cost += 4.0 * math.sqrt(area) * maps.wanted[under].mean(axis=1)
         strips: dict[tuple[str, str], list[NDArray[np.float32]]] = {}
         for strip in self.forms.strips(cluster):
             blocked = maps.taken[self.floor.under(strip.points, here)].mean(axis=1)

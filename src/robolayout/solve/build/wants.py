@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
 from robolayout.assets import Category, category_of
+from robolayout.assets.obstacles import use_sides
 from robolayout.constraints import AssetRef, Relation, WallRef
 from robolayout.constraints.above import Above
 from robolayout.constraints.against_wall import AgainstWall
@@ -52,7 +53,8 @@ DEMANDED = 2.0
 """Weight of looking at something, where that is demanded."""
 
 LEADS = 0.6
-"""Weight of a wish for a corner from which on corners are tried beside the rest of the walls."""
+"""Weight of a wish for a corner from which on corners are tried beside the rest of the walls; and of that for a wall of what
+is used from the front and nothing is said of."""
 
 ORDER = ("corner", "wall", "facing", "middle", "hang")
 """Ways of standing in the order in which they are tried where nothing tells them apart."""
@@ -193,7 +195,21 @@ def wants_of(scene: Scene, program: Program) -> dict[str, Want]:
         found[asset.name] = _Reading(scene, want, said).want()
     for want in [want for want in found.values() if want.carried and want.anchor is None]:
         found[want.name] = replace(want, anchor=_top(want, found), join=Join("on"))
+    _pair(found, program.statements)
     return _acyclic(found)
+
+
+def _pair(wants: dict[str, Want], said: Sequence[Statement]) -> None:
+    """Let the twin of what stands beside a thing stand at its other side, in place, where nothing else says where it stands."""
+    for one in said:
+        pair = one.relation
+        if not isinstance(pair, SymmetricPair) or not isinstance(pair.ref, AssetRef):
+            continue
+        for mine, other in ((pair.a.name, pair.b.name), (pair.b.name, pair.a.name)):
+            join = wants[other].join
+            if wants[mine].anchor is None and join is not None and wants[other].anchor == pair.ref.name:
+                side = {"left": "right", "right": "left"}.get(join.side, join.side)
+                wants[mine] = replace(wants[mine], anchor=pair.ref.name, join=replace(join, side=side), loose=True)
 
 
 def _top(want: Want, wants: Mapping[str, Want]) -> str | None:
@@ -323,6 +339,8 @@ class _Reading:
             del modes["corner"]  # a wall's ends are corners, too
         if not any(math.isinf(weight) for weight in modes.values()):
             modes["facing" if face is not None and not face.away else "middle"] = 0.0
+            if not self.said and "front" in use_sides(self.bare.asset):
+                modes["wall"] = LEADS
         best = max(weight for weight in modes.values())
         cost = {mode: 0.0 if weight == best or math.isinf(best) else best - weight for mode, weight in modes.items()}
         return dict(sorted(cost.items(), key=lambda entry: (entry[1], ORDER.index(entry[0]))))
