@@ -76,3 +76,12 @@ def test_what_is_given_stays_and_what_belongs_to_it_comes_to_it() -> None:
     built = compile_problem(SCENE, program).guess
     assert (built["desk-0"].x, built["desk-0"].y) == (2.5, 3.69)
     assert verify(SCENE, built, program).statements[0].met
+
+
+def test_what_belongs_on_a_thing_at_a_wall_hangs_with_it() -> None:
+    shelf = Asset("wall_shelf-0", "wall shelf", (0.25, 0.8, 0.04), on_floor=False, on_wall=True)
+    box = Asset("box-0", "storage box", (0.2, 0.3, 0.15), on_floor=False, on_object=True)
+    scene = Scene(ROOM, (DESK, shelf, box))
+    program = read_program("solver.mounted_on(wall_shelf[0])\nsolver.on_top_of(box[0], wall_shelf[0])", scene)
+    report = verify(scene, compile_problem(scene, program).guess, program)
+    assert all(statement.met for statement in report.statements), report.statements

@@ -16,7 +16,7 @@ from robolayout.solve.build.overhead import hang, overhead
 from robolayout.solve.build.places import Batch, batches, centroid
 from robolayout.solve.build.rugs import lay_rugs
 from robolayout.solve.build.said import MISSED
-from robolayout.solve.build.site import Site
+from robolayout.solve.build.site import Site, Spot
 from robolayout.solve.build.sorts import alike, given_up
 from robolayout.solve.build.taste import keep_sight, looks, taste
 from robolayout.solve.build.wants import Want
@@ -234,6 +234,8 @@ class Attempt:
         overhead(self.site, high)
         lay_rugs(self.site, flat)
         there = [name for name in (*hung, *high, *flat) if name in self.site.spots]
+        for name in hung:
+            there += lay_on(self.site, name)
         self.steps += [_Step(partial(Site.settle, name=name, spot=self.site.spots[name])) for name in there]
         clusters = [self.site.clusters.build(name) for name in standing]
         if not clusters:
@@ -407,3 +409,17 @@ def _modes(item: Want) -> Modes:
 def _harm(site: Site) -> float:
     """Return the cost of what the agents do not get to or cannot use, and of the floor that is cut off."""
     return UNREACHED * len(site.unreached()) + CUT_OFF * site.cut_off
+
+
+def lay_on(site: Site, name: str) -> list[str]:
+    """Put what belongs on a thing that stands or hangs already onto it, and return the names."""
+    if name not in site.spots:
+        return []
+    on, laid = site.spots[name].member, list[str]()
+    for member in site.clusters.build(name).members:
+        if member.name not in site.spots and member.bottom > 0.0 and site.wants[member.name].anchor in site.spots:
+            world = member.moved(on.x, on.y, on.yaw)
+            world = replace(world, bottom=world.bottom + on.bottom)
+            site.settle(member.name, Spot(world, "join", None, site.wants[member.name].anchor))
+            laid.append(member.name)
+    return laid

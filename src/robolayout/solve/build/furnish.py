@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
 
 import numpy as np
 
 from robolayout.program import Program
 from robolayout.scene import Layout, Pose, Scene
-from robolayout.solve.build.attempt import Attempt
+from robolayout.solve.build.attempt import Attempt, lay_on
 from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.member import Member
-from robolayout.solve.build.site import Site, Spot
+from robolayout.solve.build.site import Site
 from robolayout.solve.build.wants import wants_of
 
 PATIENCE = 2
@@ -98,9 +97,4 @@ def _keep(site: Site, placed: Mapping[str, Pose]) -> None:
         mode = "join" if want.anchor is not None and member.bottom > LIFTED else mode
         site.put(Cluster(name, (member,)), np.array([pose.x, pose.y, pose.yaw]), mode, None, want.anchor)
     for name in given:
-        pose = placed[name]
-        for member in site.clusters.build(name).members:
-            if member.name not in site.spots and member.bottom > 0.0 and site.wants[member.name].anchor in given:
-                world = member.moved(pose.x, pose.y, pose.yaw)
-                world = replace(world, bottom=world.bottom + site.spots[name].member.bottom)
-                site.settle(member.name, Spot(world, "join", None, site.wants[member.name].anchor))
+        lay_on(site, name)
