@@ -27,50 +27,29 @@ FURTHER: Mapping[str, tuple[type, ...]] = {
 
 @dataclass(frozen=True)
 class Category:
-    """One kind of thing.
+    """One kind of thing."""
 
-    Attributes:
-        name: Its name ("night stand").
-        synonyms: Other words for it.
-        size: Typical depth, width and height in metres; it faces +x.
-        on_floor: It may stand on the floor.
-        on_wall: It may be fixed to a wall.
-        on_ceiling: It may hang from the ceiling.
-        on_object: It may stand on another asset.
-        use_sides: Sides it is used from ("front", "back", "left", "right").
-        open_depth: Clear depth in metres that it needs in front to be opened or used; 0 where none.
-        movable: Whether a person pushes or carries it in daily use.
-        mass: Typical mass in kg.
-        friction: Friction coefficient against the floor; low for wheels.
-        group: Functional group ("sleeping").
-        source: Where the size comes from.
-        like: Name of the built-in category that one of a user's own is drawn, opened and moved like.
-        role: What it is for in a room, by name; empty where size and placement decide.
-        parts: What it is made of, one row a part (docs/assets.md), or the name of the category that is drawn alike; empty
-            where a function draws it.
-        joints: What of it moves, one row a joint (docs/assets.md); empty where doors and drawers move as usual.
-        hangs: Metres from its top down to the hook that its middle hangs from; 0 where it stands.
-    """
-
-    name: str
-    synonyms: tuple[str, ...]
-    size: tuple[float, float, float]
-    on_floor: bool
-    on_wall: bool
-    on_ceiling: bool
-    on_object: bool
-    use_sides: tuple[str, ...]
-    open_depth: float = 0.0
-    movable: bool = False
-    mass: float = 10.0
-    friction: float = 0.5
-    group: str = "unknown"
-    source: str = ESTIMATE
-    like: str = ""
-    role: str = ""
+    name: str  # its name ("night stand")
+    synonyms: tuple[str, ...]  # other words for it
+    size: tuple[float, float, float]  # typical depth, width and height in metres; it faces +x
+    on_floor: bool  # it may stand on the floor
+    on_wall: bool  # it may be fixed to a wall
+    on_ceiling: bool  # it may hang from the ceiling
+    on_object: bool  # it may stand on another asset
+    use_sides: tuple[str, ...]  # sides it is used from ("front", "back", "left", "right")
+    open_depth: float = 0.0  # clear depth in metres that it needs in front to be opened or used; 0 where none
+    movable: bool = False  # whether a person pushes or carries it in daily use
+    mass: float = 10.0  # typical mass in kg
+    friction: float = 0.5  # friction coefficient against the floor; low for wheels
+    group: str = "unknown"  # functional group ("sleeping")
+    source: str = ESTIMATE  # where the size comes from
+    like: str = ""  # name of the built-in category that one of a user's own is drawn, opened and moved like
+    role: str = ""  # what it is for in a room, by name; empty where size and placement decide
+    # what it is made of, one row a part (docs/assets.md), or the name of the category that is drawn alike; empty where
+    # a function draws it
     parts: str = ""
-    joints: str = ""
-    hangs: float = 0.0
+    joints: str = ""  # what of it moves, one row a joint (docs/assets.md); empty where doors and drawers move as usual
+    hangs: float = 0.0  # metres from its top down to the hook that its middle hangs from; 0 where it stands
 
     @property
     def places(self) -> tuple[str, ...]:

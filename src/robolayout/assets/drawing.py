@@ -37,30 +37,19 @@ CROSS = {"z": "xy", "x": "yz", "y": "zx"}
 
 @dataclass(frozen=True)
 class Repeat:
-    """How a row is drawn several times.
+    """How a row is drawn several times."""
 
-    Attributes:
-        count: Which value is the number of times.
-        steps: By field, which values are added each time.
-        only: (remainders, divisor) of the times at which it is drawn.
-    """
-
-    count: int
-    steps: Mapping[str, slice]
-    only: tuple[frozenset[int], int] = (frozenset({0}), 1)
+    count: int  # which value is the number of times
+    steps: Mapping[str, slice]  # by field, which values are added each time
+    only: tuple[frozenset[int], int] = (frozenset({0}), 1)  # (remainders, divisor) of the times at which it is drawn
 
 
 @dataclass(frozen=True)
 class Test:
-    """When a row is drawn.
+    """When a row is drawn."""
 
-    Attributes:
-        styles: (remainders, divisor) that the thing's style must have.
-        limits: (value, relation to 0) that its size must have.
-    """
-
-    styles: tuple[tuple[frozenset[int], int], ...]
-    limits: tuple[tuple[int, str], ...]
+    styles: tuple[tuple[frozenset[int], int], ...]  # (remainders, divisor) that the thing's style must have
+    limits: tuple[tuple[int, str], ...]  # (value, relation to 0) that its size must have
 
     def holds(self, variant: int, values: list[float]) -> bool:
         """Return whether a thing of this style and these values is meant."""
@@ -70,25 +59,16 @@ class Test:
 
 @dataclass(frozen=True)
 class Row:
-    """One part, or several alike.
+    """One part, or several alike."""
 
-    Attributes:
-        name: Name of the part.
-        shape: One of `MAKERS`.
-        materials: Names of its materials, which take turns where the row is repeated, for each style.
-        fields: By field, which values it has.
-        repeats: How it is drawn several times.
-        mirror: Axes about which all of them are drawn once more.
-        tests: It is drawn where one of them holds, or where there is none.
-    """
-
-    name: str
-    shape: str
+    name: str  # name of the part
+    shape: str  # one of `MAKERS`
+    # names of its materials, which take turns where the row is repeated, for each style
     materials: tuple[tuple[str, ...], ...]
-    fields: Mapping[str, slice]
-    repeats: tuple[Repeat, ...] = ()
-    mirror: str = ""
-    tests: tuple[Test, ...] = ()
+    fields: Mapping[str, slice]  # by field, which values it has
+    repeats: tuple[Repeat, ...] = ()  # how it is drawn several times
+    mirror: str = ""  # axes about which all of them are drawn once more
+    tests: tuple[Test, ...] = ()  # it is drawn where one of them holds, or where there is none
 
     def holds(self, variant: int, values: list[float]) -> bool:
         """Return whether a thing of this style and these values has the part."""
@@ -110,16 +90,10 @@ class Row:
 
 @dataclass(frozen=True, eq=False)
 class Drawing:
-    """The rows of a record, read.
+    """The rows of a record, read."""
 
-    Attributes:
-        lets: What each `let` computes, by its name, from what is known before it.
-        matrix: (values, basis and lets): every value of every row.
-        rows: The rows.
-    """
-
-    lets: Mapping[str, ast.expr]
-    matrix: NDArray[np.float64]
+    lets: Mapping[str, ast.expr]  # what each `let` computes, by its name, from what is known before it
+    matrix: NDArray[np.float64]  # (values, basis and lets): every value of every row
     rows: tuple[Row, ...]
 
     def __call__(self, p: Piece) -> Iterator[Part]:

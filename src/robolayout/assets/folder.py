@@ -50,25 +50,15 @@ _CHECK = Checker(AssetError)
 
 @dataclass(frozen=True)
 class Guess:
-    """What the words around a mesh file say.
+    """What the words around a mesh file say."""
 
-    Attributes:
-        text: Its category in words.
-        description: Free words about it.
-        flags: Placement flags that the metadata states, by their key in scene files.
-        size: Depth, width, height in metres where the metadata states them.
-        unit: Its unit, where the metadata states it.
-        up: Axis that points up, where the metadata states it.
-        front: Axis of its front, where the metadata states it.
-    """
-
-    text: str
-    description: str
-    flags: Mapping[str, bool]
-    size: Size | None = None
-    unit: str | None = None
-    up: str | None = None
-    front: str | None = None
+    text: str  # its category in words
+    description: str  # free words about it
+    flags: Mapping[str, bool]  # placement flags that the metadata states, by their key in scene files
+    size: Size | None = None  # depth, width, height in metres where the metadata states them
+    unit: str | None = None  # its unit, where the metadata states it
+    up: str | None = None  # axis that points up, where the metadata states it
+    front: str | None = None  # axis of its front, where the metadata states it
 
 
 @dataclass(frozen=True)

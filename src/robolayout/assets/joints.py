@@ -43,25 +43,15 @@ Vector = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Rule:
-    """One row: what moves how.
+    """One row: what moves how."""
 
-    Attributes:
-        names: Names of parts; the first leads.
-        kind: "hinge" or "slide".
-        axis: Number of the axis.
-        sign: -1 for a slide against the axis.
-        edges: Where a hinge lies.
-        span: How far it goes, with the unit of each end ("", "m", "d", "w", "h").
-        together: Whether all parts of these names move as one.
-    """
-
-    names: tuple[str, ...]
-    kind: str
-    axis: int
-    sign: float
-    edges: tuple[str, ...]
-    span: tuple[tuple[float, str], ...]
-    together: bool
+    names: tuple[str, ...]  # names of parts; the first leads
+    kind: str  # "hinge" or "slide"
+    axis: int  # number of the axis
+    sign: float  # -1 for a slide against the axis
+    edges: tuple[str, ...]  # where a hinge lies
+    span: tuple[tuple[float, str], ...]  # how far it goes, with the unit of each end ("", "m", "d", "w", "h")
+    together: bool  # whether all parts of these names move as one
 
 
 @lru_cache(maxsize=512)

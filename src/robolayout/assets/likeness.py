@@ -49,19 +49,12 @@ WAYS = tuple((up, front) for up, front in product(SIGNED, SIGNED) if up[1] != fr
 
 @dataclass(frozen=True)
 class Stand:
-    """How a mesh stands.
+    """How a mesh stands."""
 
-    Attributes:
-        up: Axis that points up.
-        front: Axis that points forward.
-        up_sure: How sure the one is, 0 to 1.
-        front_sure: How sure the other is, if the first is right.
-    """
-
-    up: str
-    front: str
-    up_sure: float
-    front_sure: float
+    up: str  # axis that points up
+    front: str  # axis that points forward
+    up_sure: float  # how sure the one is, 0 to 1
+    front_sure: float  # how sure the other is, if the first is right
 
 
 def sampled(surfaces: Faces, seed: int = 0) -> Array:

@@ -43,21 +43,13 @@ _CHECK = Checker(AssetError)
 
 @dataclass(frozen=True, eq=False)
 class RawMesh:
-    """One piece of a mesh file in the file's own axes and units.
+    """One piece of a mesh file in the file's own axes and units."""
 
-    Attributes:
-        name: Name in the file.
-        vertices: (n, 3) in file units.
-        faces: (m, 3) vertex indices.
-        material: Its looks.
-        uv: (n, 2) where its vertices lie in its material's picture; None without one.
-    """
-
-    name: str
-    vertices: Array
-    faces: NDArray[np.int64]
-    material: Material
-    uv: Array | None = None
+    name: str  # name in the file
+    vertices: Array  # (n, 3) in file units
+    faces: NDArray[np.int64]  # (m, 3) vertex indices
+    material: Material  # its looks
+    uv: Array | None = None  # (n, 2) where its vertices lie in its material's picture; None without one
 
 
 def load_mesh_parts(path: Path, size: Size, *, up: str | None = None, front: str | None = None) -> tuple[Part, ...]:

@@ -20,25 +20,15 @@ SOFT = ("seating", "textiles")
 
 @dataclass(frozen=True)
 class Palette:
-    """Materials of one room.
+    """Materials of one room."""
 
-    Attributes:
-        wood: The main wood.
-        wood_dark: A darker companion, for legs and frames.
-        front: Cabinet fronts.
-        fabrics: Upholstery colours.
-        accents: Cushions, rugs, small things.
-        metal: Handles and thin legs.
-        bedding: Sheets and duvets.
-    """
-
-    wood: Material
-    wood_dark: Material
-    front: Material
-    fabrics: tuple[Material, ...]
-    accents: tuple[Material, ...]
-    metal: Material
-    bedding: tuple[Material, ...]
+    wood: Material  # the main wood
+    wood_dark: Material  # A darker companion, for legs and frames
+    front: Material  # cabinet fronts
+    fabrics: tuple[Material, ...]  # upholstery colours
+    accents: tuple[Material, ...]  # cushions, rugs, small things
+    metal: Material  # handles and thin legs
+    bedding: tuple[Material, ...]  # sheets and duvets
 
 
 def material_from(entry: str | Mapping[str, Any]) -> Material:
@@ -90,31 +80,18 @@ SPINES = tuple(material for name, material in PLAIN.items() if name.endswith("-c
 
 @dataclass(frozen=True)
 class Piece:
-    """What a builder needs: the box to fill and the materials chosen for it.
+    """What a builder needs: the box to fill and the materials chosen for it."""
 
-    Attributes:
-        d: Depth (x) in metres.
-        w: Width (y) in metres.
-        h: Height (z) in metres.
-        palette: The room's materials.
-        fabric: Upholstery of this asset.
-        accent: Second colour of this asset.
-        bedding: Duvet or blanket of this asset.
-        kind: Name of the category.
-        variant: A number from 0 to 11 that picks the style.
-        key: Text that seeds what differs between two assets of one list (books on shelves).
-    """
-
-    d: float
-    w: float
-    h: float
-    palette: Palette
-    fabric: Material
-    accent: Material
-    bedding: Material
-    kind: str
-    variant: int
-    key: str
+    d: float  # depth (x) in metres
+    w: float  # width (y) in metres
+    h: float  # height (z) in metres
+    palette: Palette  # the room's materials
+    fabric: Material  # upholstery of this asset
+    accent: Material  # second colour of this asset
+    bedding: Material  # duvet or blanket of this asset
+    kind: str  # name of the category
+    variant: int  # A number from 0 to 11 that picks the style
+    key: str  # text that seeds what differs between two assets of one list (books on shelves)
 
     @property
     def x(self) -> tuple[float, float]:

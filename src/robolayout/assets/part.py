@@ -12,71 +12,45 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True)
 class Material:
-    """How a surface looks.
+    """How a surface looks."""
 
-    Attributes:
-        name: What it is ("oak", "linen").
-        color: sRGB colour, each channel 0 to 1; with a texture that of the whole, so that it serves where there are no textures.
-        roughness: 0 mirror, 1 chalk.
-        metallic: 0 or 1.
-        opacity: 1 opaque; glass below.
-        glow: Light that it gives off, as a share of its colour: shades of lamps, screens.
-        texture: A tile by name ("wood"), or the picture of an own mesh; None is plain.
-    """
-
-    name: str
+    name: str  # what it is ("oak", "linen")
+    # sRGB colour, each channel 0 to 1; with a texture that of the whole, so that it serves where there are no textures
     color: tuple[float, float, float]
-    roughness: float = 0.8
-    metallic: float = 0.0
-    opacity: float = 1.0
-    glow: float = 0.0
-    texture: str | bytes | None = None
+    roughness: float = 0.8  # 0 mirror, 1 chalk
+    metallic: float = 0.0  # 0 or 1
+    opacity: float = 1.0  # 1 opaque; glass below
+    glow: float = 0.0  # light that it gives off, as a share of its colour: shades of lamps, screens
+    texture: str | bytes | None = None  # A tile by name ("wood"), or the picture of an own mesh; None is plain
 
 
 @dataclass(frozen=True)
 class Joint:
-    """How some parts of a thing, or of a room, move together.
+    """How some parts of a thing, or of a room, move together."""
 
-    Attributes:
-        name: What moves ("door 0"); unique in its thing.
-        kind: "hinge" (turns about the axis) or "slide" (moves along it).
-        axis: Unit vector; the positive way opens.
-        at: A point on the axis, in the frame of the parts; metres.
-        span: How far it goes from where it is drawn, (0, open) where that is shut; radians or metres.
-        handle: Where it is taken hold of, as it is drawn; metres.
-        hold: Between which heights a hand can take hold of it: those of its handle, else of all of it; metres.
-    """
-
-    name: str
-    kind: str
-    axis: tuple[float, float, float]
-    at: tuple[float, float, float]
-    span: tuple[float, float]
-    handle: tuple[float, float, float]
+    name: str  # what moves ("door 0"); unique in its thing
+    kind: str  # "hinge" (turns about the axis) or "slide" (moves along it)
+    axis: tuple[float, float, float]  # unit vector; the positive way opens
+    at: tuple[float, float, float]  # A point on the axis, in the frame of the parts; metres
+    span: tuple[float, float]  # how far it goes from where it is drawn, (0, open) where that is shut; radians or metres
+    handle: tuple[float, float, float]  # where it is taken hold of, as it is drawn; metres
+    # between which heights a hand can take hold of it: those of its handle, else of all of it; metres
     hold: tuple[float, float]
 
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """One piece of a mesh.
+    """One piece of a mesh."""
 
-    Attributes:
-        name: What it is ("mattress", "leg").
-        vertices: (n, 3) metres, in the frame of its asset: origin in the middle of its box, front along +x, z up.
-        faces: (m, 3) vertex indices, counter-clockwise seen from outside.
-        material: How it looks.
-        convex: Whether it may serve as a collider as it is.
-        uv: (n, 2) where its vertices lie in its material's picture; None for tiles, which are laid on by shape.
-        joint: With what it moves; None where it stays.
-    """
-
-    name: str
+    name: str  # what it is ("mattress", "leg")
+    # (n, 3) metres, in the frame of its asset: origin in the middle of its box, front along +x, z up
     vertices: NDArray[np.float64]
-    faces: NDArray[np.int32]
-    material: Material
-    convex: bool = True
+    faces: NDArray[np.int32]  # (m, 3) vertex indices, counter-clockwise seen from outside
+    material: Material  # how it looks
+    convex: bool = True  # whether it may serve as a collider as it is
+    # (n, 2) where its vertices lie in its material's picture; None for tiles, which are laid on by shape
     uv: NDArray[np.float64] | None = None
-    joint: Joint | None = None
+    joint: Joint | None = None  # with what it moves; None where it stays
 
 
 def fit(pieces: Iterable[Part], size: tuple[float, float, float]) -> tuple[Part, ...]:

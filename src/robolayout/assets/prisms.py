@@ -50,25 +50,15 @@ Spans = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Prism:
-    """An upright prism in the frame of a thing: origin in the middle of its box in plan, front along +x; metres.
+    """An upright prism in the frame of a thing: origin in the middle of its box in plan, front along +x; metres."""
 
-    Attributes:
-        x: Middle of the rectangle.
-        y: Middle of the rectangle.
-        hx: Half its depth.
-        hy: Half its width.
-        cut: How much of either side each cut corner takes.
-        low: Metres above the bottom of the thing where it begins.
-        high: Metres above the bottom of the thing where it ends.
-    """
-
-    x: float
-    y: float
-    hx: float
-    hy: float
-    cut: float
-    low: float
-    high: float
+    x: float  # middle of the rectangle
+    y: float  # middle of the rectangle
+    hx: float  # half its depth
+    hy: float  # half its width
+    cut: float  # how much of either side each cut corner takes
+    low: float  # metres above the bottom of the thing where it begins
+    high: float  # metres above the bottom of the thing where it ends
 
     @cached_property
     def outline(self) -> tuple[tuple[float, float], ...]:

@@ -43,25 +43,15 @@ SHORTEST = 1e-6
 
 @dataclass(frozen=True)
 class RoomStyle:
-    """How the room itself looks.
+    """How the room itself looks."""
 
-    Attributes:
-        name: What it is called.
-        floor: "planks", "tiles" or "carpet".
-        tones: Floor materials; planks take turns, tiles take the first on joints of the second.
-        wall: Wall paint.
-        trim: Skirting, door and window frames.
-        door: Door leaves.
-        curtain: What hangs at its windows; None where nothing does.
-    """
-
-    name: str
-    floor: str
-    tones: tuple[Material, ...]
-    wall: Material
-    trim: Material
-    door: Material
-    curtain: Material | None = None
+    name: str  # what it is called
+    floor: str  # "planks", "tiles" or "carpet"
+    tones: tuple[Material, ...]  # floor materials; planks take turns, tiles take the first on joints of the second
+    wall: Material  # wall paint
+    trim: Material  # skirting, door and window frames
+    door: Material  # door leaves
+    curtain: Material | None = None  # what hangs at its windows; None where nothing does
 
 
 def _style(name: str, entry: Mapping[str, Any]) -> RoomStyle:

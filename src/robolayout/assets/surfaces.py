@@ -62,20 +62,14 @@ EASE = 0.005
 
 @dataclass(frozen=True)
 class Surface:
-    """A level place of a thing that can hold others.
+    """A level place of a thing that can hold others."""
 
-    Attributes:
-        name: "top", "seat", "shelf 2", "step 1"; unique within the thing.
-        region: Its outline in plan, in the frame of the thing (origin in the middle of its box, front along +x), metres.
-        height: Metres above the bottom of the thing.
-        free: Metres of free height above it; infinite where nothing covers it.
-        out: Which way a hook points from what holds it, a unit vector in plan; (0, 0) for what no hook is.
-    """
-
-    name: str
+    name: str  # "top", "seat", "shelf 2", "step 1"; unique within the thing
+    # its outline in plan, in the frame of the thing (origin in the middle of its box, front along +x), metres
     region: Polygon
-    height: float
-    free: float
+    height: float  # metres above the bottom of the thing
+    free: float  # metres of free height above it; infinite where nothing covers it
+    # which way a hook points from what holds it, a unit vector in plan; (0, 0) for what no hook is
     out: tuple[float, float] = (0.0, 0.0)
 
     @property

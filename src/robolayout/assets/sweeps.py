@@ -25,18 +25,13 @@ SLIGHT = 0.02
 
 @dataclass(frozen=True, eq=False)
 class Sweep:
-    """What one joint needs, or what a record says that a thing needs where nothing of it moves.
+    """What one joint needs, or what a record says that a thing needs where nothing of it moves."""
 
-    Attributes:
-        region: What is swept beyond the thing's front, in its frame (origin in the middle of its box, front along +x); metres.
-        heights: Between which heights, from the middle of its box; metres.
-        joint: The joint; None where the room is that of a person at work.
-        leaf: Where the open leaf stands beyond the front; empty for drawers, which are pushed back to.
-    """
-
+    # what is swept beyond the thing's front, in its frame (origin in the middle of its box, front along +x); metres
     region: BaseGeometry
-    heights: tuple[float, float]
-    joint: Joint | None = None
+    heights: tuple[float, float]  # between which heights, from the middle of its box; metres
+    joint: Joint | None = None  # the joint; None where the room is that of a person at work
+    # where the open leaf stands beyond the front; empty for drawers, which are pushed back to
     leaf: BaseGeometry = Polygon()  # noqa: RUF009 - polygons do not change
 
 

@@ -35,16 +35,11 @@ QUALITY = 82
 
 @dataclass(frozen=True)
 class Tile:
-    """A texture made by code.
+    """A texture made by code."""
 
-    Attributes:
-        metres: Edge of the square that one tile covers.
-        contrast: Standard deviation of its linear values, as a share of their mean.
-        draw: Makes its values (SIDE, SIDE) of any scale from two ramps u, v in [0, 1) and a source of noise.
-    """
-
-    metres: float
-    contrast: float
+    metres: float  # edge of the square that one tile covers
+    contrast: float  # standard deviation of its linear values, as a share of their mean
+    # makes its values (SIDE, SIDE) of any scale from two ramps u, v in [0, 1) and a source of noise
     draw: Callable[[Array, Array, _Noise], Array]
 
 

@@ -53,23 +53,14 @@ Free = Callable[[Asset, Scene, Layout], bool]
 
 @dataclass(frozen=True, eq=False)
 class Shape:
-    """One part as a simulator knows it.
+    """One part as a simulator knows it."""
 
-    Attributes:
-        name: Unique in its thing ("leg/3").
-        part: What is seen, in the frame of its link.
-        box: The box that it is or collides as; None for its part.
-        mass: Kilograms; 0 for what never moves.
-        seen: Whether it is seen.
-        touched: Whether it collides.
-    """
-
-    name: str
-    part: Part
-    box: Box | None = None
-    mass: float = 0.0
-    seen: bool = True
-    touched: bool = True
+    name: str  # unique in its thing ("leg/3")
+    part: Part  # what is seen, in the frame of its link
+    box: Box | None = None  # the box that it is or collides as; None for its part
+    mass: float = 0.0  # kilograms; 0 for what never moves
+    seen: bool = True  # whether it is seen
+    touched: bool = True  # whether it collides
 
     @property
     def mesh(self) -> str:
@@ -107,15 +98,10 @@ class Shape:
 
 @dataclass(frozen=True, eq=False)
 class Link:
-    """What of a thing moves as one.
+    """What of a thing moves as one."""
 
-    Attributes:
-        shapes: What it is made of.
-        joint: With what it moves against the thing's first link; None for that one.
-    """
-
-    shapes: tuple[Shape, ...]
-    joint: Joint | None = None
+    shapes: tuple[Shape, ...]  # what it is made of
+    joint: Joint | None = None  # with what it moves against the thing's first link; None for that one
 
     @property
     def at(self) -> FloatArray:
@@ -136,23 +122,14 @@ class Link:
 
 @dataclass(frozen=True, eq=False)
 class Thing:
-    """The room or an asset.
+    """The room or an asset."""
 
-    Attributes:
-        name: That of the asset, or one for the room.
-        pose: Where its frame is.
-        links: What of it stays, then what moves.
-        friction: Coefficient of all that it touches with.
-        free: Whether it may move as a whole; else it is welded to the world.
-        asset: None for the room.
-    """
-
-    name: str
-    pose: Pose
-    links: tuple[Link, ...]
-    friction: float = FLOOR_FRICTION
-    free: bool = False
-    asset: Asset | None = None
+    name: str  # that of the asset, or one for the room
+    pose: Pose  # where its frame is
+    links: tuple[Link, ...]  # what of it stays, then what moves
+    friction: float = FLOOR_FRICTION  # coefficient of all that it touches with
+    free: bool = False  # whether it may move as a whole; else it is welded to the world
+    asset: Asset | None = None  # None for the room
 
     def folder(self) -> str:
         """Return the path of the folder for all things that are alike."""

@@ -37,35 +37,23 @@ LEAVES = ("swinging", "open", "shut")
 
 @dataclass(frozen=True)
 class Options:
-    """What may go into a file beside the scene and the layout.
+    """What may go into a file beside the scene and the layout."""
 
-    Attributes:
-        agent: The body whose base is added where the format can hold one (MJCF); None leaves it out.
-        leaves: How the doors of the room stand in a simulator (MJCF): one of `LEAVES`.
-        routes: Routes of that agent, kept as metadata or lines where the format has a place.
-        seed: Seed of the parametric meshes.
-        start: Where that agent starts; None for inside the first door.
-        left_out: Names of things that the scene had, for which the format has none.
-    """
-
-    agent: Agent | None = None
-    leaves: str = "swinging"
+    agent: Agent | None = None  # the body whose base is added where the format can hold one (MJCF); None leaves it out
+    leaves: str = "swinging"  # how the doors of the room stand in a simulator (MJCF): one of `LEAVES`
+    # routes of that agent, kept as metadata or lines where the format has a place
     routes: Routes = field(default_factory=dict[str, Sequence[Point]])
-    seed: int = 0
-    start: Pose | None = None
-    left_out: tuple[str, ...] = ()
+    seed: int = 0  # seed of the parametric meshes
+    start: Pose | None = None  # where that agent starts; None for inside the first door
+    left_out: tuple[str, ...] = ()  # names of things that the scene had, for which the format has none
 
 
 @dataclass(frozen=True)
 class Contents:
-    """What a written file says about the assets.
+    """What a written file says about the assets."""
 
-    Attributes:
-        layout: Poses by asset name.
-        sizes: Box sizes (depth, width, height) in metres by asset name; empty where the format has no place for them.
-    """
-
-    layout: Layout
+    layout: Layout  # poses by asset name
+    # box sizes (depth, width, height) in metres by asset name; empty where the format has no place for them
     sizes: Mapping[str, tuple[float, float, float]] = field(default_factory=dict[str, tuple[float, float, float]])
 
 
@@ -75,26 +63,17 @@ Read = Callable[[bytes], Contents]
 
 @dataclass(frozen=True)
 class Exporter:
-    """One file format.
+    """One file format."""
 
-    Attributes:
-        name: What people ask for ("glb").
-        suffix: End of the file's name, by which the format is recognised (".glb").
-        summary: One line for the table of formats.
-        extra: The optional dependency it needs; None for none.
-        write: The file's content for a scene, a layout and options.
-        read: Reads such content back; None where the format cannot say where things are.
-        beside: The files that it refers to, by their paths from its folder; None where it stands alone.
-        fit: The room with the things that its readers have; the command line solves that again. None where ours are theirs.
-    """
-
-    name: str
-    suffix: str
-    summary: str
-    extra: str | None
-    write: Callable[[Scene, Layout, Options], bytes]
-    read: Read | None = None
+    name: str  # what people ask for ("glb")
+    suffix: str  # end of the file's name, by which the format is recognised (".glb")
+    summary: str  # one line for the table of formats
+    extra: str | None  # the optional dependency it needs; None for none
+    write: Callable[[Scene, Layout, Options], bytes]  # the file's content for a scene, a layout and options
+    read: Read | None = None  # reads such content back; None where the format cannot say where things are
+    # the files that it refers to, by their paths from its folder; None where it stands alone
     beside: Callable[[Scene, Layout, Options], Mapping[str, bytes]] | None = None
+    # The room with the things that its readers have; the command line solves that again. None where ours are theirs.
     fit: Callable[[Scene, Layout], tuple[Scene, Layout]] | None = None
 
 

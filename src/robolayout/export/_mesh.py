@@ -25,34 +25,21 @@ IntArray = NDArray[np.int64]
 
 @dataclass(frozen=True, eq=False)
 class Surface:
-    """Triangles of one material, ready to be drawn.
+    """Triangles of one material, ready to be drawn."""
 
-    Attributes:
-        positions: (n, 3) metres.
-        normals: (n, 3) unit vectors, one for each position unless said otherwise.
-        indices: (m, 3) counter-clockwise seen from outside.
-        uvs: Texture coordinates, as many as normals; all 0 where the material is plain.
-    """
-
-    positions: FloatArray
-    normals: FloatArray
-    indices: IntArray
-    uvs: FloatArray
+    positions: FloatArray  # (n, 3) metres
+    normals: FloatArray  # (n, 3) unit vectors, one for each position unless said otherwise
+    indices: IntArray  # (m, 3) counter-clockwise seen from outside
+    uvs: FloatArray  # texture coordinates, as many as normals; all 0 where the material is plain
 
 
 @dataclass(frozen=True, eq=False)
 class Box:
-    """An oriented box.
+    """An oriented box."""
 
-    Attributes:
-        center: (3,) metres.
-        half: (3,) half extents in metres along its own axes.
-        rotation: (3, 3) whose columns are its axes; right-handed.
-    """
-
-    center: FloatArray
-    half: FloatArray
-    rotation: FloatArray
+    center: FloatArray  # (3,) metres
+    half: FloatArray  # (3,) half extents in metres along its own axes
+    rotation: FloatArray  # (3, 3) whose columns are its axes; right-handed
 
 
 def welded(part: Part) -> Surface:

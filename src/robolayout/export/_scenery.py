@@ -39,15 +39,10 @@ def lamp(pieces: tuple[Part, ...]) -> tuple[float, float, float] | None:
 
 @dataclass(frozen=True)
 class Viewpoint:
-    """A camera.
+    """A camera."""
 
-    Attributes:
-        position: Metres in the room's frame.
-        rotation: (3, 3) whose columns are its right, up and backward axes.
-    """
-
-    position: tuple[float, float, float]
-    rotation: FloatArray
+    position: tuple[float, float, float]  # metres in the room's frame
+    rotation: FloatArray  # (3, 3) whose columns are its right, up and backward axes
 
 
 def overview(room: Room) -> Viewpoint:

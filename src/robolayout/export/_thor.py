@@ -18,17 +18,11 @@ Size = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class ThorAsset:
-    """One asset of AI2-THOR.
+    """One asset of AI2-THOR."""
 
-    Attributes:
-        type: Its object type ("SideTable").
-        name: Its asset id.
-        size: Depth (along its front), width and height in metres.
-    """
-
-    type: str
-    name: str
-    size: Size
+    type: str  # its object type ("SideTable")
+    name: str  # its asset id
+    size: Size  # depth (along its front), width and height in metres
 
     def distance(self, size: Size) -> float:
         """Return the largest difference in metres between its sides and those of a box."""

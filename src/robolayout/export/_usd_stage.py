@@ -45,19 +45,12 @@ Row = tuple[str, tuple[float, float, float], float, tuple[float, float, float]]
 
 @dataclass(frozen=True)
 class _Kind:
-    """What stands in one file: the room, or all things that are alike.
+    """What stands in one file: the room, or all things that are alike."""
 
-    Attributes:
-        file: Path of its layer beside that of the room.
-        pieces: Its parts, in its own frame.
-        asset: One of those things; None for the room.
-        movable: Whether a person can move it.
-    """
-
-    file: str
-    pieces: tuple[Part, ...]
-    asset: Asset | None = None
-    movable: bool = False
+    file: str  # path of its layer beside that of the room
+    pieces: tuple[Part, ...]  # its parts, in its own frame
+    asset: Asset | None = None  # one of those things; None for the room
+    movable: bool = False  # whether a person can move it
 
     @property
     def jointed(self) -> bool:

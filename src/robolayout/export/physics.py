@@ -53,15 +53,11 @@ FloatArray = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Motion:
-    """How far one asset moved.
+    """How far one asset moved."""
 
-    Attributes:
-        displacement: Metres between where its centre was and where it came to rest, or one of its handles if that is more.
-        tilt: Radians between its upright axis and the vertical.
-    """
-
+    # metres between where its centre was and where it came to rest, or one of its handles if that is more
     displacement: float
-    tilt: float
+    tilt: float  # radians between its upright axis and the vertical
 
     @property
     def stable(self) -> bool:
@@ -71,17 +67,12 @@ class Motion:
 
 @dataclass(frozen=True)
 class Settled:
-    """What gravity did to a layout.
+    """What gravity did to a layout."""
 
-    Attributes:
-        seconds: Simulated time.
-        motions: How far each placed asset moved; what hangs on walls or the ceiling is held and does not.
-        unplaced: Names of the assets without a pose; they count as not stable.
-    """
-
-    seconds: float
+    seconds: float  # simulated time
+    # how far each placed asset moved; what hangs on walls or the ceiling is held and does not
     motions: Mapping[str, Motion]
-    unplaced: tuple[str, ...] = ()
+    unplaced: tuple[str, ...] = ()  # names of the assets without a pose; they count as not stable
 
     @property
     def stable_share(self) -> float:
@@ -120,32 +111,20 @@ class Settled:
 
 @dataclass(frozen=True)
 class Drive:
-    """How one route went.
+    """How one route went."""
 
-    Attributes:
-        contacts: Names of what the base touched (assets, "wall-0", "door-0"), sorted.
-        error: Largest distance in metres between the planned and the driven position.
-        length: Length of the route in metres.
-        seconds: Time it took.
-    """
-
-    contacts: tuple[str, ...]
-    error: float
-    length: float
-    seconds: float
+    contacts: tuple[str, ...]  # names of what the base touched (assets, "wall-0", "door-0"), sorted
+    error: float  # largest distance in metres between the planned and the driven position
+    length: float  # length of the route in metres
+    seconds: float  # time it took
 
 
 @dataclass(frozen=True)
 class Driven:
-    """How an agent's routes went.
+    """How an agent's routes went."""
 
-    Attributes:
-        agent: Name of the agent.
-        drives: One drive for each asset with a route.
-    """
-
-    agent: str
-    drives: Mapping[str, Drive]
+    agent: str  # name of the agent
+    drives: Mapping[str, Drive]  # one drive for each asset with a route
 
     @property
     def contacts(self) -> Mapping[str, tuple[str, ...]]:

@@ -46,69 +46,41 @@ def placed(points: Points, x: float, y: float, yaw: float) -> Points:
 
 @dataclass(frozen=True)
 class Maps:
-    """Flat maps of the floor for `Floor.under`, each 0 or 1 but the last.
+    """Flat maps of the floor for `Floor.under`, each 0 or 1 but the last."""
 
-    Attributes:
-        taken: Outside or under a body.
-        barred: The same or in a door's landing.
-        wanted: How much others want the cell to stay free, at most 2.
-    """
-
-    taken: NDArray[np.float32]
-    barred: NDArray[np.float32]
-    wanted: NDArray[np.float32]
+    taken: NDArray[np.float32]  # outside or under a body
+    barred: NDArray[np.float32]  # the same or in a door's landing
+    wanted: NDArray[np.float32]  # how much others want the cell to stay free, at most 2
 
 
 @dataclass(frozen=True, eq=False)
 class Shadow:
-    """What a rectangle takes of the floor.
+    """What a rectangle takes of the floor."""
 
-    Attributes:
-        under: A part of the grid that holds it.
-        covered: Cells of that part under it.
-        around: A part that holds all from where it may count as the nearest thing.
-        near: Cells from those of that part to the nearest one that is taken.
-    """
-
-    under: Window
-    covered: Mask
-    around: Window
-    near: NDArray[np.float64]
+    under: Window  # A part of the grid that holds it
+    covered: Mask  # cells of that part under it
+    around: Window  # A part that holds all from where it may count as the nearest thing
+    near: NDArray[np.float64]  # cells from those of that part to the nearest one that is taken
 
 
 @dataclass
 class Floor:
-    """The state of the floor while things are being placed.
-
-    Attributes:
-        room: The room.
-        cell: Size of a cell in metres.
-        xs: (nx,) cell centres in metres.
-        ys: (ny,) cell centres in metres.
-        origin: World point of the grid's corner.
-        inside: Cells in the room, (nx, ny).
-        body: How many things stand on each cell.
-        wanted: How much each cell should stay free: landings and strips before furniture.
-        landing: Cells of the door landings.
-        door: Cells of the landing by which bodies come in, that of the first door; None without one.
-        clear: Cells to the nearest one that is taken or outside; above `near` only known to be above it.
-        near: Cells up to which `clear` is exact.
-        middle: World point of the cell in the room that is nearest to its middle.
-    """
+    """The state of the floor while things are being placed."""
 
     room: Room
-    cell: float
-    xs: Points
-    ys: Points
-    origin: tuple[float, float]
-    inside: Mask
-    body: NDArray[np.int16]
-    wanted: NDArray[np.float32]
-    landing: Mask
-    door: Mask | None
+    cell: float  # size of a cell in metres
+    xs: Points  # (nx,) cell centres in metres
+    ys: Points  # (ny,) cell centres in metres
+    origin: tuple[float, float]  # world point of the grid's corner
+    inside: Mask  # cells in the room, (nx, ny)
+    body: NDArray[np.int16]  # how many things stand on each cell
+    wanted: NDArray[np.float32]  # how much each cell should stay free: landings and strips before furniture
+    landing: Mask  # cells of the door landings
+    door: Mask | None  # cells of the landing by which bodies come in, that of the first door; None without one
+    # cells to the nearest one that is taken or outside; above `near` only known to be above it
     clear: NDArray[np.float64]
-    near: float
-    middle: tuple[float, float]
+    near: float  # cells up to which `clear` is exact
+    middle: tuple[float, float]  # world point of the cell in the room that is nearest to its middle
     _maps: Maps | None = field(default=None, init=False, repr=False)
 
     @staticmethod

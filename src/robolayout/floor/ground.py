@@ -20,25 +20,15 @@ from robolayout.scene import Agent
 
 @dataclass(frozen=True)
 class Ground:
-    """The empty room on a grid, for one agent.
+    """The empty room on a grid, for one agent."""
 
-    Attributes:
-        xs: (nx,) cell centres in metres.
-        ys: (ny,) cell centres in metres.
-        wall_distance: (nx, ny) metres to the nearest wall; negative outside.
-        doors: (doors, 2) cell where the agent comes in by each door; none where no cell holds it.
-        agent: The body.
-        cell: Metres per cell.
-        targets: What it must get to.
-    """
-
-    xs: Floats
-    ys: Floats
-    wall_distance: Floats
-    doors: Cells
-    agent: Agent
-    cell: float
-    targets: Targets
+    xs: Floats  # (nx,) cell centres in metres
+    ys: Floats  # (ny,) cell centres in metres
+    wall_distance: Floats  # (nx, ny) metres to the nearest wall; negative outside
+    doors: Cells  # (doors, 2) cell where the agent comes in by each door; none where no cell holds it
+    agent: Agent  # the body
+    cell: float  # metres per cell
+    targets: Targets  # what it must get to
 
     @property
     def start(self) -> tuple[int, int] | None:
@@ -82,19 +72,12 @@ def make_ground(contents: Contents, agent: Agent, cell: float) -> Ground:
 
 @dataclass(frozen=True, eq=False)
 class Obstacles:
-    """What stands in one agent's way: boxes, or the parts of them that it cannot pass.
+    """What stands in one agent's way: boxes, or the parts of them that it cannot pass."""
 
-    Attributes:
-        slot: (m,) slot that each rectangle belongs to.
-        offset: (m, 2) metres from the slot's middle to the rectangle's, ahead and to the left.
-        half: (m, 2) half its depth and half its width in metres.
-        shelter: Slots that the agent may come under or into.
-    """
-
-    slot: NDArray[np.intp]
-    offset: Floats
-    half: Floats
-    shelter: tuple[int, ...]
+    slot: NDArray[np.intp]  # (m,) slot that each rectangle belongs to
+    offset: Floats  # (m, 2) metres from the slot's middle to the rectangle's, ahead and to the left
+    half: Floats  # (m, 2) half its depth and half its width in metres
+    shelter: tuple[int, ...]  # slots that the agent may come under or into
 
     def poses(self, world: Floats) -> Floats:
         """Return (m, 4) poses x, y, cos, sin of the rectangles."""
@@ -138,23 +121,14 @@ def clearance(ground: Ground, world: Floats, obstacles: Obstacles) -> Floats:
 
 @dataclass(frozen=True, eq=False)
 class Patch:
-    """The cells about some rectangles, and where they lie in the frames of these.
+    """The cells about some rectangles, and where they lie in the frames of these."""
 
-    Attributes:
-        rows: (k,) the rectangles.
-        i: (k, w) cells in x.
-        j: (k, h) cells in y.
-        u: (k, w, h) metres ahead of the rectangle's middle.
-        v: (k, w, h) metres to its left.
-        half: (k, 2) half its depth and half its width in metres.
-    """
-
-    rows: Cells
-    i: Cells
-    j: Cells
-    u: Floats
-    v: Floats
-    half: Floats
+    rows: Cells  # (k,) the rectangles
+    i: Cells  # (k, w) cells in x
+    j: Cells  # (k, h) cells in y
+    u: Floats  # (k, w, h) metres ahead of the rectangle's middle
+    v: Floats  # (k, w, h) metres to its left
+    half: Floats  # (k, 2) half its depth and half its width in metres
 
     @property
     def distance(self) -> Floats:

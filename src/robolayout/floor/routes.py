@@ -21,17 +21,11 @@ from robolayout.floor.ground import Ground, Obstacles, box_distance, boxes_of, c
 
 @dataclass(frozen=True)
 class Plan:
-    """Routes for one layout.
+    """Routes for one layout."""
 
-    Attributes:
-        demands: (m, 4) rows (x, y, slot, metres to keep).
-        blocked: How many goals cannot be reached without pushing.
-        blockers: Slots that take clearance from a route, the worst first.
-    """
-
-    demands: Floats
-    blocked: int
-    blockers: tuple[int, ...] = ()
+    demands: Floats  # (m, 4) rows (x, y, slot, metres to keep)
+    blocked: int  # how many goals cannot be reached without pushing
+    blockers: tuple[int, ...] = ()  # slots that take clearance from a route, the worst first
 
 
 def plan_routes(ground: Ground, world: Floats, obstacles: Obstacles, *, everywhere: bool = False) -> Plan:

@@ -24,21 +24,13 @@ from robolayout.scene import LANDING_DEPTH, Agent, Asset
 
 @dataclass(frozen=True, eq=False)
 class Standing:
-    """Where one agent gets to.
+    """Where one agent gets to."""
 
-    Attributes:
-        near: Cells of which it gets within reach.
-        cut_off: Share of the free floor that it cannot get to.
-        easy: Cells on which its centre can stand to use something and turn right round.
-        floor: The floor.
-        agent: The body.
-    """
-
-    near: Mask
-    cut_off: float
-    easy: Mask
+    near: Mask  # cells of which it gets within reach
+    cut_off: float  # share of the free floor that it cannot get to
+    easy: Mask  # cells on which its centre can stand to use something and turn right round
     floor: Floor
-    agent: Agent
+    agent: Agent  # the body
 
     def serves(self, cells: Cells, use: Cells | None) -> bool:
         """Whether it gets within reach of some of these cells and stands, whichever way round, on some of those of a use."""

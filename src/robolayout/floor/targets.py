@@ -23,42 +23,26 @@ SIDES = ("front", "left", "back", "right")
 
 @dataclass(frozen=True, eq=False)
 class Contents:
-    """What a room holds, but not where: the same in every layout of a problem.
+    """What a room holds, but not where: the same in every layout of a problem."""
 
-    Attributes:
-        scene: The room, its things and its bodies.
-        parent: Index of what carries each thing; -1 where it is the room.
-        heights: (n,) height of each box's centre in metres.
-        half: (n, 2) half depth and half width in metres.
-    """
-
-    scene: Scene
-    parent: tuple[int, ...]
-    heights: Floats
-    half: Floats
+    scene: Scene  # the room, its things and its bodies
+    parent: tuple[int, ...]  # index of what carries each thing; -1 where it is the room
+    heights: Floats  # (n,) height of each box's centre in metres
+    half: Floats  # (n, 2) half depth and half width in metres
 
 
 @dataclass(frozen=True, eq=False)
 class Targets:
-    """What a body must get to, the same in every layout of a problem.
+    """What a body must get to, the same in every layout of a problem."""
 
-    Attributes:
-        slots: (k,) what.
-        reach: (k,) metres in plan within which the body's centre must come.
-        sides: (k, 4) beyond which sides; none where it counts from all around.
-        carrier: (k,) slot of what carries it higher than the body, so that nobody takes it from below; -1 where none.
-        chairs: (c,) slots that this body moves away from what they stand at.
-        parent: (n,) slot that carries each slot; -1 where none.
-        half: (n, 2) half depth and half width of each slot in metres.
-    """
-
-    slots: NDArray[np.intp]
-    reach: Floats
-    sides: NDArray[np.bool_]
+    slots: NDArray[np.intp]  # (k,) what
+    reach: Floats  # (k,) metres in plan within which the body's centre must come
+    sides: NDArray[np.bool_]  # (k, 4) beyond which sides; none where it counts from all around
+    # (k,) slot of what carries it higher than the body, so that nobody takes it from below; -1 where none
     carrier: NDArray[np.intp]
-    chairs: NDArray[np.intp]
-    parent: NDArray[np.intp]
-    half: Floats
+    chairs: NDArray[np.intp]  # (c,) slots that this body moves away from what they stand at
+    parent: NDArray[np.intp]  # (n,) slot that carries each slot; -1 where none
+    half: Floats  # (n, 2) half depth and half width of each slot in metres
 
 
 def use_of(asset: Asset, bottom: float, agent: Agent, *, carried: bool) -> tuple[float, tuple[str, ...]] | None:

@@ -49,110 +49,67 @@ _CHECK = Checker(SceneError)
 
 @dataclass(frozen=True)
 class Join:
-    """How a role stands at another thing.
+    """How a role stands at another thing."""
 
-    Attributes:
-        slot: One of `SLOTS`.
-        of: Roles of the thing it joins, best first.
-        most: How many may join one such thing.
-        gap: Metres between the two boxes.
-        at: Where in the slot ("back", "middle", "front", "hand" (the right one, at a desk) of a top; "left", "right" of a plate).
-        faces: "anchor", "same" or "away".
-        say: Statements for each one.
-        pair: Statements for two that flank the same thing.
-        all: Statements for all that join the same thing together.
-        loose: Whether it may stand by itself if there is no room for it there.
-        gather: Whether they stand together on one thing rather than one on each.
-    """
-
-    slot: str
-    of: tuple[str, ...]
-    most: int = 99
-    gap: float = 0.05
+    slot: str  # one of `SLOTS`
+    of: tuple[str, ...]  # roles of the thing it joins, best first
+    most: int = 99  # how many may join one such thing
+    gap: float = 0.05  # metres between the two boxes
+    # where in the slot ("back", "middle", "front", "hand" (the right one, at a desk) of a top; "left", "right" of a
+    # plate)
     at: str = ""
-    faces: str = ""
-    say: tuple[str, ...] = ()
-    pair: tuple[str, ...] = ()
-    all: tuple[str, ...] = ()
-    loose: bool = False
-    gather: bool = False
+    faces: str = ""  # "anchor", "same" or "away"
+    say: tuple[str, ...] = ()  # statements for each one
+    pair: tuple[str, ...] = ()  # statements for two that flank the same thing
+    all: tuple[str, ...] = ()  # statements for all that join the same thing together
+    loose: bool = False  # whether it may stand by itself if there is no room for it there
+    gather: bool = False  # whether they stand together on one thing rather than one on each
 
 
 @dataclass(frozen=True)
 class Face:
-    """What a role should have in front of it.
+    """What a role should have in front of it."""
 
-    Attributes:
-        roles: Roles of the thing it faces, best first.
-        how: "toward" (its front looks there) or "away" (its back looks there).
-        distance: Lowest and highest distance of centres in metres.
-        weight: How much it matters.
-        say: Statements that follow once it is placed so.
-    """
-
-    roles: tuple[str, ...]
-    how: str = "toward"
-    distance: tuple[float, float] = (0.0, 20.0)
-    weight: float = 2.0
-    say: tuple[str, ...] = ()
+    roles: tuple[str, ...]  # roles of the thing it faces, best first
+    how: str = "toward"  # "toward" (its front looks there) or "away" (its back looks there)
+    distance: tuple[float, float] = (0.0, 20.0)  # lowest and highest distance of centres in metres
+    weight: float = 2.0  # how much it matters
+    say: tuple[str, ...] = ()  # statements that follow once it is placed so
 
 
 @dataclass(frozen=True)
 class Role:
-    """What a kind of asset is for in a room.
+    """What a kind of asset is for in a room."""
 
-    Attributes:
-        name: Name of the role ("bed").
-        group: Label of its functional group ("sleeping").
-        order: Place of the group, structural first.
-        rank: When it is placed; low first.
-        names: What plays it: the categories whose records say so, and other words for things.
-        words: Words in an asset's category that also give it this role.
-        stands: Ways of standing by itself, best first.
-        joins: Ways of joining something else, tried first.
-        prefer: Weights: centre, corner, door, window, middle, tuck, alone.
-        clear: Metres kept free on some sides ({"front": 1.2}); sides not named follow the category.
-        face: What it has in front of it.
-        height: Height in metres of the centre of a hung asset; 0 lets size decide.
-        above: Roles over which a hung asset is centred.
-        say: Statements by way of standing.
-        top: Whether small things may stand on it.
-    """
-
-    name: str
-    group: str
-    order: int
-    rank: int
-    names: tuple[str, ...] = ()
-    words: tuple[str, ...] = ()
-    stands: tuple[str, ...] = ("wall",)
-    joins: tuple[Join, ...] = ()
+    name: str  # name of the role ("bed")
+    group: str  # label of its functional group ("sleeping")
+    order: int  # place of the group, structural first
+    rank: int  # when it is placed; low first
+    names: tuple[str, ...] = ()  # what plays it: the categories whose records say so, and other words for things
+    words: tuple[str, ...] = ()  # words in an asset's category that also give it this role
+    stands: tuple[str, ...] = ("wall",)  # ways of standing by itself, best first
+    joins: tuple[Join, ...] = ()  # ways of joining something else, tried first
+    # weights: centre, corner, door, window, middle, tuck, alone
     prefer: Mapping[str, float] = field(default_factory=dict[str, float])
+    # metres kept free on some sides ({"front": 1.2}); sides not named follow the category
     clear: Mapping[str, float] = field(default_factory=dict[str, float])
-    face: Face | None = None
-    height: float = 0.0
-    above: tuple[str, ...] = ()
+    face: Face | None = None  # what it has in front of it
+    height: float = 0.0  # height in metres of the centre of a hung asset; 0 lets size decide
+    above: tuple[str, ...] = ()  # roles over which a hung asset is centred
+    # statements by way of standing
     say: Mapping[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]])
-    top: bool = False
+    top: bool = False  # whether small things may stand on it
 
 
 @dataclass(frozen=True)
 class Knowledge:
-    """All roles, with the sentence of each group.
+    """All roles, with the sentence of each group."""
 
-    Attributes:
-        roles: Roles by name.
-        reasons: Rationale by group label.
-        orders: Place by group label.
-        things: Categories of the user's own.
-        rooms: Room types of the user's own.
-    """
-
-    roles: Mapping[str, Role]
-    reasons: Mapping[str, str]
-    orders: Mapping[str, int]
-    things: tuple[Category, ...] = ()
-    rooms: tuple[RoomType, ...] = ()
+    roles: Mapping[str, Role]  # roles by name
+    reasons: Mapping[str, str]  # rationale by group label
+    orders: Mapping[str, int]  # place by group label
+    things: tuple[Category, ...] = ()  # categories of the user's own
+    rooms: tuple[RoomType, ...] = ()  # room types of the user's own
 
     def recognised(self, asset: Asset) -> Category | None:
         """Return which of the user's own categories an asset is, if any."""

@@ -34,21 +34,13 @@ FALLBACKS = (
 
 @dataclass(frozen=True)
 class Cast:
-    """An asset in its role.
-
-    Attributes:
-        asset: The asset.
-        role: What it is for.
-        category: What the catalogue knows about it.
-        anchor: Name of the asset it joins; None if it stands by itself.
-        join: How it joins that asset.
-    """
+    """An asset in its role."""
 
     asset: Asset
-    role: Role
-    category: Category
-    anchor: str | None = None
-    join: Join | None = None
+    role: Role  # what it is for
+    category: Category  # what the catalogue knows about it
+    anchor: str | None = None  # name of the asset it joins; None if it stands by itself
+    join: Join | None = None  # how it joins that asset
 
     @property
     def name(self) -> str:

@@ -19,18 +19,12 @@ Pictures = Literal["drawn", "named", "none"]
 
 @dataclass(frozen=True)
 class Group:
-    """Assets that belong together and are planned at once.
+    """Assets that belong together and are planned at once."""
 
-    Attributes:
-        label: What the group is ("sleeping").
-        rationale: Why these belong together, in one sentence.
-        items: Names of its assets, most structural first.
-        relations: How they stand to each other, one phrase each ("night_stand-0 beside double_bed-0").
-    """
-
-    label: str
-    rationale: str
-    items: tuple[str, ...]
+    label: str  # what the group is ("sleeping")
+    rationale: str  # why these belong together, in one sentence
+    items: tuple[str, ...]  # names of its assets, most structural first
+    # how they stand to each other, one phrase each ("night_stand-0 beside double_bed-0")
     relations: tuple[str, ...] = ()
 
     def to_dict(self) -> dict[str, object]:
@@ -45,30 +39,19 @@ class Group:
 
 @dataclass(frozen=True)
 class PlanRequest:
-    """One question to a planner.
+    """One question to a planner."""
 
-    Attributes:
-        scene: What is given.
-        group: Plan only these assets; None plans everything.
-        placed: Poses that are settled already; they stay where they are.
-        feedback: What was wrong with earlier answers (rejections, violations), in words; empty at first.
-        seed: Number that settles every choice; same request, same text.
-        previous: The program text that the feedback is about.
-        asked: What the user's words ask of the places of things.
-        images: Pictures as PNG bytes: "plan", "top" and "side" of the room as it is, one under each name of an asset to place,
-            and with feedback "failed", what came of the program before.
-        reopen: Labels of earlier groups that the answer may ask to be planned again.
-    """
-
-    scene: Scene
-    group: Group | None = None
-    placed: Layout | None = None
-    feedback: str = ""
-    seed: int = 0
-    previous: str = ""
-    asked: tuple[Demand, ...] = ()
+    scene: Scene  # what is given
+    group: Group | None = None  # plan only these assets; None plans everything
+    placed: Layout | None = None  # poses that are settled already; they stay where they are
+    feedback: str = ""  # what was wrong with earlier answers (rejections, violations), in words; empty at first
+    seed: int = 0  # number that settles every choice; same request, same text
+    previous: str = ""  # the program text that the feedback is about
+    asked: tuple[Demand, ...] = ()  # what the user's words ask of the places of things
+    # pictures as PNG bytes: "plan", "top" and "side" of the room as it is, one under each name of an asset to place,
+    # and with feedback "failed", what came of the program before
     images: Mapping[str, bytes] = field(default_factory=dict[str, bytes])
-    reopen: tuple[str, ...] = ()
+    reopen: tuple[str, ...] = ()  # labels of earlier groups that the answer may ask to be planned again
 
 
 @runtime_checkable
@@ -86,13 +69,9 @@ class Planner(Protocol):
 
 @runtime_checkable
 class Critic(Protocol):
-    """Who looks at a finished room, rates it, and may amend its program.
+    """Who looks at a finished room, rates it, and may amend its program."""
 
-    Attributes:
-        critic: Whether to look at all.
-    """
-
-    critic: bool
+    critic: bool  # whether to look at all
 
     @property
     def pictures(self) -> Pictures:
@@ -117,17 +96,11 @@ class Judgement(Protocol):
 
 @runtime_checkable
 class GroupPlanner(Planner, Protocol):
-    """A planner that is asked group by group, for several answers at once, and again with what was wrong.
+    """A planner that is asked group by group, for several answers at once, and again with what was wrong."""
 
-    Attributes:
-        mode: "grouped", "one_shot", "no_image" or "no_constraint".
-        samples: Programs to ask for per group; the best one is kept.
-        retries: Most further questions per group.
-    """
-
-    mode: str
-    samples: int
-    retries: int
+    mode: str  # "grouped", "one_shot", "no_image" or "no_constraint"
+    samples: int  # programs to ask for per group; the best one is kept
+    retries: int  # most further questions per group
 
     @property
     def pictures(self) -> Pictures:

@@ -36,23 +36,15 @@ SIZE_WORDS = {"small", "large", "big", "little"}
 
 @dataclass(frozen=True)
 class Wishes:
-    """What a text asks of a new room.
+    """What a text asks of a new room."""
 
-    Attributes:
-        reading: What it says.
-        room: The room type: as named, else the nearest one.
-        things: What is wished, and how many.
-        named: Kinds that are not in the catalogue as they were asked for: other words, other sizes.
-        looks: What is said of the looks of things, by category.
-        guesses: What was guessed, one sentence each.
-    """
-
-    reading: Reading
-    room: RoomType
-    things: Mapping[str, int]
+    reading: Reading  # what it says
+    room: RoomType  # the room type: as named, else the nearest one
+    things: Mapping[str, int]  # what is wished, and how many
+    # kinds that are not in the catalogue as they were asked for: other words, other sizes
     named: Mapping[str, Category]
-    looks: Mapping[str, str]
-    guesses: tuple[str, ...]
+    looks: Mapping[str, str]  # what is said of the looks of things, by category
+    guesses: tuple[str, ...]  # what was guessed, one sentence each
 
     @property
     def general(self) -> frozenset[str]:

@@ -52,17 +52,11 @@ class Line:
 
 @dataclass(frozen=True)
 class Writer:
-    """Writes what the knowledge says of a cast.
-
-    Attributes:
-        scene: The scene.
-        cast: Its assets in their roles.
-        asked: Things of which the user's words say where they stand: roles only wish then.
-    """
+    """Writes what the knowledge says of a cast."""
 
     scene: Scene
-    cast: Mapping[str, Cast]
-    asked: frozenset[str] = frozenset()
+    cast: Mapping[str, Cast]  # its assets in their roles
+    asked: frozenset[str] = frozenset()  # things of which the user's words say where they stand: roles only wish then
 
     def order(self) -> list[str]:
         """Return all assets, what is placed first first: low ranks, big things, and what joins a thing right after it."""

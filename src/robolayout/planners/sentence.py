@@ -37,31 +37,18 @@ WALKWAY = 0.6
 
 @dataclass(frozen=True)
 class Understanding:
-    """What was read from a sentence.
+    """What was read from a sentence."""
 
-    Attributes:
-        text: The sentence.
-        room_type: Name of the room type.
-        size: Width and depth of the room in metres.
-        shape: "rectangular" or "L-shaped".
-        height: Wall height in metres.
-        agent: Name of the body, or None for the default disc.
-        wished: Categories asked for and how many.
-        added: Categories added and how many.
-        assumed: What was not said and therefore chosen, one sentence each.
-        ignored: Words that meant nothing to the reader.
-    """
-
-    text: str
-    room_type: str
-    size: tuple[float, float]
-    shape: str
-    height: float
-    agent: str | None
-    wished: Mapping[str, int]
-    added: Mapping[str, int]
-    assumed: tuple[str, ...]
-    ignored: tuple[str, ...]
+    text: str  # the sentence
+    room_type: str  # name of the room type
+    size: tuple[float, float]  # width and depth of the room in metres
+    shape: str  # "rectangular" or "L-shaped"
+    height: float  # wall height in metres
+    agent: str | None  # name of the body, or None for the default disc
+    wished: Mapping[str, int]  # categories asked for and how many
+    added: Mapping[str, int]  # categories added and how many
+    assumed: tuple[str, ...]  # what was not said and therefore chosen, one sentence each
+    ignored: tuple[str, ...]  # words that meant nothing to the reader
 
     def to_dict(self) -> dict[str, object]:
         """Return everything as plain values for a file."""

@@ -41,20 +41,13 @@ _CIRCLE, _BETWEEN = 64, 300
 
 @dataclass
 class Model:
-    """The file that is being read, and what it may still use.
+    """The file that is being read, and what it may still use."""
 
-    Attributes:
-        path: The file.
-        bytes_left: Bytes of other files that may still be read.
-        points_left: Points that its shapes may still have.
-        parts_left: Parts of each kind that it may still have.
-        meshes: Vertices of the meshes read so far, in their own unit.
-    """
-
-    path: Path
-    bytes_left: int = MAX_BYTES
-    points_left: int = MAX_POINTS
-    parts_left: dict[str, int] = field(default_factory=dict[str, int])
+    path: Path  # the file
+    bytes_left: int = MAX_BYTES  # bytes of other files that may still be read
+    points_left: int = MAX_POINTS  # points that its shapes may still have
+    parts_left: dict[str, int] = field(default_factory=dict[str, int])  # parts of each kind that it may still have
+    # vertices of the meshes read so far, in their own unit
     meshes: dict[Path, Matrix] = field(default_factory=dict[Path, Matrix])
 
     def fail(self, message: str) -> AgentError:

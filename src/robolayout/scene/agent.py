@@ -9,56 +9,38 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True)
 class Source:
-    """Where a figure of an agent comes from.
+    """Where a figure of an agent comes from."""
 
-    Attributes:
-        text: The source in words.
-        verified: Whether the figure was checked against that source.
-    """
-
-    text: str
-    verified: bool
+    text: str  # the source in words
+    verified: bool  # whether the figure was checked against that source
 
 
 @dataclass(frozen=True)
 class Agent:
-    """A body that moves through a room.
+    """A body that moves through a room."""
 
-    Attributes:
-        name: Name of the profile.
-        radius: Radius in metres of the disc that must pass (half the corridor it needs, for rectangular bodies).
-        height: Height in metres; what hangs higher is no obstacle.
-        length: Length of a rectangular footprint in metres; None for a disc.
-        width: Width of a rectangular footprint in metres; None for a disc.
-        turning_diameter: Diameter in metres of the circle it needs to turn; None where it turns in place.
-        turning_radius: Radius in metres of the tightest arc that its centre drives; 0 where it turns on the spot; None where
-            it moves sideways, too.
-        reach_distance: Horizontal reach in metres from the centre of its footprint; None if it does not reach.
-        reach_low: Lowest height it reaches, metres.
-        reach_high: Highest height it reaches, metres.
-        shoulder_height: Height of the shoulder in metres; None leaves the reach a cylinder.
-        reach_bands: How far the hand gets by height, from the model of a robot: (from, to, reach) in metres, lowest first.
-        knee_height: Height in metres that its knees need under a top at which it sits; None where it does not sit.
-        step: Height in metres that it steps or drives over.
-        title: Name for people.
-        sources: Source of each figure, by attribute name.
-    """
-
-    name: str
-    radius: float
-    height: float
-    length: float | None = None
-    width: float | None = None
+    name: str  # name of the profile
+    radius: float  # radius in metres of the disc that must pass (half the corridor it needs, for rectangular bodies)
+    height: float  # height in metres; what hangs higher is no obstacle
+    length: float | None = None  # length of a rectangular footprint in metres; None for a disc
+    width: float | None = None  # width of a rectangular footprint in metres; None for a disc
+    # diameter in metres of the circle it needs to turn; None where it turns in place
     turning_diameter: float | None = None
+    # radius in metres of the tightest arc that its centre drives; 0 where it turns on the spot; None where it moves
+    # sideways, too
     turning_radius: float | None = None
+    # horizontal reach in metres from the centre of its footprint; None if it does not reach
     reach_distance: float | None = None
-    reach_low: float = 0.0
-    reach_high: float = 2.0
-    shoulder_height: float | None = None
+    reach_low: float = 0.0  # lowest height it reaches, metres
+    reach_high: float = 2.0  # highest height it reaches, metres
+    shoulder_height: float | None = None  # height of the shoulder in metres; None leaves the reach a cylinder
+    # how far the hand gets by height, from the model of a robot: (from, to, reach) in metres, lowest first
     reach_bands: tuple[tuple[float, float, float], ...] = ()
+    # height in metres that its knees need under a top at which it sits; None where it does not sit
     knee_height: float | None = None
-    step: float = 0.03
-    title: str = ""
+    step: float = 0.03  # height in metres that it steps or drives over
+    title: str = ""  # name for people
+    # source of each figure, by attribute name
     sources: Mapping[str, Source] = field(default_factory=dict[str, Source], compare=False)
 
     @property

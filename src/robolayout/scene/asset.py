@@ -15,37 +15,25 @@ class Asset:
     """One thing to be placed.
 
     At zero rotation it faces +x, so x is its depth and y its width.
-
-    Attributes:
-        name: Unique name in the scene, byte for byte as in its file ("night_stand-0", "桌子", "map-0").
-        category: What it is, in words ("night stand").
-        size: Depth (x), width (y) and height (z) of its box in metres.
-        description: Free words about this very asset; data, never code.
-        on_floor: It may stand on the floor.
-        on_wall: It is fixed to a wall.
-        on_ceiling: It hangs from the ceiling.
-        on_object: It may stand on another asset.
-        path: A GLB file that replaces the parametric mesh.
-        use_sides: Sides it is used from ("front", "back", "left", "right"); None leaves it to the category.
-        like: Words that say instead of `category` what it is drawn, opened and moved like; empty where that is clear.
-        parts: Rows that say what it is made of (docs/assets.md); empty where its category says so.
-        without: Names of its parts that are left out: what is drawn on a shelf where real things lie.
-        metadata: Any further keys of the scene file, kept for writing.
     """
 
-    name: str
-    category: str
-    size: tuple[float, float, float]
-    description: str = ""
-    on_floor: bool = True
-    on_wall: bool = False
-    on_ceiling: bool = False
-    on_object: bool = False
-    path: Path | None = None
+    name: str  # unique name in the scene, byte for byte as in its file ("night_stand-0", "桌子", "map-0")
+    category: str  # what it is, in words ("night stand")
+    size: tuple[float, float, float]  # depth (x), width (y) and height (z) of its box in metres
+    description: str = ""  # free words about this very asset; data, never code
+    on_floor: bool = True  # it may stand on the floor
+    on_wall: bool = False  # it is fixed to a wall
+    on_ceiling: bool = False  # it hangs from the ceiling
+    on_object: bool = False  # it may stand on another asset
+    path: Path | None = None  # A GLB file that replaces the parametric mesh
+    # sides it is used from ("front", "back", "left", "right"); None leaves it to the category
     use_sides: tuple[str, ...] | None = None
+    # words that say instead of `category` what it is drawn, opened and moved like; empty where that is clear
     like: str = ""
-    parts: str = ""
+    parts: str = ""  # rows that say what it is made of (docs/assets.md); empty where its category says so
+    # names of its parts that are left out: what is drawn on a shelf where real things lie
     without: tuple[str, ...] = ()
+    # any further keys of the scene file, kept for writing
     metadata: dict[str, object] = field(default_factory=dict[str, object], compare=False)
 
     @property

@@ -56,28 +56,17 @@ HANDS = ("gripper", "grasp", "finger", "hand", "tool", "palm", "suction")
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """What moves one link against another.
-
-    Attributes:
-        name: Its name.
-        parent: The link that it is on.
-        child: The link that it moves.
-        origin: (4, 4) pose of the child in the parent's frame at 0.
-        kind: How it moves; continuous joints are revolute ones with a whole turn.
-        axis: (3,) unit vector in the child's frame.
-        low: Least value, radians or metres.
-        high: Greatest value.
-        mimics: The joint that it follows, by what factor and from what offset; None where it moves by itself.
-    """
+    """What moves one link against another."""
 
     name: str
-    parent: str
-    child: str
-    origin: Array
-    kind: Kind
-    axis: Array
-    low: float
-    high: float
+    parent: str  # the link that it is on
+    child: str  # the link that it moves
+    origin: Array  # (4, 4) pose of the child in the parent's frame at 0
+    kind: Kind  # how it moves; continuous joints are revolute ones with a whole turn
+    axis: Array  # (3,) unit vector in the child's frame
+    low: float  # least value, radians or metres
+    high: float  # greatest value
+    # the joint that it follows, by what factor and from what offset; None where it moves by itself
     mimics: tuple[str, float, float] | None = None
 
     def motion(self, values: Array) -> Array:
@@ -95,20 +84,14 @@ class Joint:
 
 @dataclass(frozen=True, eq=False)
 class Robot:
-    """Links in a tree of joints.
-
-    Attributes:
-        name: Its name.
-        root: The link that all others hang on; its frame has x ahead and z up.
-        joints: All joints, each after the one that moves its parent.
-        hulls: (n, 3) corners of the convex hull of a link's collision geometry, in its frame, by link.
-        home: Values of the joints in the pose that its file names; None where it names none.
-    """
+    """Links in a tree of joints."""
 
     name: str
-    root: str
-    joints: tuple[Joint, ...]
+    root: str  # the link that all others hang on; its frame has x ahead and z up
+    joints: tuple[Joint, ...]  # all joints, each after the one that moves its parent
+    # (n, 3) corners of the convex hull of a link's collision geometry, in its frame, by link
     hulls: Mapping[str, Array]
+    # values of the joints in the pose that its file names; None where it names none
     home: Mapping[str, float] | None = None
 
     @classmethod

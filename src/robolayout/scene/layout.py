@@ -12,19 +12,12 @@ from robolayout.scene.asset import Asset
 
 @dataclass(frozen=True)
 class Pose:
-    """Where one asset's box centre is and which way it faces.
-
-    Attributes:
-        x: Metres.
-        y: Metres.
-        z: Metres, of the box centre.
-        yaw: Radians counter-clockwise about z; 0 faces +x.
-    """
+    """Where one asset's box centre is and which way it faces."""
 
     x: float
     y: float
-    z: float
-    yaw: float
+    z: float  # metres, of the box centre
+    yaw: float  # radians counter-clockwise about z; 0 faces +x
 
     @property
     def forward(self) -> tuple[float, float]:
@@ -108,27 +101,17 @@ def vertical_span(asset: Asset, pose: Pose) -> tuple[float, float]:
 
 @dataclass(frozen=True)
 class Snapshot:
-    """The layout at one moment of the search.
+    """The layout at one moment of the search."""
 
-    Attributes:
-        step: Step counted from the start of the run.
-        stage: What was running ("search", "routes", "repair", ...).
-        poses: (x, y, yaw) by asset name, metres and radians.
-    """
-
-    step: int
-    stage: str
-    poses: Mapping[str, tuple[float, float, float]]
+    step: int  # step counted from the start of the run
+    stage: str  # what was running ("search", "routes", "repair", ...)
+    poses: Mapping[str, tuple[float, float, float]]  # (x, y, yaw) by asset name, metres and radians
 
 
 @dataclass(frozen=True)
 class Trace:
-    """How a run went: loss terms per step and a few snapshots.
+    """How a run went: loss terms per step and a few snapshots."""
 
-    Attributes:
-        losses: One mapping of loss terms per step; terms may be absent (DESIGN section 6).
-        snapshots: The layout every few steps, in order.
-    """
-
+    # one mapping of loss terms per step; terms may be absent (DESIGN section 6)
     losses: tuple[Mapping[str, float], ...] = ()
-    snapshots: tuple[Snapshot, ...] = field(default=())
+    snapshots: tuple[Snapshot, ...] = field(default=())  # the layout every few steps, in order

@@ -38,18 +38,12 @@ SPACE = {"free": 7, "ball": 4, "slide": 1, "hinge": 1}
 
 @dataclass
 class _Body:
-    """One of the bodies in the world, with all on it.
-
-    Attributes:
-        name: Its name.
-        inner: Joints inside it, beside those by which it moves as a whole.
-        joints: All that holds links together, outwards.
-        clouds: Points on each link's collision shapes.
-    """
+    """One of the bodies in the world, with all on it."""
 
     name: str
-    inner: int = 0
-    joints: list[Joint] = field(default_factory=list[Joint])
+    inner: int = 0  # joints inside it, beside those by which it moves as a whole
+    joints: list[Joint] = field(default_factory=list[Joint])  # all that holds links together, outwards
+    # points on each link's collision shapes
     clouds: dict[str, list[Matrix]] = field(default_factory=dict[str, list[Matrix]])
 
 

@@ -21,17 +21,11 @@ SINGLE = 1.4
 
 @dataclass(frozen=True)
 class Wall:
-    """One straight wall, seen from above.
+    """One straight wall, seen from above."""
 
-    Attributes:
-        index: Its place in the room; it starts at vertex `index`.
-        start: First end, metres.
-        end: Second end, metres.
-    """
-
-    index: int
-    start: Point
-    end: Point
+    index: int  # its place in the room; it starts at vertex `index`
+    start: Point  # first end, metres
+    end: Point  # second end, metres
 
     @cached_property
     def length(self) -> float:
@@ -67,27 +61,16 @@ class Wall:
 
 @dataclass(frozen=True)
 class Opening:
-    """A door or window in a wall.
+    """A door or window in a wall."""
 
-    Attributes:
-        wall: Index of the wall it is in.
-        offset: Metres from the wall's start to the opening's nearer edge.
-        width: Clear width in metres.
-        height: Height of the opening in metres.
-        sill: Height of its lower edge above the floor in metres; 0 for doors.
-        hinge: Side on which a door hangs, "left" or "right", seen from inside the room.
-        swing: Whether a door opens "in" to the room or "out" of it.
-        open: Whether a door stands open, at a right angle to its wall.
-    """
-
-    wall: int
-    offset: float
-    width: float
-    height: float
-    sill: float = 0.0
-    hinge: str = "left"
-    swing: str = "out"
-    open: bool = False
+    wall: int  # index of the wall it is in
+    offset: float  # metres from the wall's start to the opening's nearer edge
+    width: float  # clear width in metres
+    height: float  # height of the opening in metres
+    sill: float = 0.0  # height of its lower edge above the floor in metres; 0 for doors
+    hinge: str = "left"  # side on which a door hangs, "left" or "right", seen from inside the room
+    swing: str = "out"  # whether a door opens "in" to the room or "out" of it
+    open: bool = False  # whether a door stands open, at a right angle to its wall
 
     @property
     def leaves(self) -> int:
@@ -102,20 +85,13 @@ class Opening:
 
 @dataclass(frozen=True)
 class Room:
-    """A room: its floor polygon, wall height, doors and windows.
+    """A room: its floor polygon, wall height, doors and windows."""
 
-    Attributes:
-        vertices: Counter-clockwise floor corners in metres; may be concave.
-        wall_height: Height of walls and ceiling in metres.
-        doors: Doors; the first one is where agents enter.
-        windows: Windows.
-        floor: Name of what lies on the floor ("oak planks", "marble tiles"); where it is empty or unknown, the seed picks.
-    """
-
-    vertices: tuple[Point, ...]
-    wall_height: float
-    doors: tuple[Opening, ...] = ()
+    vertices: tuple[Point, ...]  # counter-clockwise floor corners in metres; may be concave
+    wall_height: float  # height of walls and ceiling in metres
+    doors: tuple[Opening, ...] = ()  # doors; the first one is where agents enter
     windows: tuple[Opening, ...] = ()
+    # name of what lies on the floor ("oak planks", "marble tiles"); where it is empty or unknown, the seed picks
     floor: str = ""
 
     @cached_property

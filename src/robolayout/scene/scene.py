@@ -17,27 +17,16 @@ DRESSINGS = ("none", "some", "full")
 
 @dataclass(frozen=True)
 class Scene:
-    """What is given: a room, assets, an instruction and one or more agents.
-
-    Attributes:
-        room: The room.
-        assets: Everything to be placed, in the order of the file.
-        task_description: The instruction in plain language.
-        layout_criteria: What the result should be like, in plain language.
-        agents: The bodies that the layout must serve.
-        dress: How much lies about on its surfaces once it is furnished: one of `DRESSINGS`.
-        name: Short name, from the file's name.
-        warnings: What was mended on reading, one sentence each.
-    """
+    """What is given: a room, assets, an instruction and one or more agents."""
 
     room: Room
-    assets: tuple[Asset, ...]
-    task_description: str = ""
-    layout_criteria: str = ""
-    agents: tuple[Agent, ...] = (DEFAULT_AGENT,)
-    dress: str = "none"
-    name: str = "scene"
-    warnings: tuple[str, ...] = field(default=(), compare=False)
+    assets: tuple[Asset, ...]  # everything to be placed, in the order of the file
+    task_description: str = ""  # the instruction in plain language
+    layout_criteria: str = ""  # what the result should be like, in plain language
+    agents: tuple[Agent, ...] = (DEFAULT_AGENT,)  # the bodies that the layout must serve
+    dress: str = "none"  # how much lies about on its surfaces once it is furnished: one of `DRESSINGS`
+    name: str = "scene"  # short name, from the file's name
+    warnings: tuple[str, ...] = field(default=(), compare=False)  # what was mended on reading, one sentence each
 
     def __post_init__(self) -> None:
         if not self.agents:

@@ -10,95 +10,53 @@ M mirror rows, G clear boxes, E room edges, Q inner corners, T route points."""
 
 
 class Arrays(NamedTuple):
-    """One stage of a problem as arrays.
+    """One stage of a problem as arrays."""
 
-    Attributes:
-        half: (A, 2) half depth and half width in metres; 0 for padding.
-        anchor: (A, 4) pose (x, y, cos, sin) that each slot's variables are relative to.
-        carrier: (A,) slot whose moving pose a slot is rigidly attached to; -1 for none.
-        limit: (A, 2) half sizes in metres of the rectangle around the anchor that a slot's box stays in.
-        free: (A,) 1 where the slot moves in this stage.
-        fixed: (F, 7) walls and points as bodies (x, y, cos, sin, half x, half y, core).
-        prism_slot: (S,) slot that each prism belongs to.
-        prism: (S, 5) centre and half size in the frame of the slot, and how much its corners are cut, metres.
-        pairs: (P, 2) prisms that must not overlap; twice the same for padding.
-        edges: (E, 4) room outline.
-        inner: (Q, 2) corners of the room that point inwards.
-        inside: (A,) weight of staying in the room, where the rectangle alone does not keep a slot in it.
-        frame_index: (R, 2) bodies a and b of each frame row (slots first, then fixed bodies).
-        frame_row: (R, 20) numbers of each frame row.
-        mirror_index: (M, 3) bodies a, b and axis.
-        mirror_weight: (M,) 0 for padding.
-        mirror_normal: (M,) 1 where the axis is a wall.
-        clear_owner: (G,) body that each clear box belongs to.
-        clear_box: (G, 4) centre and half size in the owner's frame, metres.
-        clear_weight: (G, A) weight of keeping each slot out of each box.
-    """
-
-    half: Array
-    anchor: Array
-    carrier: Array
-    limit: Array
-    free: Array
-    fixed: Array
-    prism_slot: Array
-    prism: Array
-    pairs: Array
-    edges: Array
-    inner: Array
-    inside: Array
-    frame_index: Array
-    frame_row: Array
-    mirror_index: Array
-    mirror_weight: Array
-    mirror_normal: Array
-    clear_owner: Array
-    clear_box: Array
-    clear_weight: Array
+    half: Array  # (A, 2) half depth and half width in metres; 0 for padding
+    anchor: Array  # (A, 4) pose (x, y, cos, sin) that each slot's variables are relative to
+    carrier: Array  # (A,) slot whose moving pose a slot is rigidly attached to; -1 for none
+    limit: Array  # (A, 2) half sizes in metres of the rectangle around the anchor that a slot's box stays in
+    free: Array  # (A,) 1 where the slot moves in this stage
+    fixed: Array  # (F, 7) walls and points as bodies (x, y, cos, sin, half x, half y, core)
+    prism_slot: Array  # (S,) slot that each prism belongs to
+    prism: Array  # (S, 5) centre and half size in the frame of the slot, and how much its corners are cut, metres
+    pairs: Array  # (P, 2) prisms that must not overlap; twice the same for padding
+    edges: Array  # (E, 4) room outline
+    inner: Array  # (Q, 2) corners of the room that point inwards
+    inside: Array  # (A,) weight of staying in the room, where the rectangle alone does not keep a slot in it
+    frame_index: Array  # (R, 2) bodies a and b of each frame row (slots first, then fixed bodies)
+    frame_row: Array  # (R, 20) numbers of each frame row
+    mirror_index: Array  # (M, 3) bodies a, b and axis
+    mirror_weight: Array  # (M,) 0 for padding
+    mirror_normal: Array  # (M,) 1 where the axis is a wall
+    clear_owner: Array  # (G,) body that each clear box belongs to
+    clear_box: Array  # (G, 4) centre and half size in the owner's frame, metres
+    clear_weight: Array  # (G, A) weight of keeping each slot out of each box
 
 
 class Near(NamedTuple):
-    """What may touch within the next steps.
+    """What may touch within the next steps."""
 
-    Attributes:
-        pairs: (M, 2) prisms, or (K, M, 2) each start's own.
-        clears: (C, 2) clear box and slot, or (K, C, 2) each start's own.
-    """
-
-    pairs: Array
-    clears: Array
+    pairs: Array  # (M, 2) prisms, or (K, M, 2) each start's own
+    clears: Array  # (C, 2) clear box and slot, or (K, C, 2) each start's own
 
 
 class Routes(NamedTuple):
-    """What must not stand in the way, per start.
+    """What must not stand in the way, per start."""
 
-    Attributes:
-        point: (K, T, 2) points of routes in metres.
-        slot: (K, T) slot that is near the point.
-        need: (K, T) metres that the slot must keep from the point; 0 for padding.
-    """
-
-    point: Array
-    slot: Array
-    need: Array
+    point: Array  # (K, T, 2) points of routes in metres
+    slot: Array  # (K, T) slot that is near the point
+    need: Array  # (K, T) metres that the slot must keep from the point; 0 for padding
 
 
 class Schedule(NamedTuple):
-    """How one run of the search goes (all scalars).
+    """How one run of the search goes (all scalars)."""
 
-    Attributes:
-        steps: Number of steps.
-        rate: First step size of positions (metres) and headings.
-        final_rate: Last step size.
-        noise: First standard deviation of the noise in metres; annealed to 0 by half time.
-        ramp: First share of the hard weights; 1 by half time.
-    """
-
-    steps: Array
-    rate: Array
-    final_rate: Array
-    noise: Array
-    ramp: Array
+    steps: Array  # number of steps
+    rate: Array  # first step size of positions (metres) and headings
+    final_rate: Array  # last step size
+    noise: Array  # first standard deviation of the noise in metres; annealed to 0 by half time
+    ramp: Array  # first share of the hard weights; 1 by half time
 
 
 class Losses(NamedTuple):
@@ -119,18 +77,10 @@ HISTORY = 512
 
 
 class Found(NamedTuple):
-    """What a run returns.
+    """What a run returns."""
 
-    Attributes:
-        local: (K, A, 4) variables.
-        world: (K, A, 4) poses in the room.
-        losses: Terms per start, at full weights.
-        history: (HISTORY, 5) terms of the start with the lowest final objective, unused rows 0.
-        shots: (SNAPSHOTS, A, 4) poses of that start, evenly spaced over the steps.
-    """
-
-    local: Array
-    world: Array
-    losses: Losses
-    history: Array
-    shots: Array
+    local: Array  # (K, A, 4) variables
+    world: Array  # (K, A, 4) poses in the room
+    losses: Losses  # terms per start, at full weights
+    history: Array  # (HISTORY, 5) terms of the start with the lowest final objective, unused rows 0
+    shots: Array  # (SNAPSHOTS, A, 4) poses of that start, evenly spaced over the steps

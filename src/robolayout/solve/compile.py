@@ -54,29 +54,18 @@ WISHED = 0.2
 
 @dataclass(frozen=True)
 class Problem:
-    """A scene with a program, ready to be solved.
-
-    Attributes:
-        scene: The scene.
-        relations: The statements to satisfy, in program order.
-        guess: A first pose for every asset.
-        parent: Index of what carries each asset; -1 where it is the room.
-        stage: Stage in which each asset is placed.
-        pinned: Names of assets that keep the pose of the guess.
-        guessed: Names of assets to which the program itself gave a place.
-        resting: The surface of its carrier on which each asset stands; None where it is the room.
-        wishes: What keeps things together though nothing demands it: a lamp at its armchair.
-    """
+    """A scene with a program, ready to be solved."""
 
     scene: Scene
-    relations: tuple[Relation, ...]
-    guess: Layout
-    parent: tuple[int, ...]
-    stage: tuple[int, ...]
-    pinned: frozenset[str] = frozenset()
-    guessed: tuple[str, ...] = ()
+    relations: tuple[Relation, ...]  # the statements to satisfy, in program order
+    guess: Layout  # A first pose for every asset
+    parent: tuple[int, ...]  # index of what carries each asset; -1 where it is the room
+    stage: tuple[int, ...]  # stage in which each asset is placed
+    pinned: frozenset[str] = frozenset()  # names of assets that keep the pose of the guess
+    guessed: tuple[str, ...] = ()  # names of assets to which the program itself gave a place
+    # the surface of its carrier on which each asset stands; None where it is the room
     resting: tuple[Surface | None, ...] = ()
-    wishes: tuple[Relation, ...] = ()
+    wishes: tuple[Relation, ...] = ()  # what keeps things together though nothing demands it: a lamp at its armchair
 
     @cached_property
     def names(self) -> tuple[str, ...]:

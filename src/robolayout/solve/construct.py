@@ -66,23 +66,14 @@ PACKED = 3000
 
 @dataclass(frozen=True, eq=False)
 class _Site:
-    """A room while it is built.
+    """A room while it is built."""
 
-    Attributes:
-        settled: (n,) which slots have their place.
-        bodies: (n, 4) bounds of slots.
-        ahead: (n, 4) bounds of the floor in front of them.
-        openings: (n, 4) bounds of what they need to be opened.
-        stands: (n, 4) cells of `walked` from which they are within reach.
-        walked: The floor that is left to walk on.
-    """
-
-    settled: NDArray[np.bool_]
-    bodies: Rects
-    ahead: Rects
-    openings: Rects
-    stands: Blocks
-    walked: Walked
+    settled: NDArray[np.bool_]  # (n,) which slots have their place
+    bodies: Rects  # (n, 4) bounds of slots
+    ahead: Rects  # (n, 4) bounds of the floor in front of them
+    openings: Rects  # (n, 4) bounds of what they need to be opened
+    stands: Blocks  # (n, 4) cells of `walked` from which they are within reach
+    walked: Walked  # the floor that is left to walk on
 
 
 class Builder:

@@ -35,58 +35,36 @@ AMOUNTS: Mapping[str, float] = dict(zip(DRESSINGS, (0.0, 0.4, 1.0), strict=True)
 
 @dataclass(frozen=True)
 class DressConfig:
-    """Numbers of dressing; metres.
+    """Numbers of dressing; metres."""
 
-    Attributes:
-        edge: How far things stay from the edge of their surface.
-        gap: How far they stay from each other, at least.
-        air: Free height above them in a shelf, at least.
-        most: Things that are added at the most.
-        tries: Places that are tried for a thing that may lie anywhere.
-        vary: Share by which sizes vary.
-        turn: Degrees by which things on shelves and counters are askew.
-        close: How far apart books stand.
-        loose: Least and greatest gap in a row.
-        spread: Least and greatest gap between things at a back edge, before there are more or fewer of them.
-        seat: How far ahead of a seat the table begins that belongs to it.
-        above: Height above an open surface that its things may take up.
-        ahead: How far before the back edge a thing is tried, one after the other.
-        level: Most by which the tops under one thing may differ in height.
-        sunk: Most by which a thing may lie below its surface, whose parts are level within little more.
-        lift: How far above what carries it a thing lies: where meshes touch, collision checks find a collision.
-    """
-
-    edge: float = 0.015
-    gap: float = 0.012
-    air: float = 0.02
-    most: int = 150
-    tries: int = 24
-    vary: float = 0.1
-    turn: float = 6.0
-    close: float = 0.002
-    loose: tuple[float, float] = (0.0, 0.03)
+    edge: float = 0.015  # how far things stay from the edge of their surface
+    gap: float = 0.012  # how far they stay from each other, at least
+    air: float = 0.02  # free height above them in a shelf, at least
+    most: int = 150  # things that are added at the most
+    tries: int = 24  # places that are tried for a thing that may lie anywhere
+    vary: float = 0.1  # share by which sizes vary
+    turn: float = 6.0  # degrees by which things on shelves and counters are askew
+    close: float = 0.002  # how far apart books stand
+    loose: tuple[float, float] = (0.0, 0.03)  # least and greatest gap in a row
+    # least and greatest gap between things at a back edge, before there are more or fewer of them
     spread: tuple[float, float] = (0.03, 0.25)
-    seat: float = 0.7
-    above: float = 0.5
+    seat: float = 0.7  # how far ahead of a seat the table begins that belongs to it
+    above: float = 0.5  # height above an open surface that its things may take up
+    # how far before the back edge a thing is tried, one after the other
     ahead: tuple[float, ...] = (0.0, 0.03, 0.08, 0.14)
-    level: float = 0.002
-    sunk: float = 0.008
+    level: float = 0.002  # most by which the tops under one thing may differ in height
+    sunk: float = 0.008  # most by which a thing may lie below its surface, whose parts are level within little more
+    # how far above what carries it a thing lies: where meshes touch, collision checks find a collision
     lift: float = 0.0002
 
 
 @dataclass(frozen=True)
 class Dressed:
-    """A room with small things in it.
+    """A room with small things in it."""
 
-    Attributes:
-        scene: The scene with them.
-        layout: The layout with them.
-        names: Their names.
-    """
-
-    scene: Scene
-    layout: Layout
-    names: tuple[str, ...]
+    scene: Scene  # the scene with them
+    layout: Layout  # the layout with them
+    names: tuple[str, ...]  # their names
 
 
 def dress(

@@ -17,20 +17,14 @@ SPARE = 0.03
 
 @dataclass(frozen=True)
 class Verdict:
-    """What an exact check says of a layout.
+    """What an exact check says of a layout."""
 
-    Attributes:
-        hard: Violations of hard demands (collisions, boundary, support, doors), counted in assets.
-        access: What the agents cannot get to or use, in assets (a door counts as one), plus the share of free space cut off.
-        soft: Weight of unmet statements.
-        culprits: Assets to move, the most pressing first.
-        moved: How far things are from the program's guess, which tells equal layouts apart (`Problem.moved`).
-    """
-
-    hard: float
+    hard: float  # violations of hard demands (collisions, boundary, support, doors), counted in assets
+    # what the agents cannot get to or use, in assets (a door counts as one), plus the share of free space cut off
     access: float
-    soft: float
-    culprits: tuple[str, ...] = ()
+    soft: float  # weight of unmet statements
+    culprits: tuple[str, ...] = ()  # assets to move, the most pressing first
+    # how far things are from the program's guess, which tells equal layouts apart (`Problem.moved`)
     moved: float = field(default=0.0, compare=False)
 
     @property

@@ -27,17 +27,11 @@ Lane = tuple[Singles, Arrays, Routes, Singles]
 
 @dataclass(frozen=True, eq=False)
 class Request:
-    """What one program asks to be run.
+    """What one program asks to be run."""
 
-    Attributes:
-        phase: How the search goes.
-        label: Name of the phase.
-        lanes: Its starts.
-    """
-
-    phase: SearchConfig
-    label: str
-    lanes: tuple[Lane, ...]
+    phase: SearchConfig  # how the search goes
+    label: str  # name of the phase
+    lanes: tuple[Lane, ...]  # its starts
 
 
 Send = Callable[[Request], list[Found]]

@@ -53,17 +53,11 @@ def carry(problem: Problem, world: Floats, slot: int, pose: Floats, followers: f
 
 @dataclass(frozen=True)
 class Proposals:
-    """Draws places for the slots of a problem.
-
-    Attributes:
-        problem: The problem.
-        frames: Rows that place each slot.
-        mirrors: Mirror rows of each slot.
-    """
+    """Draws places for the slots of a problem."""
 
     problem: Problem
-    frames: dict[int, list[FrameTerm]]
-    mirrors: dict[int, list[MirrorTerm]]
+    frames: dict[int, list[FrameTerm]]  # rows that place each slot
+    mirrors: dict[int, list[MirrorTerm]]  # mirror rows of each slot
 
     @classmethod
     def of(cls, problem: Problem) -> Proposals:

@@ -48,17 +48,11 @@ Piece = tuple[Floats, Callable[[], Routes]]
 
 @dataclass(frozen=True)
 class Run:
-    """What one run of the search left.
+    """What one run of the search left."""
 
-    Attributes:
-        world: (K, n, 4) poses.
-        energy: (K,) objective at full weights.
-        hard: (K,) hard part of it.
-    """
-
-    world: Floats
-    energy: Floats
-    hard: Floats
+    world: Floats  # (K, n, 4) poses
+    energy: Floats  # (K,) objective at full weights
+    hard: Floats  # (K,) hard part of it
 
     def fields(self) -> tuple[Floats, Floats, Floats]:
         """Return its arrays."""

@@ -18,23 +18,14 @@ def silent(_phase: str) -> None:
 
 @dataclass(frozen=True)
 class Solution:
-    """What a solver found.
+    """What a solver found."""
 
-    Attributes:
-        layout: Poses of all assets.
-        verdict: What the judge says of it.
-        status: "solved", or "unmet" if demands are left.
-        message: The status as a sentence.
-        phase: What made the winning layout: "guess", "push", "polish", ...; empty where a solver does not say.
-        trace: Losses and poses on the way; empty unless asked for.
-    """
-
-    layout: Layout
-    verdict: Verdict
-    status: str
-    message: str
-    phase: str = ""
-    trace: Trace = field(default_factory=Trace, repr=False)
+    layout: Layout  # poses of all assets
+    verdict: Verdict  # what the judge says of it
+    status: str  # "solved", or "unmet" if demands are left
+    message: str  # the status as a sentence
+    phase: str = ""  # what made the winning layout: "guess", "push", "polish", ...; empty where a solver does not say
+    trace: Trace = field(default_factory=Trace, repr=False)  # losses and poses on the way; empty unless asked for
 
 
 def conclude(layout: Layout, verdict: Verdict, trace: Trace, phase: str = "") -> Solution:

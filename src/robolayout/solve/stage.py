@@ -52,19 +52,12 @@ FAR_AWAY = 1.0e4
 
 @dataclass(frozen=True)
 class Stage:
-    """One stage: its arrays and which slots it moves.
-
-    Attributes:
-        problem: The problem.
-        arrays: Padded arrays.
-        world: (n, 4) poses in the room that everything outside the stage has.
-        moving: Slots that move.
-    """
+    """One stage: its arrays and which slots it moves."""
 
     problem: Problem
-    arrays: Arrays
-    world: Floats
-    moving: tuple[int, ...]
+    arrays: Arrays  # padded arrays
+    world: Floats  # (n, 4) poses in the room that everything outside the stage has
+    moving: tuple[int, ...]  # slots that move
 
     @property
     def slots(self) -> int:

@@ -24,22 +24,14 @@ from robolayout.verify.limits import REACH_SLACK
 
 @dataclass(frozen=True, eq=False)
 class Approaches:
-    """One row for each side that an asset is used from, in the order of the scene.
+    """One row for each side that an asset is used from, in the order of the scene."""
 
-    Attributes:
-        found: The assets' boxes.
-        agent: The body.
-        rows: (m,) the assets.
-        sides: The sides; empty for the whole footprint of what is carried or movable.
-        edges: (m, 2, 2) the ends of the sides; of a footprint, those of its front.
-        zones: (m,) where the body's centre has it within reach: beyond the edge, never under what carries the asset.
-    """
-
-    found: Boxes
-    agent: Agent
-    rows: NDArray[np.intp]
-    sides: tuple[str, ...]
-    edges: NDArray[np.float64]
+    found: Boxes  # the assets' boxes
+    agent: Agent  # the body
+    rows: NDArray[np.intp]  # (m,) the assets
+    sides: tuple[str, ...]  # the sides; empty for the whole footprint of what is carried or movable
+    edges: NDArray[np.float64]  # (m, 2, 2) the ends of the sides; of a footprint, those of its front
+    # (m,) where the body's centre has it within reach: beyond the edge, never under what carries the asset
     zones: NDArray[np.object_]
 
     def of(self, row: int) -> list[int]:

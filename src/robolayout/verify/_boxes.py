@@ -26,35 +26,20 @@ Place = tuple[float, float, float, float]
 
 @dataclass(frozen=True, eq=False)
 class Boxes:
-    """The boxes of all assets, in the order of the scene; one row each, placed or not.
-
-    Attributes:
-        assets: The assets.
-        names: Asset names.
-        poses: (n, 4) x, y, z in metres and yaw in radians; NaN where unplaced.
-        placed: (n,) whether it has a pose of finite numbers.
-        footprints: (n,) Shapely polygons in the world frame; empty where unplaced.
-        centers: (n, 2) metres; NaN where unplaced.
-        bottom: (n,) metres; NaN where unplaced.
-        top: (n,) metres; NaN where unplaced.
-        flat: (n,) whether it is a rug.
-        ceiling: (n,) whether it hangs from the ceiling.
-        movable: (n,) whether a person moves it in daily use, as a chair.
-        open_depth: (n,) metres that must be clear in front to open it; 0 where none.
-    """
+    """The boxes of all assets, in the order of the scene; one row each, placed or not."""
 
     assets: tuple[Asset, ...]
-    names: tuple[str, ...]
-    poses: NDArray[np.float64]
-    placed: NDArray[np.bool_]
-    footprints: NDArray[np.object_]
-    centers: NDArray[np.float64]
-    bottom: NDArray[np.float64]
-    top: NDArray[np.float64]
-    flat: NDArray[np.bool_]
-    ceiling: NDArray[np.bool_]
-    movable: NDArray[np.bool_]
-    open_depth: NDArray[np.float64]
+    names: tuple[str, ...]  # asset names
+    poses: NDArray[np.float64]  # (n, 4) x, y, z in metres and yaw in radians; NaN where unplaced
+    placed: NDArray[np.bool_]  # (n,) whether it has a pose of finite numbers
+    footprints: NDArray[np.object_]  # (n,) Shapely polygons in the world frame; empty where unplaced
+    centers: NDArray[np.float64]  # (n, 2) metres; NaN where unplaced
+    bottom: NDArray[np.float64]  # (n,) metres; NaN where unplaced
+    top: NDArray[np.float64]  # (n,) metres; NaN where unplaced
+    flat: NDArray[np.bool_]  # (n,) whether it is a rug
+    ceiling: NDArray[np.bool_]  # (n,) whether it hangs from the ceiling
+    movable: NDArray[np.bool_]  # (n,) whether a person moves it in daily use, as a chair
+    open_depth: NDArray[np.float64]  # (n,) metres that must be clear in front to open it; 0 where none
     _chairs_at: dict[int, frozenset[int]] = field(default_factory=dict[int, frozenset[int]], repr=False)
     _shapes: dict[int, Any] = field(default_factory=dict[int, Any], repr=False)
 

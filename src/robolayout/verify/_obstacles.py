@@ -31,21 +31,14 @@ Rectangles = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Obstacles:
-    """What stands in a body's way.
+    """What stands in a body's way."""
 
-    Attributes:
-        rows: (m,) which asset each shape belongs to.
-        shapes: (m,) Shapely rectangles in the world frame.
-        partial: (m,) whether a shape is a part of an asset that the body may come under or into, not a whole box.
-        movable: (m,) whether this body moves it away to use what it stands at.
-        shelter: (k,) boxes of the assets that the body may come under or into.
-    """
-
-    rows: NDArray[np.intp]
-    shapes: NDArray[np.object_]
+    rows: NDArray[np.intp]  # (m,) which asset each shape belongs to
+    shapes: NDArray[np.object_]  # (m,) Shapely rectangles in the world frame
+    # (m,) whether a shape is a part of an asset that the body may come under or into, not a whole box
     partial: NDArray[np.bool_]
-    movable: NDArray[np.bool_]
-    shelter: NDArray[np.object_]
+    movable: NDArray[np.bool_]  # (m,) whether this body moves it away to use what it stands at
+    shelter: NDArray[np.object_]  # (k,) boxes of the assets that the body may come under or into
 
     def of(self, rows: set[int] | frozenset[int]) -> Obstacles:
         """Return what is left when only these assets are there; the shelter stays."""

@@ -31,23 +31,14 @@ _NONE = np.empty(0, dtype=np.object_)
 
 @dataclass(frozen=True, eq=False)
 class Space:
-    """Free space of a disc.
+    """Free space of a disc."""
 
-    Attributes:
-        radius: Radius of the disc in metres.
-        free: Where its centre may be.
-        main: The part of it that the agent comes into; empty if it cannot come in.
-        door: Where it comes in: the landing of the first door; None without a door.
-        empty: Where its centre may be in the empty room.
-        blocking: What stands in its way.
-    """
-
-    radius: float
-    free: MultiPolygon
-    main: Polygon
-    door: Polygon | None
-    empty: BaseGeometry = field(default_factory=Polygon, repr=False)
-    blocking: Obstacles = field(default=NOTHING, repr=False)
+    radius: float  # radius of the disc in metres
+    free: MultiPolygon  # where its centre may be
+    main: Polygon  # the part of it that the agent comes into; empty if it cannot come in
+    door: Polygon | None  # where it comes in: the landing of the first door; None without a door
+    empty: BaseGeometry = field(default_factory=Polygon, repr=False)  # where its centre may be in the empty room
+    blocking: Obstacles = field(default=NOTHING, repr=False)  # what stands in its way
     _opened: dict[frozenset[int], NDArray[np.object_]] = field(
         default_factory=dict[frozenset[int], NDArray[np.object_]], repr=False
     )

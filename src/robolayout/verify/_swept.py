@@ -22,19 +22,12 @@ from robolayout.verify.limits import REACH_SLACK
 
 @dataclass(frozen=True, eq=False)
 class Swept:
-    """One row for each joint that needs room, or for each thing that a person works before.
+    """One row for each joint that needs room, or for each thing that a person works before."""
 
-    Attributes:
-        rows: (m,) the assets.
-        zones: (m,) what is swept beyond the front, in the world frame.
-        bottom: (m,) metres.
-        top: (m,) metres.
-    """
-
-    rows: NDArray[np.intp]
-    zones: NDArray[np.object_]
-    bottom: NDArray[np.float64]
-    top: NDArray[np.float64]
+    rows: NDArray[np.intp]  # (m,) the assets
+    zones: NDArray[np.object_]  # (m,) what is swept beyond the front, in the world frame
+    bottom: NDArray[np.float64]  # (m,) metres
+    top: NDArray[np.float64]  # (m,) metres
 
     @classmethod
     def of(cls, found: Boxes, rows: Iterable[int]) -> Swept:

@@ -20,19 +20,12 @@ from robolayout.verify.use import Usage
 
 @dataclass(frozen=True, eq=False)
 class AgentReport:
-    """What one agent can do in the layout.
+    """What one agent can do in the layout."""
 
-    Attributes:
-        agent: The body.
-        navigation: Where it can go and what it reaches.
-        usage: What it can use.
-        demands: What is asked of it.
-    """
-
-    agent: Agent
-    navigation: Navigation
-    usage: Usage
-    demands: Demands = field(default_factory=Demands)
+    agent: Agent  # the body
+    navigation: Navigation  # where it can go and what it reaches
+    usage: Usage  # what it can use
+    demands: Demands = field(default_factory=Demands)  # what is asked of it
 
     @property
     def headings(self) -> HeadingSpace | None:

@@ -19,17 +19,11 @@ from robolayout.verify.limits import REACH_SLACK, SLIVER
 
 @dataclass(frozen=True, eq=False)
 class ShutDoor:
-    """A door that a body does not get to from the first one.
+    """A door that a body does not get to from the first one."""
 
-    Attributes:
-        number: Index of the door.
-        zone: Its landing.
-        beyond: Where the body's centre can be behind it; empty where it cannot even stand in the landing.
-    """
-
-    number: int
-    zone: Polygon
-    beyond: Polygon
+    number: int  # index of the door
+    zone: Polygon  # its landing
+    beyond: Polygon  # where the body's centre can be behind it; empty where it cannot even stand in the landing
 
 
 def shut_doors(room: Room, agent: Agent, space: Space) -> tuple[ShutDoor, ...]:

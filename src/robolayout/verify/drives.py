@@ -31,18 +31,13 @@ INSIDE = 1e-4
 
 @dataclass(frozen=True)
 class Drive:
-    """A way of a body with its heading.
+    """A way of a body with its heading."""
 
-    Attributes:
-        asset: What is used at its end.
-        poses: x and y of the body's centre in metres and its heading in radians; it moves straight between two places and
-            turns where two poses share one, or both on an arc.
-        reversals: How often it changes between driving ahead and back; 0 for a body that slides sideways.
-    """
-
-    asset: str
+    asset: str  # what is used at its end
+    # x and y of the body's centre in metres and its heading in radians; it moves straight between two places and turns
+    # where two poses share one, or both on an arc
     poses: tuple[Pose, ...]
-    reversals: int = 0
+    reversals: int = 0  # how often it changes between driving ahead and back; 0 for a body that slides sideways
 
     @cached_property
     def length(self) -> float:

@@ -51,19 +51,12 @@ Poses = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Move:
-    """What a body does from one place of the lattice to the next.
+    """What a body does from one place of the lattice to the next."""
 
-    Attributes:
-        step: Cells along x and y.
-        turn: Headings by which it turns to the left: -1, 0 or 1.
-        cost: Metres driven, or what a turn on the spot is worth.
-        poses: The poses on the way in the lattice's frame, the first one aside.
-    """
-
-    step: tuple[int, int]
-    turn: int
-    cost: float
-    poses: Poses
+    step: tuple[int, int]  # cells along x and y
+    turn: int  # headings by which it turns to the left: -1, 0 or 1
+    cost: float  # metres driven, or what a turn on the spot is worth
+    poses: Poses  # the poses on the way in the lattice's frame, the first one aside
 
 
 class Lattice:

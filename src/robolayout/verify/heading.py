@@ -33,23 +33,17 @@ HEADINGS = 8
 
 @dataclass(frozen=True, eq=False)
 class HeadingSpace:
-    """Where a rectangular body can get to.
+    """Where a rectangular body can get to."""
 
-    Attributes:
-        headings: Radians, one per region; the first is the door's normal (no door: the first wall's).
-        standing: For each heading, where the centre can get to from the door; nowhere if the door is too narrow.
-        turning: Where the body can get to and turn right round.
-        pieces: The pieces of `standing`, by (number of the heading, number among its free pieces).
-        links: Pieces between which it can turn by one heading to the left, and where its centre may be meanwhile.
-        start: The piece that it comes into; None if there is none.
-    """
-
-    headings: tuple[float, ...]
+    headings: tuple[float, ...]  # radians, one per region; the first is the door's normal (no door: the first wall's)
+    # for each heading, where the centre can get to from the door; nowhere if the door is too narrow
     standing: tuple[MultiPolygon, ...]
-    turning: MultiPolygon
+    turning: MultiPolygon  # where the body can get to and turn right round
+    # the pieces of `standing`, by (number of the heading, number among its free pieces)
     pieces: Mapping[Node, Polygon] = field(default_factory=dict[Node, Polygon], repr=False)
+    # pieces between which it can turn by one heading to the left, and where its centre may be meanwhile
     links: tuple[tuple[Node, Node, Polygon], ...] = field(default=(), repr=False)
-    start: Node | None = None
+    start: Node | None = None  # the piece that it comes into; None if there is none
 
 
 def heading_space(scene: Scene, layout: Layout, agent: Agent) -> HeadingSpace:

@@ -39,31 +39,19 @@ SLIVER = 1e-8
 
 @dataclass(frozen=True)
 class Demands:
-    """What a layout must achieve for `Report.ok`; every other share must be 1.
+    """What a layout must achieve for `Report.ok`; every other share must be 1."""
 
-    Attributes:
-        walkable_ratio: Smallest walkable ratio.
-        statements_met_share: Smallest share of statements met.
-    """
-
-    walkable_ratio: float = 0.95
-    statements_met_share: float = 0.95
+    walkable_ratio: float = 0.95  # smallest walkable ratio
+    statements_met_share: float = 0.95  # smallest share of statements met
 
 
 @dataclass(frozen=True)
 class PhysicsLimits:
-    """Tolerances of the physical checks; the defaults are the definitions of DESIGN section 4.
+    """Tolerances of the physical checks; the defaults are the definitions of DESIGN section 4."""
 
-    Attributes:
-        area: Shared footprint in m2 above which two assets collide, or an asset stands in a landing.
-        height: Shared height in metres above which two assets collide.
-        boundary: Metres that a box may stick out of the room, in plan and in height.
-        support: Metres between an asset and what holds it.
-        door_height: Metres below which nothing may stand in a landing.
-    """
-
+    # shared footprint in m2 above which two assets collide, or an asset stands in a landing
     area: float = AREA_TOLERANCE
-    height: float = 0.01
-    boundary: float = 0.01
-    support: float = CARRIED
-    door_height: float = 2.0
+    height: float = 0.01  # shared height in metres above which two assets collide
+    boundary: float = 0.01  # metres that a box may stick out of the room, in plan and in height
+    support: float = CARRIED  # metres between an asset and what holds it
+    door_height: float = 2.0  # metres below which nothing may stand in a landing

@@ -26,18 +26,12 @@ TOLD = 3
 
 @dataclass(frozen=True)
 class Move:
-    """One thing that is not where the program put it.
+    """One thing that is not where the program put it."""
 
-    Attributes:
-        asset: Its name.
-        metres: How far it was moved, in plan.
-        degrees: By how much it was turned, without sign.
-        why: What would be violated if it stood there and everything else as it is, in words; empty if nothing would.
-    """
-
-    asset: str
-    metres: float
-    degrees: float
+    asset: str  # its name
+    metres: float  # how far it was moved, in plan
+    degrees: float  # by how much it was turned, without sign
+    # what would be violated if it stood there and everything else as it is, in words; empty if nothing would
     why: tuple[str, ...]
 
     @property

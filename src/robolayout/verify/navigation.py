@@ -32,29 +32,18 @@ TOUCH = 0.02
 
 @dataclass(frozen=True, eq=False)
 class Navigation:
-    """Where an agent can go and what it reaches; routes and passages are computed when first asked for.
-
-    Attributes:
-        scene: The scene.
-        layout: The layout.
-        agent: The body.
-        space: Its free space and the component it enters.
-        distances: Metres in plan from each asset's footprint to the nearest place of the agent's centre in the main
-            component, for what is out of reach there also to the places of chairs; infinite if there is none, NaN if
-            unplaced.
-        reached: Verdict per asset.
-        boxes: The assets' boxes.
-        blocking: What stands in its way.
-    """
+    """Where an agent can go and what it reaches; routes and passages are computed when first asked for."""
 
     scene: Scene
     layout: Layout
-    agent: Agent
-    space: Space
+    agent: Agent  # the body
+    space: Space  # its free space and the component it enters
+    # metres in plan from each asset's footprint to the nearest place of the agent's centre in the main component, for
+    # what is out of reach there also to the places of chairs; infinite if there is none, NaN if unplaced
     distances: Mapping[str, float]
-    reached: Mapping[str, bool]
-    boxes: Boxes = field(repr=False)
-    blocking: Obstacles = field(repr=False)
+    reached: Mapping[str, bool]  # verdict per asset
+    boxes: Boxes = field(repr=False)  # the assets' boxes
+    blocking: Obstacles = field(repr=False)  # what stands in its way
 
     @property
     def free(self) -> MultiPolygon:

@@ -34,23 +34,18 @@ LOCATED = 0.5
 
 @dataclass(frozen=True)
 class Passage:
-    """The narrowest place on the widest way to an asset.
+    """The narrowest place on the widest way to an asset."""
 
-    Attributes:
-        asset: Where the way leads.
-        width: Clear width in metres, to 1 cm; 0 if not even a disc of 1 cm gets there, `WIDE` stands for that or more.
-        point: Where it is, metres; None where no passage limits the way (open floor, ample width, or an arm too short).
-        between: What stands left and right of it: asset names or "wall 2"; empty where there is no such place. One name
-            twice where the passage leads between two parts of it (the legs of a bed).
-        cut_off: Whether one could stand near enough to it, but no disc however small gets there.
-        ends: Where what stands left and right of it is nearest, metres; one point for each of `between`.
-    """
-
-    asset: str
+    asset: str  # where the way leads
+    # clear width in metres, to 1 cm; 0 if not even a disc of 1 cm gets there, `WIDE` stands for that or more
     width: float
+    # where it is, metres; None where no passage limits the way (open floor, ample width, or an arm too short)
     point: Point | None
+    # What stands left and right of it: asset names or "wall 2"; empty where there is no such place. One name twice
+    # where the passage leads between two parts of it (the legs of a bed).
     between: tuple[str, ...]
-    cut_off: bool = False
+    cut_off: bool = False  # whether one could stand near enough to it, but no disc however small gets there
+    # where what stands left and right of it is nearest, metres; one point for each of `between`
     ends: tuple[Point, ...] = ()
 
     @property

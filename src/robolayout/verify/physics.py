@@ -23,59 +23,35 @@ from robolayout.verify.limits import PhysicsLimits
 
 @dataclass(frozen=True)
 class Collision:
-    """Two assets that share space.
+    """Two assets that share space."""
 
-    Attributes:
-        a: First asset, in the order of the scene.
-        b: Second asset.
-        area: Shared footprint in m2.
-        height: Shared height in metres.
-    """
-
-    a: str
-    b: str
-    area: float
-    height: float
+    a: str  # first asset, in the order of the scene
+    b: str  # second asset
+    area: float  # shared footprint in m2
+    height: float  # shared height in metres
 
 
 @dataclass(frozen=True)
 class Obstruction:
-    """An asset in a door's landing.
+    """An asset in a door's landing."""
 
-    Attributes:
-        door: Index of the door.
-        asset: Name of the asset.
-        area: How much of the landing it takes, m2.
-    """
-
-    door: int
-    asset: str
-    area: float
+    door: int  # index of the door
+    asset: str  # name of the asset
+    area: float  # how much of the landing it takes, m2
 
 
 @dataclass(frozen=True)
 class Physics:
-    """What the physical checks found; the mappings hold one verdict per asset of the scene.
+    """What the physical checks found; the mappings hold one verdict per asset of the scene."""
 
-    Attributes:
-        placed: Has a pose.
-        collision_free: Shares no space with another asset.
-        in_boundary: Lies inside the room.
-        supported: Stands on, touches or hangs from what it should.
-        collisions: Colliding pairs.
-        boxes_apart: Its box shares no space with another asset's: the published rule.
-        obstructions: What stands in door landings.
-        reasons: For each failing asset, sentences with numbers; in the order of the scene.
-    """
-
-    placed: Mapping[str, bool]
-    collision_free: Mapping[str, bool]
-    in_boundary: Mapping[str, bool]
-    supported: Mapping[str, bool]
-    collisions: tuple[Collision, ...]
-    boxes_apart: Mapping[str, bool]
-    obstructions: tuple[Obstruction, ...]
-    reasons: tuple[str, ...]
+    placed: Mapping[str, bool]  # has a pose
+    collision_free: Mapping[str, bool]  # shares no space with another asset
+    in_boundary: Mapping[str, bool]  # lies inside the room
+    supported: Mapping[str, bool]  # stands on, touches or hangs from what it should
+    collisions: tuple[Collision, ...]  # colliding pairs
+    boxes_apart: Mapping[str, bool]  # its box shares no space with another asset's: the published rule
+    obstructions: tuple[Obstruction, ...]  # what stands in door landings
+    reasons: tuple[str, ...]  # for each failing asset, sentences with numbers; in the order of the scene
 
     @property
     def door_clear(self) -> bool:

@@ -38,19 +38,15 @@ TRIALS = 400
 
 @dataclass(frozen=True)
 class Remedies:
-    """What would let an agent reach everything in this layout.
+    """What would let an agent reach everything in this layout."""
 
-    Attributes:
-        removals: For each unreached asset the smallest sets of assets whose removal, with all that stands on them, lets the
-            agent reach it; none where not even a pair would do.
-        gaps: Pairs of things (assets, or "wall 2") that stand too close together, and how many metres are missing.
-        largest_disc: Diameter in metres of the largest disc that reaches every asset it is asked to reach.
-        margin: Metres by which the agent's own diameter exceeds that; 0 or less where it is not the width that fails.
-    """
-
+    # for each unreached asset the smallest sets of assets whose removal, with all that stands on them, lets the agent
+    # reach it; none where not even a pair would do
     removals: Mapping[str, tuple[tuple[str, ...], ...]]
+    # pairs of things (assets, or "wall 2") that stand too close together, and how many metres are missing
     gaps: Mapping[tuple[str, ...], float]
-    largest_disc: float
+    largest_disc: float  # diameter in metres of the largest disc that reaches every asset it is asked to reach
+    # metres by which the agent's own diameter exceeds that; 0 or less where it is not the width that fails
     margin: float
 
     def sentences(self, agent: Agent) -> tuple[str, ...]:

@@ -24,33 +24,19 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class StatementResult:
-    """One statement of the program, as asked, measured in the layout.
+    """One statement of the program, as asked, measured in the layout."""
 
-    Attributes:
-        number: Its number in the program.
-        line: Line of the program text.
-        source: Its program text.
-        sentence: What it says.
-        met: The verdict.
-        value: The measured figure; NaN if an asset is unplaced.
-        limit: What the figure is compared with.
-        unit: Unit of both.
-        text: The measurement in words.
-        lost_to: Where it is not met: what meeting it would break, in words; empty if nobody looked.
-        by: Who asks for it: "user" or "plan".
-    """
-
-    number: int
-    line: int
-    source: str
-    sentence: str
-    met: bool
-    value: float
-    limit: float
-    unit: str
-    text: str
-    lost_to: str = ""
-    by: str = "plan"
+    number: int  # its number in the program
+    line: int  # line of the program text
+    source: str  # its program text
+    sentence: str  # what it says
+    met: bool  # the verdict
+    value: float  # the measured figure; NaN if an asset is unplaced
+    limit: float  # what the figure is compared with
+    unit: str  # unit of both
+    text: str  # the measurement in words
+    lost_to: str = ""  # where it is not met: what meeting it would break, in words; empty if nobody looked
+    by: str = "plan"  # who asks for it: "user" or "plan"
 
     @property
     def complaint(self) -> str:
@@ -65,37 +51,26 @@ class StatementResult:
 
 @dataclass(frozen=True, eq=False)
 class Report:
-    """What a layout achieves; routes, passages and published metrics are computed when first asked for.
-
-    Attributes:
-        scene: The scene.
-        layout: The layout.
-        physics: The physical checks.
-        agents: One report per agent; top-level figures are the worst over agents.
-        statements: Every statement as asked.
-        demands: What `ok` asks for.
-        timing: Wall and CPU seconds per station.
-        planner: Who planned and what that took, where that was a model.
-        stability: What a simulator found (`robolayout.export.settle`), as plain data; empty if none was asked.
-        opinion: What a model thinks of the room, as plain data; empty if none was asked. It changes no verdict.
-        asked: The ledger: one row for each phrase of the user's words; empty where nobody looked.
-        notes: What else a reader should know of how the layout was found, in sentences.
-        program: The program as asked, with its guesses.
-    """
+    """What a layout achieves; routes, passages and published metrics are computed when first asked for."""
 
     scene: Scene
     layout: Layout
-    physics: Physics
-    agents: tuple[AgentReport, ...]
-    statements: tuple[StatementResult, ...] = ()
-    demands: Demands = field(default_factory=Demands)
+    physics: Physics  # the physical checks
+    agents: tuple[AgentReport, ...]  # one report per agent; top-level figures are the worst over agents
+    statements: tuple[StatementResult, ...] = ()  # every statement as asked
+    demands: Demands = field(default_factory=Demands)  # what `ok` asks for
+    # wall and CPU seconds per station
     timing: Mapping[str, Mapping[str, float]] = field(default_factory=dict[str, Mapping[str, float]])
+    # who planned and what that took, where that was a model
     planner: Mapping[str, Any] = field(default_factory=dict[str, Any])
+    # what a simulator found (`robolayout.export.settle`), as plain data; empty if none was asked
     stability: Mapping[str, Any] = field(default_factory=dict[str, Any])
+    # What a model thinks of the room, as plain data; empty if none was asked. It changes no verdict.
     opinion: Mapping[str, Any] = field(default_factory=dict[str, Any])
+    # the ledger: one row for each phrase of the user's words; empty where nobody looked
     asked: tuple[AskedRow, ...] = ()
-    notes: tuple[str, ...] = ()
-    program: Program | None = None
+    notes: tuple[str, ...] = ()  # what else a reader should know of how the layout was found, in sentences
+    program: Program | None = None  # the program as asked, with its guesses
 
     @cached_property
     def moved(self) -> tuple[Move, ...]:

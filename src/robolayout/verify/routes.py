@@ -34,14 +34,10 @@ Portal = tuple[Point, Point]
 
 @dataclass(frozen=True)
 class Route:
-    """A way of the agent's centre.
+    """A way of the agent's centre."""
 
-    Attributes:
-        asset: Where it leads.
-        points: Corners of the way in metres, from the door to the first place that is near enough to the asset.
-    """
-
-    asset: str
+    asset: str  # where it leads
+    # corners of the way in metres, from the door to the first place that is near enough to the asset
     points: tuple[Point, ...]
 
     @cached_property

@@ -43,40 +43,24 @@ FAR = 3.0
 
 @dataclass(frozen=True)
 class Use:
-    """Whether and how an asset can be used.
+    """Whether and how an asset can be used."""
 
-    Attributes:
-        asset: Its name.
-        usable: The verdict.
-        side: The side it is used from; empty where any side will do.
-        stand: A place for the agent's centre, metres; None where it is not usable or needs no use.
-        reason: Why it cannot be used, as the end of a sentence; empty if it can.
-        moved: What is moved away to stand there: chairs at a table.
-        opens: The door or drawer whose handle it takes hold of from there; empty where nothing is opened.
-        approach: "frontally" or "sideways" where a seated body works at it; empty for everything else.
-    """
-
-    asset: str
-    usable: bool
-    side: str
-    stand: Point | None
-    reason: str
-    moved: tuple[str, ...] = ()
-    opens: str = ""
-    approach: str = ""
+    asset: str  # its name
+    usable: bool  # the verdict
+    side: str  # the side it is used from; empty where any side will do
+    stand: Point | None  # A place for the agent's centre, metres; None where it is not usable or needs no use
+    reason: str  # why it cannot be used, as the end of a sentence; empty if it can
+    moved: tuple[str, ...] = ()  # what is moved away to stand there: chairs at a table
+    opens: str = ""  # the door or drawer whose handle it takes hold of from there; empty where nothing is opened
+    approach: str = ""  # "frontally" or "sideways" where a seated body works at it; empty for everything else
 
 
 @dataclass(frozen=True, eq=False)
 class Usage:
-    """Which assets an agent can use; details are worked out when first asked for.
+    """Which assets an agent can use; details are worked out when first asked for."""
 
-    Attributes:
-        agent: The body.
-        usable: Verdict per asset.
-    """
-
-    agent: Agent
-    usable: Mapping[str, bool]
+    agent: Agent  # the body
+    usable: Mapping[str, bool]  # verdict per asset
     _judge: _Judge = field(repr=False)
 
     @property

@@ -32,38 +32,23 @@ HEAPS, HEAPED = ("stack", "pile"), ("stacked", "piled")
 
 @dataclass(frozen=True)
 class Chunk:
-    """A phrase.
+    """A phrase."""
 
-    Attributes:
-        kind: "thing", "part", "room", "body", "people", "corner", "measure", "rel", "verb", "with", "and", "comma", "colon",
-            "stop", "pron", "not", "style", "function", "filler" or "other".
-        start: First token.
-        end: Token after the last one.
-        value: A relation's name, a part's name, a room type ...
-        noun: What a thing is.
-        det: Its article: "a", "the", "each", "all", "both", "new", "other", "first" or "".
-        number: Its count, if one is said.
-        bound: "least", "most", "more", or "" for exactly so many; "vague" for "some".
-        plural: Whether the noun stands in the plural.
-        adjectives: The words before the noun.
-        refused: Whether it must not be there.
-        rows: Rows that it stands in ("three rows of four"), 0 if none are said.
-        measure: A measure of the room.
-    """
-
+    # "thing", "part", "room", "body", "people", "corner", "measure", "rel", "verb", "with", "and", "comma", "colon",
+    # "stop", "pron", "not", "style", "function", "filler" or "other"
     kind: str
-    start: int
-    end: int
-    value: str = ""
-    noun: Noun | None = None
-    det: str = ""
-    number: int | None = None
-    bound: str = ""
-    plural: bool = False
-    adjectives: tuple[str, ...] = ()
-    refused: bool = False
-    rows: int = 0
-    measure: Measure | None = None
+    start: int  # first token
+    end: int  # token after the last one
+    value: str = ""  # A relation's name, a part's name, a room type
+    noun: Noun | None = None  # what a thing is
+    det: str = ""  # its article: "a", "the", "each", "all", "both", "new", "other", "first" or ""
+    number: int | None = None  # its count, if one is said
+    bound: str = ""  # "least", "most", "more", or "" for exactly so many; "vague" for "some"
+    plural: bool = False  # whether the noun stands in the plural
+    adjectives: tuple[str, ...] = ()  # the words before the noun
+    refused: bool = False  # whether it must not be there
+    rows: int = 0  # rows that it stands in ("three rows of four"), 0 if none are said
+    measure: Measure | None = None  # A measure of the room
 
 
 Before = tuple[str, int | None, str, int]

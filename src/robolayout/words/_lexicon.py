@@ -24,45 +24,26 @@ SIMILAR = 0.86
 
 @dataclass(frozen=True)
 class Grammar:
-    """The closed word lists.
+    """The closed word lists."""
 
-    Attributes:
-        phrases: What a phrase is: its class ("rel", "verb", "pron", ...) and its value.
-        fillers: Words that ask for nothing.
-        styles: Words of taste.
-        functions: Words for what a room is to be good for.
-        parts: Names of places of the room by noun.
-        walls: Names of walls by adjective.
-        sizes: Factors on depth, width and height by adjective.
-        rooms: Factors on the floor of a room by adjective.
-        models: Sizes in metres by adjective and kind ("king bed").
-        kinds: Nearest kinds of nouns that the catalogue does not have.
-        heads: Nearest kinds by last word.
-        places: Nearest room types of places by last word.
-        airy: Words of rooms whose floor stays largely free.
-        cosy: Words of rooms with something soft and a warm light, and which things are that.
-        exclusive: Attributes of which a thing has one.
-        floors: Names of floors by what is said of them, or of the style of the room.
-        dress: Phrases that say how much is to lie about, by how much.
-    """
-
-    phrases: Mapping[str, tuple[str, str]]
-    fillers: frozenset[str]
-    styles: frozenset[str]
-    functions: frozenset[str]
-    parts: Mapping[str, str]
-    walls: Mapping[str, str]
-    sizes: Mapping[str, tuple[float, float, float]]
-    rooms: Mapping[str, float]
-    models: Mapping[str, tuple[float, float, float]]
-    kinds: Mapping[str, str]
-    heads: Mapping[str, str]
-    places: Mapping[str, str]
-    airy: frozenset[str]
+    phrases: Mapping[str, tuple[str, str]]  # what a phrase is: its class ("rel", "verb", "pron", ...) and its value
+    fillers: frozenset[str]  # words that ask for nothing
+    styles: frozenset[str]  # words of taste
+    functions: frozenset[str]  # words for what a room is to be good for
+    parts: Mapping[str, str]  # names of places of the room by noun
+    walls: Mapping[str, str]  # names of walls by adjective
+    sizes: Mapping[str, tuple[float, float, float]]  # factors on depth, width and height by adjective
+    rooms: Mapping[str, float]  # factors on the floor of a room by adjective
+    models: Mapping[str, tuple[float, float, float]]  # sizes in metres by adjective and kind ("king bed")
+    kinds: Mapping[str, str]  # nearest kinds of nouns that the catalogue does not have
+    heads: Mapping[str, str]  # nearest kinds by last word
+    places: Mapping[str, str]  # nearest room types of places by last word
+    airy: frozenset[str]  # words of rooms whose floor stays largely free
+    # words of rooms with something soft and a warm light, and which things are that
     cosy: Mapping[str, tuple[str, ...]]
-    exclusive: tuple[frozenset[str], ...]
-    floors: Mapping[str, str]
-    dress: Mapping[str, tuple[str, ...]]
+    exclusive: tuple[frozenset[str], ...]  # attributes of which a thing has one
+    floors: Mapping[str, str]  # names of floors by what is said of them, or of the style of the room
+    dress: Mapping[str, tuple[str, ...]]  # phrases that say how much is to lie about, by how much
 
 
 @cache
@@ -102,21 +83,13 @@ def dressing(text: str) -> str:
 
 @dataclass(frozen=True)
 class Noun:
-    """What a noun means.
+    """What a noun means."""
 
-    Attributes:
-        words: The noun in the singular ("bistro table").
-        kind: The nearest kind of the catalogue.
-        said: The noun as it was said, in the singular ("table" where a dining table is meant).
-        others: Further kinds that the noun may mean; where the thing stands decides.
-        guessed: How it was found, where the catalogue does not have the word; empty where it has it.
-    """
-
-    words: str
-    kind: str
-    said: str
-    guessed: str = ""
-    others: tuple[str, ...] = ()
+    words: str  # the noun in the singular ("bistro table")
+    kind: str  # the nearest kind of the catalogue
+    said: str  # the noun as it was said, in the singular ("table" where a dining table is meant)
+    guessed: str = ""  # how it was found, where the catalogue does not have the word; empty where it has it
+    others: tuple[str, ...] = ()  # further kinds that the noun may mean; where the thing stands decides
 
 
 class Lexicon:

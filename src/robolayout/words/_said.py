@@ -17,33 +17,19 @@ IN_PAIRS = ("curtain", "blinds")
 
 @dataclass(eq=False)
 class Thing:
-    """One kind of thing that is named, and how many of it.
+    """One kind of thing that is named, and how many of it."""
 
-    Attributes:
-        noun: What it is.
-        number: Its count, if one is said.
-        bound: "", "least", "most", "more" or "vague".
-        plural: Whether it is named in the plural.
-        adjectives: Words that were said of it.
-        spans: Token spans in which it is named.
-        times: How many times over it is asked for ("each with").
-        rows: Rows that it stands in, 0 if none are said.
-        definite: Whether it was first named with "the".
-        people: Seats that its words promise ("for six").
-        told: Words of taste that were said of it later ("the bed is brown").
-    """
-
-    noun: Noun
-    number: int | None = None
-    bound: str = ""
-    plural: bool = False
-    adjectives: tuple[str, ...] = ()
-    spans: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
-    times: int = 1
-    rows: int = 0
-    definite: bool = False
-    people: int = 0
-    told: list[str] = field(default_factory=list[str])
+    noun: Noun  # what it is
+    number: int | None = None  # its count, if one is said
+    bound: str = ""  # "", "least", "most", "more" or "vague"
+    plural: bool = False  # whether it is named in the plural
+    adjectives: tuple[str, ...] = ()  # words that were said of it
+    spans: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])  # token spans in which it is named
+    times: int = 1  # how many times over it is asked for ("each with")
+    rows: int = 0  # rows that it stands in, 0 if none are said
+    definite: bool = False  # whether it was first named with "the"
+    people: int = 0  # seats that its words promise ("for six")
+    told: list[str] = field(default_factory=list[str])  # words of taste that were said of it later ("the bed is brown")
 
     @property
     def look(self) -> tuple[str, ...]:
@@ -60,82 +46,51 @@ class Thing:
 
 @dataclass(frozen=True, eq=False)
 class Mention:
-    """A thing where it is named.
-
-    Attributes:
-        thing: The thing.
-        pick: Which one of several; None is all of them.
-        det: The article.
-    """
+    """A thing where it is named."""
 
     thing: Thing
-    pick: int | None = None
-    det: str = ""
+    pick: int | None = None  # which one of several; None is all of them
+    det: str = ""  # the article
 
 
 @dataclass(frozen=True)
 class Place:
-    """A place of the room where it is named: a wall, a corner, a window, a door, the middle.
+    """A place of the room where it is named: a wall, a corner, a window, a door, the middle."""
 
-    Attributes:
-        name: Which kind of place.
-        words: Words that say which one.
-        number: How many, if said.
-        plural: Whether several are meant.
-        det: The article.
-        by: For a wall: the mention or place that says which one ("opposite the door"), with the relation.
-    """
-
-    name: str
-    words: tuple[str, ...] = ()
-    number: int | None = None
-    plural: bool = False
-    det: str = ""
+    name: str  # which kind of place
+    words: tuple[str, ...] = ()  # words that say which one
+    number: int | None = None  # how many, if said
+    plural: bool = False  # whether several are meant
+    det: str = ""  # the article
+    # for a wall: the mention or place that says which one ("opposite the door"), with the relation
     by: tuple[str, Mention | Place] | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class Link:
-    """A relation that is asked for.
+    """A relation that is asked for."""
 
-    Attributes:
-        relation: Its name in the word list.
-        subjects: What stands so.
-        objects: What it stands to.
-        start: First token.
-        end: Token after the last one.
-        metres: What lies between, where that is said.
-    """
-
-    relation: str
-    subjects: tuple[Mention, ...]
-    objects: tuple[Mention | Place, ...]
-    start: int
-    end: int
-    metres: float = 0.0
+    relation: str  # its name in the word list
+    subjects: tuple[Mention, ...]  # what stands so
+    objects: tuple[Mention | Place, ...]  # what it stands to
+    start: int  # first token
+    end: int  # token after the last one
+    metres: float = 0.0  # what lies between, where that is said
 
 
 @dataclass(eq=False)
 class Parsed:
-    """Everything that a text says.
+    """Everything that a text says."""
 
-    Attributes:
-        things: In the order in which they are named.
-        links: Relations, in order.
-        refused: Nouns that must not be there, with their spans.
-        openings: Doors and windows that are asked for: kind, count, wall words, span.
-        facts: Rooms, bodies, people, measures, styles ... as chunks.
-        missed: Chunks that nothing is made of.
-        people: People that the room is for, where a bare number says it ("for ten"); 0 if none does.
-    """
-
-    things: list[Thing] = field(default_factory=list[Thing])
-    links: list[Link] = field(default_factory=list[Link])
+    things: list[Thing] = field(default_factory=list[Thing])  # in the order in which they are named
+    links: list[Link] = field(default_factory=list[Link])  # relations, in order
+    # nouns that must not be there, with their spans
     refused: list[tuple[Noun, tuple[int, int]]] = field(default_factory=list[tuple[Noun, tuple[int, int]]])
+    # doors and windows that are asked for: kind, count, wall words, span
     openings: list[tuple[Place, tuple[int, int]]] = field(default_factory=list[tuple[Place, tuple[int, int]]])
-    facts: list[Chunk] = field(default_factory=list[Chunk])
-    missed: list[Chunk] = field(default_factory=list[Chunk])
-    people: int = 0
+    facts: list[Chunk] = field(default_factory=list[Chunk])  # Rooms, bodies, people, measures, styles ... as chunks.
+    missed: list[Chunk] = field(default_factory=list[Chunk])  # chunks that nothing is made of
+    people: int = 0  # people that the room is for, where a bare number says it ("for ten"); 0 if none does
 
 
 def several(item: Mention | Place) -> bool:

@@ -47,34 +47,21 @@ _TOKEN = re.compile(r"[a-z]+-in\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*|[.;!?:\
 
 @dataclass(frozen=True)
 class Measure:
-    """A measure of the room.
+    """A measure of the room."""
 
-    Attributes:
-        kind: "size", "area", "height", "grid" of things, or "apart": what lies between two.
-        values: Metres, square metres, or rows and columns.
-        start: First character.
-        end: Character after the last one.
-    """
-
-    kind: str
-    values: tuple[float, ...]
-    start: int
-    end: int
+    kind: str  # "size", "area", "height", "grid" of things, or "apart": what lies between two
+    values: tuple[float, ...]  # metres, square metres, or rows and columns
+    start: int  # first character
+    end: int  # character after the last one
 
 
 @dataclass(frozen=True)
 class Token:
-    """A word or a mark.
+    """A word or a mark."""
 
-    Attributes:
-        text: In lower case, without apostrophes.
-        start: First character in the text.
-        end: Character after the last one.
-    """
-
-    text: str
-    start: int
-    end: int
+    text: str  # in lower case, without apostrophes
+    start: int  # first character in the text
+    end: int  # character after the last one
 
 
 def tokens(text: str) -> list[Token]:

@@ -12,19 +12,12 @@ from robolayout.words.reading import Reading
 
 @dataclass(frozen=True)
 class WantedOpening:
-    """Doors or windows that are asked for.
+    """Doors or windows that are asked for."""
 
-    Attributes:
-        kind: "door" or "window".
-        count: How many.
-        wall: "north", "south", "east", "west", or "" where it does not matter.
-        large: Whether large ones are asked for.
-    """
-
-    kind: str
-    count: int = 1
-    wall: str = ""
-    large: bool = False
+    kind: str  # "door" or "window"
+    count: int = 1  # how many
+    wall: str = ""  # "north", "south", "east", "west", or "" where it does not matter
+    large: bool = False  # whether large ones are asked for
 
 
 def sized(kind: Category, adjectives: Sequence[str]) -> tuple[float, float, float]:

@@ -15,15 +15,10 @@ Way = tuple[Relation, ...]
 
 @dataclass(frozen=True)
 class Demand:
-    """One thing that must hold, and the ways in which it can.
+    """One thing that must hold, and the ways in which it can."""
 
-    Attributes:
-        ways: Statements of the public vocabulary; one of these ways is enough.
-        exact: What is judged instead, where the ways only lead there.
-    """
-
-    ways: tuple[Way, ...]
-    exact: BetweenTwo | None = None
+    ways: tuple[Way, ...]  # statements of the public vocabulary; one of these ways is enough
+    exact: BetweenTwo | None = None  # what is judged instead, where the ways only lead there
 
     def measure(self, scene: Scene, layout: Layout) -> Outcome:
         """Return how the demand stands: the outcome of the worst statement of its best way."""

@@ -31,23 +31,14 @@ SIZE_OFF, AREA_OFF = 0.1, 0.03
 
 @dataclass(frozen=True)
 class AskedRow:
-    """One phrase of the user, judged.
+    """One phrase of the user, judged."""
 
-    Attributes:
-        words: The phrase as it stands in the text.
-        kind: "count", "relation", "room type", "room size", "opening", "body", "refusal", "style" ...
-        understanding: How it was understood.
-        things: Names of the assets that stand for it.
-        verdict: "met", "unmet", "not judged" (a matter of taste) or "not understood".
-        value: What was measured, in words.
-    """
-
-    words: str
-    kind: str
-    understanding: str
-    things: tuple[str, ...]
-    verdict: Verdict
-    value: str
+    words: str  # the phrase as it stands in the text
+    kind: str  # "count", "relation", "room type", "room size", "opening", "body", "refusal", "style"
+    understanding: str  # how it was understood
+    things: tuple[str, ...]  # names of the assets that stand for it
+    verdict: Verdict  # "met", "unmet", "not judged" (a matter of taste) or "not understood"
+    value: str  # what was measured, in words
 
     def to_dict(self) -> dict[str, object]:
         """Return plain data."""
@@ -86,13 +77,9 @@ class _Row:
 
 @dataclass(frozen=True)
 class Wishes:
-    """Everything that a scene's words ask for.
+    """Everything that a scene's words ask for."""
 
-    Attributes:
-        rows: One row for each phrase.
-    """
-
-    rows: tuple[_Row, ...] = field(default=())
+    rows: tuple[_Row, ...] = field(default=())  # one row for each phrase
 
     @property
     def demands(self) -> tuple[Demand, ...]:

@@ -29,33 +29,19 @@ MOST_OF_A_KIND = 200
 
 @dataclass(frozen=True, eq=False)
 class Reading:
-    """What a text says.
+    """What a text says."""
 
-    Attributes:
-        text: The text, as far as it is read.
-        words: Its words.
-        parsed: Things, relations, openings and facts.
-        room: Name of the room type; None if none is named.
-        room_words: The words that name the room.
-        guessed: Whether the room type is only the nearest one.
-        agent: Name of the body, None if none is named.
-        people: Number of people, 0 if none is given.
-        young: Whether these are children.
-        only: Whether nothing else is wanted.
-        unread: How many further characters there were.
-    """
-
-    text: str
+    text: str  # the text, as far as it is read
     words: Sequence[Token]
-    parsed: Parsed
-    room: str | None
-    room_words: str
-    guessed: bool
-    agent: str | None
-    people: int
-    young: bool
-    only: bool
-    unread: int = 0
+    parsed: Parsed  # things, relations, openings and facts
+    room: str | None  # name of the room type; None if none is named
+    room_words: str  # the words that name the room
+    guessed: bool  # whether the room type is only the nearest one
+    agent: str | None  # name of the body, None if none is named
+    people: int  # number of people, 0 if none is given
+    young: bool  # whether these are children
+    only: bool  # whether nothing else is wanted
+    unread: int = 0  # how many further characters there were
     placed: Chunk | None = field(default=None)
 
     def span(self, start: int, end: int) -> str:

@@ -14,54 +14,31 @@ LISTS = ("words", "size", "floors", "zones")
 
 @dataclass(frozen=True)
 class RoomType:
-    """One kind of room.
+    """One kind of room."""
 
-    Attributes:
-        name: Its name ("bedroom").
-        words: Words that name it in a sentence.
-        size: Usual width and depth in metres.
-        base: What always belongs in, with counts.
-        extras: What may be added.
-        person: What each person brings along.
-        zones: What a large room has besides, one group after the other.
-        people: How many people there are if nobody says.
-        couple: Whether two adults need nothing besides what always belongs in.
-        tables: The table that the chairs of this room stand at, if they need one.
-        agent: The body that such a room is usually for.
-        height: Usual wall height in metres.
-        floors: What may lie on the floor.
-    """
-
-    name: str
-    words: tuple[str, ...]
-    size: tuple[float, float]
-    base: Mapping[str, int]
-    extras: Mapping[str, int]
-    person: Mapping[str, int] = field(default_factory=dict[str, int])
-    zones: tuple[Mapping[str, int], ...] = ()
-    people: int = 0
-    couple: bool = False
-    tables: str = ""
-    agent: str | None = None
-    height: float = 2.6
-    floors: tuple[str, ...] = ("oak planks", "walnut planks", "pale ash planks")
+    name: str  # its name ("bedroom")
+    words: tuple[str, ...]  # words that name it in a sentence
+    size: tuple[float, float]  # usual width and depth in metres
+    base: Mapping[str, int]  # what always belongs in, with counts
+    extras: Mapping[str, int]  # what may be added
+    person: Mapping[str, int] = field(default_factory=dict[str, int])  # what each person brings along
+    zones: tuple[Mapping[str, int], ...] = ()  # what a large room has besides, one group after the other
+    people: int = 0  # how many people there are if nobody says
+    couple: bool = False  # whether two adults need nothing besides what always belongs in
+    tables: str = ""  # the table that the chairs of this room stand at, if they need one
+    agent: str | None = None  # the body that such a room is usually for
+    height: float = 2.6  # usual wall height in metres
+    floors: tuple[str, ...] = ("oak planks", "walnut planks", "pale ash planks")  # what may lie on the floor
 
 
 @dataclass(frozen=True)
 class Rooms:
-    """Everything in `rooms.toml`.
+    """Everything in `rooms.toml`."""
 
-    Attributes:
-        rooms: Room types by name.
-        corners: What a "reading corner" and the like consist of.
-        agents: Names of bodies by the words that mean them.
-        companions: What a thing is of no use without.
-    """
-
-    rooms: Mapping[str, RoomType]
-    corners: Mapping[str, Mapping[str, int]]
-    agents: Mapping[str, str]
-    companions: Mapping[str, Mapping[str, int]]
+    rooms: Mapping[str, RoomType]  # room types by name
+    corners: Mapping[str, Mapping[str, int]]  # what a "reading corner" and the like consist of
+    agents: Mapping[str, str]  # names of bodies by the words that mean them
+    companions: Mapping[str, Mapping[str, int]]  # what a thing is of no use without
 
 
 def read_rooms(own: Iterable[RoomType] = ()) -> Rooms:

@@ -110,21 +110,13 @@ def _close(batch: Batch, row: int, other: Batch, at: int, limit: float) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class _Step:
-    """One thing that was done: how to do it again on another site, what it cost, and how to do it otherwise.
+    """One thing that was done: how to do it again on another site, what it cost, and how to do it otherwise."""
 
-    Attributes:
-        put: Does it.
-        cost: Of the place.
-        cluster: What was placed; None for what is not placed otherwise (a grid, a board).
-        modes: Ways of standing that were open to it.
-        weights: What it prefers.
-    """
-
-    put: Callable[[Site], None]
-    cost: float = 0.0
-    cluster: Cluster | None = None
-    modes: Modes = field(default_factory=dict[str, float])
-    weights: Mapping[str, float] = field(default_factory=dict[str, float])
+    put: Callable[[Site], None]  # does it
+    cost: float = 0.0  # of the place
+    cluster: Cluster | None = None  # what was placed; None for what is not placed otherwise (a grid, a board)
+    modes: Modes = field(default_factory=dict[str, float])  # ways of standing that were open to it
+    weights: Mapping[str, float] = field(default_factory=dict[str, float])  # what it prefers
 
 
 class Attempt:

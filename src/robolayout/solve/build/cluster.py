@@ -21,15 +21,10 @@ from robolayout.solve.build.wants import Want
 
 @dataclass(frozen=True)
 class Cluster:
-    """Assets placed as one.
+    """Assets placed as one."""
 
-    Attributes:
-        anchor: Name of the asset whose frame it is.
-        members: All assets, the anchor first.
-    """
-
-    anchor: str
-    members: tuple[Member, ...]
+    anchor: str  # name of the asset whose frame it is
+    members: tuple[Member, ...]  # all assets, the anchor first
 
     def mirrored(self) -> Cluster:
         """Return its image left to right."""

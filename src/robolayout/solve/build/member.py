@@ -15,23 +15,14 @@ MARGIN = 0.02
 
 @dataclass(frozen=True)
 class Member:
-    """One asset of a cluster.
+    """One asset of a cluster."""
 
-    Attributes:
-        name: The asset.
-        x: Metres, of its centre.
-        y: Metres.
-        yaw: Radians.
-        bottom: Metres above what the anchor stands on.
-        side: Side of the thing it joins ("left", "right", "front", "back", "").
-    """
-
-    name: str
-    x: float
+    name: str  # the asset
+    x: float  # metres, of its centre
     y: float
-    yaw: float
-    bottom: float = 0.0
-    side: str = ""
+    yaw: float  # radians
+    bottom: float = 0.0  # metres above what the anchor stands on
+    side: str = ""  # side of the thing it joins ("left", "right", "front", "back", "")
 
     def moved(self, x: float, y: float, yaw: float) -> Member:
         """Return the member after the frame it is in was put at (x, y, yaw) of another frame."""
@@ -46,25 +37,15 @@ class Member:
 
 @dataclass(frozen=True)
 class GridPlan:
-    """A block of equal clusters in rows.
+    """A block of equal clusters in rows."""
 
-    Attributes:
-        names: Anchors, row by row.
-        rows: Number of rows.
-        columns: Number of columns.
-        aisle: Metres between the boxes of one row and the next.
-        gap: Metres between neighbours in a row.
-        paired: Whether every second row is turned to stand back to back with the one before.
-        tight: Whether neighbours stand closer than they should.
-    """
-
-    names: tuple[str, ...]
-    rows: int
-    columns: int
-    aisle: float
-    gap: float
-    paired: bool
-    tight: bool = False
+    names: tuple[str, ...]  # anchors, row by row
+    rows: int  # number of rows
+    columns: int  # number of columns
+    aisle: float  # metres between the boxes of one row and the next
+    gap: float  # metres between neighbours in a row
+    paired: bool  # whether every second row is turned to stand back to back with the one before
+    tight: bool = False  # whether neighbours stand closer than they should
 
 
 def box_of(member: Member, size: Size) -> Rect:

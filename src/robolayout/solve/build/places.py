@@ -33,21 +33,13 @@ DOOR_MARGIN = 0.05
 
 @dataclass(frozen=True)
 class Batch:
-    """Places of one kind for one cluster.
+    """Places of one kind for one cluster."""
 
-    Attributes:
-        mode: How the anchor stands there.
-        cluster: The cluster, perhaps mirrored.
-        poses: (n, 3) metres and radians, of the anchor.
-        walls: Index of the wall of each place, or -1.
-        anchors: Name of what each place is for ("" if nothing).
-    """
-
-    mode: str
-    cluster: Cluster
-    poses: Poses
-    walls: NDArray[np.int64]
-    anchors: tuple[str, ...] = ()
+    mode: str  # how the anchor stands there
+    cluster: Cluster  # the cluster, perhaps mirrored
+    poses: Poses  # (n, 3) metres and radians, of the anchor
+    walls: NDArray[np.int64]  # index of the wall of each place, or -1
+    anchors: tuple[str, ...] = ()  # name of what each place is for ("" if nothing)
 
 
 def batches(site: Site, cluster: Cluster, modes: Iterable[str]) -> list[Batch]:

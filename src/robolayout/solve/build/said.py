@@ -45,28 +45,18 @@ class Placed(Protocol):
 
 @dataclass(frozen=True)
 class Asked:
-    """One statement.
+    """One statement."""
 
-    Attributes:
-        names: What it is about.
-        ways: The relations of each way in which it can hold.
-    """
-
-    names: frozenset[str]
-    ways: tuple[Way, ...]
+    names: frozenset[str]  # what it is about
+    ways: tuple[Way, ...]  # the relations of each way in which it can hold
 
 
 @dataclass(frozen=True, eq=False)
 class Said:
-    """The statements of a program that places are weighed by.
-
-    Attributes:
-        scene: The scene.
-        asked: The statements.
-    """
+    """The statements of a program that places are weighed by."""
 
     scene: Scene
-    asked: tuple[Asked, ...] = ()
+    asked: tuple[Asked, ...] = ()  # the statements
 
     @staticmethod
     def of(scene: Scene, program: Program) -> Said:

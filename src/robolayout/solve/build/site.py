@@ -71,79 +71,51 @@ class Spot:
 
 @dataclass(frozen=True)
 class Span:
-    """What a placed thing covers of a wall close to it.
+    """What a placed thing covers of a wall close to it."""
 
-    Attributes:
-        name: The thing.
-        wall: Index of the wall.
-        depth: Metres between its nearest corner and the wall.
-        rect: Start and bottom, end and top, in metres along and up the wall.
-    """
-
-    name: str
-    wall: int
-    depth: float
-    rect: Rect
+    name: str  # the thing
+    wall: int  # index of the wall
+    depth: float  # metres between its nearest corner and the wall
+    rect: Rect  # start and bottom, end and top, in metres along and up the wall
 
 
 @dataclass(frozen=True, eq=False)
 class Claim:
-    """What a thing asks of the floor.
+    """What a thing asks of the floor."""
 
-    Attributes:
-        cells: Its own cells, to which an agent should get.
-        uses: The cells, by agent, from which it uses the thing; None where that is not asked of it.
-        shadow: What it takes of the floor, if it stands there.
-        foot: Its footprint.
-    """
-
-    cells: Cells
+    cells: Cells  # its own cells, to which an agent should get
+    # the cells, by agent, from which it uses the thing; None where that is not asked of it
     uses: tuple[Cells | None, ...]
-    shadow: Shadow | None
-    foot: shapely.Polygon
+    shadow: Shadow | None  # what it takes of the floor, if it stands there
+    foot: shapely.Polygon  # its footprint
 
 
 @dataclass
 class Site:
-    """The state of the search.
-
-    Attributes:
-        scene: The scene.
-        wants: What is said of every asset.
-        floor: The grid.
-        forms: What clusters fill and want clear.
-        corridor: Metres that the agent needs to pass.
-        spots: What is placed, by name, in the order of placing.
-        spans: What the placed things cover of the walls.
-        standings: Where each agent gets to, once the floor is furnished.
-        solids: Exact footprints of what stands on the floor, and the door landings.
-        fixed: Exact footprints of what does not make way for an opening door.
-        openings: Exact strips that doors and drawers open into.
-        claims: What is asked of the floor by everything that an agent should get to.
-        known: What things in places that were settled before ask of it; shared by all copies.
-        said: What statements ask of places.
-        clusters: Lays out what joins what.
-        late: What is hung and laid once the floor is furnished.
-        trial: Whether this is only to find out what is reached: nothing else is recorded.
-    """
+    """The state of the search."""
 
     scene: Scene
-    wants: Mapping[str, Want]
-    floor: Floor
-    forms: Forms
-    corridor: float
-    said: Said
-    clusters: ClusterBuilder
-    spots: dict[str, Spot] = field(default_factory=dict[str, Spot])
-    spans: list[Span] = field(default_factory=list["Span"])
-    standings: tuple[Standing, ...] = ()
+    wants: Mapping[str, Want]  # what is said of every asset
+    floor: Floor  # the grid
+    forms: Forms  # what clusters fill and want clear
+    corridor: float  # metres that the agent needs to pass
+    said: Said  # what statements ask of places
+    clusters: ClusterBuilder  # lays out what joins what
+    spots: dict[str, Spot] = field(default_factory=dict[str, Spot])  # what is placed, by name, in the order of placing
+    spans: list[Span] = field(default_factory=list["Span"])  # what the placed things cover of the walls
+    standings: tuple[Standing, ...] = ()  # where each agent gets to, once the floor is furnished
+    # exact footprints of what stands on the floor, and the door landings
     solids: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
+    # exact footprints of what does not make way for an opening door
     fixed: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
+    # exact strips that doors and drawers open into
     openings: list[shapely.Polygon] = field(default_factory=list["shapely.Polygon"])
+    # what is asked of the floor by everything that an agent should get to
     claims: dict[str, Claim] = field(default_factory=dict[str, "Claim"])
+    # what things in places that were settled before ask of it; shared by all copies
     known: dict[tuple[Member, str], Claim] = field(default_factory=dict[tuple[Member, str], "Claim"])
-    late: frozenset[str] = frozenset()
-    trial: bool = False
+    late: frozenset[str] = frozenset()  # what is hung and laid once the floor is furnished
+    trial: bool = False  # whether this is only to find out what is reached: nothing else is recorded
 
     @staticmethod
     def of(scene: Scene, wants: Mapping[str, Want], program: Program) -> Site:

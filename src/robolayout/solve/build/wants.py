@@ -71,81 +71,50 @@ SIDES = {"left_of": "left", "right_of": "right", "in_front_of": "front", "behind
 
 @dataclass(frozen=True)
 class Join:
-    """How a thing stands at another.
+    """How a thing stands at another."""
 
-    Attributes:
-        slot: "beside", "flank", "front", "behind", "around", "on" or "setting".
-        gap: Metres between the two boxes.
-        yaw: Radians between the two fronts; None where nothing says.
-        side: The side of the other thing, where it is said.
-        at: Where on a top: its halves as `toward` names them; for a setting its place beside the plate.
-        seat: Who a setting is laid for.
-    """
-
-    slot: str
-    gap: float = AIM
-    yaw: float | None = None
-    side: str = ""
-    at: str = ""
-    seat: str = ""
+    slot: str  # "beside", "flank", "front", "behind", "around", "on" or "setting"
+    gap: float = AIM  # metres between the two boxes
+    yaw: float | None = None  # radians between the two fronts; None where nothing says
+    side: str = ""  # the side of the other thing, where it is said
+    at: str = ""  # where on a top: its halves as `toward` names them; for a setting its place beside the plate
+    seat: str = ""  # who a setting is laid for
 
 
 @dataclass(frozen=True)
 class Face:
-    """What a thing should have in front of it.
+    """What a thing should have in front of it."""
 
-    Attributes:
-        names: The things, the nearest counts.
-        away: Whether its back looks there.
-        distance: Lowest and highest distance of centres in metres.
-        weight: How much it matters.
-    """
-
-    names: tuple[str, ...]
-    away: bool = False
-    distance: tuple[float, float] = (0.0, 20.0)
-    weight: float = DEMANDED
+    names: tuple[str, ...]  # the things, the nearest counts
+    away: bool = False  # whether its back looks there
+    distance: tuple[float, float] = (0.0, 20.0)  # lowest and highest distance of centres in metres
+    weight: float = DEMANDED  # how much it matters
 
 
 @dataclass(frozen=True)
 class Want:
-    """One thing and all that is said of it.
+    """One thing and all that is said of it."""
 
-    Attributes:
-        asset: The thing.
-        category: What the catalogue knows about it.
-        turn: When it is placed; low first.
-        kind: What things of which the same is said have in common.
-        stands: Ways of standing by itself, best first, with what each costs.
-        weights: Weights of wishes about its place, by relation.
-        walls: Weights of walls that are wished by name.
-        near: What it should be near, any of them, with a weight; below 0 far from.
-        clear: Metres kept free on some sides; none: as its kind is used.
-        face: What it has in front of it.
-        over: What it hangs over or lies under, best first.
-        height: Height in metres of the centre of a hung thing; 0 lets size decide.
-        anchor: The thing that it stands at.
-        join: How it stands there.
-        loose: Whether it may stand by itself if there is no room there.
-        rows: What it should stand in a block with, if anything.
-    """
-
-    asset: Asset
-    category: Category
-    turn: int
-    kind: str = ""
+    asset: Asset  # the thing
+    category: Category  # what the catalogue knows about it
+    turn: int  # when it is placed; low first
+    kind: str = ""  # what things of which the same is said have in common
+    # ways of standing by itself, best first, with what each costs
     stands: Mapping[str, float] = field(default_factory=dict[str, float])
+    # weights of wishes about its place, by relation
     weights: Mapping[str, float] = field(default_factory=dict[str, float])
-    walls: Mapping[int, float] = field(default_factory=dict[int, float])
+    walls: Mapping[int, float] = field(default_factory=dict[int, float])  # weights of walls that are wished by name
+    # what it should be near, any of them, with a weight; below 0 far from
     near: tuple[tuple[tuple[str, ...], float], ...] = ()
+    # metres kept free on some sides; none: as its kind is used
     clear: Mapping[str, float] = field(default_factory=dict[str, float])
-    face: Face | None = None
-    over: tuple[str, ...] = ()
-    height: float = 0.0
-    anchor: str | None = None
-    join: Join | None = None
-    loose: bool = False
-    rows: InRows | None = None
+    face: Face | None = None  # what it has in front of it
+    over: tuple[str, ...] = ()  # what it hangs over or lies under, best first
+    height: float = 0.0  # height in metres of the centre of a hung thing; 0 lets size decide
+    anchor: str | None = None  # the thing that it stands at
+    join: Join | None = None  # how it stands there
+    loose: bool = False  # whether it may stand by itself if there is no room there
+    rows: InRows | None = None  # what it should stand in a block with, if anything
 
     @property
     def name(self) -> str:

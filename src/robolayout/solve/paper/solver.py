@@ -93,17 +93,11 @@ PAPER = PaperConfig()
 
 
 class Evaluation(NamedTuple):
-    """The loss at one layout.
+    """The loss at one layout."""
 
-    Attributes:
-        value: L = 0.1 L_total.
-        gradient: (n, 4) along (x, y, cos, sin).
-        terms: Terms of L_total, as in `TERMS`.
-    """
-
-    value: float
-    gradient: Floats
-    terms: Floats
+    value: float  # L = 0.1 L_total
+    gradient: Floats  # (n, 4) along (x, y, cos, sin)
+    terms: Floats  # terms of L_total, as in `TERMS`
 
 
 Loss = Callable[[Floats], Evaluation]

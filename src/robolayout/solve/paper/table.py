@@ -26,37 +26,21 @@ Array = Any
 
 
 class Table(NamedTuple):
-    """The loss of one scene, rows padded with weight 0. A slots, F fixed bodies, P pairs, S stacks, R frame and M mirror rows.
+    """The loss of one scene, rows padded with weight 0. A slots, F fixed bodies, P pairs, S stacks, R frame and M mirror rows."""
 
-    Attributes:
-        half: (A, 2) half depth and half width in metres.
-        fixed: (F, 7) walls and points as bodies (x, y, cos, sin, half x, half y, core).
-        pairs: (P, 2) slots that must not overlap.
-        pair_weight: (P,) 1 for real pairs.
-        required: (P,) metres between the centres of each pair that let the agent pass; 0 where it need not.
-        stacks: (S, 2) upper and lower slot of each stack.
-        stack_weight: (S,) 1 for real stacks.
-        frame_index: (R, 2) bodies a and b of each frame row (slots first, then fixed bodies).
-        frame_row: (R, 20) numbers of each frame row.
-        mirror_index: (M, 3) bodies a, b and axis.
-        mirror_weight: (M,) weight of each mirror row.
-        mirror_normal: (M,) 1 where the axis is a wall.
-        held: 1 if statements only move what they are about, 0 if also what they refer to.
-    """
-
-    half: Array
-    fixed: Array
-    pairs: Array
-    pair_weight: Array
-    required: Array
-    stacks: Array
-    stack_weight: Array
-    frame_index: Array
-    frame_row: Array
-    mirror_index: Array
-    mirror_weight: Array
-    mirror_normal: Array
-    held: Array
+    half: Array  # (A, 2) half depth and half width in metres
+    fixed: Array  # (F, 7) walls and points as bodies (x, y, cos, sin, half x, half y, core)
+    pairs: Array  # (P, 2) slots that must not overlap
+    pair_weight: Array  # (P,) 1 for real pairs
+    required: Array  # (P,) metres between the centres of each pair that let the agent pass; 0 where it need not
+    stacks: Array  # (S, 2) upper and lower slot of each stack
+    stack_weight: Array  # (S,) 1 for real stacks
+    frame_index: Array  # (R, 2) bodies a and b of each frame row (slots first, then fixed bodies)
+    frame_row: Array  # (R, 20) numbers of each frame row
+    mirror_index: Array  # (M, 3) bodies a, b and axis
+    mirror_weight: Array  # (M,) weight of each mirror row
+    mirror_normal: Array  # (M,) 1 where the axis is a wall
+    held: Array  # 1 if statements only move what they are about, 0 if also what they refer to
 
 
 def make_table(problem: Problem, *, held: bool) -> Table:

@@ -19,19 +19,12 @@ PIXELS = 256
 
 @dataclass(frozen=True, eq=False)
 class Raster:
-    """Pixel centres of a square around the middle of the room's bounds.
+    """Pixel centres of a square around the middle of the room's bounds."""
 
-    Attributes:
-        x: (256, 256) metres.
-        y: (256, 256) metres.
-        pixel: Side of a pixel in metres.
-        floor: (256, 256) whether the centre is on the floor.
-    """
-
-    x: NDArray[np.float64]
-    y: NDArray[np.float64]
-    pixel: float
-    floor: NDArray[np.bool_]
+    x: NDArray[np.float64]  # (256, 256) metres
+    y: NDArray[np.float64]  # (256, 256) metres
+    pixel: float  # side of a pixel in metres
+    floor: NDArray[np.bool_]  # (256, 256) whether the centre is on the floor
 
     def mask(self, shape: BaseGeometry) -> NDArray[np.bool_]:
         """Return which pixel centres a shape covers."""

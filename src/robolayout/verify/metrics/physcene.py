@@ -29,21 +29,13 @@ ROUNDING = 1e-9
 
 @dataclass(frozen=True)
 class PhyScene:
-    """PhyScene's figures of one layout.
+    """PhyScene's figures of one layout."""
 
-    Attributes:
-        col_obj: Share of objects whose box overlaps any other.
-        col_scene: 1 if there is any, else 0; its mean over scenes is the published rate.
-        r_out: Share of objects with any pixel off the floor.
-        r_walkable: Free pixels of the component at the doors (no door: of the largest) over all free pixels.
-        r_reach: Share of objects next to a component, weighted by the component's share of the free floor.
-    """
-
-    col_obj: float
-    col_scene: float
-    r_out: float
-    r_walkable: float
-    r_reach: float
+    col_obj: float  # share of objects whose box overlaps any other
+    col_scene: float  # 1 if there is any, else 0; its mean over scenes is the published rate
+    r_out: float  # share of objects with any pixel off the floor
+    r_walkable: float  # free pixels of the component at the doors (no door: of the largest) over all free pixels
+    r_reach: float  # share of objects next to a component, weighted by the component's share of the free floor
 
     def to_dict(self) -> dict[str, float]:
         """Return the figures under PhyScene's names."""

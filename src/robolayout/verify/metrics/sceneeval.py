@@ -41,25 +41,15 @@ WINDOW_DEPTH = 0.5
 
 @dataclass(frozen=True)
 class SceneEval:
-    """SceneEval's figures of one layout.
+    """SceneEval's figures of one layout."""
 
-    Attributes:
-        col_objects: Share of objects in collision.
-        col_scene: Whether any object is in collision.
-        nav: Largest free component over all free pixels.
-        acc: Accessibility by object; -1 where it has no functional side.
-        oob_objects: Share of objects out of bounds.
-        sup_objects: Share of objects that are supported.
-        opening_occlusion: Occluded share of each opening, doors first.
-    """
-
-    col_objects: float
-    col_scene: bool
-    nav: float
-    acc: Mapping[str, float]
-    oob_objects: float
-    sup_objects: float
-    opening_occlusion: tuple[float, ...]
+    col_objects: float  # share of objects in collision
+    col_scene: bool  # whether any object is in collision
+    nav: float  # largest free component over all free pixels
+    acc: Mapping[str, float]  # accessibility by object; -1 where it has no functional side
+    oob_objects: float  # share of objects out of bounds
+    sup_objects: float  # share of objects that are supported
+    opening_occlusion: tuple[float, ...]  # occluded share of each opening, doors first
 
     @cached_property
     def acc_mean(self) -> float:

@@ -23,17 +23,11 @@ WIDTH = 0.3
 
 @dataclass(frozen=True)
 class SceneSmith:
-    """SceneSmith's figures of one layout.
+    """SceneSmith's figures of one layout."""
 
-    Attributes:
-        regions: Number of separate pieces of free floor.
-        reachability_ratio: Area of the largest piece over all free area; 0 if there is none.
-        blocking: Furniture without which there would be fewer pieces.
-    """
-
-    regions: int
-    reachability_ratio: float
-    blocking: tuple[str, ...]
+    regions: int  # number of separate pieces of free floor
+    reachability_ratio: float  # area of the largest piece over all free area; 0 if there is none
+    blocking: tuple[str, ...]  # furniture without which there would be fewer pieces
 
     def to_dict(self) -> dict[str, object]:
         """Return the figures by name."""

@@ -18,42 +18,25 @@ MOBILITY_AID = (*WHEELCHAIR, "walker", "rollator", "scooter")
 
 @dataclass(frozen=True)
 class Measured:
-    """What was measured for a rule.
+    """What was measured for a rule."""
 
-    Attributes:
-        met: The verdict.
-        value: The figure that decides, in the rule's unit.
-        text: The measurement in words.
-    """
-
-    met: bool
-    value: float
-    text: str
+    met: bool  # the verdict
+    value: float  # the figure that decides, in the rule's unit
+    text: str  # the measurement in words
 
 
 @dataclass(frozen=True)
 class Rule:
-    """One named rule of a standard; it stands beside the general judgement and does not change it.
+    """One named rule of a standard; it stands beside the general judgement and does not change it."""
 
-    Attributes:
-        name: Its name ("turning_space").
-        source: The standard and the section.
-        asks: What it asks, in words.
-        limit: What the figure is compared with.
-        unit: Unit of the figure.
-        concerns: Words, one of which is in the name or title of the bodies that it is for.
-        measure: Measures it; None where there is nothing that it speaks of.
-        verified: Whether the number was checked against the text of the standard.
-    """
-
-    name: str
-    source: str
-    asks: str
-    limit: float
-    unit: str
-    concerns: tuple[str, ...]
-    measure: Callable[[AgentReport], Measured | None]
-    verified: bool = True
+    name: str  # its name ("turning_space")
+    source: str  # the standard and the section
+    asks: str  # what it asks, in words
+    limit: float  # what the figure is compared with
+    unit: str  # unit of the figure
+    concerns: tuple[str, ...]  # words, one of which is in the name or title of the bodies that it is for
+    measure: Callable[[AgentReport], Measured | None]  # measures it; None where there is nothing that it speaks of
+    verified: bool = True  # whether the number was checked against the text of the standard
 
     def is_for(self, agent: Agent) -> bool:
         """Whether it concerns a body."""
@@ -62,17 +45,11 @@ class Rule:
 
 @dataclass(frozen=True)
 class RuleResult:
-    """What came of a rule for one body.
-
-    Attributes:
-        rule: The rule.
-        agent: Name of the body.
-        measured: What was measured.
-    """
+    """What came of a rule for one body."""
 
     rule: Rule
-    agent: str
-    measured: Measured
+    agent: str  # name of the body
+    measured: Measured  # what was measured
 
     @property
     def met(self) -> bool:
