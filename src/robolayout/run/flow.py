@@ -38,6 +38,9 @@ AgentSpec = Agent | str | Path | Mapping[str, Any]
 AHEAD = 3
 """Rooms that are looked at before one is searched that is not right as it is built or guessed."""
 
+NEARLY = 4.0
+"""Up to how much (`Verdict.promise`) is amiss in a room that is mended before others are looked at: two things out of reach."""
+
 FORLORN = 0.25
 """Share of the assets in wrong places or out of reach, after so many programs are solved, from which on no other is asked for."""
 
@@ -167,7 +170,7 @@ class Run:
             ahead = AHEAD if best is None and attempts > 1 else 1
             while len(waiting) < ahead and (found := next(texts, None)) is not None:
                 waiting.append(self._tried(*found, judged=ahead > 1))
-                if waiting[-1].amiss == 0.0:
+                if waiting[-1].amiss <= NEARLY:
                     break
             if not waiting:
                 break
