@@ -143,3 +143,11 @@ def test_rugs_are_cut_out_around_what_stands_through_them() -> None:
             found.add_object(asset.name, mesh, place)
             assert np.ptp(mesh.vertices, axis=0) == pytest.approx(asset.size)
         assert not found.in_collision_internal()
+
+
+def test_a_rug_of_which_nothing_would_be_left_stays_whole() -> None:
+    mat, chest = Asset("rug-0", "rug", (0.4, 0.6, 0.012)), Asset("chest-0", "chest", (0.8, 1.2, 0.5))
+    scene = Scene(Room(((0, 0), (5, 0), (5, 4), (0, 4)), 2.6), (mat, chest))
+    layout = Layout({"rug-0": Pose(2.5, 2, 0.006, 0.0), "chest-0": Pose(2.5, 2, 0.25, 0.0)})
+    whole = laid_parts(mat, scene, Layout({}))
+    assert len(whole) and len(laid_parts(mat, scene, layout)) == len(whole)

@@ -21,7 +21,7 @@ CLEAR = 0.001
 def laid_parts(asset: Asset, scene: Scene, layout: Layout, *, seed: int = 0) -> tuple[Part, ...]:
     """Return the parts of a thing as they lie in a room: those of a rug have holes where others stand through it.
 
-    A rug that is a mesh of one's own stays whole.
+    A rug that is a mesh of one's own stays whole, and so does one of which nothing would be left.
 
     Args:
         asset: The thing.
@@ -33,7 +33,7 @@ def laid_parts(asset: Asset, scene: Scene, layout: Layout, *, seed: int = 0) -> 
     if not asset.is_flat or asset.name not in layout or asset.path is not None:
         return made
     holes = shapely.union_all([*_feet(asset, scene, layout)])
-    return tuple(piece for part in made for piece in _cut(part, holes))
+    return tuple(piece for part in made for piece in _cut(part, holes)) or made
 
 
 def _feet(rug: Asset, scene: Scene, layout: Layout) -> Iterator[BaseGeometry]:
