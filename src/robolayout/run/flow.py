@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -47,8 +48,11 @@ FORLORN = 0.25
 COARSE = 0.25
 """Metres of a cell of the search's floor from which on the report says so: half a person is told apart below it."""
 
-MOST_WAYS = 8
-"""Ways of one statement (the corners of a room) that are tried by themselves where not everything is met."""
+MOST_WAYS = 6
+"""Ways of open statements (the corners of a room) that are tried by themselves where a statement is not met."""
+
+SOLVED_WAYS = 3
+"""How many of them, those whose rooms are nearest to right as built, are searched."""
 
 ATTEMPT_STRIDE = 1000
 """Added to the planner's seed for each further attempt."""
@@ -163,7 +167,7 @@ class Run:
     def whole(self, planner: Planner, program: str | None, attempts: int) -> Attempt:
         """Plan all assets at once; while demands stay unmet ask again, and keep the best."""
         best: Attempt | None = None
-        least = (math.inf, True)
+        least, seed = (math.inf, True), self.seed
         texts = self._texts(planner, program, attempts, lambda: best)
         waiting: list[_Try] = []
         for number in range(attempts):
@@ -176,12 +180,14 @@ class Run:
                 break
             waiting.sort(key=lambda entry: entry.amiss)
             tried = waiting.pop(0)
-            found = self.finished([tried.asked], self.scene, {}, seed=tried.seed, built=tried.built)[0]
+            found = self.finished(
+                [tried.asked], self.scene, {}, seed=tried.seed, built=tried.built, ways=attempts == 1
+            )[0]
             report = verify(self.scene, found.solution.layout, found.asked)
             # A thing that stands too high is nothing that the solver could move, but another program may put it lower.
             rank = (found.solution.verdict.merit, not report.ok)
             if best is None or rank < least:
-                best, least = found, rank
+                best, least, seed = found, rank, tried.seed
             verdict = found.solution.verdict
             served = report.ok and not verdict.barred  # the judge asks for more free floor than the report demands
             if served or (verdict.ok and any(one.impossible for one in report.agents)):
@@ -190,7 +196,14 @@ class Run:
             if number + 1 >= AHEAD and lost > FORLORN * len(self.scene.assets):
                 break
         assert best is not None
-        return best
+        if attempts == 1 or self.solver != "default":
+            return best
+        with self.clock.station("solve"):
+            asked = best.reconciled.program
+            return replace(
+                best,
+                solution=_opened(self.scene, asked, best.solution, seed=seed, config=self.config, progress=self.say),
+            )
 
     def edited(self, planner: Planner, program: str | None, start: Layout, pinned: Mapping[str, Pose]) -> Attempt:
         """Mend a layout with the least change; what it does not place is planned and fitted in."""
@@ -290,6 +303,7 @@ class Run:
         *,
         seed: int | None = None,
         built: Layout | None = None,
+        ways: bool = True,
     ) -> list[Attempt]:
         """Filter and solve programs for a scene, together; the poses given stay."""
         with self.clock.station("program"):
@@ -304,6 +318,7 @@ class Run:
                 pinned=placed,
                 progress=self.say,
                 built=built,
+                ways=ways,
             )
         return [Attempt(*parts) for parts in zip(asked, reconciled, solutions, strict=True)]
 
@@ -318,6 +333,7 @@ def solve(  # noqa: PLR0913 - as `generate`
     pinned: Mapping[str, Pose] | None = None,
     progress: Progress | None = None,
     built: Layout | None = None,
+    ways: bool = True,
 ) -> Solution:
     """Solve a program, selecting by exact verification.
 
@@ -326,21 +342,30 @@ def solve(  # noqa: PLR0913 - as `generate`
         solver: Name of a solver: "default", "paper", "paper-unrefined", "trust-constr" or "dual-annealing".
         pinned: Poses that must stay.
         built: Poses of what no program places, where they are known.
+        ways: Whether the ways of statements that leave one open are tried by themselves where one is not met.
     """
     if isinstance(program, str):
         program = reconcile(read_program(program, scene), scene, paper=solver in (PAPER, UNREFINED)).program
+    problem = compile_problem(scene, program, seed=seed, pinned=pinned, built=built)
     judge = make_judge(scene, program)
+    best = solve_with(solver, problem, judge, seed=seed, config=config, progress=progress)
+    if not ways or solver != "default":
+        return best
+    return _opened(scene, program, best, seed=seed, config=config, pinned=pinned, progress=progress)
 
-    def solved(way: Program, config: SolverConfig | None) -> Solution:
-        problem = compile_problem(scene, way, seed=seed, pinned=pinned, built=built)
-        return solve_with(solver, problem, judge, seed=seed, config=config, progress=progress)
 
-    best = solved(program, config)
-    brief = (config or SolverConfig()).at("quick")
-    for way in _ways(scene, program, best) if solver == "default" else ():
-        if best.verdict.ok:
+def _opened(
+    scene: Scene, program: Program, best: Solution, *, seed: int, config: SolverConfig | None, **known: Any
+) -> Solution:
+    """Return the best of a solution and those with other ways of what the program leaves open, where a statement is not met."""
+    judge, brief, pinned = make_judge(scene, program), (config or SolverConfig()).at("quick"), known.get("pinned")
+    ways = [] if best.verdict.soft == 0.0 else islice(_ways(scene, program, best), MOST_WAYS)
+    problems = [compile_problem(scene, way, seed=seed, pinned=pinned) for way in ways]
+    for problem in sorted(problems, key=lambda one: judge(one.guess).promise)[:SOLVED_WAYS]:
+        found = solve_with("default", problem, judge, seed=seed, config=brief, progress=known.get("progress"))
+        best = min(best, found, key=lambda one: one.verdict.merit)
+        if best.verdict.soft == 0.0:
             break
-        best = min(best, solved(way, brief), key=lambda found: found.verdict.merit)
     return best
 
 
@@ -349,7 +374,7 @@ def _ways(scene: Scene, program: Program, found: Solution) -> Iterator[Program]:
     blamed = set(found.verdict.culprits)
     for i, statement in enumerate(program.statements):
         if blamed.intersection(statement.relation.asset_names()):
-            for way in statement.relation.ways(scene)[:MOST_WAYS]:
+            for way in statement.relation.ways(scene):
                 settled = (replace(statement, relation=one) for one in way)
                 changed = (*program.statements[:i], *settled, *program.statements[i + 1 :])
                 yield replace(program, statements=changed)
@@ -363,6 +388,7 @@ def solve_many(
     solver: str = "default",
     config: SolverConfig | None = None,
     progress: Progress | None = None,
+    ways: bool = True,
     **known: Any,
 ) -> list[Solution]:
     """Solve several programs for one scene, filtered; the default solver shares its effort among them.
@@ -370,7 +396,8 @@ def solve_many(
     The arguments are those of `solve`; `known` are its `pinned` and `built`.
     """
     if solver != "default" or len(programs) == 1:
-        given: dict[str, Any] = {"seed": seed, "solver": solver, "config": config, "progress": progress, **known}
+        given: dict[str, Any] = {"seed": seed, "solver": solver, "config": config, "progress": progress}
+        given |= {"ways": ways, **known}
         return [solve(scene, program, **given) for program in programs]
     problems = [compile_problem(scene, program, seed=seed, **known) for program in programs]
     judges = [make_judge(scene, program) for program in programs]

@@ -7,8 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from robolayout.constraints import Relation
 from robolayout.program import Program
-from robolayout.scene import Agent, Layout, Pose, Scene, vertical_span
-from robolayout.scene.agent import horizontal_reach
+from robolayout.scene import Agent, Layout, Pose, Scene
 from robolayout.solve import Enough, Judge, Verdict, never
 from robolayout.verify import judge_agent, kept_out, physics
 
@@ -84,8 +83,8 @@ def _access(scene: Scene, layout: Layout, agent: Agent) -> tuple[float, list[str
     """Return how much an agent cannot get to (in assets; a door counts as one) and which assets to move for it."""
     found = judge_agent(scene, layout, agent)
     nav = found.navigation
-    spans = {name: vertical_span(scene.by_name[name], layout[name]) for name in found.short if name in layout}
-    fixable = [n for n, span in spans.items() if not nav.reached[n] or horizontal_reach(agent, *span) is not None]
+    short = [name for name in found.short if name in layout]
+    fixable = [name for name in short if not nav.reached[name] or not found.usage.too_high(name)]
     unreached = sum(not nav.reached[name] for name in fixable)
     cut_off = max(0.0, WALKABLE - nav.walkable_ratio) if nav.free.area > 0 else 0.0
     blamed = [*fixable, *(other for name in fixable for other in found.usage.shutting(name))]

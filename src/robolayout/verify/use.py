@@ -83,6 +83,10 @@ class Usage:
         found = self._judge.in_front.get(self._judge.found.names.index(name), ())
         return tuple(blocker for blocker in found if blocker in self.usable)
 
+    def too_high(self, name: str) -> bool:
+        """Return whether nothing to take hold of is at a height that the agent reaches, wherever in the plan it stands."""
+        return self._judge.too_high(self._judge.found.names.index(name))
+
     @cached_property
     def uses(self) -> Mapping[str, Use]:
         """How each placed asset is used, or why not."""
@@ -240,6 +244,10 @@ class _Judge:
         place = (float(spot[0]), float(spot[1]))
         handle = handle_near(self.found, self.agent, row, place) if side == "front" else ""
         return Use(name, True, side, place, "", names, handle, self._approach[number])
+
+    def too_high(self, row: int) -> bool:
+        height = float(self.found.bottom[row]), float(self.found.top[row])
+        return horizontal_reach(self.agent, *height) is None or not self.ways.of(row)
 
     def _reason(self, row: int) -> str:
         agent, found = self.agent, self.found
