@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from robolayout.assets import prisms_of
 from robolayout.scene import Agent, Asset, Scene
+from robolayout.verify._alone import unusable_alone
 from robolayout.verify._boxes import Boxes, landings, room_polygon
 from robolayout.verify._obstacles import NOTHING
 from robolayout.verify._space import disc_space, plan_distances, reached_rows
@@ -87,7 +88,8 @@ def exempt_from_reach(scene: Scene, agent: Agent) -> dict[str, str]:
 def exempt_from_use(scene: Scene, agent: Agent) -> dict[str, str]:
     """Return which assets a body is not asked to use, in any layout, and why.
 
-    Those it is not asked to reach, and what can only stand on the floor and ends below the heights that its arm gets to.
+    Those it is not asked to reach, and what can only stand on the floor and ends below the heights that its arm gets to, or
+    cannot be used even in an empty room.
     """
     lying = exempt_from_reach(scene, agent)
     if agent.reach_distance is None:
@@ -95,13 +97,17 @@ def exempt_from_use(scene: Scene, agent: Agent) -> dict[str, str]:
     down_to = agent.reach_low
     if agent.shoulder_height is not None:
         down_to = max(down_to, agent.shoulder_height - agent.reach)
-    return lying | {
-        asset.name: f"{asset.name} ends {asset.size[2]:.2f} m high and {agent.name} reaches down to {down_to:.2f} m"
-        for asset in scene.assets
-        if asset.size[2] < down_to - REACH_SLACK
-        and asset.on_floor
-        and not (asset.on_wall or asset.on_object or asset.is_flat)
-    }
+    aside = dict(lying)
+    for asset in scene.assets:
+        if asset.name in lying or not asset.on_floor or asset.on_wall or asset.on_object or asset.is_flat:
+            continue
+        if asset.size[2] < down_to - REACH_SLACK:
+            aside[asset.name] = (
+                f"{asset.name} ends {asset.size[2]:.2f} m high and {agent.name} reaches down to {down_to:.2f} m"
+            )
+        elif why := unusable_alone(asset, agent):
+            aside[asset.name] = f"{asset.name} cannot be used by {agent.name} in an empty room: {why}"
+    return aside
 
 
 def kept_out(scene: Scene, agent: Agent) -> tuple[str, ...]:

@@ -269,6 +269,8 @@ class _Judge:
             return f"it has no room for knees below its {sides}, and there is no place beside it"
         if self._touches:
             return f"the nearest that it gets to its {sides} is {away:.2f} m, touching distance is {TOUCH:.2f} m"
+        if away <= reach:
+            return f"where it would reach its {sides}, what opens there is in its way"
         return f"the nearest place to stand is {away:.2f} m from its {sides}, reach is {reach:.2f} m at that height"
 
     def _nearest(self, row: int, number: int) -> float:
