@@ -18,9 +18,9 @@ from pathlib import Path
 from shapely import Polygon
 from shapely.ops import unary_union
 
+from benchmarks.seen import Room, resting, turned_to
 from benchmarks.store import Row
 from benchmarks.tables import Rows, table
-from benchmarks.words import Room, resting, turned_to
 
 LISTS = {
     "bedroom": ("3.5 x 4", "1 bed, 2 nightstands, 1 wardrobe, 1 desk, 1 chair, 1 lamp, 1 rug"),
