@@ -68,8 +68,8 @@ def test_every_program_gets_a_layout_that_its_own_judge_measured() -> None:
 
 
 @pytest.mark.parametrize("config", [THOROUGH, SolverConfig()])
-def test_four_programs_cost_less_than_twice_one(config: SolverConfig) -> None:
-    """A program that cannot be met takes all starts and all of repair; four of them share both."""
+def test_four_programs_cost_little_more_than_twice_one_with_its_other_ways(config: SolverConfig) -> None:
+    """A program that cannot be met is searched in several ways; four of them share one search, without these."""
     names = ("bed[0]", "table[0]", "night_stand[0]", "night_stand[1]")
     walls = [f"solver.against_wall({name}, walls[2])\n" for name in names]
     corners = [f"solver.corner({name})\n" for name in names]
@@ -78,7 +78,7 @@ def test_four_programs_cost_less_than_twice_one(config: SolverConfig) -> None:
         solve(ROOM, read(ROOM, texts[0])[0], config=config)
     with counted() as four:
         solve_many(ROOM, read(ROOM, *texts), config=config)
-    assert four["steps"] < 2 * one["steps"]
+    assert four["steps"] < 2.5 * one["steps"]
 
 
 def test_four_programs_cost_at_most_twice_one_that_is_done_at_once() -> None:
