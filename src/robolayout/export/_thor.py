@@ -77,6 +77,11 @@ def kept(asset: Asset) -> str:
     return "bottom" if asset.on_floor or asset.on_object else "middle"
 
 
+def rise(asset: Asset, size: Size) -> float:
+    """Return how far up its middle moves in metres where an asset takes the size of THOR's."""
+    return (size[2] - asset.size[2]) / 2 if kept(asset) == "bottom" else 0.0
+
+
 def as_in_thor(scene: Scene, layout: Layout) -> tuple[Scene, Layout]:
     """Return a room with the boxes of THOR's assets, each where ours is, and without what has no counterpart.
 
@@ -90,8 +95,7 @@ def as_in_thor(scene: Scene, layout: Layout) -> tuple[Scene, Layout]:
             continue
         assets.append(asset if thor is None else replace(asset, size=thor.size))
         if (pose := layout.get(asset.name)) is not None:
-            rise = (assets[-1].size[2] - asset.size[2]) / 2 if kept(asset) == "bottom" else 0.0
-            poses[asset.name] = replace(pose, z=pose.z + rise)
+            poses[asset.name] = replace(pose, z=pose.z + rise(asset, assets[-1].size))
     return replace(scene, assets=tuple(assets)), Layout(poses)
 
 

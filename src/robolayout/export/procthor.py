@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import cast
 
@@ -29,7 +30,7 @@ from robolayout.export._exporter import (
     supporter,
 )
 from robolayout.export._scenery import lamp as lamp_light
-from robolayout.export._thor import as_in_thor, kept, nearest, nearest_of
+from robolayout.export._thor import as_in_thor, kept, nearest, nearest_of, rise
 from robolayout.scene import Layout, Opening, Point, Pose, Room, Scene, Wall
 
 ROOM = "room|2"
@@ -144,13 +145,11 @@ def _objects(scene: Scene, layout: Layout) -> tuple[list[Json], dict[str, Json]]
         if thor is None:
             assets[asset.name]["id"] = None
             continue
-        anchor = kept(asset)
-        shift = (thor.size[2] - asset.size[2]) / 2 if anchor == "bottom" else 0.0
         objects[asset.name] = {
             "assetId": thor.name,
             "id": f"{thor.type}|2|{number}",
             "kinematic": not is_movable(asset, scene, layout),
-            **_pose(Pose(pose.x, pose.y, pose.z + shift, pose.yaw)),
+            **_pose(replace(pose, z=pose.z + rise(asset, thor.size))),
             "room": ROOM,
             "children": [],
         }
@@ -158,7 +157,7 @@ def _objects(scene: Scene, layout: Layout) -> tuple[list[Json], dict[str, Json]]
             "id": objects[asset.name]["id"],
             "thorSize": list(thor.size),
             "sizeDistance": round(thor.distance(asset.size), 4),
-            "anchor": anchor,
+            "anchor": kept(asset),
         }
     roots: list[Json] = []
     for name, entry in objects.items():

@@ -47,8 +47,8 @@ def conflicts(
     if unmet:
         looker = _Looker(scene, reconciled, layout, said, np.random.default_rng(seed))
         for s in unmet:
-            ways = len(s.relation.ways(scene))
-            found[s.number] = looker.against(s) + (f"; each of its {ways} ways was tried by itself" if ways else "")
+            open_ways = "; other ways of what is left open were tried, the nearest to right first"
+            found[s.number] = looker.against(s) + (open_ways if s.relation.ways(scene) else "")
     return found
 
 

@@ -199,11 +199,9 @@ class Run:
         if attempts == 1 or self.solver != "default":
             return best
         with self.clock.station("solve"):
-            asked = best.reconciled.program
-            return replace(
-                best,
-                solution=_opened(self.scene, asked, best.solution, seed=seed, config=self.config, progress=self.say),
-            )
+            asked, found = best.reconciled.program, best.solution
+            found = _opened(self.scene, asked, found, seed=seed, config=self.config, progress=self.say)
+            return replace(best, solution=found)
 
     def edited(self, planner: Planner, program: str | None, start: Layout, pinned: Mapping[str, Pose]) -> Attempt:
         """Mend a layout with the least change; what it does not place is planned and fitted in."""
@@ -355,14 +353,23 @@ def solve(  # noqa: PLR0913 - as `generate`
 
 
 def _opened(
-    scene: Scene, program: Program, best: Solution, *, seed: int, config: SolverConfig | None, **known: Any
+    scene: Scene,
+    program: Program,
+    best: Solution,
+    *,
+    seed: int,
+    config: SolverConfig | None,
+    pinned: Mapping[str, Pose] | None = None,
+    progress: Progress | None = None,
 ) -> Solution:
     """Return the best of a solution and those with other ways of what the program leaves open, where a statement is not met."""
-    judge, brief, pinned = make_judge(scene, program), (config or SolverConfig()).at("quick"), known.get("pinned")
-    ways = [] if best.verdict.soft == 0.0 else islice(_ways(scene, program, best), MOST_WAYS)
+    if best.verdict.soft == 0.0:
+        return best
+    judge, brief = make_judge(scene, program), (config or SolverConfig()).at("quick")
+    ways = islice(_ways(scene, program, best), MOST_WAYS)
     problems = [compile_problem(scene, way, seed=seed, pinned=pinned) for way in ways]
     for problem in sorted(problems, key=lambda one: judge(one.guess).promise)[:SOLVED_WAYS]:
-        found = solve_with("default", problem, judge, seed=seed, config=brief, progress=known.get("progress"))
+        found = solve_with("default", problem, judge, seed=seed, config=brief, progress=progress)
         best = min(best, found, key=lambda one: one.verdict.merit)
         if best.verdict.soft == 0.0:
             break
