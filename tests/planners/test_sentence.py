@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from robolayout._errors import SceneError
 from robolayout.assets.meshes import parts
 from robolayout.planners import scene_from_sentence
-from robolayout.scene import scene_to_dict
+from robolayout.scene import load_agent, scene_to_dict
 
 
 def test_the_sentence_of_the_readme() -> None:
@@ -170,3 +170,13 @@ def test_any_text_gives_a_scene_or_a_clear_error(text: str) -> None:
     else:
         assert scene.assets
         assert found.sentences()
+
+
+def test_nothing_is_added_that_hangs_above_what_the_body_reaches() -> None:
+    both = {
+        name: scene_from_sentence("a kitchen", agents=[load_agent(name)], seed=0)[1] for name in ("adult", "wheelchair")
+    }
+    assert both["adult"].added["wall cabinet"] == 2
+    assert "wall cabinet" not in both["wheelchair"].added
+    asked = scene_from_sentence("a kitchen with two wall cabinets for a wheelchair user")[1]
+    assert asked.wished["wall cabinet"] == 2

@@ -120,7 +120,7 @@ def _furnished(asked: Asked, planner: Planner, run: RunFolder, variant: int) -> 
         scene, understood = planner.furnish(asked.scene, assets=asked.asset_dir)
     else:
         scene, understood = scene_from_sentence(
-            asked.scene, seed=asked.seed, variant=variant, knowledge=asked.knowledge or ()
+            asked.scene, seed=asked.seed, variant=variant, knowledge=asked.knowledge or (), agents=asked.agents
         )
     if not asked.quiet:
         for line in understood.sentences():

@@ -17,7 +17,7 @@ from robolayout._errors import InputError, UnknownNameError
 from robolayout.cli.terminal import progress, say, warn
 
 if TYPE_CHECKING:
-    from robolayout.scene import Layout, Scene
+    from robolayout.scene import Agent, Layout, Scene
 
 SeedOption = Annotated[int, Option(min=0, help="Settles every choice.")]
 AssetDirOption = Annotated[Path | None, Option(help="Folder of the assets that the scene refers to.")]
@@ -87,11 +87,16 @@ class Body:
     agent: Annotated[str | None, Option(help="Body or bodies: names or files, separated by commas.")] = None
     asset_dir: AssetDirOption = None
 
-    def of(self, scene: Scene) -> Scene:
-        """Return a scene for the bodies that were named."""
+    @property
+    def agents(self) -> tuple[Agent, ...]:
+        """The bodies that were named; none where nothing was said."""
         from robolayout.scene import load_agents
 
-        return scene if self.agent is None else scene.with_agents(*load_agents(self.agent))
+        return () if self.agent is None else load_agents(self.agent)
+
+    def of(self, scene: Scene) -> Scene:
+        """Return a scene for the bodies that were named."""
+        return scene.with_agents(*self.agents) if self.agents else scene
 
     def read(self, path: str, knowledge: Sequence[Path] = (), *, quiet: bool = False) -> Scene:
         """Read a scene; show what was mended on reading and, unless quiet, what is of no known kind."""

@@ -32,7 +32,7 @@ from robolayout.run.flow import generate
 from robolayout.run.folder import RunFolder
 from robolayout.run.outputs import export_options, write_files, write_plain
 from robolayout.run.result import Result
-from robolayout.scene import Scene, layout_digest, load_agent, scene_digest, scene_from_dict, scene_to_dict
+from robolayout.scene import Agent, Scene, layout_digest, load_agent, scene_digest, scene_from_dict, scene_to_dict
 from robolayout.solve import SolverConfig
 from robolayout.verify import Report, verify
 
@@ -108,7 +108,7 @@ def draw(ready: Ready, index: int, attempt: int = 0, meshes: Path | None = None)
     bodies, style, dress, solver, reach = chosen
     source = ready.sources[which]
     seed = int(rng.integers(2**31))
-    scene = source.scene or _from_words(source, ready.spec, rng, seed, style)
+    scene = source.scene or _from_words(source, ready.spec, rng, seed, style, bodies)
     if ready.own and meshes is not None:
         scene = _with_own(scene, ready.own, rng, meshes)
     scene = scene.with_agents(*bodies) if bodies else scene
@@ -125,7 +125,9 @@ def draw(ready: Ready, index: int, attempt: int = 0, meshes: Path | None = None)
     return Drawn(scene, solver, reach, seed, facts)
 
 
-def _from_words(source: Source, spec: Spec, rng: np.random.Generator, seed: int, style: str) -> Scene:
+def _from_words(
+    source: Source, spec: Spec, rng: np.random.Generator, seed: int, style: str, bodies: Sequence[Agent]
+) -> Scene:
     """Return the scene of a sentence to which everything is added that it leaves open."""
     width, depth = source.size
     area, ratio, height, density = (
@@ -144,7 +146,7 @@ def _from_words(source: Source, spec: Spec, rng: np.random.Generator, seed: int,
     }
     added = [words for key, words in drawn.items() if words and not SAID[key].search(source.sentence)]
     text = ", ".join([source.sentence, *added, *([f"{style} style"] if style else [])])
-    return scene_from_sentence(text, seed=seed, fill=density)[0]
+    return scene_from_sentence(text, seed=seed, fill=density, agents=bodies)[0]
 
 
 def _rounded(length: float) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,6 +12,7 @@ import numpy as np
 from robolayout.assets import Category
 from robolayout.planners._knowledge import Role
 from robolayout.planners._wishes import Wishes
+from robolayout.scene import Agent
 from robolayout.words import KIN, Rooms
 
 COMFORT, AIRY = 0.26, 0.15
@@ -57,6 +58,15 @@ class Known:
         there = {self.roles[other].name for other in present if other in self.roles}
         return bool(wanted) and "*" not in wanted and not wanted & there
 
+    def too_high(self, name: str, agents: Iterable[Agent]) -> bool:
+        """Return whether a thing that is opened hangs above what one of the bodies reaches: a wall cabinet for a child."""
+        kind = self.kinds[name]
+        role = self.roles.get(kind.like or name)
+        if kind.on_floor or kind.open_depth <= 0 or role is None or not role.height:
+            return False
+        bottom = role.height - kind.size[2] / 2
+        return any(agent.reach_distance is not None and bottom > agent.reach_high for agent in agents)
+
     def head(self, name: str) -> str:
         """Return the word that says what a thing is, by what it is like."""
         return head(self.kinds[name].like or name)
@@ -86,11 +96,19 @@ class Added:
         size: Width and depth of the room in metres.
         known: Categories and room types.
         fill: Share of the floor up to which further things are added.
+        agents: The bodies of the room; nothing is added that one of them cannot open wherever it hangs.
     """
 
     def __init__(
-        self, wishes: Wishes, wished: Mapping[str, int], size: tuple[float, float], known: Known, fill: float
+        self,
+        wishes: Wishes,
+        wished: Mapping[str, int],
+        size: tuple[float, float],
+        known: Known,
+        fill: float,
+        agents: Sequence[Agent],
     ) -> None:
+        self.agents = agents
         self.wishes, self.room, self.wished, self.known = wishes, wishes.room, wished, known
         self.floor = size[0] * size[1] * (0.75 if wishes.reading.shape == "L-shaped" else 1.0)
         self.fill = AIRY if wishes.reading.airy else fill
@@ -126,8 +144,9 @@ class Added:
         )
 
     def _fits(self, group: Mapping[str, int], limit: float) -> bool:
-        if any(self.known.kinds[name].size[2] + SPARE > self.ceiling for name in group):
-            return False
+        for name in group:
+            if self.known.kinds[name].size[2] + SPARE > self.ceiling or self.known.too_high(name, self.agents):
+                return False
         taken = self.known.floor_area(both(self.wished, self.found, group))
         return self.known.floor_area(group) == 0 or taken <= limit * self.floor
 

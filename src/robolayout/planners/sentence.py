@@ -21,7 +21,7 @@ from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import openings
 from robolayout.planners._own import own_sides
 from robolayout.planners._wishes import Wishes, read_wishes
-from robolayout.scene import Scene, scene_from_dict, variable_name
+from robolayout.scene import Agent, Scene, load_agent, scene_from_dict, variable_name
 from robolayout.words import RoomType, dressing, read_rooms, wanted_openings
 
 FULLEST = 0.55
@@ -80,7 +80,13 @@ class Understanding:
 
 
 def scene_from_sentence(
-    text: str, *, seed: int = 0, variant: int = 0, knowledge: Iterable[str | Path] = (), fill: float = COMFORT
+    text: str,
+    *,
+    seed: int = 0,
+    variant: int = 0,
+    knowledge: Iterable[str | Path] = (),
+    fill: float = COMFORT,
+    agents: Sequence[Agent] = (),
 ) -> tuple[Scene, Understanding]:
     """Return a scene for a sentence, and what was understood of it.
 
@@ -90,6 +96,7 @@ def scene_from_sentence(
         variant: Number of the variant; different ones have other doors, windows and additions.
         knowledge: Files of your own, whose things and rooms are known besides the built-in ones.
         fill: Share of the floor up to which further things are added.
+        agents: The bodies of the room; else the one that the sentence names, or that is usual there.
 
     Raises:
         SceneError: The sentence is empty, names no room, or wishes more than the room can hold.
@@ -104,8 +111,9 @@ def scene_from_sentence(
     wished = _wished(wishes, room)
     size = _room_size(wishes, room, wished, known)
     _possible(wishes.reading.shape, wished, size, known)
-    added = Added(wishes, wished, size, known, fill).things(rng)
     agent = wishes.reading.agent or room.agent
+    bodies = agents or ([load_agent(agent)] if agent else [])
+    added = Added(wishes, wished, size, known, fill, bodies).things(rng)
     height = _height(wishes, room, [known.kinds[name] for name in (*wished, *added)])
     assumed = (*wishes.guesses, *_assumed(wishes, room, size), *_lowered(height, map(known.kinds.__getitem__, wished)))
     found = Understanding(
