@@ -59,11 +59,12 @@ class Effort:
     stale: int = 160
     """The same without a better one: the room is as right as it will be."""
 
-    lost: float = 0.6
-    """Share of what a stage moves that is out of place or out of reach after polishing, above which the guess is worth nothing."""
+    lost: tuple[float, float] = (0.6, 0.45)
+    """Share of what a stage moves that is out of place or out of reach after polishing, and metres that this moved each of them,
+    above both of which the guess is worth nothing: where it was near, a way that is blocked is opened first."""
 
     blind: float = 0.25
-    """The same once the ways are opened, and share of the statements that do not hold after mending."""
+    """The same share once the ways are opened, and share of the statements that do not hold after mending."""
 
     nearby: int = 30
     """Things that are tried elsewhere near their guess, at most."""

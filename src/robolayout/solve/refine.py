@@ -156,7 +156,8 @@ class Solver:
         if number and not any(self._at(number, name) for name in best.verdict.culprits):
             return best
         best, run = self._polished(stage, number, best)
-        self.blind |= self._amiss(stage, best) > self.effort.lost
+        off = self.problem.moved(best.world) / len(stage.moving)
+        self.blind |= self._amiss(stage, best) > self.effort.lost[0] and off > self.effort.lost[1]
         if number == 0 and self.config.route_rounds and best.verdict.barred and not self.blind:
             best, run = self._opened(stage, run, best)
             best = self._route(stage, run, best)
