@@ -46,6 +46,15 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("a two-seater sofa, a four-poster bed and a trash can", {"sofa": 1, "bed": 1, "trash can": 1}),
         ("a plant stands on the TV stand", {"potted plant": 1, "tv stand": 1}),
         ("a shop with flower stands", {"plant stand": 2}),
+        ("a dresser in the middle as an island", {"dresser": 1}),
+        ("two desks, one chair per desk", {"desk": 2, "chair": 2}),
+        ("an office for three people. Each person has a desk and a monitor.", {"desk": 3, "monitor": 3}),
+        ("two floor lamps, one in each corner", {"floor lamp": 2}),
+        ("a pool table at least 1.5 m from every wall", {"pool table": 1}),
+        ("a rack for shoes by the door", {"shelving unit": 1}),
+        ("three chairs in a semicircle", {"chair": 3}),
+        ("twelve student desks in 3 rows and 4 columns", {"student desk": 12}),
+        ("a round table for four. A cabinet is behind the chairs.", {"round table": 1, "cabinet": 1, "chair": 4}),
     ],
 )
 def test_counts(text: str, counts: dict[str, int]) -> None:
@@ -96,6 +105,34 @@ def test_relations(text: str, said: set[tuple[str, ...]]) -> None:
         ("a bistro table", "round table"),
         ("a wardrob", "wardrobe"),
         ("a karaoke machine", "vending machine"),
+        ("The bed should not be under the window.", {("apart", "bed", "window")}),
+        ("Do not put the desk in front of the door.", {("apart", "desk", "door")}),
+        ("a bed and no rug under the table", set()),
+        ("Two side tables flank the sofa.", {("flank", "side table", "sofa")}),
+        ("two beds separated by a curtain", {("amid", "curtain", "bed")}),
+        ("The bed's headboard is against the south wall.", {("wall", "bed", "wall")}),
+        (
+            "a shelf with bottles behind the counter",
+            {("with", "bottle", "shelving unit"), ("behind", "shelving unit", "kitchen counter")},
+        ),
+        (
+            "Behind the desk is a bookcase, to its left a plant.",
+            {("behind", "bookshelf", "desk"), ("left", "plant", "desk")},
+        ),
+        (
+            "Next to the sofa is a table, and a lamp stands against the wall.",
+            {("next", "dining table", "sofa"), ("wall", "floor lamp", "wall")},
+        ),
+        (
+            "a sofa facing a television with speakers on either side of it",
+            {("facing", "sofa", "television"), ("flank", "speaker", "television")},
+        ),
+        (
+            "a television on the wall opposite the sofa",
+            {("on", "television", "wall"), ("opposite", "television", "sofa")},
+        ),
+        ("a kitchenette along the wall and a bed by the window", {("by", "bed", "window")}),
+        ("A globe sits on top of the shelf.", {("on", "globe", "shelving unit")}),
     ],
 )
 def test_a_noun_takes_the_kind_that_fits(text: str, kind: str) -> None:

@@ -7,7 +7,7 @@ that names something says what it is: "two leather office chairs" are two office
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from robolayout.words._function_words import BOUNDS, BREAKING, DETERMINERS, JOINING, PEOPLE, REFUSING, SETS, WITH
 from robolayout.words._lexicon import LONGEST, Lexicon, Noun, grammar
@@ -25,6 +25,9 @@ MARKS = {
     ")": "comma",
 }
 
+
+HALVES = ("back", "rear", "front", "left", "right")
+"""Sides of the room that are halves of it."""
 
 HEAPS, HEAPED = ("stack", "pile"), ("stacked", "piled")
 """Words for things one on top of the other: before "of", and of the things."""
@@ -79,6 +82,12 @@ class Chunker:
         at = 0
         while at < len(self.words):
             chunk = self._next(at)
+            last = next((c for c in reversed(found) if c.kind == "thing"), None)
+            if last is not None and (chunk.kind, chunk.value) == (
+                "filler",
+                "another",
+            ):  # "one left of it, another right of it"
+                chunk = replace(last, start=at, end=chunk.end, det="new", number=None, plural=False, rows=0)
             found.append(chunk)
             at = chunk.end
         return found
@@ -90,7 +99,16 @@ class Chunker:
             return Chunk("rel" if gap else "measure", at, end, "apart" if gap else "", measure=measure)
         if self.words[at] in MARKS:
             return Chunk(MARKS[self.words[at]], at, at + 1)
-        return self._fixed(at) or self._noun_phrase(at) or self._single(at)
+        return self._role(at) or self._fixed(at) or self._noun_phrase(at) or self._single(at)
+
+    def _role(self, at: int) -> Chunk | None:
+        """Return what a thing is to serve as ("as an island"), or how many a table seats: neither is one more thing."""
+        before, word, following = (["", *self.words, "", ""][at + i] for i in range(3))
+        if word in ("seats", "seating") and _count(following):
+            return Chunk("people", at, at + 2, "people", number=_count(following))
+        role = word == "as" and following in ("a", "an", "the") and before not in ("well", "such", "same")
+        named = self._noun_phrase(at + 1) if role else None
+        return Chunk("filler", at, named.end, word) if named else None
 
     def _fixed(self, at: int) -> Chunk | None:
         """Return a relation or another phrase of the closed lists that begins here."""
@@ -100,10 +118,10 @@ class Chunker:
                 return Chunk("corner", at, at + size, self.lexicon.corners[phrase])
             kind, value = self.grammar.phrases.get(phrase, ("", ""))
             if kind == "rel" and self._is_relation(phrase, at + size):
-                return Chunk("rel", at, at + size, value)
+                return Chunk("rel", at, at + size, value, det="its" if " its " in phrase else "")
         word = self.words[at]
         if word in REFUSING and not self._bound(at)[0]:
-            return Chunk("not", at, at + 1)
+            return Chunk("not", at, at + 1, word)
         if word in WITH:
             return Chunk("with", at, at + 1)
         return Chunk("and", at, at + 1, word) if word in JOINING else None
@@ -122,8 +140,11 @@ class Chunker:
             "corners",
         ):
             return False
-        if phrase.endswith(("left", "right", "middle", "center", "centre")) and following and following not in MARKS:
+        sided = phrase.endswith(("left", "right", "middle", "center", "centre")) and " its " not in phrase
+        if sided and following and following not in MARKS:
             return following in (*JOINING, "there", "is", "stands", "with", "sits", "are", "stand", "hangs")
+        if phrase in ("nearest", "flank", "block", "blocks"):
+            return following in DETERMINERS
         if phrase in ("at", "around", "over", "about") and (following.isdigit() or following in ("least", "most")):
             return False
         if phrase in ("face", "before", "row"):
@@ -146,7 +167,7 @@ class Chunker:
         det, number, rows = "", None, 0
         while i < len(self.words) and (step := self._before_noun(i, det, number)):
             det, number, bound, rows = (
-                step[0] or det,
+                det if det == "each" else step[0] or det,
                 step[1] if step[1] is not None else number,
                 step[2] or bound,
                 step[3] or rows,
@@ -170,8 +191,8 @@ class Chunker:
             return ("", rows * each, "", rows, 4)
         if len(rest) > 1 and rest[0] == "rows" and rest[1] == "of" and _count(word):
             return ("", None, "", _count(word) or 1, 3)
-        if word in ("twin", "couple", "both", "all") and word != "twin" and rest[:1] == ["of"]:
-            return ("all", None, "", 0, 2)
+        if word in ("couple", "both", "all", "each") and rest[:1] == ["of"]:
+            return ("each" if word == "each" else "all", None, "", 0, 2)
         if word == "one" and rest[:1] == ["of"]:
             return ("one", 1, "", 0, 2)
         if word in DETERMINERS and (det == "the" or word not in ("second", "first", "third")):
@@ -188,9 +209,11 @@ class Chunker:
         run: list[str] = []
         while i < len(self.words) and len(run) < LONGEST + 2:
             word = self.words[i]
+            pair = self.words[i - 1 : i] + self.words[i + 1 : i + 2]
+            both = word == "and" and bool(run) and all(side in self.grammar.walls for side in pair)
             stops = (
                 word in MARKS
-                or word in JOINING
+                or (word in JOINING and not both)  # "the left and right walls"
                 or word in WITH
                 or word in BREAKING
                 or word in REFUSING
@@ -258,8 +281,12 @@ class Chunker:
                 chunk = self._known(tail)
                 if chunk and not (chunk[0] == "function" and start and self.lexicon.noun(run[start - 1 : start])):
                     kind, value, noun = chunk
+                    owner = self.lexicon.noun(run[:start][-2:]) or self.lexicon.noun(run[:start][-1:])
+                    if value == "side" and owner is not None:  # "the bed's headboard"
+                        return Chunk("thing", at, i + end, "", owner, det, number, bound)
                     plural = kind in ("thing", "part") and _plural(tail[-1], noun)
                     adjectives = (*run[:start], *(HEAPED[:1] if set(HEAPS) & set(self.words[at:i]) else ()))
+                    adjectives += tuple(tail[-1:]) if value == "side" and tail[-1] in HALVES else ()  # "at the back"
                     return Chunk(kind, at, i + end, value, noun, det, number, bound, plural, adjectives, rows=rows)
             if not told or self._does(run):
                 break

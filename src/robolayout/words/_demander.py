@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
@@ -15,11 +16,12 @@ from robolayout.words._walls import COMPASS, walls_meant
 from robolayout.words._ways import (
     ACROSS,
     AHEAD,
-    APART,
     AT_DOOR,
+    AT_PLACES,
     AT_TABLE,
     AT_WINDOW,
     BACK,
+    BACK_WALL,
     BESIDE,
     BY_TWOS,
     DAYLIGHT,
@@ -32,7 +34,9 @@ from robolayout.words._ways import (
     NEAR,
     OPEN_SHARE,
     SEATS,
+    SLEPT_ON,
     TO_ANOTHER,
+    TOPS,
     Ways,
 )
 from robolayout.words.demands import Demand, Way
@@ -61,19 +65,22 @@ class Demander:
             return tuple(self._apart(subjects, link.objects, link.metres))
         if link.relation in ENDS and any(isinstance(item, Place) and item.name == "room" for item in link.objects):
             return tuple(self._at_place(subjects, Place("side", (ENDS[link.relation],))))
+        place = self._place(link.objects) if link.relation in AT_PLACES else None
+        at_place = self._at_place(subjects, place, on=link.relation in ("on", "wall")) if place is not None else ()
         if link.relation in TO_ANOTHER:
-            return tuple(self._to_another(TO_ANOTHER[link.relation], subjects, link.objects))
+            twos = self._matched(subjects, link.objects)
+            return (*at_place, *(_way(TO_ANOTHER[link.relation], a, b) for a, b in twos))
         if link.relation in IN_A_CHAIN:
             return tuple(_way(IN_A_CHAIN[link.relation], b, a) for a, b in pairwise(subjects))
         if link.relation in BY_TWOS:
             twos = zip(subjects[::2], subjects[1::2], strict=False)
             return tuple(_way(BY_TWOS[link.relation], b, a) for a, b in twos)
         make = getattr(self, f"_{link.relation}", None)
-        return tuple(make(subjects, link.objects)) if make else ()
+        return (*at_place, *(make(subjects, link.objects) if make else ()))
 
     def _named(self, mention: Mention) -> tuple[str, ...]:
         names = self.names.get(mention.thing, ())
-        return names if mention.pick is None else names[mention.pick : mention.pick + 1] or names[:1]
+        return names if mention.pick is None else names[mention.pick] or names[:1]
 
     def _asset(self, name: str) -> Asset:
         return self.scene.by_name[name]
@@ -96,11 +103,10 @@ class Demander:
     # what stands to another thing
 
     def _on(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        place = self._place(objects)
-        if place is not None:
-            yield from self._at_place(subjects, place, on=True)
         for a, b in self._matched(subjects, objects):
             yield self._resting(a, b)
+
+    _in = _on
 
     def _resting(self, a: str, b: str) -> Demand:
         """Return that a thing rests on another: a rug lies below what stands on it."""
@@ -110,28 +116,15 @@ class Demander:
         hung = self._asset(a).on_wall and not self._asset(a).on_object
         return _one(_say("above", AssetRef(a), AssetRef(b))) if hung else Demand((on,))
 
-    def _in(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        place = self._place(objects)
-        if place is not None:
-            yield from self._at_place(subjects, place)
-        for a, b in self._matched(subjects, objects):
-            yield self._resting(a, b)
-
     def _with(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """What a thing has: on it, if it can stand nowhere else, else at it."""
         for a, b in self._matched(subjects, objects):
             asset = self._asset(a)
-            if asset.on_object and (not asset.on_floor or self._is(b, ("desk", "table", "counter"))):
+            beside = asset.on_floor or self._is(b, SLEPT_ON)
+            if asset.on_object and (not beside or self._is(b, TOPS)):
                 yield self._resting(a, b)
-            elif asset.on_floor:
+            elif beside:
                 yield _one(_say("near", AssetRef(a), AssetRef(b), BESIDE))
-
-    def _to_another(self, ways: Ways, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        place = self._place(objects)
-        if place is not None:
-            yield from self._at_place(subjects, place)
-        for a, b in self._matched(subjects, objects):
-            yield _way(ways, a, b)
 
     def _far(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         x0, y0, x1, y1 = self.room.bounds
@@ -144,27 +137,42 @@ class Demander:
         for a, b in self._matched(subjects, objects):
             yield _one(_say("distance_constraint", AssetRef(a), AssetRef(b), least))
 
-    def _apart(self, subjects: Sequence[str], objects: Sequence[Mention | Place], metres: float) -> Iterator[Demand]:
-        """So many metres between the edges of two things, or of a thing and a wall, whichever of their sides these are."""
+    def _apart(
+        self, subjects: Sequence[str], objects: Sequence[Mention | Place], metres: tuple[float, float]
+    ) -> Iterator[Demand]:
+        """So many metres between the edges of two things, or of a thing and a place; "at least" holds for each such place."""
         place = self._place(objects)
         twos = list(self._matched(subjects, objects)) if objects else list(pairwise(subjects))
         for a, b in twos:
-            sides = [self._asset(name).size[:2] for name in (a, b)]
-            low, high = (metres + sum(pick(side) for side in sides) / 2 for pick in (min, max))
-            yield _one(_say("distance_constraint", AssetRef(a), AssetRef(b), low, high + APART))
-        for a in subjects if place is not None and place.name == "wall" else ():
-            low, high = (metres + side / 2 for side in sorted(self._asset(a).size[:2]))
-            walls = [WallRef(wall.index) for wall in self._walls(place)] if place else []
-            yield Demand(tuple((_say("distance_constraint", AssetRef(a), w, low, high + APART),) for w in walls))
+            yield _one(self._gap(a, AssetRef(b), *metres))
+        if place is None:
+            return
+        for a in subjects:
+            walls = place.name == "wall"
+            points = [WallRef(wall.index) for wall in self._walls(place)] if walls else self._points(place)
+            gaps = [self._gap(a, point, *metres) for point in points]
+            if metres[1] == math.inf and (not walls or place.plural or place.det in ("each", "all")):
+                yield from map(_one, gaps)
+            elif gaps:
+                yield Demand(tuple((gap,) for gap in gaps))
+
+    def _gap(self, a: str, b: AssetRef | PointRef | WallRef, low: float, high: float) -> Relation:
+        """Return that so many metres lie between edges: whichever of their sides these are, or surely on all of them."""
+        sides = [self._asset(ref.name).size[:2] for ref in (AssetRef(a), b) if isinstance(ref, AssetRef)]
+        short, long = (sum(pick(side) for side in sides) / 2 for pick in (min, max))
+        if low == 0 and not isinstance(b, WallRef):
+            return _say("near", AssetRef(a), b, high)
+        bounds = (low + long, None) if high == math.inf else (low + short, high + long)
+        return _say("distance_constraint", AssetRef(a), b, *bounds)
 
     def _flank(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Left and right of a thing, in turn; of a door or window: close to it."""
-        place = self._place(objects)
-        if place is not None:
-            yield from self._at_place(subjects, place)
         by: dict[str, list[str]] = {}
         for a, b in self._matched(subjects, objects):
-            by.setdefault(b, []).append(a)
+            if self._is(b, TOPS) and self._asset(a).on_object and not self._asset(a).on_floor:
+                yield self._resting(a, b)
+            else:
+                by.setdefault(b, []).append(a)
         for b, items in by.items():
             sides = [("left", "right")[i % 2] for i in range(len(items))]
             ways = (
@@ -181,7 +189,8 @@ class Demander:
     def _behind(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Behind a thing; who sits behind a desk sits at the side from which it is used."""
         for a, b in self._matched(subjects, objects):
-            ways = [(_say("behind", AssetRef(a), AssetRef(b), 0.0, BACK),)]
+            gap = BACK_WALL if self._only_wall(a) else BACK  # "on the wall behind the counter"
+            ways = [(_say("behind", AssetRef(a), AssetRef(b), 0.0, gap),)]
             if self._is(a, SEATS) and self._is(b, ("desk", "counter")):
                 ways.insert(0, (_say("in_front_of", AssetRef(a), AssetRef(b), 0.0, BACK),))
             yield Demand(tuple(ways))
@@ -214,20 +223,16 @@ class Demander:
             )
             if len(others) == len(subjects):
                 targets = [AssetRef(others[i])]
-            angles = (180.0, 0.0) if self._is(a, ("desk", "table", "counter")) else (0.0,)
+            angles = (180.0, 0.0) if self._is(a, TOPS) else (0.0,)
             ways = [(_say("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles]
             if ways:
                 yield Demand(tuple(ways))
 
     def _diagonal(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        yield from self._turned_from(subjects, [WallRef(0)], (45.0, 135.0, 225.0, 315.0))
-
-    def _turned_from(
-        self, subjects: Sequence[str], others: Sequence[AssetRef | WallRef], angles: Sequence[float]
-    ) -> Iterator[Demand]:
-        """Yield that each thing is turned by one of some angles (degrees) from another."""
+        """Turned by an eighth or three eighths from a wall."""
         for a in subjects:
-            yield Demand(tuple((_say("align_with", AssetRef(a), b, angle),) for b in others for angle in angles))
+            angles = (45.0, 135.0, 225.0, 315.0)
+            yield Demand(tuple((_say("align_with", AssetRef(a), WallRef(0), angle),) for angle in angles))
 
     def _mirrored(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         others = self._others(objects)
@@ -268,9 +273,6 @@ class Demander:
 
     def _under(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """A rug below others; furniture below a window, a picture, a lamp; what stands on the floor cannot stand inside another."""
-        place = self._place(objects)
-        if place is not None:
-            yield from self._at_place(subjects, place)
         others = self._others(objects)
         for a in subjects:
             if self._asset(a).is_flat and others:
@@ -283,9 +285,6 @@ class Demander:
                 yield _one(_say("near", AssetRef(a), AssetRef(b), AT_TABLE))
 
     def _above(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        place = self._place(objects)
-        if place is not None:
-            yield from self._at_place(subjects, place)
         for a, b in self._matched(subjects, objects):
             ways = [(_say("above", AssetRef(a), AssetRef(b)),)]
             if self._asset(a).on_object:
@@ -306,9 +305,6 @@ class Demander:
     # what stands at a place of the room
 
     def _wall(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        place = self._place(objects)
-        if place is not None:
-            yield from self._at_place(subjects, place, on=True)
         for a, b in self._matched(subjects, objects):
             yield _one(_say("near", AssetRef(a), AssetRef(b), BESIDE / 2))
 
@@ -388,13 +384,20 @@ class Demander:
         """Yield the half of the room that the words name, as seen on the plan."""
         x0, y0, x1, y1 = self.room.bounds
         x, y = (x0 + x1) / 2, (y0 + y1) / 2
-        halves = {"left": (x0, y0, x, y1), "right": (x, y0, x1, y1), "back": (x0, y, x1, y1), "front": (x0, y0, x1, y)}
+        back = (x0, y, x1, y1)
+        halves = {
+            "left": (x0, y0, x, y1),
+            "right": (x, y0, x1, y1),
+            "back": back,
+            "rear": back,
+            "front": (x0, y0, x1, y),
+        }
         for word in place.words:
             if word in halves:
                 yield _rectangle(*halves[word])
 
     def _walls(self, place: Place) -> list[Wall]:
-        return walls_meant(self.scene, place, self.names)
+        return walls_meant(self.scene, place)
 
     def _fits(self, name: str, wall: Wall) -> bool:
         return self._asset(name).size[1] <= wall.length

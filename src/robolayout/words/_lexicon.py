@@ -50,12 +50,12 @@ class Grammar:
 def grammar() -> Grammar:
     """Read the word lists."""
     data = tomllib.loads((files("robolayout.words") / "grammar.toml").read_text("utf-8"))
-    phrases = {word: ("verb", word) for word in data["verbs"]["words"]}
+    phrases = {plain(word): ("verb", word) for word in data["verbs"]["words"]}
     phrases |= {word: ("pron", word) for word in data["pronouns"]["words"]}
     phrases |= {phrase: ("rel", name) for name, given in data["relations"].items() for phrase in given}
     return Grammar(
         phrases,
-        frozenset(data["fillers"]["words"]),
+        frozenset(map(plain, data["fillers"]["words"])),
         frozenset(data["styles"]["words"]),
         frozenset(data["functions"]["words"]),
         {word: name for name, words in data["parts"].items() for word in words},

@@ -7,6 +7,9 @@ clause before, or what stands before "with". A noun with "the" that was named be
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 from robolayout.assets import CATALOGUE
 from robolayout.words._chunks import Chunk
 from robolayout.words._relations import AIDS, Relating
@@ -71,7 +74,7 @@ class Parser(Relating):
         self.verb = True
 
     def _on_not(self, chunk: Chunk) -> None:
-        self.refusing = True
+        self.refusing, self.negated = True, chunk.value in ("not", "dont", "avoid", "never")
 
     def _on_filler(self, chunk: Chunk) -> None:
         if chunk.value in ("that", "which"):
@@ -82,6 +85,20 @@ class Parser(Relating):
                 self.group[-1].thing.people = count_of(following.value)
             else:
                 self.said.people = count_of(following.value)
+        share = count_of(chunk.value)
+        if share and following.kind == "rel":
+            self._deal(share, self.chunks[self.at + 1 : self.at + 2])
+
+    def _deal(self, share: int, objects: Sequence[Chunk]) -> None:
+        """Let so many of the things named last be what the next relation is about: "two at one wall and two at the other"."""
+        last = (self.group or self.subject or self.before)[-1:]
+        first = self.dealt.get(last[0].thing, 0) if last else 0
+        if not last or first + share > last[0].thing.count or share == last[0].thing.count:
+            return
+        each = bool(objects) and objects[0].det == "each"
+        self.dealt[last[0].thing] = first + (0 if each else share)
+        self.group = self.acted = [Mention(last[0].thing, None if each else slice(first, first + share))]
+        self.verb = False
 
     def _on_each(self, chunk: Chunk) -> None:
         """After a thing it multiplies ("four chairs each"); before "with" it says that each one has them."""
@@ -89,7 +106,7 @@ class Parser(Relating):
             self.at += 1
             holder = self.group[-1:] or self.subject[-1:]
             self.holder = holder
-            self._each_has(holder)
+            self._each_has(holder, holder[0].thing.count if holder else 1)
         elif self.group and self.holder and self.group[-1].thing is not self.holder[0].thing:
             self.group[-1].thing.times = self.holder[0].thing.count
 
@@ -110,21 +127,19 @@ class Parser(Relating):
             self.group = list(self.before)
 
     def _on_thing(self, chunk: Chunk) -> None:
-        if self.refusing or chunk.refused:
-            if chunk.noun is not None:
-                self.said.refused.append((chunk.noun, (chunk.start, chunk.end)))
-            return
-        if chunk.noun is not None and chunk.noun.kind in AIDS and self._previous(chunk) in ("use", "uses", "using"):
-            self._fact(Chunk("body", chunk.start, chunk.end, AIDS[chunk.noun.kind]))
+        if self._no_thing(chunk):
             return
         mention = self._mention(chunk)
         self.recent.append(mention)
+        self.target = None
         for word in set(SAID_OF) & set(chunk.adjectives):
             self.said.links.append(Link(SAID_OF[word], (mention,), (), chunk.start, chunk.end))
         if chunk.det == "each" and self.group and self._previous(chunk) == "for":
             self.group[-1].thing.times = mention.thing.count
             self._link(Chunk("rel", chunk.start, chunk.end, "with"), self.group[-1:], [mention])
             return
+        if self.fronted is not None and self.acted and (self._elsewhere() or self._alone(mention)):
+            self.fronted = None
         if self.fronted is not None:
             self._link(self.fronted[0], [mention], self.fronted[1])
             self.group = [*self.group, mention] if self.group and not self.broken else [mention]
@@ -143,6 +158,26 @@ class Parser(Relating):
             self.subject = self.group
         self.acted = []
         self.verb = self.relative = self.broken = False
+
+    def _no_thing(self, chunk: Chunk) -> bool:
+        """Return whether a noun names what is not to be there, what somebody moves with, or what a thing is for."""
+        noun, before = chunk.noun, self._previous(chunk)
+        several = chunk.plural or (noun is not None and noun.words.endswith("s"))
+        bare = several and not chunk.det and chunk.number is None
+        if noun is not None and self.refusing and not (self.negated and chunk.det == "the"):
+            self.said.refused.append((noun, (chunk.start, chunk.end)))
+        elif noun is not None and noun.kind in AIDS and before in ("use", "uses", "using"):
+            self._fact(Chunk("body", chunk.start, chunk.end, AIDS[noun.kind]))
+        elif bare and self.group and before == "for":
+            self._fact(replace(chunk, kind="function"))  # "a rack for shoes"
+        else:
+            return False
+        return True
+
+    def _elsewhere(self) -> bool:
+        """Return whether a further thing of a list has its own place: "behind it a clock, four armchairs around a table"."""
+        following = self.chunks[self.at].kind if self.at < len(self.chunks) else "stop"
+        return self.fronted is not None and self.fronted[0].value != "on" and following == "rel"
 
     def _alone(self, mention: Mention) -> bool:
         """Return whether a new clause begins with a thing: "..., and a rack stands at the wall"."""
@@ -171,6 +206,8 @@ class Parser(Relating):
                 self.said.openings.append(
                     (Place(chunk.value, walls, chunk.number, chunk.plural, chunk.det), (chunk.start, chunk.end))
                 )
+        elif chunk.value == "side" and chunk.det == "each" and self.group and self._previous(chunk) == "for":
+            self._link(Chunk("rel", chunk.start, chunk.end, "flank"), self.group, self._meant("it"))
         elif chunk.value == "floor" and chunk.adjectives:
             self.said.facts.append(Chunk("style", chunk.start, chunk.end, f"{' '.join(chunk.adjectives)} floor"))
         self.broken = True

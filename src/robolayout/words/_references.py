@@ -24,6 +24,7 @@ class References:
         self.at = 0
         self.before: list[Mention] = []
         self.pending: list[Mention] = []
+        self.dealt: dict[Thing, int] = {}
         self._new_sentence()
 
     def _new_sentence(self) -> None:
@@ -32,7 +33,7 @@ class References:
         self.acted: list[Mention] = []
         self.holder: list[Mention] = []
         self.fronted: tuple[Chunk, list[Mention | Place]] | None = None
-        self.refusing = False
+        self.refusing = self.negated = False
         self.verb = False
         self.relative = False
         self.broken = self.having = self.listed = False
@@ -72,9 +73,9 @@ class References:
         """Return a place of the room, or the thing whose side it is ("the foot of the bed")."""
         following = self.chunks[self.at : self.at + 2]
         if chunk.value in ("side", "middle") and len(following) == 2 and following[0].value == "of":
-            if following[1].kind == "thing":
-                self.at += 2
-                return self._mention(following[1], target=True)
+            if following[1].kind in ("thing", "pron"):
+                self.at += 1
+                return self._object(chunk) or place_of(chunk)
             if following[1].kind in ("part", "room"):
                 self.at += 2
                 if following[1].kind == "room":
@@ -82,21 +83,15 @@ class References:
         return place_of(chunk)
 
     def _which_wall(self, wall: Place) -> Place:
-        """Return a wall with what tells it from the others."""
+        """Return a wall with the door or window that tells it from the others."""
         following = self.chunks[self.at : self.at + 2]
-        if len(following) < 2 or following[1].kind not in ("part", "thing"):
+        if len(following) < 2 or following[1].kind != "part":
             return wall
-        joins = (
-            following[0].value in ("opposite", "facing", "behind", "by")
-            if following[0].kind == "rel"
-            else following[0].kind == "with"
-        )
-        if not joins or (following[0].kind == "with" and following[1].kind == "thing"):
+        how = following[0].value if following[0].kind == "rel" else following[0].kind
+        if how not in ("opposite", "facing", "behind", "by", "with"):
             return wall
         self.at += 2
-        by = place_of(following[1]) if following[1].kind == "part" else self._mention(following[1], target=True)
-        how = "with" if following[0].kind == "with" else following[0].value
-        return Place(wall.name, wall.words, wall.number, wall.plural, wall.det, (how, by))
+        return replace(wall, by=(how, place_of(following[1])))
 
     def _meant(self, word: str) -> list[Mention]:
         """Return what a pronoun stands for: what stands before "with", what was named last before, the subject before."""
@@ -123,14 +118,14 @@ class References:
         """Return the thing that a noun phrase names: one named before, or a new one."""
         assert chunk.noun is not None
         pick = (
-            0
+            slice(0, 1)
             if "left" in chunk.adjectives or chunk.det in ("first", "one")
-            else 1
+            else slice(1, 2)
             if "right" in chunk.adjectives
             else None
         )
-        pick = 1 if chunk.det == "other" and not chunk.plural else pick
-        pick = 0 if target and chunk.number == 1 and not chunk.plural else pick
+        pick = slice(1, 2) if chunk.det == "other" and not chunk.plural else pick
+        pick = slice(0, 1) if target and chunk.number == 1 and not chunk.plural else pick
         known = self._known(chunk, target=target)
         if known is not None:
             known.spans.append((chunk.start, chunk.end))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -9,12 +10,22 @@ from robolayout.assets import CATALOGUE
 from robolayout.words._chunks import Chunk
 from robolayout.words._references import References
 from robolayout.words._said import Link, Mention, Place, several, topped
+from robolayout.words._tokens import Measure
 
-REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on"}
+REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on", "separated": "amid"}
 """Relations that are said from the other side."""
 
 AIDS = {"wheelchair": "wheelchair", "walker": "elder_walker"}
 """Bodies by what they use; what a room is to contain is a thing."""
+
+NEARNESS = frozenset(("next", "near", "by", "under", "front"))
+"""Relations that say that one thing is close to another."""
+
+ZONES = ("room", "corner", "function", "part")
+"""Kinds of chunks that name a part of the room."""
+
+KEPT_OFF = 0.6
+"""Metres between a thing and what it must not be near."""
 
 _ALONE = "next apart row rows pairs backs stacked diagonal lit parallel mutual abreast middle flank left right front near under"
 ALONE = frozenset(_ALONE.split())
@@ -39,7 +50,14 @@ class Relating(References):
 
     def _on_with(self, chunk: Chunk) -> None:
         self.refusing = False
-        if self.acted and not self.broken:
+        self.fronted = None if self.acted else self.fronted
+        who = self.chunks[self.at - 2] if self.at > 1 else chunk
+        if who.kind == "people" and who.det == "each":
+            self._each_has([], next((c.number for c in self.said.facts if c.kind == "people" and c.number), 1))
+            return
+        if self.target is not None and self.target.det == "a" and self.chunks[self.at - 2].kind == "thing":
+            self.holder = [self.target]  # "facing a television with speakers"
+        elif self.acted and not self.broken:
             self.holder = self.acted
         elif self.group:
             self.holder = [self.group[-1]]
@@ -47,12 +65,10 @@ class Relating(References):
         self.verb = self.listed = False
         self.broken = True
         if self.holder and self.holder[0].det == "each" and self.holder[0].thing.count > 1:
-            self._each_has(self.holder)
+            self._each_has(self.holder, self.holder[0].thing.count)
 
-    def _each_has(self, holder: list[Mention]) -> None:
-        """Read what each of some things has, up to the end of the clause."""
-        if not holder:
-            return
+    def _each_has(self, holder: list[Mention], times: int) -> None:
+        """Read what each of some things or people has, up to the end of the clause."""
         first = len(self.said.things)
         while self.at < len(self.chunks) and self.chunks[self.at].kind in ("thing", "and", "comma", "filler", "style"):
             chunk = self.chunks[self.at]
@@ -65,8 +81,9 @@ class Relating(References):
             if chunk.kind == "thing":
                 mention = self._mention(chunk)
                 if mention.thing in self.said.things[first:]:
-                    mention.thing.times = holder[0].thing.count
+                    mention.thing.times = times
                     self.group = [mention]
+                if holder and mention.thing in self.said.things[first:]:
                     self.said.links.append(Link("with", (mention,), tuple(holder), chunk.start, chunk.end))
 
     def _list_goes_on(self) -> bool:
@@ -119,7 +136,7 @@ class Relating(References):
             self._on_with(chunk)
             return
         first = self.at
-        objects = self._objects(chunk)
+        objects = list[Mention | Place](self._meant("it")) if chunk.det == "its" else self._objects(chunk)
         if chunk.value == "ontop":
             chunk, objects = replace(chunk, value="on"), objects or list(self.holder or self.subject)
         place = objects[0] if objects and isinstance(objects[0], Place) else None
@@ -127,15 +144,31 @@ class Relating(References):
         if sides and self._at_sides(chunk, subjects):
             return
         held = self.having and self.holder and not self.listed
-        if (place or chunk.value == "middle") and held and subjects == self.group[-1:]:
+        laid = (
+            chunk.value in ("behind", "next", "near") and held and topped(self.group[-1]) and not topped(self.holder[0])
+        )
+        if (place or chunk.value == "middle" or laid) and held and subjects == self.group[-1:]:
             subjects = self.holder  # "a table with a vase near the door"
         for item in objects if every and subjects else ():
             if isinstance(item, Mention) and item.det == "a" and item.thing.times == 1:
                 item.thing.times = subjects[0].thing.count  # "each facing a mirror"
         self._relate(chunk, subjects, objects, first)
 
+    def _refused(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
+        """Note what must not be so: where nearness is refused, a gap is asked for; of what must not be there nothing is."""
+        place = bool(objects) and isinstance(objects[0], Place)
+        if self.negated and subjects and (chunk.value in NEARNESS or (chunk.value == "blocks" and place)):
+            gap = Measure("apart", (KEPT_OFF, math.inf), 0, 0)
+            self._link(replace(chunk, value="apart", measure=gap), subjects, objects)
+        elif self.negated:
+            self.said.missed.append(chunk)
+        self.refusing = False
+
     def _relate(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Mention | Place], first: int) -> None:
         """Note what a relation says; what leads on from a colon says no more than which room it is."""
+        if self.refusing:
+            self._refused(chunk, subjects, objects)
+            return
         if chunk.value == "amid" and not objects:
             objects = self._meant("them")
         colon = self.at < len(self.chunks) and self.chunks[self.at].kind == "colon"
@@ -147,6 +180,8 @@ class Relating(References):
             self._reversed(chunk, subjects, objects)
         elif not subjects and (named := self._fronted_things()):
             self._link(chunk, named, objects)  # "on the desk in the corner stands a lamp"
+        elif not subjects and self._of_a_zone(first - 1):
+            self.said.missed.append(chunk)
         elif (not subjects and not colon) or self._turned_round(first, objects):
             self.fronted = (chunk, list(objects))
             self.group = []
@@ -154,6 +189,11 @@ class Relating(References):
             self._link(chunk, subjects, objects)
             self.acted = subjects
             self.verb = False
+
+    def _of_a_zone(self, index: int) -> bool:
+        """Return whether a relation is about a part of the room, so that no thing stands there: "a kitchenette along the wall"."""
+        before = [chunk.kind for chunk in self.chunks[max(index - 2, 0) : index]]
+        return self.fronted is None and before[-1:] != [] and before[-1] in ZONES and before[0] != "rel"
 
     def _fronted_things(self) -> list[Mention]:
         """Return the thing that a relation before this one leads to, while nothing stands there yet."""
@@ -256,7 +296,9 @@ class Relating(References):
         """Return what a relation right after a noun is about: small things "on" something all together, else the noun."""
         following = self.chunks[self.at].value if self.at < len(self.chunks) else ""
         hung = self.target is not None and "wall" in CATALOGUE[self.target.thing.noun.kind].places
-        told = relation in ("by", "next", "near") or (following == "wall" and hung and relation in ("on", "wall"))
+        told = relation in ("by", "next", "near", "holds") or (
+            following == "wall" and hung and relation in ("on", "wall")
+        )
         if self.target is not None and told and self.acted:
             return [self.target]
         last = self.group[-1:] or list(self.subject)
@@ -327,10 +369,11 @@ class Relating(References):
     def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
         """Note a relation; what stands at each of several things is as many times there."""
         for item in objects:
-            for mention in subjects if item.det == "each" else ():
+            for mention in subjects if item.det == "each" and chunk.value not in ("apart", "far") else ():
                 count = item.thing.count if isinstance(item, Mention) else {"corner": 4, "wall": 4}.get(item.name, 1)
                 owned = isinstance(item, Mention) and item.thing is mention.thing
-                if mention.thing.times == 1 and not owned and not self._given(mention):
+                dealt = mention.thing in self.dealt  # "two lamps, one in each corner"
+                if mention.thing.times == 1 and not owned and not dealt and not self._given(mention):
                     mention.thing.times = count * (2 if chunk.value == "flank" and mention.thing.number == 1 else 1)
         if chunk.value == "flank" and len(subjects) == 1 and not self._given(subjects[0]):
             thing = subjects[0].thing
@@ -347,5 +390,5 @@ class Relating(References):
         ):  # "a bed with a lamp on either side": the lamps are not on the bed
             own = {mention.thing for mention in subjects}
             self.said.links[:] = [k for k in self.said.links if k.relation != "with" or k.subjects[0].thing not in own]
-        gap = chunk.measure.values[0] if chunk.measure else 0.0
-        self.said.links.append(Link(chunk.value, tuple(subjects), tuple(objects), chunk.start, chunk.end, gap))
+        low, high = chunk.measure.values if chunk.measure else (0.0, 0.0)
+        self.said.links.append(Link(chunk.value, tuple(subjects), tuple(objects), chunk.start, chunk.end, (low, high)))

@@ -49,7 +49,7 @@ class Mention:
     """A thing where it is named."""
 
     thing: Thing
-    pick: int | None = None  # which one of several; None is all of them
+    pick: slice | None = None  # which of several; None is all of them
     det: str = ""  # the article
 
 
@@ -62,8 +62,7 @@ class Place:
     number: int | None = None  # how many, if said
     plural: bool = False  # whether several are meant
     det: str = ""  # the article
-    # for a wall: the mention or place that says which one ("opposite the door"), with the relation
-    by: tuple[str, Mention | Place] | None = None
+    by: tuple[str, Place] | None = None  # for a wall: what says which one ("opposite the door"), with the relation
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +74,8 @@ class Link:
     objects: tuple[Mention | Place, ...]  # what it stands to
     start: int  # first token
     end: int  # token after the last one
-    metres: float = 0.0  # what lies between, where that is said
+    # least and most metres that lie between, where that is said
+    metres: tuple[float, float] = (0.0, 0.0)
 
 
 @dataclass(eq=False)
@@ -95,7 +95,11 @@ class Parsed:
 
 def several(item: Mention | Place) -> bool:
     """Return whether something is more than one thing."""
-    return isinstance(item, Mention) and item.thing.count > 1 and item.pick is None
+    return (
+        isinstance(item, Mention)
+        and item.thing.count > 1
+        and (item.pick is None or item.pick.stop - item.pick.start > 1)
+    )
 
 
 def place_of(chunk: Chunk) -> Place:

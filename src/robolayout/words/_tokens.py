@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -35,14 +36,23 @@ _SIZE = re.compile(rf"{_N}{_U}\s*(?:x|\u00d7|by|\*)\s*{_N}{_U}(?![\w\u00b2]|\s*g
 _SIDES = re.compile(
     rf"{_N}{_U}\s*(?:long|wide|deep)\s*(?:,|and|x|by)+\s*{_N}{_U}\s*(?:wide|long|deep)\b", re.IGNORECASE
 )
-_GRID = re.compile(r"(\d+)\s*(?:x|\u00d7|by)\s*(\d+)\s*grid", re.IGNORECASE)
+_GRID = re.compile(
+    rf"{_N}\s*(?:x|\u00d7|by)\s*{_N}\s*grid|{_N}\s+rows?\s+(?:and|of|by|x)\s+{_N}\s+columns?", re.IGNORECASE
+)
 _AREA = re.compile(
     rf"{_N}\s*(m2|m\u00b2|sqm|square met(?:re|er)s?|sq\.? ?m|square (?:feet|foot)|sq\.? ?ft|ft\u00b2|ft2)",
     re.IGNORECASE,
 )
 _HEIGHT = re.compile(rf"{_N}{_U}\s*(?:high|tall|ceilings?)\b|ceilings?\s*(?:of|at)?\s*{_N}{_U}", re.IGNORECASE)
-_APART = re.compile(rf"{_N}{_U}\s*(?:apart|(?:away )?from)\b", re.IGNORECASE)
-_TOKEN = re.compile(r"[a-z]+-in\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*|[.;!?:\n]|,|[()]")
+_APART = re.compile(
+    rf"(?:\b(?:(at least|no less than|more than)|(at most|no more than|up to|less than|within))\s+)?"
+    rf"{_N}{_U}\s*(?:apart|(?:away )?from|of)\b",
+    re.IGNORECASE,
+)
+APART = 0.3
+"""Metres by which what lies between two things may differ from what is said."""
+
+_TOKEN = re.compile(r"[a-z]+-(?:in|mounted|hung)\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*|[.;!?:\n]|,|[()]")
 
 
 @dataclass(frozen=True)
@@ -50,7 +60,7 @@ class Measure:
     """A measure of the room."""
 
     kind: str  # "size", "area", "height", "grid" of things, or "apart": what lies between two
-    values: tuple[float, ...]  # metres, square metres, or rows and columns
+    values: tuple[float, ...]  # metres, square metres, rows and columns, or the least and the most that lies between
     start: int  # first character
     end: int  # character after the last one
 
@@ -69,7 +79,8 @@ def tokens(text: str) -> list[Token]:
     lower = text.lower().replace("\u2019", "'")
     if len(lower) != len(text):  # a letter whose small form is longer: places would no longer fit
         lower = "".join(char.lower() if len(char.lower()) == 1 else char for char in text).replace("\u2019", "'")
-    return [Token(re.sub(r"['-]", "", m.group()), m.start(), m.end()) for m in _TOKEN.finditer(lower)]
+    found = ((m.span(), re.sub(r"['-]", "", m.group())) for m in _TOKEN.finditer(lower))
+    return [Token(word, *span) for span, said in found for word in (("for", "each") if said == "per" else (said,))]
 
 
 def measures(text: str) -> list[Measure]:
@@ -88,7 +99,8 @@ def measures(text: str) -> list[Measure]:
 
 def _grids(text: str) -> Iterator[Measure]:
     for match in _GRID.finditer(text):
-        yield Measure("grid", (float(match.group(1)), float(match.group(2))), match.start(), match.end())
+        rows, columns = (_number(number) for number in match.groups() if number)
+        yield Measure("grid", (rows, columns), match.start(), match.end())
 
 
 def _sizes(text: str) -> Iterator[Measure]:
@@ -126,9 +138,11 @@ def _heights(text: str) -> Iterator[Measure]:
 
 def _gaps(text: str) -> Iterator[Measure]:
     for match in _APART.finditer(text):
-        if match.group(2):
-            gap = round(metres(match.group(1), match.group(2)), 2)
-            yield Measure("apart", (gap,), match.start(), match.end())
+        least, most, number, unit = match.groups()
+        if unit and (most or not match.group().endswith("of")):
+            gap = round(metres(number, unit), 2)
+            bounds = (0.0 if most else gap, math.inf if least else gap if most else gap + APART)
+            yield Measure("apart", bounds, match.start(), match.end())
 
 
 def metres(number: str, unit: str | None, fallback: str | None = None) -> float:

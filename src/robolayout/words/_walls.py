@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 
 from robolayout.scene import Scene, Wall
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import Mention, Place, Thing
+from robolayout.words._said import Place
 
 COMPASS = {"north": (0.0, -1.0), "south": (0.0, 1.0), "east": (-1.0, 0.0), "west": (1.0, 0.0)}
 """Inward normals of walls by name, as on a plan: north is up."""
@@ -16,11 +15,14 @@ SAME = 0.05
 """Metres by which walls that count as equally long may differ."""
 
 
-def walls_meant(scene: Scene, place: Place, names: Mapping[Thing, tuple[str, ...]]) -> list[Wall]:
+def walls_meant(scene: Scene, place: Place) -> list[Wall]:
     """Return the walls that the words may mean, all walls where nothing tells them apart."""
-    walls = list(scene.room.walls)
-    for word in place.words:
-        walls = _told(walls, grammar().walls.get(word, ""), scene) or walls
+    walls: list[Wall] = []
+    for words in " ".join(place.words).split(" and "):
+        meant = list(scene.room.walls)
+        for word in words.split():
+            meant = _told(meant, grammar().walls.get(word, ""), scene) or meant
+        walls += [wall for wall in meant if wall not in walls]
     if place.by is not None:
         walls = _by_opening(scene, walls, *place.by) or walls
     return walls
@@ -38,9 +40,9 @@ def _told(walls: list[Wall], word: str, scene: Scene) -> list[Wall]:
     return []
 
 
-def _by_opening(scene: Scene, walls: list[Wall], how: str, by: Mention | Place) -> list[Wall]:
+def _by_opening(scene: Scene, walls: list[Wall], how: str, by: Place) -> list[Wall]:
     """Return the walls that a door or window tells: its own, or the one that it looks at."""
-    if not isinstance(by, Place) or by.name not in ("door", "window"):
+    if by.name not in ("door", "window"):
         return []
     openings = scene.room.doors if by.name == "door" else scene.room.windows
     own = {opening.wall for opening in openings}

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 BESIDE, NEAR, AT_TABLE, AT_WINDOW, AT_DOOR = 0.6, 1.2, 0.5, 0.6, 1.4
 """Metres from edge to edge that "next to", "near", "at" a thing, "at the window" and "by the door" allow (0.9 m before it stay clear)."""
 
-AHEAD, BACK = 1.5, 1.2
-"""Metres from edge to edge that "in front of" and "behind" allow."""
+AHEAD, BACK, BACK_WALL = 1.5, 1.2, 2.0
+"""Metres from edge to edge that "in front of" and "behind" allow, and behind what stands free to what hangs on the wall."""
 
 ACROSS = 12.0
 """Metres that may lie between two things that are opposite to each other."""
@@ -28,6 +28,11 @@ LEAST_FAR, LEAST_MIDDLE = 1.5, 0.5
 SEATS = ("chair", "stool", "armchair", "sofa", "bench", "recliner", "seat")
 """Last words of what one sits on."""
 
+TOPS = ("desk", "table", "counter")
+"""Last words of what has a top at which one sits or stands."""
+
+SLEPT_ON = ("bed", "crib", "cot")
+"""Last words of what one lies on; what such a thing has stands beside it."""
 
 _BY_RIGHT_ANGLE = ((("align_with", 90.0),), (("align_with", 270.0),))
 _PARALLEL = ((("align_with", 0.0),), (("align_with", 180.0),))
@@ -48,6 +53,9 @@ TO_ANOTHER: Mapping[str, Ways] = {
 }
 """What a thing is asked to be to another one, or to a place of the room, by the word of the list."""
 
+AT_PLACES = frozenset((*TO_ANOTHER, "on", "in", "flank", "under", "above", "wall"))
+"""Relations that lead to a place of the room as well as to things."""
+
 IN_A_CHAIN: Mapping[str, Ways] = {
     "abreast": ((("near", AT_TABLE),),),
     "parallel": _PARALLEL,
@@ -57,9 +65,6 @@ IN_A_CHAIN: Mapping[str, Ways] = {
 
 ENDS = {"front": "front", "behind": "back"}
 """Halves of the room by relation to it: "at the back of the room"."""
-
-APART = 0.3
-"""Metres by which what lies between two things may differ from what is said."""
 
 BY_TWOS: Mapping[str, Ways] = {
     "mutual": ((("facing_pair",),),),

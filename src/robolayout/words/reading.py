@@ -142,9 +142,10 @@ def read_text(text: str, lexicon: Lexicon, given: Sequence[Thing] = ()) -> Readi
     young = children(parsed) or any(chunk.value == "child_6" for chunk in bodies)
     settle_kinds(parsed)
     number = bounded(people[0], "people")
+    seats = number or next((thing.people * thing.count for thing in parsed.things if thing.people), 0)
     for thing in parsed.things:
-        if number and thing.plural and thing.number is None and thing.noun.kind.split()[-1] == "chair":
-            thing.number = number // thing.times  # "for ten people, with chairs"
+        if seats and thing.plural and thing.number is None and thing.noun.kind.split()[-1] == "chair":
+            thing.number = seats // thing.times  # "for ten people, with chairs"
         bounded(thing.count, thing.noun.words)
     return Reading(
         read,
