@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Callable
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ import pytest
 
 import robolayout as rl
 from robolayout import InputError
+from robolayout.many.variety import LEAST, Plan, things
 from robolayout.run.folder import open_folder
 from running import ROOT, Ran
 from stopped import MINE, NEW, OLD, prepare, write
@@ -251,6 +253,21 @@ def test_scene_files_have_variants_by_seed(command: Command, tmp_path: Path) -> 
     command("generate", scene, "--out", tmp_path / "alone", "--seed", 4, "--no-pictures", "--quiet")
     assert sorted(os.listdir(out)) == ["variant-0", "variant-1"]
     assert (out / "variant-1" / "layout.json").read_bytes() == (tmp_path / "alone" / "layout.json").read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("text", "alike"), [("a bedroom for two", False), ("a 3 x 3 m room with only a ceiling lamp", True)]
+)
+def test_variants_of_a_sentence_are_other_plans_or_are_said_to_be_alike(
+    command: Command, tmp_path: Path, text: str, alike: bool
+) -> None:
+    ran = command("generate", text, "--out", tmp_path, "--variants", 3, "--no-pictures", "--quiet")
+    plans: list[Plan] = []
+    for home in sorted(tmp_path.iterdir()):
+        scene = rl.load_scene(home / "scene.json")
+        plans.append(Plan(things(scene, rl.load_layout(home / "layout.json", scene))))
+    assert (min(a.difference(b) for a, b in combinations(plans, 2)) < LEAST) == alike
+    assert ("variant-1 is much like another variant (difference 0.00)" in ran.err) == alike
 
 
 @pytest.mark.parametrize("step", [2, 25, 47, 50])

@@ -20,10 +20,14 @@ from robolayout.cli.options import Body, SeedOption, Told, names, spread
 from robolayout.cli.terminal import say, show, warn
 
 if TYPE_CHECKING:
-    from robolayout.planners import Planner
+    from robolayout.many.variety import Plan
+    from robolayout.planners import Planner, Understanding
     from robolayout.run.folder import RunFolder
     from robolayout.run.result import Result
     from robolayout.scene import Scene
+
+DRAWS = 4
+"""How often a variant is drawn until it is not much like those before it."""
 
 KEPT_SHOWN = 5
 """Names of kept files that are said."""
@@ -69,15 +73,41 @@ def generate(asked: Asked) -> None:
         given = asked.read(asked.scene, asked.knowledge or (), quiet=asked.quiet)
     whole = asked.out or Path("out") / (file_name(given.name) if given else "scene")
     met = True
+    before: list[Plan] = []
     for variant in range(asked.variants):
         with _output(whole if asked.variants == 1 else whole / f"variant-{variant}") as run:
-            seed = asked.seed + variant
-            planner = asked.planner(run, seed)
-            room = given or _furnished(asked, planner, run, variant)
-            result, files = _laid_out(asked, room, planner, run, seed)
+            result = _different(asked, given, run, variant, before)
+            with asked.progress() as tell:
+                result, files = _written(asked, result, run, tell)
         _tell(asked, result, run, files)
         met = met and result.report.ok
     raise typer.Exit(0 if met else 1)
+
+
+def _different(asked: Asked, given: Scene | None, run: RunFolder, variant: int, before: list[Plan]) -> Result:
+    """Return a room that is not much like the variants before it: of a few draws the first one, else the most different."""
+    from robolayout.many.variety import LEAST, VARIED, Plan, nearest, things
+
+    found: list[tuple[tuple[bool, float], Plan, Result, Understanding | None]] = []
+    for draw in range(DRAWS if variant and not asked.asks_a_model else 1):
+        number = variant + draw * asked.variants
+        planner = asked.planner(run, asked.seed + number)
+        room, understood = (given, None) if given else _furnished(asked, planner, number)
+        result = _laid_out(asked, room, planner, asked.seed + number)
+        plan = Plan(things(result.scene, result.layout))
+        apart = nearest(plan, list(enumerate(before)))[0]
+        found.append(((result.report.ok, min(apart, VARIED)), plan, result, understood))
+        if found[-1][0] == (True, VARIED):
+            break
+    worth, plan, result, understood = max(found, key=lambda one: one[0])
+    if understood is not None:
+        _understood(asked, understood, run)
+    if variant and worth[1] < LEAST:
+        warn(
+            f"{run.target.name} is much like another variant (difference {worth[1]:.2f}); say less of the room to get others."
+        )
+    before.append(plan)
+    return result
 
 
 def _check(asked: Asked) -> None:
@@ -111,9 +141,8 @@ def _output(folder: Path) -> Generator[RunFolder]:
             warn(f"the answers so far are in {run.answers}.")
 
 
-def _furnished(asked: Asked, planner: Planner, run: RunFolder, variant: int) -> Scene:
-    """Return the scene of a sentence, and write and say what was understood: by the model that plans, else by rules."""
-    from robolayout._files import write_atomic
+def _furnished(asked: Asked, planner: Planner, variant: int) -> tuple[Scene, Understanding]:
+    """Return the scene of a sentence, and what was understood: by the model that plans, else by rules."""
     from robolayout.planners import ModelPlanner, scene_from_sentence
 
     if isinstance(planner, ModelPlanner):
@@ -122,16 +151,22 @@ def _furnished(asked: Asked, planner: Planner, run: RunFolder, variant: int) -> 
         scene, understood = scene_from_sentence(
             asked.scene, seed=asked.seed, variant=variant, knowledge=asked.knowledge or (), agents=asked.agents
         )
+    return asked.of(scene), understood
+
+
+def _understood(asked: Asked, understood: Understanding, run: RunFolder) -> None:
+    """Write and say what was understood of a sentence."""
+    from robolayout._files import write_atomic
+
     if not asked.quiet:
         for line in understood.sentences():
             warn(line)
     text = json.dumps(understood.to_dict(), indent=2, ensure_ascii=False) + "\n"
     write_atomic(run.path / "understood.json", text)
-    return asked.of(scene)
 
 
-def _laid_out(asked: Asked, room: Scene, planner: Planner, run: RunFolder, seed: int) -> tuple[Result, list[Path]]:
-    """Lay one room out and write its files."""
+def _laid_out(asked: Asked, room: Scene, planner: Planner, seed: int) -> Result:
+    """Lay one room out."""
     from robolayout.run.flow import generate as arrange
     from robolayout.solve import SolverConfig
 
@@ -140,7 +175,7 @@ def _laid_out(asked: Asked, room: Scene, planner: Planner, run: RunFolder, seed:
 
         check_meshes(room)
     with asked.progress() as tell:
-        result = arrange(
+        return arrange(
             room,
             planner=planner,
             seed=seed,
@@ -152,7 +187,6 @@ def _laid_out(asked: Asked, room: Scene, planner: Planner, run: RunFolder, seed:
             dress=asked.dress,
             progress=tell,
         )
-        return _written(asked, result, run, tell)
 
 
 def _written(asked: Asked, result: Result, run: RunFolder, tell: Callable[[str], None]) -> tuple[Result, list[Path]]:

@@ -22,8 +22,8 @@ NEAR = 0.25
 ALIKE = 20.0
 """Degrees between two fronts that face the same way."""
 
-LEAST = 0.15
-"""Difference below which two rooms are near-duplicates."""
+LEAST, VARIED = 0.15, 0.4
+"""Difference below which two rooms are near-duplicates, and from which on they are variants that are worth having."""
 
 Thing = tuple[str, float, float, float]
 """Kind, x and y in metres from the middle of the room, heading in radians."""

@@ -34,9 +34,15 @@ Opening = dict[str, float]
 
 
 def openings(
-    outline: Outline, wide: float, wanted: Sequence[WantedOpening], rng: np.random.Generator, height: float = 2.6
+    outline: Outline,
+    wide: float,
+    wanted: Sequence[WantedOpening],
+    rng: np.random.Generator,
+    height: float = 2.6,
+    *,
+    varied: bool = False,
 ) -> tuple[list[Opening], list[Opening]]:
-    """Return doors near the ends of long walls, and windows in other walls.
+    """Return doors near the ends of long walls (varied: somewhere in any wall), and windows in other walls.
 
     Args:
         outline: Corners of the floor, metres.
@@ -44,11 +50,12 @@ def openings(
         wanted: What is asked for.
         rng: Settles what is not.
         height: Height of the walls in metres; doors and windows are lower.
+        varied: Whether doors may be where they are less usual.
     """
     lengths = [math.dist(a, b) for a, b in zip(outline, outline[1:] + outline[:1], strict=True)]
     order = sorted(range(len(lengths)), key=lambda i: -lengths[i])
-    usual = order[int(rng.integers(0, min(2, len(order))))]
-    near = rng.random() < 0.5
+    usual = order[int(rng.integers(0, len(order) if varied else min(2, len(order))))]
+    along = float(rng.random()) if varied else float(rng.random() < 0.5)
     corners = [*outline, outline[0]]
     area = abs(sum(ax * by - bx * ay for (ax, ay), (bx, by) in pairwise(corners))) / 2
     asked = [item for item in wanted if item.kind == "door"]
@@ -59,7 +66,7 @@ def openings(
         start = fits.index(usual) if usual in fits and not number else 0
         wall = _wall(outline, item.wall, fits[start:] + fits[:start])
         first = ASIDE if lengths[wall] - wide > 2 * ASIDE else (lengths[wall] - wide) / 2
-        offset = first if near else lengths[wall] - wide - first
+        offset = first + (1.0 - along) * (lengths[wall] - wide - 2 * first)
         doors.append(
             {
                 "wall": wall,

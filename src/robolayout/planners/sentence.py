@@ -31,6 +31,9 @@ ROOMY = 0.22
 """Share of the floor that wished things take where no size is given."""
 
 
+STRETCH = 0.25
+"""Logarithm of the factor by which variants of a room are longer or shorter than usual at the most."""
+
 WALKWAY = 0.6
 """Metres by which a room is longer and wider than the longest thing in it, where no size is given."""
 
@@ -109,7 +112,8 @@ def scene_from_sentence(
     known = Known({**CATALOGUE, **{thing.name: thing for thing in own.things}, **wishes.named}, rooms, roles)
     room = wishes.room
     wished = _wished(wishes, room)
-    size = _room_size(wishes, room, wished, known)
+    stretch = float(np.exp(rng.uniform(-STRETCH, STRETCH))) if variant else 1.0
+    size = _room_size(wishes, room, wished, known, stretch)
     _possible(wishes.reading.shape, wished, size, known)
     agent = wishes.reading.agent or room.agent
     bodies = agents or ([load_agent(agent)] if agent else [])
@@ -128,7 +132,7 @@ def scene_from_sentence(
         assumed,
         wishes.ignored,
     )
-    return scene_from_dict(_scene(found, wishes, known.kinds, rng)), found
+    return scene_from_dict(_scene(found, wishes, known.kinds, rng, varied=variant > 0)), found
 
 
 def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
@@ -168,8 +172,10 @@ def _people(wishes: Wishes, room: RoomType, wished: dict[str, int]) -> int:
     return max((count for name, count in wished.items() if head(name) in taken), default=_usual_people(wishes))
 
 
-def _room_size(wishes: Wishes, room: RoomType, wished: Mapping[str, int], known: Known) -> tuple[float, float]:
-    """Return width and depth in metres: as asked, else usual ones, enlarged for what is wished."""
+def _room_size(
+    wishes: Wishes, room: RoomType, wished: Mapping[str, int], known: Known, stretch: float
+) -> tuple[float, float]:
+    """Return width and depth in metres: as asked, else usual ones, enlarged for what is wished, one side stretched."""
     if wishes.reading.size is not None:
         return wishes.reading.size
     width, depth = room.size
@@ -179,7 +185,7 @@ def _room_size(wishes: Wishes, room: RoomType, wished: Mapping[str, int], known:
     area = given[0] if given else max(usual, known.floor_area({**room.base, **wished}) / ROOMY)
     if wishes.reading.shape == "L-shaped":
         area *= 1.2
-    ratio = 1.0 if wishes.reading.square else width / depth
+    ratio = 1.0 if wishes.reading.square else stretch * width / depth
     width = max(math.sqrt(area * ratio), longest + WALKWAY)
     depth = max(area / width, longest + WALKWAY) if given is None else area / width
     return (round(width, 2), round(depth, 2))
@@ -232,7 +238,7 @@ def _assumed(wishes: Wishes, room: RoomType, size: tuple[float, float]) -> tuple
 
 
 def _scene(
-    found: Understanding, wishes: Wishes, kinds: Mapping[str, Category], rng: np.random.Generator
+    found: Understanding, wishes: Wishes, kinds: Mapping[str, Category], rng: np.random.Generator, *, varied: bool
 ) -> dict[str, object]:
     """Return the scene file's content for what was understood."""
     width, depth = found.size
@@ -249,7 +255,7 @@ def _scene(
     if rng.random() < 0.5:
         outline = [(width - x, y) for x, y in reversed(outline)]
     wide = 3.0 if found.agent in ("forklift",) else 0.95 if width * depth < 30 else 1.1
-    doors, windows = openings(outline, wide, wanted_openings(wishes.reading), rng, found.height)
+    doors, windows = openings(outline, wide, wanted_openings(wishes.reading), rng, found.height, varied=varied)
     style = wishes.reading.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
     floor = wishes.reading.floor or str(rng.choice(wishes.room.floors))
     things = both(found.wished, found.added)
