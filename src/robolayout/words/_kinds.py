@@ -44,7 +44,7 @@ def _where(link: Link) -> str:
         return "floor"
     if isinstance(to, Place) and to.name in ("wall", "ceiling"):
         hung = link.relation in ("on", "hanging", "in")
-        return "ceiling" if to.name == "ceiling" else "wall" if hung else ""
+        return "ceiling" if to.name == "ceiling" else "wall" if hung else "floor" if link.relation == "wall" else ""
     if link.relation == "above":
         wall = isinstance(to, Mention) and to.thing.noun.kind.split()[-1] not in (
             "table",
