@@ -10,7 +10,7 @@ import pytest
 import shapely
 
 from robolayout.assets import CATALOGUE
-from robolayout.assets.obstacles import _covered, blocks, pieces
+from robolayout.assets.obstacles import blocks, pieces
 from robolayout.scene import Agent, Asset, load_agent
 from robolayout.verify._obstacles import part_rectangles
 
@@ -38,13 +38,6 @@ def test_solver_and_judge_see_the_same_of_every_category(body: Agent) -> None:
             assert found.tolist() == [[0.0, 0.0, category.size[0] / 2, category.size[1] / 2]]
         else:
             assert shape(found).symmetric_difference(shapely.union_all(shapely.box(*theirs.T))).area < 1e-9
-
-
-def test_areas_that_overlap_count_once() -> None:
-    spans = [(0.0, 2.0, 0.0, 1.0), (1.0, 3.0, 0.5, 1.5), (1.5, 1.8, 0.2, 1.2), (5.0, 6.0, 0.0, 1.0)]
-    expected = shapely.union_all([shapely.box(a, c, b, d) for a, b, c, d in spans]).area
-    assert _covered(spans) == pytest.approx(expected)
-    assert _covered([]) == 0.0
 
 
 @pytest.mark.parametrize("joined", [True, False])

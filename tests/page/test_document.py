@@ -170,7 +170,9 @@ def test_the_parts_have_unix_line_ends(name: str) -> None:
 
 
 def test_named_rules_say_what_was_measured_and_where_they_come_from() -> None:
-    rule = SimpleNamespace(name="turning_space", asks="there is a circle", source="a standard, 3.4", verified=False)
+    rule = SimpleNamespace(
+        name="turning_space", asks="there is a circle", origin="a standard, 3.4 (not checked at its source)"
+    )
     found = SimpleNamespace(rule=rule, agent="wheelchair", measured=SimpleNamespace(text="1.20 m"), met=False)
     (row,) = rule_rows(SimpleNamespace(rules=(found,)))  # type: ignore[arg-type]
     assert row == {

@@ -155,7 +155,7 @@ def _made(p: Piece, row: Row, material: Material, place: Place) -> Iterable[Part
         (y0, y1), (z0, z1) = place["y"], place["z"]
         numbers = {key: round(place[key][0]) for key in ("count", "rows", "columns", "knobs") if key in place}
         ahead = place["x"][0] if "x" in place else p.x[1]
-        return FRONTS[row.shape](material, p.metal, ahead, ((y0, y1), (z0, z1)), **numbers)
+        return FRONTS[row.shape](material, p.palette.metal, ahead, ((y0, y1), (z0, z1)), **numbers)
     part = MAKERS[row.shape](row.name, material, place)
     for key, (low, high) in ((key, ends) for key, ends in place.items() if "/" in key):
         moves, along = ("xyz".index(axis) for axis in key.split("/"))

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from robolayout.assets.category import Category
 from robolayout.assets.meshes import builder_for
+from robolayout.assets.own import AXES
 from robolayout.assets.palette import make_piece
 from robolayout.assets.part import fit
 
@@ -42,8 +43,7 @@ STANDARD = (0.1, 0.03)
 CERTAIN = 0.05
 """Difference in edges of the unit box from which on an axis is certain."""
 
-SIGNED = tuple(sign + axis for axis in "xyz" for sign in "+-")
-WAYS = tuple((up, front) for up, front in product(SIGNED, SIGNED) if up[1] != front[1])
+WAYS = tuple((up, front) for up, front in product(AXES, AXES) if up[1] != front[1])
 """The 24 ways to stand: the axis that points up and the one that points forward."""
 
 
@@ -96,7 +96,7 @@ def _misfit(points: Array, way: tuple[str, str], category: Category, standard: t
     """Return how unlike a mesh that stands in one way is to its category."""
     from scipy.spatial import KDTree
 
-    up, front = (_axis(name) for name in way)
+    up, front = (np.array(AXES[name]) for name in way)
     turned = points @ np.array([front, np.cross(up, front), up]).T
     edges = np.maximum(np.ptp(turned, axis=0), 1e-9)
     stretch = np.log(edges / np.array(category.size))
@@ -108,10 +108,6 @@ def _misfit(points: Array, way: tuple[str, str], category: Category, standard: t
     )
     off = sum(cost for cost, a, b in zip(STANDARD, way, standard or way, strict=True) if a != b)
     return apart + STRETCH * float(np.ptp(stretch)) + off
-
-
-def _axis(name: str) -> Array:
-    return (1.0 if name[0] == "+" else -1.0) * np.eye(3)["xyz".index(name[1])]
 
 
 def _unit(points: Array) -> Array:

@@ -6,9 +6,9 @@ The judge in `verify` works out for itself what stands in the way; a law test ho
 from __future__ import annotations
 
 from functools import cache, lru_cache
-from itertools import pairwise
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 
 from robolayout.assets.lexicon import category_of
@@ -62,25 +62,9 @@ def pieces(asset: Asset, z: float, agent: Agent) -> tuple[Pieces, bool]:
 def _met(asset: Asset, low: float, high: float) -> Pieces | None:
     """Return the prisms of an asset between two heights above its bottom; None where they are as good as its box."""
     met = [p for p in prisms_of(asset) if p.high - low > TOUCHING and high - p.low > TOUCHING]
-    spans = {(p.x - p.hx, p.x + p.hx, p.y - p.hy, p.y + p.hy) for p in met}
-    kept = sorted(s for s in spans if not any(s != t and _holds(t, s) for t in spans))
-    if _covered(kept) >= SOLID * asset.size[0] * asset.size[1]:
+    boxes = shapely.box(*np.unique([(p.x - p.hx, p.y - p.hy, p.x + p.hx, p.y + p.hy) for p in met], axis=0).T)
+    kept = boxes[shapely.covers(boxes[:, None], boxes).sum(axis=0) == 1]
+    if shapely.union_all(kept).area >= SOLID * asset.size[0] * asset.size[1]:
         return None
-    return np.array([((a + b) / 2, (c + d) / 2, (b - a) / 2, (d - c) / 2) for a, b, c, d in kept]).reshape(-1, 4)
-
-
-def _holds(outer: tuple[float, ...], inner: tuple[float, ...]) -> bool:
-    """Return whether one pair of ranges lies inside another."""
-    return outer[0] <= inner[0] and inner[1] <= outer[1] and outer[2] <= inner[2] and inner[3] <= outer[3]
-
-
-def _covered(spans: list[tuple[float, float, float, float]]) -> float:
-    """Return the area that rectangles cover together: strip by strip between all their ends."""
-    ends = sorted({end for span in spans for end in span[:2]})
-    area = 0.0
-    for low, high in pairwise(ends):
-        reached = -np.inf
-        for _, _, start, stop in sorted((s for s in spans if s[0] <= low and s[1] >= high), key=lambda s: s[2]):
-            area += (high - low) * max(0.0, stop - max(start, reached))
-            reached = max(reached, stop)
-    return area
+    low, high = np.split(shapely.bounds(kept), 2, axis=1)
+    return np.hstack([(low + high) / 2, (high - low) / 2])

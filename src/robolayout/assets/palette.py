@@ -103,45 +103,16 @@ class Piece:
         """Right and left."""
         return (-self.w / 2, self.w / 2)
 
-    @property
-    def z(self) -> tuple[float, float]:
-        """Bottom and top."""
-        return (0.0, self.h)
-
-    @property
-    def wood(self) -> Material:
-        """The main wood."""
-        return self.palette.wood
-
-    @property
-    def dark(self) -> Material:
-        """The darker wood."""
-        return self.palette.wood_dark
-
-    @property
-    def front(self) -> Material:
-        """Cabinet fronts."""
-        return self.palette.front
-
-    @property
-    def metal(self) -> Material:
-        """Handles and thin legs."""
-        return self.palette.metal
-
     def rng(self) -> random.Random:
         """Return a fresh generator for the details of this very asset."""
         return random.Random(utf8(self.key))
 
-    def thin(self, most: float, share: float = 0.12) -> float:
-        """Return a thickness: `most` metres, but no more than `share` of the smallest edge."""
-        return min(most, share * min(self.d, self.w, self.h))
-
 
 CHOSEN: Mapping[str, Callable[[Piece], Material]] = {
-    "wood": lambda p: p.wood,
-    "dark": lambda p: p.dark,
-    "front": lambda p: p.front,
-    "metal": lambda p: p.metal,
+    "wood": lambda p: p.palette.wood,
+    "dark": lambda p: p.palette.wood_dark,
+    "front": lambda p: p.palette.front,
+    "metal": lambda p: p.palette.metal,
     "fabric": lambda p: p.fabric,
     "accent": lambda p: p.accent,
     "bedding": lambda p: p.bedding,

@@ -7,7 +7,7 @@ under the middle of the box. Faces are counter-clockwise seen from outside.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from functools import cache
 from itertools import product
 
@@ -27,13 +27,14 @@ _BOX_FACES = (
 
 
 def box(name: str, material: Material, x: Range, y: Range, z: Range) -> Part:
-    """Return a box over three ranges."""
-    return _block(name, material, x, y, z)
+    """Return a box over three ranges; vertex i has bits x, y, z from the most significant."""
+    points = np.array(list(product(sorted(x), sorted(y), sorted(z))), dtype=np.float64)
+    return Part(name, points, np.array(_BOX_FACES, dtype=np.int32), material)
 
 
 def slab(name: str, material: Material, x: Range, y: Range, z: Range, *, top: Range = (1.0, 1.0)) -> Part:
     """Return a box whose top is scaled about its middle by `top` = (factor along x, factor along y)."""
-    part = _block(name, material, x, y, z)
+    part = box(name, material, x, y, z)
     middle = np.array([sum(x) / 2, sum(y) / 2])
     upper = part.vertices[:, 2] > sum(z) / 2
     part.vertices[upper, :2] = middle + (part.vertices[upper, :2] - middle) * np.array(top)
@@ -42,7 +43,7 @@ def slab(name: str, material: Material, x: Range, y: Range, z: Range, *, top: Ra
 
 def sheared(name: str, material: Material, x: Range, y: Range, z: Range, *, lean: Range) -> Part:
     """Return a box whose top is moved by `lean` = (metres along x, metres along y): a slanted back or leg."""
-    part = _block(name, material, x, y, z)
+    part = box(name, material, x, y, z)
     part.vertices[part.vertices[:, 2] > sum(z) / 2, :2] += np.array(lean)
     return part
 
@@ -120,24 +121,11 @@ def ball(name: str, material: Material, x: Range, y: Range, z: Range, *, rings: 
     return Part(name, middle + unit * half, _ball_faces(rings, sides), material)
 
 
-def merge(parts: Iterable[Part]) -> tuple[float, float, float, float, float, float]:
-    """Return (x0, y0, z0, x1, y1, z1), the bounds of all parts together."""
-    points = np.concatenate([part.vertices for part in parts])
-    low, high = points.min(axis=0), points.max(axis=0)
-    return (low[0], low[1], low[2], high[0], high[1], high[2])
-
-
 def moved(part: Part, *, turn: float = 0.0, offset: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Part:
     """Return a part turned by `turn` radians about the z axis through the origin, then moved by `offset`."""
     c, s = math.cos(turn), math.sin(turn)
     matrix = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
     return Part(part.name, part.vertices @ matrix + np.array(offset), part.faces, part.material, part.convex)
-
-
-def _block(name: str, material: Material, x: Range, y: Range, z: Range) -> Part:
-    """Return an axis-aligned box; vertex i has bits x, y, z from the most significant."""
-    points = np.array(list(product(sorted(x), sorted(y), sorted(z))), dtype=np.float64)
-    return Part(name, points, np.array(_BOX_FACES, dtype=np.int32), material)
 
 
 def _corners(x: Range, y: Range, z: Range) -> tuple[Array, Array]:
@@ -190,38 +178,21 @@ def _unit_ball(rings: int, sides: int) -> Array:
 @cache
 def _ball_faces(rings: int, sides: int) -> Faces:
     """Return the faces of `_unit_ball`."""
-    faces: list[tuple[int, int, int]] = []
-    last = 1 + rings * sides
-    for i in range(sides):
-        j = (i + 1) % sides
-        faces += [(0, 1 + j, 1 + i), (last, last - sides + i, last - sides + j)]
-        for ring in range(rings - 1):
-            a, b = 1 + ring * sides, 1 + (ring + 1) * sides
-            faces += [(a + i, a + j, b + j), (a + i, b + j, b + i)]
-    return np.array(faces, dtype=np.int32)
+    return _wrapped(_unit_ball(rings, sides))
 
 
 @cache
 def _soft_faces() -> Faces:
     """Return the 44 triangles of a bevelled box: six sides, twelve edges, eight corners."""
-    signs = list(product((-1.0, 1.0), repeat=3))
-    points = np.array([[s * (1.0 if i == axis else 0.7) for i, s in enumerate(c)] for c in signs for axis in range(3)])
-    corners, own = np.repeat(np.array(signs), 3, axis=0), np.tile(np.arange(3), len(signs))
-    groups = [np.flatnonzero((own == axis) & (corners[:, axis] == s)) for axis in range(3) for s in (-1.0, 1.0)]
-    for along, (s, t) in product(range(3), product((-1.0, 1.0), repeat=2)):
-        across = [axis for axis in range(3) if axis != along]
-        at_edge = (corners[:, across[0]] == s) & (corners[:, across[1]] == t)
-        groups.append(np.flatnonzero(at_edge & (own != along)))
-    groups += [np.arange(3 * k, 3 * k + 3) for k in range(len(signs))]
-    faces = [face for group in groups for face in _fan(points, group.tolist(), points[group].mean(axis=0))]
-    return np.array(faces, dtype=np.int32)
+    corners = np.repeat(np.array(list(product((-1.0, 1.0), repeat=3))), 3, axis=0)
+    return _wrapped(corners * np.where(np.tile(np.eye(3), (8, 1)) > 0, 1.0, 0.7))
 
 
-def _fan(points: Array, flat: Sequence[int], normal: Array) -> list[tuple[int, int, int]]:
-    """Return the triangles of one flat face, counter-clockwise about its outward normal."""
-    center = points[list(flat)].mean(axis=0)
-    u = points[flat[0]] - center
-    v = np.cross(normal, u)
-    v = v / np.linalg.norm(v) * np.linalg.norm(u)
-    ring = sorted(flat, key=lambda n: math.atan2(float((points[n] - center) @ v), float((points[n] - center) @ u)))
-    return [(ring[0], ring[i], ring[i + 1]) for i in range(1, len(ring) - 1)]
+def _wrapped(points: Array) -> Faces:
+    """Return the triangles of the convex hull of points, counter-clockwise seen from outside."""
+    from scipy.spatial import ConvexHull
+
+    hull = ConvexHull(points)
+    a, b, c = (points[hull.simplices[:, i]] for i in range(3))
+    inside_out = (np.cross(b - a, c - a) * hull.equations[:, :3]).sum(axis=1) < 0
+    return np.where(inside_out[:, None], hull.simplices[:, ::-1], hull.simplices).astype(np.int32)

@@ -73,34 +73,15 @@ def _weave(u: Array, v: Array, noise: _Noise) -> Array:
     return np.where(over > 0, warp, 0.85 * weft) + 0.12 * noise(0.1, 0.004) + 0.12 * noise(0.004, 0.1)
 
 
-def _pile(u: Array, v: Array, noise: _Noise) -> Array:
-    """Return a carpet's tufts."""
-    del u, v
-    return noise(0.006, 0.006) + 0.35 * noise(0.06, 0.06)
-
-
-def _plaster(u: Array, v: Array, noise: _Noise) -> Array:
-    """Return a rolled wall."""
-    del u, v
-    return noise(0.012, 0.012) + 0.7 * noise(0.1, 0.1)
-
-
-def _stone(u: Array, v: Array, noise: _Noise) -> Array:
-    """Return grains of several sizes."""
-    del u, v
-    return noise(0.2, 0.2) + 0.6 * noise(0.05, 0.05) + 0.35 * noise(0.008, 0.008)
+def _grains(*layers: tuple[float, float, float]) -> Callable[[Array, Array, _Noise], Array]:
+    """Return what draws noise of several weights, lengths and widths: tufts, a rolled wall, fine scratches."""
+    return lambda u, v, noise: np.sum([weight * noise(along, across) for weight, along, across in layers], axis=0)
 
 
 def _marble(u: Array, v: Array, noise: _Noise) -> Array:
     """Return dark veins along folded lines."""
     lines = np.abs(np.sin(np.pi * (2 * u + v + 0.4 * noise(0.28, 0.28) + 0.03 * noise(0.06, 0.06))))
     return -np.exp(-8 * lines) + 0.12 * noise(0.15, 0.15)
-
-
-def _brushed(u: Array, v: Array, noise: _Noise) -> Array:
-    """Return fine scratches in one direction."""
-    del u, v
-    return noise(0.3, 0.003)
 
 
 def _brick(u: Array, v: Array, noise: _Noise) -> Array:
@@ -129,11 +110,11 @@ def _wicker(u: Array, v: Array, noise: _Noise) -> Array:
 TILES: Mapping[str, Tile] = {
     "wood": Tile(0.8, 0.075, _wood),
     "weave": Tile(0.16, 0.10, _weave),
-    "pile": Tile(0.5, 0.16, _pile),
-    "plaster": Tile(0.7, 0.018, _plaster),
-    "stone": Tile(1.2, 0.07, _stone),
+    "pile": Tile(0.5, 0.16, _grains((1.0, 0.006, 0.006), (0.35, 0.06, 0.06))),
+    "plaster": Tile(0.7, 0.018, _grains((1.0, 0.012, 0.012), (0.7, 0.1, 0.1))),
+    "stone": Tile(1.2, 0.07, _grains((1.0, 0.2, 0.2), (0.6, 0.05, 0.05), (0.35, 0.008, 0.008))),
     "marble": Tile(1.6, 0.09, _marble),
-    "brushed": Tile(0.4, 0.06, _brushed),
+    "brushed": Tile(0.4, 0.06, _grains((1.0, 0.3, 0.003))),
     "brick": Tile(1.0, 0.16, _brick),
     "wicker": Tile(0.16, 0.22, _wicker),
 }

@@ -32,7 +32,7 @@ def rule_rows(report: Report) -> list[dict[str, Any]]:
             "agent": found.agent,
             "name": found.rule.name.replace("_", " "),
             "asks": found.rule.asks,
-            "source": found.rule.source + ("" if found.rule.verified else " (not checked at its source)"),
+            "source": found.rule.origin,
             "measured": found.measured.text,
             "met": found.met,
         }

@@ -39,7 +39,6 @@ class Boxes:
     flat: NDArray[np.bool_]  # (n,) whether it is a rug
     ceiling: NDArray[np.bool_]  # (n,) whether it hangs from the ceiling
     movable: NDArray[np.bool_]  # (n,) whether a person moves it in daily use, as a chair
-    open_depth: NDArray[np.float64]  # (n,) metres that must be clear in front to open it; 0 where none
     _chairs_at: dict[int, frozenset[int]] = field(default_factory=dict[int, frozenset[int]], repr=False)
     _shapes: dict[int, Any] = field(default_factory=dict[int, Any], repr=False)
 
@@ -190,59 +189,39 @@ def _prism_table(asset: Asset) -> tuple[NDArray[np.float64], NDArray[np.float64]
     return np.array([prism.outline for prism in shape]), ends[:, 0], ends[:, 1]
 
 
-@dataclass(frozen=True, eq=False)
-class _Kinds:
-    """What of the boxes does not depend on where they stand; the fields are those of `Boxes`."""
-
-    names: tuple[str, ...]
-    sizes: NDArray[np.float64]
-    flat: NDArray[np.bool_]
-    ceiling: NDArray[np.bool_]
-    movable: NDArray[np.bool_]
-    open_depth: NDArray[np.float64]
-
-
 @lru_cache(maxsize=32)
-def _kinds(assets: tuple[Asset, ...]) -> _Kinds:
-    """Return the same for every layout of these assets."""
-    kinds = [category_of(asset) for asset in assets]
-    return _Kinds(
-        names=tuple(asset.name for asset in assets),
-        sizes=np.array([asset.size for asset in assets], dtype=float).reshape(len(assets), 3),
-        flat=np.array([asset.is_flat for asset in assets], dtype=bool),
-        ceiling=np.array([asset.on_ceiling for asset in assets], dtype=bool),
-        movable=np.array([kind.movable for kind in kinds], dtype=bool),
-        open_depth=np.array([kind.open_depth for kind in kinds], dtype=float),
-    )
+def _fixed(assets: tuple[Asset, ...]) -> tuple[NDArray[np.float64], dict[str, Any]]:
+    """Return what does not depend on where assets stand: their sizes (n, 3), and fields of `Boxes`."""
+    return np.array([asset.size for asset in assets], dtype=float).reshape(len(assets), 3), {
+        "assets": assets,
+        "names": tuple(asset.name for asset in assets),
+        "flat": np.array([asset.is_flat for asset in assets], dtype=bool),
+        "ceiling": np.array([asset.on_ceiling for asset in assets], dtype=bool),
+        "movable": np.array([category_of(asset).movable for asset in assets], dtype=bool),
+    }
 
 
 def boxes(scene: Scene, layout: Layout) -> Boxes:
     """Return the boxes of all assets; poses of names that the scene does not have are ignored."""
-    assets = tuple(scene.assets)
-    kinds, count = _kinds(assets), len(assets)
-    poses = np.full((count, 4), np.nan)
-    for row, name in enumerate(kinds.names):
+    sizes, fixed = _fixed(tuple(scene.assets))
+    poses = np.full((len(sizes), 4), np.nan)
+    for row, name in enumerate(fixed["names"]):
         pose = layout.get(name)
         if pose is not None:
             poses[row] = (pose.x, pose.y, pose.z, pose.yaw)
     placed = np.asarray(np.isfinite(poses).all(axis=1))
     poses[~placed] = np.nan
-    footprints = np.full(count, Polygon(), dtype=object)
+    footprints = np.full(len(sizes), Polygon(), dtype=object)
     if placed.any():
-        footprints[placed] = shapely.polygons(corners(poses[placed], kinds.sizes[placed]))
+        footprints[placed] = shapely.polygons(corners(poses[placed], sizes[placed]))
     return Boxes(
-        assets=assets,
         poses=poses,
-        names=kinds.names,
         placed=placed,
         footprints=footprints,
         centers=poses[:, :2],
-        bottom=poses[:, 2] - kinds.sizes[:, 2] / 2,
-        top=poses[:, 2] + kinds.sizes[:, 2] / 2,
-        flat=kinds.flat,
-        ceiling=kinds.ceiling,
-        movable=kinds.movable,
-        open_depth=kinds.open_depth,
+        bottom=poses[:, 2] - sizes[:, 2] / 2,
+        top=poses[:, 2] + sizes[:, 2] / 2,
+        **fixed,
     )
 
 

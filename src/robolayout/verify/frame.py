@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from importlib import import_module
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 from robolayout._errors import MissingExtraError
-from robolayout.scene import Layout
+from robolayout.scene import Asset
 
 if TYPE_CHECKING:
-    from robolayout.verify.agent_report import AgentReport
     from robolayout.verify.report import Report
+
+CHECKS = ("placed", "collision_free", "in_boundary", "supported")
+"""The physical verdicts."""
 
 
 def report_frame(report: Report) -> Any:
@@ -24,43 +27,21 @@ def report_frame(report: Report) -> Any:
     if find_spec("pandas") is None:
         raise MissingExtraError("to_frame()", "pandas", package=True)
     pandas: Any = import_module("pandas")
-    names = [asset.name for asset in report.scene.assets]
-    columns = _poses(report, names) | _verdicts(report, names)
+    rows = [dict(_cells(report, asset)) for asset in report.scene.assets]
+    return pandas.DataFrame(rows, index=pandas.Index([asset.name for asset in report.scene.assets], name="asset"))
+
+
+def _cells(report: Report, asset: Asset) -> Iterator[tuple[str, object]]:
+    """Yield the cells of an asset by column: metres and degrees, NaN where there is nothing."""
+    name, pose = asset.name, report.layout.get(asset.name)
+    place = (math.nan,) * 4 if pose is None else (pose.x, pose.y, pose.z, math.degrees(pose.yaw) % 360.0)
+    yield from zip(("x", "y", "z", "yaw"), place, strict=True)
+    yield from zip(("depth", "width", "height"), asset.size, strict=True)
+    yield from ((check, getattr(report.physics, check)[name]) for check in CHECKS)
     for found in report.agents:
         mark = f"{found.agent.name}: " if len(report.agents) > 1 else ""
-        columns |= {f"{mark}{head}": values for head, values in _agent(found, names).items()}
-    return pandas.DataFrame(columns, index=pandas.Index(names, name="asset"))
-
-
-def _poses(report: Report, names: list[str]) -> dict[str, list[Any]]:
-    """Return the columns of poses (NaN where unplaced) and boxes, metres and degrees."""
-    layout: Layout = report.layout
-    poses = [layout.get(name) for name in names]
-    sizes = [asset.size for asset in report.scene.assets]
-    return {
-        "x": [math.nan if pose is None else pose.x for pose in poses],
-        "y": [math.nan if pose is None else pose.y for pose in poses],
-        "z": [math.nan if pose is None else pose.z for pose in poses],
-        "yaw": [math.nan if pose is None else math.degrees(pose.yaw) % 360.0 for pose in poses],
-        "depth": [size[0] for size in sizes],
-        "width": [size[1] for size in sizes],
-        "height": [size[2] for size in sizes],
-    }
-
-
-def _verdicts(report: Report, names: list[str]) -> dict[str, list[Any]]:
-    """Return the columns of physical verdicts."""
-    checks = ("placed", "collision_free", "in_boundary", "supported")
-    return {check: [getattr(report.physics, check)[name] for name in names] for check in checks}
-
-
-def _agent(found: AgentReport, names: list[str]) -> dict[str, list[Any]]:
-    """Return the columns of one agent: reached, usable, metres of way, metres of its narrowest place."""
-    nav = found.navigation
-    routes, passages = nav.routes, nav.passages
-    return {
-        "reached": [bool(nav.reached.get(name, False)) for name in names],
-        "usable": [bool(found.usage.usable.get(name, False)) for name in names],
-        "route": [routes[name].length if name in routes else math.nan for name in names],
-        "passage": [passages[name].width if name in passages else math.nan for name in names],
-    }
+        nav = found.navigation
+        yield f"{mark}reached", nav.reached[name]
+        yield f"{mark}usable", found.usage.usable[name]
+        yield f"{mark}route", nav.routes[name].length if name in nav.routes else math.nan
+        yield f"{mark}passage", nav.passages[name].width if name in nav.passages else math.nan

@@ -44,7 +44,7 @@ def rule_rows(report: Report) -> list[list[str]]:
             result.rule.asks,
             result.measured.text,
             "met" if result.met else "not met",
-            result.rule.source + ("" if result.rule.verified else " (not checked at its source)"),
+            result.rule.origin,
         ]
         for result in report.rules
     ]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from robolayout.assets.furniture._common import Builder
 from robolayout.assets.palette import PLAIN, Piece
 from robolayout.assets.part import Part
 from robolayout.assets.shapes import box, cylinder, prism, sheared
@@ -13,7 +12,7 @@ from robolayout.assets.shapes import box, cylinder, prism, sheared
 Span = tuple[float, float]
 
 
-def notes(p: Piece) -> Iterator[Part]:
+def bulletin_board(p: Piece) -> Iterator[Part]:
     """Yield notes pinned on cork."""
     rng, face = p.rng(), p.x[0] + 0.4 * p.d
     columns = max(2, round(p.w / 0.24))
@@ -24,7 +23,7 @@ def notes(p: Piece) -> Iterator[Part]:
         yield box("pin", PLAIN["red"], (face + 0.1 * p.d, p.x[1]), (y - 0.008, y + 0.008), (z + 0.07, z + 0.086))
 
 
-def writing(p: Piece) -> Iterator[Part]:
+def whiteboard(p: Piece) -> Iterator[Part]:
     """Yield lines of writing on a board."""
     rng, face, y = p.rng(), p.x[0] + 0.4 * p.d, -0.36 * p.w
     for i, pen in enumerate(("blue", "red", "blue", "green")):
@@ -33,13 +32,16 @@ def writing(p: Piece) -> Iterator[Part]:
         yield box("writing", tone, (face, face + 0.001 + 0.01 * p.d), line, (z, z + 0.018))
 
 
+blackboard = whiteboard
+
+
 def play_tent(p: Piece) -> Iterator[Part]:
     """Yield the poles and the cloth of a tipi with an opening at the front."""
     x, y, tilt = 0.5 * p.d, 0.5 * p.w, 0.86 * p.h
     for sx, sy in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
         a, b, thick = sx * 0.48 * p.d, sy * 0.48 * p.w, 0.017 + 0.001 * sx + 0.002 * sy
         reach = ((a - thick, a + thick), (b - thick, b + thick), (0.0, p.h - 0.002 * sx - 0.004 * sy))
-        yield sheared("pole", p.wood, *reach, lean=(-a * 1.16, -b * 1.16))
+        yield sheared("pole", p.palette.wood, *reach, lean=(-a * 1.16, -b * 1.16))
     walls = (((-x, -y), (-x, y)), ((-x, y), (x, y)), ((x, -y), (-x, -y)))
     for ends in (*walls, ((x, y), (x, 0.16 * p.w)), ((x, -0.16 * p.w), (x, -y))):
         yield _cloth(ends, 0.06, tilt)
@@ -56,7 +58,7 @@ def _cloth(ends: tuple[Span, Span], high: float, top: float) -> Part:
     return replace(part, faces=part.faces[:, ::-1].copy()) if inside_out else part
 
 
-def artwork(p: Piece) -> Iterator[Part]:
+def picture(p: Piece) -> Iterator[Part]:
     """Yield sky, hills and a sun in thin layers, on the mount of a picture."""
     rng = p.rng()
     edge = min(0.03, 0.08 * min(p.w, p.h)) + 0.12 * min(p.w, p.h)
@@ -77,18 +79,8 @@ def artwork(p: Piece) -> Iterator[Part]:
     yield cylinder("sun", tones[3], at, r, (x + step, x + 1.5 * step), axis="x", sides=18)
 
 
-def photo(p: Piece) -> Iterator[Part]:
+def photo_frame(p: Piece) -> Iterator[Part]:
     """Yield the picture in a small frame that leans back."""
-    for part in artwork(replace(p, d=0.02)):
+    for part in picture(replace(p, d=0.02)):
         part.vertices[:, 0] += p.x[1] - 0.02 - (p.d - 0.03) * part.vertices[:, 2] / p.h * 0.5
         yield part
-
-
-BUILDERS: dict[str, Builder] = {
-    "whiteboard": writing,
-    "blackboard": writing,
-    "bulletin board": notes,
-    "play tent": play_tent,
-    "picture": artwork,
-    "photo frame": photo,
-}

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import product
 
-from robolayout.assets.furniture._common import Builder
 from robolayout.assets.palette import PLAIN, SPINES, Piece
 from robolayout.assets.part import Material, Part
 from robolayout.assets.shapes import ball, box, cylinder, moved, prism
@@ -17,7 +16,7 @@ GREENS = (PLAIN["leaf"], PLAIN["leaf-light"], PLAIN["leaf-dark"])
 """What leaves look like, in turn."""
 
 
-def book(p: Piece) -> Iterator[Part]:
+def _book(p: Piece) -> Iterator[Part]:
     """Yield a closed book; its spine is at the back."""
     cover = p.rng().choice(SPINES)
     t = 0.12 * p.h
@@ -34,15 +33,15 @@ def book_stack(p: Piece) -> Iterator[Part]:
         size = 0.95 * (rng.uniform(0.8, 0.96) if i else 1.0)
         one = replace(p, d=size * p.d, w=size * p.w, h=p.h / count, variant=i, key=f"{p.key}/{i}")
         turn = rng.uniform(-0.12, 0.12) if i else 0.0
-        yield from (moved(part, turn=turn, offset=(0.0, 0.0, i * p.h / count)) for part in book(one))
+        yield from (moved(part, turn=turn, offset=(0.0, 0.0, i * p.h / count)) for part in _book(one))
 
 
 def vase(p: Piece) -> Iterator[Part]:
     """Yield the flowers in a vase."""
-    yield from bunch(p, 0.5 * p.h, (PLAIN["pink"], PLAIN["yellow"], p.bedding, PLAIN["white"]))
+    yield from _bunch(p, 0.5 * p.h, (PLAIN["pink"], PLAIN["yellow"], p.bedding, PLAIN["white"]))
 
 
-def bunch(p: Piece, low: float, tones: tuple[Material, ...]) -> Iterator[Part]:
+def _bunch(p: Piece, low: float, tones: tuple[Material, ...]) -> Iterator[Part]:
     """Yield stems and blossoms from height `low` up to the top."""
     rng, size = p.rng(), 0.17 * min(p.d, p.w)
     for i, (x, y, out) in enumerate(_around(p, 9, size)):
@@ -81,10 +80,10 @@ def plant(p: Piece) -> Iterator[Part]:
         z = pot + (p.h - pot) * (0.16 + 0.78 * rise)
         span, lean = (pot - 0.001 * (i + 1), z - 0.01), (0.8 * x, 0.8 * y)
         yield _stem(PLAIN["leaf-dark"], 0.006, span, pot + 1e-6, lean)
-        yield leaf(GREENS[i % 3], (x, y, z), turn, size, droop=0.5)
+        yield _leaf(GREENS[i % 3], (x, y, z), turn, size, droop=0.5)
 
 
-def leaf(tone: Material, at: tuple[float, float, float], turn: float, size: float, *, droop: float) -> Part:
+def _leaf(tone: Material, at: tuple[float, float, float], turn: float, size: float, *, droop: float) -> Part:
     """Return a pointed leaf of length 2 x `size` about `at`, pointing outwards, its tip lower by `droop` sizes."""
     outline = [(-1.0, 0.0), (-0.4, -0.55), (0.3, -0.5), (1.0, 0.0), (0.3, 0.5), (-0.4, 0.55)]
     part = prism("leaf", tone, [(size * x, size * y) for x, y in outline], (-0.02 * size, 0.06 * size))
@@ -116,7 +115,7 @@ def potted_plant(p: Piece) -> Iterator[Part]:
         turn, rise = 2.4 * i, (i + 1) / 12
         out, z = 1.0 - 0.85 * rise, pot + (p.h - pot) * (0.2 + 0.7 * rise)
         x, y = (0.5 * p.d - size) * out * math.cos(turn), (0.5 * p.w - size) * out * math.sin(turn)
-        yield leaf(GREENS[i % 3], (x, y, z), turn, size, droop=-0.7 * rise)
+        yield _leaf(GREENS[i % 3], (x, y, z), turn, size, droop=-0.7 * rise)
 
 
 def hanging_plant(p: Piece) -> Iterator[Part]:
@@ -131,7 +130,7 @@ def hanging_plant(p: Piece) -> Iterator[Part]:
         turn, fall = 2.4 * i, (i % 5) / 4
         x, y = (0.5 * p.d - size) * math.cos(turn), (0.5 * p.w - size) * math.sin(turn)
         z = high + 0.02 - fall * (high - 0.06)
-        yield leaf(GREENS[i % 3], (0.9 * x, 0.9 * y, max(z, 0.05)), turn, size, droop=0.8)
+        yield _leaf(GREENS[i % 3], (0.9 * x, 0.9 * y, max(z, 0.05)), turn, size, droop=0.8)
 
 
 def plant_stand(p: Piece) -> Iterator[Part]:
@@ -151,7 +150,7 @@ def flower_bucket(p: Piece) -> Iterator[Part]:
     """Yield a bucket's cut flowers."""
     tones = (PLAIN["pink"], PLAIN["yellow"], PLAIN["white"], PLAIN["orange"], p.accent)
     start = p.variant % len(tones)
-    yield from bunch(p, 0.5 * p.h, tones[start:] + tones[:start][:1])
+    yield from _bunch(p, 0.5 * p.h, tones[start:] + tones[:start][:1])
 
 
 def green_wall(p: Piece) -> Iterator[Part]:
@@ -163,15 +162,3 @@ def green_wall(p: Piece) -> Iterator[Part]:
         tone = (*GREENS, PLAIN["green"])[(3 * i + 5 * j + p.variant) % 4]
         x = (p.x[0] + 0.2 * p.d, p.x[1] - 0.1 * p.d * ((i + j) % 3))
         yield ball("tuft", tone, x, (y - a, y + a), (z - b, z + b), rings=3, sides=8)
-
-
-BUILDERS: dict[str, Builder] = {
-    "book stack": book_stack,
-    "vase": vase,
-    "plant": plant,
-    "potted plant": potted_plant,
-    "hanging plant": hanging_plant,
-    "plant stand": plant_stand,
-    "flower bucket": flower_bucket,
-    "green wall": green_wall,
-}

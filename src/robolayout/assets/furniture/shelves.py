@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise, product
 
-from robolayout.assets.furniture._common import Builder, books
+from robolayout.assets.furniture._common import books
 from robolayout.assets.palette import BRIGHT, PLAIN, SPINES, Piece
 from robolayout.assets.part import Part
 from robolayout.assets.shapes import ball, box, cylinder, slab
@@ -14,7 +14,7 @@ from robolayout.assets.shapes import ball, box, cylinder, slab
 def shoe_rack(p: Piece) -> Iterator[Part]:
     """Yield pairs of shoes."""
     rng, n, wide = p.rng(), max(1, round(p.w / 0.26)), p.w - 0.05
-    for low in (low for low in levels(p, 0.24) if low <= 0.95 * p.h):
+    for low in (low for low in _levels(p, 0.24) if low <= 0.95 * p.h):
         for j in range(n):
             y, shoe = p.y[0] + 0.025 + (j + 0.5) * wide / n, rng.choice(SPINES)
             for at in (y - 0.055, y + 0.055):
@@ -34,7 +34,7 @@ def clothes_rack(p: Piece) -> Iterator[Part]:
         yield slab("garment", rng.choice(colors), *reach, top=(0.4, 0.9))
 
 
-def levels(p: Piece, pitch: float, *, foot: float = 0.08) -> list[float]:
+def _levels(p: Piece, pitch: float, *, foot: float = 0.08) -> list[float]:
     """Return the heights of the upper faces of shelves, from `foot` to the top, about `pitch` metres apart."""
     count = max(1, round((p.h - foot) / pitch))
     return [foot + i * (p.h - foot) / count for i in range(count)] + [p.h - 0.001]
@@ -43,7 +43,7 @@ def levels(p: Piece, pitch: float, *, foot: float = 0.08) -> list[float]:
 def bookshelf(p: Piece) -> Iterator[Part]:
     """Yield books and a few objects."""
     rng, inner = p.rng(), (p.y[0] + 0.022, p.y[1] - 0.022)
-    for i, (low, high) in enumerate(pairwise(levels(p, 0.34))):
+    for i, (low, high) in enumerate(pairwise(_levels(p, 0.34))):
         room, end, width = high - low - 0.022, inner[1], inner[1] - inner[0]
         if rng.random() < 0.35 and room > 0.2 and width > 0.5:
             end = inner[0] + width * rng.uniform(0.5, 0.7)
@@ -52,12 +52,12 @@ def bookshelf(p: Piece) -> Iterator[Part]:
         yield from books(p, (inner[0], end), low, room, salt=str(i))
 
 
-def shelving(p: Piece) -> Iterator[Part]:
+def shelving_unit(p: Piece) -> Iterator[Part]:
     """Yield baskets, boxes, plants and books on the shelves, mixed by the asset's own seed."""
-    rng, inner = p.rng(), p.thin(0.03) + 0.001
+    rng, inner = p.rng(), min(0.03, 0.12 * min(p.d, p.w, p.h)) + 0.001
     depth, wide = (p.x[0] + 0.03, p.x[1] - 0.03), p.w - 2 * inner
     count = max(1, round(wide / 0.45))
-    for (i, (low, high)), j in product(enumerate(pairwise(levels(p, 0.42, foot=0.12))), range(count)):
+    for (i, (low, high)), j in product(enumerate(pairwise(_levels(p, 0.42, foot=0.12))), range(count)):
         room = high - low - 0.03
         y0, y1 = (p.y[0] + inner + k * wide / count for k in (j, j + 1))
         middle, what = (y0 + y1) / 2, rng.random()
@@ -86,7 +86,7 @@ def wall_shelf(p: Piece) -> Iterator[Part]:
 def display_cabinet(p: Piece) -> Iterator[Part]:
     """Yield objects on the shelves."""
     rng = p.rng()
-    for low, share in product(levels(p, 0.38)[:-1], (0.25, 0.5, 0.75)):
+    for low, share in product(_levels(p, 0.38)[:-1], (0.25, 0.5, 0.75)):
         at, tall = (-0.02, p.y[0] + share * p.w), rng.uniform(0.1, 0.24)
         tone = rng.choice((p.accent, p.bedding, *SPINES[3:5]))
         yield cylinder("object", tone, at, (0.05, 0.03), (low, low + tall), sides=10)
@@ -146,18 +146,3 @@ def display_table(p: Piece) -> Iterator[Part]:
         tall = rng.choice((0.1, 0.2, 0.3, 0.4)) * (p.h - 0.05 - shelf)
         reach = ((x - 0.4 * deep, x + 0.4 * deep), (y - 0.36 * wide, y + 0.36 * wide), (shelf, shelf + tall))
         yield box("books", rng.choice(SPINES), *reach)
-
-
-BUILDERS: dict[str, Builder] = {
-    "shoe rack": shoe_rack,
-    "clothes rack": clothes_rack,
-    "bookshelf": bookshelf,
-    "shelving unit": shelving,
-    "wall shelf": wall_shelf,
-    "display cabinet": display_cabinet,
-    "toy shelf": toy_shelf,
-    "coffee table": coffee_table,
-    "bar cart": bar_cart,
-    "wine rack": wine_rack,
-    "display table": display_table,
-}

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from itertools import product
 
 from robolayout._text import utf8
-from robolayout.assets.furniture._common import Builder
 from robolayout.assets.palette import BRIGHT, PLAIN, SPINES, Piece
 from robolayout.assets.part import Part
 from robolayout.assets.shapes import box, cylinder, slab
@@ -34,7 +33,7 @@ def back_bar(p: Piece) -> Iterator[Part]:
     """Yield rows of bottles above a cabinet."""
     low = 0.45 * p.h
     for level in (low, *(low + 0.002 + (p.h - low) * share for share in (0.34, 0.67))):
-        yield from bottles((p.y[0] + 0.06, p.y[1] - 0.06), level, 0.2 * (p.h - low), p.x[0] + 0.24 * p.d)
+        yield from _bottles((p.y[0] + 0.06, p.y[1] - 0.06), level, 0.2 * (p.h - low), p.x[0] + 0.24 * p.d)
 
 
 def spice_rack(p: Piece) -> Iterator[Part]:
@@ -48,7 +47,7 @@ def spice_rack(p: Piece) -> Iterator[Part]:
         yield cylinder("lid", PLAIN["anthracite"], at, r, (z + 0.55 * step, z + 0.65 * step), sides=10)
 
 
-def goods(p: Piece, y: tuple[float, float], low: float, room: float, x: tuple[float, float]) -> Iterator[Part]:
+def _goods(p: Piece, y: tuple[float, float], low: float, room: float, x: tuple[float, float]) -> Iterator[Part]:
     """Yield rows of packages, tins and bottles on one shelf."""
     rng = p.rng()
     rng.seed(utf8(f"{p.key}/{low:.4f}/{x[0]:.4f}"))
@@ -73,14 +72,14 @@ def shop_shelf(p: Piece) -> Iterator[Part]:
     step = (p.h - 0.14) / rows
     for i in range(rows):
         deep = p.x[1] - 0.01 - 0.06 * (i > 0)
-        yield from goods(p, p.y, 0.12 + i * step, step - 0.02, (p.x[0] + 0.03, deep - 0.02))
+        yield from _goods(p, p.y, 0.12 + i * step, step - 0.02, (p.x[0] + 0.03, deep - 0.02))
 
 
 def display_case(p: Piece) -> Iterator[Part]:
     """Yield goods on two levels behind glass."""
     low = 0.42 * p.h
     for z in (low, low + 0.28 * p.h):
-        yield from goods(p, (p.y[0] + 0.05, p.y[1] - 0.05), z, 0.18 * p.h, (p.x[0] + 0.1, p.x[1] - 0.12))
+        yield from _goods(p, (p.y[0] + 0.05, p.y[1] - 0.05), z, 0.18 * p.h, (p.x[0] + 0.1, p.x[1] - 0.12))
 
 
 def card_rack(p: Piece) -> Iterator[Part]:
@@ -98,24 +97,13 @@ def display_fridge(p: Piece) -> Iterator[Part]:
     """Yield five rows of bottles."""
     span = p.h - 0.3
     for i in range(5):
-        yield from bottles((p.y[0] + 0.03, p.y[1] - 0.03), 0.15 + i * span / 5, 0.7 * span / 5, p.x[1] - 0.16)
+        yield from _bottles((p.y[0] + 0.03, p.y[1] - 0.03), 0.15 + i * span / 5, 0.7 * span / 5, p.x[1] - 0.16)
 
 
-def bottles(y: tuple[float, float], low: float, tall: float, x: float) -> Iterator[Part]:
+def _bottles(y: tuple[float, float], low: float, tall: float, x: float) -> Iterator[Part]:
     """Yield one row of bottles or flowers in a cooler."""
     count = max(3, min(12, round((y[1] - y[0]) / 0.1)))
     for i in range(count):
         at = y[0] + (i + 0.5) * (y[1] - y[0]) / count
         tone = (*BRIGHT, *SPINES)[(3 * i + round(low * 10)) % 13]
         yield cylinder("bottle", tone, (x, at), (0.038, 0.018), (low, low + tall), sides=8)
-
-
-BUILDERS: dict[str, Builder] = {
-    "buffet counter": buffet_counter,
-    "back bar": back_bar,
-    "spice rack": spice_rack,
-    "shop shelf": shop_shelf,
-    "display case": display_case,
-    "card rack": card_rack,
-    "display fridge": display_fridge,
-}

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from itertools import product
 
 from robolayout._text import utf8
-from robolayout.assets.furniture._common import Builder
 from robolayout.assets.palette import PLAIN, Piece
 from robolayout.assets.part import Part
 from robolayout.assets.shapes import box
@@ -14,7 +13,7 @@ from robolayout.assets.shapes import box
 Span = tuple[float, float]
 
 
-def stack(p: Piece, x: Span, y: Span, z: Span, salt: int) -> Iterator[Part]:
+def _stack(p: Piece, x: Span, y: Span, z: Span, salt: int) -> Iterator[Part]:
     """Yield cartons stacked in two or three layers."""
     rng = p.rng()
     rng.seed(utf8(f"{p.key}/{salt}"))
@@ -32,7 +31,7 @@ def stack(p: Piece, x: Span, y: Span, z: Span, salt: int) -> Iterator[Part]:
 
 def loaded_pallet(p: Piece) -> Iterator[Part]:
     """Yield the cartons on a pallet."""
-    yield from stack(p, (0.98 * p.x[0], 0.98 * p.x[1]), (0.98 * p.y[0], 0.98 * p.y[1]), (0.145, p.h), 0)
+    yield from _stack(p, (0.98 * p.x[0], 0.98 * p.x[1]), (0.98 * p.y[0], 0.98 * p.y[1]), (0.145, p.h), 0)
 
 
 def pallet_rack(p: Piece) -> Iterator[Part]:
@@ -42,24 +41,24 @@ def pallet_rack(p: Piece) -> Iterator[Part]:
     for i, j in product(range(levels), range(bays)):
         low, y = i * p.h / levels + (0.0 if i else 0.02) + 0.145, p.y[0] + 0.16 + j * wide
         high = low + (0.6 + 0.2 * ((i + j) % 2)) * (p.h / levels - 0.345)
-        yield from stack(p, x, (y, y + wide - 0.16), (low, high), 10 * i + j)
+        yield from _stack(p, x, (y, y + wide - 0.16), (low, high), 10 * i + j)
 
 
 def platform_cart(p: Piece) -> Iterator[Part]:
     """Yield cartons on a flat cart."""
-    yield from stack(p, (0.8 * p.x[0], 0.8 * p.x[1]), (-0.3 * p.w, 0.44 * p.w), (0.2, 0.62 * p.h), 3)
+    yield from _stack(p, (0.8 * p.x[0], 0.8 * p.x[1]), (-0.3 * p.w, 0.44 * p.w), (0.2, 0.62 * p.h), 3)
 
 
 def packing_table(p: Piece) -> Iterator[Part]:
     """Yield cartons on the shelf above a table, where it has one."""
     if p.h > 1.15:
         y = (p.y[0] + 0.1, 0.1 * p.w)
-        yield from stack(p, (p.x[0] + 0.02, p.x[0] + 0.36 * p.d), y, (p.h - 0.21, p.h - 0.02), 1)
+        yield from _stack(p, (p.x[0] + 0.02, p.x[0] + 0.36 * p.d), y, (p.h - 0.21, p.h - 0.02), 1)
 
 
 def roll_cage(p: Piece) -> Iterator[Part]:
     """Yield parcels in a wire trolley."""
-    yield from stack(p, (0.86 * p.x[0], 0.86 * p.x[1]), (0.88 * p.y[0], 0.88 * p.y[1]), (0.17, 0.72 * p.h), 2)
+    yield from _stack(p, (0.86 * p.x[0], 0.86 * p.x[1]), (0.88 * p.y[0], 0.88 * p.y[1]), (0.17, 0.72 * p.h), 2)
 
 
 def pegboard(p: Piece) -> Iterator[Part]:
@@ -89,13 +88,3 @@ def pegboard(p: Piece) -> Iterator[Part]:
                     (y - 0.05, y + 0.05),
                     (z - 0.5 * long, z - 0.35 * long),
                 )
-
-
-BUILDERS: dict[str, Builder] = {
-    "loaded pallet": loaded_pallet,
-    "pallet rack": pallet_rack,
-    "platform cart": platform_cart,
-    "packing table": packing_table,
-    "roll cage": roll_cage,
-    "pegboard": pegboard,
-}

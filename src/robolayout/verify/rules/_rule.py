@@ -9,12 +9,6 @@ from typing import Any
 from robolayout.scene import Agent
 from robolayout.verify.agent_report import AgentReport
 
-WHEELCHAIR = ("wheelchair",)
-"""Words in the name or title of a body that sits in a wheelchair."""
-
-MOBILITY_AID = (*WHEELCHAIR, "walker", "rollator", "scooter")
-"""The same for all who move with an aid: what is asked of ways and doors concerns them too."""
-
 
 @dataclass(frozen=True)
 class Measured:
@@ -30,13 +24,18 @@ class Rule:
     """One named rule of a standard; it stands beside the general judgement and does not change it."""
 
     name: str  # its name ("turning_space")
+    measure: Callable[[AgentReport], Measured | None]  # measures it; None where there is nothing that it speaks of
     source: str  # the standard and the section
     asks: str  # what it asks, in words
     limit: float  # what the figure is compared with
     unit: str  # unit of the figure
-    concerns: tuple[str, ...]  # words, one of which is in the name or title of the bodies that it is for
-    measure: Callable[[AgentReport], Measured | None]  # measures it; None where there is nothing that it speaks of
+    concerns: list[str]  # words, one of which is in the name or title of the bodies that it is for
     verified: bool = True  # whether the number was checked against the text of the standard
+
+    @property
+    def origin(self) -> str:
+        """Its source in words, with whether that was checked."""
+        return self.source + ("" if self.verified else " (not checked at its source)")
 
     def is_for(self, agent: Agent) -> bool:
         """Whether it concerns a body."""
