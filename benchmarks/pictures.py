@@ -64,7 +64,7 @@ def _files(result: rl.Result) -> dict[str, Callable[[], bytes]]:
     return {
         "plan.svg": lambda: draw_plan(scene, layout, navigation=marks, agent=first.agent).file(".svg"),
         "plan.pdf": lambda: draw_plan(scene, layout, navigation=marks, agent=first.agent).file(".pdf"),
-        "walk.gif": lambda: walk_gif(scene, layout, marks, agent=first.agent),
+        "walk.gif": lambda: walk_gif(scene, layout, marks, ways=first.ways, agent=first.agent),
         "progress.gif": lambda: progress_gif(scene, result.trace, layout=layout),
         "loss.png": lambda: draw_losses(result.trace).file(".png"),
         "report.html": lambda: page_html(result).encode(),

@@ -10,7 +10,6 @@ from film_frames import frames
 
 from robolayout._errors import InputError
 from robolayout.render import PlanMarks, walk_gif
-from robolayout.render import walk as film
 from robolayout.render._tour import SLACK, tour
 from robolayout.scene import Agent, Layout
 
@@ -26,9 +25,10 @@ ROUTES = {
 
 def test_a_round_visits_everything_once_and_comes_back():
     legs = tour(ROUTES, [(SQUARE, BLOCK)])
+    assert not any(leg.line[:, 2].any() for leg in legs)
     assert sorted(name for leg in legs for name in leg.names) == sorted(ROUTES)
     assert [leg.names for leg in legs if "b-0" in leg.names] == [("b-0", "b-1")]
-    assert legs[0].line[0] == legs[-1].line[-1] == (3.0, 0.2)
+    assert legs[0].line[0].tolist() == legs[-1].line[-1].tolist() == [3.0, 0.2, 0.0]
     assert legs[-1].names == ()
     for one, other in pairwise(legs):
         assert math.dist(one.line[-1], other.line[0]) < 1e-9
@@ -38,16 +38,27 @@ def test_a_round_stays_in_the_free_space_and_is_short():
     free = shapely.Polygon(SQUARE, [BLOCK])
     legs = tour(ROUTES, [(SQUARE, BLOCK)])
     for leg in legs:
-        assert free.buffer(2 * SLACK).covers(shapely.LineString(leg.line))
+        assert free.buffer(2 * SLACK).covers(shapely.LineString(leg.line[:, :2]))
     there_and_back = 2 * sum(shapely.LineString(line).length for line in ROUTES.values())
     assert sum(leg.length for leg in legs) < 0.7 * there_and_back
-    near = next(leg for leg in legs if leg.names in (("a-0",), ("c-0",)) and leg.line[0] != (3.0, 0.2))
+    near = next(leg for leg in legs if leg.names in (("a-0",), ("c-0",)) and leg.line[0, 0] != 3.0)
     assert near.length == pytest.approx(math.dist((1.0, 3.5), (0.5, 2.0)), abs=0.01)
 
 
 def test_without_free_space_a_round_goes_back_to_the_door():
     legs = tour({"a-0": ROUTES["a-0"], "b-0": ROUTES["b-0"]}, [])
-    assert (3.0, 0.2) in legs[1].line
+    assert [3.0, 0.2, 0.0] in legs[1].line.tolist()
+
+
+def test_a_body_with_a_heading_goes_back_to_where_its_ways_part():
+    trunk = [(3.0, 0.2, 1.5), (3.0, 2.0, 1.5)]
+    ways = {"a-0": [*trunk, (3.0, 2.0, 3.0), (1.0, 2.0, 3.0)], "b-0": [*trunk, (3.0, 2.0, 0.0), (5.0, 2.0, 0.0)]}
+    _, across, back = tour(ways, ())
+    assert across.line[:, 1].min() == pytest.approx(2.0)
+    assert set(np.round(across.line[:, 2], 6)) >= {3.0, 1.5, 0.0}
+    for leg in (across, back):
+        still = np.hypot(*np.diff(leg.line[:, :2], axis=0).T) < 1e-9
+        assert (still | (np.diff(leg.line[:, 2]) == 0)).all(), "it moves or turns, never both"
 
 
 @pytest.mark.parametrize("body", [None, Agent("long", 0.4, 1.0, length=0.8, width=0.4)])
@@ -63,17 +74,6 @@ def test_the_agent_moves_on_its_round(bedroom, layout, marks, body):
 
 def test_few_frames_are_enough(bedroom, layout, marks):
     assert len(frames(walk_gif(bedroom, layout, marks, size=240, frames=5))) <= 5
-
-
-def test_a_long_body_turns_only_where_it_has_room(bedroom, layout):
-    body = Agent("long", 0.4, 1.0, length=1.6, width=0.5)
-    places = np.array([(3.0, y) for y in np.linspace(1.0, 4.2, 20)])
-    beside = np.array([(2.75, 2.6)])
-    headings = film._headings(bedroom, layout, body, places)
-    assert all(abs(math.sin(a)) > 0.9 for a in headings[2:-2]), "ahead, along the way"
-    lattice = 2 * math.pi * np.arange(film.HEADINGS) / film.HEADINGS
-    touches = film._touches(bedroom, layout, body, beside, lattice)[0]
-    assert touches[0] and not touches[4], "between bed and wardrobe it fits lengthwise only"
 
 
 def test_without_routes_there_is_no_walk(bedroom):

@@ -49,9 +49,6 @@ def part_masses(made: tuple[Part, ...]) -> tuple[NDArray[np.float64], NDArray[np
     """Return the masses (n,) of parts in kg and their centres of mass (n, 3) in metres.
 
     A part weighs density x min(volume, surface x wall): a board is solid, a cupboard is five boards.
-
-    Args:
-        made: Parts of one thing.
     """
     z = np.concatenate([part.vertices[:, 2] for part in made])
     low, reach = z.min(), np.ptp(z)

@@ -46,9 +46,7 @@ def pieces(asset: Asset, z: float, agent: Agent) -> tuple[Pieces, bool]:
     """Return what of an asset stands in a body's way, and whether the body may come under or into its box.
 
     Args:
-        asset: The asset.
         z: Height of its box's centre in metres.
-        agent: The body.
     """
     whole = np.array([[0.0, 0.0, asset.size[0] / 2, asset.size[1] / 2]])
     if not blocks(asset, z, agent):
@@ -66,5 +64,5 @@ def _met(asset: Asset, low: float, high: float) -> Pieces | None:
     kept = boxes[shapely.covers(boxes[:, None], boxes).sum(axis=0) == 1]
     if shapely.union_all(kept).area >= SOLID * asset.size[0] * asset.size[1]:
         return None
-    low, high = np.split(shapely.bounds(kept), 2, axis=1)
-    return np.hstack([(low + high) / 2, (high - low) / 2])
+    least, most = np.split(shapely.bounds(kept), 2, axis=1)
+    return np.hstack([(least + most) / 2, (most - least) / 2])

@@ -103,7 +103,6 @@ def piece_spans(asset: Asset, *, shut: bool = False) -> Spans:
     """Return what the pieces of a thing span: one row a convex part, some rows a slice of a user's own mesh.
 
     Args:
-        asset: The thing.
         shut: Whether bodies are solid behind drawers.
 
     Raises:

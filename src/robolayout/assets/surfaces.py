@@ -108,11 +108,7 @@ class Surface:
 
 @lru_cache(maxsize=1024)
 def surfaces_of(asset: Asset) -> tuple[Surface, ...]:
-    """Return the surfaces of a thing, the lowest first; its box's top where it cannot be drawn.
-
-    Args:
-        asset: The thing.
-    """
+    """Return the surfaces of a thing, the lowest first; its box's top where it cannot be drawn."""
     from robolayout.assets.meshes import parts
 
     try:

@@ -37,11 +37,7 @@ class Sweep:
 
 @lru_cache(maxsize=2048)
 def sweeps_of(asset: Asset) -> tuple[Sweep, ...]:
-    """Return what must be free before a thing that is to be opened or used from the front; nothing of others.
-
-    Args:
-        asset: The thing.
-    """
+    """Return what must be free before a thing that is to be opened or used from the front; nothing of others."""
     from robolayout.assets.meshes import parts
 
     deep = category_of(asset).open_depth

@@ -172,7 +172,6 @@ def coordinates(part: Part, turn: Array | None = None) -> NDArray[np.float32]:
     part's longest edge there, from a corner that differs from part to part.
 
     Args:
-        part: The part.
         turn: (m, 3) unit normals of the faces, where they are known already.
     """
     faces = part.faces

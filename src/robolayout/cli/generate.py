@@ -212,7 +212,7 @@ def _walk(result: Result, folder: Path) -> list[Path]:
 
     first = result.report.agents[0]
     try:
-        data = walk_gif(result.scene, result.layout, plan_marks(first), agent=first.agent)
+        data = walk_gif(result.scene, result.layout, plan_marks(first), ways=first.ways, agent=first.agent)
     except InputError as error:
         warn(f"no walk.gif: {error}")
         return []

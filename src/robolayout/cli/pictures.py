@@ -123,9 +123,10 @@ def _drawn(scene: Scene, layout: Layout, wish: Wish, suffix: str) -> bytes:
     if wish.view == "sheet":
         return sheet(verify(scene, layout), suffix, date=wish.date, width=wish.size)
     agent = scene.agent
-    marks = plan_marks(judge_agent(scene, layout, agent))
+    judged = judge_agent(scene, layout, agent)
+    marks = plan_marks(judged)
     if wish.view == "walk":
-        return walk_gif(scene, layout, marks, agent=agent, size=wish.size)
+        return walk_gif(scene, layout, marks, ways=judged.ways, agent=agent, size=wish.size)
     return draw_plan(scene, layout, navigation=marks, agent=agent).file(suffix, wish.size)
 
 

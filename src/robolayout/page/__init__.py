@@ -10,7 +10,7 @@
 
 from __future__ import annotations
 
-from robolayout.page._content import content
-from robolayout.page._document import document, part, sealed
-
-__all__ = ["content", "document", "part", "sealed"]
+from robolayout.page._content import content as content
+from robolayout.page._document import document as document
+from robolayout.page._document import part as part
+from robolayout.page._document import sealed as sealed

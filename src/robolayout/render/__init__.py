@@ -29,20 +29,34 @@ from typing import TYPE_CHECKING
 from robolayout._lazy import loader
 
 if TYPE_CHECKING:
-    from robolayout.render._drawing import Drawing, png_bytes
-    from robolayout.render.animation import progress_gif
-    from robolayout.render.annotation import Mark, annotate, annotation_camera, annotation_marks
-    from robolayout.render.beauty import render_beauty
-    from robolayout.render.body import body_text, draw_body
-    from robolayout.render.camera import Camera, eye_camera, fitted_camera, spherical_camera
-    from robolayout.render.catalogue import asset_sheet
-    from robolayout.render.curves import draw_losses
-    from robolayout.render.marks import PlanMarks
-    from robolayout.render.model_plan import model_plan
-    from robolayout.render.plan import draw_comparison, draw_plan, plan_svg
-    from robolayout.render.sheet import SheetNotes, draw_sheet
-    from robolayout.render.view import Buffers, Studio, render_asset, render_view
-    from robolayout.render.walk import walk_gif
+    from robolayout.render._drawing import Drawing as Drawing
+    from robolayout.render._drawing import png_bytes as png_bytes
+    from robolayout.render.animation import progress_gif as progress_gif
+    from robolayout.render.annotation import Mark as Mark
+    from robolayout.render.annotation import annotate as annotate
+    from robolayout.render.annotation import annotation_camera as annotation_camera
+    from robolayout.render.annotation import annotation_marks as annotation_marks
+    from robolayout.render.beauty import render_beauty as render_beauty
+    from robolayout.render.body import body_text as body_text
+    from robolayout.render.body import draw_body as draw_body
+    from robolayout.render.camera import Camera as Camera
+    from robolayout.render.camera import eye_camera as eye_camera
+    from robolayout.render.camera import fitted_camera as fitted_camera
+    from robolayout.render.camera import spherical_camera as spherical_camera
+    from robolayout.render.catalogue import asset_sheet as asset_sheet
+    from robolayout.render.curves import draw_losses as draw_losses
+    from robolayout.render.marks import PlanMarks as PlanMarks
+    from robolayout.render.model_plan import model_plan as model_plan
+    from robolayout.render.plan import draw_comparison as draw_comparison
+    from robolayout.render.plan import draw_plan as draw_plan
+    from robolayout.render.plan import plan_svg as plan_svg
+    from robolayout.render.sheet import SheetNotes as SheetNotes
+    from robolayout.render.sheet import draw_sheet as draw_sheet
+    from robolayout.render.view import Buffers as Buffers
+    from robolayout.render.view import Studio as Studio
+    from robolayout.render.view import render_asset as render_asset
+    from robolayout.render.view import render_view as render_view
+    from robolayout.render.walk import walk_gif as walk_gif
 
 __getattr__ = loader(
     __name__,
@@ -63,34 +77,3 @@ __getattr__ = loader(
         "walk": "walk_gif",
     },
 )
-
-__all__ = [
-    "Buffers",
-    "Camera",
-    "Drawing",
-    "Mark",
-    "PlanMarks",
-    "SheetNotes",
-    "Studio",
-    "annotate",
-    "annotation_camera",
-    "annotation_marks",
-    "asset_sheet",
-    "body_text",
-    "draw_body",
-    "draw_comparison",
-    "draw_losses",
-    "draw_plan",
-    "draw_sheet",
-    "eye_camera",
-    "fitted_camera",
-    "model_plan",
-    "plan_svg",
-    "png_bytes",
-    "progress_gif",
-    "render_asset",
-    "render_beauty",
-    "render_view",
-    "spherical_camera",
-    "walk_gif",
-]

@@ -15,6 +15,7 @@ import shapely
 
 from robolayout.render._architecture import THICKNESS, Place
 from robolayout.render._drawing import Drawing, Point, text_width
+from robolayout.render._labels import Label
 from robolayout.render.palette import INK, QUIET
 from robolayout.scene import Room, Wall
 
@@ -34,8 +35,6 @@ ROOM = 0.8
 """Millimetres that a length leaves free between its ticks."""
 
 Outline = tuple[Point, ...]
-Spot = tuple[Point, float, float, Outline]
-"""Where a length is written: its middle, its font size, its angle in degrees and the corners of its box."""
 
 
 @dataclass(frozen=True)
@@ -135,24 +134,24 @@ def draw_chains(sheet: Drawing, room: Room, place: Place, k: float, names: Seque
         lengths += [(a, b, text) for (a, b), text in zip(pairwise(stops), words, strict=True)]
     taken = list(names)
     for a, b, text in sorted(lengths, key=lambda row: text_width(row[2], SIZES[0]) > math.dist(*row[:2]) - ROOM):
-        at, size, angle, outline = _free_spot(a, b, text, taken)
-        sheet.words(at, text, size, color=INK, angle=angle)
-        taken.append(outline)
+        spot = _free_spot(a, b, text, taken)
+        sheet.words(spot.at, text, spot.size, color=INK, angle=spot.angle)
+        taken.append(spot.corners)
     return taken
 
 
-def _free_spot(a: Point, b: Point, words: str, taken: Sequence[Outline]) -> Spot:
+def _free_spot(a: Point, b: Point, words: str, taken: Sequence[Outline]) -> Label:
     """Return where a length is written: beside its line, where it meets no other, as large as may be."""
     others = [shapely.Polygon(outline) for outline in taken]
 
-    def lost(spot: Spot) -> float:
-        box = shapely.Polygon(spot[3]).buffer(0.25)
+    def lost(spot: Label) -> float:
+        box = shapely.Polygon(spot.corners).buffer(0.25)
         return round(sum(box.intersection(other).area for other in others), 6)
 
     return min(_spots(a, b, words), key=lost)
 
 
-def _spots(a: Point, b: Point, words: str) -> Iterator[Spot]:
+def _spots(a: Point, b: Point, words: str) -> Iterator[Label]:
     """Yield where a length may be written, best first: above its line, below it, past its ends."""
     length = math.dist(a, b)
     angle = upright(math.degrees(math.atan2(a[1] - b[1], b[0] - a[0])))
@@ -163,9 +162,7 @@ def _spots(a: Point, b: Point, words: str) -> Iterator[Spot]:
         for slide, side in (*middle, (1.0, 1), (-1.0, 1), (1.0, -1), (-1.0, -1)):
             along, across = slide * (half + length / 2 + 0.5), side * (high + 0.7)
             x, y = (a[0] + b[0]) / 2 + ux * along + uy * across, (a[1] + b[1]) / 2 + uy * along - ux * across
-            signs = ((-1, -1), (1, -1), (1, 1), (-1, 1))
-            outline = tuple((x + i * half * ux - j * high * uy, y + i * half * uy + j * high * ux) for i, j in signs)
-            yield ((x, y), size, angle, outline)
+            yield Label((words,), (x, y), size, angle)
 
 
 def upright(angle: float) -> float:

@@ -105,7 +105,7 @@ class GLRenderer:
         context, gl = self._context, self._gl
         toward = _light.sun_directions(camera)
         shadows = self._coarse.corners[self._sun_blockers & keep[self._coarse.groups]]
-        matrices, atlas = self._atlas(shadows, toward, SUN_COLUMNS, SUN_TILE)
+        matrices, atlas = self._atlas(shadows, toward)
         size, samples = (camera.width, camera.height), min(4, context.max_samples)
         colors, depths = (
             context.renderbuffer(size, 4, samples=samples),
@@ -115,9 +115,12 @@ class GLRenderer:
         canvas.use()
         canvas.clear(*_light.BACKGROUND, 1.0)
         context.enable(gl.DEPTH_TEST)
-        self._light_up(self._program["shade"], atlas, matrices, toward)
+        program = self._program["shade"]
+        atlas.use(0)
+        program["lights"].write(np.ascontiguousarray(matrices.transpose(0, 2, 1)).tobytes())
+        program["toward"].write(toward.tobytes())
         self._tiles.use(1)
-        self._program["shade"]["tiles"].value = 1
+        program["tiles"].value = 1
         shown = keep[self._fine.groups] & self._fine.facing(camera.position)
         context.enable(gl.BLEND)
         context.blend_func = gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA
@@ -211,20 +214,9 @@ class GLRenderer:
         _, depth = camera.project(np.array(list(product(*zip(low, high, strict=True)))))
         return max(float(depth.max()) * 1.01, 1.0), max(float(depth.min()) * 0.99, NEAR)
 
-    def _light_up(self, program: Any, atlas: Any, matrices: NDArray[np.float32], toward: NDArray[np.float32]) -> None:
-        atlas.use(0)
-        program["lights"].write(np.ascontiguousarray(matrices.transpose(0, 2, 1)).tobytes())
-        program["toward"].write(toward.tobytes())
-
-    def _atlas(
-        self,
-        shadows: NDArray[np.float32],
-        toward: NDArray[np.float32],
-        columns: int,
-        tile: int,
-    ) -> tuple[NDArray[np.float32], Any]:
+    def _atlas(self, shadows: NDArray[np.float32], toward: NDArray[np.float32]) -> tuple[NDArray[np.float32], Any]:
         """Return the (lights, 4, 4) world-to-tile matrices that hold `shadows`, and the texture of depth maps."""
-        context, gl = self._context, self._gl
+        context, gl, columns, tile = self._context, self._gl, SUN_COLUMNS, SUN_TILE
         atlas = context.depth_texture((columns * tile, columns * tile))
         atlas.compare_func = "<="
         atlas.filter = (gl.LINEAR, gl.LINEAR)

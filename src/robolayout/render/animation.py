@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from robolayout._errors import InputError
-from robolayout.render._architecture import THICKNESS, draw_floor, draw_walls
-from robolayout.render._drawing import Drawing, Item, Point, Text, paint, text_width
+from robolayout.render._architecture import THICKNESS, draw_floor, draw_walls, placing
+from robolayout.render._drawing import Drawing, Item, Text, paint, text_width
 from robolayout.render.contents import LEVELS, display_name, draw_footprint, level
 from robolayout.render.curves import NO_SEARCH, TOTAL, Frame, draw_panel, is_still, loss_terms
 from robolayout.render.palette import INK, QUIET, ROUTE
@@ -76,16 +76,11 @@ class Stage:
     def __init__(self, room: Room, strip: float) -> None:
         x0, y0, x1, y1 = room.bounds
         self.scale = min((SHEET - 8.0) / (x1 - x0 + 2 * THICKNESS), 140.0 / (y1 - y0 + 2 * THICKNESS))
-        left = (SHEET - (x1 - x0) * self.scale) / 2
         top = 4.0 + THICKNESS * self.scale
-        self._origin = (left - x0 * self.scale, top + y1 * self.scale)
+        self.place = placing(room, self.scale, (SHEET - (x1 - x0) * self.scale) / 2, top)
         self.sheet = Drawing(SHEET, round(2 * top + (y1 - y0) * self.scale + strip))
         draw_floor(self.sheet, room, self.place)
         draw_walls(self.sheet, room, self.place)
-
-    def place(self, x: float, y: float) -> Point:
-        """Return where a point in metres lands, millimetres."""
-        return (self._origin[0] + x * self.scale, self._origin[1] - y * self.scale)
 
 
 def spread(count: int, most: int) -> list[int]:

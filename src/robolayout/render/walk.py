@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-import shapely
-from numpy.typing import NDArray
 
 from robolayout._errors import InputError
-from robolayout.assets.obstacles import pieces
 from robolayout.render._drawing import Drawing, Item, circle, paint
-from robolayout.render._tour import Leg, tour
+from robolayout.render._tour import Leg, Line, spent, tour
 from robolayout.render.animation import HOLD, SHEET, Stage, draw_names, save_gif, spread
 from robolayout.render.contents import Shown, display_name, draw_contents
 from robolayout.render.marks import PlanMarks
@@ -27,11 +24,11 @@ if TYPE_CHECKING:
 SAMPLES = 2
 """Supersampling along each side of a frame."""
 
-HEADINGS = 16
-"""Headings that a long body may have."""
-
 SLOW = 0.25
 """Metres that the body moves from frame to frame, if there are frames enough."""
+
+PAUSE = 70
+"""Milliseconds per frame."""
 
 PAUSE_AT_STOP = 9
 """Frames' time for which the body stays at a stop."""
@@ -42,52 +39,50 @@ PALETTE = 128
 FOOT = 9.0
 """Millimetres below the plan, for the words."""
 
-FloatArray = NDArray[np.float64]
-
 
 def walk_gif(
     scene: Scene,
     layout: Layout,
     marks: PlanMarks,
     *,
+    ways: Mapping[str, Sequence[tuple[float, ...]]] | None = None,
     agent: Agent | None = None,
     size: int = 600,
     frames: int = 120,
-    pause: int = 70,
 ) -> bytes:
     """Return the agent on its round as a GIF: from the door to each asset in a short order, and back.
 
-    A long body keeps to headings at which its rectangle touches nothing where there are such headings, as the judge does:
-    it may slide sideways or back out.
-
     Args:
+        ways: The ways that it takes, by asset (`AgentReport.ways`): x, y and, of a body that is no disc, its heading, which it
+            then keeps; None takes the routes of the marks.
         agent: The body; None takes the scene's first agent.
         size: Pixels of the longer side.
         frames: Most frames.
-        pause: Milliseconds per frame.
 
     Raises:
         InputError: There is no route.
     """
-    routes = {name: line for name, line in marks.routes.items() if len(line) > 1 and name in scene.by_name}
-    if not routes:
-        raise InputError("walk_gif has nothing to show: the marks have no route.")
-    body = agent or scene.agent
-    legs = tour(routes, marks.free)
+    ways = marks.routes if ways is None else ways
+    ways = {name: way for name, way in ways.items() if len(way) > 1 and name in scene.by_name}
+    if not ways:
+        raise InputError("walk_gif has nothing to show: there is no way from the door to anything.")
+    body, driven = agent or scene.agent, all(len(way[0]) > 2 for way in ways.values())
+    legs = tour(ways, () if driven else marks.free)
     steps = _steps(legs, frames)
     places = np.array([step.place for step in steps])
-    yaws = _headings(scene, layout, body, places)
+    yaws = places[:, 2] if driven else _ahead(places)
     film = _Film(scene, layout, marks, body, size)
-    shown = [film.frame(legs[step.leg], Pose(*step.place, 0.0, yaw)) for step, yaw in zip(steps, yaws, strict=True)]
-    waits = [pause * (PAUSE_AT_STOP if step.stop else 1) for step in steps]
+    poses = [Pose(x, y, 0.0, yaw) for (x, y), yaw in zip(places[:, :2].tolist(), yaws.tolist(), strict=True)]
+    shown = [film.frame(legs[step.leg], pose) for step, pose in zip(steps, poses, strict=True)]
+    waits = [PAUSE * (PAUSE_AT_STOP if step.stop else 1) for step in steps]
     return save_gif(shown, [*waits[:-1], HOLD // 2])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class _Step:
     """Where the body is in one frame, on which leg, and whether it has come to that leg's end."""
 
-    place: Point
+    place: Line  # (3,) x and y in metres and heading in radians
     leg: int
     stop: bool
 
@@ -98,62 +93,20 @@ def _steps(legs: Sequence[Leg], frames: int) -> list[_Step]:
     pace = max(SLOW, total / max(frames - len(legs) - 1, 1))
     steps = [_Step(legs[0].line[0], 0, stop=False)]
     for number, leg in enumerate(legs):
-        points = np.array(leg.line)
-        ways = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
-        count = max(1, round(leg.length / pace))
+        count, far = max(1, round(leg.length / pace)), spent(leg.line)
         for k in range(1, count + 1):
-            x, y = (float(np.interp(leg.length * k / count, ways, column)) for column in points.T)
-            steps.append(_Step((x, y), number, stop=k == count))
+            place = np.array([np.interp(leg.length * k / count, far, column) for column in leg.line.T])
+            steps.append(_Step(place, number, stop=k == count))
     return [steps[k] for k in spread(len(steps), max(frames, 2))]
 
 
-def _headings(scene: Scene, layout: Layout, body: Agent, places: FloatArray) -> list[float]:
-    """Return which way the body looks in every frame: ahead if it can, turning a little at a time."""
-    ahead = _travel(places)
-    lattice = 2 * math.pi * np.arange(HEADINGS) / HEADINGS
-    off = (1 - np.cos(lattice[None, :] - ahead[:, None])) * (1 + 0.5 * np.sin(lattice[None, :] - ahead[:, None]) ** 2)
-    long_body = body.length is not None and body.width is not None
-    cost = off + (1000.0 * _touches(scene, layout, body, places, lattice) if long_body else 0.0)
-    turn = np.abs((lattice[:, None] - lattice[None, :] + math.pi) % (2 * math.pi) - math.pi)
-    effort = 0.4 * turn + 3.0 * np.maximum(turn - math.pi / 3, 0.0)
-    best, came = cost[0], np.zeros((len(places), HEADINGS), dtype=np.intp)
-    for k in range(1, len(places)):
-        ways = best[:, None] + effort
-        came[k] = np.argmin(ways, axis=0)
-        best = ways.min(axis=0) + cost[k]
-    chosen = [int(np.argmin(best))]
-    for k in range(len(places) - 1, 0, -1):
-        chosen.append(int(came[k][chosen[-1]]))
-    return [float(lattice[k]) for k in reversed(chosen)]
-
-
-def _travel(places: FloatArray) -> FloatArray:
+def _ahead(places: Line) -> Line:
     """Return the direction of travel at every place, radians; where it stands still, that of before."""
     moves = np.diff(places, axis=0, append=places[-1:])
     angles = np.arctan2(moves[:, 1], moves[:, 0])
-    still = np.linalg.norm(moves, axis=1) < 1e-6
-    for k in np.flatnonzero(still):
+    for k in np.flatnonzero(np.hypot(moves[:, 0], moves[:, 1]) < 1e-6):
         angles[k] = angles[k - 1] if k else 0.0
     return angles
-
-
-def _touches(scene: Scene, layout: Layout, body: Agent, places: FloatArray, headings: FloatArray) -> NDArray[np.bool_]:
-    """Return (places, headings) whether the body's rectangle would stand in a wall or a thing."""
-    length, width = (body.length or 0.0) - 0.01, (body.width or 0.0) - 0.01
-    local = np.array([(1, -1), (1, 1), (-1, 1), (-1, -1)]) * (length / 2, width / 2)
-    turned = np.stack([local @ np.array([(math.cos(a), math.sin(a)), (-math.sin(a), math.cos(a))]) for a in headings])
-    outlines = shapely.polygons(places[:, None, None, :] + turned[None])
-    blocked: list[shapely.Polygon] = []
-    for name, pose in layout.items():
-        for x, y, depth, across in pieces(scene.by_name[name], pose.z, body)[0]:
-            at = Pose(*pose.point(x, y), 0.0, pose.yaw)
-            blocked.append(shapely.Polygon(at.corners((2 * depth, 2 * across, 0.0))))
-    ways_in = [shapely.Polygon(scene.room.landing(door, -(body.length or 0.0))) for door in scene.room.doors]
-    floor = shapely.union_all([shapely.buffer(shapely.Polygon(scene.room.vertices), 0.01), *ways_in])
-    solid = shapely.union_all(blocked)
-    shapely.prepare(solid)
-    shapely.prepare(floor)
-    return np.asarray(shapely.intersects(solid, outlines) | ~shapely.covers(floor, outlines), dtype=np.bool_)
 
 
 class _Film:
@@ -204,7 +157,7 @@ class _Film:
             if name in self._layout:
                 corners = self._layout[name].corners(self._scene.by_name[name].size)
                 sheet.polygon([[place(*corner) for corner in corners]], None, stroke=ROUTE, width=0.7)
-        line = [place(*point) for point in leg.line]
+        line = [place(x, y) for x, y in leg.line[:, :2].tolist()]
         sheet.line(line, PAPER, width=1.1)
         sheet.line(line, ROUTE, width=0.5)
         words = self._words(leg)

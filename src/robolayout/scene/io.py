@@ -94,7 +94,6 @@ def scene_to_dict(scene: Scene, base: str | Path | None = None) -> dict[str, obj
     """Return the content of a scene file that reads back as an equal scene.
 
     Args:
-        scene: The scene.
         base: Folder that the file will stand in; meshes inside it are written relative to it.
     """
     folder = None if base is None else Path(base)

@@ -25,7 +25,6 @@ def look_up(keys: Iterable[str], asset_dir: Path) -> dict[str, tuple[str, Entry]
     """Return for each key `<uid>-<n>` its name in the scene and its entry in the format of DESIGN section 3.
 
     Args:
-        keys: The keys, in the order of the file.
         asset_dir: The folder with one folder a uid.
     """
     if not asset_dir.is_dir():

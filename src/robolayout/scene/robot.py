@@ -32,7 +32,6 @@ def load_robot(path: Path, pose: Mapping[str, float] | None = None) -> Agent:
     """Return the agent whose body is the collision geometry of a URDF or MJCF file.
 
     Args:
-        path: The file.
         pose: Values of joints in which it drives about, radians and metres, by name; None for the file's own or a folded one.
     """
     model = Model(path)

@@ -1,60 +1,32 @@
 """The independent judge: physics, navigation, use and semantics of a finished layout, measured exactly with Shapely."""
 
-from robolayout.verify.agent_report import AgentReport
-from robolayout.verify.drives import Drive, find_drives
-from robolayout.verify.heading import HeadingSpace, heading_space
-from robolayout.verify.limits import Demands, PhysicsLimits
-from robolayout.verify.moves import Move
-from robolayout.verify.navigation import Navigation, navigation
-from robolayout.verify.passages import Passage
-from robolayout.verify.physics import Collision, Obstruction, Physics, physics
-from robolayout.verify.proofs import (
-    Remedies,
-    exempt_from_reach,
-    exempt_from_use,
-    impossible,
-    kept_out,
-    overfull,
-    remedies,
-)
-from robolayout.verify.report import Report, StatementResult
-from robolayout.verify.routes import Route
-from robolayout.verify.rules import RULES, RuleResult
-from robolayout.verify.use import Usage, Use, horizontal_reach, usage
-from robolayout.verify.verify import judge_agent, verify
-
-__all__ = [
-    "RULES",
-    "AgentReport",
-    "Collision",
-    "Demands",
-    "Drive",
-    "HeadingSpace",
-    "Move",
-    "Navigation",
-    "Obstruction",
-    "Passage",
-    "Physics",
-    "PhysicsLimits",
-    "Remedies",
-    "Report",
-    "Route",
-    "RuleResult",
-    "StatementResult",
-    "Usage",
-    "Use",
-    "exempt_from_reach",
-    "exempt_from_use",
-    "find_drives",
-    "heading_space",
-    "horizontal_reach",
-    "impossible",
-    "judge_agent",
-    "kept_out",
-    "navigation",
-    "overfull",
-    "physics",
-    "remedies",
-    "usage",
-    "verify",
-]
+from robolayout.verify.agent_report import AgentReport as AgentReport
+from robolayout.verify.drives import Drive as Drive
+from robolayout.verify.heading import HeadingSpace as HeadingSpace
+from robolayout.verify.heading import heading_space as heading_space
+from robolayout.verify.limits import Demands as Demands
+from robolayout.verify.limits import PhysicsLimits as PhysicsLimits
+from robolayout.verify.moves import Move as Move
+from robolayout.verify.navigation import Navigation as Navigation
+from robolayout.verify.navigation import navigation as navigation
+from robolayout.verify.passages import Passage as Passage
+from robolayout.verify.physics import Collision as Collision
+from robolayout.verify.physics import Obstruction as Obstruction
+from robolayout.verify.physics import Physics as Physics
+from robolayout.verify.physics import physics as physics
+from robolayout.verify.proofs import Remedies as Remedies
+from robolayout.verify.proofs import exempt_from_reach as exempt_from_reach
+from robolayout.verify.proofs import impossible as impossible
+from robolayout.verify.proofs import kept_out as kept_out
+from robolayout.verify.proofs import overfull as overfull
+from robolayout.verify.report import Report as Report
+from robolayout.verify.report import StatementResult as StatementResult
+from robolayout.verify.routes import Route as Route
+from robolayout.verify.rules import RULES as RULES
+from robolayout.verify.rules import RuleResult as RuleResult
+from robolayout.verify.use import Usage as Usage
+from robolayout.verify.use import Use as Use
+from robolayout.verify.use import horizontal_reach as horizontal_reach
+from robolayout.verify.use import usage as usage
+from robolayout.verify.verify import judge_agent as judge_agent
+from robolayout.verify.verify import verify as verify

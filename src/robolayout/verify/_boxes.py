@@ -87,7 +87,7 @@ class Boxes:
             under = self.placed & (self.bottom < level - LOWER) & (self.top >= level - CARRIED - 1e-9)
             near = np.flatnonzero(under)
             near = near[shapely.intersects(self.footprints[near], self.footprints[row])]
-            touched = {int(lower): self._contact(row, int(lower)) for lower in near}
+            touched = {int(lower): _shared_base(*self.where(row), *self.where(lower)) for lower in near}
             found[row] = {lower: area for lower, area in touched.items() if area.area > 0.0}
         return found
 
@@ -99,10 +99,6 @@ class Boxes:
         middle, depth = shapely.Point(x + c * u - s * v, y + s * u + c * v), min(self.assets[row].size[:2])
         inward = hull.boundary.distance(middle) if hull.covers(middle) else -hull.distance(middle)
         return min(STEADY[0], STEADY[1] * depth) - inward
-
-    def _contact(self, row: int, lower: int) -> Any:
-        """Return where an asset's base lies on surfaces of another."""
-        return _shared_base(*self.where(row), *self.where(lower))
 
     def where(self, row: int) -> tuple[Asset, Place]:
         """Return an asset and where it stands."""

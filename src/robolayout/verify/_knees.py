@@ -35,7 +35,6 @@ def knee_width(asset: Asset, side: str) -> float:
     """Return how many metres wide the widest free strip under the edge of a side is, as high and deep as knees and toes need.
 
     Args:
-        asset: The thing.
         side: "front", "back", "left" or "right".
     """
     half = np.array(asset.size[:2]) / 2

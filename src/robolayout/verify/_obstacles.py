@@ -101,7 +101,6 @@ def part_rectangles(asset: Asset, low: float, high: float) -> Rectangles | None:
     """Return the rectangles around an asset's prisms between two heights; None where they make up its whole box.
 
     Args:
-        asset: The asset.
         low: Metres above its own bottom.
         high: Metres above its own bottom.
     """

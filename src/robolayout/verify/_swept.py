@@ -84,8 +84,6 @@ def opening_zone(found: Boxes, agent: Agent, row: int) -> BaseGeometry:
     """Return from where a body opens an asset: a handle within its reach, and room for its disc beside the open leaf.
 
     Args:
-        found: The boxes.
-        agent: The body.
         row: The asset; one of its handles is within reach in height.
     """
     asset = found.assets[row]

@@ -63,7 +63,6 @@ class Lattice:
     """Where a body can drive from the door.
 
     Args:
-        room: The room.
         blocking: What stands in the body's way.
         agent: The body; with length, width and turning radius.
         start: Where its centre comes in, metres.

@@ -55,14 +55,14 @@ class Headings:
     """The free space of a rectangular body by heading, each worked out when first asked for.
 
     Args:
-        room: The room.
         blocking: What stands in the body's way.
         agent: The body; with length and width.
     """
 
     def __init__(self, room: Room, blocking: Obstacles, agent: Agent) -> None:
         self._room, self._blocking, self._agent = room, blocking, agent
-        first, self._step = _first_heading(room), math.pi / HEADINGS
+        wall, self._step = room.walls[room.doors[0].wall if room.doors else 0], math.pi / HEADINGS
+        first = math.atan2(wall.normal[1], wall.normal[0])
         self.headings = tuple(first + self._step * k for k in range(HEADINGS))
         self._free: dict[int, list[Polygon]] = {}
         self._opened: dict[frozenset[int], tuple[tuple[int, Polygon], ...]] = {}
@@ -191,11 +191,6 @@ def _empty(room: Room, body: tuple[tuple[float, ...], ...]) -> BaseGeometry:
     """Return where the centre of a convex body may be in the empty room; the same for every layout of it."""
     walls = np.array([(wall.start, wall.end) for wall in room.walls])
     return room_polygon(room).difference(shapely.union_all(grown(walls, np.array(body))))
-
-
-def _first_heading(room: Room) -> float:
-    wall = room.walls[room.doors[0].wall if room.doors else 0]
-    return math.atan2(wall.normal[1], wall.normal[0])
 
 
 class _Joined:

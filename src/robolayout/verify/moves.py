@@ -52,10 +52,8 @@ def moves(scene: Scene, layout: Layout, program: Program | None, agents: tuple[A
     Each thing is put back alone, with what stands on it, and the layout is judged again, exactly.
 
     Args:
-        scene: The scene.
         layout: Where everything is.
         program: Its guesses and statements; None has neither.
-        agents: The bodies.
     """
     found = [] if program is None else [move for move in _off(layout, program) if move.asset in scene.by_name]
     if not found:

@@ -81,7 +81,7 @@ def find_door_passages(scene: Scene, layout: Layout, agent: Agent, numbers: Sequ
     return {n: replace(found[f"door {n}"], cut_off=found[f"door {n}"].width == 0) for n in numbers}
 
 
-def _largest(holds: Callable[[int], bool], top: int) -> int:
+def largest(holds: Callable[[int], bool], top: int) -> int:
     """Return the largest step in 1..top for which a falling property holds; 0 if none."""
     low, high = 0, top + 1
     while high - low > 1:
@@ -102,7 +102,7 @@ class _Search:
         """Return the narrowest passage to each goal: its outline, and whether a disc of so many steps gets there."""
         radius = self._agent.radius
         top = max(math.ceil(WIDE / 2 / STEP), math.floor(radius / STEP) + 1)
-        widest = {name: _largest(holds, top) for name, (_, holds) in goals.items()}
+        widest = {name: largest(holds, top) for name, (_, holds) in goals.items()}
         result = {name: Passage(name, 2 * STEP * min(step, top), None, ()) for name, step in widest.items()}
         located = min(top, math.ceil((radius + LOCATED / 2) / STEP))
         for step in sorted({step for step in widest.values() if 0 < step < located}):

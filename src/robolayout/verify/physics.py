@@ -222,13 +222,6 @@ def _floating_sentence(scene: Scene, found: Boxes, row: int, limits: PhysicsLimi
         return f"{name} is not supported: it stands on {under}, which nothing holds."
     below = np.flatnonzero(found.placed & (found.top <= found.bottom[row] + 1e-9))
     under = below[shapely.intersects_xy(found.footprints[below], *found.centers[row])]
-    base = (
-        f"the top of {found.names[best]} at {found.top[best]:.2f} m"
-        if (best := _highest(found, under)) is not None
-        else "the floor at 0.00 m"
-    )
+    best = under[np.argmax(found.top[under])] if len(under) else None
+    base = "the floor at 0.00 m" if best is None else f"the top of {found.names[best]} at {found.top[best]:.2f} m"
     return f"{name} is not supported: its bottom is at {found.bottom[row]:.2f} m, {base}."
-
-
-def _highest(found: Boxes, rows: NDArray[np.intp]) -> int | None:
-    return int(rows[np.argmax(found.top[rows])]) if len(rows) else None

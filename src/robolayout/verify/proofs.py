@@ -26,6 +26,7 @@ from robolayout.verify._space import disc_space, plan_distances, reached_rows
 from robolayout.verify.doors import misfits
 from robolayout.verify.limits import REACH_SLACK, PhysicsLimits
 from robolayout.verify.navigation import Navigation
+from robolayout.verify.passages import largest
 
 NEIGHBOURS = 12
 """Obstacles nearest to an unreached asset that are tried in pairs (66 pairs of 12)."""
@@ -180,12 +181,9 @@ def _shut_out(scene: Scene, agent: Agent) -> list[str]:
 
     if enters(agent.radius):
         return []
-    low, high = 0.0, agent.radius
-    while high - low > 1e-3:
-        middle = (low + high) / 2
-        low, high = (middle, high) if enters(middle) else (low, middle)
+    widest = 2e-3 * largest(lambda step: enters(step * 1e-3), int(agent.radius * 1e3))
     return [
-        f"Even in the empty room {agent.name} cannot come in by door 0: the room leaves a disc of {2 * low:.2f} m the way in, "
+        f"Even in the empty room {agent.name} cannot come in by door 0: the room leaves a disc of {widest:.2f} m the way in, "
         f"{agent.name} needs {2 * agent.radius:.2f} m."
     ]
 

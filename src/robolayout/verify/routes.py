@@ -106,13 +106,9 @@ class Mesh:
                 result[rows[1]].append((rows[0], a, b))
         return result
 
-    def locate(self, point: Point) -> int:
-        """Return the triangle that a point is in, or the nearest one."""
-        return int(self._tree.nearest(shapely.Point(point)))
-
     def search(self, start: Point) -> Tree:
         """Return the shortest ways over edge midpoints from a point to all triangles."""
-        source = self.locate(start)
+        source = int(self._tree.nearest(shapely.Point(start)))
         tree = Tree(start, source, {source: (0.0, start)}, {})
         queue: list[tuple[float, int, Point]] = [(0.0, source, start)]
         done: set[int] = set()

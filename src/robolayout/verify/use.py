@@ -97,8 +97,6 @@ def usage(scene: Scene, layout: Layout, agent: Agent | None = None, *, nav: Navi
     """Judge what an agent can use.
 
     Args:
-        scene: The scene.
-        layout: The layout.
         agent: The body; the scene's first one if None.
         nav: Where it can go, if that has been worked out already.
     """

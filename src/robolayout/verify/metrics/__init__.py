@@ -1,22 +1,13 @@
 """Published metrics under their own names and rules, so that results compare."""
 
 from robolayout.scene import Layout, Scene
-from robolayout.verify.metrics.layoutvlm import layoutvlm
-from robolayout.verify.metrics.physcene import PhyScene, physcene
-from robolayout.verify.metrics.sceneeval import SceneEval, sceneeval
-from robolayout.verify.metrics.scenesmith import SceneSmith, scenesmith
-
-__all__ = [
-    "PhyScene",
-    "SceneEval",
-    "SceneSmith",
-    "layoutvlm",
-    "physcene",
-    "published_metrics",
-    "sceneeval",
-    "scenesmith",
-]
-
+from robolayout.verify.metrics.layoutvlm import layoutvlm as layoutvlm
+from robolayout.verify.metrics.physcene import PhyScene as PhyScene
+from robolayout.verify.metrics.physcene import physcene as physcene
+from robolayout.verify.metrics.sceneeval import SceneEval as SceneEval
+from robolayout.verify.metrics.sceneeval import sceneeval as sceneeval
+from robolayout.verify.metrics.scenesmith import SceneSmith as SceneSmith
+from robolayout.verify.metrics.scenesmith import scenesmith as scenesmith
 
 AS_OBSTACLES = {
     "SceneEval": ("COL", "COL_scene", "NAV", "ACC", "opening_clearance"),

@@ -52,8 +52,6 @@ def physcene(scene: Scene, layout: Layout, *, first_label: bool = False) -> PhyS
     """Measure a layout by PhyScene's rules.
 
     Args:
-        scene: The scene.
-        layout: The layout.
         first_label: Take the first component found instead of the largest where there is no door, as the published code
             does by returning inside its loop.
     """

@@ -69,9 +69,6 @@ def _has_floor(body: AgentReport, row: int, side: str, ways: tuple[int, ...]) ->
     """Tell whether a clear floor space adjoins a side of a thing, where the body gets to.
 
     Args:
-        body: The body, in its layout.
-        row: The thing.
-        side: Its side.
         ways: 0 for parallel to the side (the long side adjoins it), 1 for straight towards it.
     """
     nav = body.navigation

@@ -16,7 +16,7 @@ from robolayout.verify._space import Space, disc_space, plan_distances, reached_
 from robolayout.verify.agent_report import AgentReport
 from robolayout.verify.heading import convex_places
 from robolayout.verify.navigation import Navigation
-from robolayout.verify.passages import Passage
+from robolayout.verify.passages import Passage, largest
 from robolayout.verify.proofs import exempt_from_reach
 from robolayout.verify.routes import Mesh, find_routes
 from robolayout.verify.rules._rule import Measured
@@ -176,13 +176,7 @@ def _largest_circle(nav: Navigation) -> float:
 
     if nav.main.is_empty:
         return 0.0
-    low, high = 0.0, CIRCLE + FINE
-    if free(CIRCLE):
-        return CIRCLE
-    while high - low > FINE:
-        middle = (low + high) / 2
-        low, high = (middle, high) if free(middle) else (low, middle)
-    return low
+    return FINE * largest(lambda step: free(step * FINE), round(CIRCLE / FINE))
 
 
 def _has_t(nav: Navigation) -> bool:
