@@ -18,11 +18,8 @@ from robolayout._errors import RoboLayoutError
 from robolayout._reading.files import MAX_FILE_BYTES, is_folder, regular_bytes
 from robolayout._reading.syntax import Unreadable, check_plain, decoded, json_value, toml_value
 
-MAX_TEXT = 10_000
-"""Longest text in a file, in characters."""
-MAX_LENGTH = 1000.0
-"""Largest coordinate or length in metres."""
-
+MAX_TEXT = 10_000  # longest text in a file, in characters
+MAX_LENGTH = 1000.0  # largest coordinate or length in metres
 Given = TypeVar("Given")
 Made = TypeVar("Made")
 

@@ -23,12 +23,9 @@ from robolayout._reading.syntax import Unreadable, decoded, xml_root
 
 Array = NDArray[np.float64]
 
-MAX_TRIANGLES = 3_000_000
-"""Triangles of a file in all; reading one takes about 250 bytes of memory."""
-MAX_PIECES = 20_000
-"""Pieces of a file: nodes, groups, solids or changes of material."""
-FARTHEST = 1e7
-"""Coordinate, in the file's unit, beyond which a vertex is unusable."""
+MAX_TRIANGLES = 3_000_000  # triangles of a file in all; reading one takes about 250 bytes of memory
+MAX_PIECES = 20_000  # pieces of a file: nodes, groups, solids or changes of material
+FARTHEST = 1e7  # coordinate, in the file's unit, beyond which a vertex is unusable
 PARSER_ERRORS = (
     ArithmeticError, AssertionError, AttributeError, EOFError, ImportError, LookupError, MemoryError, NameError,
     OSError, RuntimeError, SyntaxError, TypeError, ValueError, struct.error, zlib.error,
@@ -41,8 +38,7 @@ _PIECES = {
 _FACES = {".obj": re.compile(rb"^[ \t]*f\b", re.MULTILINE), ".stl": re.compile(rb"^\s*facet\b", re.MULTILINE)}
 
 
-LARGEST_PICTURE = 1024
-"""Most pixels along a side of a texture; larger ones are made smaller."""
+LARGEST_PICTURE = 1024  # most pixels along a side of a texture; larger ones are made smaller
 
 
 UNSAID = [102, 102, 102, 255]

@@ -17,15 +17,10 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from xml.etree.ElementTree import Element
 
-MAX_DEPTH = 64
-"""Lists and objects inside each other; a scene has seven."""
-MAX_VALUES = 2_000_000
-"""Values in a file; the largest scene has about 50,000."""
-MAX_DIGITS = 100
-"""Characters of a number; a double needs at most 25."""
-MAX_ELEMENTS = 500_000
-"""Elements of an XML file."""
-
+MAX_DEPTH = 64  # lists and objects inside each other; a scene has seven
+MAX_VALUES = 2_000_000  # values in a file; the largest scene has about 50,000
+MAX_DIGITS = 100  # characters of a number; a double needs at most 25
+MAX_ELEMENTS = 500_000  # elements of an XML file
 _JSON_TEXT = re.compile(r'"[^"\\]*+(?:\\.[^"\\]*+)*+"?', re.DOTALL)
 _TOML_TEXT = re.compile(
     r'"""(?:[^\\]|\\.)*?(?:"""|\Z)|\'\'\'.*?(?:\'\'\'|\Z)|"[^"\\\n]*+(?:\\.[^"\\\n]*+)*+"?|\'[^\'\n]*+\'?|#[^\n]*+',

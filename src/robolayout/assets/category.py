@@ -15,8 +15,7 @@ DATA = Path(__file__).parent / "data"
 ESTIMATE = "typical of common goods (estimate)"
 PLACES = ("floor", "wall", "ceiling", "object")
 SIDES = ("front", "back", "left", "right")
-HEADS = ("group", "role")
-"""Tables of a data file that are no records: what the planner calls its group, and roles."""
+HEADS = ("group", "role")  # tables of a data file that are no records: what the planner calls its group, and roles
 NEEDED = ("size", "place", "use_sides", "synonyms")
 FURTHER: Mapping[str, tuple[type, ...]] = {
     "open_depth": (float, int), "movable": (bool,), "mass": (float, int), "friction": (float, int), "role": (str,),
@@ -148,5 +147,4 @@ class Catalogue(Mapping[str, Category]):
         return f"<catalogue of {len(self)} categories>"
 
 
-CATALOGUE: Mapping[str, Category] = Catalogue()
-"""All built-in categories by name."""
+CATALOGUE: Mapping[str, Category] = Catalogue()  # all built-in categories by name

@@ -31,8 +31,7 @@ CALLS: dict[str, Callable[..., Any]] = {"min": min, "max": max, "round": round, 
 """What a `let` may compute, beside sums and products."""
 BASIS = ("", "m", "d", "w", "h")
 """What an extent is a sum of, before the names of `let`: plain numbers, metres, depth, width, height."""
-CROSS = {"z": "xy", "x": "yz", "y": "zx"}
-"""The two axes across one, in the order that shapes take them."""
+CROSS = {"z": "xy", "x": "yz", "y": "zx"}  # the two axes across one, in the order that shapes take them
 
 
 @dataclass(frozen=True)

@@ -24,27 +24,19 @@ from robolayout.assets.likeness import WAYS, sampled, stands
 from robolayout.assets.own import AXES, RawMesh, Size, extent, fits_y_up, orientation, read_pieces
 from robolayout.scene import variable_name
 
-MAX_FILES = 5000
-"""Mesh files that are looked at in one folder."""
-MAX_JSON = 1_000_000
-"""Largest metadata file in bytes."""
+MAX_FILES = 5000  # mesh files that are looked at in one folder
+MAX_JSON = 1_000_000  # largest metadata file in bytes
 UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "inch": 0.0254}
 """Units that mesh files are drawn in, the likeliest first, and their length in metres."""
-SCALED = "none"
-"""The unit of a mesh that fits its category's size in no unit, and is scaled to it."""
+SCALED = "none"  # the unit of a mesh that fits its category's size in no unit, and is scaled to it
 CLEARLY = math.log(2.0)
 """Another unit than metres must fit the category's size better by this log ratio; metres that miss by more fit not at all."""
-SURE = 0.3
-"""How sure an axis or unit must be not to be asked about."""
+SURE = 0.3  # how sure an axis or unit must be not to be asked about
 CORRECTIONS = "corrections.json"
-PLAUSIBLE = (0.02, 6.0)
-"""Longest edge in metres of a thing of unknown category."""
-LARGEST = 100.0
-"""Largest side of a box in metres."""
+PLAUSIBLE = (0.02, 6.0)  # longest edge in metres of a thing of unknown category
+LARGEST = 100.0  # largest side of a box in metres
 FLAGS = {"onFloor": "on_floor", "onWall": "on_wall", "onCeiling": "on_ceiling", "onObject": "on_object"}
-VIEWS = ("+z", "+x", "-z", "-x")
-"""Front axis of a y-up mesh by objathor's `frontView`: a quarter turn each."""
-
+VIEWS = ("+z", "+x", "-z", "-x")  # front axis of a y-up mesh by objathor's `frontView`: a quarter turn each
 _CHECK = Checker(AssetError)
 
 

@@ -13,23 +13,15 @@ from robolayout.assets.part import Material, Part
 from robolayout.assets.shapes import Range, box, cylinder
 
 Box = NDArray[np.float64]
-Face = tuple[Range, Range]
-"""Where fronts lie: ends along y and z."""
-
-GAP = 0.004
-"""Metres between neighbouring fronts."""
-DOOR = 0.018
-"""Thickness of a front in metres."""
-KNOB = 0.022
-"""How far handles stand out, metres."""
-TRAY = "drawer floor"
-"""Name of the part on which lies what is in a drawer."""
+Face = tuple[Range, Range]  # where fronts lie: ends along y and z
+GAP = 0.004  # metres between neighbouring fronts
+DOOR = 0.018  # thickness of a front in metres
+KNOB = 0.022  # how far handles stand out, metres
+TRAY = "drawer floor"  # name of the part on which lies what is in a drawer
 BOARD, THIN, EASE = 0.016, 0.008, 0.002
 """Metres: thickness of boards between drawers, of the boards that drawers are made of, and how loosely these run."""
-RAISED = 0.75
-"""Share of its height to which a drawer's sides and back reach."""
-SHALLOW, BEHIND = 0.06, 0.05
-"""Metres: no drawer is lower, and what stands so far behind a front is its body."""
+RAISED = 0.75  # share of its height to which a drawer's sides and back reach
+SHALLOW, BEHIND = 0.06, 0.05  # metres: no drawer is lower, and what stands so far behind a front is its body
 
 
 def spread(span: Range, count: int, gap: float = GAP) -> list[Range]:

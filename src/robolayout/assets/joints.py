@@ -30,10 +30,8 @@ AWAY = "away"
 USUAL = "door+handle: hinge z away front 90\ndrawer+handle+knob: slide x .6d"
 """How what is called door or drawer moves where a record says nothing of joints: side hung, and pulled out by the
 three fifths of the depth that plain runners allow (judgement)."""
-NOTHING = "-"
-"""What a record says whose parts look like doors but do not move."""
-NEAR = 0.05
-"""Metres within which a part lies on the leader that it goes with."""
+NOTHING = "-"  # what a record says whose parts look like doors but do not move
+NEAR = 0.05  # metres within which a part lies on the leader that it goes with
 HANDLES = ("handle", "knob", "grip", "lock")
 """Parts that a hand takes hold of; without one, the edge away from the hinge is held."""
 HOW = "write 'PARTS: hinge|slide x|y|z EDGES HOW-FAR', as in 'door+handle: hinge z away front 90'"

@@ -19,8 +19,7 @@ from robolayout.scene import FLAT_HEIGHT, Asset
 
 Size = tuple[float, float, float]
 
-MAX_TEXT = 2000
-"""Characters of a text that are looked at; the rest is ignored."""
+MAX_TEXT = 2000  # characters of a text that are looked at; the rest is ignored
 LONGEST_PHRASE = 5
 ODD_SIZE = math.log(4.0)
 """A word whose typical size differs by more than this factor in its longest edge yields to another word."""
@@ -33,8 +32,7 @@ BREAKS = frozenset(
 )  # fmt: skip
 """Words after which no head noun is expected."""
 IRREGULAR = {"shelves": "shelf", "knives": "knife", "loaves": "loaf", "leaves": "leaf", "mice": "mouse", "feet": "foot"}
-PLAIN = re.compile(r"[a-z0-9]+(?: [a-z0-9]+)*")
-"""A phrase that is spelled as the index spells it already."""
+PLAIN = re.compile(r"[a-z0-9]+(?: [a-z0-9]+)*")  # a phrase that is spelled as the index spells it already
 KEEPS_S = ("ss", "us", "is")
 LOSES_ES = ("ches", "shes", "xes", "sses", "zes")
 

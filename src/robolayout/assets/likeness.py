@@ -28,21 +28,13 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Faces = Iterable[tuple[Array, NDArray[np.integer]]]
 
-SAMPLES = 500
-"""Points on a surface."""
-
-SEEDS = range(4)
-"""Seeds whose variants of a thing are compared with."""
-
-STRETCH = 0.08
-"""What an edge too long by a factor of e counts, in edges of the unit box."""
-
+SAMPLES = 500  # points on a surface
+SEEDS = range(4)  # seeds whose variants of a thing are compared with
+STRETCH = 0.08  # what an edge too long by a factor of e counts, in edges of the unit box
 STANDARD = (0.1, 0.03)
 """What it counts if the axis that points up, or forward, is not where the file's format puts it: the second is often wrong."""
 
-CERTAIN = 0.05
-"""Difference in edges of the unit box from which on an axis is certain."""
-
+CERTAIN = 0.05  # difference in edges of the unit box from which on an axis is certain
 WAYS = tuple((up, front) for up, front in product(AXES, AXES) if up[1] != front[1])
 """The 24 ways to stand: the axis that points up and the one that points forward."""
 

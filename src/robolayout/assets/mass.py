@@ -14,8 +14,7 @@ from robolayout.assets.part import Part
 from robolayout.assets.prisms import SMALL
 from robolayout.scene import Asset
 
-LOW = (0.2, 0.06)
-"""Share of a thing's height, and metres, below both of which a foot ends that is weighted."""
+LOW = (0.2, 0.06)  # share of a thing's height, and metres, below both of which a foot ends that is weighted
 
 
 @lru_cache(maxsize=2048)

@@ -15,11 +15,8 @@ from robolayout.assets.lexicon import category_of
 from robolayout.assets.prisms import prisms_of
 from robolayout.scene import Agent, Asset
 
-SOLID = 0.9
-"""Share of a box's floor from which on its prisms stand in the way as the box does."""
-TOUCHING = 1e-6
-"""Metres of height by which a prism must reach into a body's heights."""
-
+SOLID = 0.9  # share of a box's floor from which on its prisms stand in the way as the box does
+TOUCHING = 1e-6  # metres of height by which a prism must reach into a body's heights
 Pieces = NDArray[np.float64]
 """(m, 4): how far a rectangle's middle lies ahead and left of its asset's, half its depth, half its width; metres."""
 

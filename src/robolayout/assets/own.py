@@ -27,10 +27,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Size = tuple[float, float, float]
 
-MAX_TRIANGLES = 20_000
-"""An asset with more triangles is thinned out to at most this."""
-MAX_PARTS = 64
-"""An asset with more pieces is merged into one."""
+MAX_TRIANGLES = 20_000  # an asset with more triangles is thinned out to at most this
+MAX_PARTS = 64  # an asset with more pieces is merged into one
 PLAIN = Material("own mesh", (0.72, 0.70, 0.67), 0.8)
 AXES: dict[str, tuple[float, float, float]] = {
     sign + axis: tuple((1.0 if sign == "+" else -1.0) * (axis == other) for other in "xyz")  # type: ignore[misc]

@@ -11,11 +11,8 @@ from robolayout._text import utf8
 from robolayout.assets.category import CATALOGUE, read_data
 from robolayout.assets.part import Material
 
-CLOTH = 0.95
-"""Roughness of fabrics."""
-
-SOFT = ("seating", "textiles")
-"""Groups whose colour is that of their cloth, as it is of beds."""
+CLOTH = 0.95  # roughness of fabrics
+SOFT = ("seating", "textiles")  # groups whose colour is that of their cloth, as it is of beds
 
 
 @dataclass(frozen=True)
@@ -55,8 +52,7 @@ def _palette(entry: Mapping[str, Any]) -> Palette:
 _FILE = read_data("materials.toml")
 PLAIN: Mapping[str, Material] = {key: material_from(entry) for key, entry in _FILE["materials"].items()}
 """Materials that are the same in every room, by the names that rows use."""
-PALETTES = tuple(_palette(entry) for entry in _FILE["palettes"])
-"""The palettes that a seed picks from."""
+PALETTES = tuple(_palette(entry) for entry in _FILE["palettes"])  # the palettes that a seed picks from
 STYLED: Mapping[str, Palette] = {palette.wood.name: palette for palette in PALETTES} | {
     word: palette
     for entry in _FILE["styled"]
@@ -70,12 +66,10 @@ WOODS: Mapping[str, Material] = {word: material_from(entry) for word, entry in _
 """What a look may say that tables and cupboards are made of."""
 CLOTHS: Mapping[str, Material] = {word: material_from(entry) for word, entry in _FILE["cloths"].items()}
 """What a look may say that seats are covered with."""
-LOOKS = frozenset((*STYLED, *COLORS, *WOODS, *CLOTHS))
-"""Every word that a look may name."""
+LOOKS = frozenset((*STYLED, *COLORS, *WOODS, *CLOTHS))  # every word that a look may name
 BRIGHT = tuple(PLAIN[name] for name in ("red", "orange", "yellow", "green", "blue", "pink"))
 """Toy and packaging colours."""
-SPINES = tuple(material for name, material in PLAIN.items() if name.endswith("-cloth"))
-"""Book covers."""
+SPINES = tuple(material for name, material in PLAIN.items() if name.endswith("-cloth"))  # book covers
 
 
 @dataclass(frozen=True)
@@ -119,8 +113,7 @@ CHOSEN: Mapping[str, Callable[[Piece], Material]] = {
     "cloth": lambda p: p.rng().choice(SPINES),
 }
 """What the room or the thing itself chooses, by the names that rows use."""
-MATERIALS = (*PLAIN, *CHOSEN)
-"""Everything that rows may name."""
+MATERIALS = (*PLAIN, *CHOSEN)  # everything that rows may name
 
 
 def material_of(name: str, p: Piece) -> Material:

@@ -22,27 +22,18 @@ from robolayout.assets.lexicon import category_of
 from robolayout.assets.part import Part
 from robolayout.scene import Asset
 
-MOST = 8
-"""Prisms of one thing (DESIGN section 6)."""
-SMALL = 0.35
-"""Metres below which all edges of a thing lie whose shape is its box."""
-SPARE = 0.02
-"""Share of a thing's box that two prisms may waste when they become one although there are few enough."""
+MOST = 8  # prisms of one thing (DESIGN section 6)
+SMALL = 0.35  # metres below which all edges of a thing lie whose shape is its box
+SPARE = 0.02  # share of a thing's box that two prisms may waste when they become one although there are few enough
 FLOORWARD = (0.3, 6.0)
 """Metres of height below which room counts so many times: feet and low bodies pass there, between legs."""
-SLICES = 16
-"""Slices that a user's own mesh is looked at in, beside those between its level tops."""
-CELLS = 24
-"""Cells along an edge of a slice of a user's own mesh."""
-RECTANGLES = 6
-"""Rectangles by which a slice of a user's own mesh is covered."""
-FLAT = 0.99
-"""Least cosine between up and the normal of a face of a user's own mesh that lies level."""
+SLICES = 16  # slices that a user's own mesh is looked at in, beside those between its level tops
+CELLS = 24  # cells along an edge of a slice of a user's own mesh
+RECTANGLES = 6  # rectangles by which a slice of a user's own mesh is covered
+FLAT = 0.99  # least cosine between up and the normal of a face of a user's own mesh that lies level
 TOP = (0.01, 0.01)
 """Metres of height within which faces of a user's own mesh are one top, and square metres from which on it ends a slice."""
-LEAST_CUT = 0.05
-"""Share of the shorter half side below which a corner is not cut off."""
-
+LEAST_CUT = 0.05  # share of the shorter half side below which a corner is not cut off
 Array = NDArray[np.float64]
 Spans = NDArray[np.float64]
 """(n, 10): least and greatest x, y, z, x + y and x - y of the points of a piece; metres, z from the bottom of the thing."""

@@ -24,16 +24,11 @@ from robolayout.assets.part import Joint, Material, Part
 from robolayout.assets.shapes import prism
 from robolayout.scene import Opening, Point, Room, Wall
 
-THICKNESS = 0.1
-"""Thickness of walls in metres, outside the room."""
-SLAB = 0.06
-"""Thickness of the floor below z = 0 in metres."""
-FRAME = 0.05
-"""Width of door and window frames in metres."""
-LEAF = (-0.075, -0.035)
-"""Between which depths into the room a shut leaf hangs, in metres."""
-SKIRTING = (0.008, 0.07)
-"""Depth into the room and height of the skirting board in metres."""
+THICKNESS = 0.1  # thickness of walls in metres, outside the room
+SLAB = 0.06  # thickness of the floor below z = 0 in metres
+FRAME = 0.05  # width of door and window frames in metres
+LEAF = (-0.075, -0.035)  # between which depths into the room a shut leaf hangs, in metres
+SKIRTING = (0.008, 0.07)  # depth into the room and height of the skirting board in metres
 GATHERED, FOLDS, WIDEST = 0.17, 6, 2.6
 """Share of a window's width that a curtain drawn aside takes, its folds, and metres beyond which a window has none (a shop's)."""
 MAX_STRIPS = 60
@@ -62,8 +57,7 @@ def _style(name: str, entry: Mapping[str, Any]) -> RoomStyle:
 
 FLOORS = {name: _style(name, entry) for name, entry in read_data("room_styles.toml").items()}
 """Styles by the name of their floor."""
-STYLES = tuple(FLOORS.values())[:5]
-"""Those that seeds pick from."""
+STYLES = tuple(FLOORS.values())[:5]  # those that seeds pick from
 
 
 def room_style(seed: int, floor: str = "") -> RoomStyle:

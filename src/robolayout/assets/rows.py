@@ -23,8 +23,7 @@ from robolayout._errors import AssetError
 from robolayout.assets.drawing import BASIS, CALLS, CROSS, RELATIONS, SUMS, Drawing, Repeat, Row, Test
 from robolayout.assets.palette import MATERIALS, make_piece
 
-LENGTHS = {"x": 2, "y": 3, "z": 4}
-"""Where in `BASIS` the length along an axis stands."""
+LENGTHS = {"x": 2, "y": 3, "z": 4}  # where in `BASIS` the length along an axis stands
 LEANS = tuple(f"{a}/{b}" for a in "xyz" for b in "xyz" if a != b)
 """Fields that move a part along one axis as it goes along another: `x/z 0:-.05m` leans its top back."""
 FIELDS: dict[str, tuple[tuple[str, ...], tuple[str, ...], int]] = {
@@ -42,8 +41,7 @@ OVERHANG = (0.25, 0.05)
 HOW = "write mirror x|y|xy, repeat N FIELD STEP, if TEST"
 _TERM = re.compile(r"([+-]?)(\d+\.?\d*|\.\d+)?([a-z][a-z0-9_]*)?")
 
-Value = list[float]
-"""Factors of the basis and of the lets."""
+Value = list[float]  # factors of the basis and of the lets
 
 
 @lru_cache(maxsize=512)

@@ -25,39 +25,27 @@ from robolayout.assets.part import Part
 from robolayout.assets.prisms import largest_block, level_tops, piece_spans
 from robolayout.scene import Asset
 
-LEVEL = 0.012
-"""Metres of height within which tops are one surface: seams of a seat, a duvet's edge."""
+LEVEL = 0.012  # metres of height within which tops are one surface: seams of a seat, a duvet's edge
 SEAM = 0.015
 """Metres between tops at one height that are one surface all the same; half of it is closed from either side."""
-RISES = 0.06
-"""Metres above a surface below which a part over it stands on it; what begins higher covers it."""
-LEAST_AREA = 0.0025
-"""Square metres below which a top holds nothing."""
-LEAST_SIDE = 0.03
-"""Metres across below which a top holds nothing."""
+RISES = 0.06  # metres above a surface below which a part over it stands on it; what begins higher covers it
+LEAST_AREA = 0.0025  # square metres below which a top holds nothing
+LEAST_SIDE = 0.03  # metres across below which a top holds nothing
 LEAST_SHELF, LEAST_FREE = 0.01, (0.1, 0.04)
 """Square metres, and metres of free height, on a shelf and in a drawer, below which what is covered holds nothing."""
-LEDGE = 0.03
-"""Share of the largest surface of a thing below which another one is a ledge that nobody puts things on."""
-PLAN = [0, 2, 1, 3]
-"""Columns of a span that are its rectangle in plan: least x and y, greatest x and y."""
-SIMPLE = 0.004
-"""Metres by which a surface's outline may be straightened."""
+LEDGE = 0.03  # share of the largest surface of a thing below which another one is a ledge that nobody puts things on
+PLAN = [0, 2, 1, 3]  # columns of a span that are its rectangle in plan: least x and y, greatest x and y
+SIMPLE = 0.004  # metres by which a surface's outline may be straightened
 SOFT = ("seat", "cushion", "mattress", "duvet", "quilt", "blanket", "bed")
 """Words in names of parts that people sit or lie on."""
 CORNERS, EVENLY, SQUARE = 10, 8, 2
 """Coordinates of corners, and of even steps, between which the largest rectangle of a region is looked for; the latter only
 where the corners have more coordinates along an axis than those of an upright rectangle."""
-HOOKS = ("hook", "peg")
-"""Names of parts that things hang from."""
-SLIM, HELD = 0.04, 0.035
-"""Metres: hooks are longer than that, and no wider; and so far from its end hangs what does."""
-COUNTED = ("shelf", "drawer")
-"""Words that a number follows, however few there are."""
-RIM = 0.8
-"""Share of its height below which an open surface lies in a thing."""
-EASE = 0.005
-"""Metres of height that a thing needs more than its own to be put into a shelf."""
+HOOKS = ("hook", "peg")  # names of parts that things hang from
+SLIM, HELD = 0.04, 0.035  # metres: hooks are longer than that, and no wider; and so far from its end hangs what does
+COUNTED = ("shelf", "drawer")  # words that a number follows, however few there are
+RIM = 0.8  # share of its height below which an open surface lies in a thing
+EASE = 0.005  # metres of height that a thing needs more than its own to be put into a shelf
 
 
 @dataclass(frozen=True)

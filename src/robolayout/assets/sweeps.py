@@ -19,8 +19,7 @@ from robolayout.scene import Asset
 
 STEPS = 12
 """Places of a leaf between shut and open, whose hulls make up what it sweeps: a sector of 90 degrees misses 0.1 % of its area."""
-SLIGHT = 0.02
-"""Metres by which a sweep must reach beyond the front to need room there: a button does not."""
+SLIGHT = 0.02  # metres by which a sweep must reach beyond the front to need room there: a button does not
 
 
 @dataclass(frozen=True, eq=False)

@@ -20,17 +20,12 @@ from robolayout.assets.part import Part
 
 Array = NDArray[np.float64]
 
-SIDE = 256
-"""Pixels along a side of a tile."""
-
+SIDE = 256  # pixels along a side of a tile
 MEAN = 0.8
 """Mean of every tile, in linear light: what is darker and what is lighter than the plain colour both have room."""
 
-DARKEST = 1e-3
-"""Least mean of a picture that is reckoned with, in linear light."""
-
-QUALITY = 82
-"""JPEG quality of tiles in files: 10 to 30 kB each."""
+DARKEST = 1e-3  # least mean of a picture that is reckoned with, in linear light
+QUALITY = 82  # JPEG quality of tiles in files: 10 to 30 kB each
 
 
 @dataclass(frozen=True)

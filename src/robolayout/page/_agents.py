@@ -14,12 +14,8 @@ from robolayout.scene import Agent, Point
 from robolayout.verify import AgentReport, Demands, Passage, exempt_from_reach
 from robolayout.verify.sentences import unreached_sentence
 
-TOLERANCE = 0.004
-"""Metres by which the drawn outline of a floor area may leave the exact one."""
-
-SMALLEST = 0.01
-"""Square metres below which a drawn floor area is left out."""
-
+TOLERANCE = 0.004  # metres by which the drawn outline of a floor area may leave the exact one
+SMALLEST = 0.01  # square metres below which a drawn floor area is left out
 Rings = Sequence[Sequence[Point]]
 
 

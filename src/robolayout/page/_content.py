@@ -19,12 +19,8 @@ from robolayout.render.curves import TOTAL, loss_terms
 from robolayout.scene import Trace
 from robolayout.verify import Report
 
-FRAMES = 120
-"""Most moments of the search that the page holds."""
-
-CURVE = 240
-"""Most points of the loss curve."""
-
+FRAMES = 120  # most moments of the search that the page holds
+CURVE = 240  # most points of the loss curve
 Row = tuple[str, str, bool | None]
 """What was looked at, what came out, and whether that is enough (None: nothing is asked)."""
 

@@ -14,14 +14,10 @@ from robolayout.verify import AgentReport, Navigation, Passage, exempt_from_reac
 if TYPE_CHECKING:
     from shapely import LineString, Polygon
 
-ARC = math.radians(16)
-"""Half the angle of the arcs that show how far an arm reaches on the plan."""
-APART = 0.4
-"""Metres between the places to stand that the plan shows."""
-CIRCLES = 3
-"""Turning circles that the plan shows: the roomiest places."""
-PASSAGES = 8
-"""Most passages that a sheet shows: the narrowest."""
+ARC = math.radians(16)  # half the angle of the arcs that show how far an arm reaches on the plan
+APART = 0.4  # metres between the places to stand that the plan shows
+CIRCLES = 3  # turning circles that the plan shows: the roomiest places
+PASSAGES = 8  # most passages that a sheet shows: the narrowest
 Rings = tuple[tuple[Point, ...], ...]
 
 

@@ -8,8 +8,7 @@ from robolayout.render import SheetNotes
 from robolayout.scene import vertical_span
 from robolayout.verify import AgentReport, Report
 
-STANDS = 0.05
-"""Metres above the floor up to which a thing stands on it."""
+STANDS = 0.05  # metres above the floor up to which a thing stands on it
 
 
 def sheet_notes(report: Report, date: str = "") -> SheetNotes:

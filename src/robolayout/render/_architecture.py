@@ -11,9 +11,7 @@ from robolayout.render._drawing import Drawing, Point
 from robolayout.render.palette import FLOOR, PAPER, QUIET, WALL
 from robolayout.scene import Opening, Room, Wall
 
-THICKNESS = 0.12
-"""Drawn thickness of walls, metres."""
-
+THICKNESS = 0.12  # drawn thickness of walls, metres
 Place = Callable[[float, float], Point]
 
 

@@ -12,14 +12,9 @@ from robolayout.render._mesh import FLOOR_STRIP, ROOM, Mesh, flat_mesh, merge
 from robolayout.render.camera import Camera
 from robolayout.scene import Layout, Room, Scene, Wall
 
-CUT_COLOR = (0.42, 0.41, 0.40)
-"""sRGB colour of a cut wall."""
-
-HIDES = 0.02
-"""Share of the floor that a wall may hide before it is cut away."""
-
-ON_WALL = 0.25
-"""Metres within which an asset fixed to a wall goes with it."""
+CUT_COLOR = (0.42, 0.41, 0.40)  # sRGB colour of a cut wall
+HIDES = 0.02  # share of the floor that a wall may hide before it is cut away
+ON_WALL = 0.25  # metres within which an asset fixed to a wall goes with it
 
 
 def near_walls(room: Room, camera: Camera) -> set[int]:

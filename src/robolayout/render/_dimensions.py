@@ -19,21 +19,11 @@ from robolayout.render._labels import Label
 from robolayout.render.palette import INK, QUIET
 from robolayout.scene import Room, Wall
 
-BESIDE = 8.0
-"""Millimetres between a wall and its first dimension line: room for the numbers of what hangs there."""
-
-STEP = 5.5
-"""Millimetres between dimension lines."""
-
-SIZES = (2.1, 1.8, 1.5)
-"""Font sizes of a length, millimetres; the first at which it finds a place."""
-
-SAME = 1e-3
-"""Metres within which two marks on a chain are one."""
-
-ROOM = 0.8
-"""Millimetres that a length leaves free between its ticks."""
-
+BESIDE = 8.0  # millimetres between a wall and its first dimension line: room for the numbers of what hangs there
+STEP = 5.5  # millimetres between dimension lines
+SIZES = (2.1, 1.8, 1.5)  # font sizes of a length, millimetres; the first at which it finds a place
+SAME = 1e-3  # metres within which two marks on a chain are one
+ROOM = 0.8  # millimetres that a length leaves free between its ticks
 Outline = tuple[Point, ...]
 
 

@@ -24,9 +24,7 @@ if TYPE_CHECKING:
 Point = tuple[float, float]
 Anchor = Literal["start", "middle", "end"]
 
-SAMPLES = 3
-"""Supersampling of the Pillow form along each side."""
-
+SAMPLES = 3  # supersampling of the Pillow form along each side
 BEYOND_ASCII = "\u00a9\u00ab\u00b0\u00b1\u00b4\u00b7\u00bb\u2018\u2019\u201c\u201d\u2026\u2039\u203a\u2044\u2122"
 """Characters of Pillow's own font beside ASCII."""
 

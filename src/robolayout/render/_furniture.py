@@ -11,8 +11,7 @@ import shapely
 from robolayout.render._schedule import Row
 from robolayout.scene import Asset, Layout, Scene, vertical_span
 
-RESTS = 0.05
-"""Metres above or below another thing's top within which a thing stands on it."""
+RESTS = 0.05  # metres above or below another thing's top within which a thing stands on it
 
 
 @dataclass(frozen=True)

@@ -24,11 +24,8 @@ from robolayout.render._mesh import Mesh
 from robolayout.render._rays import Lit, lit_by_sky
 from robolayout.render.camera import NEAR, Camera
 
-SUN_TILE, SUN_COLUMNS = 768, 3
-"""Pixels along a side of a light's depth map, and maps along a side of the atlas."""
-
-LARGEST_TEXTURE = 512
-"""Most pixels along a side of a texture; larger pictures of own meshes are made smaller."""
+SUN_TILE, SUN_COLUMNS = 768, 3  # pixels along a side of a light's depth map, and maps along a side of the atlas
+LARGEST_TEXTURE = 512  # most pixels along a side of a texture; larger pictures of own meshes are made smaller
 
 
 def _text(values: NDArray[np.float64]) -> str:

@@ -13,18 +13,10 @@ from numpy.typing import NDArray
 
 from robolayout.render._drawing import text_width
 
-LINE = 1.12
-"""Distance of two lines of text, in font sizes."""
-
-SQUARISH = 1.6
-"""Below this ratio of its sides, a footprint's name stands level aside rather than turned in the middle."""
-
-SIZES = (2.3, 2.0, 1.7, 1.4, 1.15)
-"""Font sizes that are tried for a name, millimetres."""
-
-EAGER = 3
-"""Font sizes that are tried for a place where no line is crossed, before the name may cross one."""
-
+LINE = 1.12  # distance of two lines of text, in font sizes
+SQUARISH = 1.6  # below this ratio of its sides, a footprint's name stands level aside rather than turned in the middle
+SIZES = (2.3, 2.0, 1.7, 1.4, 1.15)  # font sizes that are tried for a name, millimetres
+EAGER = 3  # font sizes that are tried for a place where no line is crossed, before the name may cross one
 Point = tuple[float, float]
 Box = tuple[float, float, float, float]
 

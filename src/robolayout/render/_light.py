@@ -18,28 +18,17 @@ from robolayout._color import encoded
 from robolayout.render._mesh import Mesh
 from robolayout.render.camera import Camera
 
-SKY_COUNT = 48
-"""Sky directions whose visibility is looked up for every corner of the refined mesh."""
-
-SUN_COUNT = 5
-"""Directions inside the sun's disc; they make the shadow's edge soft."""
-
+SKY_COUNT = 48  # sky directions whose visibility is looked up for every corner of the refined mesh
+SUN_COUNT = 5  # directions inside the sun's disc; they make the shadow's edge soft
 SUN = np.array([0.98, 0.90, 0.78])
 SKY = np.array([0.60, 0.66, 0.74])
-BOUNCE = np.array([0.36, 0.345, 0.32])
-"""Linear irradiance over pi of sun, open sky and reflected light."""
-
+BOUNCE = np.array([0.36, 0.345, 0.32])  # linear irradiance over pi of sun, open sky and reflected light
 BOUNCE_LEVEL, BOUNCE_TILT = 0.95, 0.80
 """How much reflected light a vertical surface gets, and how much more one that looks down."""
 
-BIAS = 0.012
-"""Metres by which a point is lifted along its normal before its visibility is looked up."""
-
-BACKGROUND = (0.965, 0.960, 0.950)
-"""sRGB colour behind everything."""
-
-SHOULDER = 0.75
-"""Linear value above which the tone curve bends, so that bright walls keep their drawing."""
+BIAS = 0.012  # metres by which a point is lifted along its normal before its visibility is looked up
+BACKGROUND = (0.965, 0.960, 0.950)  # sRGB colour behind everything
+SHOULDER = 0.75  # linear value above which the tone curve bends, so that bright walls keep their drawing
 
 
 @lru_cache(maxsize=1)

@@ -17,11 +17,8 @@ from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import INK, NARROW, PAPER, QUIET, REACH, ROUTE, TIGHT, TURN
 from robolayout.scene import Pose, Scene, Wall, vertical_span
 
-ARROW = 1.8
-"""Length of an arrow's head, millimetres."""
-
-WIDTH_TEXT = 2.1
-"""Font size of the width of a passage, millimetres."""
+ARROW = 1.8  # length of an arrow's head, millimetres
+WIDTH_TEXT = 2.1  # font size of the width of a passage, millimetres
 
 
 @dataclass(frozen=True)

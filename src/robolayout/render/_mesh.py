@@ -13,21 +13,14 @@ from robolayout.assets import Part, parts, room_parts
 from robolayout.assets.textures import coordinates, mean
 from robolayout.scene import Layout, Pose, Room, Scene
 
-CREASE = 0.80
-"""Cosine of the angle (37 degrees) below which neighbouring faces are shaded as one smooth surface."""
-
-SLIVER = 0.1
-"""Area, in squares of the longest edge allowed, below which a triangle is not refined."""
-
-ROOM = 0
-"""Id of floor and walls; asset k of the scene has id k + 1. The background has id -1."""
-
+CREASE = 0.80  # cosine of the angle (37 degrees) below which neighbouring faces are shaded as one smooth surface
+SLIVER = 0.1  # area, in squares of the longest edge allowed, below which a triangle is not refined
+ROOM = 0  # id of floor and walls; asset k of the scene has id k + 1. The background has id -1.
 ROWS = ("corners", "normals", "colors", "gloss", "glow", "uvs", "layers", "ids", "groups")
 """The fields of a mesh that have a row for each triangle."""
 
 CEILING = "/ceiling"
-FLOOR_STRIP = "/strip"
-"""Names of parts that the views add to the room; no asset's name has a slash."""
+FLOOR_STRIP = "/strip"  # names of parts that the views add to the room; no asset's name has a slash
 
 
 @dataclass(frozen=True, eq=False)

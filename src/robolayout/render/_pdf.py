@@ -16,9 +16,7 @@ from typing import Any
 
 from robolayout.render._drawing import Drawing, Shape, Text, font, is_latin, printable, text_width
 
-POINT = 72 / 25.4
-"""PDF points per millimetre."""
-
+POINT = 72 / 25.4  # PDF points per millimetre
 READERS = {"GB1": ("STSong-Light", "UniGB-UCS2-H"), "Korea1": ("HYSMyeongJo-Medium", "UniKS-UCS2-H")}
 """Fonts that a PDF reader brings along, by character collection, with their encoding (PDF 1.4, section 5.6.3)."""
 

@@ -10,17 +10,10 @@ from functools import lru_cache
 from robolayout.render._drawing import Drawing, Point, text_width
 from robolayout.render.palette import INK, QUIET
 
-LINE = 1.42
-"""Distance of two lines of a list, in font sizes."""
-
-GAP = 5.0
-"""Millimetres between two columns."""
-
-SHORTEST = 4
-"""Lines that a column holds at least."""
-
-HEAD = 1.22
-"""Font size of a heading, in sizes of the text below it."""
+LINE = 1.42  # distance of two lines of a list, in font sizes
+GAP = 5.0  # millimetres between two columns
+SHORTEST = 4  # lines that a column holds at least
+HEAD = 1.22  # font size of a heading, in sizes of the text below it
 
 
 @dataclass(frozen=True)

@@ -16,20 +16,11 @@ from numpy.typing import NDArray
 
 from robolayout.render.marks import Rings
 
-TOGETHER = 0.3
-"""Metres: assets whose ways end as close as this are visited at once."""
-
-SPACING = 0.15
-"""Metres between the points of a way at which the agent may leave it."""
-
-SLACK = 1e-3
-"""Metres by which a straight way may leave the free space, for rounding."""
-
-TURN = 0.3
-"""Metres of way that take as long as a turn by a radian."""
-
-Line = NDArray[np.float64]
-"""(n, 3): x and y in metres and heading in radians; 0 where the agent just looks ahead."""
+TOGETHER = 0.3  # metres: assets whose ways end as close as this are visited at once
+SPACING = 0.15  # metres between the points of a way at which the agent may leave it
+SLACK = 1e-3  # metres by which a straight way may leave the free space, for rounding
+TURN = 0.3  # metres of way that take as long as a turn by a radian
+Line = NDArray[np.float64]  # (n, 3): x and y in metres and heading in radians; 0 where the agent just looks ahead
 
 
 @dataclass(frozen=True, eq=False)

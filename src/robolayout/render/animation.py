@@ -20,20 +20,11 @@ from robolayout.scene import Asset, Layout, Pose, Room, Scene, Snapshot, Trace
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-SAMPLES = 2
-"""Supersampling along each side of a frame."""
-
-SHEET = 120.0
-"""Width of a frame's drawing, millimetres."""
-
-STRIP = 26.0
-"""Height of the loss strip below the plan, millimetres."""
-
-HOLD = 2500
-"""Milliseconds for which the last frame stays."""
-
-PALETTE = 96
-"""Colours of an animation."""
+SAMPLES = 2  # supersampling along each side of a frame
+SHEET = 120.0  # width of a frame's drawing, millimetres
+STRIP = 26.0  # height of the loss strip below the plan, millimetres
+HOLD = 2500  # milliseconds for which the last frame stays
+PALETTE = 96  # colours of an animation
 
 
 def progress_gif(

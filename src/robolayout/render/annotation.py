@@ -25,24 +25,14 @@ from robolayout.scene import Layout, Room, Scene
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-ARROW = 0.75
-"""Length of the arrow along an asset's front in metres (the paper's l)."""
-
-WALL_OFFSET = 0.2
-"""Metres from a wall's middle to its label, away from the room (the paper's beta)."""
-
-GRID_STEP = 1.0
-"""Smallest grid spacing in metres (the paper's Delta_0)."""
-
+ARROW = 0.75  # length of the arrow along an asset's front in metres (the paper's l)
+WALL_OFFSET = 0.2  # metres from a wall's middle to its label, away from the room (the paper's beta)
+GRID_STEP = 1.0  # smallest grid spacing in metres (the paper's Delta_0)
 SIDE_AZIMUTH = math.radians(-60.0)
 """Azimuth of the annotated side view, radians; always the same, so that pictures of one room compare."""
 
-ENOUGH = 46.0
-"""Pixels between grid points below which only every second, third... one is labelled."""
-
-NUMBER = 9.5
-"""Height of the coordinates in a picture of 768 pixels."""
-
+ENOUGH = 46.0  # pixels between grid points below which only every second, third... one is labelled.
+NUMBER = 9.5  # height of the coordinates in a picture of 768 pixels
 GRID_COLOR = "#0072b2"
 FRONT_COLOR = "#d55e00"
 WALL_COLOR = "#a3006b"

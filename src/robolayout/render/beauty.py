@@ -25,14 +25,9 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
 SUN_DISTANCE = 60.0
-SUN_RADIUS = 2.6
-"""Metres; together they make the sun's disc, wider than the real one so that shadows are soft."""
-
-INDOORS = 1.6
-"""Radiance of the ceiling in a view from inside the room, which neither sun nor sky would light."""
-
-EXPOSURE = 0.74
-"""Factor on the radiance before the tone curve."""
+SUN_RADIUS = 2.6  # metres; together they make the sun's disc, wider than the real one so that shadows are soft
+INDOORS = 1.6  # radiance of the ceiling in a view from inside the room, which neither sun nor sky would light
+EXPOSURE = 0.74  # factor on the radiance before the tone curve
 
 
 def render_beauty(  # noqa: PLR0913 - what `render_view` takes, and the paths of light

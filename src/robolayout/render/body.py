@@ -10,18 +10,12 @@ from robolayout.render.palette import FREE, INK, NARROW, QUIET, REACH, ROUTE, TU
 from robolayout.scene import Agent
 from robolayout.scene.agent import horizontal_reach
 
-SCALES = (5, 10, 20, 25, 50, 100)
-"""Scales that a drawing may have."""
-SPACE = 62.0
-"""Millimetres that each of the two views may take."""
-SIZE = 2.3
-"""Millimetres of the letters."""
-EDGE, HEAD, FOOT, BETWEEN = 15.0, 12.0, 14.0, 22.0
-"""Millimetres left of the views, above, below and between them."""
-LABELS = 36.0
-"""Millimetres for the words beside the heights."""
-DOOR = (0.9, 2.05)
-"""Width and height in metres of the doorway that is drawn for comparison."""
+SCALES = (5, 10, 20, 25, 50, 100)  # scales that a drawing may have
+SPACE = 62.0  # millimetres that each of the two views may take
+SIZE = 2.3  # millimetres of the letters
+EDGE, HEAD, FOOT, BETWEEN = 15.0, 12.0, 14.0, 22.0  # millimetres left of the views, above, below and between them
+LABELS = 36.0  # millimetres for the words beside the heights
+DOOR = (0.9, 2.05)  # width and height in metres of the doorway that is drawn for comparison
 
 
 def draw_body(agent: Agent) -> Drawing:

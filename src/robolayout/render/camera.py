@@ -16,15 +16,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from robolayout.scene import Agent, Pose, Room
 
-ALPHA = 1.5
-"""The paper's camera distance, as a multiple of the room's larger side."""
-
-SIDE_POLAR = math.radians(45.0)
-"""Angle from the vertical of the side view, radians."""
-
-NEAR = 0.05
-"""Nearest depth in metres that is drawn."""
-
+ALPHA = 1.5  # the paper's camera distance, as a multiple of the room's larger side
+SIDE_POLAR = math.radians(45.0)  # angle from the vertical of the side view, radians
+NEAR = 0.05  # nearest depth in metres that is drawn
 Vector = tuple[float, float, float]
 
 

@@ -10,8 +10,7 @@ from robolayout.render.marks import PlanMarks, Rings
 from robolayout.render.palette import BLOCKED, FREE, ISLAND, QUIET, asset_colors
 from robolayout.scene import Agent, Asset, Layout, Pose, Scene, split_name, vertical_span
 
-CORD = 0.9
-"""Half the sides of the cross that shows where the cord of what hangs from the ceiling is fixed, millimetres."""
+CORD = 0.9  # half the sides of the cross that shows where the cord of what hangs from the ceiling is fixed, millimetres
 
 
 @dataclass(frozen=True)
@@ -86,8 +85,7 @@ def cord(pose: Pose, place: Place) -> tuple[Point, Point, Point, Point]:
     return ((x - CORD, y - CORD), (x + CORD, y - CORD), (x + CORD, y + CORD), (x - CORD, y + CORD))
 
 
-LEVELS = ("flat", "floor", "object", "wall", "ceiling")
-"""Where things are held, from below."""
+LEVELS = ("flat", "floor", "object", "wall", "ceiling")  # where things are held, from below
 
 
 def level(asset: Asset) -> str:

@@ -16,15 +16,9 @@ from robolayout.scene import Trace
 COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8c6d31", "#7f7f7f")
 """Line colours, after Okabe and Ito; the total is INK."""
 
-TOTAL = "total"
-"""Name of the sum of all terms."""
-
-SMALLEST = 1e-8
-"""Absolute values below this leave a gap on the logarithmic scale."""
-
-POINTS = 400
-"""Most points of a drawn line; where there are more, each column shows its largest value."""
-
+TOTAL = "total"  # name of the sum of all terms
+SMALLEST = 1e-8  # absolute values below this leave a gap on the logarithmic scale
+POINTS = 400  # most points of a drawn line; where there are more, each column shows its largest value
 GRID = "#e4e1db"
 
 NO_SEARCH = "This room needed no search: what was planned was right at once."

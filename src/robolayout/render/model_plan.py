@@ -24,26 +24,15 @@ from robolayout.scene import Agent, Layout, Room, Scene, Wall
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-LONGEST = 150.0
-"""Millimetres that the longer side of the room takes."""
-
-EDGE = 12.0
-"""Millimetres around the walls, for ticks and the names of walls, doors and windows."""
-
-NAMED_AT = 8.5
-"""Millimetres from the outside of a wall to its name: farther out than the numbers of the ticks."""
-
+LONGEST = 150.0  # millimetres that the longer side of the room takes
+EDGE = 12.0  # millimetres around the walls, for ticks and the names of walls, doors and windows
+NAMED_AT = 8.5  # millimetres from the outside of a wall to its name: farther out than the numbers of the ticks
 SIZES = (3.4, 3.0, 2.6, 2.2)
 """Font sizes that are tried for a name, millimetres: the smallest has 12 pixels in a picture of 1,024."""
 
-TEXT = 2.6
-"""Font size of ticks, walls, openings and the key, millimetres."""
-
-TICKS = 25
-"""Most ticks with a number along one side; where whole metres are more, every second, fifth ... is written."""
-
-HATCH = 2.2
-"""Millimetres between the lines that cross out what must stay free."""
+TEXT = 2.6  # font size of ticks, walls, openings and the key, millimetres
+TICKS = 25  # most ticks with a number along one side; where whole metres are more, every second, fifth ... is written.
+HATCH = 2.2  # millimetres between the lines that cross out what must stay free
 
 
 def model_plan(

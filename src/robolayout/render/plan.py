@@ -16,12 +16,8 @@ from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import BLOCKED, FREE, INK, ISLAND, NARROW, PAPER, QUIET, REACH, ROUTE, TIGHT, TURN
 from robolayout.scene import Agent, Layout, Scene
 
-SCALES = (25, 50, 100, 200, 500)
-"""Scales that a plan may have."""
-
-LONGEST = 180.0
-"""Millimetres that the room may take; the first scale that fits is used."""
-
+SCALES = (25, 50, 100, 200, 500)  # scales that a plan may have
+LONGEST = 180.0  # millimetres that the room may take; the first scale that fits is used
 LEGEND = (
     ("free", "area", FREE, "free to move"),
     ("islands", "area", ISLAND, "cut off"),
@@ -43,9 +39,7 @@ LINES: dict[str, tuple[float, tuple[float, float] | None]] = {
 }
 """Width, dash and gap of the lines in the legend, millimetres."""
 
-MARGIN = 6.0
-"""Millimetres around the room's walls."""
-
+MARGIN = 6.0  # millimetres around the room's walls
 Panel = tuple[str, Scene, Layout, PlanMarks | None]
 """Title, scene (its first agent is the panel's body), layout and marks of one plan."""
 

@@ -24,30 +24,14 @@ from robolayout.render.palette import INK, QUIET
 from robolayout.render.plan import draw_legend, draw_room, draw_scale_bar
 from robolayout.scene import Agent, Layout, Opening, Scene, Wall
 
-PAPERS = {"A4": (210.0, 297.0), "A3": (297.0, 420.0)}
-"""Width and height of the papers, millimetres."""
-
-EDGE = 8.0
-"""Millimetres at the paper's edges that stay white: printers do not reach them."""
-
-INSET = 5.0
-"""Millimetres between the frame and what is drawn in it."""
-
-TITLE = 22.0
-"""Height of the title block, millimetres."""
-
-LEGEND = 6.0
-"""Height of the legend below the plan, millimetres."""
-
-NAMES = (2.4, 2.1, 1.8, 1.6)
-"""Font sizes of names and numbers in the room, millimetres."""
-
-TEXTS = (2.5, 2.25, 2.0, 1.8)
-"""Font sizes of the lists, millimetres."""
-
-COLUMN, WIDEST = 30.0, 36.0
-"""Least and largest width of a column, in font sizes."""
-
+PAPERS = {"A4": (210.0, 297.0), "A3": (297.0, 420.0)}  # width and height of the papers, millimetres
+EDGE = 8.0  # millimetres at the paper's edges that stay white: printers do not reach them
+INSET = 5.0  # millimetres between the frame and what is drawn in it
+TITLE = 22.0  # height of the title block, millimetres
+LEGEND = 6.0  # height of the legend below the plan, millimetres
+NAMES = (2.4, 2.1, 1.8, 1.6)  # font sizes of names and numbers in the room, millimetres
+TEXTS = (2.5, 2.25, 2.0, 1.8)  # font sizes of the lists, millimetres
+COLUMN, WIDEST = 30.0, 36.0  # least and largest width of a column, in font sizes
 SCALES = (
     *(("A4", scale) for scale in (20, 25, 50)),
     *(("A3", scale) for scale in (20, 25, 50)),

@@ -36,9 +36,7 @@ if TYPE_CHECKING:
 
 Renderer = Literal["auto", "gl", "rays"]
 
-TOP_AZIMUTH = -math.pi / 2
-"""Azimuth of the view from above, radians: +x is right, +y is up."""
-
+TOP_AZIMUTH = -math.pi / 2  # azimuth of the view from above, radians: +x is right, +y is up
 SIDE_AZIMUTHS = tuple(math.radians(a) for a in (-60, -120, -30, -150, 30, 150, 60, 120))
 """Azimuths the side view chooses from, radians; the first wins a tie."""
 
@@ -52,14 +50,9 @@ CLOSE_POLARS = (math.radians(58), math.radians(40))
 GHOST = "/ghost "
 """Before the name of what hangs from the ceiling where it is drawn as a ghost; no asset's name has a slash."""
 
-GHOSTLY = 0.35
-"""Opacity of a ghost."""
-
-STEEP = 0.9
-"""A view that looks down by more than this (sine of the angle) shows what hangs from the ceiling as ghosts."""
-
-LARGEST = 8192
-"""Most pixels along a side of a picture."""
+GHOSTLY = 0.35  # opacity of a ghost
+STEEP = 0.9  # a view that looks down by more than this (sine of the angle) shows what hangs from the ceiling as ghosts
+LARGEST = 8192  # most pixels along a side of a picture
 
 
 class _Draws(Protocol):

@@ -21,23 +21,12 @@ from robolayout.scene import Agent, Layout, Point, Pose, Scene
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-SAMPLES = 2
-"""Supersampling along each side of a frame."""
-
-SLOW = 0.25
-"""Metres that the body moves from frame to frame, if there are frames enough."""
-
-PAUSE = 70
-"""Milliseconds per frame."""
-
-PAUSE_AT_STOP = 9
-"""Frames' time for which the body stays at a stop."""
-
-PALETTE = 128
-"""Colours of the animation."""
-
-FOOT = 9.0
-"""Millimetres below the plan, for the words."""
+SAMPLES = 2  # supersampling along each side of a frame
+SLOW = 0.25  # metres that the body moves from frame to frame, if there are frames enough
+PAUSE = 70  # milliseconds per frame
+PAUSE_AT_STOP = 9  # frames' time for which the body stays at a stop
+PALETTE = 128  # colours of the animation
+FOOT = 9.0  # millimetres below the plan, for the words
 
 
 def walk_gif(

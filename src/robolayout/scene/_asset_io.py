@@ -13,20 +13,12 @@ from robolayout.scene import reference
 from robolayout.scene._catalogue import described, find_catalogue
 from robolayout.scene.asset import Asset, by_variable, split_name
 
-MAX_ASSETS = 2000
-"""Most assets of a scene."""
-MAX_NAME = 200
-"""Characters of an asset's name."""
-NO_TEXT = "\ufffe\uffff"
-"""Code points that are no characters, and that XML cannot hold."""
-SMALLEST, LARGEST = 1e-4, 100.0
-"""Allowed side of an asset's box in metres."""
-SIDES = ("front", "back", "left", "right")
-"""Sides that an asset can be used from."""
-
-MOST_WITHOUT = 100
-"""Most names of parts that a thing is drawn without."""
-
+MAX_ASSETS = 2000  # most assets of a scene
+MAX_NAME = 200  # characters of an asset's name
+NO_TEXT = "\ufffe\uffff"  # code points that are no characters, and that XML cannot hold
+SMALLEST, LARGEST = 1e-4, 100.0  # allowed side of an asset's box in metres
+SIDES = ("front", "back", "left", "right")  # sides that an asset can be used from
+MOST_WITHOUT = 100  # most names of parts that a thing is drawn without
 _CHECK = Checker(SceneError)
 _FLAGS = ("onFloor", "onWall", "onCeiling", "onObject")
 _KNOWN = ("category", "description", "path", "useSides", "like", "parts", "without", "from", "assetMetadata", *_FLAGS)

@@ -9,9 +9,7 @@ from pathlib import Path
 from robolayout._errors import SceneError
 from robolayout._reading import Checker, inside, is_file, show
 
-Entry = Mapping[str, object]
-"""One asset as a scene file gives it."""
-
+Entry = Mapping[str, object]  # one asset as a scene file gives it
 _CHECK = Checker(SceneError)
 
 

@@ -20,8 +20,7 @@ from robolayout.scene.room import Room
 
 LEEWAY = 0.01
 """Metres by which a box may stick out on each side: the tolerance of the boundary check (DESIGN section 4)."""
-FINEST = math.radians(0.05)
-"""Half an interval of headings, in radians, that is taken to fit if it cannot be ruled out."""
+FINEST = math.radians(0.05)  # half an interval of headings, in radians, that is taken to fit if it cannot be ruled out
 MAX_WORK = 50_000
 """Walls tested in all, before the remaining assets are left to the verifier: bounds the time for hostile files."""
 

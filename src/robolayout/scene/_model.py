@@ -26,15 +26,10 @@ if TYPE_CHECKING:
 
 Matrix = NDArray[np.float64]
 
-MAX_PARTS = 2000
-"""Most links, most joints and most collision shapes of a model."""
-MAX_BYTES = 50_000_000
-"""Bytes of meshes and included files read in all."""
-MAX_POINTS = 5_000_000
-"""Points on all collision shapes together."""
-MESH_SUFFIXES = (".stl", ".obj", ".ply", ".dae")
-"""Kinds of mesh that are read."""
-
+MAX_PARTS = 2000  # most links, most joints and most collision shapes of a model
+MAX_BYTES = 50_000_000  # bytes of meshes and included files read in all
+MAX_POINTS = 5_000_000  # points on all collision shapes together
+MESH_SUFFIXES = (".stl", ".obj", ".ply", ".dae")  # kinds of mesh that are read
 CHECK = Checker(AgentError)
 _CIRCLE, _BETWEEN = 64, 300
 

@@ -12,25 +12,16 @@ from robolayout._errors import SceneError
 from robolayout._reading import MAX_LENGTH, Checker
 from robolayout.scene.room import Opening, Point, Room, Wall
 
-MAX_CORNERS = 200
-"""Most corners of a room."""
-MAX_OPENINGS = 100
-"""Most doors, and most windows, of a room."""
-MIN_AREA = 0.01
-"""Smallest floor area in square metres that counts as a room."""
+MAX_CORNERS = 200  # most corners of a room
+MAX_OPENINGS = 100  # most doors, and most windows, of a room
+MIN_AREA = 0.01  # smallest floor area in square metres that counts as a room
 VAST, MAX_SIDE = 100.0, 500.0
 """Metres of a room's longer side beyond which its unit is asked about, and beyond which it is refused."""
-TOLERANCE = 1e-6
-"""Metres below which two points are one, and by which an opening may overshoot through rounding."""
-DOOR_HEIGHT = 2.05
-"""Height in metres of a door that gives none."""
-WINDOW_HEIGHT, WINDOW_SILL = 1.2, 0.9
-"""Height and sill in metres of a window that gives none."""
-LOWEST = 0.1
-"""Height in metres that is left to a door or window higher than its wall, or else it is refused."""
-
-LEAF = ("hinge", "swing", "open")
-"""What a door may say of its leaf."""
+TOLERANCE = 1e-6  # metres below which two points are one, and by which an opening may overshoot through rounding
+DOOR_HEIGHT = 2.05  # height in metres of a door that gives none
+WINDOW_HEIGHT, WINDOW_SILL = 1.2, 0.9  # height and sill in metres of a window that gives none
+LOWEST = 0.1  # height in metres that is left to a door or window higher than its wall, or else it is refused
+LEAF = ("hinge", "swing", "open")  # what a door may say of its leaf
 _HANGS = {"hinge": ("left", "right"), "swing": ("in", "out")}
 
 _CHECK = Checker(SceneError)

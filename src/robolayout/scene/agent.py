@@ -56,17 +56,12 @@ class Agent:
         return math.hypot(self.length, self.width) / 2
 
 
-CLEARANCE = 0.03
-"""Metres kept free on each side of a rectangular body for which no corridor is given (rule of thumb)."""
-
-TOUCH = 0.10
-"""Metres beyond its own disc at which every agent counts as having got to a thing."""
-
+CLEARANCE = 0.03  # metres kept free on each side of a rectangular body for which no corridor is given (rule of thumb)
+TOUCH = 0.10  # metres beyond its own disc at which every agent counts as having got to a thing
 DEFAULT_AGENT = Agent(name="disc", radius=0.30, height=1.5, reach_distance=0.75, title="disc of radius 0.30 m")
 """The agent of a scene that names none."""
 
-SLACK = 1e-6
-"""Metres of rounding that a height may be beyond the reach."""
+SLACK = 1e-6  # metres of rounding that a height may be beyond the reach
 
 
 def horizontal_reach(agent: Agent, bottom: float, top: float) -> float | None:

@@ -57,11 +57,8 @@ class Asset:
         return self.size[2] < FLAT_HEIGHT and self.on_floor and not self.on_object
 
 
-LIES_ABOUT = "liesAbout"
-"""Key of the metadata of what people leave about: nobody is asked to get to it."""
-
-FLAT_HEIGHT = 0.03
-"""Height in metres below which a floor asset is a rug."""
+LIES_ABOUT = "liesAbout"  # key of the metadata of what people leave about: nobody is asked to get to it
+FLAT_HEIGHT = 0.03  # height in metres below which a floor asset is a rug
 
 
 _LANGUAGE = (

@@ -20,14 +20,11 @@ from robolayout.scene.agents_io import agent_from_dict, agent_to_dict, built_in_
 from robolayout.scene.layout import Layout, Pose
 from robolayout.scene.scene import DRESSINGS, Scene
 
-MAX_AGENTS = 16
-"""Most agents of a scene."""
-
+MAX_AGENTS = 16  # most agents of a scene
 _SCENE = Checker(SceneError)
 _LAYOUT = Checker(LayoutError)
 _KEYS = ("task_description", "layout_criteria", "boundary", "doors", "windows", "agent", "catalogue", "assets", "dress")
-_LEVEL = 1e-3
-"""Degrees of roll or pitch that count as none."""
+_LEVEL = 1e-3  # degrees of roll or pitch that count as none
 
 
 def load_scene(path: str | Path, asset_dir: str | Path | None = None) -> Scene:

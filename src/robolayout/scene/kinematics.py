@@ -23,33 +23,17 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Kind = Literal["fixed", "revolute", "prismatic"]
 
-GROUND = 0.03
-"""Metres above the lowest point up to which a link stands on the ground."""
-
+GROUND = 0.03  # metres above the lowest point up to which a link stands on the ground
 VALUES, ROUNDS, STARTS = 7, 3, 3
 """Values of a joint that are tried, passes over all joints, and poses from which folding begins."""
 
-DEPTH = 0.01
-"""Metres that two links may be inside each other: hulls are larger than links."""
-
-LEVEL = 0.9
-"""Cosine of the angle to the vertical above which an axis is upright; what is below one minus that is level."""
-
-ASKEW = 0.25
-"""Share of its radius by which the middle of a wheel may lie beside its axis."""
-
-SIDES = 60
-"""Directions in which the farthest corners of a hull stand for it while folding."""
-
-HEIGHT = 0.05
-"""Square metres of floor that a metre of height is worth when folding."""
-
-POSES = 4000
-"""Random poses of an arm for which it is found out where the hand is."""
-
-BAND = 0.1
-"""Metres of height of the bands of a reach map."""
-
+DEPTH = 0.01  # metres that two links may be inside each other: hulls are larger than links
+LEVEL = 0.9  # cosine of the angle to the vertical above which an axis is upright; what is below one minus that is level
+ASKEW = 0.25  # share of its radius by which the middle of a wheel may lie beside its axis
+SIDES = 60  # directions in which the farthest corners of a hull stand for it while folding
+HEIGHT = 0.05  # square metres of floor that a metre of height is worth when folding
+POSES = 4000  # random poses of an arm for which it is found out where the hand is
+BAND = 0.1  # metres of height of the bands of a reach map
 HANDS = ("gripper", "grasp", "finger", "hand", "tool", "palm", "suction")
 """Words in the names of links that say where an arm ends."""
 

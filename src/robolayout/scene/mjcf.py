@@ -24,16 +24,11 @@ if TYPE_CHECKING:
 
 Attributes = Mapping[str, str]
 
-MAX_DEPTH = 64
-"""Most bodies, frames and included files inside each other."""
-ROOT = "world"
-"""The link that stands for the middle of the robot's own first body, turned as the world."""
-STOWED = ("stow", "home")
-"""Names of the keyframe in which it drives about, best first."""
-GROWN = ("replicate", "attach", "composite", "flexcomp")
-"""Elements that MuJoCo's compiler turns into bodies."""
-SPACE = {"free": 7, "ball": 4, "slide": 1, "hinge": 1}
-"""Values of each kind of joint in a keyframe."""
+MAX_DEPTH = 64  # most bodies, frames and included files inside each other
+ROOT = "world"  # the link that stands for the middle of the robot's own first body, turned as the world
+STOWED = ("stow", "home")  # names of the keyframe in which it drives about, best first
+GROWN = ("replicate", "attach", "composite", "flexcomp")  # elements that MuJoCo's compiler turns into bodies
+SPACE = {"free": 7, "ball": 4, "slide": 1, "hinge": 1}  # values of each kind of joint in a keyframe
 
 
 @dataclass

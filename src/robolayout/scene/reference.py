@@ -14,9 +14,7 @@ from robolayout._errors import AssetError
 from robolayout._reading import Checker, inside, is_file, show
 from robolayout.scene.asset import variable_name
 
-Entry = dict[str, object]
-"""One asset as a scene file gives it."""
-
+Entry = dict[str, object]  # one asset as a scene file gives it
 _CHECK = Checker(AssetError)
 _COPIED = ("description", "onFloor", "onWall", "onCeiling", "onObject", "frontView")
 

@@ -22,10 +22,8 @@ from robolayout.scene.kinematics import POSES, Robot
 from robolayout.scene.mjcf import read_mjcf
 from robolayout.scene.urdf import read_urdf
 
-ROUND = 1.1
-"""A body is a disc if its farthest point is at most this many times as far as its farthest side."""
-STEP = 0.03
-"""Metres that the body is taken to drive over; a model does not say."""
+ROUND = 1.1  # a body is a disc if its farthest point is at most this many times as far as its farthest side
+STEP = 0.03  # metres that the body is taken to drive over; a model does not say
 
 
 def load_robot(path: Path, pose: Mapping[str, float] | None = None) -> Agent:

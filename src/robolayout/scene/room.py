@@ -13,10 +13,8 @@ from functools import cached_property
 
 Point = tuple[float, float]
 
-LANDING_DEPTH = 0.9
-"""Depth in metres of the clear landing inside a door (DESIGN section 4)."""
-SINGLE = 1.4
-"""Width in metres up to which a door has one leaf."""
+LANDING_DEPTH = 0.9  # depth in metres of the clear landing inside a door (DESIGN section 4)
+SINGLE = 1.4  # width in metres up to which a door has one leaf
 
 
 @dataclass(frozen=True)

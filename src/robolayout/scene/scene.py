@@ -11,8 +11,7 @@ from robolayout.scene.agents_io import check_headroom
 from robolayout.scene.asset import Asset, by_variable
 from robolayout.scene.room import Room
 
-DRESSINGS = ("none", "some", "full")
-"""How much may lie about on the surfaces of a room."""
+DRESSINGS = ("none", "some", "full")  # how much may lie about on the surfaces of a room
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,7 @@ from functools import lru_cache
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene
 from robolayout.verify.use import usage
 
-SPARE = 1.0
-"""Metres that the empty room is wider than the thing with the body at full reach on both sides of it."""
+SPARE = 1.0  # metres that the empty room is wider than the thing with the body at full reach on both sides of it
 
 
 def unusable_alone(asset: Asset, agent: Agent) -> str:

@@ -20,8 +20,7 @@ from robolayout.scene import Asset, Layout, Room, Scene
 from robolayout.scene.asset import FLAT_HEIGHT
 from robolayout.verify.limits import AT, CARRIED, LOOP, LOWER, STEADY, WITHIN
 
-Place = tuple[float, float, float, float]
-"""x, y, z in metres and yaw in radians."""
+Place = tuple[float, float, float, float]  # x, y, z in metres and yaw in radians
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,18 +9,15 @@ import numpy as np
 from robolayout.assets import Prism, category_of, prisms_of
 from robolayout.scene import Asset
 
-KNEE_HEIGHT, KNEE_WIDTH = 0.685, 0.76
-"""Metres of height and width of room for knees (306.3.3, 306.3.5)."""
+KNEE_HEIGHT, KNEE_WIDTH = 0.685, 0.76  # metres of height and width of room for knees (306.3.3, 306.3.5)
 TOE_HEIGHT, TOE_DEPTH = 0.23, 0.43
 """Metres of height up to which room is for toes, and how deep it is (306.2.1, 306.2.3)."""
 DEEP, SHALLOW = 0.28, 0.205
 """Metres of depth of room for knees at `TOE_HEIGHT` and at `KNEE_HEIGHT`; between them it shrinks evenly (306.3.3, 306.3.4)."""
-CONTACT = 1e-3
-"""Metres by which room is measured more kindly, so that rounding decides nothing."""
+CONTACT = 1e-3  # metres by which room is measured more kindly, so that rounding decides nothing
 SAT_AT = ("table", "desk", "workbench", "counter", "basin", "washbasin", "sink", "vanity", "island")
 """Last words of the kinds of things that one sits at."""
-LOW_TABLES = ("coffee", "side", "console", "bedside", "overbed", "changing")
-"""First words of those that one does not."""
+LOW_TABLES = ("coffee", "side", "console", "bedside", "overbed", "changing")  # first words of those that one does not
 
 
 @lru_cache(maxsize=1024)

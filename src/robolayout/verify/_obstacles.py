@@ -20,13 +20,9 @@ from robolayout.assets import prisms_of
 from robolayout.scene import Agent, Asset
 from robolayout.verify._boxes import Boxes, corners
 
-FILLED = 0.9
-"""Share of a box's footprint from which on its prisms count as the whole box."""
-ROUNDING = 1e-6
-"""Metres of height that may be shared by rounding."""
-
-Rectangles = NDArray[np.float64]
-"""(m, 4): least x, least y, greatest x, greatest y in metres, in the frame of an asset."""
+FILLED = 0.9  # share of a box's footprint from which on its prisms count as the whole box
+ROUNDING = 1e-6  # metres of height that may be shared by rounding
+Rectangles = NDArray[np.float64]  # (m, 4): least x, least y, greatest x, greatest y in metres, in the frame of an asset
 
 
 @dataclass(frozen=True, eq=False)

@@ -22,10 +22,8 @@ from robolayout.verify._boxes import Boxes, landings, room_polygon
 from robolayout.verify._obstacles import NOTHING, Obstacles
 from robolayout.verify.limits import REACH_SLACK, SLIVER
 
-QUAD_SEGS = 16
-"""Chords per quarter turn in every round corner."""
-JOINT = 1e-6
-"""Metres by which what opens where a chair was overlaps the free space beside it."""
+QUAD_SEGS = 16  # chords per quarter turn in every round corner
+JOINT = 1e-6  # metres by which what opens where a chair was overlaps the free space beside it
 _NONE = np.empty(0, dtype=np.object_)
 
 

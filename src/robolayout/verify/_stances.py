@@ -13,8 +13,7 @@ from shapely.geometry.base import BaseGeometry
 from robolayout.verify.heading import Headings, HeadingSpace, rectangle
 from robolayout.verify.navigation import Navigation
 
-Region = tuple[int, BaseGeometry]
-"""Number of a heading (0 for a disc), and where the centre can be."""
+Region = tuple[int, BaseGeometry]  # number of a heading (0 for a disc), and where the centre can be
 
 
 class Stances:

@@ -21,12 +21,9 @@ from robolayout.scene import Point, Room
 from robolayout.verify.heading import HEADINGS, HeadingSpace, Node
 from robolayout.verify.routes import Mesh
 
-Pose = tuple[float, float, float]
-"""x and y of a body's centre in metres and its heading in radians."""
-TURN = 0.5
-"""Metres of detour that a turn by one heading is worth."""
-INSIDE = 1e-4
-"""Metres that a spot to turn on lies inside the place where turning is possible, against rounding."""
+Pose = tuple[float, float, float]  # x and y of a body's centre in metres and its heading in radians
+TURN = 0.5  # metres of detour that a turn by one heading is worth
+INSIDE = 1e-4  # metres that a spot to turn on lies inside the place where turning is possible, against rounding
 
 
 @dataclass(frozen=True)

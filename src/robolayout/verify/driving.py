@@ -27,26 +27,16 @@ from robolayout.verify._obstacles import Obstacles
 from robolayout.verify.drives import Drive, Pose
 from robolayout.verify.heading import free_of, rectangle
 
-QUARTER = ((1, 0), (2, 1), (1, 1), (1, 2))
-"""Directions of the headings of a quarter turn, in cells."""
+QUARTER = ((1, 0), (2, 1), (1, 1), (1, 2))  # directions of the headings of a quarter turn, in cells
 TURNS = 4 * len(QUARTER)
-CELL, FINEST = 0.10, 0.04
-"""Metres between places of the lattice at most, unless the room is large, and at least."""
-ROWS = 3
-"""Rows of places that the middle of a body finds in a straight corridor for its disc."""
-PLACES = 60_000
-"""Places at most: larger rooms get wider cells."""
-REVERSAL, PIVOT = 2.0, 0.5
-"""Metres of detour that a reversal, and a turn on the spot by one heading, are worth."""
-SAMPLE = math.radians(2.0)
-"""Radians between the poses that stand for an arc."""
-ENTRY = 0.3
-"""Metres between where a body comes in and the place of the lattice from which it drives."""
-ROUNDING = 1e-3
-"""Metres by which a swept shape is drawn larger than the body: arcs bulge by less between two samples."""
-
-Poses = NDArray[np.float64]
-"""(n, 3): x and y in metres and heading in radians."""
+CELL, FINEST = 0.10, 0.04  # metres between places of the lattice at most, unless the room is large, and at least
+ROWS = 3  # rows of places that the middle of a body finds in a straight corridor for its disc
+PLACES = 60_000  # places at most: larger rooms get wider cells
+REVERSAL, PIVOT = 2.0, 0.5  # metres of detour that a reversal, and a turn on the spot by one heading, are worth
+SAMPLE = math.radians(2.0)  # radians between the poses that stand for an arc
+ENTRY = 0.3  # metres between where a body comes in and the place of the lattice from which it drives
+ROUNDING = 1e-3  # metres by which a swept shape is drawn larger than the body: arcs bulge by less between two samples
+Poses = NDArray[np.float64]  # (n, 3): x and y in metres and heading in radians
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,8 +14,7 @@ from robolayout.scene import Asset
 if TYPE_CHECKING:
     from robolayout.verify.report import Report
 
-CHECKS = ("placed", "collision_free", "in_boundary", "supported")
-"""The physical verdicts."""
+CHECKS = ("placed", "collision_free", "in_boundary", "supported")  # the physical verdicts
 
 
 def report_frame(report: Report) -> Any:

@@ -25,8 +25,7 @@ from robolayout.verify._obstacles import Obstacles, obstacles
 from robolayout.verify._space import all_free, components, disc_space, opened
 from robolayout.verify.limits import REACH_SLACK
 
-Node = tuple[int, int]
-"""A piece of free space: number of its heading, and its own among those of that heading."""
+Node = tuple[int, int]  # a piece of free space: number of its heading, and its own among those of that heading
 HEADINGS = 8
 """Headings in half a turn; a rectangle looks the same half a turn later, so this is a lattice of 22.5 degrees."""
 

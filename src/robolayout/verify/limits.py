@@ -8,18 +8,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-AREA_TOLERANCE = 1e-4
-"""Square metres of intersection in plan that still count as touching (DESIGN section 4)."""
-
-AT = 0.30
-"""Metres within which a movable thing (a chair) stands at another (a table)."""
-
-CARRIED = 0.02
-"""Metres between an asset and the surface that carries it (DESIGN section 4)."""
-
-LOWER = 1e-3
-"""Metres by which what carries something begins below it, so that no two things carry each other."""
-
+AREA_TOLERANCE = 1e-4  # square metres of intersection in plan that still count as touching (DESIGN section 4)
+AT = 0.30  # metres within which a movable thing (a chair) stands at another (a table)
+CARRIED = 0.02  # metres between an asset and the surface that carries it (DESIGN section 4)
+LOWER = 1e-3  # metres by which what carries something begins below it, so that no two things carry each other
 STEADY = (0.005, 0.05)
 """Metres, or the share of its shorter side where that is less, by which the centre of mass of a thing lies within what
 carries it."""
@@ -27,14 +19,9 @@ carries it."""
 LOOP = ((0.01, -0.02), (0.01, 0.02), (-0.01, 0.02), (-0.01, -0.02))
 """Corners in metres, about its middle, of the loop by which a thing hangs from a hook."""
 
-WITHIN = 0.005
-"""Metres by which a thing may reach over the edge of a surface and still lie in it."""
-
-REACH_SLACK = 1e-6
-"""Metres of rounding that a distance may be above the reach."""
-
-SLIVER = 1e-8
-"""Square metres below which a piece of free space is numerical dust."""
+WITHIN = 0.005  # metres by which a thing may reach over the edge of a surface and still lie in it
+REACH_SLACK = 1e-6  # metres of rounding that a distance may be above the reach
+SLIVER = 1e-8  # square metres below which a piece of free space is numerical dust
 
 
 @dataclass(frozen=True)

@@ -20,8 +20,7 @@ if TYPE_CHECKING:
 STILL, STRAIGHT = 0.01, 1.0
 """Metres and degrees up to which a thing counts as where the program put it: its numbers are rounded."""
 
-TOLD = 3
-"""Reasons that are told of each thing."""
+TOLD = 3  # reasons that are told of each thing
 
 
 @dataclass(frozen=True)

@@ -23,13 +23,9 @@ from robolayout.verify._space import Space, disc_space, further_doors, plan_dist
 from robolayout.verify.limits import REACH_SLACK, SLIVER
 from robolayout.verify.routes import find_routes
 
-STEP = 0.005
-"""Metres between the radii that are tried; a width is known to twice that."""
-WIDE = 1.5
-"""Metres of clear width beyond which a passage is not called narrow any more."""
-
-LOCATED = 0.5
-"""Metres of clear width beyond what the agent needs from which the place of a passage is not looked for."""
+STEP = 0.005  # metres between the radii that are tried; a width is known to twice that
+WIDE = 1.5  # metres of clear width beyond which a passage is not called narrow any more
+LOCATED = 0.5  # metres of clear width beyond what the agent needs from which the place of a passage is not looked for
 
 
 @dataclass(frozen=True)

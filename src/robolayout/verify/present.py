@@ -15,8 +15,7 @@ from robolayout.words import AskedRow
 if TYPE_CHECKING:
     from robolayout.verify.report import Report
 
-SHOWN = 12
-"""Violations that a notebook shows; the report holds all."""
+SHOWN = 12  # violations that a notebook shows; the report holds all
 
 
 LABELS = {
@@ -31,8 +30,7 @@ def label(name: str) -> str:
     return LABELS.get(name) or name.removesuffix("_share").replace("_", " ")
 
 
-RULES_ARE = "They stand beside the demands above and do not change them."
-"""What is said over the table of rules."""
+RULES_ARE = "They stand beside the demands above and do not change them."  # what is said over the table of rules
 
 
 def rule_rows(report: Report) -> list[list[str]]:

@@ -28,14 +28,10 @@ from robolayout.verify.limits import REACH_SLACK, PhysicsLimits
 from robolayout.verify.navigation import Navigation
 from robolayout.verify.passages import largest
 
-NEIGHBOURS = 12
-"""Obstacles nearest to an unreached asset that are tried in pairs (66 pairs of 12)."""
-NAMED = 3
-"""Things, or kinds of things, that a sentence names."""
-HEIGHTS = np.arange(0.02, 1.5, 0.01)
-"""Metres above the floor at which it is counted what all things fill."""
-TRIALS = 400
-"""Sets of assets that are tried in all, some 4 ms each with 40 assets."""
+NEIGHBOURS = 12  # obstacles nearest to an unreached asset that are tried in pairs (66 pairs of 12)
+NAMED = 3  # things, or kinds of things, that a sentence names
+HEIGHTS = np.arange(0.02, 1.5, 0.01)  # metres above the floor at which it is counted what all things fill
+TRIALS = 400  # sets of assets that are tried in all, some 4 ms each with 40 assets
 
 
 @dataclass(frozen=True)

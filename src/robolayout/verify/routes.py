@@ -22,14 +22,12 @@ from robolayout.scene.agent import TOUCH
 from robolayout.verify._boxes import room_polygon
 from robolayout.verify._space import QUAD_SEGS, Space
 
-AIMS = 3
-"""How often the end of a route is moved to the place nearest to its last corner."""
+AIMS = 3  # how often the end of a route is moved to the place nearest to its last corner
 GRAIN = 1e-7
 """Metres to which corners of the free space are rounded, since of two that differ by rounding nobody can tell left from right."""
 
 
-Portal = tuple[Point, Point]
-"""The ends of an edge that a way crosses: left and right."""
+Portal = tuple[Point, Point]  # the ends of an edge that a way crosses: left and right
 
 
 @dataclass(frozen=True)

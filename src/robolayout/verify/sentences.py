@@ -13,8 +13,7 @@ from robolayout.verify.navigation import Navigation
 from robolayout.verify.proofs import exempt_from_reach, impossible, kept_out
 from robolayout.verify.use import Usage
 
-NAMED = 3
-"""Things that a sentence names as standing in the way."""
+NAMED = 3  # things that a sentence names as standing in the way
 
 
 def agent_violations(nav: Navigation, usage: Usage, exempt: Mapping[str, str], demands: Demands) -> tuple[str, ...]:

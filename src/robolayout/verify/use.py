@@ -34,11 +34,8 @@ from robolayout.verify.heading import HeadingSpace, rectangle
 from robolayout.verify.limits import AREA_TOLERANCE
 from robolayout.verify.navigation import Navigation, navigation
 
-ALONG = math.radians(30.0)
-"""Angle between a body's heading and an edge up to which it is beside that."""
-
-FAR = 3.0
-"""Metres from a side beyond which no place to stand is looked for."""
+ALONG = math.radians(30.0)  # angle between a body's heading and an edge up to which it is beside that
+FAR = 3.0  # metres from a side beyond which no place to stand is looked for
 
 
 @dataclass(frozen=True)

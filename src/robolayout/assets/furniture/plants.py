@@ -12,8 +12,7 @@ from robolayout.assets.part import Material, Part
 from robolayout.assets.shapes import ball, box, cylinder, moved, prism
 
 Span = tuple[float, float]
-GREENS = (PLAIN["leaf"], PLAIN["leaf-light"], PLAIN["leaf-dark"])
-"""What leaves look like, in turn."""
+GREENS = (PLAIN["leaf"], PLAIN["leaf-light"], PLAIN["leaf-dark"])  # what leaves look like, in turn
 
 
 def _book(p: Piece) -> Iterator[Part]:

@@ -13,8 +13,7 @@ from robolayout._grid import window_count
 from robolayout.scene import Room
 from robolayout.verify._boxes import room_polygon
 
-PIXELS = 256
-"""Pixels of a side."""
+PIXELS = 256  # pixels of a side
 
 
 @dataclass(frozen=True, eq=False)

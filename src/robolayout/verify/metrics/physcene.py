@@ -17,14 +17,10 @@ from robolayout.scene import Layout, Room, Scene
 from robolayout.verify._boxes import Boxes, boxes, shared_area
 from robolayout.verify.metrics._raster import Raster, raster
 
-ROBOT_WIDTH = 0.3
-"""Metres."""
-HIGH = 1.5
-"""Metres of box-centre height from which an object is no obstacle."""
-MARGIN = 0.2
-"""Metres around the room in the picture."""
-ROUNDING = 1e-9
-"""Metres and square metres that boxes may share by rounding: what stands on something only touches it."""
+ROBOT_WIDTH = 0.3  # metres
+HIGH = 1.5  # metres of box-centre height from which an object is no obstacle
+MARGIN = 0.2  # metres around the room in the picture
+ROUNDING = 1e-9  # metres and square metres that boxes may share by rounding: what stands on something only touches it
 
 
 @dataclass(frozen=True)

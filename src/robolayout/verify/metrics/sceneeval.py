@@ -25,18 +25,13 @@ from robolayout.verify._sides import side_edge, strip
 from robolayout.verify.metrics._raster import raster
 from robolayout.verify.metrics.support import NEAR, supported
 
-ROBOT_WIDTH = 0.2
-"""Metres."""
-HIGH = 2.0
-"""Metres of box-centre height above which an object is no obstacle."""
-NUDGE = 0.005
-"""Metres that the other object is moved before a collision is tested again."""
-SIDE_GAP, SIDE_DEPTH = 0.05, 0.2
-"""Metres between a functional side and the rectangle that must be free, and its depth."""
+ROBOT_WIDTH = 0.2  # metres
+HIGH = 2.0  # metres of box-centre height above which an object is no obstacle
+NUDGE = 0.005  # metres that the other object is moved before a collision is tested again
+SIDE_GAP, SIDE_DEPTH = 0.05, 0.2  # metres between a functional side and the rectangle that must be free, and its depth
 POINTS_PER_VOLUME, LEAST_POINTS, MOST_POINTS = 5000, 1000, 200_000
 """Surface points per m3 of box, and their bounds; the upper one is ours."""
-WINDOW_DEPTH = 0.5
-"""Metres that a window's clearance is deep; a door's is as deep as the door is wide."""
+WINDOW_DEPTH = 0.5  # metres that a window's clearance is deep; a door's is as deep as the door is wide
 
 
 @dataclass(frozen=True)

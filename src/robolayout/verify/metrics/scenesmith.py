@@ -17,8 +17,7 @@ from robolayout.scene import Layout, Scene
 from robolayout.verify._boxes import boxes
 from robolayout.verify._space import components
 
-WIDTH = 0.3
-"""Metres."""
+WIDTH = 0.3  # metres
 
 
 @dataclass(frozen=True)

@@ -16,12 +16,9 @@ from shapely import MultiPoint, Point
 from robolayout.scene import Scene
 from robolayout.verify._boxes import Boxes, room_polygon
 
-BACK = 0.005
-"""Metres that an object is moved away from what holds it before rays are cast."""
-NEAR = 0.01
-"""Metres within which a ray must hit."""
-POINTS_PER_AREA, LEAST, MOST = 256, 32, 100_000
-"""Points per m2 of the face that is held, and their bounds."""
+BACK = 0.005  # metres that an object is moved away from what holds it before rays are cast
+NEAR = 0.01  # metres within which a ray must hit
+POINTS_PER_AREA, LEAST, MOST = 256, 32, 100_000  # points per m2 of the face that is held, and their bounds
 RESTING = 4
 """Contacts that something needs which rests on the ground or on an object; one is enough at a wall or a ceiling."""
 

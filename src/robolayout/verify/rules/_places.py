@@ -19,8 +19,7 @@ from robolayout.verify.agent_report import AgentReport
 from robolayout.verify.heading import convex_places
 from robolayout.verify.rules._rule import Measured
 
-FLOOR = (0.76, 1.22)
-"""Metres of width and length of a clear floor space (305.3)."""
+FLOOR = (0.76, 1.22)  # metres of width and length of a clear floor space (305.3)
 LOW, HIGH = 0.38, 1.22
 """Metres of height between which an unobstructed reach ends, forwards and sideways (308.2.1, 308.3.1)."""
 OVER_HEIGHT, OVER_DEPTH = 0.865, 0.61
@@ -29,10 +28,8 @@ SHALLOW, HIGH_OVER = 0.255, 1.17
 """Metres of depth up to which the reach ends at full height, and of height where it ends beyond that (308.3.2)."""
 BETWEEN = 2.0
 """Metres from a bed's side within which another bed makes the floor between them serve both; a choice of ours."""
-CONTACT = 1e-3
-"""Metres by which a clear floor space is drawn smaller, so that what it adjoins does not stand in it."""
-NAMED = 5
-"""Things that a measurement names."""
+CONTACT = 1e-3  # metres by which a clear floor space is drawn smaller, so that what it adjoins does not stand in it
+NAMED = 5  # things that a measurement names
 
 
 def _asked(body: AgentReport) -> Iterator[int]:

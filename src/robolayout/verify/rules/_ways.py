@@ -23,20 +23,14 @@ from robolayout.verify.rules._rule import Measured
 
 ROUTE, PINCH = 0.915, 0.815
 """Metres of clear width of a route, and down to which it may narrow for a short way (403.5.1)."""
-PINCH_LENGTH, PINCH_APART = 0.61, 1.22
-"""Metres that such a way may be long, and that two of them are apart (403.5.1)."""
-CIRCLE = 1.525
-"""Metres of diameter of a turning circle, and of the square around a T-shaped turning space (304.3)."""
+PINCH_LENGTH, PINCH_APART = 0.61, 1.22  # metres that such a way may be long, and that two of them are apart (403.5.1)
+CIRCLE = 1.525  # metres of diameter of a turning circle, and of the square around a T-shaped turning space (304.3)
 ARM, BASE = 0.915, 0.61
 """Metres of width of arms and base of a T-shaped turning space, and of length of its base (304.3.2)."""
-INTERVAL = 61.0
-"""Metres of route after which a passing space is asked for (403.5.3)."""
-TURNS = 16
-"""Headings at which a T-shaped turning space is looked for."""
-CLOSE = 1e-3
-"""Metres of a way that are nothing."""
-FINE = 0.005
-"""Metres to which the largest turning circle is measured."""
+INTERVAL = 61.0  # metres of route after which a passing space is asked for (403.5.3)
+TURNS = 16  # headings at which a T-shaped turning space is looked for
+CLOSE = 1e-3  # metres of a way that are nothing
+FINE = 0.005  # metres to which the largest turning circle is measured
 
 
 def route_width(body: AgentReport) -> Measured | None:
