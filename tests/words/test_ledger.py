@@ -7,7 +7,10 @@ from dataclasses import replace
 import pytest
 from shapely import Polygon
 
+from robolayout.planners import scene_from_sentence
 from robolayout.program import read_program
+from robolayout.run.flow import generate
+from robolayout.run.result import judge
 from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene
 from robolayout.words import AskedRow, read_words
 
@@ -163,3 +166,14 @@ def test_statements_say_who_asks_for_them() -> None:
 
 def test_no_words_no_rows() -> None:
     assert judged("") == []
+
+
+def test_rows_are_as_many_as_are_said() -> None:
+    """Two rows of mats are a block of two rows, and no row of five with one beside it."""
+    scene, _ = scene_from_sentence("A yoga studio 8 x 6 m with six yoga mats in two rows")
+    result = generate(scene)
+    (row,) = [one for one in result.report.asked if one.words == "yoga mat in two rows"]
+    assert row.verdict == "met" and row.value.startswith("2 rows")
+    turned = result.layout.moved("yoga_mat-0", by=(0.0, -1.5))
+    (row,) = [one for one in judge(scene, turned).report.asked if one.words == "yoga mat in two rows"]
+    assert row.verdict == "unmet"

@@ -14,7 +14,7 @@ from robolayout.scene import Layout, Scene
 
 @dataclass(frozen=True)
 class InRows(Relation):
-    """The `items` stand in straight rows, at least `aisle` m between rows and `gap` m beside; `backs` "paired": back to back in pairs."""
+    """The `items` stand in straight `rows` (None: any number), at least `aisle` m apart, `gap` m beside; `backs` "paired": back to back."""
 
     name = "in_rows"
     moves = ("items",)
@@ -25,6 +25,13 @@ class InRows(Relation):
     aisle: float = argument("number", unit="m", default=1.0)
     gap: float = argument("number", unit="m", default=0.0)
     backs: str = argument("text", choices=("alike", "paired"), default="alike")
+    rows: int | None = argument("integer", "none", default=None)
+
+    def fault(self, scene: Scene) -> str:
+        """Refuse no rows, and more rows than things."""
+        if self.rows is not None and not 1 <= self.rows <= len(self.items):
+            return f"{len(self.items)} things stand in 1 to {len(self.items)} rows, not in {self.rows}"
+        return ""
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row for each but the first: on the first one's line, or at its place beside the nearest line."""
@@ -43,7 +50,7 @@ class InRows(Relation):
         return tuple(rows)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """All headings alike or opposite within 10 degrees; in each line the middles within 5 cm; else each in a line of its own."""
+        """All headings alike or opposite within 10 degrees; in each line the middles within 5 cm; as many lines as asked."""
         seen = frame(scene, layout, self.items[0])
         turned = max(self._turned(layout, item) for item in self.items)
         lines: list[list[float]] = []
@@ -53,7 +60,7 @@ class InRows(Relation):
             else:
                 lines.append([u])
         off = max(max(line) - min(line) for line in lines)
-        met = off <= 2 * GAP_TOLERANCE and turned <= ANGLE_TOLERANCE
+        met = off <= 2 * GAP_TOLERANCE and turned <= ANGLE_TOLERANCE and self.rows in (None, len(lines))
         text = f"{len(lines)} rows, up to {off:.2f} m out of line, {turned:.0f} deg off"
         return Outcome(met, off, 2 * GAP_TOLERANCE, "m", text)
 

@@ -140,7 +140,8 @@ class Added:
         return (
             name in wishes.reading.unwanted
             or last in self.lasts
-            or self.known.head(name) in self.asked | {*self.wished}
+            or self.known.head(name) in self.asked
+            or name in self.wished
         )
 
     def _fits(self, group: Mapping[str, int], limit: float) -> bool:

@@ -12,7 +12,7 @@ from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Asset, Opening, Scene, Wall
 from robolayout.words._lexicon import grammar
 from robolayout.words._said import Link, Mention, Place, Thing
-from robolayout.words._walls import COMPASS, walls_meant
+from robolayout.words._walls import COMPASS, centre, rectangle, turned, walls_meant
 from robolayout.words._ways import (
     ACROSS,
     AHEAD,
@@ -75,6 +75,8 @@ class Demander:
         if link.relation in BY_TWOS:
             twos = zip(subjects[::2], subjects[1::2], strict=False)
             return tuple(_way(BY_TWOS[link.relation], b, a) for a, b in twos)
+        if link.relation in ("rows", "columns"):
+            return tuple(self._rows(subjects, link))
         make = getattr(self, f"_{link.relation}", None)
         return (*at_place, *(make(subjects, link.objects) if make else ()))
 
@@ -176,7 +178,7 @@ class Demander:
         for b, items in by.items():
             sides = [("left", "right")[i % 2] for i in range(len(items))]
             ways = (
-                [sides, sides[::-1]] if len(items) > 1 and len(items) % 2 == 0 else [sides, [_turned(s) for s in sides]]
+                [sides, sides[::-1]] if len(items) > 1 and len(items) % 2 == 0 else [sides, [turned(s) for s in sides]]
             )
             gap = BESIDE if len(items) < 3 else BESIDE * len(items)
             yield Demand(
@@ -248,20 +250,30 @@ class Demander:
     def _open(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """The middle of the room stays free: each thing stands in one of the four strips around it."""
         x0, y0, x1, y1 = self.room.bounds
-        x, y = _centre(self.scene)
+        x, y = centre(self.scene)
         half = max(LEAST_MIDDLE, OPEN_SHARE * min(x1 - x0, y1 - y0))
         strips = ((x0, y0, x - half, y1), (x + half, y0, x1, y1), (x0, y0, x1, y - half), (x0, y + half, x1, y1))
         for a in subjects:
-            yield Demand(tuple((_say("zone", AssetRef(a), _rectangle(*strip)),) for strip in strips))
+            yield Demand(tuple((_say("zone", AssetRef(a), rectangle(*strip)),) for strip in strips))
 
     def _row(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        """Side by side: each at a side of the one before."""
+        """Side by side: each at a side of the one before, turned the same way."""
         for before, a in pairwise(subjects):
             if self._asset(a).on_floor:
-                yield _one(_say("next_to", AssetRef(a), AssetRef(before), "beside", BACK))
+                yield _way(((("next_to", "beside", BACK), ("align_with",)),), a, before)
 
-    def _rows(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        """Each near another one; how many stand in a row is left open."""
+    def _rows(self, subjects: Sequence[str], link: Link) -> Iterator[Demand]:
+        """Like things stand in a block, in so many rows if that is said; others near each other."""
+        sizes = {(self._asset(name).size, self._asset(name).on_floor) for name in subjects}
+        if len(subjects) < 2 or len(sizes) > 1 or not self._asset(subjects[0]).on_floor:
+            yield from self._huddle(subjects, link.objects)
+            return
+        rows = math.ceil(len(subjects) / link.rows) if link.rows and link.relation == "columns" else link.rows
+        items = tuple(AssetRef(name) for name in subjects)
+        yield _one(_say("in_rows", items, BESIDE, 0.0, "alike", rows if 0 < rows <= len(items) else None))
+
+    def _huddle(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        """Each near another one."""
         for number, a in enumerate(subjects[1:], 1):
             beside = [*reversed(subjects[:number]), *subjects[number + 1 :]]
             if self._asset(a).on_floor:
@@ -362,14 +374,14 @@ class Demander:
         elif place.name == "middle":
             x0, y0, x1, y1 = self.room.bounds
             most = max(LEAST_MIDDLE, MIDDLE_SHARE * min(x1 - x0, y1 - y0)) * (1.5 if share else 1.0)
-            x, y = _centre(self.scene)
+            x, y = centre(self.scene)
             yield (_say("distance_constraint", ref, PointRef(x, y), None, round(most, 2)),)
         elif place.name == "side" and place.words:
             yield from ((_say("zone", ref, half),) for half in self._halves(place))
 
     def _corners(self, place: Place) -> list[int]:
         """Return the corners that the words mean, all where nothing tells them apart."""
-        x, y = _centre(self.scene)
+        x, y = centre(self.scene)
         normals = [COMPASS[wall] for word in place.words if (wall := grammar().walls.get(word, "")) in COMPASS]
         found = list(convex_corners(self.room))
         meant = [
@@ -394,7 +406,7 @@ class Demander:
         }
         for word in place.words:
             if word in halves:
-                yield _rectangle(*halves[word])
+                yield rectangle(*halves[word])
 
     def _walls(self, place: Place) -> list[Wall]:
         return walls_meant(self.scene, place)
@@ -413,28 +425,13 @@ class Demander:
             spots = [self.room.walls[o.wall].point(o.center) for o in openings[place.name]]
             return [PointRef(round(x, 3), round(y, 3)) for x, y in spots]
         if place.name in ("middle", "room"):
-            return [PointRef(*_centre(self.scene))]
+            return [PointRef(*centre(self.scene))]
         walls = self._walls(place) if place.name == "wall" else []
         return [PointRef(round(w.midpoint[0], 3), round(w.midpoint[1], 3)) for w in walls]
 
     def _is(self, name: str, words: Sequence[str]) -> bool:
         asset = self._asset(name)
         return any(text.endswith(word) for text in (asset.category, asset.like) for word in words)
-
-
-def _rectangle(x0: float, y0: float, x1: float, y1: float) -> tuple[PointRef, ...]:
-    corners = ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
-    return tuple(PointRef(round(x, 3), round(y, 3)) for x, y in corners)
-
-
-def _turned(side: str) -> str:
-    return {"left": "right", "right": "left"}[side]
-
-
-def _centre(scene: Scene) -> tuple[float, float]:
-    """Return the middle of the room's bounds in metres."""
-    x0, y0, x1, y1 = scene.room.bounds
-    return (round((x0 + x1) / 2, 3), round((y0 + y1) / 2, 3))
 
 
 def _say(relation: str, *arguments: object) -> Relation:

@@ -132,6 +132,8 @@ class Parser(Relating):
         mention = self._mention(chunk)
         self.recent.append(mention)
         self.target = None
+        if chunk.rows:
+            self.said.links.append(Link("rows", (mention,), (), chunk.start, chunk.end, rows=chunk.rows))
         for word in set(SAID_OF) & set(chunk.adjectives):
             self.said.links.append(Link(SAID_OF[word], (mention,), (), chunk.start, chunk.end))
         if chunk.det == "each" and self.group and self._previous(chunk) == "for":

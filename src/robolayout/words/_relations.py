@@ -27,8 +27,8 @@ ZONES = ("room", "corner", "function", "part")
 KEPT_OFF = 0.6
 """Metres between a thing and what it must not be near."""
 
-_ALONE = "next apart row rows pairs backs stacked diagonal lit parallel mutual abreast middle flank left right front near under"
-ALONE = frozenset(_ALONE.split())
+_ORDERS = "row rows columns huddle pairs backs stacked diagonal parallel mutual abreast apart"
+ALONE = frozenset(f"{_ORDERS} next lit middle flank left right front near under".split())
 """Relations that may stand without an object."""
 
 
@@ -39,6 +39,9 @@ class Relating(References):
         self.said.facts.append(chunk)
         for mention in self.subject or self.group if chunk.kind == "style" and self.verb else ():
             mention.thing.told.append(chunk.value)  # "the bed is brown"
+        if chunk.measure is not None and chunk.measure.kind == "grid" and self.group:
+            rows = int(chunk.measure.values[0])
+            self.said.links.append(Link("rows", (self.group[-1],), (), chunk.start, chunk.end, rows=rows))
         if chunk.kind == "people" and self.group and chunk.number and self._previous(chunk) == "for":
             self.group[-1].thing.people = chunk.number
         self.broken = True
@@ -391,4 +394,5 @@ class Relating(References):
             own = {mention.thing for mention in subjects}
             self.said.links[:] = [k for k in self.said.links if k.relation != "with" or k.subjects[0].thing not in own]
         low, high = chunk.measure.values if chunk.measure else (0.0, 0.0)
-        self.said.links.append(Link(chunk.value, tuple(subjects), tuple(objects), chunk.start, chunk.end, (low, high)))
+        about = (tuple(subjects), tuple(objects))
+        self.said.links.append(Link(chunk.value, *about, chunk.start, chunk.end, (low, high), chunk.rows))

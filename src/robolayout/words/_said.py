@@ -76,6 +76,7 @@ class Link:
     end: int  # token after the last one
     # least and most metres that lie between, where that is said
     metres: tuple[float, float] = (0.0, 0.0)
+    rows: int = 0  # rows or columns that are said, 0 if none are
 
 
 @dataclass(eq=False)

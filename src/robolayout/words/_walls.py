@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from robolayout.constraints import PointRef
 from robolayout.scene import Scene, Wall
 from robolayout.words._lexicon import grammar
 from robolayout.words._said import Place
@@ -55,3 +56,20 @@ def _by_opening(scene: Scene, walls: list[Wall], how: str, by: Place) -> list[Wa
             if wall.normal[0] * nx + wall.normal[1] * ny < -math.sqrt(0.5):
                 facing.append(wall)
     return facing
+
+
+def rectangle(x0: float, y0: float, x1: float, y1: float) -> tuple[PointRef, ...]:
+    """Return the corners of a rectangle along the axes."""
+    corners = ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
+    return tuple(PointRef(round(x, 3), round(y, 3)) for x, y in corners)
+
+
+def turned(side: str) -> str:
+    """Return the other one of left and right."""
+    return {"left": "right", "right": "left"}[side]
+
+
+def centre(scene: Scene) -> tuple[float, float]:
+    """Return the middle of the room's bounds in metres."""
+    x0, y0, x1, y1 = scene.room.bounds
+    return (round((x0 + x1) / 2, 3), round((y0 + y1) / 2, 3))

@@ -31,7 +31,7 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
     names = tuple(cluster.anchor for cluster in clusters)
     for columns in range(1, len(names) + 1):
         count = math.ceil(len(names) / columns)
-        if columns * (count - 1) >= len(names):
+        if columns * (count - 1) >= len(names) or rows.rows not in (None, count):
             continue
         for wider, closer in ((1.0, 1.0), (1.0, 0.1), (1.35, 1.0), (1.35, 0.1), (1.8, 1.8)):
             if closer < 1.0 and gap0 > TIGHTEST:

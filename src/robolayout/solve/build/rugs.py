@@ -79,7 +79,8 @@ def _covered(site: Site, size: tuple[float, float, float], poses: Poses, wanted:
 def _lay_free(site: Site, names: Sequence[str]) -> None:
     """Lay equal mats in rows on free floor, near the middle; one by one where no such block is free."""
     count = len(names)
-    rows = [k for k in range(1, count + 1) if count % k == 0]
+    asked = site.wants[names[0]].rows
+    rows = [k for k in range(1, count + 1) if count % k == 0 and (asked is None or asked.rows in (None, k))] or [count]
     plans = [GridPlan(tuple(names), k, count // k, BETWEEN, BETWEEN, paired=False) for k in rows]
     (_, pose), plan = min(((_free_floor(site, plan), plan) for plan in plans), key=lambda entry: entry[0][0])
     cells = [Member(n, *c).moved(*pose) for n, c in zip(names, cell_poses(plan, site.size(names[0])), strict=True)]

@@ -271,8 +271,13 @@ class _Reading:
             anchor=anchor,
             join=join,
             loose=join is not None and (not demanded or bool(self._modes())),
-            rows=next((one for one, _ in self._all(InRows)), None),
+            rows=self._rows(),
         )
+
+    def _rows(self) -> InRows | None:
+        """Return the block that it belongs to: with as many rows as are demanded, as far apart as is wished."""
+        said = sorted(self._all(InRows), key=lambda one: one[1] is None)
+        return replace(said[0][0], rows=said[-1][0].rows) if said else None
 
     def _all(self, kind: type[Kind]) -> Iterator[tuple[Kind, float | None]]:
         """Yield what is said with a relation, with its weight if it is a wish."""
