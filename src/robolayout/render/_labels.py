@@ -16,6 +16,7 @@ from robolayout.render._drawing import text_width
 LINE = 1.12  # distance of two lines of text, in font sizes
 SQUARISH = 1.6  # below this ratio of its sides, a footprint's name stands level aside rather than turned in the middle
 SIZES = (2.3, 2.0, 1.7, 1.4, 1.15)  # font sizes that are tried for a name, millimetres
+MARGIN = 0.25  # millimetres between a name and the edge of the footprint that it stands in
 EAGER = 3  # font sizes that are tried for a place where no line is crossed, before the name may cross one
 Point = tuple[float, float]
 Box = tuple[float, float, float, float]
@@ -123,12 +124,14 @@ def _first_inside(
     tag: Tag, taken: Sequence[Box], sizes: Sequence[float], soft: NDArray[np.object_] | None = None
 ) -> Label | None:
     """Return the largest label inside the footprint that meets no other, covers nothing on top and crosses no `soft` line."""
-    sides = _sides(tag.outline)
+    inner = shapely.Polygon(tag.outline).buffer(-MARGIN, join_style="mitre")
+    shapely.prepare(inner)
     covers = np.array([shapely.Polygon(c) for c in tag.covers], dtype=object)
     covers = covers if soft is None else np.concatenate([covers, soft])
     for label in _inside(tag, sizes):
-        clear = _contains(sides, label.corners) and not any(_meet(label.box, other) for other in taken)
-        if clear and not shapely.intersects(covers, shapely.Polygon(label.corners)).any():
+        block = shapely.Polygon(label.corners)
+        clear = inner.covers(block) and not any(_meet(label.box, other) for other in taken)
+        if clear and not shapely.intersects(covers, block).any():
             return label
     return None
 
@@ -191,22 +194,6 @@ def _splits(text: str) -> list[tuple[str, ...]]:
     words = text.split(" ")
     halves = [(" ".join(words[:k]), " ".join(words[k:])) for k in range(1, len(words))]
     return [(text,), *sorted(halves, key=lambda pair: abs(len(pair[0]) - len(pair[1])))[:1]]
-
-
-def _sides(outline: Sequence[Point]) -> NDArray[np.float64]:
-    """Return the sides of a convex outline as (inward normal x, y, offset) rows."""
-    corners = np.array(outline, dtype=np.float64)
-    edges = np.roll(corners, -1, axis=0) - corners
-    normals = np.column_stack([-edges[:, 1], edges[:, 0]])
-    normals *= np.sign((normals * (corners.mean(axis=0) - corners)).sum(axis=1))[:, None]
-    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
-    return np.column_stack([normals, (normals * corners).sum(axis=1)])
-
-
-def _contains(sides: NDArray[np.float64], corners: Sequence[Point], margin: float = 0.25) -> bool:
-    """Return whether points lie inside a convex outline, `margin` millimetres from its sides."""
-    x, y = np.array(corners).T
-    return bool((sides[:, :1] * x + sides[:, 1:2] * y - sides[:, 2:] > margin).all())
 
 
 def _meet(a: Box, b: Box) -> bool:

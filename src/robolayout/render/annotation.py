@@ -237,8 +237,5 @@ def _draw_tag(sheet: Drawing, mark: Mark, camera: Camera, taken: list[Box], unit
 
 def _covered(boxes: Sequence[Box], taken: Sequence[Box]) -> NDArray[np.float64]:
     """Return for each box the area that it shares with those taken, square pixels."""
-    if not taken:
-        return np.zeros(len(boxes))
-    a, b = np.array(boxes)[:, None], np.array(taken)[None]
-    sides = np.minimum(a[..., 2:], b[..., 2:]) - np.maximum(a[..., :2], b[..., :2])
-    return np.maximum(sides, 0).prod(axis=-1).sum(axis=1)
+    a, b = (shapely.box(*np.array(rows).reshape(-1, 4).T) for rows in (boxes, taken))
+    return shapely.area(shapely.intersection(a[:, None], b)).sum(axis=1)

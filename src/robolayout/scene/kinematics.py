@@ -55,14 +55,13 @@ class Joint:
 
     def motion(self, values: Array) -> Array:
         """Return the child's poses (n, 4, 4) in the parent's frame for values (n,)."""
+        from scipy.spatial.transform import Rotation
+
         moved = np.tile(np.eye(4), (len(values), 1, 1))
         if self.kind == "prismatic":
             moved[:, :3, 3] = values[:, None] * self.axis
         elif self.kind == "revolute":
-            x, y, z = self.axis
-            cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-            sine, cosine = np.sin(values)[:, None, None], np.cos(values)[:, None, None]
-            moved[:, :3, :3] += sine * cross + (1 - cosine) * (cross @ cross)
+            moved[:, :3, :3] = Rotation.from_rotvec(values[:, None] * self.axis).as_matrix()
         return self.origin @ moved
 
 

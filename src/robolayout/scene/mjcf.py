@@ -300,8 +300,4 @@ def _facing(z: Matrix) -> Rotation | None:
     """Return the smallest turn that brings the z axis to a direction; None where it has no length."""
     from scipy.spatial.transform import Rotation
 
-    across = np.array([-z[1], z[0], 0.0])
-    flat = float(np.linalg.norm(across))
-    if flat < 1e-12:
-        return Rotation.from_rotvec([math.pi, 0.0, 0.0]) if z[2] < 0 else None
-    return Rotation.from_rotvec(across / flat * math.atan2(flat, float(z[2])))
+    return Rotation.align_vectors([z], [[0.0, 0.0, 1.0]])[0] if np.linalg.norm(z) > 1e-12 else None
