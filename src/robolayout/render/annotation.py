@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 import shapely
@@ -237,5 +237,6 @@ def _draw_tag(sheet: Drawing, mark: Mark, camera: Camera, taken: list[Box], unit
 
 def _covered(boxes: Sequence[Box], taken: Sequence[Box]) -> NDArray[np.float64]:
     """Return for each box the area that it shares with those taken, square pixels."""
-    a, b = (shapely.box(*np.array(rows).reshape(-1, 4).T) for rows in (boxes, taken))
-    return shapely.area(shapely.intersection(a[:, None], b)).sum(axis=1)
+    a: Any = np.array(boxes).reshape(-1, 4).T
+    b: Any = np.array(taken).reshape(-1, 4).T
+    return shapely.area(shapely.intersection(shapely.box(*a)[:, None], shapely.box(*b))).sum(axis=1)
