@@ -79,7 +79,7 @@ def test_a_report_that_cannot_be_written_is_refused_first(
 def test_without_mujoco_the_extra_is_named_before_any_work(
     command: Command, given: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, words: tuple[str, ...]
 ) -> None:
-    monkeypatch.setattr(import_module("robolayout.export.physics"), "find_spec", lambda name: None)
+    monkeypatch.setattr(import_module("robolayout.export._mujoco"), "find_spec", lambda name: None)
     out = ("--out", tmp_path / "out") if words[0] == "generate" else (given[1],)
     ran = command(words[0], given[0], *words[1:], *out)
     assert ran.code == 2 and "needs the extra 'sim': pip install 'robolayout[sim]'" in ran.err, ran

@@ -121,7 +121,7 @@ def test_a_layout_of_another_scene_is_refused(scene: Scene) -> None:
 
 
 def test_a_missing_extra_is_named(scene: Scene, layout: Layout, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(import_module("robolayout.export.physics"), "find_spec", lambda name: None)
+    monkeypatch.setattr(import_module("robolayout.export._mujoco"), "find_spec", lambda name: None)
     with pytest.raises(
         MissingExtraError, match=r"the physics check needs the extra 'sim': pip install 'robolayout\[sim\]'"
     ):

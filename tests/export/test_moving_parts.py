@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from robolayout.assets import CATALOGUE, parts
-from robolayout.export import EXPORTERS, LEAVES, Options, settle
+from robolayout.export import EXPORTERS, LEAVES, Options, pull_open, settle
 from robolayout.export.mjcf import build
 from robolayout.scene import DEFAULT_AGENT, Asset, Layout, Opening, Pose, Room, Scene, load_agent
-from robolayout.verify import judge_agent
+from robolayout.verify import Hold, judge_agent, usage
 
 PULL = 160.0
 """Newtons at a handle at the most: heavy lids are lifted with two hands."""
@@ -141,3 +141,28 @@ def test_the_agent_is_left_out_where_none_is_asked_for() -> None:
     assert model.nu == 0
     model, _ = loaded(*room(thing("chest")), Options(agent=DEFAULT_AGENT))
     assert model.nu == 3
+
+
+def test_a_body_opens_what_it_uses_and_touches_nothing() -> None:
+    scene, layout = room(thing("wardrobe"))
+    holds = usage(scene, layout, DEFAULT_AGENT).holds
+    opened = pull_open(scene, layout, DEFAULT_AGENT, holds)
+    assert len(opened.joints) == len(holds) >= 2 and opened.violations == ()
+    assert all(pulled.share > 0.95 and 1.0 < pulled.force < PULL for pulled in opened.joints.values())
+
+
+def test_what_leaf_or_body_meets_is_named() -> None:
+    wardrobe, lamp = thing("wardrobe"), thing("floor lamp")
+    scene, layout = room(wardrobe, lamp)
+    layout = Layout({**layout, lamp.name: Pose(0.6, 0.0, lamp.size[2] / 2, 0.0)})
+    first = next(hold for hold in usage(scene, layout, DEFAULT_AGENT).holds if hold.moved == (lamp.name,))
+    name = f"{first.asset}/{first.joint}"
+    assert pull_open(scene, layout, DEFAULT_AGENT, [first]).violations == ()
+    in_the_way = Hold(first.asset, first.joint, first.poses)
+    met = pull_open(scene, layout, DEFAULT_AGENT, [in_the_way])
+    assert met.joints[name].contacts == (lamp.name,) and met.joints[name].free < 0.9
+    before = Hold(first.asset, first.joint, ((0.55, 0.0, 0.0),), first.moved)
+    hit = pull_open(scene, layout, DEFAULT_AGENT, [before])
+    assert wardrobe.name in hit.joints[name].contacts
+    nowhere = pull_open(scene, layout, DEFAULT_AGENT, [Hold(first.asset, first.joint, ())])
+    assert nowhere.violations == (f"disc opens {name} by 0% of its range.",)

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
+from math import dist
 
+import numpy as np
 import pytest
-from shapely import Point, Polygon
+from shapely import Point, Polygon, box
 from verify_rooms import DISC, furnished, on_floor, square, thing
 
 from robolayout.scene import Agent, Asset
 from robolayout.verify import usage
 from robolayout.verify._swept import Swept
+from robolayout.verify.heading import rectangle
+from robolayout.verify.holds import STEPS, STRIDE
 
 ARM = replace(DISC, reach_distance=0.9, reach_low=0.2, reach_high=1.8)
 WARDROBE = thing("wardrobe-0", (0.6, 1.0, 2.0), "wardrobe")
@@ -65,3 +70,35 @@ def test_turning_the_room_changes_nothing(degrees: float) -> None:
     assert used(fridge)
     scene, layout = furnished(square(5.0), fridge)
     assert usage(scene, layout, ARM).uses["fridge-0"].opens == "door 0"
+
+
+@pytest.mark.parametrize("agent", [ARM, replace(ARM, length=0.7, width=0.5, reach_distance=1.1)])
+def test_a_body_holds_every_door_clear_of_what_it_sweeps(agent: Agent) -> None:
+    scene, layout = furnished(square(5.0), (WARDROBE, on_floor(WARDROBE, 0.3, 2.5)))
+    for hold, side in zip(usage(scene, layout, agent).holds, (-1, 1), strict=True):
+        ((x, y, heading),) = hold.poses
+        body = (
+            Point(x, y).buffer(agent.radius)
+            if agent is ARM
+            else Polygon(rectangle(agent, heading) + np.array(hold.poses[0][:2]))
+        )
+        quarter = Point(0.6, 2.5 + side * 0.5).buffer(0.5).intersection(box(0.6, 2.0, 2.0, 3.0))
+        assert body.distance(quarter) >= 0.0 and body.intersection(quarter).area < 1e-3
+        assert Point(x, y).distance(Point(0.6, 2.5)) <= agent.reach
+        assert hold.moved == ()
+
+
+def test_where_it_cannot_stand_clear_a_body_steps_back() -> None:
+    """It reaches 0.6 m: standing beyond what a leaf of 0.5 m sweeps, its disc of 0.3 m does not get to the handle."""
+    near = replace(ARM, radius=0.3, reach_distance=0.55)
+    scene, layout = furnished(square(5.0), (WARDROBE, on_floor(WARDROBE, 0.3, 0.9)))
+    hold = usage(scene, layout, near).holds[0]
+    steps = [dist(a, b) for a, b in pairwise(pose[:2] for pose in hold.poses)]
+    assert len(steps) == STEPS and 0.0 < max(steps) <= STRIDE + 1e-9
+
+
+def test_what_people_move_is_moved_out_of_the_way_of_a_leaf() -> None:
+    lamp = thing("lamp-0", (0.3, 0.3, 1.5), "floor lamp")
+    wardrobe, spot = (WARDROBE, on_floor(WARDROBE, 0.3, 2.5)), on_floor(lamp, 0.85, 2.2)
+    scene, layout = furnished(square(5.0), wardrobe, (lamp, spot))
+    assert {hold.moved for hold in usage(scene, layout, ARM).holds} == {("lamp-0",), ()}

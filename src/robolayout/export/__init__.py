@@ -20,11 +20,13 @@ from robolayout._errors import UnknownNameError
 from robolayout._files import write_together
 from robolayout._text import file_name
 from robolayout.export._exporter import LEAVES, Contents, Exporter, Options, Routes, check_layout
+from robolayout.export._mujoco import check_simulator
 from robolayout.export.dxf import DXF
 from robolayout.export.glb import GLB
+from robolayout.export.handles import Opened, Pulled, pull_open
 from robolayout.export.layout_json import LAYOUT_JSON
 from robolayout.export.mjcf import MJCF
-from robolayout.export.physics import Drive, Driven, Motion, Settled, check_simulator, drive, settle
+from robolayout.export.physics import Drive, Driven, Motion, Settled, drive, settle
 from robolayout.export.procthor import PROCTHOR
 from robolayout.export.sceneeval import SCENEEVAL
 from robolayout.export.sdf import SDF
@@ -40,7 +42,9 @@ __all__ = [
     "Driven",
     "Exporter",
     "Motion",
+    "Opened",
     "Options",
+    "Pulled",
     "Routes",
     "Settled",
     "check_simulator",
@@ -49,6 +53,7 @@ __all__ = [
     "export_all",
     "exporters",
     "find_exporter",
+    "pull_open",
     "settle",
     "to_bytes",
 ]

@@ -9,26 +9,17 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from importlib import import_module
-from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from robolayout._errors import MissingExtraError
 from robolayout.export._exporter import Options, check_layout, hangs
-from robolayout.export.mjcf import AGENT_MASS, DAMPING, STIFFNESS, build
+from robolayout.export._mujoco import FloatArray, base, controls, load, simulator, smaller, touched
+from robolayout.export.mjcf import build
 from robolayout.scene import Agent, Asset, Layout, Scene
 
 STILL, UPRIGHT = 0.01, math.radians(2.0)
 """A stable asset moves by less than 1 cm and tilts by less than 2 degrees."""
-
-ROOM_BODY = 1
-"""The room's body in a model: the first after the world."""
-
-MARGIN = 0.01
-"""Metres by which the driven collider is smaller than the body: what a controller may stray from the planned line."""
 
 ACCELERATION = 0.5
 """Metres per second squared."""
@@ -47,8 +38,6 @@ SETTLING = 0.3
 
 Ways = Mapping[str, Sequence[Sequence[float]]]
 """Places or poses on the way to each asset, by asset name."""
-
-FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -153,29 +142,6 @@ class Driven:
         return {"agent": self.agent, "routes": rows, "violations": [*self.violations]}
 
 
-def check_simulator() -> None:
-    """Raise MissingExtraError where MuJoCo is not installed, before any work is done for it."""
-    _mujoco()
-
-
-def _mujoco() -> Any:
-    """Return MuJoCo's module, which has no types.
-
-    Raises:
-        MissingExtraError: It is not installed.
-    """
-    if find_spec("mujoco") is None:
-        raise MissingExtraError("the physics check", "sim")
-    return import_module("mujoco")
-
-
-def _model(text: bytes) -> tuple[Any, Any]:
-    """Return MuJoCo's model and state for a model text."""
-    mujoco = _mujoco()
-    model = mujoco.MjModel.from_xml_string(text.decode())
-    return model, mujoco.MjData(model)
-
-
 def _stands(asset: Asset, scene: Scene, layout: Layout) -> bool:
     """Return whether gravity may move an asset: all but rugs and what is fixed to walls or the ceiling."""
     return not asset.is_flat and not hangs(asset, scene, layout)
@@ -202,8 +168,8 @@ def settle(scene: Scene, layout: Layout, seconds: float = 5.0, *, seed: int = 0)
         MissingExtraError: MuJoCo is not installed.
     """
     check_layout(scene, layout, partial=True)
-    mujoco = _mujoco()
-    model, data = _model(build(scene, layout, Options(seed=seed), free=_stands))
+    mujoco = simulator()
+    model, data = load(build(scene, layout, Options(seed=seed), free=_stands))
     model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_AUTORESET
     mujoco.mj_forward(model, data)
     names = [asset.name for asset in scene.assets if asset.name in layout]
@@ -256,48 +222,30 @@ def drive(
     """
     check_layout(scene, layout, partial=True)
     driven = {name: np.array(way, dtype=float) for name, way in ways.items() if len(way) > 1}
-    if agent.length and agent.width and all(way.shape[1] > 2 for way in driven.values()):
-        body = replace(agent, length=agent.length - 2 * MARGIN, width=agent.width - 2 * MARGIN)
-    else:
-        body = replace(agent, radius=agent.radius - MARGIN, length=None, width=None)
-    model, data = _model(build(scene, layout, Options(agent=body, leaves=leaves), free=_never))
+    body = smaller(agent, disc=any(way.shape[1] < 3 for way in driven.values()))
+    model, data = load(build(scene, layout, Options(agent=body, leaves=leaves), free=_never))
     return Driven(agent.name, {name: _drive(model, data, way, speed) for name, way in driven.items()})
 
 
 def _drive(model: Any, data: Any, way: FloatArray, speed: float) -> Drive:
     """Drive one way from standstill to standstill."""
-    mujoco = _mujoco()
+    mujoco = simulator()
     step = float(model.opt.timestep)
     times, path = timeline(way, speed)
     clock = np.arange(0.0, times[-1] + SETTLING, step)
     wanted = np.stack([np.interp(clock, times, column) for column in path.T], axis=1)
-    rates = np.gradient(wanted, step, axis=0)
-    push = np.gradient(rates, step, axis=0) * np.array([AGENT_MASS, AGENT_MASS, 0.0])
-    controls = wanted - model.key_qpos[0, -3:] + rates * (DAMPING / STIFFNESS) + push / STIFFNESS
+    orders, (body, places) = controls(model, wanted), base(model)
     mujoco.mj_resetData(model, data)
-    places = [int(model.jnt_qposadr[joint]) for joint in model.actuator_trnid[:3, 0]]
     data.qpos[places] = wanted[0]
-    touched: set[str] = set()
+    met: set[str] = set()
     error = 0.0
-    for goal, control in zip(wanted[1:], controls[:-1], strict=True):
-        data.ctrl[:] = control
+    for goal, order in zip(wanted[1:], orders[:-1], strict=True):
+        data.ctrl[:] = order
         mujoco.mj_step(model, data)
         error = max(error, math.dist(data.qpos[places[:2]], goal[:2]))
-        if data.ncon:
-            touched |= _touched(model, data)
+        met |= touched(model, data, [body])
     length = float(np.hypot(*np.diff(way[:, :2], axis=0).T).sum())
-    return Drive(tuple(sorted(touched)), error, length, float(times[-1]))
-
-
-def _touched(model: Any, data: Any) -> set[str]:
-    """Return the names of what the base touches now."""
-    names: set[str] = set()
-    base = int(model.jnt_bodyid[model.actuator_trnid[0, 0]])
-    for geom in map(int, data.contact.geom[: data.ncon].flat):
-        body = int(model.body_rootid[model.geom_bodyid[geom]])
-        if body != base:
-            names.add(str(model.geom(geom).name.split("/")[1] if body == ROOM_BODY else model.body(body).name))
-    return names
+    return Drive(tuple(sorted(met)), error, length, float(times[-1]))
 
 
 def timeline(way: FloatArray, speed: float) -> tuple[FloatArray, FloatArray]:

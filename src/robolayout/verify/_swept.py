@@ -39,6 +39,12 @@ class Swept:
         return cls(np.array([row for row, _ in items], dtype=np.intp), zones, levels[:, 0], levels[:, 1])
 
 
+def by_hand(found: Boxes, agent: Agent, row: int) -> list[tuple[Joint, float]]:
+    """Return what of an asset a body opens by a handle at a height that it reaches, and how far it reaches there in metres."""
+    far = [(joint, _reach(found, agent, row, joint)) for joint in opens(found, agent, row)]
+    return [(joint, reach) for joint, reach in far if reach is not None]
+
+
 def opens(found: Boxes, agent: Agent, row: int) -> list[Joint]:
     """Return what of an asset a body with an arm opens by a handle; nothing where the record only asks for room.
 
@@ -56,8 +62,7 @@ def handle_near(found: Boxes, agent: Agent, row: int, place: Point) -> str:
     """Return the name of the joint whose handle is nearest to a place; empty where nothing is opened."""
     far = {
         joint.name: in_room(shapely.Point(joint.handle[:2]), found.where(row)[1]).distance(shapely.Point(place))
-        for joint in opens(found, agent, row)
-        if _reach(found, agent, row, joint) is not None
+        for joint, _ in by_hand(found, agent, row)
     }
     return min(far, key=lambda name: (far[name], name), default="")
 
@@ -71,8 +76,7 @@ def handle_heights(found: Boxes, agent: Agent, row: int) -> tuple[float, float]:
 
 def handle_reach(found: Boxes, agent: Agent, row: int) -> float | None:
     """Return the horizontal reach in metres to the handle that is easiest to get to; None if all are too high or too low."""
-    far = [reach for joint in opens(found, agent, row) if (reach := _reach(found, agent, row, joint)) is not None]
-    return max(far, default=None)
+    return max((reach for _, reach in by_hand(found, agent, row)), default=None)
 
 
 def _reach(found: Boxes, agent: Agent, row: int, joint: Joint) -> float | None:

@@ -29,9 +29,10 @@ from robolayout.verify._boxes import room_polygon, share, shared_area
 from robolayout.verify._knees import frontal, is_sat_at
 from robolayout.verify._sides import side_edge
 from robolayout.verify._stances import Stances
-from robolayout.verify._swept import Swept, handle_heights, handle_near
+from robolayout.verify._swept import Swept, by_hand, handle_heights, handle_near
 from robolayout.verify.heading import HeadingSpace, rectangle
-from robolayout.verify.limits import AREA_TOLERANCE
+from robolayout.verify.holds import Hold, find_hold
+from robolayout.verify.limits import AREA_TOLERANCE, REACH_SLACK
 from robolayout.verify.navigation import Navigation, navigation
 
 ALONG = math.radians(30.0)  # angle between a body's heading and an edge up to which it is beside that
@@ -88,6 +89,12 @@ class Usage:
     def uses(self) -> Mapping[str, Use]:
         """How each placed asset is used, or why not."""
         return {name: self._judge.explain(row) for row, name in enumerate(self.usable) if self._judge.found.placed[row]}
+
+    @cached_property
+    def holds(self) -> tuple[Hold, ...]:
+        """How the body opens each door and drawer, of what it uses from the front, whose handle is at a height that it reaches."""
+        judge = self._judge
+        return tuple(h for n, use in self.uses.items() if use.opens for h in judge.holds(judge.found.names.index(n)))
 
 
 def usage(scene: Scene, layout: Layout, agent: Agent | None = None, *, nav: Navigation | None = None) -> Usage:
@@ -239,6 +246,18 @@ class _Judge:
         place = (float(spot[0]), float(spot[1]))
         handle = handle_near(self.found, self.agent, row, place) if side == "front" else ""
         return Use(name, True, side, place, "", names, handle, self._approach[number])
+
+    def holds(self, row: int) -> Iterator[Hold]:
+        moved, beside = self.stances.opened(row)
+        chairs = tuple(self.found.names[i] for i in sorted(moved))
+        before = self.ways.zone(next(i for i in self.ways.of(row) if self.ways.sides[i] == "front"), FAR)
+        regions = [
+            (self.stances.heading(number), region & before, aside)
+            for places, aside in ((self.stances.everywhere, ()), (beside, chairs))
+            for number, region in places
+        ]
+        for joint, reach in by_hand(self.found, self.agent, row):
+            yield find_hold(self.found, self.agent, row, joint, reach + REACH_SLACK, regions)
 
     def too_high(self, row: int) -> bool:
         height = float(self.found.bottom[row]), float(self.found.top[row])

@@ -1,0 +1,79 @@
+"""What the checks in MuJoCo share: loading a model, moving its base, and saying what touches."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from importlib import import_module
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from robolayout._errors import MissingExtraError
+from robolayout.export.mjcf import AGENT_MASS, DAMPING, STIFFNESS
+from robolayout.scene import Agent
+
+ROOM_BODY = 1
+"""The room's body in a model: the first after the world."""
+
+MARGIN = 0.01
+"""Metres by which the collider of a base is smaller than the body: what a controller may stray from the planned line."""
+
+FloatArray = NDArray[np.float64]
+
+
+def check_simulator() -> None:
+    """Raise MissingExtraError where MuJoCo is not installed, before any work is done for it."""
+    simulator()
+
+
+def simulator() -> Any:
+    """Return MuJoCo's module, which has no types.
+
+    Raises:
+        MissingExtraError: It is not installed.
+    """
+    if find_spec("mujoco") is None:
+        raise MissingExtraError("the physics check", "sim")
+    return import_module("mujoco")
+
+
+def load(text: bytes) -> tuple[Any, Any]:
+    """Return MuJoCo's model and state for a model text."""
+    mujoco = simulator()
+    model = mujoco.MjModel.from_xml_string(text.decode())
+    return model, mujoco.MjData(model)
+
+
+def smaller(agent: Agent, *, disc: bool) -> Agent:
+    """Return a body as it is moved: its rectangle, or its disc if that is asked for or all that it has."""
+    if disc or agent.length is None or agent.width is None:
+        return replace(agent, radius=agent.radius - MARGIN, length=None, width=None)
+    return replace(agent, length=agent.length - 2 * MARGIN, width=agent.width - 2 * MARGIN)
+
+
+def base(model: Any) -> tuple[int, list[int]]:
+    """Return the body of the base, and where its x, y and yaw are among all positions."""
+    joints = model.actuator_trnid[:3, 0]
+    return int(model.jnt_bodyid[joints[0]]), [int(model.jnt_qposadr[joint]) for joint in joints]
+
+
+def controls(model: Any, wanted: FloatArray) -> FloatArray:
+    """Return what the base's actuators are told so that it is at these poses (n, 3), a step each: speed and push fed forward."""
+    step = float(model.opt.timestep)
+    rates = np.gradient(wanted, step, axis=0)
+    push = np.gradient(rates, step, axis=0) * np.array([AGENT_MASS, AGENT_MASS, 0.0])
+    return wanted - model.key_qpos[0, -3:] + rates * (DAMPING / STIFFNESS) + push / STIFFNESS
+
+
+def touched(model: Any, data: Any, bodies: Sequence[int]) -> set[str]:
+    """Return the names of what some bodies touch now: assets, and parts of the room."""
+    pairs = data.contact.geom[: data.ncon]
+    own = np.isin(model.geom_bodyid[pairs], bodies)
+    names: set[str] = set()
+    for geom in pairs[~own & own.any(axis=1, keepdims=True)].tolist():
+        root = int(model.body_rootid[model.geom_bodyid[geom]])
+        names.add(str(model.geom(geom).name.split("/")[1] if root == ROOM_BODY else model.body(root).name))
+    return names
