@@ -6,8 +6,10 @@ from hypothesis import strategies as st
 
 from robolayout._errors import SceneError
 from robolayout.assets.meshes import parts
-from robolayout.planners import scene_from_sentence
+from robolayout.planners import OfflinePlanner, PlanRequest, scene_from_sentence
+from robolayout.program import read_program, reconcile
 from robolayout.scene import load_agent, scene_to_dict
+from robolayout.words import read_words
 
 
 def test_the_sentence_of_the_readme() -> None:
@@ -180,3 +182,17 @@ def test_nothing_is_added_that_hangs_above_what_the_body_reaches() -> None:
     assert "wall cabinet" not in both["wheelchair"].added
     asked = scene_from_sentence("a kitchen with two wall cabinets for a wheelchair user")[1]
     assert asked.wished["wall cabinet"] == 2
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a living room with a sofa and a coffee table in front of it",
+        "a bedroom with a TV on the wall opposite the bed",
+        "a library corner with a reading chair and a stack of books on a side table",
+    ],
+)
+def test_roles_and_words_never_speak_against_each_other(text: str) -> None:
+    scene, _ = scene_from_sentence(text)
+    program = OfflinePlanner().plan(PlanRequest(scene, asked=read_words(scene).demands))
+    assert reconcile(read_program(program, scene), scene).rejections == ()

@@ -56,7 +56,8 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> dict[s
     for name in placed - set(wanted):
         item = found[name]
         others = {other for demand in demands if name in subjects(demand) for other in demand.names()}
-        if item.anchor is not None and item.anchor not in others and not _only_on(item):
+        hung = any(r.name == "mounted_on" for demand in demands if name in subjects(demand) for r in demand.ways[0])
+        if item.anchor is not None and item.anchor not in others and (hung or not _only_on(item)):
             found[name] = replace(item, anchor=None, join=None)
     for a, b in (pair for demand in demands for relation in demand.ways[0] if len(pair := relation.asset_names()) == 2):
         if a in found and b in found:

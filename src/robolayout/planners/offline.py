@@ -52,7 +52,7 @@ class OfflinePlanner:
         writer = Writer(scene, cast, frozenset(name for demand in request.asked for name in subjects(demand)))
         text = ["# Walls: " + "; ".join(wall_words(wall, scene) for wall in scene.room.walls)]
         asked = asked_lines(scene, request.asked, about | known)
-        label, told = "", set[str]()
+        label, told, topics = "", set[str](), set(map(_topic, asked))
         for name in (name for name in writer.order() if name in about - known):
             role = cast[root(cast, name)].role
             if role.group != label:
@@ -61,8 +61,19 @@ class OfflinePlanner:
                 text += ["", f"# {_one_line(label)}{why}"]
                 told.add(label)
             text += [f"{line}  # asked by the user" for line, subject in asked.items() if subject == name]
-            text += [line.text for line in mentioned(list(writer.lines(name)), about, known) if line.text not in asked]
+            own = (line.text for line in mentioned(list(writer.lines(name)), about, known))
+            text += [_wished(line) if _topic(line) in topics else line for line in own if line not in asked]
         return "\n".join(text) + "\n"
+
+
+def _topic(line: str) -> str:
+    """Return relation and first two arguments of a line: what a program may demand once."""
+    return ",".join(line.split(",")[:2]).rstrip(")")
+
+
+def _wished(line: str) -> str:
+    """Return as a wish what the user asks for in other figures."""
+    return line.replace("solver.", "solver.wish.", 1)
 
 
 def _one_line(text: str) -> str:

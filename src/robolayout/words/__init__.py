@@ -2,9 +2,9 @@
 
 from robolayout.words._lexicon import Lexicon, dressing, grammar
 from robolayout.words._match import KIN
+from robolayout.words._places import COMPASS
 from robolayout.words._said import Mention, Place, Thing
 from robolayout.words._traits import WantedOpening, sized, wanted_openings
-from robolayout.words._walls import COMPASS
 from robolayout.words.demands import Demand
 from robolayout.words.ledger import AskedRow, Wishes, read_words, share_met
 from robolayout.words.reading import Reading, read_text

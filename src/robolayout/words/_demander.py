@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from itertools import pairwise
 
 from robolayout.constraints import RELATIONS, AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.between import BetweenTwo
-from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Asset, Opening, Scene, Wall
-from robolayout.words._lexicon import grammar
+from robolayout.words._places import centre, corners_meant, halves_meant, rectangle, turned, walls_meant
 from robolayout.words._said import Link, Mention, Place, Thing
-from robolayout.words._walls import COMPASS, centre, rectangle, turned, walls_meant
 from robolayout.words._ways import (
     ACROSS,
     AHEAD,
@@ -48,15 +46,19 @@ class Demander:
     Args:
         scene: The scene.
         names: Names of the assets that stand for each thing.
+        stacked: Things of which only the first rests on what they are put on.
     """
 
-    def __init__(self, scene: Scene, names: Mapping[Thing, tuple[str, ...]]) -> None:
-        self.scene, self.names = scene, names
+    def __init__(self, scene: Scene, names: Mapping[Thing, tuple[str, ...]], stacked: Set[Thing] = frozenset()) -> None:
+        self.scene, self.names, self.stacked = scene, names, stacked
         self.room = scene.room
 
     def demands(self, link: Link) -> tuple[Demand, ...]:
         """Return what a link asks for; nothing where it cannot be said."""
         subjects = [name for mention in link.subjects for name in self._named(mention)]
+        if link.relation == "on":
+            piled = {name for thing in self.stacked for name in self.names.get(thing, ())[1:]}
+            subjects = [name for name in subjects if name not in piled]
         if link.relation == "open":
             subjects = [asset.name for asset in self.scene.assets if asset.on_floor and not asset.is_flat]
         if not subjects:
@@ -151,7 +153,7 @@ class Demander:
             return
         for a in subjects:
             walls = place.name == "wall"
-            points = [WallRef(wall.index) for wall in self._walls(place)] if walls else self._points(place)
+            points = [WallRef(wall.index) for wall in walls_meant(self.scene, place)] if walls else self._points(place)
             gaps = [self._gap(a, point, *metres) for point in points]
             if metres[1] == math.inf and (not walls or place.plural or place.det in ("each", "all")):
                 yield from map(_one, gaps)
@@ -333,7 +335,7 @@ class Demander:
         if place is not None and place.name == "wall":
             for a in subjects:
                 hangs = "mounted_on" if self._only_wall(a) else "against_wall"
-                walls = [wall for wall in self._walls(place) if self._fits(a, wall)]
+                walls = [wall for wall in walls_meant(self.scene, place) if self._fits(a, wall)]
                 ways = [
                     (_say(hangs, AssetRef(a), WallRef(w.index)), _say("centered_on", AssetRef(a), WallRef(w.index)))
                     for w in walls
@@ -363,11 +365,11 @@ class Demander:
             hangs = (
                 "mounted_on" if self._only_wall(a) or (on and asset.on_wall and not asset.on_floor) else "against_wall"
             )
-            walls = [w for w in self._walls(place) if self._fits(a, w)]
+            walls = [w for w in walls_meant(self.scene, place) if self._fits(a, w)]
             free = len(walls) == len(self.room.walls)
             yield from [(_say(hangs, ref),)] if free else ((_say(hangs, ref, WallRef(w.index)),) for w in walls)
         elif place.name == "corner":
-            yield from ((_say("corner", ref, vertex),) for vertex in self._corners(place))
+            yield from ((_say("corner", ref, vertex),) for vertex in corners_meant(self.scene, place))
         elif place.name in ("window", "door"):
             gap = AT_WINDOW if place.name == "window" else AT_DOOR
             yield from ((_say("near", ref, point, gap),) for point in self._points(place))
@@ -377,39 +379,7 @@ class Demander:
             x, y = centre(self.scene)
             yield (_say("distance_constraint", ref, PointRef(x, y), None, round(most, 2)),)
         elif place.name == "side" and place.words:
-            yield from ((_say("zone", ref, half),) for half in self._halves(place))
-
-    def _corners(self, place: Place) -> list[int]:
-        """Return the corners that the words mean, all where nothing tells them apart."""
-        x, y = centre(self.scene)
-        normals = [COMPASS[wall] for word in place.words if (wall := grammar().walls.get(word, "")) in COMPASS]
-        found = list(convex_corners(self.room))
-        meant = [
-            i
-            for i in found
-            for vx, vy in [self.room.vertices[i]]
-            if all((vx - x) * nx + (vy - y) * ny < 0 for nx, ny in normals)
-        ]
-        return meant or found
-
-    def _halves(self, place: Place) -> Iterator[tuple[PointRef, ...]]:
-        """Yield the half of the room that the words name, as seen on the plan."""
-        x0, y0, x1, y1 = self.room.bounds
-        x, y = (x0 + x1) / 2, (y0 + y1) / 2
-        back = (x0, y, x1, y1)
-        halves = {
-            "left": (x0, y0, x, y1),
-            "right": (x, y0, x1, y1),
-            "back": back,
-            "rear": back,
-            "front": (x0, y0, x1, y),
-        }
-        for word in place.words:
-            if word in halves:
-                yield rectangle(*halves[word])
-
-    def _walls(self, place: Place) -> list[Wall]:
-        return walls_meant(self.scene, place)
+            yield from ((_say("zone", ref, half),) for half in halves_meant(self.scene, place))
 
     def _fits(self, name: str, wall: Wall) -> bool:
         return self._asset(name).size[1] <= wall.length
@@ -426,7 +396,7 @@ class Demander:
             return [PointRef(round(x, 3), round(y, 3)) for x, y in spots]
         if place.name in ("middle", "room"):
             return [PointRef(*centre(self.scene))]
-        walls = self._walls(place) if place.name == "wall" else []
+        walls = walls_meant(self.scene, place) if place.name == "wall" else []
         return [PointRef(round(w.midpoint[0], 3), round(w.midpoint[1], 3)) for w in walls]
 
     def _is(self, name: str, words: Sequence[str]) -> bool:

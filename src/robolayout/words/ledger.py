@@ -141,7 +141,9 @@ class _Rows:
     def __init__(self, scene: Scene, reading: Reading) -> None:
         self.scene, self.reading = scene, reading
         self.names = stand_ins(scene, reading.parsed.things)
-        self.demander = Demander(scene, self.names)
+        links = reading.parsed.links
+        stacked = {mention.thing for link in links if link.relation == "stacked" for mention in link.subjects}
+        self.demander = Demander(scene, self.names, stacked)
 
     def rows(self) -> Iterator[_Row]:
         """Yield facts about the room, counts, relations, refusals, and what was not understood."""

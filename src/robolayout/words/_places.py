@@ -1,10 +1,12 @@
-"""Which wall is meant: the long one, the north one, the one with the window, the one opposite the bed."""
+"""Which place of the room is meant: the long wall, the north one, the one opposite the door, a corner, a half."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 from robolayout.constraints import PointRef
+from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Scene, Wall
 from robolayout.words._lexicon import grammar
 from robolayout.words._said import Place
@@ -58,8 +60,39 @@ def _by_opening(scene: Scene, walls: list[Wall], how: str, by: Place) -> list[Wa
     return facing
 
 
+def corners_meant(scene: Scene, place: Place) -> list[int]:
+    """Return the corners that the words mean, all where nothing tells them apart."""
+    x, y = centre(scene)
+    normals = [COMPASS[wall] for word in place.words if (wall := grammar().walls.get(word, "")) in COMPASS]
+    found = list(convex_corners(scene.room))
+    meant = [
+        i
+        for i in found
+        for vx, vy in [scene.room.vertices[i]]
+        if all((vx - x) * nx + (vy - y) * ny < 0 for nx, ny in normals)
+    ]
+    return meant or found
+
+
+def halves_meant(scene: Scene, place: Place) -> Iterator[tuple[PointRef, ...]]:
+    """Yield the half of the room that the words name, as seen on the plan."""
+    x0, y0, x1, y1 = scene.room.bounds
+    x, y = (x0 + x1) / 2, (y0 + y1) / 2
+    back = (x0, y, x1, y1)
+    halves = {
+        "left": (x0, y0, x, y1),
+        "right": (x, y0, x1, y1),
+        "back": back,
+        "rear": back,
+        "front": (x0, y0, x1, y),
+    }
+    for word in place.words:
+        if word in halves:
+            yield rectangle(*halves[word])
+
+
 def rectangle(x0: float, y0: float, x1: float, y1: float) -> tuple[PointRef, ...]:
-    """Return the corners of a rectangle along the axes."""
+    """Return the corners of a rectangle as points of the floor."""
     corners = ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
     return tuple(PointRef(round(x, 3), round(y, 3)) for x, y in corners)
 
