@@ -186,7 +186,8 @@ def test_things_on_a_table_are_listed_with_it_and_have_no_number():
         }
     )
     scene = Scene(SQUARE, assets, agents=(WHEELS,), name="room")
-    svg = ElementTree.fromstring(draw_sheet(scene, layout, SheetNotes(), marks=PlanMarks(), agent=WHEELS).svg())
+    notes = SheetNotes(carriers={"tray-0": "table-0", "cup-0": "tray-0", "cup-1": "table-0"})
+    svg = ElementTree.fromstring(draw_sheet(scene, layout, notes, marks=PlanMarks(), agent=WHEELS).svg())
     written = [words.text for words in texts(svg)]
     assert "1 table" in written
     assert {"tray, on 1", "2 x cup, on 1", "stool, not placed"} <= set(written)
@@ -201,7 +202,8 @@ def test_a_covered_thing_among_others_keeps_its_number():
     assets += [Asset(name, "tray", (0.48, 0.48, 0.04), on_floor=False, on_object=True) for name in trays]
     scene = Scene(SQUARE, tuple(assets), agents=(WHEELS,), name="room")
     layout = Layout(tables | trays)
-    svg = ElementTree.fromstring(draw_sheet(scene, layout, SheetNotes(), marks=PlanMarks(), agent=WHEELS).svg())
+    notes = SheetNotes(carriers=dict(zip(trays, tables, strict=True)))
+    svg = ElementTree.fromstring(draw_sheet(scene, layout, notes, marks=PlanMarks(), agent=WHEELS).svg())
     written = {words.text.split()[0] for words in texts(svg) if words.text}
     assert {str(number) for number in range(1, 10)} <= written
 

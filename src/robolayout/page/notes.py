@@ -21,7 +21,14 @@ def sheet_notes(report: Report, date: str = "") -> SheetNotes:
         for row in rule_rows(report)
         if row["agent"] == first.agent.name
     )
-    return SheetNotes(date, _areas(first), verdict, (*first.impossible, *report.violations, *helps), rules)
+    return SheetNotes(
+        date,
+        _areas(first),
+        verdict,
+        (*first.impossible, *report.violations, *helps),
+        rules,
+        first.navigation.boxes.carried,
+    )
 
 
 def rule_rows(report: Report) -> list[dict[str, Any]]:

@@ -6,12 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-import shapely
-
 from robolayout.render._schedule import Row
-from robolayout.scene import Asset, Layout, Scene, vertical_span
-
-RESTS = 0.05  # metres above or below another thing's top within which a thing stands on it
+from robolayout.scene import Asset, Layout, Scene
 
 
 @dataclass(frozen=True)
@@ -24,9 +20,9 @@ class Furniture:
     rows: tuple[Row, ...]  # the list
 
 
-def furniture(scene: Scene, layout: Layout) -> Furniture:
-    """Return the numbers and the list of everything in a scene; what stands on another thing is listed with it."""
-    carriers = _carriers(scene, layout)
+def furniture(scene: Scene, layout: Layout, below: Mapping[str, str]) -> Furniture:
+    """Return the numbers and the list of everything in a scene; what stands on another thing (`below`) is listed with it."""
+    carriers = {name: _lowest(name, below) for name in below}
     kinds: dict[tuple[str, tuple[float, ...]], list[Asset]] = {}
     for asset in scene.assets:
         kinds.setdefault((asset.category, asset.size), []).append(asset)
@@ -68,23 +64,6 @@ def _row(found: Sequence[Asset], mark: str, note: str) -> Row:
     count = f"{len(found)} x " if len(found) > 1 and not mark.isdigit() else ""
     words = f"{count}{asset.category or asset.name}" + (f", {note}" if note else "")
     return Row(words, mark, f"{width} x {depth} x {height}")
-
-
-def _carriers(scene: Scene, layout: Layout) -> dict[str, str]:
-    """Return for each placed thing that stands on another one the thing below all of them, which has a number."""
-    below: dict[str, str] = {}
-    spans_ = {name: vertical_span(scene.by_name[name], layout[name]) for name in layout}
-    shapes = {name: shapely.Polygon(layout[name].corners(scene.by_name[name].size)) for name in layout}
-    for asset in scene.assets:
-        name = asset.name
-        if name not in layout or not asset.on_object or spans_[name][0] < RESTS:
-            continue
-        middle = shapely.Point(layout[name].x, layout[name].y)
-        under = [n for n in layout if n != name and abs(spans_[n][1] - spans_[name][0]) <= RESTS]
-        found = [n for n in under if shapes[n].covers(middle) and spans_[n][0] < spans_[name][0]]
-        if found:
-            below[name] = min(found, key=lambda n: shapes[n].area)
-    return {name: _lowest(name, below) for name in below}
 
 
 def _lowest(name: str, below: Mapping[str, str]) -> str:

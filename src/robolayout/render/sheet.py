@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 from robolayout.render._architecture import THICKNESS, Place, placing, swings
 from robolayout.render._dimensions import Outline, draw_chains, margin, upright
@@ -49,6 +49,8 @@ class SheetNotes:
     verdict: str = ""  # whether all demands are met, in a few words
     findings: tuple[str, ...] = ()  # what is wrong and what would help, in sentences
     rules: tuple[tuple[str, bool], ...] = ()  # named rules with what was measured, in words, and whether each is met
+    # for each thing that stands on another one the name of that
+    carriers: Mapping[str, str] = field(default_factory=dict[str, str])
 
 
 @dataclass(frozen=True)
@@ -85,7 +87,12 @@ def draw_sheet(scene: Scene, layout: Layout, notes: SheetNotes, *, marks: PlanMa
         marks: What the agent can do; the free space, passages and turning circles are drawn.
     """
     given = _Given(
-        scene, layout, notes, replace(marks, routes={}, arcs=(), agent_at=None), agent, furniture(scene, layout)
+        scene,
+        layout,
+        notes,
+        replace(marks, routes={}, arcs=(), agent_at=None),
+        agent,
+        furniture(scene, layout, notes.carriers),
     )
     at = _arranged(scene, _blocks(given))
     sheet = Drawing(*at.size)

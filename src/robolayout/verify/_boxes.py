@@ -50,6 +50,11 @@ class Boxes:
         """(n,) row that carries each asset, rugs aside; -1 where none."""
         return self.held_by(~self.flat)
 
+    @property
+    def carried(self) -> dict[str, str]:
+        """Which asset carries which, rugs aside: by the name of what is carried."""
+        return {self.names[row]: self.names[under] for row, under in enumerate(self.carriers) if under >= 0}
+
     @cached_property
     def chairs(self) -> NDArray[np.bool_]:
         """(n,) whether it is moved away from what it stands at: it is movable, stands on the floor and carries nothing."""

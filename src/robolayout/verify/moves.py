@@ -100,8 +100,7 @@ def _back(scene: Scene, layout: Layout, program: Program, name: str) -> Layout:
 
 def _standing_on(scene: Scene, layout: Mapping[str, Pose], name: str) -> list[str]:
     """Return what stands on a thing, directly or on what stands on it."""
-    found = boxes(scene, Layout(layout))
-    carriers = {found.names[row]: found.names[under] for row, under in enumerate(found.carriers) if under >= 0}
+    carriers = boxes(scene, Layout(layout)).carried
     below = {name}
     while more := {one for one, under in carriers.items() if under in below} - below:
         below |= more
