@@ -104,8 +104,6 @@ def jointed(built: tuple[Part, ...], rules: tuple[Rule, ...], size: tuple[float,
 
     Args:
         built: The parts of a thing, in its frame.
-        rules: How its parts move.
-        size: Its depth, width and height in metres.
     """
     out = list(built)
     for rule, group in _groups(built, rules):

@@ -68,7 +68,6 @@ def stands(
 
     Args:
         points: (n, 3) points on it, in its own axes.
-        category: What it is said to be.
         standard: Up and front as the file's format has them, None where it has no rule.
         allowed: The ways that are open, some of `WAYS`.
     """

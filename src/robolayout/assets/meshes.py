@@ -22,7 +22,6 @@ def parts(asset: Asset, seed: int = 0, *, shut: bool = False) -> tuple[Part, ...
     A `path` is loaded instead where the asset has one, and its own `parts` come before its category's.
 
     Args:
-        seed: Picks the palette.
         shut: Whether bodies are solid behind drawers, as whoever cannot open them meets them.
 
     Raises:

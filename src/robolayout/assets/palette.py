@@ -127,10 +127,6 @@ def make_piece(
     """Choose materials: as its look says, else the palette by seed, the rest by the asset's list, so that chairs of one list match.
 
     Args:
-        kind: Name of the category.
-        variable: The asset's list.
-        name: The asset's name.
-        size: Depth, width and height in metres.
         seed: Picks the palette where the look names none.
         look: Words of `LOOKS`, separated by commas ("bohemian, blue").
     """

@@ -49,7 +49,6 @@ def read_rows(text: str, where: str) -> Drawing:
     """Read the rows of a record.
 
     Args:
-        text: Its `parts`.
         where: Whose they are, for messages ("night stand in sleeping.toml").
 
     Raises:
@@ -67,11 +66,6 @@ def read_rows(text: str, where: str) -> Drawing:
 
 def check_rows(text: str, where: str, size: tuple[float, float, float]) -> None:
     """Refuse rows that cannot be read, or by which a part lies far outside the thing's box.
-
-    Args:
-        text: Its `parts`.
-        where: Whose they are, for messages.
-        size: Its depth, width and height in metres.
 
     Raises:
         AssetError: The message names the record, the part, and the field or the edge.

@@ -36,8 +36,6 @@ def progress_gif(
         trace: Losses and snapshots of the run; one in which nothing moved shows the final layout alone and says so.
         layout: The final layout, added as the last frame and held.
         size: Pixels of the longer side.
-        frames: Most frames.
-        pause: Milliseconds per frame.
     """
     still = bool(trace.losses) and is_still(trace)
     if still and layout is not None:

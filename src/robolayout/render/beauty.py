@@ -45,7 +45,6 @@ def render_beauty(  # noqa: PLR0913 - what `render_view` takes, and the paths of
 
     Args:
         samples: Light paths per pixel.
-        seed: Seed of the light paths.
 
     Raises:
         MissingExtraError: The extra `beauty` is not installed.

@@ -77,7 +77,6 @@ class Studio:
     Args:
         layout: Poses; assets without one are not drawn.
         renderer: "gl" for OpenGL on EGL, "rays" for ray casting, "auto" for the first that works here.
-        seed: Seed of the parametric meshes.
 
     Raises:
         LayoutError: The layout has a pose for an asset that is not in the scene, or a pose that is not finite.

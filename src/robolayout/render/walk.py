@@ -46,7 +46,6 @@ def walk_gif(
             then keeps; None takes the routes of the marks.
         agent: The body; None takes the scene's first agent.
         size: Pixels of the longer side.
-        frames: Most frames.
 
     Raises:
         InputError: There is no route.

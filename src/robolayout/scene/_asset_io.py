@@ -30,7 +30,6 @@ def read_assets(
     """Return the assets of a scene file, in its order.
 
     Args:
-        data: The scene file.
         base: Folder of the scene file, in which meshes may lie.
         asset_dir: Folder of assets, for meshes and for keys of the form `<uid>-<n>`.
         warnings: Gets a sentence for everything that was mended.

@@ -45,8 +45,6 @@ def scene_from_dict(
     """Return the scene that a scene file's content describes.
 
     Args:
-        data: The content of a scene file.
-        name: Name of the scene.
         base: Folder in which the meshes of assets may lie; None allows none but those in `asset_dir`.
         asset_dir: As in `load_scene`.
     """

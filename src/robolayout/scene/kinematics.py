@@ -278,7 +278,6 @@ class Robot:
 
         Args:
             floor: Height of the ground in the root's frame.
-            seed: Seed of the poses.
         """
         if self.hand is None:
             return []

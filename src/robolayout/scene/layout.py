@@ -56,7 +56,6 @@ class Layout(Mapping[str, Pose]):
         """Return the same layout with one asset elsewhere; what stands on it stays (`generate(start=...)` mends that).
 
         Args:
-            name: Name of the asset.
             by: Metres along x and y.
             turn: Degrees counter-clockwise.
 

@@ -107,8 +107,6 @@ def opened(
     """Return what a body gets to beyond where it is once some obstacles are moved away, as polygons.
 
     Args:
-        obstacles: What stands in its way.
-        rows: The assets that are moved away.
         spaces: Where its centre may be in the empty room, where as things stand, and where it gets to as things stand.
         grow: Returns obstacles grown by the body.
         size: Radius in metres of a disc that holds the body.

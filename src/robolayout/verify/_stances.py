@@ -17,11 +17,7 @@ Region = tuple[int, BaseGeometry]  # number of a heading (0 for a disc), and whe
 
 
 class Stances:
-    """Where a body gets to: the disc's main component, or one region per heading of a rectangle.
-
-    Args:
-        nav: What the disc gets to.
-    """
+    """Where a body gets to: the disc's main component, or one region per heading of a rectangle."""
 
     def __init__(self, nav: Navigation) -> None:
         agent = nav.agent

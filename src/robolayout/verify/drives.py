@@ -51,7 +51,6 @@ def find_drives(room: Room, space: HeadingSpace, stands: Mapping[str, Point]) ->
     """Return a drive from the door to each of these places to stand; none where the body does not get there.
 
     Args:
-        space: Where the body gets to.
         stands: Where its centre stands to use a thing, by the thing's name, metres.
     """
     if space.start is None:

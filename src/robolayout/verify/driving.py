@@ -53,7 +53,6 @@ class Lattice:
     """Where a body can drive from the door.
 
     Args:
-        blocking: What stands in the body's way.
         agent: The body; with length, width and turning radius.
         start: Where its centre comes in, metres.
         heading: The heading in which it comes in, radians.

@@ -54,7 +54,6 @@ class Headings:
     """The free space of a rectangular body by heading, each worked out when first asked for.
 
     Args:
-        blocking: What stands in the body's way.
         agent: The body; with length and width.
     """
 
