@@ -13,7 +13,8 @@ from robolayout.planners import OfflinePlanner, PlanRequest
 from robolayout.program import read_program, reconcile
 from robolayout.run.flow import make_judge
 from robolayout.solve.compile import Floats, Problem, compile_problem
-from robolayout.solve.restore import restored
+from robolayout.solve.proposals import carry, compose
+from robolayout.solve.restore import restored, squared
 
 TRIALS = 64
 
@@ -81,3 +82,17 @@ def test_nothing_is_asked_where_the_program_places_nothing() -> None:
         raise AssertionError
 
     assert np.array_equal(restored(problem, world, never, TRIALS), world)
+
+
+def test_what_came_to_stand_askew_is_squared_and_what_is_meant_so_stays() -> None:
+    problem, _ = planned("bedroom")
+    slots = [slot for slot in range(len(problem.names)) if problem.parent[slot] < 0]
+    askew = problem.start.copy()
+    for slot in slots:
+        carry(problem, askew, slot, compose(askew[slot], np.array([0.0, 0.0, np.cos(0.1), np.sin(0.1)])))
+    free = replace(problem, guessed=())
+    found = squared(free, askew, lambda world: True)
+    assert found[slots] == pytest.approx(problem.start[slots])
+    meant = replace(problem, guess=problem.layout(askew))
+    assert squared(meant, askew, lambda world: True) == pytest.approx(askew)
+    assert squared(free, askew, lambda world: False) == pytest.approx(askew)

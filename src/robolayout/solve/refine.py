@@ -22,7 +22,7 @@ from robolayout.solve.construct import Builder
 from robolayout.solve.judge import Judge, Verdict
 from robolayout.solve.push import pushed
 from robolayout.solve.repair import WAYS, Repair
-from robolayout.solve.restore import restored
+from robolayout.solve.restore import restored, squared
 from robolayout.solve.routes import pack
 from robolayout.solve.runner import BATCH, STILL, Run, Runner
 from robolayout.solve.solution import Progress, Solution, conclude, silent
@@ -88,7 +88,7 @@ class Solver:
         assert best is not None
         if best.verdict.broken:
             best = self._repair(best)
-        best = best if self.blind else self._restored(best)
+        best = self._restored(best)
         trace = self.runner.trace(self.problem) if self.config.trace else Trace()
         return conclude(self.problem.layout(best.world), best.verdict, trace, best.phase)
 
@@ -355,7 +355,7 @@ class Solver:
         return Plan(np.concatenate(kept), sum(plan.blocked for plan in plans), blockers)
 
     def _restored(self, best: _Best) -> _Best:
-        """Put back where the program had it what was moved without need."""
+        """Put back where the program had it what was moved without need, if that is worth anything, and square what is askew."""
         self._say("restore")
 
         def no_worse(world: Floats) -> bool:
@@ -367,7 +367,9 @@ class Solver:
             best = _Best(world, replace(verdict, moved=self.problem.moved(world)), best.phase)
             return True
 
-        restored(self.problem, best.world, no_worse, self.effort.put_back)
+        if not self.blind:
+            restored(self.problem, best.world, no_worse, self.effort.put_back)
+        squared(self.problem, best.world, no_worse)
         return best
 
     def _mended(self, best: _Best, number: int, most: int | None = None) -> _Best:

@@ -15,6 +15,9 @@ from robolayout.solve.stage import relative
 SAME = 1e-9
 """Metres, or parts of a unit heading vector, below which a thing has not moved."""
 
+STRAIGHT, ASKEW = math.radians(0.5), math.radians(20.0)
+"""Angles off a wall's between which a thing counts as having come to stand askew."""
+
 GAIN = 0.01
 """Metres (`Problem.moved`) that putting a thing back must be worth."""
 
@@ -52,6 +55,47 @@ def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]
     for slot in sorted(slots, key=lambda slot: -float(np.hypot(*(world - target)[slot, :2]))):
         world = _nearer(problem, world, slot, no_worse)
     return world
+
+
+def squared(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]) -> Floats:
+    """Return poses (n, 4) in which what came to stand a little askew is square to a wall again.
+
+    Where it has to look at something, it also slides sideways until it looks straight at it. What the program has askew stays so.
+
+    Args:
+        problem: The problem.
+        world: (n, 4) poses.
+        no_worse: Whether other poses are no worse than those kept so far.
+    """
+    walls = [math.atan2(*wall.direction[::-1]) for wall in problem.scene.room.walls]
+    for slot, name in enumerate(problem.names):
+        yaw = math.atan2(world[slot, 3], world[slot, 2])
+        off = min((_off_square(yaw - wall) for wall in walls), key=abs)
+        meant = name in problem.guessed and math.dist(problem.start[slot, 2:], world[slot, 2:]) < SAME
+        if not STRAIGHT < abs(off) < ASKEW or meant or name in problem.pinned:
+            continue
+        turned = compose(world[slot], np.array([0.0, 0.0, math.cos(off), -math.sin(off)]))
+        aims = world[_looked_at(problem, slot)] * (1.0, 1.0, 0.0, 0.0) + (0.0, 0.0, 1.0, 0.0)
+        for slide in (0.0, *relative(turned, aims)[:, 1].tolist()):
+            trial = world.copy()
+            carry(problem, trial, slot, compose(turned, np.array([0.0, slide, 1.0, 0.0])))
+            if no_worse(trial):
+                world = trial
+                break
+    return world
+
+
+def _off_square(angle: float) -> float:
+    """Return by how many radians an angle is off the nearest multiple of a right one."""
+    return angle - round(angle / (math.pi / 2)) * (math.pi / 2)
+
+
+def _looked_at(problem: Problem, slot: int) -> list[int]:
+    """Return the slots that a slot is asked to look at."""
+    mine = AssetRef(problem.names[slot])
+    rows = (term for terms in problem.statement_terms for term in terms if isinstance(term, FrameTerm))
+    looks = [row.b for row in rows if row.a == mine and row.look is not None]
+    return [problem.slot[ref.name] for ref in looks if isinstance(ref, AssetRef)]
 
 
 def _nearer(problem: Problem, world: Floats, slot: int, no_worse: Callable[[Floats], bool]) -> Floats:
