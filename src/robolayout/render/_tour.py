@@ -19,6 +19,7 @@ from robolayout.render.marks import Rings
 TOGETHER = 0.3  # metres: assets whose ways end as close as this are visited at once
 SPACING = 0.15  # metres between the points of a way at which the agent may leave it
 SLACK = 1e-3  # metres by which a straight way may leave the free space, for rounding
+NEAREST = 3  # stops, as the crow flies, of which that with the shortest way is the next
 TURN = 0.3  # metres of way that take as long as a turn by a radian
 Line = NDArray[np.float64]  # (n, 3): x and y in metres and heading in radians; 0 where the agent just looks ahead
 
@@ -50,8 +51,8 @@ def tour(ways: Mapping[str, Sequence[tuple[float, ...]]], free: Sequence[Rings])
     legs: list[Leg] = []
     before = next(iter(lines.values()))[:1]
     while lines:
-        further = [Leg(names, _between(before, line, space)) for names, line in lines.items()]
-        legs.append(min(further, key=lambda leg: leg.length))
+        near = sorted(lines, key=lambda names: math.dist(lines[names][-1, :2], before[-1, :2]))[:NEAREST]
+        legs.append(min((Leg(n, _between(before, lines[n], space)) for n in near), key=lambda leg: leg.length))
         before = lines.pop(legs[-1].names)
     return (*legs, Leg((), before[::-1]))
 
