@@ -177,3 +177,11 @@ def test_rows_are_as_many_as_are_said() -> None:
     turned = result.layout.moved("yoga_mat-0", by=(0.0, -1.5))
     (row,) = [one for one in judge(scene, turned).report.asked if one.words == "yoga mat in two rows"]
     assert row.verdict == "unmet"
+
+
+def test_a_second_room_is_a_thing_or_not_understood() -> None:
+    _, found = scene_from_sentence("A studio with a sofa bed, a kitchenette and a table")
+    assert found.room_type == "studio" and found.wished["kitchen counter"] == 1
+    scene, _ = scene_from_sentence("A bedroom with a bed and a bathroom")
+    rows = {row.words: row.understanding for row in read_words(scene).rows}
+    assert rows["a bathroom"] == "one room is laid out, the bedroom"

@@ -82,6 +82,8 @@ class Chunker:
         at = 0
         while at < len(self.words):
             chunk = self._next(at)
+            if chunk.kind == "room" and chunk.det == "a" and any(c.kind == "room" for c in found):
+                chunk = self._in_room(chunk)
             last = next((c for c in reversed(found) if c.kind == "thing"), None)
             if last is not None and (chunk.kind, chunk.value) == (
                 "filler",
@@ -91,6 +93,12 @@ class Chunker:
             found.append(chunk)
             at = chunk.end
         return found
+
+    def _in_room(self, chunk: Chunk) -> Chunk:
+        """Return a further room as a thing of the first, where its name is one: "a studio with a kitchenette"."""
+        words = self.words[chunk.start : chunk.end]
+        noun = next((n for i in range(1, len(words)) if (n := self.lexicon.noun(words[i:]))), None)
+        return chunk if noun is None else replace(chunk, kind="thing", value="", noun=noun)
 
     def _next(self, at: int) -> Chunk:
         if at in self.measured:

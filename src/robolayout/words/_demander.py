@@ -127,6 +127,9 @@ class Demander:
             beside = asset.on_floor or self._is(b, SLEPT_ON)
             if asset.on_object and (not beside or self._is(b, TOPS)):
                 yield self._resting(a, b)
+            elif self._is(a, SEATS) and self._is(b, ("desk", "counter", "island")):
+                ahead = (_say(side, AssetRef(a), AssetRef(b), -BESIDE, BESIDE) for side in ("in_front_of", "behind"))
+                yield Demand(tuple((way,) for way in ahead))
             elif beside:
                 yield _one(_say("near", AssetRef(a), AssetRef(b), BESIDE))
 

@@ -22,6 +22,7 @@ from robolayout.words._said import (
     place_of,
     topped,
 )
+from robolayout.words._ways import SEATS
 
 SAID_OF = {"stacked": "stacked", "piled": "stacked", "diagonal": "diagonal", "angled": "diagonal"}
 """Relations that stand before a noun."""
@@ -189,10 +190,11 @@ class Parser(Relating):
         return alone
 
     def _put_on(self, mention: Mention, holder: Mention, *, joined: bool) -> bool:
-        """Return whether a thing that another one has stands on it: what can stand nowhere else, or what a table has first."""
+        """Return whether what another thing has is on it or at it: what can stand nowhere else, what a table has first, seats."""
         tops = holder.thing.noun.kind.split()[-1] in ("table", "desk", "counter", "island")
-        laid = tops and not joined and CATALOGUE[mention.thing.noun.kind].on_object
-        return (topped(mention) or laid) and not topped(holder)
+        kind = mention.thing.noun.kind
+        first = CATALOGUE[kind].on_object or kind.split()[-1] in SEATS
+        return (topped(mention) or (tops and not joined and first)) and not topped(holder)
 
     def _on_part(self, chunk: Chunk) -> None:
         """A place of the room that no relation leads to: doors and windows that are asked for."""

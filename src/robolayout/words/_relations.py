@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from dataclasses import replace
 
 from robolayout.assets import CATALOGUE
 from robolayout.words._chunks import Chunk
 from robolayout.words._references import References
-from robolayout.words._said import Link, Mention, Place, several, topped
+from robolayout.words._said import Link, Mention, Place, Thing, several, topped
 from robolayout.words._tokens import Measure
 
 REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on", "separated": "amid"}
@@ -388,11 +388,16 @@ class Relating(References):
         objects = objects or (
             self.holder if chunk.value in ("next", "flank", "left", "right", "front", "near", "under") else []
         )
-        if (
-            chunk.value in ("on", "flank") and objects
-        ):  # "a bed with a lamp on either side": the lamps are not on the bed
-            own = {mention.thing for mention in subjects}
-            self.said.links[:] = [k for k in self.said.links if k.relation != "with" or k.subjects[0].thing not in own]
+        if objects:  # "a bed with a lamp on either side": the lamps are not on the bed
+            own, to = {m.thing for m in subjects}, {m.thing for m in objects if isinstance(m, Mention)}
+            elsewhere = chunk.value in ("on", "flank")
+            self.said.links[:] = [k for k in self.said.links if not _had(k, own, None if elsewhere else to)]
         low, high = chunk.measure.values if chunk.measure else (0.0, 0.0)
         about = (tuple(subjects), tuple(objects))
         self.said.links.append(Link(chunk.value, *about, chunk.start, chunk.end, (low, high), chunk.rows))
+
+
+def _had(link: Link, own: Set[Thing], to: Set[Thing] | None) -> bool:
+    """Return whether a relation only says that one of some things has a thing (any, for None)."""
+    has = {item.thing for item in link.objects if isinstance(item, Mention)}
+    return link.relation == "with" and link.subjects[0].thing in own and (to is None or bool(has & to))

@@ -172,7 +172,9 @@ class _Rows:
     def _facts(self) -> Iterator[_Row]:
         for chunk in self.reading.parsed.facts:
             words = self.reading.span(chunk.start, chunk.end)
-            if chunk.kind == "room":
+            if chunk.kind == "room" and chunk.det == "a" and chunk.value not in ("room", self.reading.room):
+                yield _unread(words, f"one room is laid out, the {self.reading.room}")
+            elif chunk.kind == "room":
                 nearest = (
                     f"the nearest room type to it, {chunk.value}"
                     if self.reading.guessed and chunk is self.reading.placed
