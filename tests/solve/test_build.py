@@ -6,15 +6,19 @@ import math
 import random
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from robolayout.planners import OfflinePlanner, PlanRequest
+from robolayout.planners import OfflinePlanner, PlanRequest, scene_from_sentence
 from robolayout.program import read_program, reconcile
 from robolayout.run.verdict import make_judge
 from robolayout.scene import Asset, Opening, Room, Scene, load_scene
 from robolayout.solve import Verdict, compile_problem
+from robolayout.solve.build.attempt import Attempt
+from robolayout.solve.build.cluster import Cluster
 from robolayout.verify import verify
+from robolayout.words import read_words
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 DESK = Asset("desk-0", "desk", (0.6, 1.2, 0.75))
@@ -85,3 +89,18 @@ def test_what_belongs_on_a_thing_at_a_wall_hangs_with_it() -> None:
     program = read_program("solver.mounted_on(wall_shelf[0])\nsolver.on_top_of(box[0], wall_shelf[0])", scene)
     report = verify(scene, compile_problem(scene, program).guess, program)
     assert all(statement.met for statement in report.statements), report.statements
+
+
+def test_a_long_chain_that_fits_nowhere_is_taken_apart_link_by_link(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene, _ = scene_from_sentence("seven cabinets in a row, 3 x 3.5 m")
+    asked = read_words(scene).demands
+    program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene, asked=asked)), scene), scene).program
+    placed, put = list[str](), Attempt._place  # pyright: ignore[reportPrivateUsage]
+
+    def counted(self: Attempt, cluster: Cluster, *more: Any) -> bool:
+        placed.append(cluster.anchor)
+        return put(self, cluster, *more)
+
+    monkeypatch.setattr(Attempt, "_place", counted)
+    compile_problem(scene, program)
+    assert placed.count("cabinet-6") <= placed.count("cabinet-0")  # had doubled from link to link

@@ -336,9 +336,11 @@ class Attempt:
         if not out:
             return False
         self._place(rest, modes, weights)
-        for name in out:
+        own = {name: self.site.clusters.build(name) for name in out}
+        carried = {member.name for one in own.values() for member in one.members[1:]}  # stand where their anchors go
+        for name in (name for name in out if name not in carried):
             want = self.site.wants[name]
-            self._place(self.site.clusters.build(name), want.stands, want.weights)
+            self._place(own[name], want.stands, want.weights)
         return True
 
     def _stands_alone(self, name: str) -> bool:
