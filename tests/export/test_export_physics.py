@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from robolayout._errors import LayoutError, MissingExtraError
+from robolayout.assets import prisms_of
 from robolayout.export.physics import Motion, drive, settle, timeline
 from robolayout.scene import DEFAULT_AGENT, Agent, Asset, Layout, Pose, Room, Scene
 
@@ -157,6 +158,16 @@ def test_a_low_body_passes_below_and_over_a_rug(scene: Scene, layout: Layout) ->
     line = {"rug-0": [(2.5, 0.5), (2.5, 3.0)]}
     assert drive(room, places, Agent("robot_vacuum", 0.175, 0.09), line).contacts == {}
     assert drive(room, places, DEFAULT_AGENT, line).contacts == {"rug-0": ("picture-0",)}
+
+
+def test_a_body_passes_over_what_is_as_high_as_its_step() -> None:
+    bollard = Asset("safety_bollard-0", "safety bollard", (0.2, 0.2, 1.0))
+    plate = prisms_of(bollard)[0].high
+    places = Layout({bollard.name: Pose(2.5, 2.0, 0.5, 0.0)})
+    line = {bollard.name: [(2.5 - 0.285, 1.0), (2.5 - 0.285, 3.0)]}
+    for step, met in ((plate, {}), (plate - 0.005, {bollard.name: (bollard.name,)})):
+        body = Agent("amr", 0.2, 0.36, step=step)
+        assert drive(Scene(ROOM, (bollard,)), places, body, line).contacts == met
 
 
 def test_a_long_body_turns_on_the_spot_and_stops_to_drive_back() -> None:

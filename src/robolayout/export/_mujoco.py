@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._errors import MissingExtraError
+from robolayout.export._bodies import THINNEST
 from robolayout.export.mjcf import AGENT_MASS, DAMPING, STIFFNESS
 from robolayout.scene import Agent
 
@@ -48,10 +49,14 @@ def load(text: bytes) -> tuple[Any, Any]:
 
 
 def smaller(agent: Agent, *, disc: bool) -> Agent:
-    """Return a body as it is moved: its rectangle, or its disc if that is asked for or all that it has."""
+    """Return a body as it is moved: its rectangle, or its disc if that is asked for or all that it has.
+
+    What is just as high as it steps over, or as it is, does not touch it.
+    """
+    body = replace(agent, step=agent.step + THINNEST, height=agent.height - THINNEST)
     if disc or agent.length is None or agent.width is None:
-        return replace(agent, radius=agent.radius - MARGIN, length=None, width=None)
-    return replace(agent, length=agent.length - 2 * MARGIN, width=agent.width - 2 * MARGIN)
+        return replace(body, radius=agent.radius - MARGIN, length=None, width=None)
+    return replace(body, length=agent.length - 2 * MARGIN, width=agent.width - 2 * MARGIN)
 
 
 def base(model: Any) -> tuple[int, list[int]]:

@@ -15,6 +15,9 @@ from robolayout.scene import Asset, Layout, Pose
 DRAKE = "http://drake.mit.edu"
 """XML namespace of what only Drake reads."""
 
+STIFF = "1e7"
+"""Pascals by which what touches gives way in Drake, over an area: by single points flat things creep on each other."""
+
 Tree = Mapping[str, "str | Tree"]
 """What an element holds: attributes ("@name"), texts and trees of its children."""
 

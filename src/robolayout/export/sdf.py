@@ -13,7 +13,7 @@ from robolayout._text import xml
 from robolayout.export._bodies import DRAG, STICTION, Link, Shape, Thing, things
 from robolayout.export._exporter import Contents, Exporter, Options, reader
 from robolayout.export._mesh import numbers
-from robolayout.export._xml import DRAKE, Tree, contents, dump_xml, facts, moments, parse_xml, put, rgba
+from robolayout.export._xml import DRAKE, STIFF, Tree, contents, dump_xml, facts, moments, parse_xml, put, rgba
 from robolayout.scene import Layout, Scene
 
 VERSION = "1.7"
@@ -107,11 +107,15 @@ def _shape(link: ET.Element, shape: Shape, folder: str, friction: float) -> None
     color, grip = rgba(shape.part.material), numbers([friction])
     more: dict[str, Tree] = {
         "visual": {"material": {"ambient": color, "diffuse": color}},
-        "collision": {"surface": {"friction": {"ode": {"mu": grip, "mu2": grip}}}},
+        "collision": {
+            "surface": {"friction": {"ode": {"mu": grip, "mu2": grip}}},
+            "drake:proximity_properties": {"drake:compliant_hydroelastic": "", "drake:hydroelastic_modulus": STIFF},
+        },
     }
+    uri = {"uri": f"model://{folder}/{shape.mesh}", "drake:declare_convex": ""}
     at, turn, size = shape.place()
     for kind in shape.kinds:
-        geometry = {"box": {"size": size}} if size else {"mesh": {"uri": f"model://{folder}/{shape.mesh}"}}
+        geometry = {"box": {"size": size}} if size else {"mesh": uri}
         content = {"@name": f"{shape.name}/{kind}", "pose": f"{at} {turn}", "geometry": geometry}
         put(link, kind, {**content, **more[kind]})
 

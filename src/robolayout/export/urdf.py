@@ -11,7 +11,7 @@ import xml.etree.ElementTree as ET
 from robolayout.export._bodies import DRAG, STICTION, Link, Shape, Thing, things
 from robolayout.export._exporter import Contents, Exporter, Options, free_name, reader
 from robolayout.export._mesh import numbers
-from robolayout.export._xml import DRAKE, Tree, contents, dump_xml, facts, moments, parse_xml, put, rgba
+from robolayout.export._xml import DRAKE, STIFF, Tree, contents, dump_xml, facts, moments, parse_xml, put, rgba
 from robolayout.scene import Layout, Scene
 
 LIMIT = {"@effort": "100", "@velocity": "2"}
@@ -95,11 +95,19 @@ def _shape(link: ET.Element, shape: Shape, folder: str, friction: float) -> None
     name = f"{link.get('name')}/{shape.name}"
     more: dict[str, Tree] = {
         "visual": {"material": {"@name": f"{name}/{material.name}", "color": {"@rgba": rgba(material)}}},
-        "collision": {"drake:proximity_properties": {"drake:mu_static": grip, "drake:mu_dynamic": grip}},
+        "collision": {
+            "drake:proximity_properties": {
+                "drake:mu_static": grip,
+                "drake:mu_dynamic": grip,
+                "drake:compliant_hydroelastic": {},
+                "drake:hydroelastic_modulus": {"@value": STIFF},
+            }
+        },
     }
+    mesh = {"@filename": f"{folder}{shape.mesh}", "drake:declare_convex": {}}
     at, turn, size = shape.place()
     for kind in shape.kinds:
-        geometry = {"box": {"@size": size}} if size else {"mesh": {"@filename": f"{folder}{shape.mesh}"}}
+        geometry = {"box": {"@size": size}} if size else {"mesh": mesh}
         origin = {"@xyz": at, "@rpy": turn}
         put(link, kind, {"@name": f"{name}/{kind}", "origin": origin, "geometry": geometry, **more[kind]})
 
