@@ -1,7 +1,8 @@
 """`python -m benchmarks.consumers [ROOM ...]`: what programs make of exported rooms, and the table of it in docs/exports.md.
 
 Each room is saved when it is measured; what is not installed is left out and named in the table. Drake, PyBullet and Blender are
-`pip install drake pybullet bpy`; none of them is needed for anything else.
+`pip install drake pybullet bpy`; none of them is needed for anything else. SceneEval's own code runs where ROBOLAYOUT_SCENEEVAL
+(its folder) and ROBOLAYOUT_BLENDER_PYTHON (a Python with bpy, python-fcl, omegaconf and mapbox_earcut) say where they are.
 """
 
 from __future__ import annotations
@@ -36,6 +37,7 @@ TASKS = ("bathroom", "kitchen", "office", "meeting_room", "hospital_room", "care
 SECONDS = 5.0
 FORMATS = ("mjcf", "sdf", "urdf", "usd", "usdz", "glb", "plan.dxf")
 PAGE, START, END = ROOT / "docs" / "exports.md", "<!-- consumers -->\n", "<!-- /consumers -->\n"
+JUDGE = ROOT / "tests" / "export" / "sceneeval_judge.py"
 
 BLENDER = """
 import json, sys, bpy, mathutils
@@ -55,7 +57,6 @@ print(json.dumps(rows), file=open(sys.argv[2], "w"))
 
 NOT_RUN = (
     ("three.js in a browser", "`report.html` draws its own shapes with it; the GLB is not loaded by this command"),
-    ("SceneEval", "its own reader needs its repository; the tests hold the reader's rules (`tests/export`)"),
     ("AI2-THOR", "the Unity program does not run here; the tests check ProcTHOR-10k's schema"),
     ("Gazebo", "it has no package in a registry of Python's"),
     ("Isaac Sim", "it needs its own installation; USD's validators are run"),
@@ -72,6 +73,7 @@ CONSUMERS: Mapping[str, str] = {
     "gltf-validator": "GLB",
     "usd-core": "USDA and USDZ, all validators",
     "ezdxf": "DXF",
+    "SceneEval": "scene state and meshes, in Blender and trimesh",
 }
 
 
@@ -90,6 +92,7 @@ def measured(room: Path) -> Row:
         row |= _named("trimesh", _spots(result, _trimesh(glb)))
         if find_spec("bpy"):
             row |= _named("Blender", _blender(result, glb))
+        row |= _named("SceneEval", sceneeval(result, Path(folder)))
         row |= _named("ezdxf", _dxf(result, dxf))
     found = validated(result, Options())
     if "glb_errors" in found:
@@ -157,6 +160,20 @@ def _blender(result: rl.Result, path: Path) -> Row:
     sizes = {a.name: a.size for a in result.scene.assets if a.name in result.layout}
     gaps = [abs(side - own) for name, size in sizes.items() for side, own in zip(rows[name][4:], size, strict=True)]
     return _spots(result, {name: tuple(row[:4]) for name, row in rows.items()}) | {"sizes": max(gaps)}
+
+
+def sceneeval(result: rl.Result, folder: Path) -> Row:
+    """Return how far apart things are in SceneEval's two worlds, and how many it says collide or are not held."""
+    home, python = os.environ.get("ROBOLAYOUT_SCENEEVAL", ""), os.environ.get("ROBOLAYOUT_BLENDER_PYTHON", "")
+    if not (home and python):
+        return {}
+    (state,) = export_all(result.scene, result.layout, ["sceneeval"], folder=folder)
+    words = [python, str(JUDGE), str(folder / "sceneeval"), str(folder / "judged.json"), str(state)]
+    subprocess.run(words, cwd=home, env={**os.environ, "PYTHONPATH": home}, check=True, capture_output=True)
+    found = json.loads((folder / "judged.json").read_text())[state.name]
+    apart = [np.abs(np.subtract(box, found["blender"][name])).max() for name, box in found["trimesh"].items()]
+    wrong = sum(map(bool, found["collisions"].values())) + sum(not held for held in found["supported"].values())
+    return {"poses": float(max(apart)), "complaints": wrong}
 
 
 def _dxf(result: rl.Result, path: Path) -> Row:
