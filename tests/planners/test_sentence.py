@@ -196,3 +196,21 @@ def test_roles_and_words_never_speak_against_each_other(text: str) -> None:
     scene, _ = scene_from_sentence(text)
     program = OfflinePlanner().plan(PlanRequest(scene, asked=read_words(scene).demands))
     assert reconcile(read_program(program, scene), scene).rejections == ()
+
+
+@pytest.mark.parametrize(
+    ("text", "things"),
+    [
+        (
+            "an office with eight desks, each with a chair, and a meeting table for six",
+            {"office chair": 14, "keyboard": 8},
+        ),
+        ("an office with a desk and a round table for four", {"office chair": 5, "monitor": 1}),
+        ("a classroom with a round table for four", {"chair": 16, "student desk": 12}),
+        ("a dining room with a table for six", {"chair": 6}),
+        ("a playroom with a toy box in each of two corners", {"toy box": 2}),
+    ],
+)
+def test_who_sits_at_a_table_takes_nobodys_desk(text: str, things: dict[str, int]) -> None:
+    wished = scene_from_sentence(text)[1].wished
+    assert {name: wished.get(name, 0) for name in things} == things

@@ -144,6 +144,8 @@ def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
     for name, count in room.person.items():
         if people and head(name) not in heads and name not in wishes.reading.unwanted:
             wished[name] = wished.get(name, 0) + count * people
+            if wishes.seats and head(name) == "desk":
+                wished[_chair(room)] = wished.get(_chair(room), 0) + count * people  # besides those at the table
     chairs = sum(n for name, n in wished.items() if head(name) == "chair")
     if room.tables and not any(head(name) == "table" for name in wished if "buffet" not in name):
         wished[room.tables] = math.ceil(chairs / (2 if room.tables == "round table" else 4))
@@ -163,13 +165,21 @@ def _people(wishes: Wishes, room: RoomType, wished: dict[str, int]) -> int:
         adults = [name for name in wished if head(name) == "chair" and name not in ("high chair", "kids chair")]
         several = wishes.seats_each
         tables = sum(count for name, count in wished.items() if head(name) == "table") if several else 1
-        chair = next((name for name in room.person if head(name) == "chair"), "chair")
-        if not adults:
-            wished[chair] = tables * wishes.seats
+        chair = _chair(room)
+        desks = sum(count for name, count in wished.items() if head(name) == "desk")
+        if sum(wished[name] for name in adults) <= desks:  # what is asked for stands at the desks
+            wished[chair] = max(wished.get(chair, 0), desks) + tables * wishes.seats
     if wishes.reading.people:
         return 0 if room.couple and wishes.reading.people == 2 and not wishes.reading.young else wishes.reading.people
     taken = {head(name) for name in room.person}
+    if "desk" in taken and wishes.seats:
+        taken = {"desk"}  # who sits at the table also has a desk
     return max((count for name, count in wished.items() if head(name) in taken), default=_usual_people(wishes))
+
+
+def _chair(room: RoomType) -> str:
+    """Return what one sits on in a room at a table."""
+    return next((name for name in room.person if head(name) == "chair"), "chair")
 
 
 def _room_size(

@@ -373,7 +373,8 @@ class Relating(References):
         """Note a relation; what stands at each of several things is as many times there."""
         for item in objects:
             for mention in subjects if item.det == "each" and chunk.value not in ("apart", "far") else ():
-                count = item.thing.count if isinstance(item, Mention) else {"corner": 4, "wall": 4}.get(item.name, 1)
+                whole = {"corner": 4, "wall": 4}
+                count = item.thing.count if isinstance(item, Mention) else item.number or whole.get(item.name, 1)
                 owned = isinstance(item, Mention) and item.thing is mention.thing
                 dealt = mention.thing in self.dealt  # "two lamps, one in each corner"
                 if mention.thing.times == 1 and not owned and not dealt and not self._given(mention):
