@@ -10,6 +10,7 @@ from robolayout.constraints.above import Above
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.any_of import AnyOf
 from robolayout.constraints.in_front_of import InFrontOf
+from robolayout.constraints.in_rows import InRows
 from robolayout.planners._knowledge import Join
 from robolayout.planners._roles import Cast, depends
 from robolayout.program import Program
@@ -85,9 +86,10 @@ def _only_on(item: Cast) -> bool:
 def subjects(demand: Demand) -> set[str]:
     """Return what is asked to be somewhere; looking at something moves nothing."""
     return {
-        relation.asset_names()[0]
+        name
         for relation in demand.ways[0]
         if relation.name not in ("point_towards", "under", "above")
+        for name in (relation.asset_names() if isinstance(relation, InRows) else relation.asset_names()[:1])
     }
 
 

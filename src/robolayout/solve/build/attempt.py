@@ -17,7 +17,7 @@ from robolayout.solve.build.places import Batch, batches, centroid
 from robolayout.solve.build.rugs import lay_rugs
 from robolayout.solve.build.said import MISSED
 from robolayout.solve.build.site import Site, Spot
-from robolayout.solve.build.sorts import alike, given_up
+from robolayout.solve.build.sorts import alike, given_up, told_rows
 from robolayout.solve.build.taste import keep_sight, looks, taste
 from robolayout.solve.build.wants import Want
 
@@ -255,7 +255,7 @@ class Attempt:
     def _in_rows(self, clusters: Sequence[Cluster], modes: Modes, weights: Mapping[str, float]) -> list[Cluster]:
         """Place what fits well along the walls, put the rest into a grid, and return what fits nowhere."""
         left = list(clusters)
-        if next(iter(modes)) == "wall":
+        if next(iter(modes)) == "wall" and not told_rows(self.site.wants[left[0].anchor]):
             left = [cluster for cluster in clusters if not self._place(cluster, {"wall": 0.0}, weights, limit=BAD)]
         for equal in alike(self.site, left):
             for count in sorted({max(2, round(len(equal) * share)) for share in SHARES}, reverse=True):

@@ -7,22 +7,31 @@ from collections.abc import Iterator, Sequence
 from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.member import Member
 from robolayout.solve.build.site import Site
+from robolayout.solve.build.wants import Want
 
 SIDES = (("front",), ("left",), ("left", "front"), ("left", "right"))
 """Sides whose things a cluster gives up, the fewest first; it is tried mirrored, too."""
 
 
 def alike(site: Site, clusters: Sequence[Cluster]) -> list[list[Cluster]]:
-    """Return clusters in sets of the same make: anchors and followers of the same sizes."""
+    """Return clusters in sets of the same make: anchors and followers of the same sizes, where rows are told anchors alone.
+
+    The one with the most followers is first.
+    """
     sets: dict[tuple[object, ...], list[Cluster]] = {}
     for cluster in clusters:
         key = tuple(
             (site.wants[m.name].kind, *(round(v, 1) for v in site.size(m.name)[:2]))
             for m in cluster.members
-            if site.on_floor(m)
+            if site.on_floor(m) and (m.name == cluster.anchor or not told_rows(site.wants[cluster.anchor]))
         )
         sets.setdefault(key, []).append(cluster)
-    return list(sets.values())
+    return [sorted(found, key=lambda one: -len(one.members)) for found in sets.values()]
+
+
+def told_rows(item: Want) -> bool:
+    """Return whether it is demanded in how many rows such things stand."""
+    return item.rows is not None and item.rows.rows is not None
 
 
 def given_up(loose: Sequence[Member]) -> Iterator[list[str]]:
