@@ -36,6 +36,9 @@ ANSWER = 10.0
 PATIENCE = 10
 """Seconds by the clock for each CPU second that a room may take."""
 
+RENEWED = 100
+"""Rooms after which a worker ends and another takes its place: caches and compiled programs add some megabytes a dozen rooms."""
+
 TICK = 0.2
 """Seconds to wait for a worker before something else is looked at."""
 
@@ -55,11 +58,12 @@ class _Process:
     process: BaseProcess
     pipe: connection.Connection
     task: Task | None = None
+    made: int = 0  # rooms that it has made
 
 
 @dataclass
 class Local:
-    """Processes of this machine, started afresh (nothing is forked) and kept: each loads compiled programs once."""
+    """Processes of this machine, started afresh (nothing is forked) and kept for `RENEWED` rooms: each loads programs once."""
 
     ready: Ready  # what is asked for
     meshes: Path  # folder of the meshes of the catalogues
@@ -90,11 +94,16 @@ class Local:
             if one.pipe in heard or one.process.sentinel in heard:
                 task, one.task = cast(Task, one.task), None
                 try:
-                    yield task, cast(Made, one.pipe.recv())
+                    made = cast(Made, one.pipe.recv())
                 except (EOFError, OSError):
+                    made = None
+                one.made += 1
+                if made is None or one.made == RENEWED:
                     self._all.remove(one)
+                    one.process.kill()
                     one.process.join()
-                    yield task, None
+                    one.pipe.close()
+                yield task, made
 
     def close(self) -> None:
         """End all processes."""
@@ -168,7 +177,7 @@ class Ray:
         self.slots = AHEAD * min(most or processors, processors)
         meshes = {name: path.read_bytes() for name, path in ready.meshes.items()}
         self.given = (ray.put(ready), [ray.put(meshes)])
-        self.function: Any = ray.remote(num_cpus=1, max_retries=0)(_task)
+        self.function: Any = ray.remote(num_cpus=1, max_retries=0, max_calls=RENEWED)(_task)
         self.waiting: dict[Any, Task] = {}
 
     def send(self, task: Task) -> None:
