@@ -7,6 +7,7 @@ hard demands or access are still not met then, or if there was nothing to keep.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -156,7 +157,7 @@ class Solver:
         if number and not any(self._at(number, name) for name in best.verdict.culprits):
             return best
         best, run = self._polished(stage, number, best)
-        off = self.problem.moved(best.world) / len(stage.moving)
+        off = self.problem.moved(best.world) / len(stage.moving) if self.problem.guessed else math.inf
         self.blind |= self._amiss(stage, best) > self.effort.lost[0] and off > self.effort.lost[1]
         if number == 0 and self.config.route_rounds and best.verdict.barred and not self.blind:
             best, run = self._opened(stage, run, best)
