@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, fields, is_dataclass
-from functools import update_wrapper
+from functools import cached_property, update_wrapper
 from inspect import Parameter, Signature, signature
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
@@ -87,7 +87,7 @@ class Body:
     agent: Annotated[str | None, Option(help="Body or bodies: names or files, separated by commas.")] = None
     asset_dir: AssetDirOption = None
 
-    @property
+    @cached_property
     def agents(self) -> tuple[Agent, ...]:
         """The bodies that were named; none where nothing was said."""
         from robolayout.scene import load_agents

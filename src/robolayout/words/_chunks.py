@@ -84,11 +84,9 @@ class Chunker:
             chunk = self._next(at)
             if chunk.kind == "room" and chunk.det == "a" and any(c.kind == "room" for c in found):
                 chunk = self._in_room(chunk)
-            last = next((c for c in reversed(found) if c.kind == "thing"), None)
-            if last is not None and (chunk.kind, chunk.value) == (
-                "filler",
-                "another",
-            ):  # "one left of it, another right of it"
+            another = chunk.kind == "filler" and chunk.value == "another"  # "one left of it, another right of it"
+            last = next((c for c in reversed(found) if c.kind == "thing"), None) if another else None
+            if last is not None:
                 chunk = replace(last, start=at, end=chunk.end, det="new", number=None, plural=False, rows=0)
             found.append(chunk)
             at = chunk.end

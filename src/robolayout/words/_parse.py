@@ -192,11 +192,9 @@ class Parser(Relating):
     def _put_on(self, mention: Mention, holder: Mention, *, joined: bool) -> bool:
         """Return whether what another thing has is on it or at it: what can stand nowhere else, what a table has first, seats."""
         tops = holder.thing.noun.kind.split()[-1] in ("table", "desk", "counter", "island")
-        kind, at_table = (
-            mention.thing.noun.kind,
-            holder.thing.noun.kind.split()[-1] == "table",
-        )  # whose seats know their place
-        first = CATALOGUE[kind].on_object or (kind.split()[-1] in SEATS and not at_table)
+        kind = mention.thing.noun.kind
+        seat = kind.split()[-1] in SEATS and holder.thing.noun.kind.split()[-1] != "table"  # a table's know their place
+        first = seat or CATALOGUE[kind].on_object
         return (topped(mention) or (tops and not joined and first)) and not topped(holder)
 
     def _on_part(self, chunk: Chunk) -> None:
