@@ -5,13 +5,15 @@ from __future__ import annotations
 import ast
 import math
 import operator
+import random
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout._text import utf8
 from robolayout.assets.fronts import doors, drawers
 from robolayout.assets.palette import Piece, material_of
 from robolayout.assets.part import Material, Part
@@ -31,6 +33,8 @@ CALLS: dict[str, Callable[..., Any]] = {"min": min, "max": max, "round": round, 
 """What a `let` may compute, beside sums and products."""
 BASIS = ("", "m", "d", "w", "h")
 """What an extent is a sum of, before the names of `let`: plain numbers, metres, depth, width, height."""
+VARIED = ("skip", "x", "y", "z", "turn")
+"""What chance may settle of each drawing of a row: whether it is left out, and how far its fields are moved."""
 CROSS = {"z": "xy", "x": "yz", "y": "zx"}  # the two axes across one, in the order that shapes take them
 
 
@@ -67,6 +71,8 @@ class Row:
     fields: Mapping[str, slice]  # by field, which values it has
     repeats: tuple[Repeat, ...] = ()  # how it is drawn several times
     mirror: str = ""  # axes about which all of them are drawn once more
+    # by field, the most that chance adds to each of them; it picks their materials, too
+    vary: Mapping[str, slice] = field(default_factory=dict[str, slice])
     tests: tuple[Test, ...] = ()  # it is drawn where one of them holds, or where there is none
 
     def holds(self, variant: int, values: list[float]) -> bool:
@@ -86,6 +92,19 @@ class Row:
             places += [(turn, _mirrored(place, axis)) for turn, place in places]
         return places
 
+    def by_chance(self, places: list[tuple[int, Place]], values: list[float], key: str) -> list[tuple[int, Place]]:
+        """Return what chance makes of places; those of one number in several rows of a thing fare alike: pins and their notes."""
+        out: list[tuple[int, Place]] = []
+        left_out = values[self.vary["skip"]][0] if "skip" in self.vary else 0.0
+        for i, (_, place) in enumerate(places):
+            luck = random.Random(utf8(f"{key}/{i}"))
+            turn, shares = luck.randrange(2520), {name: luck.random() for name in VARIED}
+            for name, span in self.vary.items():
+                place = _shifted(place, {name: values[span]}, shares[name])
+            if shares["skip"] >= left_out:
+                out.append((turn, place))
+        return out
+
 
 @dataclass(frozen=True, eq=False)
 class Drawing:
@@ -104,7 +123,8 @@ class Drawing:
         for row in self.rows:
             if row.holds(p.variant, values):
                 turns = [material_of(name, p) for name in row.materials[p.variant % len(row.materials)]]
-                for turn, place in row.places(values):
+                places = row.places(values)
+                for turn, place in row.by_chance(places, values, p.key) if row.vary else places:
                     yield from _made(p, row, turns[turn % len(turns)], place)
 
 
@@ -125,7 +145,7 @@ def _computed(node: ast.expr, known: Mapping[str, float]) -> float:
     return float(CALLS[node.func.id](*(_computed(item, known) for item in node.args)))
 
 
-def _shifted(place: Place, steps: Place, times: int) -> Place:
+def _shifted(place: Place, steps: Place, times: float) -> Place:
     """Return a place after some steps; a single step moves both ends of an extent."""
     out = dict(place)
     for key, step in steps.items():

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from itertools import chain
-
 from robolayout.assets.category import CATALOGUE, Category
+from robolayout.assets.drawing import Drawing
 from robolayout.assets.fronts import hollowed
-from robolayout.assets.furniture import BUILDERS, Builder
 from robolayout.assets.joints import Rule, jointed, read_joints
 from robolayout.assets.lexicon import category_of
 from robolayout.assets.palette import make_piece
@@ -56,12 +54,9 @@ def joints_of(category: Category) -> tuple[Rule, ...]:
     return read_joints(category.joints, f"{category.name!r} in group {category.group!r}")
 
 
-def builder_for(category: Category) -> Builder:
-    """Return what draws a category: the rows of its record, or of the record that it names, and the function of its name."""
-    if category.parts in CATALOGUE:
-        return builder_for(CATALOGUE[category.parts])
-    if not category.parts:
-        return BUILDERS[category.like or category.name]
-    drawing = read_rows(category.parts, f"{category.name!r} in group {category.group!r}")
-    more = BUILDERS.get(category.name)
-    return drawing if more is None else lambda p: chain(drawing(p), more(p))
+def builder_for(category: Category) -> Drawing:
+    """Return what draws a category: the rows of its record, or of the record that it names or is like."""
+    alike = CATALOGUE.get(category.parts or category.like)
+    if alike is not None:
+        return builder_for(alike)
+    return read_rows(category.parts, f"{category.name!r} in group {category.group!r}")

@@ -67,9 +67,8 @@ WOODS: Mapping[str, Material] = {word: material_from(entry) for word, entry in _
 CLOTHS: Mapping[str, Material] = {word: material_from(entry) for word, entry in _FILE["cloths"].items()}
 """What a look may say that seats are covered with."""
 LOOKS = frozenset((*STYLED, *COLORS, *WOODS, *CLOTHS))  # every word that a look may name
-BRIGHT = tuple(PLAIN[name] for name in ("red", "orange", "yellow", "green", "blue", "pink"))
-"""Toy and packaging colours."""
-SPINES = tuple(material for name, material in PLAIN.items() if name.endswith("-cloth"))  # book covers
+GROUPS: Mapping[str, tuple[str, ...]] = {name: tuple(names) for name, names in _FILE["groups"].items()}
+"""Names of several materials that rows name together."""
 
 
 @dataclass(frozen=True)
@@ -110,7 +109,7 @@ CHOSEN: Mapping[str, Callable[[Piece], Material]] = {
     "fabric": lambda p: p.fabric,
     "accent": lambda p: p.accent,
     "bedding": lambda p: p.bedding,
-    "cloth": lambda p: p.rng().choice(SPINES),
+    "cloth": lambda p: PLAIN[p.rng().choice(GROUPS["spines"])],
 }
 """What the room or the thing itself chooses, by the names that rows use."""
 MATERIALS = (*PLAIN, *CHOSEN)  # everything that rows may name

@@ -13,15 +13,15 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 from typing import NoReturn
 
 import numpy as np
 
 from robolayout._errors import AssetError
-from robolayout.assets.drawing import BASIS, CALLS, CROSS, RELATIONS, SUMS, Drawing, Repeat, Row, Test
-from robolayout.assets.palette import MATERIALS, make_piece
+from robolayout.assets.drawing import BASIS, CALLS, CROSS, RELATIONS, SUMS, VARIED, Drawing, Repeat, Row, Test
+from robolayout.assets.palette import GROUPS, MATERIALS, make_piece
 
 LENGTHS = {"x": 2, "y": 3, "z": 4}  # where in `BASIS` the length along an axis stands
 LEANS = tuple(f"{a}/{b}" for a in "xyz" for b in "xyz" if a != b)
@@ -38,7 +38,7 @@ FIELDS: dict[str, tuple[tuple[str, ...], tuple[str, ...], int]] = {
 """What each shape must say, what it may say, and along how many axes it has two ends."""
 OVERHANG = (0.25, 0.05)
 """Share of an edge, and metres, by both of which a part must lie outside the box to be taken for a mistake; all is fitted in."""
-HOW = "write mirror x|y|xy, repeat N FIELD STEP, if TEST"
+HOW = "write mirror x|y|xy, repeat N FIELD STEP, vary FIELD MOST, if TEST"
 _TERM = re.compile(r"([+-]?)(\d+\.?\d*|\.\d+)?([a-z][a-z0-9_]*)?")
 
 Value = list[float]  # factors of the basis and of the lets
@@ -130,23 +130,26 @@ class _Reading:
         words = rest.split()
         if len(words) < 2:
             self.refuse(f"{line!r} cannot be read", "write 'NAME: SHAPE MATERIAL x .. y .. z ..'")
-        shape, materials = words[0], tuple(tuple(style.split("/")) for style in words[1].split("|"))
+        shape, styles = words[0], [style.split("/") for style in words[1].split("|")]
+        materials = tuple(tuple(one for name in style for one in GROUPS.get(name, (name,))) for style in styles)
         self._among("shape", [shape], FIELDS)
         self._among("material", [name for style in materials for name in style], MATERIALS)
         body, *tails = _split(words[2:])
         fields = self._fields(shape, body)
-        repeats, mirror = [], ""
+        repeats, mirror, vary = [], "", dict[str, slice]()
         tests: list[Test] = []
         for word, *rest_of in tails:
             if word == "repeat" and rest_of:
                 repeats.append(self._repeat(rest_of[0], rest_of[1:]))
+            elif word == "vary" and rest_of:
+                vary = self._steps(self._pairs(rest_of, VARIED))
             elif word == "mirror" and rest_of in (["x"], ["y"], ["xy"]):
                 mirror = rest_of[0]
             elif word == "if" and len(rest_of) == 1:
                 tests += [self._test(clauses) for clauses in rest_of[0].split("|")]
             else:
                 self.refuse(f"{' '.join([word, *rest_of])!r} cannot be read", HOW)
-        return Row(self.part, shape, materials, fields, tuple(repeats), mirror, tuple(tests))
+        return Row(self.part, shape, materials, fields, tuple(repeats), mirror, vary, tuple(tests))
 
     def _among(self, kind: str, names: Iterable[str], known: Iterable[str]) -> None:
         for name in names:
@@ -192,11 +195,14 @@ class _Reading:
         """Read how often a row is drawn, what is added to each field, and which times count."""
         said = self._pairs(words, (*LENGTHS, *LEANS, "r", "bevel", "turn", "only"))
         only = self._remainders(said.pop("only", "0/1"))
-        steps = {
-            key: self._add(*([self._sum(text)] if key == "turn" else self._ends(text, self._length)))
+        return Repeat(self._add(self._sum(count)).start, self._steps(said), only)
+
+    def _steps(self, said: Mapping[str, str]) -> dict[str, slice]:
+        """Read what is added to fields."""
+        return {
+            key: self._add(*([self._sum(text)] if key in ("turn", "skip") else self._ends(text, self._length)))
             for key, text in said.items()
         }
-        return Repeat(self._add(self._sum(count)).start, steps, only)
 
     def _remainders(self, text: str) -> tuple[frozenset[int], int]:
         match = re.fullmatch(r"(\d+(?:,\d+)*)/([1-9]\d*)", text)
@@ -260,7 +266,7 @@ def _split(words: list[str]) -> list[list[str]]:
     """Split a row's words before each modifier."""
     out: list[list[str]] = [[]]
     for word in words:
-        if word in ("mirror", "repeat", "if"):
+        if word in ("mirror", "repeat", "vary", "if"):
             out.append([])
         out[-1].append(word)
     return out
