@@ -148,7 +148,7 @@ def test_a_body_opens_what_it_uses_and_touches_nothing() -> None:
     holds = usage(scene, layout, DEFAULT_AGENT).holds
     opened = pull_open(scene, layout, DEFAULT_AGENT, holds)
     assert len(opened.joints) == len(holds) >= 2 and opened.violations == ()
-    assert all(pulled.share > 0.95 and 1.0 < pulled.force < PULL for pulled in opened.joints.values())
+    assert all(pulled.share > 0.999 and 1.0 < pulled.force < PULL for pulled in opened.joints.values())
 
 
 def test_what_leaf_or_body_meets_is_named() -> None:
@@ -160,9 +160,35 @@ def test_what_leaf_or_body_meets_is_named() -> None:
     assert pull_open(scene, layout, DEFAULT_AGENT, [first]).violations == ()
     in_the_way = Hold(first.asset, first.joint, first.poses)
     met = pull_open(scene, layout, DEFAULT_AGENT, [in_the_way])
-    assert met.joints[name].contacts == (lamp.name,) and met.joints[name].free < 0.9
+    assert met.joints[name].contacts == (lamp.name,)
     before = Hold(first.asset, first.joint, ((0.55, 0.0, 0.0),), first.moved)
     hit = pull_open(scene, layout, DEFAULT_AGENT, [before])
     assert wardrobe.name in hit.joints[name].contacts
     nowhere = pull_open(scene, layout, DEFAULT_AGENT, [Hold(first.asset, first.joint, ())])
     assert nowhere.violations == (f"disc opens {name} by 0% of its range.",)
+
+
+@pytest.mark.parametrize("kind", ["wardrobe", "fridge", "safe", "kitchen counter", "locker", "display fridge"])
+def test_a_door_beside_a_wall_opens_to_its_stop(kind: str) -> None:
+    cupboard = thing(kind)
+    depth, width, height = cupboard.size
+    for side in (-1, 1):
+        scene, _ = room(cupboard)
+        layout = Layout({cupboard.name: Pose(-4.0 + depth / 2, side * (4.0 - width / 2), height / 2, 0.0)})
+        names = {part.joint.name for part in parts(cupboard) if part.joint is not None and part.joint.kind == "hinge"}
+        holds = [Hold(cupboard.name, name, ((3.0, 0.0, 0.0),)) for name in names]
+        opened = pull_open(scene, layout, DEFAULT_AGENT, holds)
+        assert opened.joints and opened.violations == ()
+
+
+@pytest.mark.parametrize("width", [0.9, 1.6])
+@pytest.mark.parametrize("stands_open", [False, True])
+def test_the_doors_of_the_room_are_pulled_too(width: float, stands_open: bool) -> None:
+    chair, leaf = thing("chair"), Opening(0, 4.0 - width / 2, width, 2.05, swing="in", open=stands_open)
+    scene, layout = room(chair, doors=(leaf,))
+    opened = pull_open(scene, layout, DEFAULT_AGENT, [])
+    assert len(opened.joints) == leaf.leaves and opened.violations == ()
+    before = Layout({chair.name: Pose(0.0, -3.6, chair.size[2] / 2, 0.0)})
+    met = pull_open(scene, before, DEFAULT_AGENT, [])
+    assert any(pulled.contacts == (chair.name,) for pulled in met.joints.values())
+    assert met.violations and opened.joints.keys() == met.joints.keys()

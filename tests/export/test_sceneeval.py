@@ -14,14 +14,19 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import shapely
 import trimesh
 
 import robolayout as rl
 from robolayout._errors import LayoutError
+from robolayout.assets import CATALOGUE, parts
 from robolayout.export import Options, export, sceneeval
 from robolayout.export._rugs import laid_parts
 from robolayout.export.glb import document
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
+
+BALLS = {"ball", "exercise ball"}
+"""They touch by a point, which holds nothing by its rule."""
 
 
 @pytest.fixture(scope="module")
@@ -151,3 +156,11 @@ def test_a_rug_of_which_nothing_would_be_left_stays_whole() -> None:
     layout = Layout({"rug-0": Pose(2.5, 2, 0.006, 0.0), "chest-0": Pose(2.5, 2, 0.25, 0.0)})
     whole = laid_parts(mat, scene, Layout({}))
     assert len(whole) and len(laid_parts(mat, scene, layout)) == len(whole)
+
+
+@pytest.mark.parametrize("name", sorted({n for n, k in CATALOGUE.items() if k.on_floor or k.on_object} - BALLS))
+def test_by_its_rule_the_middle_of_what_is_seen_is_over_the_foot(name: str) -> None:
+    made = parts(Asset("thing-0", name, CATALOGUE[name].size))
+    mesh = trimesh.util.concatenate([trimesh.Trimesh(p.vertices, p.faces, process=False) for p in made])
+    foot = mesh.vertices[mesh.vertices[:, 2] < mesh.bounds[0, 2] + 0.01, :2]
+    assert shapely.MultiPoint(foot).convex_hull.covers(shapely.Point(mesh.centroid[:2]))

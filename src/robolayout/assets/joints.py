@@ -32,6 +32,7 @@ USUAL = "door+handle: hinge z away front 90\ndrawer+handle+knob: slide x .6d"
 three fifths of the depth that plain runners allow (judgement)."""
 NOTHING = "-"  # what a record says whose parts look like doors but do not move
 NEAR = 0.05  # metres within which a part lies on the leader that it goes with
+PLAY = 0.004  # metres that an open leaf's handle stays short of its thing's side: hinges give
 HANDLES = ("handle", "knob", "grip", "lock")
 """Parts that a hand takes hold of; without one, the edge away from the hinge is held."""
 HOW = "write 'PARTS: hinge|slide x|y|z EDGES HOW-FAR', as in 'door+handle: hinge z away front 90'"
@@ -165,6 +166,8 @@ def _joint(rule: Rule, group: Sequence[Part], size: tuple[float, float, float]) 
         grip[rule.axis] = middle[rule.axis] if rule.kind == "hinge" else grip[rule.axis]
     units = {"": math.pi / 180 if rule.kind == "hinge" else 1.0, "m": 1.0, **dict(zip("dwh", size, strict=True))}
     low, high = (value * units[unit] for value, unit in rule.span)
+    if rule.axis == 2 and {"left", "right", AWAY} & {*rule.edges}:
+        high = min(high, _stop(np.concatenate([part.vertices for part in group]), at, size[1] / 2))
     x, y, z = at.tolist()
     u, v, w = (along + 0.0).tolist()
     a, b, c = grip.tolist()
@@ -177,6 +180,13 @@ def _joint(rule: Rule, group: Sequence[Part], size: tuple[float, float, float]) 
         (a, b, c),
         (heights.min().item(), heights.max().item()),
     )
+
+
+def _stop(points: Vector, at: Vector, side: float) -> float:
+    """Return by how much a side-hung leaf turns until its handle is as far out as its thing's side, where a wall may be (rad)."""
+    ahead, inward = points[:, 0] - at[0], np.abs(at[1] - points[:, 1])
+    beside = max(0.0, side - abs(at[1]) - PLAY) / np.maximum(np.hypot(ahead, inward), 1e-9)
+    return float((math.pi / 2 + np.arcsin(np.minimum(beside, 1.0)) - np.arctan2(ahead, inward)).min())
 
 
 def turned(joint: Joint, points: Vector, far: float) -> Vector:

@@ -12,7 +12,7 @@ from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from robolayout._errors import AssetError
-from robolayout.assets.joints import HANDLES, turned
+from robolayout.assets.joints import turned
 from robolayout.assets.lexicon import category_of
 from robolayout.assets.part import Joint, Part
 from robolayout.scene import Asset
@@ -57,10 +57,9 @@ def sweeps_of(asset: Asset) -> tuple[Sweep, ...]:
 
 
 def _sweep(joint: Joint, moving: list[Part], asset: Asset) -> Sweep:
-    """Return what some parts sweep beyond the front of their thing; their handles stick out a little more."""
-    panels = [part for part in moving if part.name not in HANDLES] or moving
+    """Return what some parts sweep beyond the front of their thing."""
     far = np.linspace(0.0, joint.span[1], STEPS + 1 if joint.kind == "hinge" else 2)
-    places = [[turned(joint, part.vertices, step) for step in far.tolist()] for part in panels]
+    places = [[turned(joint, part.vertices, step) for step in far.tolist()] for part in moving]
     hulls = [
         shapely.MultiPoint(np.concatenate(pair)[:, :2]).convex_hull for steps in places for pair in pairwise(steps)
     ]

@@ -13,7 +13,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from robolayout.export._exporter import Options, check_layout, is_movable
-from robolayout.export._mujoco import FloatArray, base, controls, load, simulator, smaller, touched
+from robolayout.export._mujoco import ROOM_BODY, FloatArray, base, controls, load, simulator, smaller, touched
 from robolayout.export.mjcf import build
 from robolayout.scene import Agent, Layout, Scene
 
@@ -29,8 +29,8 @@ GRIP, EASE = 2_000.0, 200.0
 LINGER = 0.5
 """Seconds that the hand stays where the leaf is to be open."""
 
-OPEN = 0.95
-"""Share of its range from which a door or drawer is open; a handle may meet the wall beside it after that."""
+STOP, OPEN = 1.02, 0.99
+"""Shares of its range: to where the hand pulls, against the stop, and from where a door or drawer is open."""
 
 ASIDE = 100.0
 """Metres to which what is moved away is moved."""
@@ -65,14 +65,13 @@ class Pulled:
     """How one door or drawer went."""
 
     share: float  # how far it opened in the end, as a share of its range
-    free: float  # how far it had opened when the leaf or the body first touched something; `share` if they touched nothing
-    contacts: tuple[str, ...]  # names of what they touched (assets, "wall-0"), sorted
+    contacts: tuple[str, ...]  # names of what the leaf or the body touched (assets, "wall-0"), sorted
     force: float  # newtons that the hand pulled with at most
 
     @property
     def ok(self) -> bool:
-        """Whether it opened before anything was touched."""
-        return self.free >= OPEN
+        """Whether it opened to its stop and nothing was touched."""
+        return self.share >= OPEN and not self.contacts
 
 
 @dataclass(frozen=True)
@@ -86,8 +85,8 @@ class Opened:
     def violations(self) -> tuple[str, ...]:
         """One sentence for each door or drawer that did not open freely."""
         return tuple(
-            f"{self.agent} opens {name} by {pulled.free:.0%} of its range"
-            f"{', then ' + ', '.join(pulled.contacts) + ' is touched' if pulled.contacts else ''}."
+            f"{self.agent} opens {name} by {pulled.share:.0%} of its range"
+            f"{' and touches ' + ', '.join(pulled.contacts) if pulled.contacts else ''}."
             for name, pulled in self.joints.items()
             if not pulled.ok
         )
@@ -95,6 +94,8 @@ class Opened:
 
 def pull_open(scene: Scene, layout: Layout, agent: Agent, holds: Iterable[Hold]) -> Opened:
     """Open doors and drawers by their handles, each from the layout as it is, and report what is touched.
+
+    The doors of the room are pulled too, as by one who comes in: nobody is in the room.
 
     Args:
         scene: The scene.
@@ -107,46 +108,52 @@ def pull_open(scene: Scene, layout: Layout, agent: Agent, holds: Iterable[Hold])
         MissingExtraError: MuJoCo is not installed.
     """
     check_layout(scene, layout, partial=True)
-    options = Options(agent=smaller(agent, disc=False), leaves="open")
-    model, data = load(build(scene, layout, options, free=is_movable))
-    shut = Pulled(0.0, 0.0, (), 0.0)
-    found = {f"{h.asset}/{h.joint}": _pulled(model, data, h) if h.poses else shut for h in holds}
-    return Opened(agent.name, found)
+    model, data = load(build(scene, layout, Options(agent=smaller(agent, disc=False)), free=is_movable))
+    doors = [_Hand(model, int(joint)) for joint in np.flatnonzero(model.body_rootid[model.jnt_bodyid] == ROOM_BODY)]
+    found: dict[str, Pulled] = {}
+    for hold in holds:
+        hand = _Hand(model, int(model.joint(f"{hold.asset}/{hold.joint}").id))
+        found[hand.name] = _pulled(model, data, hand, doors, hold) if hold.poses else Pulled(0.0, (), 0.0)
+    return Opened(agent.name, found | {hand.name: _pulled(model, data, hand, doors) for hand in doors})
 
 
-def _pulled(model: Any, data: Any, hold: Hold) -> Pulled:
-    """Open one joint from shut to open."""
-    mujoco, step, poses = simulator(), float(model.opt.timestep), np.array(hold.poses)
-    hand = _Hand(model, f"{hold.asset}/{hold.joint}")
+def _pulled(model: Any, data: Any, hand: _Hand, doors: Iterable[_Hand], hold: Hold | None = None) -> Pulled:
+    """Open one joint from shut to open, the room's other doors being open."""
+    mujoco, step = simulator(), float(model.opt.timestep)
     mujoco.mj_resetDataKeyframe(model, data, 0)
-    for name in hold.moved:
+    for name in hold.moved if hold else ():
         data.qpos[model.joint(name).qposadr[0]] += ASIDE
+    for door in doors:
+        data.qpos[door.place] = door.ends[1]
+    data.qpos[hand.place] = hand.ends[0]
     mujoco.mj_forward(model, data)
     seconds = hand.span * float(np.linalg.norm(hand.way(data))) / SPEED
-    shares = np.minimum(np.arange(0.0, seconds + LINGER, step) / seconds, 1.0)
+    shares = np.minimum(np.arange(0.0, seconds + LINGER, step) / seconds, STOP)
+    poses = np.array(hold.poses if hold else [(ASIDE, ASIDE, 0.0)])
     wanted = np.stack(
         [np.interp(shares * (len(poses) - 1), np.arange(len(poses)), column) for column in poses.T], axis=1
     )
     body, places = base(model)
     data.qpos[places] = wanted[0]
-    met, most, free = set[str](), 0.0, 0.0
+    met, most = set[str](), 0.0
     for order, share in zip(controls(model, wanted), shares, strict=True):
         data.ctrl[:] = order
         most = max(most, abs(hand.pull(data, float(share), seconds)))
         mujoco.mj_step(model, data)
         met |= touched(model, data, [body]) | touched(model, data, [hand.leaf])
-        free = free if met else max(free, hand.opened(data))
-    return Pulled(hand.opened(data), free, tuple(sorted(met)), most)
+    return Pulled(hand.opened(data), tuple(sorted(met)), most)
 
 
 class _Hand:
     """A hand at the handle of a joint."""
 
-    def __init__(self, model: Any, name: str) -> None:
-        joint = model.joint(name)
-        self._model, self._site, self._joint = model, model.site(f"{name}/handle").id, int(joint.id)
-        self._speed, self._place = int(joint.dofadr[0]), int(joint.qposadr[0])
-        self.leaf, self.span = int(joint.bodyid[0]), float(joint.range[1])
+    def __init__(self, model: Any, number: int) -> None:
+        joint = model.joint(number)
+        self.name = str(joint.name)
+        self._model, self._site, self._joint = model, model.site(f"{self.name}/handle").id, number
+        self._speed, self.place = int(joint.dofadr[0]), int(joint.qposadr[0])
+        self.leaf, self.ends = int(joint.bodyid[0]), joint.range.tolist()
+        self.span = self.ends[1] - self.ends[0]
         self._slides = int(joint.type[0]) == int(simulator().mjtJoint.mjJNT_SLIDE)
 
     def way(self, data: Any) -> FloatArray:
@@ -156,14 +163,14 @@ class _Hand:
 
     def opened(self, data: Any) -> float:
         """Return how far it is open, as a share of its range."""
-        return float(data.qpos[self._place]) / self.span
+        return (float(data.qpos[self.place]) - self.ends[0]) / self.span
 
     def pull(self, data: Any, share: float, seconds: float) -> float:
         """Pull towards a share of the range, of which all is to be open after so many seconds; return with what force."""
         way = self.way(data)
         lever = float(np.linalg.norm(way))
-        behind = (share * self.span - float(data.qpos[self._place])) * lever
-        slower = ((self.span / seconds if share < 1.0 else 0.0) - float(data.qvel[self._speed])) * lever
+        behind = (share - self.opened(data)) * self.span * lever
+        slower = ((self.span / seconds if share < STOP else 0.0) - float(data.qvel[self._speed])) * lever
         force = float(np.clip(GRIP * behind + EASE * slower, -PULL, PULL))
         data.qfrc_applied[:] = 0.0
         simulator().mj_applyFT(
