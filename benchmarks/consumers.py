@@ -22,6 +22,7 @@ from typing import Any
 import numpy as np
 
 import robolayout as rl
+from benchmarks import browser
 from benchmarks.examples import ROOMS, ROOT
 from benchmarks.exports import validated
 from benchmarks.page import RESULTS
@@ -56,7 +57,6 @@ print(json.dumps(rows), file=open(sys.argv[2], "w"))
 """
 
 NOT_RUN = (
-    ("three.js in a browser", "`report.html` draws its own shapes with it; the GLB is not loaded by this command"),
     ("AI2-THOR", "the Unity program does not run here; the tests check ProcTHOR-10k's schema"),
     ("Gazebo", "it has no package in a registry of Python's"),
     ("Isaac Sim", "it needs its own installation; USD's validators are run"),
@@ -70,6 +70,7 @@ CONSUMERS: Mapping[str, str] = {
     "PyBullet, URDF": "the room and its robots",
     "Blender": "GLB",
     "trimesh": "GLB",
+    "three.js": "GLB, in Chromium",
     "gltf-validator": "GLB",
     "usd-core": "USDA and USDZ, all validators",
     "ezdxf": "DXF",
@@ -92,6 +93,8 @@ def measured(room: Path) -> Row:
         row |= _named("trimesh", _spots(result, _trimesh(glb)))
         if find_spec("bpy"):
             row |= _named("Blender", _blender(result, glb))
+        if not browser.missing():
+            row |= _named("three.js", _three(result, glb))
         row |= _named("SceneEval", sceneeval(result, Path(folder)))
         row |= _named("ezdxf", _dxf(result, dxf))
     found = validated(result, Options())
@@ -156,7 +159,18 @@ def _blender(result: rl.Result, path: Path) -> Row:
     answer = path.with_name("blender.json")
     words = [sys.executable, "-c", BLENDER, str(path), str(answer)]
     subprocess.run(words, check=True, capture_output=True)
-    rows = json.loads(answer.read_text())
+    return _boxes(result, json.loads(answer.read_text()))
+
+
+def _three(result: rl.Result, path: Path) -> Row:
+    """Return what three.js's poses and sizes differ from ours by; counts that differ from the file's are complaints."""
+    found = browser.in_three(path)
+    wrong = sum(found[what] != count for what, count in browser.held(path).items())
+    return _boxes(result, found["things"]) | {"complaints": wrong + len(found["said"])}
+
+
+def _boxes(result: rl.Result, rows: Mapping[str, Any]) -> Row:
+    """Return how far poses and sizes, seven figures for each thing, are from ours."""
     sizes = {a.name: a.size for a in result.scene.assets if a.name in result.layout}
     gaps = [abs(side - own) for name, size in sizes.items() for side, own in zip(rows[name][4:], size, strict=True)]
     return _spots(result, {name: tuple(row[:4]) for name, row in rows.items()}) | {"sizes": max(gaps)}

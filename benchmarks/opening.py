@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import statistics
 import tempfile
 from collections.abc import Callable, Iterator
@@ -10,13 +9,13 @@ from functools import partial
 from pathlib import Path
 
 import robolayout as rl
+from benchmarks.browser import FLAGS, program
 from benchmarks.examples import ROOMS, ROOT
 from benchmarks.store import Row
 from benchmarks.tables import Rows, figure, table
 
 CROWDED = "tasks/classroom_medium"
 TIMES = 5
-FLAGS = ("--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist")
 READ = "performance.getEntriesByType('navigation')[0].domContentLoadedEventEnd"
 
 
@@ -33,7 +32,7 @@ def opened(room: str) -> Row:
     result = rl.generate(ROOT / "examples" / f"{room}.json", seed=0, config=rl.SolverConfig(trace=True))
     page = rl.page_html(result)
     row: Row = {"assets": len(result.scene.assets), "kb": len(page) / 1000}
-    browser_path = shutil.which("chromium") or shutil.which("google-chrome")
+    browser_path = program()
     if browser_path is None:
         return row
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:

@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import trimesh
+from benchmarks import browser
 
 from robolayout._errors import AssetError
 from robolayout.assets import Material, Part, parts
@@ -175,8 +176,12 @@ def test_what_is_no_box_is_not_taken_for_one() -> None:
 
 def test_volumes_and_quaternions() -> None:
     assert volume(box()) == pytest.approx(0.2 * 0.3 * 0.4)
-    for angle in (0.0, 0.5, math.pi, -2.0):
-        matrix = trimesh.transformations.rotation_matrix(angle, (1, -2, 0.5))
+    turns = [(angle, (1, -2, 0.5)) for angle in (0.0, 0.5, math.pi, -2.0)] + [
+        (math.pi, (0, 1, -1)),
+        (math.pi, (-1, 1, 0)),
+    ]
+    for angle, axis in turns:
+        matrix = trimesh.transformations.rotation_matrix(angle, axis)
         same = trimesh.transformations.quaternion_matrix(quaternion(matrix[:3, :3]))
         assert np.allclose(same, matrix, atol=1e-7)
 
@@ -199,3 +204,20 @@ def test_a_huge_mesh_of_an_asset_is_refused_before_it_is_read(tmp_path: Path) ->
     scene = Scene(Room(((0, 0), (4, 0), (4, 4), (0, 4)), 2.5), (Asset("vase-0", "vase", (0.2, 0.2, 0.3), path=mesh),))
     with pytest.raises(AssetError, match=r"huge\.glb"):
         export(scene, Layout({"vase-0": Pose(1, 1, 0.15, 0)}), "glb", folder=tmp_path / "out")
+
+
+@pytest.mark.slow
+def test_three_js_finds_and_draws_what_the_file_holds(scene: Scene, layout: Layout, tmp_path: Path) -> None:
+    if reason := browser.missing():
+        pytest.skip(reason)
+    path = export(scene, layout, tmp_path / "room.glb")
+    found = browser.in_three(path)
+    assert found["said"] == []
+    assert {name: found[name] for name in ("lights", "cameras", "textures", "triangles")} == browser.held(path)
+    assert found["triangles"] > 1000 and found["lights"] and found["textures"]
+    assert set(found["things"]) == set(layout)
+    for name, row in found["things"].items():
+        pose = layout[name]
+        assert row[:3] == pytest.approx((pose.x, pose.y, pose.z), abs=1e-5)
+        assert math.remainder(row[3] - pose.yaw, 2 * math.pi) == pytest.approx(0.0, abs=1e-5)
+        assert row[4:] == pytest.approx(scene.by_name[name].size, abs=1e-5)

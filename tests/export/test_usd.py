@@ -6,8 +6,10 @@ import zipfile
 from collections import Counter
 from pathlib import Path
 
+import mujoco
+import numpy as np
 import pytest
-from pxr import Gf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdShade, UsdValidation
+from pxr import Gf, Tf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdShade, UsdValidation
 
 from robolayout.assets import category_of, parts
 from robolayout.export import EXPORTERS, Options, export
@@ -72,16 +74,31 @@ def test_no_rigid_body_is_nested_or_in_an_instance_and_each_has_a_mass(stage: Us
     assert nested(stage) == []
     assert not any(prim.IsInstanceProxy() for prim in bodies)  # simulators take colliders there, no bodies
     assert all(UsdPhysics.MassAPI(p).GetMassAttr().Get() > 0 for p in bodies)
-    weights = {}
-    for prim in stage.GetPrimAtPath("/World/Assets").GetChildren():
-        whole = next((p for p in (prim, prim.GetChild("body")) if p and p.HasAPI(UsdPhysics.RigidBodyAPI)), None)
-        if whole is not None:
-            weights[prim.GetAttribute("robolayout:name").Get()] = UsdPhysics.MassAPI(whole).GetMassAttr().Get()
-    movable = {"table_lamp-0", "dining_chair-0", "potted_plant-0"}
-    assert movable <= set(weights)
-    for name, weight in weights.items():
-        assert weight == pytest.approx(mass(scene.by_name[name]), rel=1e-6)
-        assert name not in movable or 0.2 < weight < 60
+
+
+def test_masses_and_inertias_are_those_of_mjcf(stage: Usd.Stage, scene: Scene, layout: Layout) -> None:
+    model = mujoco.MjModel.from_xml_string(EXPORTERS["mjcf"].write(scene, layout, Options()).decode())
+    names = {Tf.MakeValidIdentifier(model.body(i).name): i for i in range(model.nbody)}
+    weights: dict[str, float] = {}
+    for prim in prims(stage):
+        if not prim.HasAPI(UsdPhysics.RigidBodyAPI) or "/Assets/" not in str(prim.GetPath()):
+            continue
+        thing, _, link = str(prim.GetPath()).removeprefix("/World/Assets/").partition("/")
+        body = names[thing if link in ("", "body") else f"{thing}_{link}"]
+        solid = UsdPhysics.MassAPI(prim)
+        weight, middle = solid.GetMassAttr().Get(), solid.GetCenterOfMassAttr().Get()
+        turn = Gf.Matrix3d(Gf.Rotation(solid.GetPrincipalAxesAttr().Get()))  # its rows are the axes
+        axes, moments = np.array(turn).T, np.array(solid.GetDiagonalInertiaAttr().Get())
+        rotation = np.zeros(9)
+        mujoco.mju_quat2Mat(rotation, model.body_iquat[body])
+        known = rotation.reshape(3, 3) @ np.diag(model.body_inertia[body]) @ rotation.reshape(3, 3).T
+        assert weight == pytest.approx(model.body_mass[body], rel=1e-5), prim
+        assert tuple(middle) == pytest.approx(model.body_ipos[body], abs=1e-5), prim
+        assert np.allclose(axes @ np.diag(moments) @ axes.T, known, rtol=1e-3, atol=1e-6), prim
+        weights[thing] = weights.get(thing, 0.0) + weight
+    assert {"table_lamp_0", "dining_chair_0", "potted_plant_0", "wardrobe_0"} <= set(weights)
+    for name, asset in scene.by_name.items():
+        assert weights.get(name.replace("-", "_"), mass(asset)) == pytest.approx(mass(asset), rel=1e-5)
 
 
 def test_walls_and_fixed_things_are_colliders_without_a_body(stage: Usd.Stage) -> None:

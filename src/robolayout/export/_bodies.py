@@ -131,15 +131,20 @@ class Thing:
     free: bool = False  # whether it may move as a whole; else it is welded to the world
     asset: Asset | None = None  # None for the room
 
-    def folder(self) -> str:
-        """Return the path of the folder for all things that are alike."""
+    @property
+    def kind(self) -> str:
+        """A name for all things that are alike: what they are and a digest."""
         shapes = [shape for link in self.links for shape in link.shapes]
         hidden = [(box.center.tolist(), box.half.tolist()) for s in shapes if not s.seen and (box := s.box) is not None]
         asset, facts = self.asset, (self.friction, self.free, [shape.mass for shape in shapes], hidden)
         if asset is None:
-            return f"models/{kind_name('room', [shape.part for shape in shapes], *facts)}"
-        facts = (asset.category, asset.size, *facts)
-        return f"models/{kind_name(category_of(asset).name, [shape.part for shape in shapes], *facts)}"
+            return kind_name("room", [shape.part for shape in shapes], *facts)
+        return kind_name(category_of(asset).name, [shape.part for shape in shapes], asset.category, asset.size, *facts)
+
+    @property
+    def folder(self) -> str:
+        """The path of the folder of its kind, for SDF and URDF."""
+        return f"models/{self.kind}"
 
     def meshes(self) -> dict[str, bytes]:
         """Return the meshes that its model refers to, by their paths from its folder."""

@@ -178,11 +178,14 @@ def _upright(box: Box) -> Box:
 
 def quaternion(rotation: FloatArray) -> tuple[float, float, float, float]:
     """Return (w, x, y, z) of a rotation matrix, with w >= 0."""
-    m = rotation
-    w = math.sqrt(max(0.0, 1 + m[0, 0] + m[1, 1] + m[2, 2])) / 2
-    x = math.copysign(math.sqrt(max(0.0, 1 + m[0, 0] - m[1, 1] - m[2, 2])) / 2, m[2, 1] - m[1, 2])
-    y = math.copysign(math.sqrt(max(0.0, 1 - m[0, 0] + m[1, 1] - m[2, 2])) / 2, m[0, 2] - m[2, 0])
-    z = math.copysign(math.sqrt(max(0.0, 1 - m[0, 0] - m[1, 1] + m[2, 2])) / 2, m[1, 0] - m[0, 1])
+    trace, odd = float(np.trace(rotation)), rotation - rotation.T
+    squares = np.diag(
+        [1 + trace, *[1 - trace] * 3]
+    )  # 4 q q^T, of which the row of the largest entry is exact at half turns too
+    squares[1:, 1:] += rotation + rotation.T
+    squares[0, 1:] = squares[1:, 0] = odd[2, 1], odd[0, 2], odd[1, 0]
+    row = squares[squares.diagonal().argmax()]
+    w, x, y, z = (row * math.copysign(1.0, row[0]) / np.linalg.norm(row) + 0.0).tolist()
     return (w, x, y, z)
 
 

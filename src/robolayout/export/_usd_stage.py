@@ -11,7 +11,7 @@ import hashlib
 import math
 import tempfile
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -19,12 +19,11 @@ import numpy as np
 from pxr import Gf, Kind, Sdf, Tf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantics, UsdShade, Vt
 
 from robolayout._text import xml
-from robolayout.assets import Joint, Material, Part, category_of, room_parts
+from robolayout.assets import Joint, Material, Part, category_of
 from robolayout.assets.textures import media_type, picture
-from robolayout.export._bodies import LEAF_MASS, SMALLEST_VOLUME
-from robolayout.export._exporter import Options, is_movable, is_trim, kind_name, mass, placed
-from robolayout.export._mesh import base_color, linear, volume, welded
-from robolayout.export._rugs import laid_parts
+from robolayout.export._bodies import Link, Thing, things
+from robolayout.export._exporter import Options
+from robolayout.export._mesh import Box, Surface, base_color, linear, quaternion, welded
 from robolayout.export._scenery import ASPECT, FIELD, LUMENS, WARM, lamp, overview
 from robolayout.scene import Asset, Layout, Room, Scene
 
@@ -36,6 +35,9 @@ THING, SHAPES = "/Thing", "/Shapes"
 ROUTE_WIDTH = 0.03
 """Width in metres that routes are drawn with."""
 
+LIGHTEST = 1e-4
+"""Kilograms of a link of which nothing has a mass, as in MJCF."""
+
 DOORS = "doors"
 """Variant set of what has joints: "shut", "open", and "drawn" where it is drawn half-open."""
 
@@ -43,33 +45,10 @@ Row = tuple[str, tuple[float, float, float], float, tuple[float, float, float]]
 """Name, position, degrees about z, size."""
 
 
-@dataclass(frozen=True)
-class _Kind:
-    """What stands in one file: the room, or all things that are alike."""
-
-    file: str  # path of its layer beside that of the room
-    pieces: tuple[Part, ...]  # its parts, in its own frame
-    asset: Asset | None = None  # one of those things; None for the room
-    movable: bool = False  # whether a person can move it
-
-    @property
-    def jointed(self) -> bool:
-        """Whether something of it moves by itself."""
-        return any(part.joint is not None for part in self.pieces)
-
-
-def _kinds(scene: Scene, layout: Layout, options: Options) -> Iterator[_Kind]:
-    """Yield the kind of the room, then that of every placed asset."""
-    pieces = room_parts(scene.room, seed=options.seed)
-    yield _Kind(_file("room", pieces), pieces)
-    for asset, _ in placed(scene, layout):
-        pieces, movable = laid_parts(asset, scene, layout, seed=options.seed), is_movable(asset, scene, layout)
-        facts = (asset.category, category_of(asset).name, asset.size, movable)
-        yield _Kind(_file(category_of(asset).name, pieces, *facts), pieces, asset, movable)
-
-
-def _file(name: str, pieces: tuple[Part, ...], *facts: object) -> str:
-    return f"things/{kind_name(name, pieces, *facts)}.usdc"
+def _things(scene: Scene, layout: Layout, options: Options) -> Iterator[tuple[Thing, str]]:
+    """Yield the room and every placed asset with the path of its layer beside that of the room; variants say how doors stand."""
+    for thing in things(scene, layout, replace(options, leaves="swinging")):
+        yield thing, f"things/{thing.kind}.usdc"
 
 
 def room_stage(scene: Scene, layout: Layout, options: Options) -> Any:
@@ -78,38 +57,44 @@ def room_stage(scene: Scene, layout: Layout, options: Options) -> Any:
     physics = UsdPhysics.Scene.Define(stage, f"{WORLD}/Physics")
     physics.CreateGravityDirectionAttr(Gf.Vec3f(0, 0, -1))
     physics.CreateGravityMagnitudeAttr(9.81)
-    kinds = _kinds(scene, layout, options)
-    room = _payload(stage, ROOM, next(kinds))
+    rows = _things(scene, layout, options)
+    room = _payload(stage, ROOM, *next(rows))
     if scene.room.doors and options.leaves != "swinging":
         room.GetVariantSets().GetVariantSet(DOORS).SetVariantSelection(options.leaves)
     group = UsdGeom.Xform.Define(stage, ASSETS).GetPrim()
     Usd.ModelAPI(group).SetKind(Kind.Tokens.group)
     taken: set[str] = set()
-    for (asset, pose), kind in zip(placed(scene, layout), kinds, strict=True):
-        name = xml(asset.name)
-        prim = _payload(stage, _free(ASSETS, name, taken), kind)
+    for thing, file in rows:
+        prim = _payload(stage, _free(ASSETS, xml(thing.name), taken), thing, file)
         form = UsdGeom.Xformable(prim)
-        form.AddTranslateOp().Set(Gf.Vec3d(pose.x, pose.y, pose.z))
-        form.AddRotateZOp(UsdGeom.XformOp.PrecisionDouble).Set(math.degrees(pose.yaw))
-        prim.SetInstanceable(not kind.jointed)
-        prim.SetDisplayName(name)
-        prim.SetDocumentation(xml(asset.description) or xml(asset.category))
-        _custom(prim, "name", Sdf.ValueTypeNames.String, name)
-        _custom(prim, "category", Sdf.ValueTypeNames.String, xml(asset.category))
-        _custom(prim, "size", Sdf.ValueTypeNames.Double3, Gf.Vec3d(*asset.size))
-        _custom(prim, "movable", Sdf.ValueTypeNames.Bool, kind.movable)
-        UsdSemantics.LabelsAPI.Apply(prim, "instance").CreateLabelsAttr([name])
+        form.AddTranslateOp().Set(Gf.Vec3d(thing.pose.x, thing.pose.y, thing.pose.z))
+        form.AddRotateZOp(UsdGeom.XformOp.PrecisionDouble).Set(math.degrees(thing.pose.yaw))
+        prim.SetInstanceable(len(thing.links) == 1)
+        if thing.asset is not None:
+            _described(prim, thing.asset, movable=thing.free)
     _camera(stage, scene.room)
     _routes(stage, options)
     return stage
 
 
+def _described(prim: Any, asset: Asset, *, movable: bool) -> None:
+    """Say what an asset is."""
+    name = xml(asset.name)
+    prim.SetDisplayName(name)
+    prim.SetDocumentation(xml(asset.description) or xml(asset.category))
+    _custom(prim, "name", Sdf.ValueTypeNames.String, name)
+    _custom(prim, "category", Sdf.ValueTypeNames.String, xml(asset.category))
+    _custom(prim, "size", Sdf.ValueTypeNames.Double3, Gf.Vec3d(*asset.size))
+    _custom(prim, "movable", Sdf.ValueTypeNames.Bool, movable)
+    UsdSemantics.LabelsAPI.Apply(prim, "instance").CreateLabelsAttr([name])
+
+
 def kind_layers(scene: Scene, layout: Layout, options: Options) -> dict[str, bytes]:
     """Return the layers that the room's refers to and their textures, by their paths from its folder."""
     files: dict[str, bytes] = {}
-    for kind in _kinds(scene, layout, options):
-        if kind.file not in files:
-            files[kind.file] = binary(_KindLayer(kind, files).stage)
+    for thing, file in _things(scene, layout, options):
+        if file not in files:
+            files[file] = binary(_KindLayer(thing, files).stage)
     return files
 
 
@@ -133,12 +118,12 @@ def _stage(root: str, kind: str) -> Any:
     return stage
 
 
-def _payload(stage: Any, path: str, kind: _Kind) -> Any:
+def _payload(stage: Any, path: str, thing: Thing, file: str) -> Any:
     """Return a new prim whose content is the layer of a kind, with its bounds while that is not loaded."""
     prim = UsdGeom.Xform.Define(stage, path).GetPrim()
-    prim.GetPayloads().AddPayload(f"./{kind.file}")
+    prim.GetPayloads().AddPayload(f"./{file}")
     Usd.ModelAPI(prim).SetKind(Kind.Tokens.component)
-    points = np.concatenate([part.vertices for part in kind.pieces])
+    points = np.concatenate([s.part.vertices + link.at for link in thing.links for s in link.shapes if s.seen])
     corners = np.array([points.min(axis=0), points.max(axis=0)], np.float32)
     UsdGeom.ModelAPI.Apply(prim).SetExtentsHint(Vt.Vec3fArray.FromNumpy(corners))
     return prim
@@ -161,55 +146,54 @@ class _KindLayer:
     (none in another), its shape an instance within the file, and the thing an articulation; what nobody can move is fixed to its place.
     """
 
-    def __init__(self, kind: _Kind, files: dict[str, bytes]) -> None:
-        self.kind = kind
+    def __init__(self, thing: Thing, files: dict[str, bytes]) -> None:
+        self.thing = thing
         self.files = files
         self.stage = _stage(THING, Kind.Tokens.component)
         self.looks: dict[object, Any] = {}
         self.taken: set[str] = set()
-        root, asset = self.stage.GetPrimAtPath(THING), kind.asset
+        root, asset, base = self.stage.GetPrimAtPath(THING), thing.asset, thing.links[0]
         if asset is not None:
             labels = dict.fromkeys((category_of(asset).name, xml(asset.category)))
             UsdSemantics.LabelsAPI.Apply(root, "class").CreateLabelsAttr(list(labels))
-        if kind.jointed:
-            self.linked(asset)
+        if len(thing.links) > 1:
+            self.linked()
         else:
-            self.shape(THING, kind.pieces, rigid=kind.movable)
-            if asset is not None and kind.movable:
-                _rigid(root, mass(asset))
-        if asset is not None and (bulb := lamp(kind.pieces)) is not None:
+            self.shape(THING, base)
+            if thing.free:
+                _rigid(root, base)
+        bulb = lamp(tuple(shape.part for shape in base.shapes))
+        if asset is not None and bulb is not None:
             light = UsdLux.SphereLight.Define(self.stage, _free(THING, "light", self.taken))
             light.CreateRadiusAttr(BULB)
             light.CreateIntensityAttr(LUMENS / (2 * math.pi * BULB) ** 2)
             light.CreateColorAttr(Gf.Vec3f(*WARM))
             light.AddTranslateOp().Set(Gf.Vec3d(*bulb))
 
-    def linked(self, asset: Asset | None) -> None:
+    def linked(self) -> None:
         """Add what stays and what moves as links, and the joints between them."""
         self.stage.CreateClassPrim(SHAPES)
-        rigid, pieces = asset is not None, self.kind.pieces
-        base = self.link("body", tuple(part for part in pieces if part.joint is None), rigid=rigid)
-        if asset is not None:
+        base = self.link("body", self.thing.links[0])
+        if self.thing.asset is not None:
             UsdPhysics.ArticulationRootAPI.Apply(self.stage.GetPrimAtPath(THING))
-            _rigid(base, mass(asset))
-            if not self.kind.movable:
+            _rigid(base, self.thing.links[0])
+            if not self.thing.free:
                 path = _free(THING, "body joint", self.taken)
                 _connect(UsdPhysics.FixedJoint.Define(self.stage, path), THING, base)
         links: dict[Joint, Any] = {}
-        for joint in dict.fromkeys(part.joint for part in pieces if part.joint is not None):
-            group = [part for part in pieces if part.joint == joint]
-            moved = tuple(replace(part, vertices=part.vertices - joint.at) for part in group)
-            links[joint] = self.link(joint.name, moved, rigid=True)
-            _rigid(links[joint], LEAF_MASS * sum(max(volume(part), SMALLEST_VOLUME) for part in group))
-            self.joint(joint, base, links[joint])
+        for link in self.thing.links:
+            if link.joint is not None:
+                prim = links[link.joint] = self.link(link.joint.name, link)
+                _rigid(prim, link)
+                self.joint(link.joint, base, prim)
         self.variants(links)
 
-    def link(self, name: str, pieces: tuple[Part, ...], *, rigid: bool) -> Any:
+    def link(self, name: str, link: Link) -> Any:
         """Add a link and return its prim; its shape is an instance."""
         prim = UsdGeom.Xform.Define(self.stage, _free(THING, name, self.taken)).GetPrim()
         path = _free(SHAPES, name, self.taken)
         UsdGeom.Xform.Define(self.stage, path)
-        self.shape(path, pieces, rigid=rigid)
+        self.shape(path, link)
         shape = UsdGeom.Xform.Define(self.stage, f"{prim.GetPath()}/shape").GetPrim()
         shape.GetReferences().AddInternalReference(path)
         shape.SetInstanceable(True)
@@ -244,35 +228,24 @@ class _KindLayer:
                     orient.Set(Gf.Quatf(turn.GetQuat()))
         variants.SetVariantSelection(next(iter(states)))
 
-    def shape(self, folder: str, pieces: tuple[Part, ...], *, rigid: bool) -> None:
-        """Add one mesh for each part, each its own collider, and what they look like, so that nothing outside is referred to."""
-        asset = self.kind.asset
-        if asset is not None:
-            self.bind(self.stage.GetPrimAtPath(folder), self.friction(folder, category_of(asset).friction), "physics")
-        for part in pieces:
-            if not len((shape := welded(part)).indices):
+    def shape(self, folder: str, link: Link) -> None:
+        """Add what a link is made of and what it looks like, so that nothing outside is referred to; what is touched is a collider."""
+        self.bind(self.stage.GetPrimAtPath(folder), self.friction(folder, self.thing.friction), "physics")
+        for shape in link.shapes:
+            path = _free(folder, shape.part.name, self.taken)
+            if not shape.seen and shape.box is not None:
+                prim = _cube(self.stage, path, shape.box)
+            elif len((surface := welded(shape.part)).indices):
+                prim = _mesh(self.stage, path, surface, shape.part)
+                self.bind(prim, self.look(folder, shape.part.material))
+            else:
                 continue
-            mesh = UsdGeom.Mesh.Define(self.stage, _free(folder, part.name, self.taken))
-            points = Vt.Vec3fArray.FromNumpy(shape.positions.astype(np.float32))
-            mesh.CreatePointsAttr(points)
-            mesh.CreateFaceVertexCountsAttr(Vt.IntArray.FromNumpy(np.full(len(shape.indices), 3, np.int32)))
-            mesh.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(shape.indices.reshape(-1).astype(np.int32)))
-            mesh.CreateNormalsAttr(Vt.Vec3fArray.FromNumpy(shape.normals.astype(np.float32)))
-            mesh.SetNormalsInterpolation(UsdGeom.Tokens.faceVarying)
-            mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
-            mesh.CreateExtentAttr(UsdGeom.PointBased.ComputeExtent(points))
-            mesh.CreateDoubleSidedAttr(not part.convex)
-            if part.material.texture is not None:
-                places = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(
-                    "st", Sdf.ValueTypeNames.TexCoord2fArray, UsdGeom.Tokens.faceVarying
-                )
-                places.Set(Vt.Vec2fArray.FromNumpy((shape.uvs * (1, -1) + (0, 1)).astype(np.float32)))
-            prim = mesh.GetPrim()
-            self.bind(prim, self.look(folder, part.material))
-            if not is_trim(part) and (asset is None or not asset.is_flat):
+            if not shape.seen:
+                UsdGeom.Imageable(prim).CreatePurposeAttr(UsdGeom.Tokens.guide)
+            if shape.touched:
                 UsdPhysics.CollisionAPI.Apply(prim)
-                collider = UsdPhysics.MeshCollisionAPI.Apply(prim)
-                collider.CreateApproximationAttr(_approximation(part, rigid))
+                if prim.IsA(UsdGeom.Mesh):
+                    UsdPhysics.MeshCollisionAPI.Apply(prim).CreateApproximationAttr(UsdPhysics.Tokens.convexHull)
 
     def bind(self, prim: Any, material: Any, purpose: str = "") -> None:
         """Bind a material to a prim."""
@@ -338,10 +311,45 @@ class _KindLayer:
         return look
 
 
-def _rigid(prim: Any, weight: float) -> None:
-    """Make a prim a rigid body of some kilograms."""
+def _cube(stage: Any, path: str, box: Box) -> Any:
+    """Return a new box."""
+    cube = UsdGeom.Cube.Define(stage, path)
+    place = np.eye(4)
+    place[:3, :3], place[3, :3] = np.diag(box.half) @ box.rotation.T, box.center
+    cube.AddTransformOp().Set(Gf.Matrix4d(place.tolist()))
+    return cube.GetPrim()
+
+
+def _mesh(stage: Any, path: str, surface: Surface, part: Part) -> Any:
+    """Return a new mesh of a part."""
+    mesh = UsdGeom.Mesh.Define(stage, path)
+    points = Vt.Vec3fArray.FromNumpy(surface.positions.astype(np.float32))
+    mesh.CreatePointsAttr(points)
+    mesh.CreateFaceVertexCountsAttr(Vt.IntArray.FromNumpy(np.full(len(surface.indices), 3, np.int32)))
+    mesh.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(surface.indices.reshape(-1).astype(np.int32)))
+    mesh.CreateNormalsAttr(Vt.Vec3fArray.FromNumpy(surface.normals.astype(np.float32)))
+    mesh.SetNormalsInterpolation(UsdGeom.Tokens.faceVarying)
+    mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
+    mesh.CreateExtentAttr(UsdGeom.PointBased.ComputeExtent(points))
+    mesh.CreateDoubleSidedAttr(not part.convex)
+    if part.material.texture is not None:
+        kind = Sdf.ValueTypeNames.TexCoord2fArray
+        places = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar("st", kind, UsdGeom.Tokens.faceVarying)
+        places.Set(Vt.Vec2fArray.FromNumpy((surface.uvs * (1, -1) + (0, 1)).astype(np.float32)))
+    return mesh.GetPrim()
+
+
+def _rigid(prim: Any, link: Link) -> None:
+    """Make a prim a rigid body with the mass and inertia of a link."""
+    weight, middle, inertia = link.inertia()
+    moments, axes = np.linalg.eigh(inertia)
+    turn = quaternion(axes * np.sign(np.linalg.det(axes)))
     UsdPhysics.RigidBodyAPI.Apply(prim)
-    UsdPhysics.MassAPI.Apply(prim).CreateMassAttr(weight)
+    solid = UsdPhysics.MassAPI.Apply(prim)
+    solid.CreateMassAttr(max(weight, LIGHTEST))
+    solid.CreateCenterOfMassAttr(Gf.Vec3f(*middle.tolist()))
+    solid.CreateDiagonalInertiaAttr(Gf.Vec3f(*moments.tolist()))
+    solid.CreatePrincipalAxesAttr(Gf.Quatf(*turn))
 
 
 def _connect(made: Any, still: Any, moving: Any, joint: Joint | None = None) -> None:
@@ -372,13 +380,6 @@ def _camera(stage: Any, room: Room) -> None:
     matrix = np.eye(4)
     matrix[:3, :3], matrix[3, :3] = view.rotation.T, view.position
     camera.AddTransformOp().Set(Gf.Matrix4d(matrix.tolist()))
-
-
-def _approximation(part: Part, rigid: bool) -> str:
-    """Return how a simulator makes a collider of a part: convex parts are their own hull."""
-    if part.convex:
-        return UsdPhysics.Tokens.convexHull
-    return UsdPhysics.Tokens.convexDecomposition if rigid else UsdPhysics.Tokens.none
 
 
 def _custom(prim: Any, name: str, kind: Any, value: object) -> None:

@@ -32,7 +32,7 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
         pose, name = thing.pose, _legal(thing.name, taken)
         place = f"{pose.x!r} {pose.y!r} {pose.z!r} 0 0 {pose.yaw!r}"
         kept = {} if thing.asset is None else {"robolayout:thing": facts(thing.asset)}
-        put(world, "include", {"uri": f"model://{thing.folder()}", "name": name, "pose": place, **kept})
+        put(world, "include", {"uri": f"model://{thing.folder}", "name": name, "pose": place, **kept})
         if not thing.free and len(thing.links) > 1:
             _joint(world, f"{name}::{BASE}", "world", {"@type": "fixed"})
     put(world, "light", {"@name": "sun", "@type": "directional", "pose": "0 0 6 0 0 0", "direction": "0.35 -0.25 -1"})
@@ -43,7 +43,7 @@ def beside(scene: Scene, layout: Layout, options: Options) -> dict[str, bytes]:
     """Return the model folders by path."""
     files: dict[str, bytes] = {}
     for thing in things(scene, layout, options):
-        folder = thing.folder()
+        folder = thing.folder
         if f"{folder}/model.sdf" not in files:
             config = ET.Element("model")
             put(config, "name", folder.rpartition("/")[2])

@@ -26,7 +26,7 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     robot, world = _robot(scene.name), free_name("world", scene)
     put(robot, "link", {"@name": world})
     for thing in things(scene, layout, options):
-        pose, folder = thing.pose, thing.folder()
+        pose, folder = thing.pose, thing.folder
         origin = {"@xyz": f"{pose.x!r} {pose.y!r} {pose.z!r}", "@rpy": f"0 0 {pose.yaw!r}"}
         if thing.asset is not None:
             file = {"@file": f"{folder}/model.urdf"} if thing.free else {}
@@ -41,7 +41,7 @@ def beside(scene: Scene, layout: Layout, options: Options) -> dict[str, bytes]:
     """Return the meshes of all things and the robots of those that are free, by path."""
     files: dict[str, bytes] = {}
     for thing in things(scene, layout, options):
-        folder = thing.folder()
+        folder = thing.folder
         files |= {f"{folder}/{path}": data for path, data in thing.meshes().items()}
         if thing.free:
             robot = _robot(folder.rpartition("/")[2])
