@@ -77,6 +77,10 @@ def in_three(glb: Path) -> dict[str, Any]:
     """Return what three.js finds and draws of a GLB: poses and sizes of things, counts, and what the browser complains of."""
     said: list[str] = []
 
+    def heard(message: Any) -> None:
+        if message.type in ("error", "warning"):
+            said.append(str(message.text))
+
     def answer(route: Any) -> None:
         wanted = str(route.request.url).removeprefix(SITE)
         if wanted.startswith("three/"):
@@ -89,8 +93,8 @@ def in_three(glb: Path) -> dict[str, Any]:
     with import_module("playwright.sync_api").sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=program(), args=list(FLAGS))
         tab = browser.new_page()
-        tab.on("console", lambda message: said.append(message.text) if message.type in ("error", "warning") else None)
-        tab.on("pageerror", lambda error: said.append(str(error)))
+        tab.on("console", heard)
+        tab.on("pageerror", said.append)
         tab.route(f"{SITE}**", answer)
         tab.goto(SITE)
         tab.wait_for_selector("body[data-found]", state="attached")
