@@ -77,6 +77,9 @@ def in_three(glb: Path) -> dict[str, Any]:
     """Return what three.js finds and draws of a GLB: poses and sizes of things, counts, and what the browser complains of."""
     said: list[str] = []
 
+    def failed(error: Any) -> None:
+        said.append(str(error))
+
     def heard(message: Any) -> None:
         if message.type in ("error", "warning"):
             said.append(str(message.text))
@@ -94,7 +97,7 @@ def in_three(glb: Path) -> dict[str, Any]:
         browser = playwright.chromium.launch(executable_path=program(), args=list(FLAGS))
         tab = browser.new_page()
         tab.on("console", heard)
-        tab.on("pageerror", said.append)
+        tab.on("pageerror", failed)
         tab.route(f"{SITE}**", answer)
         tab.goto(SITE)
         tab.wait_for_selector("body[data-found]", state="attached")

@@ -25,6 +25,7 @@ from robolayout.export._rugs import laid_parts
 from robolayout.export.glb import document
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
+NEEDED = "bpy, python-fcl, omegaconf, mapbox_earcut, pydantic and trimesh"
 BALLS = {"ball", "exercise ball"}
 """They touch by a point, which holds nothing by its rule."""
 
@@ -101,7 +102,9 @@ def test_descriptions_lie_where_its_layoutvlm_data_set_looks(written: Path, scen
 def test_its_own_code_finds_everything_upright_held_and_apart(tmp_path: Path) -> None:
     home, python = os.environ.get("ROBOLAYOUT_SCENEEVAL", ""), os.environ.get("ROBOLAYOUT_BLENDER_PYTHON", "")
     if not (home and python):
-        pytest.skip("ROBOLAYOUT_SCENEEVAL (its folder) and ROBOLAYOUT_BLENDER_PYTHON (with bpy and fcl) are not set")
+        pytest.skip(
+            "set ROBOLAYOUT_SCENEEVAL to a clone of it and ROBOLAYOUT_BLENDER_PYTHON to a Python with " + NEEDED
+        )
     result = rl.generate(Path(__file__).parents[2] / "examples" / "bedroom.json")
     path = export(result.scene, result.layout, "sceneeval", folder=tmp_path)
     judge, out = Path(__file__).with_name("sceneeval_judge.py"), tmp_path / "out.json"
