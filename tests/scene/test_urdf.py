@@ -121,7 +121,11 @@ def test_meshes(tmp_path: Path, filename: str) -> None:
         (link('<mesh filename="broken.dae"/>'), "mesh broken.dae is broken and cannot be used"),
         (link('<mesh filename="x.stl"/>'), "mesh 'x.stl' is not in the model's folder or package; put it there."),
         (link('<mesh filename="/../../etc/x.stl"/>'), "is not in the model's folder or package; put it there."),
-        (link('<mesh filename="package://../../x.stl"/>'), "is not in the model's folder or package; put it there."),
+        (link('<mesh filename="package://../../x.stl"/>'), "is not in a folder '..' around the model; put it there."),
+        (
+            link('<mesh filename="package://fetch/x.stl"/>'),
+            "is not in a folder 'fetch' around the model; put it there.",
+        ),
         (
             link('<mesh filename="broken.stl"/>'),
             "mesh broken.stl holds no triangles; export it again as a triangle mesh.",

@@ -98,15 +98,16 @@ class Model:
         if Path(filename).suffix.lower() not in kinds or "\0" in filename:
             raise self.fail(f"{what} {show(filename)} is of no kind that is read ({', '.join(kinds)}); convert it.")
         home = self.path.resolve().parent
-        folders = [home, home.parent]
+        folders, where = [home, home.parent], "the model's folder or package"
         rest = filename.removeprefix("file://")
         if filename.startswith("package://"):
             package, _, rest = filename.removeprefix("package://").partition("/")
             folders = [folder for folder in (home, *home.parents[:4]) if folder.name == package] or folders
+            where = f"a folder {show(package)} around the model"
         for folder in folders:
             if inside(folder / rest, folders) and is_file(folder / rest):
                 return (folder / rest).resolve()
-        raise self.fail(f"{what} {show(filename)} is not in the model's folder or package; put it there.")
+        raise self.fail(f"{what} {show(filename)} is not in {where}; put it there.")
 
     def mesh(self, filename: str) -> Matrix:
         """Return the vertices (n, 3) of a mesh file of the model's package."""
