@@ -7,7 +7,7 @@ import json
 import math
 import re
 import struct
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import wraps
 
@@ -59,6 +59,9 @@ class Contents:
 
 Read = Callable[[bytes], Contents]
 """What reads a file's content back."""
+
+Rows = Iterable[tuple[str, Pose, Iterable[float]]]
+"""Names, poses and sizes of assets; nothing for a size that a format has no place for."""
 
 
 @dataclass(frozen=True)
@@ -183,19 +186,19 @@ def dump_json(content: object) -> bytes:
     return utf8(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False) + "\n")
 
 
-def reader(what: str) -> Callable[[Read], Read]:
-    """Return a decorator for the reader of a format: whatever it cannot read is one sentence about `what`.
+def reader(what: str) -> Callable[[Callable[[bytes], Rows]], Read]:
+    """Return a decorator for what yields the rows of a format: whatever it cannot read is one sentence about `what`.
 
-    The reader may raise `Unreadable`, or trip over what is missing in the bytes; poses must be finite.
+    It may raise `Unreadable`, or trip over what is missing in the bytes; poses must be finite.
     """
 
-    def decorate(read: Read) -> Read:
-        @wraps(read)
-        def guarded(data: bytes) -> Contents:
+    def decorate(rows: Callable[[bytes], Rows]) -> Read:
+        @wraps(rows)
+        def read(data: bytes) -> Contents:
             if len(data) > MAX_MESH_BYTES:
                 raise LayoutError(f"this {what} is larger than {MAX_MESH_BYTES // 1_000_000} MB; export fewer things.")
             try:
-                found = read(data)
+                found = _contents(rows(data))
                 poses = found.layout.items()
                 astray = [n for n, p in poses if not all(map(math.isfinite, (p.x, p.y, p.z, p.yaw)))]
             except Unreadable as error:
@@ -211,9 +214,21 @@ def reader(what: str) -> Callable[[Read], Read]:
                 )
             return found
 
-        return guarded
+        return read
 
     return decorate
+
+
+def _contents(rows: Rows) -> Contents:
+    """Return what rows say."""
+    poses: dict[str, Pose] = {}
+    sizes: dict[str, tuple[float, float, float]] = {}
+    for name, pose, size in rows:
+        poses[name] = pose
+        if sides := tuple(map(float, size)):
+            depth, width, height = sides
+            sizes[name] = (depth, width, height)
+    return Contents(Layout(poses), sizes)
 
 
 def mass(asset: Asset) -> float:

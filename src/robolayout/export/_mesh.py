@@ -181,7 +181,7 @@ def quaternion(rotation: FloatArray) -> tuple[float, float, float, float]:
     trace, odd = float(np.trace(rotation)), rotation - rotation.T
     squares = np.diag(
         [1 + trace, *[1 - trace] * 3]
-    )  # 4 q q^T, of which the row of the largest entry is exact at half turns too
+    )  # 4 q q^T; its row with the largest entry is exact at half turns too
     squares[1:, 1:] += rotation + rotation.T
     squares[0, 1:] = squares[1:, 0] = odd[2, 1], odd[0, 2], odd[1, 0]
     row = squares[squares.diagonal().argmax()]

@@ -22,10 +22,10 @@ from robolayout._text import xml
 from robolayout.assets import Joint, Material, Part, category_of
 from robolayout.assets.textures import media_type, picture
 from robolayout.export._bodies import Link, Thing, things
-from robolayout.export._exporter import Options
+from robolayout.export._exporter import Options, Rows
 from robolayout.export._mesh import Box, Surface, base_color, linear, quaternion, welded
 from robolayout.export._scenery import ASPECT, FIELD, LUMENS, WARM, lamp, overview
-from robolayout.scene import Asset, Layout, Room, Scene
+from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
 BULB = 0.05
 """Radius in metres of a lamp's light."""
@@ -40,9 +40,6 @@ LIGHTEST = 1e-4
 
 DOORS = "doors"
 """Variant set of what has joints: "shut", "open", and "drawn" where it is drawn half-open."""
-
-Row = tuple[str, tuple[float, float, float], float, tuple[float, float, float]]
-"""Name, position, degrees about z, size."""
 
 
 def _things(scene: Scene, layout: Layout, options: Options) -> Iterator[tuple[Thing, str]]:
@@ -410,8 +407,8 @@ def _routes(stage: Any, options: Options) -> None:
         _custom(curve.GetPrim(), "name", Sdf.ValueTypeNames.String, xml(name))
 
 
-def assets_of(path: Path) -> list[Row]:
-    """Return what a stage on disk says about its assets.
+def assets_of(path: Path) -> Rows:
+    """Yield what a stage on disk says about its assets.
 
     Raises:
         RuntimeError: The stage cannot be opened, or holds no `/World/Assets`.
@@ -420,10 +417,7 @@ def assets_of(path: Path) -> list[Row]:
     folder = stage.GetPrimAtPath(ASSETS) if stage else None
     if not folder:
         raise RuntimeError(f"it has no {ASSETS}")
-    rows: list[Row] = []
     for prim in folder.GetAllChildren():  # payloads are not loaded, and without them the others are no "children"
         x, y, z = prim.GetAttribute("xformOp:translate").Get()
-        depth, width, height = prim.GetAttribute("robolayout:size").Get()
-        degrees = prim.GetAttribute("xformOp:rotateZ").Get()
-        rows.append((str(prim.GetAttribute("robolayout:name").Get()), (x, y, z), degrees, (depth, width, height)))
-    return rows
+        pose = Pose(x, y, z, math.radians(prim.GetAttribute("xformOp:rotateZ").Get()))
+        yield str(prim.GetAttribute("robolayout:name").Get()), pose, prim.GetAttribute("robolayout:size").Get()

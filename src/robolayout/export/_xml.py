@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 from robolayout._reading.syntax import Unreadable, decoded, xml_root
 from robolayout._text import xml
 from robolayout.assets import Material
-from robolayout.export._exporter import Contents
 from robolayout.export._mesh import FloatArray, numbers
-from robolayout.scene import Asset, Layout, Pose
+from robolayout.scene import Asset, Pose
 
 DRAKE = "http://drake.mit.edu"
 """XML namespace of what only Drake reads."""
@@ -52,15 +51,10 @@ def rgba(material: Material) -> str:
     return " ".join(f"{value:.4g}" for value in (*material.color, material.opacity))
 
 
-def contents(rows: Iterable[tuple[str, str, str]]) -> Contents:
-    """Return what a file says about its assets: names, poses (place, roll, pitch and yaw) and sizes as it has them."""
-    poses: dict[str, Pose] = {}
-    sizes: dict[str, tuple[float, float, float]] = {}
-    for name, place, size in rows:
-        x, y, z, _, _, yaw = map(float, place.split())
-        depth, width, height = map(float, size.split())
-        poses[name], sizes[name] = Pose(x, y, z, yaw), (depth, width, height)
-    return Contents(Layout(poses), sizes)
+def pose_of(place: str) -> Pose:
+    """Return the pose that place, roll, pitch and yaw say."""
+    x, y, z, _, _, yaw = map(float, place.split())
+    return Pose(x, y, z, yaw)
 
 
 def dump_xml(root: ET.Element) -> bytes:

@@ -13,7 +13,7 @@ from itertools import pairwise
 
 from robolayout._errors import LayoutError
 from robolayout._text import printable
-from robolayout.export._exporter import Contents, Exporter, Options, placed, reader
+from robolayout.export._exporter import Exporter, Options, Rows, placed, reader
 from robolayout.scene import Asset, Layout, Opening, Point, Pose, Room, Scene
 
 APPLICATION = "ROBOLAYOUT"
@@ -203,8 +203,8 @@ def _door(room: Room, door: Opening) -> list[Group]:
 
 
 @reader("DXF file")
-def read(data: bytes) -> Contents:
-    """Return the names, poses and sizes of the inserts in a plan that this package wrote.
+def read(data: bytes) -> Rows:
+    """Yield the names, poses and sizes of the inserts in a plan that this package wrote.
 
     Raises:
         LayoutError: The bytes are no DXF text.
@@ -213,17 +213,13 @@ def read(data: bytes) -> Contents:
     if len(lines) < 4 or lines[0].strip() != "0" or lines[-1].strip() != "EOF":
         raise LayoutError("this is no DXF text: it must begin with a section and end with EOF.")
     pairs = [(int(code), value) for code, value in zip(lines[::2], lines[1::2], strict=False)]
-    poses: dict[str, Pose] = {}
-    sizes: dict[str, tuple[float, float, float]] = {}
     starts = [i for i, (code, _) in enumerate(pairs) if code == 0]
     for start, end in pairwise(starts):
         if pairs[start][1] == "INSERT" and (1001, APPLICATION) in pairs[start:end]:
             entity = dict(pairs[start:end])
-            depth, width, height, z = (float(value) for code, value in pairs[start:end] if code == 1040)
-            name = _plain(entity[1000])
-            poses[name] = Pose(float(entity[10]), float(entity[20]), z, math.radians(float(entity[50])))
-            sizes[name] = (depth, width, height)
-    return Contents(Layout(poses), sizes)
+            *size, z = (float(value) for code, value in pairs[start:end] if code == 1040)
+            pose = Pose(float(entity[10]), float(entity[20]), z, math.radians(float(entity[50])))
+            yield _plain(entity[1000]), pose, size
 
 
 DXF = Exporter("dxf", ".dxf", "the plan as a drawing: walls, doors, windows, footprints as blocks", None, write, read)

@@ -22,7 +22,7 @@ from robolayout._text import utf8
 from robolayout._version import __version__
 from robolayout.assets import Material, Part, category_of, room_parts
 from robolayout.assets.textures import media_type, picture
-from robolayout.export._exporter import Contents, Exporter, Json, Options, facts, is_movable, placed, reader
+from robolayout.export._exporter import Exporter, Json, Options, Rows, facts, is_movable, placed, reader
 from robolayout.export._mesh import Surface, base_color, linear, merged, quaternion
 from robolayout.export._rugs import laid_parts
 from robolayout.export._scenery import ASPECT, FIELD, LUMENS, WARM, lamp, overview
@@ -247,20 +247,15 @@ def document(data: bytes) -> Json:
 
 
 @reader("GLB file")
-def read(data: bytes) -> Contents:
-    """Return the names, poses and sizes in a GLB file that this package wrote."""
-    poses: dict[str, Pose] = {}
-    sizes: dict[str, tuple[float, float, float]] = {}
+def read(data: bytes) -> Rows:
+    """Yield the names, poses and sizes in a GLB file that this package wrote."""
     for node in cast(list[Json], document(data).get("nodes", [])):
         extras = cast(Mapping[str, object], node.get("extras", {}))
         if extras.get("kind") != "asset":
             continue
         x, y, z = cast(list[float], node["translation"])
         _, _, sine, cosine = cast(list[float], node["rotation"])
-        depth, width, height = cast(list[float], extras["size"])
-        poses[str(node["name"])] = Pose(x, y, z, 2 * math.atan2(sine, cosine))
-        sizes[str(node["name"])] = (depth, width, height)
-    return Contents(Layout(poses), sizes)
+        yield str(node["name"]), Pose(x, y, z, 2 * math.atan2(sine, cosine)), cast(list[float], extras["size"])
 
 
 GLB = Exporter("glb", ".glb", "glTF binary: meshes, materials, one node per asset", None, write, read)

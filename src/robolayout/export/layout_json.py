@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from robolayout._reading.syntax import decoded, json_value
-from robolayout.export._exporter import Contents, Exporter, Options, dump_json, reader
+from robolayout.export._exporter import Exporter, Options, Rows, dump_json, reader
 from robolayout.scene import Layout, Scene, layout_from_dict
 
 
@@ -14,9 +14,10 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
 
 
 @reader("layout.json")
-def read(data: bytes) -> Contents:
-    """Return the poses in such a file."""
-    return Contents(layout_from_dict(json_value(decoded(data))))
+def read(data: bytes) -> Rows:
+    """Yield the names and poses in such a file."""
+    for name, pose in layout_from_dict(json_value(decoded(data))).items():
+        yield name, pose, ()
 
 
 LAYOUT_JSON = Exporter("layout", ".layout.json", "the reference's layout.json: poses by asset name", None, write, read)

@@ -18,7 +18,7 @@ import numpy as np
 
 from robolayout.assets import Material
 from robolayout.export._bodies import DRAG, STICTION, THINNEST, Free, Link, Shape, Thing, things
-from robolayout.export._exporter import Contents, Exporter, Options, free_name, is_movable, reader
+from robolayout.export._exporter import Exporter, Options, Rows, free_name, is_movable, reader
 from robolayout.export._mesh import numbers, quaternion
 from robolayout.export._xml import dump_xml, parse_xml, rgba
 from robolayout.scene import Agent, Layout, Pose, Scene
@@ -216,27 +216,21 @@ def _agent(model: _Model, own: str, agent: Agent, pose: Pose) -> None:
 
 
 @reader("MJCF file")
-def read(data: bytes) -> Contents:
-    """Return the names, poses and sizes in a model that this package wrote.
+def read(data: bytes) -> Rows:
+    """Yield the names, poses and sizes in a model that this package wrote.
 
     Raises:
         LayoutError: The bytes are no MJCF, or declare entities.
     """
     root = parse_xml(data, "mujoco")
-    sizes: dict[str, tuple[float, float, float]] = {}
-    for entry in root.iter("numeric"):
-        kind, _, name = entry.get("name", "").partition("/")
-        if kind == "size":
-            depth, width, height = map(float, entry.get("data", "").split())
-            sizes[name] = (depth, width, height)
-    poses: dict[str, Pose] = {}
+    kept = ((*entry.get("name", "").partition("/"), entry.get("data", "")) for entry in root.iter("numeric"))
+    sizes = {name: size for kind, _, name, size in kept if kind == "size"}
     for body in root.iter("body"):
         name = body.get("name", "")
         if name in sizes:
             x, y, z = map(float, body.get("pos", "0 0 0").split())
             w, _, _, turn = map(float, body.get("quat", "1 0 0 0").split())
-            poses[name] = Pose(x, y, z, 2 * math.atan2(turn, w))
-    return Contents(Layout(poses), sizes)
+            yield name, Pose(x, y, z, 2 * math.atan2(turn, w)), map(float, sizes[name].split())
 
 
 MJCF = Exporter(

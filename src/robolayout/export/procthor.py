@@ -18,20 +18,11 @@ from typing import cast
 from robolayout._errors import LayoutError
 from robolayout._reading.syntax import decoded, json_value
 from robolayout.assets import parts
-from robolayout.export._exporter import (
-    Contents,
-    Exporter,
-    Json,
-    Options,
-    dump_json,
-    is_movable,
-    placed,
-    reader,
-    supporter,
-)
+from robolayout.export._exporter import Exporter, Json, Options, Rows, dump_json, is_movable, placed, reader, supporter
 from robolayout.export._scenery import lamp as lamp_light
 from robolayout.export._thor import as_in_thor, kept, nearest, nearest_of, rise
-from robolayout.scene import Layout, Opening, Point, Pose, Room, Scene, Wall
+from robolayout.export.mjcf import start
+from robolayout.scene import Layout, Opening, Pose, Room, Scene, Wall
 
 ROOM = "room|2"
 """Rooms of THOR are numbered from 2; 1 is outside."""
@@ -188,20 +179,10 @@ def _room(scene: Scene) -> Json:
     }
 
 
-def _entrance(room: Room) -> tuple[Point, float]:
-    """Return where the agent starts (the middle of the first door's landing, else of the room's box) and its yaw."""
-    if not room.doors:
-        low_x, low_y, high_x, high_y = room.bounds
-        return ((low_x + high_x) / 2, (low_y + high_y) / 2), 0.0
-    wall = room.walls[room.doors[0].wall]
-    return wall.point(room.doors[0].center, 0.5), math.atan2(wall.normal[1], wall.normal[0])
-
-
 def _metadata(scene: Scene, assets: dict[str, Json], left_out: Sequence[str]) -> Json:
     """Return the schema, the agent's start and our own facts."""
-    (x, y), yaw = _entrance(scene.room)
-    pose: Json = {"horizon": 30, "position": _vector(x, y, AGENT_HEIGHT), "standing": True}
-    pose["rotation"] = {"x": 0.0, "y": _degrees(yaw), "z": 0.0}
+    first = replace(start(scene, Options()), z=AGENT_HEIGHT)
+    pose: Json = {"horizon": 30, "standing": True, **_pose(first)}
     return {
         "agent": pose,
         "agentPoses": {mode: pose for mode in ("default", "arm", "locobot", "stretch")},
@@ -236,8 +217,8 @@ def _parameters(scene: Scene, layout: Layout) -> Json:
 
 
 @reader("house")
-def read(data: bytes) -> Contents:
-    """Return our names, poses and sizes in a house that this package wrote.
+def read(data: bytes) -> Rows:
+    """Yield our names, poses and sizes in a house that this package wrote.
 
     Raises:
         LayoutError: The house carries no `metadata.robolayout`.
@@ -247,18 +228,14 @@ def read(data: bytes) -> Contents:
     if "assets" not in notes:
         raise LayoutError("this house was not written by robolayout: it has no metadata.robolayout.assets.")
     objects = {str(entry["id"]): entry for entry in _flat(cast(list[Json], house["objects"]))}
-    poses: dict[str, Pose] = {}
-    sizes: dict[str, tuple[float, float, float]] = {}
     for name, note in cast(dict[str, Json], notes["assets"]).items():
         entry = note if note["id"] is None else objects[str(note["id"])]
-        depth, width, height = cast(list[float], note["size"])
-        grown = cast(list[float], note.get("thorSize", note["size"]))[2] - height
+        size = cast(list[float], note["size"])
+        grown = cast(list[float], note.get("thorSize", size))[2] - size[2]
         shift = grown / 2 if note.get("anchor") == "bottom" else 0.0
         position, rotation = cast(dict[str, float], entry["position"]), cast(dict[str, float], entry["rotation"])
         yaw = math.radians(90.0 - rotation["y"])
-        poses[name] = Pose(position["x"], position["z"], position["y"] - shift, yaw)
-        sizes[name] = (depth, width, height)
-    return Contents(Layout(poses), sizes)
+        yield name, Pose(position["x"], position["z"], position["y"] - shift, yaw), size
 
 
 def _flat(objects: list[Json]) -> list[Json]:

@@ -17,10 +17,10 @@ from robolayout._errors import LayoutError
 from robolayout._reading.syntax import decoded, json_value
 from robolayout.assets import Part
 from robolayout.export._exporter import (
-    Contents,
     Exporter,
     Json,
     Options,
+    Rows,
     dump_json,
     facts,
     hangs,
@@ -158,20 +158,15 @@ def _beside(scene: Scene, layout: Layout, options: Options) -> dict[str, bytes]:
 
 
 @reader("scene state")
-def read(data: bytes) -> Contents:
-    """Return the names, poses and sizes in a scene state that this package wrote."""
+def read(data: bytes) -> Rows:
+    """Yield the names, poses and sizes in a scene state that this package wrote."""
     content = cast(Json, json_value(decoded(data)))
     if content.get("format") != "sceneState":
         raise LayoutError(f'a scene state says "format": "sceneState", this one {content.get("format")!r}.')
-    poses: dict[str, Pose] = {}
-    sizes: dict[str, tuple[float, float, float]] = {}
     for entry in cast(list[Json], cast(Json, content["scene"])["object"]):
         m = cast(list[float], cast(Json, entry["transform"])["data"])
-        name = str(entry["id"])
-        poses[name] = Pose(m[12], m[13], m[14], math.atan2(m[9], m[8]))
-        depth, width, height = cast(list[float], cast(Json, entry["metadata"])["size"])
-        sizes[name] = (depth, width, height)
-    return Contents(Layout(poses), sizes)
+        size = cast(list[float], cast(Json, entry["metadata"])["size"])
+        yield str(entry["id"]), Pose(m[12], m[13], m[14], math.atan2(m[9], m[8])), size
 
 
 SCENEEVAL = Exporter(

@@ -11,9 +11,9 @@ import xml.etree.ElementTree as ET
 
 from robolayout._text import xml
 from robolayout.export._bodies import DRAG, STICTION, Link, Shape, Thing, things
-from robolayout.export._exporter import Contents, Exporter, Options, reader
+from robolayout.export._exporter import Exporter, Options, Rows, reader
 from robolayout.export._mesh import numbers
-from robolayout.export._xml import DRAKE, STIFF, Tree, contents, dump_xml, facts, moments, parse_xml, put, rgba
+from robolayout.export._xml import DRAKE, STIFF, Tree, dump_xml, facts, moments, parse_xml, pose_of, put, rgba
 from robolayout.scene import Layout, Scene
 
 VERSION = "1.7"
@@ -121,12 +121,11 @@ def _shape(link: ET.Element, shape: Shape, folder: str, friction: float) -> None
 
 
 @reader("SDF file")
-def read(data: bytes) -> Contents:
-    """Return the names, poses and sizes in a world that this package wrote."""
-    includes = parse_xml(data, "sdf").iter("include")
-    found = ((include, include.find(f"{{{OURS}}}thing")) for include in includes)
-    rows = ((include.findtext("pose", ""), thing.attrib) for include, thing in found if thing is not None)
-    return contents((kept["name"], pose, kept["size"]) for pose, kept in rows)
+def read(data: bytes) -> Rows:
+    """Yield the names, poses and sizes in a world that this package wrote."""
+    for include in parse_xml(data, "sdf").iter("include"):
+        if (thing := include.find(f"{{{OURS}}}thing")) is not None:
+            yield thing.attrib["name"], pose_of(include.findtext("pose", "")), map(float, thing.attrib["size"].split())
 
 
 SDF = Exporter("sdf", ".sdf", "SDF world with a model folder for each kind of thing", None, write, read, beside)

@@ -9,9 +9,9 @@ from __future__ import annotations
 import xml.etree.ElementTree as ET
 
 from robolayout.export._bodies import DRAG, STICTION, Link, Shape, Thing, things
-from robolayout.export._exporter import Contents, Exporter, Options, free_name, reader
+from robolayout.export._exporter import Exporter, Options, Rows, free_name, reader
 from robolayout.export._mesh import numbers
-from robolayout.export._xml import DRAKE, STIFF, Tree, contents, dump_xml, facts, moments, parse_xml, put, rgba
+from robolayout.export._xml import DRAKE, STIFF, Tree, dump_xml, facts, moments, parse_xml, pose_of, put, rgba
 from robolayout.scene import Layout, Scene
 
 LIMIT = {"@effort": "100", "@velocity": "2"}
@@ -113,10 +113,11 @@ def _shape(link: ET.Element, shape: Shape, folder: str, friction: float) -> None
 
 
 @reader("URDF file")
-def read(data: bytes) -> Contents:
-    """Return the names, poses and sizes in a description that this package wrote."""
-    rows = (place.attrib for place in parse_xml(data, "robot").iter("place"))
-    return contents((row["name"], f"{row['xyz']} {row['rpy']}", row["size"]) for row in rows)
+def read(data: bytes) -> Rows:
+    """Yield the names, poses and sizes in a description that this package wrote."""
+    for place in parse_xml(data, "robot").iter("place"):
+        row = place.attrib
+        yield row["name"], pose_of(f"{row['xyz']} {row['rpy']}"), map(float, row["size"].split())
 
 
 URDF = Exporter(

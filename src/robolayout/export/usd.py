@@ -7,15 +7,14 @@ Z up, metres, kilograms. The room's layer says where everything is; each kind of
 from __future__ import annotations
 
 import io
-import math
 import tempfile
 import zipfile
 from importlib.util import find_spec
 from pathlib import Path
 
 from robolayout._errors import LayoutError, MissingExtraError
-from robolayout.export._exporter import Contents, Exporter, Options, reader
-from robolayout.scene import Layout, Pose, Scene
+from robolayout.export._exporter import Exporter, Options, Rows, reader
+from robolayout.scene import Layout, Scene
 
 EXTRA = "usd"
 ALIGNMENT = 64
@@ -63,8 +62,8 @@ def write_package(scene: Scene, layout: Layout, options: Options) -> bytes:
 
 
 @reader("USD file")
-def read(data: bytes) -> Contents:
-    """Return the names, poses and sizes in USD text or a USDZ package that this package wrote.
+def read(data: bytes) -> Rows:
+    """Yield the names, poses and sizes in USD text or a USDZ package that this package wrote.
 
     Raises:
         LayoutError: USD's own library cannot open the bytes.
@@ -77,11 +76,9 @@ def read(data: bytes) -> Contents:
         path = Path(folder) / f"scene.{suffix}"
         path.write_bytes(data)
         try:
-            rows = assets_of(path)
+            yield from assets_of(path)
         except RuntimeError as error:
             raise LayoutError(f"this {suffix} file cannot be opened: {error}.") from error
-    poses = {name: Pose(x, y, z, math.radians(degrees)) for name, (x, y, z), degrees, _ in rows}
-    return Contents(Layout(poses), {name: size for name, _, _, size in rows})
 
 
 SUMMARY = "USD with one file per kind of thing: instances, joints, rigid bodies, labels"
