@@ -131,6 +131,15 @@ def free_name(word: str, scene: Scene) -> str:
     return word
 
 
+def unique(stem: str, taken: set[str], gap: str = "_") -> str:
+    """Return a name that is not taken yet, and take it: the stem, or the stem and a number."""
+    found, number = stem, 2
+    while found in taken:
+        found, number = f"{stem}{gap}{number}", number + 1
+    taken.add(found)
+    return found
+
+
 def facts(asset: Asset, *, movable: bool) -> Json:
     """Return what a file says about an asset beside its pose and shape."""
     return {

@@ -22,7 +22,7 @@ from robolayout._text import xml
 from robolayout.assets import Joint, Material, Part, category_of
 from robolayout.assets.textures import media_type, picture
 from robolayout.export._bodies import Link, Thing, things
-from robolayout.export._exporter import Options, Rows
+from robolayout.export._exporter import Options, Rows, unique
 from robolayout.export._mesh import Box, Surface, base_color, linear, quaternion, welded
 from robolayout.export._scenery import ASPECT, FIELD, LUMENS, WARM, lamp, overview
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
@@ -128,12 +128,7 @@ def _payload(stage: Any, path: str, thing: Thing, file: str) -> Any:
 
 def _free(folder: str, name: str, taken: set[str]) -> str:
     """Return a new prim path below a folder for a name of ours: legal and unique."""
-    stem = f"{folder}/{Tf.MakeValidIdentifier(name)}"
-    path, number = stem, 2
-    while path in taken:
-        path, number = f"{stem}_{number}", number + 1
-    taken.add(path)
-    return path
+    return unique(f"{folder}/{Tf.MakeValidIdentifier(name)}", taken)
 
 
 class _KindLayer:

@@ -18,7 +18,7 @@ import numpy as np
 
 from robolayout.assets import Material
 from robolayout.export._bodies import DRAG, STICTION, THINNEST, Free, Link, Shape, Thing, things
-from robolayout.export._exporter import Exporter, Options, Rows, free_name, is_movable, reader
+from robolayout.export._exporter import Exporter, Options, Rows, free_name, is_movable, reader, unique
 from robolayout.export._mesh import numbers, quaternion
 from robolayout.export._xml import dump_xml, parse_xml, rgba
 from robolayout.scene import Agent, Layout, Pose, Scene
@@ -166,11 +166,7 @@ def _mesh(model: _Model, shape: Shape) -> str:
 def _material(model: _Model, material: Material) -> str:
     """Return the name of a material; equal ones are stored once."""
     if material not in model.known:
-        taken = set(model.known.values())
-        name, number = material.name, 2
-        while name in taken:
-            name, number = f"{material.name}-{number}", number + 1
-        model.known[material] = name
+        name = model.known[material] = unique(material.name, {*model.known.values()}, "-")
         gloss = f"{(1 - material.roughness) / 2:.4g}"
         ET.SubElement(model.assets, "material", name=name, rgba=rgba(material), specular=gloss, shininess=gloss)
     return model.known[material]

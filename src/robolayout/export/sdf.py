@@ -11,7 +11,7 @@ import xml.etree.ElementTree as ET
 
 from robolayout._text import xml
 from robolayout.export._bodies import DRAG, STICTION, Link, Shape, Thing, things
-from robolayout.export._exporter import Exporter, Options, Rows, reader
+from robolayout.export._exporter import Exporter, Options, Rows, reader, unique
 from robolayout.export._mesh import numbers
 from robolayout.export._xml import DRAKE, STIFF, Tree, dump_xml, facts, moments, parse_xml, pose_of, put, rgba
 from robolayout.scene import Layout, Scene
@@ -59,12 +59,7 @@ def _root() -> ET.Element:
 
 def _legal(name: str, taken: set[str]) -> str:
     """Return a new name as SDF can hold it, without its own separators."""
-    stem = re.sub(r"[^\w .()-]", "_", xml(name)).strip("_ ") or "thing"
-    found, number = stem, 2
-    while found in taken:
-        found, number = f"{stem}_{number}", number + 1
-    taken.add(found)
-    return found
+    return unique(re.sub(r"[^\w .()-]", "_", xml(name)).strip("_ ") or "thing", taken)
 
 
 def _model(thing: Thing, folder: str) -> bytes:
