@@ -16,7 +16,7 @@ import mujoco
 import numpy as np
 
 import robolayout as rl
-from robolayout.export import Options, to_bytes
+from robolayout.export import EXPORTERS, Options
 
 SPEC = {"rooms": ["bedroom", "living room", "office"], "bodies": ["turtlebot4"], "count": 1000}
 RAYS = 16
@@ -52,8 +52,10 @@ class RoomEnv:
         self.goal = sorted(routes)[int(self.rng.integers(len(routes)))]
         self.route, self.reach = routes[self.goal], body.agent.reach
         self.radius = body.agent.radius
-        xml = to_bytes(room.scene, room.layout, "mjcf", options=Options())
-        self.model = mujoco.MjModel.from_xml_string(xml.decode())
+        mjcf = EXPORTERS["mjcf"]
+        files = mjcf.beside(room.scene, room.layout, Options()) if mjcf.beside else {}
+        xml = mjcf.write(room.scene, room.layout, Options())
+        self.model = mujoco.MjModel.from_xml_string(xml.decode(), files)
         self.data = mujoco.MjData(self.model)
         mujoco.mj_forward(self.model, self.data)
         self.place, self.steps = np.array(self.route[0], dtype=float), 0

@@ -70,12 +70,11 @@ def test_exports_keep_the_names(made: Path, name: str) -> None:
         assert (found[asset].x, found[asset].y) == pytest.approx((layout[asset].x, layout[asset].y), abs=1e-6)
 
 
-def test_mujoco_loads_them(made: Path) -> None:
+def test_mujoco_loads_them(made: Path, tmp_path: Path) -> None:
     mujoco = pytest.importorskip("mujoco")
     scene = load_scene(made / "out" / "scene.json")
-    model = mujoco.MjModel.from_xml_string(
-        to_bytes(scene, load_layout(made / "out" / "layout.json", scene), "mjcf").decode()
-    )
+    path = export(scene, load_layout(made / "out" / "layout.json", scene), "mjcf", folder=tmp_path)
+    model = mujoco.MjModel.from_xml_path(str(path))
     assert {model.body(name).name for name in NAMES} == set(NAMES)
 
 

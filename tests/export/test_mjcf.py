@@ -12,9 +12,10 @@ import pytest
 from robolayout._errors import LayoutError
 from robolayout.assets import category_of, parts
 from robolayout.export import EXPORTERS, Options
-from robolayout.export._exporter import mass
+from robolayout.export._exporter import is_movable, mass
 from robolayout.export._mesh import as_box
-from robolayout.export.mjcf import AGENT, AGENT_MASS, start
+from robolayout.export._mujoco import load
+from robolayout.export.mjcf import AGENT, AGENT_MASS, build, start
 from robolayout.scene import DEFAULT_AGENT, Agent, Layout, Pose, Scene
 
 ROUTES = {"wardrobe-0": [(4.0, 0.5), (4.0, 2.0)]}
@@ -23,8 +24,7 @@ FREE = {"table_lamp-0", "dining_chair-0", "potted_plant-0"}
 
 
 def loaded(scene: Scene, layout: Layout, options: Options) -> tuple[mujoco.MjModel, mujoco.MjData]:
-    model = mujoco.MjModel.from_xml_string(EXPORTERS["mjcf"].write(scene, layout, options).decode())
-    data = mujoco.MjData(model)
+    model, data = load(build(scene, layout, options, free=is_movable))
     mujoco.mj_forward(model, data)
     return model, data
 

@@ -9,7 +9,9 @@ import numpy as np
 import pytest
 
 from robolayout.assets import CATALOGUE, parts
-from robolayout.export import EXPORTERS, LEAVES, Options, pull_open, settle
+from robolayout.export import LEAVES, Options, pull_open, settle
+from robolayout.export._exporter import is_movable
+from robolayout.export._mujoco import load
 from robolayout.export.mjcf import build
 from robolayout.scene import DEFAULT_AGENT, Asset, Layout, Opening, Pose, Room, Scene, load_agent
 from robolayout.verify import Hold, judge_agent, usage
@@ -33,8 +35,7 @@ def room(*things: Asset, doors: tuple[Opening, ...] = ()) -> tuple[Scene, Layout
 
 
 def loaded(scene: Scene, layout: Layout, options: Options) -> tuple[mujoco.MjModel, mujoco.MjData]:
-    model = mujoco.MjModel.from_xml_string(EXPORTERS["mjcf"].write(scene, layout, options).decode())
-    data = mujoco.MjData(model)
+    model, data = load(build(scene, layout, options, free=is_movable))
     mujoco.mj_resetDataKeyframe(model, data, model.key("home").id)
     mujoco.mj_forward(model, data)
     return model, data
@@ -61,9 +62,7 @@ def pulled(model: mujoco.MjModel, data: mujoco.MjData, joint: int) -> float:
 @pytest.mark.parametrize("kind", OPENING)
 def test_everything_opens_by_its_handle_and_touches_nothing(kind: str) -> None:
     asset = thing(kind)
-    text = build(*room(asset), Options(), free=lambda *_: False)
-    model = mujoco.MjModel.from_xml_string(text.decode())
-    data = mujoco.MjData(model)
+    model, data = load(build(*room(asset), Options(), free=lambda *_: False))
     names = {part.joint.name for part in parts(asset) if part.joint is not None}
     for name in sorted(names):
         mujoco.mj_resetDataKeyframe(model, data, 0)

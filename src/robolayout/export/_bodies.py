@@ -6,9 +6,11 @@ collider is convex: a box or a part; meshes of users collide as their prisms.
 
 from __future__ import annotations
 
+import hashlib
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -62,10 +64,15 @@ class Shape:
     seen: bool = True  # whether it is seen
     touched: bool = True  # whether it collides
 
-    @property
+    @cached_property
+    def data(self) -> bytes:
+        """Its mesh as a file."""
+        return obj(self.part)
+
+    @cached_property
     def mesh(self) -> str:
-        """Where its mesh lies in the folder of its thing."""
-        return f"meshes/{self.name.rpartition('/')[2]}.obj"
+        """Where its mesh lies in the folder of its thing; other meshes have other names, since MuJoCo overlooks folders in memory."""
+        return f"meshes/{hashlib.sha256(self.data).hexdigest()[:16]}.obj"
 
     @property
     def kinds(self) -> tuple[str, ...]:
@@ -148,7 +155,7 @@ class Thing:
 
     def meshes(self) -> dict[str, bytes]:
         """Return the meshes that its model refers to, by their paths from its folder."""
-        return {s.mesh: obj(s.part) for link in self.links for s in link.shapes if s.box is None and s.kinds}
+        return {s.mesh: s.data for link in self.links for s in link.shapes if s.box is None and s.kinds}
 
 
 def things(scene: Scene, layout: Layout, options: Options, *, free: Free = is_movable) -> Iterator[Thing]:

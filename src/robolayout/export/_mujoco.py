@@ -41,10 +41,10 @@ def simulator() -> Any:
     return import_module("mujoco")
 
 
-def load(text: bytes) -> tuple[Any, Any]:
-    """Return MuJoCo's model and state for a model text."""
-    mujoco = simulator()
-    model = mujoco.MjModel.from_xml_string(text.decode())
+def load(made: tuple[bytes, dict[str, bytes]]) -> tuple[Any, Any]:
+    """Return MuJoCo's model and state for a model's text and meshes."""
+    mujoco, (text, meshes) = simulator(), made
+    model = mujoco.MjModel.from_xml_string(text.decode(), meshes)
     return model, mujoco.MjData(model)
 
 

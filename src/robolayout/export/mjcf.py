@@ -1,6 +1,6 @@
-"""MJCF: what MuJoCo loads; one self-contained XML file, mesh vertices inside.
+"""MJCF: what MuJoCo loads; an XML file, and beside it the meshes that it shares with SDF and URDF.
 
-Every asset is a body of its name. Parts that are boxes become box geoms, other convex parts inline meshes, which MuJoCo collides by
+Every asset is a body of its name. Parts that are boxes become box geoms, other convex parts meshes, which MuJoCo collides by
 their hulls. Movable things on the floor or on other things have a free joint and a mass; what is fixed, on a wall or at the ceiling has
 none. What of a thing moves (doors, drawers, lids) is a body inside its own, with a hinge or a slide and a site at its handle. The
 floor collides as a plane. An agent, if asked for, is a planar base: two slides and a hinge whose positions are its world x, y and
@@ -44,16 +44,24 @@ class _Model:
     contact: ET.Element
     actuators: ET.Element
     home: list[float] = field(default_factory=list[float])
-    known: dict[object, str] = field(default_factory=dict[object, str])
+    looks: dict[Material, str] = field(default_factory=dict[Material, str])
+    meshes: dict[str, tuple[str, bytes]] = field(
+        default_factory=dict[str, tuple[str, bytes]]
+    )  # path and content by name
 
 
 def write(scene: Scene, layout: Layout, options: Options) -> bytes:
     """Return the model with movable assets free."""
-    return build(scene, layout, options, free=is_movable)
+    return build(scene, layout, options, free=is_movable)[0]
 
 
-def build(scene: Scene, layout: Layout, options: Options, *, free: Free) -> bytes:
-    """Return the model as XML, with free joints for the assets that `free` says yes to."""
+def beside(scene: Scene, layout: Layout, options: Options) -> dict[str, bytes]:
+    """Return its meshes by path."""
+    return build(scene, layout, options, free=is_movable)[1]
+
+
+def build(scene: Scene, layout: Layout, options: Options, *, free: Free) -> tuple[bytes, dict[str, bytes]]:
+    """Return the model as XML, with free joints for the assets that `free` says yes to, and its meshes by path."""
     model = _start(scene)
     custom = ET.SubElement(model.root, "custom")
     for thing in things(scene, layout, options, free=free):
@@ -69,7 +77,7 @@ def build(scene: Scene, layout: Layout, options: Options, *, free: Free) -> byte
         _agent(model, free_name(AGENT, scene), options.agent, start(scene, options))
     key = {"name": "home", "qpos": " ".join(map(repr, model.home)), "ctrl": " ".join("0" * len(model.actuators))}
     ET.SubElement(ET.SubElement(model.root, "keyframe"), "key", {name: text for name, text in key.items() if text})
-    return dump_xml(model.root)
+    return dump_xml(model.root), dict(model.meshes.values())
 
 
 def _start(scene: Scene) -> _Model:
@@ -102,7 +110,7 @@ def _body(model: _Model, thing: Thing) -> None:
     """Add a thing as a body, and one inside it for each joint; what moves does not collide with its own thing."""
     pose, half = thing.pose, thing.pose.yaw / 2
     place = {"pos": f"{pose.x!r} {pose.y!r} {pose.z!r}", "quat": f"{math.cos(half)!r} 0 0 {math.sin(half)!r}"}
-    outer = ET.SubElement(model.world, "body", {"name": thing.name, **place})
+    outer, folder = ET.SubElement(model.world, "body", {"name": thing.name, **place}), thing.folder
     if thing.free:
         ET.SubElement(outer, "freejoint", name=thing.name)
         model.home += [pose.x, pose.y, pose.z, math.cos(half), 0.0, 0.0, math.sin(half)]
@@ -114,7 +122,7 @@ def _body(model: _Model, thing: Thing) -> None:
             ET.SubElement(model.contact, "exclude", body1=own, body2=other)
         names.append(own)
         for shape in link.shapes:
-            _geom(model, body, thing, shape)
+            _geom(model, body, thing, shape, folder)
 
 
 def _jointed(model: _Model, outer: ET.Element, own: str, link: Link) -> ET.Element:
@@ -131,8 +139,8 @@ def _jointed(model: _Model, outer: ET.Element, own: str, link: Link) -> ET.Eleme
     return body
 
 
-def _geom(model: _Model, body: ET.Element, thing: Thing, shape: Shape) -> None:
-    """Add a shape as a box or an inline mesh; the floor is a plane."""
+def _geom(model: _Model, body: ET.Element, thing: Thing, shape: Shape, folder: str) -> None:
+    """Add a shape as a box or a mesh; the floor is a plane."""
     note = {"name": f"{thing.name}/{shape.name}", "class": "solid" if shape.touched else "look"}
     if shape.touched:
         note["friction"] = f"{thing.friction:.6g} 0.005 0.0001"
@@ -143,7 +151,10 @@ def _geom(model: _Model, body: ET.Element, thing: Thing, shape: Shape) -> None:
     if thing.asset is None and not shape.seen:
         note |= {"type": "plane", "size": "0 0 0.1"}
     elif box is None:
-        note |= {"type": "mesh", "mesh": _mesh(model, shape)}
+        note |= {"type": "mesh", "mesh": shape.mesh}
+        if shape.mesh not in model.meshes:
+            model.meshes[shape.mesh] = f"{folder}/{shape.mesh}", shape.data
+            ET.SubElement(model.assets, "mesh", name=shape.mesh, file=f"{folder}/{shape.mesh}", inertia="convex")
     else:
         note |= {"type": "box", "size": numbers(box.half.tolist()), "pos": numbers(box.center.tolist())}
         if not np.allclose(box.rotation, np.eye(3), atol=1e-12):
@@ -151,25 +162,13 @@ def _geom(model: _Model, body: ET.Element, thing: Thing, shape: Shape) -> None:
     ET.SubElement(body, "geom", note)
 
 
-def _mesh(model: _Model, shape: Shape) -> str:
-    """Return the name of an inline mesh; equal ones are stored once."""
-    vertices = numbers(shape.part.vertices.reshape(-1).tolist())
-    key = ("mesh", vertices)
-    if key not in model.known:
-        model.known[key] = f"mesh-{sum(isinstance(k, tuple) and 'mesh' in k for k in model.known)}"
-        faces = " ".join(map(str, shape.part.faces.reshape(-1).tolist()))
-        content = {"name": model.known[key], "vertex": vertices, "face": faces, "inertia": "convex"}
-        ET.SubElement(model.assets, "mesh", content)
-    return model.known[key]
-
-
 def _material(model: _Model, material: Material) -> str:
     """Return the name of a material; equal ones are stored once."""
-    if material not in model.known:
-        name = model.known[material] = unique(material.name, {*model.known.values()}, "-")
+    if material not in model.looks:
+        name = model.looks[material] = unique(material.name, {*model.looks.values()}, "-")
         gloss = f"{(1 - material.roughness) / 2:.4g}"
         ET.SubElement(model.assets, "material", name=name, rgba=rgba(material), specular=gloss, shininess=gloss)
-    return model.known[material]
+    return model.looks[material]
 
 
 def start(scene: Scene, options: Options) -> Pose:
@@ -230,5 +229,11 @@ def read(data: bytes) -> Rows:
 
 
 MJCF = Exporter(
-    "mjcf", ".xml", "MuJoCo's XML: colliders, free joints, masses, the agent as a planar base", None, write, read
+    "mjcf",
+    ".xml",
+    "MuJoCo's XML: colliders, free joints, masses, the agent as a planar base",
+    None,
+    write,
+    read,
+    beside,
 )
