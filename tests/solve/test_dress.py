@@ -52,6 +52,7 @@ def test_names_of_the_rules_are_in_the_catalogue() -> None:
         assert rule["where"] in ("any", "top", "seat", "shelf", "drawer", "hook")
         for part in (rule, *rule.get("also", ())):
             assert set(part.get("things", ())) <= set(CATALOGUE), rule
+            assert set(part.get("stack", ())) <= set(part.get("things", ())), rule
             assert ("set" in part and part["set"] in data["sets"]) == (part["put"] == "places")
     for entries in data["sets"].values():
         assert {kind for kind, *_ in entries} <= set(CATALOGUE)
@@ -97,10 +98,41 @@ def test_coats_hang_from_hooks_and_clothes_lie_in_drawers_and_stay_there() -> No
         assert name in physics(found.scene, off).failing, "beside its hook it falls"
 
 
+def test_cupboards_are_full_behind_their_doors_and_stay_so() -> None:
+    scene, layout = furnished(on_floor("wardrobe", 0.31, 1.5, 0), on_floor("kitchen cabinet", 2.5, 3.7, 270))
+    found = dress(scene, layout)
+    wardrobe, cabinet = (found.scene.by_name[name] for name in ("wardrobe-0", "kitchen_cabinet-0"))
+    insides = {
+        asset.name: [
+            name
+            for name in found.names
+            if math.dist((found.layout[name].x, found.layout[name].y), (layout[asset.name].x, layout[asset.name].y))
+            < 0.7
+            and found.layout[name].z < asset.size[2] - 0.05
+        ]
+        for asset in (wardrobe, cabinet)
+    }
+    assert all(len(names) > 10 for names in insides.values())
+    stacked = Counter((round(p.x, 3), round(p.y, 3)) for p in (found.layout[name] for name in found.names))
+    assert max(stacked.values()) >= 3, "clothes and plates lie in stacks"
+    assert physics(found.scene, found.layout).failing == ()
+    assert settle(found.scene, found.layout).violations == ()
+
+
+def test_a_chair_pushed_under_a_desk_leaves_its_place_free() -> None:
+    desk, chair = on_floor("student desk", 2.0, 2.0, 0), on_floor("chair", 2.4, 2.0, 180)
+    found = dress(*furnished(desk, chair, name="classroom"))
+    assert "book" in {found.scene.by_name[name].category for name in found.names if found.layout[name].z > 0.74}
+
+
 def test_a_set_table_has_a_plate_before_every_seat() -> None:
     found = dress(*living_room())
     table = found.layout["dining_table-0"]
-    plates = [found.layout[name] for name in found.names if name.startswith("plate")]
+    plates = [
+        found.layout[name]
+        for name in found.names
+        if name.startswith("plate") and found.layout[name].z > 0.75 and abs(found.layout[name].y - 2.2) < 0.1
+    ]
     assert len(plates) == 2
     for chair in ("chair-0", "chair-1"):
         seat = found.layout[chair]

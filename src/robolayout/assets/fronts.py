@@ -21,6 +21,9 @@ TRAY = "drawer floor"  # name of the part on which lies what is in a drawer
 BOARD, THIN, EASE = 0.016, 0.008, 0.002
 """Metres: thickness of boards between drawers, of the boards that drawers are made of, and how loosely these run."""
 RAISED = 0.75  # share of its height to which a drawer's sides and back reach
+OPEN = (("drawer", 1.0, 0.0), ("door", 0.0, 0.0))
+"""Names of fronts that have an inside, each with the x and y of the axis on which it moves: pulled out, or hung at its side."""
+PITCH, RECESS = 0.34, 0.02  # metres between shelves behind doors, about, and how far back these lie
 SHALLOW, BEHIND = 0.06, 0.05  # metres: no drawer is lower, and what stands so far behind a front is its body
 
 
@@ -57,23 +60,25 @@ def drawers(
 
 
 def hollowed(made: Sequence[Part]) -> tuple[Part, ...]:
-    """Return the parts of a thing whose drawers have insides: the plain box behind each is cut out, and a tray moves in it.
+    """Return the parts of a thing that has insides: the plain box behind each front is cut out, for a tray or for shelves.
 
-    Where what lies behind a front is no plain box, or something else stands there, the drawer stays a front.
+    Where what lies behind a front is no plain box, or something else stands there, the front stays a front.
 
     Args:
         made: All parts, with their joints.
     """
     out = list(made)
-    for front in (part for part in made if part.name == "drawer" and part.joint and part.joint.axis == (1.0, 0.0, 0.0)):
+    for front in (part for part in made if part.joint is not None and (part.name, *part.joint.axis[:2]) in OPEN):
         low, high = ends(front)
         behind = [part for part in made if part.joint is None and _meets(part, low - (BEHIND, 0.0, 0.0), high)]
         back = min((part.vertices[:, 0].min() for part in behind), default=low[0]) + BOARD
-        hole = np.array([(back, *(low[1:] + BOARD / 2)), (low[0], *(high[1:] - BOARD / 2))])
+        inset = BOARD / 2 if front.name == "drawer" else BOARD
+        hole = np.array([(back, *(low[1:] + inset)), (low[0], *(high[1:] - inset))])
         bodies = [part for part in out if _meets(part, *hole)]
         if bodies and (hole[1] - hole[0]).min() > SHALLOW and all(_is_block(part) for part in (*behind, *bodies)):
             out = [piece for part in out for piece in (_cut(part, hole) if part in bodies else (part,))]
-            out += [replace(part, joint=front.joint) for part in _tray(front.material, hole)]
+            within = _tray(front.material, hole) if front.name == "drawer" else _shelves(bodies[0].material, hole)
+            out += [replace(part, joint=front.joint if front.name == "drawer" else None) for part in within]
     return tuple(out)
 
 
@@ -114,3 +119,11 @@ def _tray(material: Material, hole: Box) -> Iterator[Part]:
     yield box("drawer back", material, (x0, x0 + THIN), (y0, y1), (z0 + THIN, top))
     for side in ((y0, y0 + THIN), (y1 - THIN, y1)):
         yield box("drawer side", material, (x0 + THIN, x1), side, (z0 + THIN, top))
+
+
+def _shelves(material: Material, hole: Box) -> Iterator[Part]:
+    """Yield shelves at even heights in a hole."""
+    (x0, y0, z0), (x1, y1, z1) = hole.tolist()
+    count = round((z1 - z0) / PITCH)
+    for level in np.linspace(z0, z1, max(count, 1) + 1)[1:-1].tolist():
+        yield box("shelf", material, (x0, x1 - RECESS), (y0, y1), (level - BOARD / 2, level + BOARD / 2))

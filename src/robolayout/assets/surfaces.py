@@ -205,13 +205,17 @@ def _levels(tops: list[tuple[float, Any, str]]) -> Iterator[list[tuple[float, An
 
 def _pieces(group: list[tuple[float, Any, str]], spans: NDArray[np.float64]) -> Iterator[tuple[Surface, str]]:
     """Yield what is left of the tops at one height, open and covered, with the name of the part that gives most of it."""
-    areas = [area for _, area, _ in group]
-    if sum(area.area for area in areas) < LEAST_AREA:
+    areas = np.array([area for _, area, _ in group])
+    if shapely.area(areas).sum() < LEAST_AREA:
         return
     height = group[-1][0]
 
-    def word(piece: Polygon) -> str:
-        return max(group, key=lambda top: (round(top[1].intersection(piece).area, 4), top[0]))[2]
+    def own(piece: Polygon) -> tuple[float, str]:
+        given = np.round(shapely.area(shapely.intersection(areas, piece)), 4).tolist()
+        most = max(zip(given, group, strict=True), key=lambda item: (item[0], item[1][0]))
+        return max(
+            top[0] for area, top in zip(given, group, strict=True) if area >= min(LEAST_AREA / 10, most[0])
+        ), most[1][2]
 
     whole = shapely.union_all(areas).buffer(SEAM / 2, join_style="mitre").buffer(-SEAM / 2, join_style="mitre")
     over = (spans[:, 5] > height + LEVEL) & (spans[:, 0] < whole.bounds[2]) & (spans[:, 1] > whole.bounds[0])
@@ -220,13 +224,14 @@ def _pieces(group: list[tuple[float, Any, str]], spans: NDArray[np.float64]) -> 
     above = spans[over & ~rising]
     cover = _boxes(above)
     for piece in _worth(clear.difference(cover)):
-        yield Surface("", piece, height, np.inf), word(piece)
+        level, word = own(piece)
+        yield Surface("", piece, level, np.inf), word
     for piece in _worth(clear.intersection(cover)):
+        level, word = own(piece)
         met = shapely.area(shapely.intersection(shapely.box(*above[:, PLAN].T), piece))
-        free = float(above[met > LEAST_AREA / 10, 4].min(initial=np.inf)) - height
-        least = LEAST_FREE[word(piece) == TRAY]
-        if free >= least and piece.area >= LEAST_SHELF:
-            yield Surface("", piece, height, free), word(piece)
+        free = float(above[met > LEAST_AREA / 10, 4].min(initial=np.inf)) - level
+        if free >= LEAST_FREE[word == TRAY] and piece.area >= LEAST_SHELF:
+            yield Surface("", piece, level, free), word
 
 
 def _boxes(spans: NDArray[np.float64]) -> Any:

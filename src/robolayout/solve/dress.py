@@ -24,7 +24,7 @@ from shapely.geometry.base import BaseGeometry
 from robolayout._text import utf8
 from robolayout.assets import CATALOGUE, Surface, category_of, surfaces_of
 from robolayout.assets.category import read_data
-from robolayout.assets.prisms import piece_spans
+from robolayout.assets.prisms import piece_spans, prisms_of
 from robolayout.assets.surfaces import LEVEL, hung_from
 from robolayout.scene import DRESSINGS, Asset, Layout, Pose, Scene, variable_name
 from robolayout.scene.asset import LIES_ABOUT
@@ -54,6 +54,7 @@ class DressConfig:
     ahead: tuple[float, ...] = (0.0, 0.03, 0.08, 0.14)
     level: float = 0.002  # most by which the tops under one thing may differ in height
     sunk: float = 0.008  # most by which a thing may lie below its surface, whose parts are level within little more
+    slack: float = 1e-5  # rounding: what ends on the edge of a region lies in it
     # how far above what carries it a thing lies: where meshes touch, collision checks find a collision
     lift: float = 0.0002
 
@@ -142,6 +143,7 @@ class _Dresser:
                 del self._standing[before - len(self.assets) :]
                 del self.assets[before:]
                 self.without.pop(asset.name, None)
+                break
         bare = tuple(replace(a, without=self.without.get(a.name, a.without)) for a in self.scene.assets)
         scene, layout = replace(self.scene, assets=(*bare, *self.assets)), Layout({**self.layout, **self.poses})
         return Dressed(scene, layout, tuple(asset.name for asset in self.assets))
@@ -169,7 +171,11 @@ class _Dresser:
 
     def _surface(self, asset: Asset, surface: Surface, rule: Mapping[str, Any], rng: random.Random) -> None:
         pose = self.layout[asset.name]
-        inner = surface.region if surface.is_hook else surface.region.buffer(-self.config.edge, join_style="mitre")
+        inner = (
+            surface.region
+            if surface.is_hook
+            else surface.region.buffer(self.config.slack - self.config.edge, join_style="mitre")
+        )
         free = inner.difference(self._taken(asset, pose, surface))
         if free.is_empty:
             return
@@ -191,54 +197,57 @@ class _Dresser:
         level = pose.z - asset.size[2] / 2 + surface.height
         top, near = level + min(surface.free, self.config.above), math.hypot(*asset.size[:2]) / 2
         corners = [
-            place.corners(other.size)
+            np.array([(c, s), (-s, c)]).T @ np.array(prism.outline).T + [[place.x], [place.y]]
             for other, place in self._standing
             if other.name != asset.name
-            and place.z + other.size[2] / 2 > level + 1e-6
-            and place.z - other.size[2] / 2 < top
             and math.hypot(place.x - pose.x, place.y - pose.y) < near + math.hypot(*other.size[:2]) / 2
+            for (c, s), bottom in [(place.forward, place.z - other.size[2] / 2)]
+            for prism in prisms_of(other)
+            if bottom + prism.high > level + 1e-6 and bottom + prism.low < top
         ]
         if not corners:
             return Polygon()
         (c, s), middle = pose.forward, (pose.x, pose.y)
-        own = (np.array(corners) - middle) @ np.array([[c, -s], [s, c]])
+        own = (np.array(corners).transpose(0, 2, 1) - middle) @ np.array([[c, -s], [s, c]])
         return shapely.union_all(shapely.buffer(shapely.polygons(own), self.config.gap, join_style="mitre"))
 
-    def _kind(self, place: _Place, things: Mapping[str, float]) -> Asset | None:
-        """Return one of the things that fit under what covers a surface, in a size of its own; None where none does."""
-        room = place.surface.free - self.config.air
-        low = [
+    def _kind(self, place: _Place, things: Mapping[str, float], wide: float = math.inf) -> Asset | None:
+        """Return one of the things that fit under what covers a surface, and into a width one way round or the other, in a size
+        of its own; None where none does."""
+        room, least = place.surface.free - self.config.air, 1 - self.config.vary
+        fit = [
             kind
             for kind in things
-            if CATALOGUE[kind].size[2] * (1 - self.config.vary) <= room and kind not in self._had
+            if CATALOGUE[kind].size[2] * least <= room
+            and min(CATALOGUE[kind].size[:2]) * least <= wide
+            and kind not in self._had
         ]
-        if not low:
+        if not fit:
             return None
-        kind = place.rng.choices(low, [things[kind] for kind in low])[0]
-        scale = place.rng.uniform(1 - self.config.vary, 1 + self.config.vary)
+        kind = place.rng.choices(fit, [things[kind] for kind in fit])[0]
         depth, width, height = CATALOGUE[kind].size
-        tall = min(height * place.rng.uniform(1 - self.config.vary, 1 + self.config.vary), room)
+        narrow = width if width * least <= wide else min(depth, width)
+        scale = min(place.rng.uniform(least, 2 - least), wide / narrow)
+        tall = min(height * place.rng.uniform(least, 2 - least), room)
         return Asset("", kind, (round(depth * scale, 4), round(width * scale, 4), round(tall, 4)))
 
     def _row(self, place: _Place, rule: Mapping[str, Any]) -> None:
         """Stand things side by side along the front edge, runs of one kind; those of `tight` close, each in its own size."""
-        _, y, ahead, end = place.bounds
-        y += self.config.edge
-        while y < end:
-            thing = self._kind(place, rule["things"])
-            if thing is None:
-                return
+        y, ahead, end = (place.bounds[i] + sign * self.config.edge for i, sign in ((1, 1), (2, -1), (3, -1)))
+        while (thing := self._kind(place, rule["things"], end - y)) is not None:
             tight = thing.category in rule.get("tight", ())
             runs = place.rng.randint(1, rule["run"]) if "run" in rule and (tight or "tight" not in rule) else 1
             if place.rng.random() > rule["fill"] * (0.5 + 0.5 * self.amount):
                 y += place.rng.uniform(*self.config.spread)
             own, gap = self._variable(thing.category), self.config.close if tight else self.config.gap
+            turn = math.pi / 2 if thing.size[1] > end - y >= thing.size[0] else 0.0  # what is too wide lies lengthwise
             for _ in range(runs):
-                x = ahead - self.config.edge - thing.size[0] / 2
-                if not self._put(place, thing, (x, y + thing.size[1] / 2, 0.0), own, gap=2 * gap if tight else None):
-                    y += thing.size[1] / 2
+                deep, across = thing.size[1::-1] if turn else thing.size[:2]
+                spot = (ahead - deep / 2, y + across / 2, turn)
+                if not self._put(place, thing, spot, own, gap=2 * gap if tight else None, rule=rule):
+                    y += across / 2
                     break
-                y += thing.size[1] + gap
+                y += across + gap
                 thing = (self._kind(place, {thing.category: 1}) if tight else thing) or thing
             y += place.rng.uniform(*self.config.loose)
 
@@ -261,7 +270,7 @@ class _Dresser:
                 behind + self.config.edge + deep + place.rng.uniform(*self.config.loose),
             )
             for ahead in self.config.ahead:  # a mirror on the wall, a lamp, or a screen may stand behind
-                if self._put(place, thing, (x + ahead, y + half, askew), own):
+                if self._put(place, thing, (x + ahead, y + half, askew), own, rule=rule):
                     break
             y += (
                 2 * half
@@ -288,7 +297,7 @@ class _Dresser:
                 loose = 3 * self.config.turn * (1 - number / self.config.tries)  # a tight place wants it straight
                 turn = math.radians(place.rng.gauss(0, loose))
                 spot = (place.rng.uniform(x0, x1), place.rng.uniform(y0, y1), turn)
-                if self._put(place, thing, spot, self._variable(thing.category)):
+                if self._put(place, thing, spot, self._variable(thing.category), rule=rule):
                     break
 
     def _places(self, place: _Place, rule: Mapping[str, Any]) -> None:
@@ -299,11 +308,21 @@ class _Dresser:
             for edge, facing in seats:
                 c, s = math.cos(facing), math.sin(facing)
                 away = ahead + thing.size[0] / 2
-                spot = (edge[0] + c * away + s * aside, edge[1] + s * away - c * aside)
-                if self._put(place, thing, (*spot, facing + math.pi + math.radians(turn)), self._variable(kind)):
+                x, y = edge[0] + c * away + s * aside, edge[1] + s * away - c * aside
+                if self._put(
+                    place, thing, (x, y, facing + math.pi + math.radians(turn)), self._variable(kind)
+                ) or self._lies(place, kind, (x, y)):
                     served.append((edge, facing))
             if kind == read_data("dressing.toml")["sets"][rule["set"]][0][0]:
-                seats = served  # where something lies already, nothing is set
+                seats = served  # where something else lies already, nothing is set
+
+    def _lies(self, place: _Place, kind: str, at: tuple[float, float]) -> bool:
+        """Return whether a thing of a kind stands within its own size of a point of a surface."""
+        pose, (c, s) = place.pose, place.pose.forward
+        point, near = (pose.x + c * at[0] - s * at[1], pose.y + s * at[0] + c * at[1]), max(CATALOGUE[kind].size[:2])
+        return any(
+            category_of(other).name == kind and math.dist(point, (its.x, its.y)) < near for other, its in self._standing
+        )
 
     def _seats(self, place: _Place) -> Iterator[tuple[tuple[float, float], float]]:
         """Yield where the edge of a surface is before each seat, and which way the seat faces, in the carrier's frame."""
@@ -349,9 +368,19 @@ class _Dresser:
         return float(high) if whole.any() or high - top[under].min() < self.config.level else None
 
     def _put(
-        self, place: _Place, thing: Asset, at: tuple[float, float, float], variable: str, *, gap: float | None = None
+        self,
+        place: _Place,
+        thing: Asset,
+        at: tuple[float, float, float],
+        variable: str,
+        *,
+        gap: float | None = None,
+        rule: Mapping[str, Any] | None = None,
     ) -> bool:
-        """Put a thing down if it lies free and wholly on its surface, `gap` from its neighbours; return whether it does."""
+        """Put a thing down, `gap` from its neighbours, and more on it as its rule's `stack` has it; return whether it lies.
+
+        It lies free and wholly on its surface, or not at all.
+        """
         x, y, turn = at
         if thing.size[2] + self.config.air > place.surface.free:
             return False
@@ -362,9 +391,14 @@ class _Dresser:
         place.free = place.free.difference(
             shape.buffer(self.config.gap * 0.9 if gap is None else gap / 2, join_style="mitre")
         )
-        pose, (c, s) = place.pose, place.pose.forward
+        pose, (c, s), rise = place.pose, place.pose.forward, thing.size[2] + self.config.lift
         level = pose.z - place.carrier.size[2] / 2 + height + self.config.lift + thing.size[2] / 2
-        self._lay(thing, Pose(pose.x + c * x - s * y, pose.y + s * x + c * y, level, pose.yaw + turn), variable)
+        most = min(
+            rule.get("stack", {}).get(thing.category, 1) if rule else 1, (place.surface.free - self.config.air) // rise
+        )
+        for i in range(place.rng.randint(int(most + 1) // 2, int(most)) if most > 1 else 1):
+            spot = Pose(pose.x + c * x - s * y, pose.y + s * x + c * y, level + i * rise, pose.yaw + turn)
+            self._lay(thing, spot, variable)
         return True
 
     def _lay(self, thing: Asset, pose: Pose, variable: str) -> None:

@@ -118,8 +118,8 @@ class Boxes:
         return self._shapes[row]
 
     def lies_in(self, row: int, lower: int, sunk: float) -> bool:
-        """Return whether an asset hangs from another, or lies wholly on a surface of it, `sunk` metres in it at most, and below
-        what covers that."""
+        """Return whether an asset hangs from another, or is wholly in the room over a surface of it, `sunk` metres in it at most,
+        and below what covers that: on the surface, or on what lies there."""
         if (
             self.assets[row].size[0] * self.assets[row].size[1]
             > self.assets[lower].size[0] * self.assets[lower].size[1]
@@ -129,10 +129,10 @@ class Boxes:
         x, y, _, yaw = pose
         c, s = math.cos(yaw), math.sin(yaw)
         foot = affine_transform(self.footprints[row], [c, s, -s, c, -c * x - s * y, s * x - c * y])
-        height = self.assets[row].size[2]
+        top = level + self.assets[row].size[2]
         return any(
-            -sunk <= level - place.height <= CARRIED
-            and height <= place.free + CARRIED
+            level - place.height >= -sunk
+            and top <= place.height + place.free + CARRIED
             and place.region.buffer(WITHIN).covers(foot)
             for place in surfaces_of(self.assets[lower])
         ) or self._hangs_from(row, lower)
