@@ -17,7 +17,7 @@ from robolayout._text import utf8
 from robolayout.assets.fronts import doors, drawers
 from robolayout.assets.palette import Piece, material_of
 from robolayout.assets.part import Material, Part
-from robolayout.assets.shapes import ball, box, moved, oval, prism, slab, soft
+from robolayout.assets.shapes import ball, box, cylinder, moved, prism, soft
 
 Place = dict[str, list[float]]
 """What a row says for one size, by field: the two ends along an axis, radii, how it leans; metres."""
@@ -65,7 +65,7 @@ class Row:
     """One part, or several alike."""
 
     name: str  # name of the part
-    shape: str  # one of `MAKERS`
+    shape: str  # one of `rows.FIELDS`
     # names of its materials, which take turns where the row is repeated, for each style
     materials: tuple[tuple[str, ...], ...]
     fields: Mapping[str, slice]  # by field, which values it has
@@ -170,12 +170,12 @@ def _mirrored(place: Place, axis: str) -> Place:
 
 def _made(p: Piece, row: Row, material: Material, place: Place) -> Iterable[Part]:
     """Return the parts of one place."""
-    if row.shape not in MAKERS:
+    if row.shape in FRONTS:
         (y0, y1), (z0, z1) = place["y"], place["z"]
         numbers = {key: round(place[key][0]) for key in ("count", "rows", "columns", "knobs") if key in place}
         ahead = place["x"][0] if "x" in place else p.x[1]
         return FRONTS[row.shape](material, p.palette.metal, ahead, ((y0, y1), (z0, z1)), **numbers)
-    part = MAKERS[row.shape](row.name, material, place)
+    part = _one(row, material, place)
     for key, (low, high) in ((key, ends) for key, ends in place.items() if "/" in key):
         moves, along = ("xyz".index(axis) for axis in key.split("/"))
         ends = part.vertices[:, along].min(), part.vertices[:, along].max()
@@ -183,53 +183,22 @@ def _made(p: Piece, row: Row, material: Material, place: Place) -> Iterable[Part
     return [moved(part, turn=math.radians(place["turn"][0])) if "turn" in place else part]
 
 
-def _box(name: str, material: Material, place: Place) -> Part:
-    x, y, z = _ranges(place)
-    if "top" not in place:
-        return box(name, material, x, y, z)
-    return slab(name, material, x, y, z, top=(place["top"][0], place["top"][1]))
-
-
-def _soft(name: str, material: Material, place: Place) -> Part:
-    x, y, z = _ranges(place)
-    return soft(name, material, x, y, z, bevel=place["bevel"][0]) if "bevel" in place else soft(name, material, x, y, z)
-
-
-def _ball(name: str, material: Material, place: Place) -> Part:
-    x, y, z = _ranges(place)
-    return ball(name, material, x, y, z, **{key: round(place[key][0]) for key in ("rings", "sides") if key in place})
-
-
-def _cylinder(name: str, material: Material, place: Place) -> Part:
-    axis = span_axis(place)
-    u, v = (place[across][0] for across in CROSS[axis])
-    a, b, c, d = place["r"]
-    low, high = place[axis]
-    sides = round(place["sides"][0]) if "sides" in place else 16
-    return oval(name, material, (u, v), ((a, b), (c, d)), (low, high), axis=axis, sides=sides)
-
-
-def _prism(name: str, material: Material, place: Place) -> Part:
-    axis = span_axis(place)
+def _one(row: Row, material: Material, place: Place) -> Part:
+    """Return the part of one place, as it stands before it leans or is turned."""
+    options: dict[str, Any] = {key: place[key][0] for key in ("bevel", "rings", "sides") if key in place}
+    options |= {"top": place["top"]} if "top" in place else {}
+    if row.shape in SOLIDS:
+        return SOLIDS[row.shape](row.name, material, place["x"], place["y"], place["z"], **options)
+    axis = next(axis for axis in "xyz" if len(place.get(axis, ())) == 2)  # along which it lies, or is drawn out
     u, v = (place.get(across, [0.0])[0] for across in CROSS[axis])
+    if row.shape == "cylinder":
+        radii = (place["r"][:2], place["r"][2:])
+        return cylinder(row.name, material, (u, v), radii, place[axis], axis=axis, **options)
     outline = [(a + u, b + v) for a, b in zip(place["at"][::2], place["at"][1::2], strict=True)]
-    low, high = place[axis]
-    return prism(name, material, outline, (low, high), axis=axis)
+    return prism(row.name, material, outline, place[axis], axis=axis)
 
 
-def _ranges(place: Place) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
-    (a, b), (c, d), (e, f) = (place[axis] for axis in "xyz")
-    return (a, b), (c, d), (e, f)
-
-
-def span_axis(place: Mapping[str, list[float]]) -> str:
-    """Return the axis along which something round or drawn out lies: that with two ends."""
-    return next(axis for axis in "xyz" if len(place.get(axis, ())) == 2)
-
-
-MAKERS: dict[str, Callable[[str, Material, Place], Part]] = {
-    "box": _box, "soft": _soft, "ball": _ball, "cylinder": _cylinder, "prism": _prism,
-}  # fmt: skip
-"""What draws one part of each shape."""
+SOLIDS: dict[str, Callable[..., Part]] = {"box": box, "soft": soft, "ball": ball}
+"""What draws a shape that fills three ranges."""
 FRONTS: dict[str, Callable[..., Iterator[Part]]] = {"doors": doors, "drawers": drawers}
 """What draws several parts at once."""

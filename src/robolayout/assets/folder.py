@@ -21,7 +21,8 @@ from robolayout._reading.syntax import decoded, json_value
 from robolayout.assets.category import Category
 from robolayout.assets.lexicon import find_category
 from robolayout.assets.likeness import WAYS, sampled, stands
-from robolayout.assets.own import AXES, RawMesh, Size, extent, fits_y_up, orientation, read_pieces
+from robolayout.assets.own import AXES, Size, extent, fits_y_up, orientation, read_pieces
+from robolayout.assets.part import Part
 from robolayout.scene import variable_name
 
 MAX_FILES = 5000  # mesh files that are looked at in one folder
@@ -192,7 +193,7 @@ def _corrected(guess: Guess, said: Mapping[str, Any], where: str) -> Guess:
     )
 
 
-def _found(path: Path, guess: Guess, pieces: Sequence[RawMesh], category: Category) -> _Found:
+def _found(path: Path, guess: Guess, pieces: Sequence[Part], category: Category) -> _Found:
     """Return in which unit and axes a mesh is drawn: as is said, else as the format has it unless the shape says otherwise."""
     edges, standard = extent(pieces), ("+y", "+z") if path.suffix.lower() == ".glb" else None
     unit, unit_sure = (guess.unit, 1.0) if guess.unit else ("m", 1.0) if guess.size else _unit(edges, category)

@@ -17,6 +17,7 @@ Face = tuple[Range, Range]  # where fronts lie: ends along y and z
 GAP = 0.004  # metres between neighbouring fronts
 DOOR = 0.018  # thickness of a front in metres
 KNOB = 0.022  # how far handles stand out, metres
+KNOB_RADII = ((0.008, 0.008), (0.013, 0.013))  # half-axes of a knob at its front and at its end
 TRAY = "drawer floor"  # name of the part on which lies what is in a drawer
 BOARD, THIN, EASE = 0.016, 0.008, 0.002
 """Metres: thickness of boards between drawers, of the boards that drawers are made of, and how loosely these run."""
@@ -53,7 +54,7 @@ def drawers(
             yield box("drawer", front, (front_x - DOOR, front_x), (y0, y1), (z0, z1))
             middle, level, half = (y0 + y1) / 2, (z0 + z1) / 2, min(0.07, 0.2 * (y1 - y0))
             if knobs:
-                yield cylinder("knob", metal, (middle, level), (0.008, 0.013), (front_x, ahead), axis="x", sides=8)
+                yield cylinder("knob", metal, (middle, level), KNOB_RADII, (front_x, ahead), axis="x", sides=8)
             else:
                 handle = ((middle - half, middle + half), (level - 0.006, level + 0.006))
                 yield box("handle", metal, (front_x, ahead), *handle)

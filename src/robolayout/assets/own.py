@@ -7,7 +7,7 @@ says otherwise. Nothing outside the given file is opened: materials and textures
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -39,17 +39,6 @@ AXES: dict[str, tuple[float, float, float]] = {
 _CHECK = Checker(AssetError)
 
 
-@dataclass(frozen=True, eq=False)
-class RawMesh:
-    """One piece of a mesh file in the file's own axes and units."""
-
-    name: str  # name in the file
-    vertices: Array  # (n, 3) in file units
-    faces: NDArray[np.int64]  # (m, 3) vertex indices
-    material: Material  # its looks
-    uv: Array | None = None  # (n, 2) where its vertices lie in its material's picture; None without one
-
-
 def load_mesh_parts(path: Path, size: Size, *, up: str | None = None, front: str | None = None) -> tuple[Part, ...]:
     """Load a mesh file and fit it into a box of `size` (depth, width, height) about the origin, facing +x.
 
@@ -64,13 +53,7 @@ def load_mesh_parts(path: Path, size: Size, *, up: str | None = None, front: str
     """
     edges, pieces = _thin_pieces(path)
     matrix = orientation(path, edges, size, up=up, front=front)
-    return fit(
-        (
-            Part(p.name, p.vertices @ matrix.T, p.faces.astype(np.int32), p.material, convex=False, uv=p.uv)
-            for p in pieces
-        ),
-        size,
-    )
+    return fit((replace(piece, vertices=piece.vertices @ matrix.T) for piece in pieces), size)
 
 
 def orientation(path: Path, edges: Size, size: Size, *, up: str | None, front: str | None) -> Array:
@@ -90,28 +73,19 @@ def orientation(path: Path, edges: Size, size: Size, *, up: str | None, front: s
 
 
 def fits_y_up(edges: Size, size: Size) -> bool:
-    """Return whether a mesh with these edges fills the box clearly better when its y axis is taken as up."""
-    logs = np.log(np.maximum(np.array(edges), 1e-9))
-    target = np.log(np.array(size))
-    z_up = min(_spread(logs[[0, 1, 2]] - target), _spread(logs[[1, 0, 2]] - target))
-    y_up = min(_spread(logs[[2, 0, 1]] - target), _spread(logs[[0, 2, 1]] - target))
+    """Return whether a mesh with these edges fills the box clearly better when its y axis is taken as up: is scaled less unevenly."""
+    stretch = np.log(np.maximum(np.array(edges), 1e-9))[[[0, 1, 2], [1, 0, 2], [2, 0, 1], [0, 2, 1]]] - np.log(size)
+    z_up, y_up = np.ptp(stretch, axis=1).reshape(2, 2).min(axis=1)
     return bool(y_up < z_up - 0.1)
 
 
-def _spread(logs: Array) -> float:
-    """Return how uneven a scaling is: zero where all edges scale alike."""
-    return float(logs.max() - logs.min())
-
-
-def extent(pieces: Iterable[RawMesh]) -> Size:
+def extent(pieces: Iterable[Part]) -> Size:
     """Return the edges of the box around all pieces, in file units and axes."""
-    points = [piece.vertices for piece in pieces]
-    low = np.min([p.min(axis=0) for p in points], axis=0)
-    high = np.max([p.max(axis=0) for p in points], axis=0)
-    return (float(high[0] - low[0]), float(high[1] - low[1]), float(high[2] - low[2]))
+    depth, width, height = np.ptp(np.concatenate([piece.vertices for piece in pieces]), axis=0).tolist()
+    return (depth, width, height)
 
 
-def read_pieces(path: Path) -> tuple[RawMesh, ...]:
+def read_pieces(path: Path) -> tuple[Part, ...]:
     """Read a mesh file into its pieces, in the file's axes and units.
 
     Raises:
@@ -124,7 +98,7 @@ def read_pieces(path: Path) -> tuple[RawMesh, ...]:
         raise AssetError(f"mesh {path.name}: format {suffix!r} is not read; use one of {', '.join(MESH_SUFFIXES)}.")
     data = _CHECK.parse(lambda file: regular_bytes(file, MAX_MESH_BYTES), path, f"mesh {path.name}")
     pieces = _CHECK.parse(lambda content: mesh_pieces(content, suffix), data, f"mesh {path.name}")
-    return tuple(RawMesh(p.name, p.vertices, p.faces, _material(p.look), p.uv) for p in pieces)
+    return tuple(Part(p.name, p.vertices, p.faces.astype(np.int32), _material(p.look), False, p.uv) for p in pieces)
 
 
 def _material(look: Look | None) -> Material:
@@ -149,7 +123,7 @@ def check_meshes(scene: Scene) -> None:
                 raise AssetError(f"asset {asset.name!r}: {error} Or leave path out for a built-in shape.") from error
 
 
-def _thin_pieces(path: Path) -> tuple[Size, tuple[RawMesh, ...]]:
+def _thin_pieces(path: Path) -> tuple[Size, tuple[Part, ...]]:
     """Return the edges of a file's mesh and its pieces, thinned; each version of a file is read once."""
     try:
         changed = path.stat().st_mtime_ns
@@ -159,13 +133,13 @@ def _thin_pieces(path: Path) -> tuple[Size, tuple[RawMesh, ...]]:
 
 
 @lru_cache(maxsize=64)
-def _thin_version(path: Path, changed: int) -> tuple[Size, tuple[RawMesh, ...]]:
+def _thin_version(path: Path, changed: int) -> tuple[Size, tuple[Part, ...]]:
     """Read one version of a file; `changed` tells versions apart."""
     pieces = read_pieces(path)
     return extent(pieces), tuple(_thinned(pieces))
 
 
-def _thinned(pieces: Sequence[RawMesh]) -> list[RawMesh]:
+def _thinned(pieces: Sequence[Part]) -> list[Part]:
     """Merge and thin pieces so that neither their number nor their triangles exceed the bounds."""
     if len(pieces) > MAX_PARTS:
         pieces = _by_material(pieces)
@@ -175,9 +149,9 @@ def _thinned(pieces: Sequence[RawMesh]) -> list[RawMesh]:
     return [_clustered(piece, max(200, int(MAX_TRIANGLES * len(piece.faces) / total))) for piece in pieces]
 
 
-def _by_material(pieces: Sequence[RawMesh]) -> list[RawMesh]:
+def _by_material(pieces: Sequence[Part]) -> list[Part]:
     """Merge pieces of one colour; all into one where there are still too many."""
-    groups: dict[Material, list[RawMesh]] = {}
+    groups: dict[Material, list[Part]] = {}
     for piece in pieces:
         groups.setdefault(piece.material, []).append(piece)
     if len(groups) > MAX_PARTS:
@@ -186,16 +160,16 @@ def _by_material(pieces: Sequence[RawMesh]) -> list[RawMesh]:
     return [_joined(row) for row in groups.values()]
 
 
-def _joined(row: Sequence[RawMesh]) -> RawMesh:
+def _joined(row: Sequence[Part]) -> Part:
     """Join pieces into one with the first one's name and material."""
     starts = np.cumsum([0] + [len(piece.vertices) for piece in row])
-    faces = np.concatenate([piece.faces + start for piece, start in zip(row, starts, strict=False)])
+    faces = np.concatenate([piece.faces + start for piece, start in zip(row, starts, strict=False)]).astype(np.int32)
     uvs = [piece.uv for piece in row if piece.uv is not None]
     points = np.concatenate([piece.vertices for piece in row])
-    return RawMesh(row[0].name, points, faces, row[0].material, np.concatenate(uvs) if uvs else None)
+    return replace(row[0], vertices=points, faces=faces, uv=np.concatenate(uvs) if uvs else None)
 
 
-def _clustered(piece: RawMesh, most: int) -> RawMesh:
+def _clustered(piece: Part, most: int) -> Part:
     """Thin a piece to at most `most` triangles: vertices in one grid cell become one, at their mean."""
     if len(piece.faces) <= most:
         return piece
@@ -207,10 +181,10 @@ def _clustered(piece: RawMesh, most: int) -> RawMesh:
     counts = np.bincount(index).astype(np.float64)
     points = np.stack([np.bincount(index, weights=piece.vertices[:, i]) / counts for i in range(3)], axis=1)
     first = np.unique(index, return_index=True)[1]
-    return RawMesh(piece.name, points, faces, piece.material, None if piece.uv is None else piece.uv[first])
+    return replace(piece, vertices=points, faces=faces, uv=None if piece.uv is None else piece.uv[first])
 
 
-def _in_cells(piece: RawMesh, cells: float) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _in_cells(piece: Part, cells: float) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
     """Sort vertices into `cells` grid cells along the longest edge; return each one's cell and the faces left over."""
     low = piece.vertices.min(axis=0)
     edge = float((piece.vertices.max(axis=0) - low).max()) or 1.0
@@ -220,9 +194,9 @@ def _in_cells(piece: RawMesh, cells: float) -> tuple[NDArray[np.int64], NDArray[
     return index, _distinct(index[piece.faces])
 
 
-def _distinct(faces: NDArray[np.int64]) -> NDArray[np.int64]:
+def _distinct(faces: NDArray[np.int64]) -> NDArray[np.int32]:
     """Drop collapsed triangles and repeated ones."""
-    alive = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
-    faces = faces[alive]
-    _, first = np.unique(np.sort(faces, axis=1), axis=0, return_index=True)
-    return faces[np.sort(first)]
+    ordered = np.sort(faces, axis=1)
+    alive = (np.diff(ordered, axis=1) > 0).all(axis=1)
+    _, first = np.unique(ordered[alive], axis=0, return_index=True)
+    return faces[alive][np.sort(first)].astype(np.int32)

@@ -16,36 +16,26 @@ from numpy.typing import NDArray
 
 from robolayout.assets.part import Material, Part
 
-Range = tuple[float, float]
+Range = Sequence[float]
 Array = NDArray[np.float64]
 Faces = NDArray[np.int32]
 
+ORDER = {"z": [0, 1, 2], "x": [2, 0, 1], "y": [1, 2, 0]}
+"""By the axis along which a thing is drawn out: where the coordinates go of one that is drawn out along z."""
 _BOX_FACES = (
     (0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4),
     (1, 5, 7), (1, 7, 3),
 )  # fmt: skip
 
 
-def box(name: str, material: Material, x: Range, y: Range, z: Range) -> Part:
-    """Return a box over three ranges; vertex i has bits x, y, z from the most significant."""
+def box(name: str, material: Material, x: Range, y: Range, z: Range, *, top: Range | None = None) -> Part:
+    """Return a box over three ranges, its upper face scaled about its middle by `top`; vertex i has bits x, y, z from the most
+    significant."""
     points = np.array(list(product(sorted(x), sorted(y), sorted(z))), dtype=np.float64)
+    if top is not None:
+        middle, upper = points[:, :2].mean(axis=0), points[:, 2] > points[:, 2].mean()
+        points[upper, :2] = middle + (points[upper, :2] - middle) * np.array(top)
     return Part(name, points, np.array(_BOX_FACES, dtype=np.int32), material)
-
-
-def slab(name: str, material: Material, x: Range, y: Range, z: Range, *, top: Range = (1.0, 1.0)) -> Part:
-    """Return a box whose top is scaled about its middle by `top` = (factor along x, factor along y)."""
-    part = box(name, material, x, y, z)
-    middle = np.array([sum(x) / 2, sum(y) / 2])
-    upper = part.vertices[:, 2] > sum(z) / 2
-    part.vertices[upper, :2] = middle + (part.vertices[upper, :2] - middle) * np.array(top)
-    return part
-
-
-def sheared(name: str, material: Material, x: Range, y: Range, z: Range, *, lean: Range) -> Part:
-    """Return a box whose top is moved by `lean` = (metres along x, metres along y): a slanted back or leg."""
-    part = box(name, material, x, y, z)
-    part.vertices[part.vertices[:, 2] > sum(z) / 2, :2] += np.array(lean)
-    return part
 
 
 def soft(name: str, material: Material, x: Range, y: Range, z: Range, *, bevel: float = 0.03) -> Part:
@@ -67,28 +57,10 @@ def prism(name: str, material: Material, outline: Sequence[Range], span: Range, 
     """
     low = [(u, v, span[0]) for u, v in outline]
     high = [(u, v, span[1]) for u, v in outline]
-    return Part(name, _turned(np.array(low + high), axis), _drum_faces(len(outline)), material)
+    return Part(name, np.array(low + high)[:, ORDER[axis]], _drum_faces(len(outline)), material)
 
 
 def cylinder(
-    name: str,
-    material: Material,
-    center: Range,
-    radius: float | Range,
-    span: Range,
-    *,
-    axis: str = "z",
-    sides: int = 16,
-) -> Part:
-    """Return a cylinder, or a cone frustum where `radius` is (at the start, at the end) of its span.
-
-    `center` is in the plane across the axis: (x, y) for axis z, (y, z) for axis x, (z, x) for axis y.
-    """
-    start, end = radius if isinstance(radius, tuple) else (radius, radius)
-    return oval(name, material, center, ((start, start), (end, end)), span, axis=axis, sides=sides)
-
-
-def oval(
     name: str,
     material: Material,
     center: Range,
@@ -96,9 +68,13 @@ def oval(
     span: Range,
     *,
     axis: str = "z",
-    sides: int = 16,
+    sides: float = 16,
 ) -> Part:
-    """Return an elliptic frustum; `radii` are the two half-axes at the start and at the end of its span."""
+    """Return an elliptic frustum; `radii` are the two half-axes at the start and at the end of its span.
+
+    `center` is in the plane across the axis: (x, y) for axis z, (y, z) for axis x, (z, x) for axis y.
+    """
+    sides = round(sides)
     turn = [2 * math.pi * (i + 0.5) / sides for i in range(sides)]
     stretch = 1 / math.cos(math.pi / sides)
     rows = [
@@ -110,15 +86,14 @@ def oval(
     reach = np.repeat(np.array(radii), sides, axis=0)
     points[:, :2] = np.clip(points[:, :2], np.array(center) - reach, np.array(center) + reach)
     faces = _drum_faces(sides) if radii[0] == radii[1] else _bulging(points, _drum_faces(sides))
-    return Part(name, _turned(points, axis), faces, material)
+    return Part(name, points[:, ORDER[axis]], faces, material)
 
 
-def ball(name: str, material: Material, x: Range, y: Range, z: Range, *, rings: int = 5, sides: int = 12) -> Part:
+def ball(name: str, material: Material, x: Range, y: Range, z: Range, *, rings: float = 5, sides: float = 12) -> Part:
     """Return a low-poly ellipsoid that fills the three ranges."""
     low, high = _corners(x, y, z)
-    middle, half = (low + high) / 2, (high - low) / 2
-    unit = _unit_ball(rings, sides)
-    return Part(name, middle + unit * half, _ball_faces(rings, sides), material)
+    points, faces = _unit_ball(round(rings), round(sides))
+    return Part(name, (low + high) / 2 + points * (high - low) / 2, faces, material)
 
 
 def moved(part: Part, *, turn: float = 0.0, offset: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Part:
@@ -131,12 +106,6 @@ def moved(part: Part, *, turn: float = 0.0, offset: tuple[float, float, float] =
 def _corners(x: Range, y: Range, z: Range) -> tuple[Array, Array]:
     """Return the low and the high corner of three ranges."""
     return np.array([min(r) for r in (x, y, z)]), np.array([max(r) for r in (x, y, z)])
-
-
-def _turned(points: Array, axis: str) -> Array:
-    """Turn points made along z so that they run along `axis`."""
-    order = {"z": (0, 1, 2), "x": (2, 0, 1), "y": (1, 2, 0)}[axis]
-    return points[:, order]
 
 
 @cache
@@ -164,21 +133,15 @@ def _bulging(points: Array, faces: Faces) -> Faces:
 
 
 @cache
-def _unit_ball(rings: int, sides: int) -> Array:
-    """Return the vertices of a unit ball: two poles and `rings` rings, scaled to touch all six sides."""
+def _unit_ball(rings: int, sides: int) -> tuple[Array, Faces]:
+    """Return vertices and faces of a unit ball: two poles and `rings` rings, scaled to touch all six sides."""
     rows = [(0.0, 0.0, -1.0)]
-    for ring in range(1, rings + 1):
-        level = math.pi * ring / (rings + 1)
+    for level in np.linspace(0.0, math.pi, rings + 2)[1:-1].tolist():
         around = [2 * math.pi * i / sides for i in range(sides)]
         rows += [(math.sin(level) * math.cos(a), math.sin(level) * math.sin(a), -math.cos(level)) for a in around]
     points = np.array([*rows, (0.0, 0.0, 1.0)])
-    return points / np.abs(points).max(axis=0)
-
-
-@cache
-def _ball_faces(rings: int, sides: int) -> Faces:
-    """Return the faces of `_unit_ball`."""
-    return _wrapped(_unit_ball(rings, sides))
+    points /= np.abs(points).max(axis=0)
+    return points, _wrapped(points)
 
 
 @cache
