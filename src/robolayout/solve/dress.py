@@ -353,19 +353,21 @@ class _Dresser:
 
     def _height(self, place: _Place, shape: Polygon) -> float | None:
         """Return the height on which a thing lies level; None where it would lie on an edge."""
-        x0, y0, x1, y1 = shape.bounds
-        a, b, c, d, _, top = piece_spans(place.carrier)[:, :6].T
+        x, y = np.array(shape.exterior.coords).T
+        low, high = (np.array([f(u) for u in (x, y, x + y, x - y)]) for f in (np.min, np.max))
+        spans = piece_spans(place.carrier)
+        top, least, most = spans[:, 5], spans[:, [0, 2, 6, 8]], spans[:, [1, 3, 7, 9]]
         tops = (top <= place.surface.height + self.config.level) & (
             top > place.surface.height - LEVEL - self.config.level
         )
-        under = tops & (a < x1) & (b > x0) & (c < y1) & (d > y0)
+        under = tops & (least < high).all(axis=1) & (most > low).all(axis=1)
         if not under.any():
             return place.surface.height  # a mesh of the user's own
-        high = top[under].max()
-        if place.surface.height - high > self.config.sunk:
+        level = top[under].max()
+        if place.surface.height - level > self.config.sunk:
             return None
-        whole = under & (a <= x0) & (b >= x1) & (c <= y0) & (d >= y1) & (top > high - self.config.level)
-        return float(high) if whole.any() or high - top[under].min() < self.config.level else None
+        whole = under & (least <= low).all(axis=1) & (most >= high).all(axis=1) & (top > level - self.config.level)
+        return float(level) if whole.any() or level - top[under].min() < self.config.level else None
 
     def _put(
         self,
