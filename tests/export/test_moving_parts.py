@@ -13,8 +13,8 @@ from robolayout.export import LEAVES, Options, pull_open, settle
 from robolayout.export._exporter import is_movable
 from robolayout.export._mujoco import load
 from robolayout.export.mjcf import build
-from robolayout.scene import DEFAULT_AGENT, Asset, Layout, Opening, Pose, Room, Scene, load_agent
-from robolayout.verify import Hold, judge_agent, usage
+from robolayout.scene import DEFAULT_AGENT, Asset, Hold, Layout, Opening, Pose, Room, Scene, load_agent
+from robolayout.verify import judge_agent, usage
 
 PULL = 160.0
 """Newtons at a handle at the most: heavy lids are lifted with two hands."""

@@ -6,16 +6,16 @@ joint leaves it, no larger than `PULL`, which follows an even motion from shut t
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
 from robolayout.export._exporter import Options, check_layout, is_movable
 from robolayout.export._mujoco import ROOM_BODY, FloatArray, base, controls, load, simulator, smaller, touched
 from robolayout.export.mjcf import build
-from robolayout.scene import Agent, Layout, Scene
+from robolayout.scene import Agent, Hold, Layout, Scene
 
 PULL = 160.0
 """Newtons at the most: heavy lids are lifted with two hands (judgement)."""
@@ -34,30 +34,6 @@ STOP, OPEN = 1.02, 0.99
 
 ASIDE = 100.0
 """Metres to which what is moved away is moved."""
-
-
-class Hold(Protocol):
-    """How a body opens a door or drawer; `Usage.holds` of a report has them."""
-
-    @property
-    def asset(self) -> str:
-        """The name of the thing."""
-        ...
-
-    @property
-    def joint(self) -> str:
-        """The name of what moves."""
-        ...
-
-    @property
-    def poses(self) -> Sequence[tuple[float, float, float]]:
-        """Where the body is (x, y, heading) at even steps from shut to open; nowhere if it finds no place."""
-        ...
-
-    @property
-    def moved(self) -> Sequence[str]:
-        """What is moved away before."""
-        ...
 
 
 @dataclass(frozen=True)

@@ -58,6 +58,20 @@ class Agent:
 
 CLEARANCE = 0.03  # metres kept free on each side of a rectangular body for which no corridor is given (rule of thumb)
 TOUCH = 0.10  # metres beyond its own disc at which every agent counts as having got to a thing
+
+
+@dataclass(frozen=True)
+class Hold:
+    """How a body opens one door or drawer."""
+
+    asset: str  # the name of the thing
+    joint: str  # the name of what moves
+    # its centre and heading (metres, radians) at even steps from shut to open: one where it stands still; none where it
+    # finds no place from which to open it
+    poses: tuple[tuple[float, float, float], ...]
+    moved: tuple[str, ...] = ()  # what people move that is moved away: where it stands, and where the leaf comes
+
+
 DEFAULT_AGENT = Agent(name="disc", radius=0.30, height=1.5, reach_distance=0.75, title="disc of radius 0.30 m")
 """The agent of a scene that names none."""
 

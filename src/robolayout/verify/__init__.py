@@ -4,7 +4,6 @@ from robolayout.verify.agent_report import AgentReport as AgentReport
 from robolayout.verify.drives import Drive as Drive
 from robolayout.verify.heading import HeadingSpace as HeadingSpace
 from robolayout.verify.heading import heading_space as heading_space
-from robolayout.verify.holds import Hold as Hold
 from robolayout.verify.limits import Demands as Demands
 from robolayout.verify.limits import PhysicsLimits as PhysicsLimits
 from robolayout.verify.moves import Move as Move

@@ -7,7 +7,6 @@ else it steps back as the leaf comes: a place for each step of the leaf, found f
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
@@ -16,7 +15,7 @@ import shapely
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import Joint, parts, turned
-from robolayout.scene import Agent
+from robolayout.scene import Agent, Hold
 from robolayout.verify._boxes import Boxes, in_room
 from robolayout.verify._space import QUAD_SEGS
 from robolayout.verify.drives import Pose
@@ -32,18 +31,6 @@ Leaf = tuple[BaseGeometry, float, float]
 
 Stands = Iterable[tuple[float, BaseGeometry, tuple[str, ...]]]
 """Headings in radians, where the centre of a body gets to before a thing at each, and what is moved away for that."""
-
-
-@dataclass(frozen=True)
-class Hold:
-    """How a body opens one door or drawer."""
-
-    asset: str  # the name of the thing
-    joint: str  # the name of what moves
-    # its centre and heading (metres, radians) at even steps from shut to open: one where it stands still; none where it
-    # finds no place from which to open it
-    poses: tuple[Pose, ...]
-    moved: tuple[str, ...] = ()  # what people move that is moved away: where it stands, and where the leaf comes
 
 
 def find_hold(found: Boxes, agent: Agent, row: int, joint: Joint, reach: float, stands: Stands) -> Hold:

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
-from robolayout.scene import Agent, Layout, Point, Scene
+from robolayout.scene import Agent, Hold, Layout, Point, Scene
 from robolayout.scene.agent import TOUCH, horizontal_reach
 from robolayout.verify._approaches import approaches, needs_no_use
 from robolayout.verify._boxes import room_polygon, share, shared_area
@@ -31,7 +31,7 @@ from robolayout.verify._sides import side_edge
 from robolayout.verify._stances import Stances
 from robolayout.verify._swept import Swept, by_hand, handle_heights, handle_near
 from robolayout.verify.heading import HeadingSpace, rectangle
-from robolayout.verify.holds import Hold, find_hold
+from robolayout.verify.holds import find_hold
 from robolayout.verify.limits import AREA_TOLERANCE, REACH_SLACK
 from robolayout.verify.navigation import Navigation, navigation
 
