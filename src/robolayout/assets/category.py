@@ -53,8 +53,7 @@ class Category:
     @property
     def places(self) -> tuple[str, ...]:
         """Where it may be: some of "floor", "wall", "ceiling", "object"."""
-        flags = (self.on_floor, self.on_wall, self.on_ceiling, self.on_object)
-        return tuple(place for place, flag in zip(PLACES, flags, strict=True) if flag)
+        return tuple(place for place in PLACES if getattr(self, f"on_{place}"))
 
 
 def read_categories(path: Path) -> tuple[Category, ...]:

@@ -8,8 +8,9 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -52,16 +53,7 @@ class Guess:
     unit: str | None = None  # its unit, where the metadata states it
     up: str | None = None  # axis that points up, where the metadata states it
     front: str | None = None  # axis of its front, where the metadata states it
-
-
-@dataclass(frozen=True)
-class _Found:
-    """What a mesh file was found to be drawn in, and how sure that is, 0 to 1 by field."""
-
-    unit: str
-    up: str
-    front: str
-    sure: Mapping[str, float]
+    sure: Mapping[str, float] = field(default_factory=dict[str, float])  # how sure what was found is, 0 to 1 by field
 
 
 def import_folder(directory: Path, *, front: str | None = None, up: str | None = None) -> dict[str, Any]:
@@ -140,10 +132,7 @@ def _mesh_files(directory: Path) -> Iterator[Path]:
 
 def _free(name: str, taken: Mapping[str, Any]) -> str:
     """Return `<name>-<n>` with the first index that is not taken."""
-    index = 0
-    while f"{name}-{index}" in taken:
-        index += 1
-    return f"{name}-{index}"
+    return next(free for index in count() if (free := f"{name}-{index}") not in taken)
 
 
 def _entry(
@@ -154,16 +143,25 @@ def _entry(
     guess = replace(guess, up=up or guess.up, front=front or guess.front)
     guess = guess if said is None else _corrected(guess, said, f"{CORRECTIONS}: {shown}")
     pieces = read_pieces(path)
-    edges = extent(pieces)
     words = guess.description + " " + " ".join(piece.name for piece in pieces[:20])
     category = find_category(guess.text, description=words)
-    found = _found(path, guess, pieces, category)
-    turned = np.abs(orientation(path, edges, category.size, up=found.up, front=found.front)) @ np.array(edges)
-    factor = UNITS.get(found.unit) or math.exp(float(np.log(np.array(category.size) / np.maximum(turned, 1e-9)).mean()))
-    size = guess.size or (float(turned[0]) * factor, float(turned[1]) * factor, float(turned[2]) * factor)
+    guess = _completed(guess, path, pieces, category)
+    edges = extent(pieces)
+    turned = np.abs(orientation(path, edges, category.size, up=guess.up, front=guess.front)) @ np.array(edges)
+    scale = np.exp(np.log(np.array(category.size) / np.maximum(turned, 1e-9)).mean())
+    depth, width, height = guess.size or (turned * UNITS.get(guess.unit or SCALED, scale)).tolist()
     if category.group == "unknown" or category.name not in guess.text:
-        category = find_category(guess.text, description=words, size=size)
-    return variable_name(guess.text)[:60], _as_scene(shown, guess, category, size, found)
+        category = find_category(guess.text, description=words, size=(depth, width, height))
+    x, y, z = (round(max(edge, 0.001), 4) for edge in (depth, width, height))
+    return variable_name(guess.text)[:60], {
+        "category": category.name,
+        "description": guess.description or guess.text,
+        "path": shown,
+        **{key: bool(guess.flags.get(key, getattr(category, name))) for key, name in FLAGS.items()},
+        "assetMetadata": {"boundingBox": {"x": x, "y": y, "z": z}},
+        **{key: getattr(guess, key) for key in ("unit", "up", "front")},
+        "sure": dict(guess.sure),
+    }
 
 
 def _corrected(guess: Guess, said: Mapping[str, Any], where: str) -> Guess:
@@ -184,16 +182,12 @@ def _corrected(guess: Guess, said: Mapping[str, Any], where: str) -> Guess:
     edges = None if size is None else _CHECK.numbers(size, f"{where}: size", (3,))
     for edge in edges or ():
         _CHECK.number(edge, f"{where}: size", above=0.0, most=LARGEST)
-    return Guess(
-        text or guess.text,
-        words or guess.description,
-        {**guess.flags, **flags},
-        guess.size if edges is None else (edges[0], edges[1], edges[2]),
-        *(said.get(key) or getattr(guess, key) for key in ("unit", "up", "front")),
-    )
+    units = {key: said.get(key) or getattr(guess, key) for key in ("unit", "up", "front")}
+    own = guess.size if edges is None else (edges[0], edges[1], edges[2])
+    return Guess(text or guess.text, words or guess.description, {**guess.flags, **flags}, own, **units)
 
 
-def _found(path: Path, guess: Guess, pieces: Sequence[Part], category: Category) -> _Found:
+def _completed(guess: Guess, path: Path, pieces: Sequence[Part], category: Category) -> Guess:
     """Return in which unit and axes a mesh is drawn: as is said, else as the format has it unless the shape says otherwise."""
     edges, standard = extent(pieces), ("+y", "+z") if path.suffix.lower() == ".glb" else None
     unit, unit_sure = (guess.unit, 1.0) if guess.unit else ("m", 1.0) if guess.size else _unit(edges, category)
@@ -201,29 +195,14 @@ def _found(path: Path, guess: Guess, pieces: Sequence[Part], category: Category)
     if not fitting:
         raise AssetError(f"up {guess.up!r} and front {guess.front!r} must be different axes.")
     if category.group == "unknown":
-        upward = guess.up or ("+y" if standard or fits_y_up(edges, guess.size or category.size) else "+z")
-        forward = guess.front or ("+z" if upward[1] == "y" else "+x")
-        sure = {"unit": unit_sure, "up": 1.0 if guess.up or standard else 0.0, "front": 1.0 if guess.front else 0.0}
-        return _Found(unit, upward, forward, sure)
-    points = sampled((piece.vertices, piece.faces) for piece in pieces)
-    stand = stands(points, category, standard, fitting)
-    return _Found(unit, stand.up, stand.front, {"unit": unit_sure, "up": stand.up_sure, "front": stand.front_sure})
-
-
-def _as_scene(shown: str, guess: Guess, category: Category, size: Size, found: _Found) -> dict[str, Any]:
-    """Return one asset as a scene file writes it, with what was found about the mesh."""
-    depth, width, height = (round(max(edge, 0.001), 4) for edge in size)
-    return {
-        "category": category.name,
-        "description": guess.description or guess.text,
-        "path": shown,
-        **{key: bool(guess.flags.get(key, getattr(category, name))) for key, name in FLAGS.items()},
-        "assetMetadata": {"boundingBox": {"x": depth, "y": width, "z": height}},
-        "unit": found.unit,
-        "up": found.up,
-        "front": found.front,
-        "sure": dict(found.sure),
-    }
+        up = guess.up or ("+y" if standard or fits_y_up(edges, guess.size or category.size) else "+z")
+        front = guess.front or ("+z" if up[1] == "y" else "+x")
+        up_sure, front_sure = float(bool(guess.up or standard)), float(bool(guess.front))
+    else:
+        points = sampled((piece.vertices, piece.faces) for piece in pieces)
+        up, front, up_sure, front_sure = stands(points, category, standard, fitting)
+    sure = {"unit": unit_sure, "up": up_sure, "front": front_sure}
+    return replace(guess, unit=unit, up=up, front=front, sure=sure)
 
 
 def _unit(edges: Size, category: Category) -> tuple[str, float]:

@@ -89,15 +89,8 @@ def _rule(line: str, where: str) -> Rule:
                              f"{', '.join((*EDGES, AWAY))}.")  # fmt: skip
     assert match is not None
     span = ((float(match[1] or 0), match[2] or match[4]), (float(match[3]), match[4]))
-    return Rule(
-        tuple(names.split("+")),
-        kind,
-        "xyz".index(axis[-1]),
-        -1.0 if axis.startswith("-") else 1.0,
-        tuple(edges),
-        span,
-        together,
-    )
+    sign = -1.0 if axis.startswith("-") else 1.0
+    return Rule(tuple(names.split("+")), kind, "xyz".index(axis[-1]), sign, tuple(edges), span, together)
 
 
 def jointed(built: tuple[Part, ...], rules: tuple[Rule, ...], size: tuple[float, float, float]) -> tuple[Part, ...]:
@@ -171,15 +164,8 @@ def _joint(rule: Rule, group: Sequence[Part], size: tuple[float, float, float]) 
     x, y, z = at.tolist()
     u, v, w = (along + 0.0).tolist()
     a, b, c = grip.tolist()
-    return Joint(
-        rule.names[0],
-        rule.kind,
-        (u, v, w),
-        (x, y, z),
-        (low, high),
-        (a, b, c),
-        (heights.min().item(), heights.max().item()),
-    )
+    hold = (heights.min().item(), heights.max().item())
+    return Joint(rule.names[0], rule.kind, (u, v, w), (x, y, z), (low, high), (a, b, c), hold)
 
 
 def _stop(points: Vector, at: Vector, side: float) -> float:

@@ -23,18 +23,9 @@ MAX_TEXT = 2000  # characters of a text that are looked at; the rest is ignored
 LONGEST_PHRASE = 5
 ODD_SIZE = math.log(4.0)
 """A word whose typical size differs by more than this factor in its longest edge yields to another word."""
-BREAKS = frozenset(
-    (
-        "with", "of", "for", "in", "on", "from", "to", "by", "at", "under", "over", "near", "and", "or", "that", "which",
-        "where", "who", "inside", "against", "above", "below", "beside", "between", "behind", "next", "underneath",
-        "including", "without", "plus", "per", "like", "used", "made", "is", "has", "into", "onto", "before",
-    )
-)  # fmt: skip
-"""Words after which no head noun is expected."""
-IRREGULAR = {"shelves": "shelf", "knives": "knife", "loaves": "loaf", "leaves": "leaf", "mice": "mouse", "feet": "foot"}
+ENGLISH = read_data("english.toml")
+BREAKS = frozenset(ENGLISH["breaks"])  # words after which no head noun is expected
 PLAIN = re.compile(r"[a-z0-9]+(?: [a-z0-9]+)*")  # a phrase that is spelled as the index spells it already
-KEEPS_S = ("ss", "us", "is")
-LOSES_ES = ("ches", "shes", "xes", "sses", "zes")
 
 
 @dataclass(frozen=True)
@@ -97,8 +88,7 @@ def unknown_kinds(assets: Iterable[Asset]) -> tuple[str, ...]:
 
 def place_of(asset: Asset) -> str | None:
     """Return the one place where the asset may be; None where the flags leave a choice of several."""
-    flags = (asset.on_floor, asset.on_wall, asset.on_ceiling, asset.on_object)
-    places = [place for place, flag in zip(PLACES, flags, strict=True) if flag]
+    places = [place for place in PLACES if getattr(asset, f"on_{place}")]
     return places[0] if len(places) == 1 else None
 
 
@@ -203,13 +193,13 @@ def singular(phrase: str) -> str:
 
 def _singular(word: str) -> str:
     """Return one word in the singular."""
-    if word in IRREGULAR:
-        return IRREGULAR[word]
-    if len(word) <= 3 or not word.endswith("s") or word.endswith(KEEPS_S):
+    if word in ENGLISH["irregular"]:
+        return ENGLISH["irregular"][word]
+    if len(word) <= 3 or not word.endswith("s") or word.endswith(tuple(ENGLISH["keeps_s"])):
         return word
     if word.endswith("ies") and len(word) > 4:
         return word[:-3] + "y"
-    return word[:-2] if word.endswith(LOSES_ES) else word[:-1]
+    return word[:-2] if word.endswith(tuple(ENGLISH["loses_es"])) else word[:-1]
 
 
 def normalise(phrase: str) -> str:

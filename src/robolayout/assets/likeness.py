@@ -7,8 +7,8 @@ and the best one with another axis says how sure that axis is.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product
 from typing import TYPE_CHECKING
@@ -39,16 +39,6 @@ WAYS = tuple((up, front) for up, front in product(AXES, AXES) if up[1] != front[
 """The 24 ways to stand: the axis that points up and the one that points forward."""
 
 
-@dataclass(frozen=True)
-class Stand:
-    """How a mesh stands."""
-
-    up: str  # axis that points up
-    front: str  # axis that points forward
-    up_sure: float  # how sure the one is, 0 to 1
-    front_sure: float  # how sure the other is, if the first is right
-
-
 def sampled(surfaces: Faces, seed: int = 0) -> Array:
     """Return SAMPLES points (n, 3) spread evenly over triangles."""
     corners = np.concatenate([points[np.asarray(faces)] for points, faces in surfaces])
@@ -63,8 +53,8 @@ def sampled(surfaces: Faces, seed: int = 0) -> Array:
 
 def stands(
     points: Array, category: Category, standard: tuple[str, str] | None, allowed: Sequence[tuple[str, str]]
-) -> Stand:
-    """Return how a mesh most likely stands.
+) -> tuple[str, str, float, float]:
+    """Return which axis of a mesh most likely points up and which forward, and how sure each is, 0 to 1, if those before it are.
 
     Args:
         points: (n, 3) points on it, in its own axes.
@@ -72,15 +62,13 @@ def stands(
         allowed: The ways that are open, some of `WAYS`.
     """
     misfits = {way: _misfit(points, way, category, standard) for way in allowed}
-    up, front = min(misfits, key=lambda way: misfits[way])
-    others = [misfit for way, misfit in misfits.items() if way[0] != up]
-    turned = [misfit for way, misfit in misfits.items() if way[0] == up and way[1] != front]
-    best = misfits[up, front]
-    return Stand(up, front, _sure(others, best), _sure(turned, best))
-
-
-def _sure(others: Sequence[float], best: float) -> float:
-    return 1.0 if not others else round(min((min(others) - best) / CERTAIN, 1.0), 2)
+    up, front = best = min(misfits, key=lambda way: misfits[way])
+    rivals = ([way for way in misfits if way[0] != up], [way for way in misfits if way[0] == up and way != best])
+    up_sure, front_sure = (
+        round(min((min((misfits[way] for way in ways), default=math.inf) - misfits[best]) / CERTAIN, 1.0), 2)
+        for ways in rivals
+    )
+    return up, front, up_sure, front_sure
 
 
 def _misfit(points: Array, way: tuple[str, str], category: Category, standard: tuple[str, str] | None) -> float:

@@ -170,28 +170,23 @@ def _joined(row: Sequence[Part]) -> Part:
 
 
 def _clustered(piece: Part, most: int) -> Part:
-    """Thin a piece to at most `most` triangles: vertices in one grid cell become one, at their mean."""
+    """Thin a piece to at most `most` triangles: vertices in one cell of a grid become one, at their mean."""
     if len(piece.faces) <= most:
         return piece
-    cells = float(np.sqrt(most))
-    index, faces = _in_cells(piece, cells)
-    while len(faces) > most:
+    low, edge, cells = (
+        piece.vertices.min(axis=0),
+        float(np.ptp(piece.vertices, axis=0).max()) or 1.0,
+        float(np.sqrt(most)),
+    )
+    while True:
+        grid = np.floor((piece.vertices - low) / edge * cells).astype(np.int64) @ (1 << 42, 1 << 21, 1)
+        _, first, index, counts = np.unique(grid, return_index=True, return_inverse=True, return_counts=True)
+        faces = _distinct(index[piece.faces])
+        if len(faces) <= most:
+            break
         cells *= min(0.9, 0.97 * float(np.sqrt(most / len(faces))))
-        index, faces = _in_cells(piece, cells)
-    counts = np.bincount(index).astype(np.float64)
-    points = np.stack([np.bincount(index, weights=piece.vertices[:, i]) / counts for i in range(3)], axis=1)
-    first = np.unique(index, return_index=True)[1]
+    points = np.stack([np.bincount(index, weights=row) / counts for row in piece.vertices.T], axis=1)
     return replace(piece, vertices=points, faces=faces, uv=None if piece.uv is None else piece.uv[first])
-
-
-def _in_cells(piece: Part, cells: float) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
-    """Sort vertices into `cells` grid cells along the longest edge; return each one's cell and the faces left over."""
-    low = piece.vertices.min(axis=0)
-    edge = float((piece.vertices.max(axis=0) - low).max()) or 1.0
-    grid = np.floor((piece.vertices - low) / edge * cells).astype(np.int64)
-    keys = (grid[:, 0] << 42) + (grid[:, 1] << 21) + grid[:, 2]
-    _, index = np.unique(keys, return_inverse=True)
-    return index, _distinct(index[piece.faces])
 
 
 def _distinct(faces: NDArray[np.int64]) -> NDArray[np.int32]:

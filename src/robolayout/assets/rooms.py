@@ -13,7 +13,9 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from shapely import Polygon, box, constrained_delaunay_triangles
+import shapely
+from numpy.typing import NDArray
+from shapely import Polygon, box
 from shapely.geometry.base import BaseGeometry
 from shapely.geometry.polygon import orient
 
@@ -79,7 +81,7 @@ def room_parts(room: Room, *, style: RoomStyle | None = None, seed: int = 0) -> 
         built += _door(room.walls[door.wall], door, f"door-{i}", look)
     for i, window in enumerate(room.windows):
         built += _window(room.walls[window.wall], window, f"window-{i}", look)
-    return tuple(built + list(_skirting(room, look)))
+    return tuple(built)
 
 
 def _floor(room: Room, look: RoomStyle) -> Iterator[Part]:
@@ -88,66 +90,41 @@ def _floor(room: Room, look: RoomStyle) -> Iterator[Part]:
     base = look.tones[-1] if look.floor == "tiles" else look.tones[0]
     yield extruded("floor", base, outline, (-SLAB, -0.001))
     for tone, pieces in zip(look.tones, _sheets(outline, look), strict=False):
-        part = _sheet("floor", tone, pieces)
-        if part is not None:
-            yield part
+        corners = _triangles(pieces).reshape(-1, 2)
+        if len(corners):
+            flat, faces = np.pad(corners, ((0, 0), (0, 1))), np.arange(len(corners), dtype=np.int32).reshape(-1, 3)
+            yield Part("floor", flat, faces, tone, convex=False)
 
 
 def _sheets(outline: Polygon, look: RoomStyle) -> list[list[BaseGeometry]]:
-    """Return the visible pieces of the floor, one list for each tone."""
+    """Return the visible pieces of the floor, one list for each tone: planks along its longer side, tiles, or all of it."""
+    x0, y0, x1, y1 = outline.bounds
+    if look.floor == "planks":
+        count = max(1, min(MAX_STRIPS, round(min(x1 - x0, y1 - y0) / 0.16)))
+        grid = (1, count) if x1 - x0 >= y1 - y0 else (count, 1)
+        planks = _cells(outline, ((x1 - x0) / grid[0], (y1 - y0) / grid[1]), grid, 0.0015)
+        tones = len(look.tones)
+        return [[plank for i, plank in enumerate(planks) if (i * 7 + i // 3) % tones == tone] for tone in range(tones)]
     if look.floor == "tiles":
-        return [_tiles(outline)]
-    return _strips(outline, len(look.tones)) if look.floor == "planks" else [[outline]]
+        side = max(0.6, math.sqrt((x1 - x0) * (y1 - y0) / MAX_TILES))
+        grid = (max(1, math.ceil((x1 - x0) / side)), max(1, math.ceil((y1 - y0) / side)))
+        return [_cells(outline, (side, side), grid, 0.004)]
+    return [[outline]]
 
 
-def _strips(outline: Polygon, tones: int) -> list[list[BaseGeometry]]:
-    """Cut the floor into planks along its longer side; return them by tone."""
-    x0, y0, x1, y1 = outline.bounds
-    along_x = x1 - x0 >= y1 - y0
-    low, high = (y0, y1) if along_x else (x0, x1)
-    count = max(1, min(MAX_STRIPS, round((high - low) / 0.16)))
-    step = (high - low) / count
-    rows: list[list[BaseGeometry]] = [[] for _ in range(tones)]
-    for i in range(count):
-        a, b = low + i * step + 0.0015, low + (i + 1) * step - 0.0015
-        strip = box(x0, a, x1, b) if along_x else box(a, y0, b, y1)
-        rows[(i * 7 + i // 3) % tones].append(outline.intersection(strip))
-    return rows
+def _cells(outline: Polygon, edges: Point, grid: tuple[int, int], joint: float) -> list[BaseGeometry]:
+    """Return what lies in the cells of a grid over a polygon, half a joint from their edges."""
+    x0, y0, _, _ = outline.bounds
+    corners = ((x0 + i * edges[0], y0 + j * edges[1]) for i in range(grid[0]) for j in range(grid[1]))
+    cells = (box(x + joint, y + joint, x + edges[0] - joint, y + edges[1] - joint) for x, y in corners)
+    return [outline.intersection(cell) for cell in cells]
 
 
-def _tiles(outline: Polygon) -> list[BaseGeometry]:
-    """Cut the floor into square tiles with joints between them."""
-    x0, y0, x1, y1 = outline.bounds
-    side = max(0.6, math.sqrt((x1 - x0) * (y1 - y0) / MAX_TILES))
-    columns, rows = max(1, math.ceil((x1 - x0) / side)), max(1, math.ceil((y1 - y0) / side))
-    cells = ((x0 + i * side, y0 + j * side) for i in range(columns) for j in range(rows))
-    return [outline.intersection(box(x + 0.004, y + 0.004, x + side - 0.004, y + side - 0.004)) for x, y in cells]
-
-
-def _polygons(shape: BaseGeometry) -> list[Polygon]:
-    """Return the polygons of a shape, without slivers."""
-    pieces = shape.geoms if hasattr(shape, "geoms") else [shape]  # pyright: ignore[reportAttributeAccessIssue]
-    return [piece for piece in pieces if isinstance(piece, Polygon) and piece.area > SHORTEST]
-
-
-def _triangles(polygon: Polygon) -> list[list[Point]]:
-    """Return counter-clockwise triangles of a polygon, which may be concave."""
-    found: list[list[Point]] = []
-    pieces = constrained_delaunay_triangles(polygon).geoms
-    for triangle in (piece for piece in pieces if isinstance(piece, Polygon)):
-        corners = [(x, y) for x, y, *_ in triangle.exterior.coords[:-1]]
-        found.append(corners if triangle.exterior.is_ccw else corners[::-1])
-    return found
-
-
-def _sheet(name: str, tone: Material, pieces: Sequence[BaseGeometry]) -> Part | None:
-    """Return flat pieces at floor level, seen from above; None where nothing is left."""
-    corners: list[list[Point]] = [t for piece in pieces for polygon in _polygons(piece) for t in _triangles(polygon)]
-    if not corners:
-        return None
-    points = np.array([(x, y, 0.0) for triangle in corners for x, y in triangle])
-    faces = np.arange(len(points), dtype=np.int32).reshape(-1, 3)
-    return Part(name, points, faces, tone, convex=False)
+def _triangles(shapes: Sequence[BaseGeometry]) -> NDArray[np.float64]:
+    """Return counter-clockwise triangles (n, 3, 2) of the polygons, which may be concave, among shapes and their pieces."""
+    pieces = shapely.get_parts(shapes)
+    made = shapely.get_parts(shapely.constrained_delaunay_triangles(pieces[shapely.area(pieces) > SHORTEST]))
+    return shapely.get_coordinates(shapely.orient_polygons(made)).reshape(-1, 4, 2)[:, :3]
 
 
 def extruded(name: str, tone: Material, outline: Polygon, span: tuple[float, float]) -> Part:
@@ -160,7 +137,7 @@ def extruded(name: str, tone: Material, outline: Polygon, span: tuple[float, flo
         ring += [(x, y) for x, y, *_ in edge.coords[:-1]]
         walls += [(start + i, start + (i + 1) % count) for i in range(count)]
     index, n = {point: i for i, point in enumerate(ring)}, len(ring)
-    caps = [[index[p] for p in triangle] for triangle in _triangles(whole)]
+    caps = [[index[x, y] for x, y in triangle] for triangle in _triangles([whole]).tolist()]
     faces = [[c, b, a] for a, b, c in caps] + [[a + n, b + n, c + n] for a, b, c in caps]
     faces += [face for i, j in walls for face in ([i, j, j + n], [i, j + n, i + n])]
     points = np.array([(x, y, z) for z in span for x, y in ring])
@@ -168,16 +145,20 @@ def extruded(name: str, tone: Material, outline: Polygon, span: tuple[float, flo
 
 
 def _walls(room: Room, look: RoomStyle) -> Iterator[Part]:
-    """Yield the convex blocks of every wall."""
-    corners = _offset_corners(room, THICKNESS)
-    for wall in room.walls:
-        openings = [o for o in (*room.doors, *room.windows) if o.wall == wall.index]
-        ends = (corners[wall.index], corners[(wall.index + 1) % len(corners)])
-        for near, far, low, high in _blocks(wall.length, room.wall_height, openings):
-            outer_near = ends[0] if near <= SHORTEST else wall.point(near, -THICKNESS)
-            outer_far = ends[1] if far >= wall.length - SHORTEST else wall.point(far, -THICKNESS)
-            outline = (wall.point(near), outer_near, outer_far, wall.point(far))
-            yield prism(f"wall-{wall.index}", look.wall, outline, (low, high))
+    """Yield the convex blocks of every wall, and boards along its foot, left out at doors."""
+    for name, tone, openings, outwards, height in (
+        ("wall", look.wall, (*room.doors, *room.windows), THICKNESS, room.wall_height),
+        ("skirting", look.trim, room.doors, -SKIRTING[0], SKIRTING[1]),
+    ):
+        corners = _offset_corners(room, outwards)
+        for wall in room.walls:
+            ends = (corners[wall.index], corners[(wall.index + 1) % len(corners)])
+            holes = [hole for hole in openings if hole.wall == wall.index]
+            for near, far, low, high in _blocks(wall.length, height, holes):
+                second = ends[0] if near <= SHORTEST else wall.point(near, -outwards)
+                third = ends[1] if far >= wall.length - SHORTEST else wall.point(far, -outwards)
+                outline = (wall.point(near), second, third, wall.point(far))
+                yield prism(f"{name}-{wall.index}", tone, outline if outwards > 0 else outline[::-1], (low, high))
 
 
 def _offset_corners(room: Room, outwards: float) -> list[Point]:
@@ -296,27 +277,3 @@ def _curtains(wall: Wall, window: Opening, name: str, cloth: Material) -> Iterat
         depth = ((-0.019, -0.009), (-0.012, -0.002))[i % 2]
         for at in (near + i * fold, far - (i + 1) * fold):
             yield _bar(name, cloth, wall, (at, at + fold), depth, (window.sill + 0.022, top - 0.018))
-
-
-def _skirting(room: Room, look: RoomStyle) -> Iterator[Part]:
-    """Yield boards along the foot of the walls, left out at doors."""
-    depth, height = SKIRTING
-    corners = _offset_corners(room, -depth)
-    for wall in room.walls:
-        ends = (corners[wall.index], corners[(wall.index + 1) % len(corners)])
-        for near, far in _gaps(wall.length, [d for d in room.doors if d.wall == wall.index]):
-            inner_near = ends[0] if near <= SHORTEST else wall.point(near, depth)
-            inner_far = ends[1] if far >= wall.length - SHORTEST else wall.point(far, depth)
-            outline = (wall.point(near), wall.point(far), inner_far, inner_near)
-            yield prism(f"skirting-{wall.index}", look.trim, outline, (0.0, height))
-
-
-def _gaps(length: float, doors: Sequence[Opening]) -> Iterator[tuple[float, float]]:
-    """Yield the stretches of a wall that have no door."""
-    at = 0.0
-    for door in sorted(doors, key=lambda d: d.offset):
-        if door.offset - at > 0.01:
-            yield at, door.offset
-        at = max(at, door.offset + door.width)
-    if length - at > 0.01:
-        yield at, length

@@ -83,23 +83,18 @@ def _brick(u: Array, v: Array, noise: _Noise) -> Array:
     """Return courses of bricks, every other one shifted by half, in light mortar."""
     rows, columns = 8, 4
     row = np.floor(v * rows)
-    across = (u * columns + 0.5 * (row % 2)) % 1.0
-    joint = (np.minimum(across, 1 - across) * 0.25 < 0.011) | (
-        np.minimum(v * rows % 1, 1 - v * rows % 1) * 0.125 < 0.011
-    )
-    brick = 0.35 * np.sin(12.9 * row + 78.2 * np.floor(u * columns + 0.5 * (row % 2)) % columns) + 0.25 * noise(
-        0.01, 0.01
-    )
+    along = u * columns + 0.5 * (row % 2)
+    x, y = (np.minimum(part % 1, 1 - part % 1) for part in (along, v * rows))  # how far from a joint
+    brick = 0.35 * np.sin(12.9 * row + 78.2 * np.floor(along) % columns) + 0.25 * noise(0.01, 0.01)
+    joint = (x * 0.25 < 0.011) | (y * 0.125 < 0.011)
     return np.where(joint, 1.6, brick)
 
 
 def _wicker(u: Array, v: Array, noise: _Noise) -> Array:
     """Return canes around stakes."""
     canes = 16
-    shift = np.floor(v * canes) % 2
-    return np.abs(np.sin(np.pi * (canes / 2 * u + 0.5 * shift))) * np.abs(np.sin(np.pi * canes * v)) + 0.1 * noise(
-        0.02, 0.02
-    )
+    stakes = np.abs(np.sin(np.pi * (canes / 2 * u + 0.5 * (np.floor(v * canes) % 2))))
+    return stakes * np.abs(np.sin(np.pi * canes * v)) + 0.1 * noise(0.02, 0.02)
 
 
 TILES: Mapping[str, Tile] = {
