@@ -17,6 +17,12 @@ TWO_FRONTS = ("desk", "table", "counter")
 """Last words of what faces a thing when who sits at it does."""
 
 
+BLOCK = 6
+"""How many like things that look one way are a block: who sits at its end looks past what all of it faces."""
+
+LOWEST_SEAT = 0.2
+"""Metres above the floor of a thing from which on what is within its box can stand on it: a seat, a mattress, a board."""
+
 ALSO = {"shelf": "shelving unit", "stool": "bar stool", "sink": "washbasin", "toy": "toy box"}
 """Names under which the catalogue keeps what a word says."""
 
@@ -48,6 +54,10 @@ class Room:
                     any(n.split()[-1:] == word.split()[-1:] and n.endswith(word) for n in names) and name not in ending
                 )
         return exact or ending
+
+    def kind(self, name: str) -> str:
+        """Return the category of an asset."""
+        return str(self.scene["assets"][name]["category"])
 
     def box(self, name: str) -> tuple[float, float, float, float]:
         """Return depth, width, bottom and top of an asset in metres."""
@@ -94,9 +104,13 @@ class Room:
 
 
 def resting(room: Room, a: str, b: str) -> bool:
-    """Return whether an asset stands on another."""
-    (x, y, _), (_, _, bottom, _), (_, _, _, top) = room.pose(a), room.box(a), room.box(b)
-    return abs(bottom - top) <= 0.03 and room.outline(b).buffer(0.02).contains(Point(x, y))
+    """Return whether an asset stands on another: on its top, on a seat, mattress or board within its box, or on what does."""
+    (x, y, _), (_, _, bottom, _), (_, _, low, top) = room.pose(a), room.box(a), room.box(b)
+    if not room.outline(b).buffer(0.02).contains(Point(x, y)):
+        return False
+    alike = [n for n in room.layout if n not in (a, b) and room.kind(n) == room.kind(a)]
+    below = any(abs(bottom - room.box(n)[3]) <= 0.03 and resting(room, n, b) for n in alike)
+    return abs(bottom - top) <= 0.03 or low + LOWEST_SEAT <= bottom <= top or below
 
 
 def _beside(room: Room, a: str, b: str, side: int) -> bool:
@@ -113,14 +127,16 @@ def _before(room: Room, a: str, b: str, most: float, sign: int = 1) -> bool:
 
 
 def turned_to(room: Room, a: str, shape: Polygon | LineString) -> bool:
-    """Return whether a front of an asset looks at a shape."""
+    """Return whether a front of an asset looks at a shape; in a block of like things that look one way, roughly so."""
     x, y, yaw = room.pose(a)
+    alike = [n for n in room.layout if room.kind(n) == room.kind(a)]
+    block = sum(abs(math.remainder(room.pose(n)[2] - yaw, math.tau)) < math.radians(5) for n in alike) >= BLOCK
     fronts = (yaw, yaw + math.pi) if room.scene["assets"][a]["category"].endswith(TWO_FRONTS) else (yaw,)
     target = shape.centroid
     for front in fronts:
         ray = LineString([(x, y), (x + 50 * math.cos(front), y + 50 * math.sin(front))])
         off = abs(math.remainder(math.atan2(target.y - y, target.x - x) - front, math.tau))
-        if ray.intersects(shape) or off <= math.radians(20):
+        if ray.intersects(shape) or off <= math.radians(45 if block else 20):
             return True
     return False
 

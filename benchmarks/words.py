@@ -219,7 +219,7 @@ def _agreement(prompt: Prompt, met: list[bool], room: Room, ledger: Any) -> Iter
                 )
             else:
                 fits = row.kind == "relation" and all(found & set(row.things) for found in names)
-                fits = fits and len(row.things) >= len(names) and _same_word(demand.kind, row.words)
+                fits = fits and len(row.things) >= len(names) and _same_word(demand, row.words)
             if fits:
                 yield (row.verdict == "met") == good
                 break
@@ -243,8 +243,11 @@ WORDS = {
 """Words by which a row of the ledger says a relation; the others say their own name."""
 
 
-def _same_word(kind: str, words: str) -> bool:
-    return any(word in words for word in WORDS.get(kind, (kind,)))
+def _same_word(demand: Demand, words: str) -> bool:
+    """Return whether a row says a relation, by its words besides those for the things: a "side table" is not beside one."""
+    for noun in demand.about:
+        words = words.replace(noun, "")
+    return any(word in words for word in WORDS.get(demand.kind, (demand.kind,)))
 
 
 def section(rows: Rows, images: Path) -> str:

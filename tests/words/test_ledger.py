@@ -179,6 +179,29 @@ def test_rows_are_as_many_as_are_said() -> None:
     assert row.verdict == "unmet"
 
 
+def test_rows_longer_than_the_room_are_files_and_look_one_way() -> None:
+    text = "A chapel of 8 x 8 m with an altar and ten pews in two rows facing the altar"
+    scene, _ = scene_from_sentence(text)
+    said = {row.words: row.understanding for row in read_words(scene).rows}
+    assert said["pew in two rows"].endswith("aisle=0.6, 5)")  # five pews abreast are 9.5 m
+    assert "point_towards(pew-1, altar-0)" in said["pew facing altar"] and "align_with" in said["pew facing altar"]
+
+
+def test_of_a_stack_the_lowest_stands_in_the_corner() -> None:
+    scene, _ = scene_from_sentence("A garage with a stack of four pallets in the corner")
+    (row,) = [row for row in read_words(scene).rows if row.words == "pallet in corner"]
+    assert row.things == ("pallet-0",)
+
+
+def test_what_is_to_hold_others_is_large_enough() -> None:
+    def size(text: str, category: str) -> tuple[float, ...]:
+        return next(asset.size for asset in scene_from_sentence(text)[0].assets if asset.category == category)
+
+    rug = size("A library with a rug and eight floor cushions on the rug", "rug")
+    assert rug[0] * rug[1] > 8 * 0.6**2
+    assert size("A bar with eight stools in front of the bar counter", "bar counter")[1] > 8 * 0.5
+
+
 def test_a_second_room_is_a_thing_or_not_understood() -> None:
     _, found = scene_from_sentence("A studio with a sofa bed, a kitchenette and a table")
     assert found.room_type == "studio" and found.wished["kitchen counter"] == 1

@@ -53,6 +53,8 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("a pool table at least 1.5 m from every wall", {"pool table": 1}),
         ("a rack for shoes by the door", {"shelving unit": 1}),
         ("three chairs in a semicircle", {"chair": 3}),
+        ("two people watch films on a sofa", {"sofa": 1}),
+        ("a watch on the desk", {"jewelry box": 1, "desk": 1}),
         ("twelve student desks in 3 rows and 4 columns", {"student desk": 12}),
         ("a round table for four. A cabinet is behind the chairs.", {"round table": 1, "cabinet": 1, "chair": 4}),
     ],
@@ -128,6 +130,7 @@ def test_relations(text: str, said: set[tuple[str, ...]]) -> None:
     [
         ("a lamp above the dining table", "pendant lamp"),
         ("a lamp on the desk", "table lamp"),
+        ("a cabinet above the bathtub", "wall cabinet"),
         ("a lamp in the corner", "floor lamp"),
         ("a coffeetable", "coffee table"),
         ("a bistro table", "round table"),
@@ -160,6 +163,12 @@ def test_every_word_is_part_of_something() -> None:
     assert "shimmering" in missed
     assert [thing.noun.words for thing in said.things] == ["glorp", "bed"]
     assert said.things[0].noun.guessed
+
+
+def test_words_before_nouns_that_say_nothing_are_named() -> None:
+    assert read("a queen-size bed and two large wooden stacked crates").unknown == []
+    assert read("a frilly blue bed").unknown == ["frilly"]
+    assert read("Une chambre avec une armoire").unknown == ["une", "chambre", "avec"]
 
 
 def test_only_so_much_is_read_and_the_rest_is_counted() -> None:

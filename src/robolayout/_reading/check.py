@@ -19,6 +19,7 @@ from robolayout._reading.files import MAX_FILE_BYTES, is_folder, regular_bytes
 from robolayout._reading.syntax import Unreadable, check_plain, decoded, json_value, toml_value
 
 MAX_TEXT = 10_000  # longest text in a file, in characters
+MAX_SHOWN = 300  # characters of a path that a message shows
 MAX_LENGTH = 1000.0  # largest coordinate or length in metres
 Given = TypeVar("Given")
 Made = TypeVar("Made")
@@ -138,7 +139,8 @@ class Checker:
         if is_folder(path):
             raise self.error(f"{what} {path} is a folder; name the file in it{_such_as(path, what)}.")
         if not os.path.lexists(path):
-            raise self.error(f"{what} {path} does not exist; {_meant(path)}check the path.")
+            shown = str(path) if len(str(path)) <= MAX_SHOWN else f"{str(path)[:MAX_SHOWN]}..."
+            raise self.error(f"{what} {shown} does not exist; {_meant(path)}check the path.")
         return self.parse(lambda place: regular_bytes(place, most), path, f"{what} {path}")
 
     def parse(self, read: Callable[[Given], Made], given: Given, what: str) -> Made:

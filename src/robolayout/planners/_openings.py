@@ -12,8 +12,8 @@ from robolayout.words import COMPASS, WantedOpening
 
 Outline = list[tuple[float, float]]
 
-ASIDE = 0.3
-"""Metres between a door and the nearer end of its wall."""
+ASIDE, FLANKED = 0.3, 0.9
+"""Metres between a door and the nearer end of its wall: usually, and where things are to stand on both sides of it."""
 
 LARGE, USUAL = (2.2, 1.5), (1.8, 1.3)
 """Width and height in metres of a large window and of a usual one."""
@@ -41,6 +41,7 @@ def openings(
     height: float = 2.6,
     *,
     varied: bool = False,
+    flanked: bool = False,
 ) -> tuple[list[Opening], list[Opening]]:
     """Return doors near the ends of long walls (varied: somewhere in any wall), and windows in other walls.
 
@@ -51,6 +52,7 @@ def openings(
         rng: Settles what is not.
         height: Height of the walls in metres; doors and windows are lower.
         varied: Whether doors may be where they are less usual.
+        flanked: Whether things are to stand on both sides of a door.
     """
     lengths = [math.dist(a, b) for a, b in zip(outline, outline[1:] + outline[:1], strict=True)]
     order = sorted(range(len(lengths)), key=lambda i: -lengths[i])
@@ -65,7 +67,7 @@ def openings(
         fits = [i for i in order if lengths[i] > wide and i not in {d["wall"] for d in doors}] or order
         start = fits.index(usual) if usual in fits and not number else 0
         wall = _wall(outline, item.wall, fits[start:] + fits[:start])
-        first = ASIDE if lengths[wall] - wide > 2 * ASIDE else (lengths[wall] - wide) / 2
+        first = min(FLANKED if flanked else ASIDE, (lengths[wall] - wide) / 2)
         offset = first + (1.0 - along) * (lengths[wall] - wide - 2 * first)
         doors.append(
             {

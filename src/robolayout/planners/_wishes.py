@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from robolayout._errors import SceneError
+from robolayout._reading.check import MAX_TEXT
 from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.palette import LOOKS
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import (
     Lexicon,
+    Link,
     Mention,
     Place,
     Reading,
@@ -32,6 +35,13 @@ CARRIED = 0.5
 """Square metres of floor that a thing takes at the most to be put on another, where it is asked to stand there."""
 
 SIZE_WORDS = {"small", "large", "big", "little"}
+
+
+APART = 0.25
+"""Metres between things that lie on a rug or sit in a line."""
+
+SEATS, AT_A_LINE = ("stool", "chair"), ("front", "by", "with", "wall", "next", "around")
+"""Last words of what sits before a counter, and relations that say so."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +79,7 @@ class Wishes:
         spoken = [(chunk.start, chunk.end) for chunk in parsed.missed]
         unknown = [thing for thing in parsed.things if thing.noun.kind.startswith("unknown")]
         spoken += [(t.spans[0][1] - len(t.noun.said.split()), t.spans[0][1]) for t in unknown]
-        return tuple(self.reading.span(*span) for span in sorted(spoken))
+        return (*(self.reading.span(*span) for span in sorted(spoken)), *self.reading.unknown)
 
 
 def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wishes:
@@ -85,6 +95,8 @@ def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wish
     """
     if not text.strip():
         raise SceneError('the sentence is empty; say for example "a bedroom for two with a desk, 4 x 5 m".')
+    if len(text) > MAX_TEXT:
+        raise SceneError(f"the sentence has {len(text)} characters; say it in at most {MAX_TEXT}.")
     lexicon = Lexicon(rooms, own)
     reading = read_text(text, lexicon)
     room, guesses = _room(reading, rooms)
@@ -108,7 +120,8 @@ def _room(reading: Reading, rooms: Rooms) -> tuple[RoomType, list[str]]:
         return rooms.rooms[reading.room], guess if reading.guessed else []
     kinds = {thing.noun.kind for thing in reading.parsed.things}
     if not kinds and not reading.parsed.facts:
-        raise SceneError(f"the sentence names no room; known room types: {', '.join(sorted(rooms.rooms))}.")
+        known = ", ".join(sorted(rooms.rooms))
+        raise SceneError(f"the sentence names no room; known room types: {known}; words are read in English.")
     scores = {name: _belongs(kinds, room) for name, room in rooms.rooms.items()}
     best = max(scores, key=lambda name: (scores[name], name == "room"))
     best = best if scores[best] >= LIKELY else "room"
@@ -154,7 +167,8 @@ def _things(
         name, shown = usual_there(thing, room) or thing.noun.kind, _shown(thing, room, lexicon)
         kind = lexicon.kinds[name]
         like = kind.like or (name if shown != name else "")
-        kind = replace(kind, name=shown, like=like, size=sized(kind, thing.adjectives))
+        size = _large_enough(thing, sized(kind, thing.adjectives), reading.parsed.links, lexicon)
+        kind = replace(kind, name=shown, like=like, size=size)
         if thing in resting and kind.size[0] * kind.size[1] < CARRIED:
             kind = replace(kind, on_object=True, on_wall=False, on_ceiling=False, on_floor=False)
         if thing in hung and not kind.on_ceiling:
@@ -171,6 +185,30 @@ def _things(
                 if name.split()[-1] not in present:
                     wished[name] = wished.get(name, 0) + count
     return wished, named
+
+
+def _large_enough(
+    thing: Thing, size: tuple[float, float, float], links: Sequence[Link], lexicon: Lexicon
+) -> tuple[float, float, float]:
+    """Return the size of a thing with room for what is to lie on it, where it is a rug, or to sit before it in a line."""
+    depth, width, height = size
+    for link in links:
+        to = [item.thing for item in link.objects if isinstance(item, Mention)]
+        if thing not in to:
+            continue
+        for mention in link.subjects:
+            own = lexicon.kinds[mention.thing.noun.kind].size
+            each = mention.thing.count / thing.count
+            if link.relation == "on" and height < FLAT_HEIGHT:
+                times = math.sqrt(max(1.0, each * (max(own[:2]) + APART) ** 2 / (depth * width)))
+                depth, width = round(depth * times, 2), round(width * times, 2)
+            elif (
+                link.relation in AT_A_LINE
+                and thing.noun.kind.endswith("counter")
+                and mention.thing.noun.kind.endswith(SEATS)
+            ):
+                width = round(max(width, each * (own[1] + APART)), 2)
+    return depth, width, height
 
 
 def _shown(thing: Thing, room: RoomType, lexicon: Lexicon) -> str:

@@ -141,6 +141,13 @@ def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
     people = _people(wishes, room, wished)
     heads = {head(name) for name in wished}
     heads |= {"chair"} if SEATS & {*wished} and "table" in heads else set()
+    in_rows = {
+        m.thing.noun.kind for link in wishes.reading.parsed.links if link.relation == "rows" for m in link.subjects
+    }
+    audience = (
+        any(head(kind) == "chair" for kind in in_rows) and "desk" not in heads
+    )  # it sits before a board, at no desks
+    heads |= {"desk"} if audience else set()
     for name, count in room.person.items():
         if people and head(name) not in heads and name not in wishes.reading.unwanted:
             wished[name] = wished.get(name, 0) + count * people
@@ -265,7 +272,15 @@ def _scene(
     if rng.random() < 0.5:
         outline = [(width - x, y) for x, y in reversed(outline)]
     wide = 3.0 if found.agent in ("forklift",) else 0.95 if width * depth < 30 else 1.1
-    doors, windows = openings(outline, wide, wanted_openings(wishes.reading), rng, found.height, varied=varied)
+    doors, windows = openings(
+        outline,
+        wide,
+        wanted_openings(wishes.reading),
+        rng,
+        found.height,
+        varied=varied,
+        flanked=wishes.reading.flanked_door,
+    )
     style = wishes.reading.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
     floor = wishes.reading.floor or str(rng.choice(wishes.room.floors))
     things = both(found.wished, found.added)

@@ -251,7 +251,9 @@ class Chunker:
         if word in ("left", "hanging", "standing", "built"):
             return not self._continues(i)
         if self.grammar.phrases.get(word, ("", ""))[0] not in ("verb", "pron"):
-            return False
+            return bool(run) and run[-1] in ("people", "persons")  # "two people read"
+        if not run and self.words[i - 1] in ("a", "an") and self.lexicon.noun([word]) is not None:
+            return False  # "a watch"
         if self.lexicon.noun(self.words[i : i + 2]) is not None and self._continues(i):
             return False
         known = bool(run) and self.lexicon.noun([run[-1], word]) is not None

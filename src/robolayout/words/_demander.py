@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from robolayout.constraints import RELATIONS, AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Asset, Opening, Scene, Wall
 from robolayout.words._places import centre, corners_meant, halves_meant, rectangle, turned, walls_meant
+from robolayout.words._rows import alike, in_rows, lines
 from robolayout.words._said import Link, Mention, Place, Thing
 from robolayout.words._ways import (
     ACROSS,
     AHEAD,
     AT_DOOR,
     AT_PLACES,
+    AT_SIDES,
     AT_TABLE,
     AT_WINDOW,
     BACK,
@@ -46,17 +48,31 @@ class Demander:
     Args:
         scene: The scene.
         names: Names of the assets that stand for each thing.
-        stacked: Things of which only the first rests on what they are put on.
+        links: All relations of the text.
     """
 
-    def __init__(self, scene: Scene, names: Mapping[Thing, tuple[str, ...]], stacked: Set[Thing] = frozenset()) -> None:
-        self.scene, self.names, self.stacked = scene, names, stacked
+    def __init__(self, scene: Scene, names: Mapping[Thing, tuple[str, ...]], links: Sequence[Link]) -> None:
+        self.scene, self.names = scene, names
+        # of these only the first stands where they are put
+        self.stacked = {mention.thing for link in links if link.relation == "stacked" for mention in link.subjects}
+        # beside these others stand, so that they are no unbroken row
+        to = [item for link in links if link.relation in AT_SIDES for item in link.objects]
+        self.flanked = {name for item in to if isinstance(item, Mention) for name in names.get(item.thing, ())}
         self.room = scene.room
+        # how many stand side by side in the straight rows that are told
+        self.abreast = {
+            name: math.ceil(len(named) / (lines(self.scene, link, named) or 1))
+            for link in links
+            if link.relation in ("row", "rows", "columns")
+            for named in [self._others(link.subjects)]
+            if alike(self.scene, named)
+            for name in named
+        }
 
     def demands(self, link: Link) -> tuple[Demand, ...]:
         """Return what a link asks for; nothing where it cannot be said."""
-        subjects = [name for mention in link.subjects for name in self._named(mention)]
-        if link.relation == "on":
+        subjects = self._others(link.subjects)
+        if link.relation != "stacked":
             piled = {name for thing in self.stacked for name in self.names.get(thing, ())[1:]}
             subjects = [name for name in subjects if name not in piled]
         if link.relation == "open":
@@ -68,7 +84,8 @@ class Demander:
         if link.relation in ENDS and any(isinstance(item, Place) and item.name == "room" for item in link.objects):
             return tuple(self._at_place(subjects, Place("side", (ENDS[link.relation],))))
         place = self._place(link.objects) if link.relation in AT_PLACES else None
-        at_place = self._at_place(subjects, place, on=link.relation in ("on", "wall")) if place is not None else ()
+        on, share = link.relation in ("on", "wall"), len(subjects) > 1 and link.relation != "flank"
+        at_place = self._at_place(subjects, place, on=on, share=share) if place is not None else ()
         if link.relation in TO_ANOTHER:
             twos = self._matched(subjects, link.objects)
             return (*at_place, *(_way(TO_ANOTHER[link.relation], a, b) for a, b in twos))
@@ -223,6 +240,10 @@ class Demander:
     def _facing(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Looking at a thing, a door or a window; a desk faces what one sees who sits at it."""
         place = self._place(objects)
+        if len(subjects) > 2 and {*subjects} <= {*self.abreast} and len(self._others(objects)) < 2:
+            one = subjects[self.abreast[subjects[0]] // 2]  # of straight rows one faces it, the others look as it does
+            yield Demand((tuple(_say("align_with", AssetRef(a), AssetRef(one)) for a in subjects if a != one),))
+            subjects = [one]
         for i, a in enumerate(subjects):
             others = self._others(objects)
             targets = (
@@ -262,20 +283,21 @@ class Demander:
             yield Demand(tuple((_say("zone", AssetRef(a), rectangle(*strip)),) for strip in strips))
 
     def _row(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        """Side by side: each at a side of the one before, turned the same way."""
+        """Side by side: alike things in one line, others each at a side of the one before, turned the same way."""
+        if alike(self.scene, subjects) and not self.flanked & {*subjects}:
+            yield in_rows(subjects, 1)
+            yield from self._huddle(subjects, objects)
+            return
         for before, a in pairwise(subjects):
             if self._asset(a).on_floor:
                 yield _way(((("next_to", "beside", BACK), ("align_with",)),), a, before)
 
     def _rows(self, subjects: Sequence[str], link: Link) -> Iterator[Demand]:
         """Like things stand in a block, in so many rows if that is said; others near each other."""
-        sizes = {(self._asset(name).size, self._asset(name).on_floor) for name in subjects}
-        if len(subjects) < 2 or len(sizes) > 1 or not self._asset(subjects[0]).on_floor:
+        if not alike(self.scene, subjects):
             yield from self._huddle(subjects, link.objects)
             return
-        rows = math.ceil(len(subjects) / link.rows) if link.rows and link.relation == "columns" else link.rows
-        items = tuple(AssetRef(name) for name in subjects)
-        yield _one(_say("in_rows", items, BESIDE, 0.0, "alike", rows if 0 < rows <= len(items) else None))
+        yield in_rows(subjects, lines(self.scene, link, subjects))
 
     def _huddle(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Each near another one."""
@@ -316,8 +338,13 @@ class Demander:
         for a in subjects if len(ends) > 1 else ():
             pairs = [(ends[0], ends[1])] if len(ends) == 2 else list(pairwise(ends))
             one, two = pairs[subjects.index(a) % len(pairs)]
-            near = tuple(_say("near", AssetRef(a), end, AHEAD) for end in (one, two))
+            near = tuple(_say("near", AssetRef(a), end, self._within(a, end)) for end in (one, two))
             yield Demand((near,), BetweenTwo(AssetRef(a), one, two))
+
+    def _within(self, a: str, end: AssetRef | PointRef) -> float:
+        """Return how far from an end a thing between two stands: what is narrower than itself flanks it."""
+        flanked = isinstance(end, AssetRef) and self._asset(end.name).size[1] < self._asset(a).size[1]
+        return BESIDE if flanked else AHEAD
 
     # what stands at a place of the room
 
@@ -352,12 +379,14 @@ class Demander:
                 else _one(_say("near", AssetRef(a), AssetRef(b), BESIDE))
             )
         if not others:
-            yield from self._at_place(subjects, Place("middle"))
+            yield from self._at_place(subjects, Place("middle"), share=len(subjects) > 1)
 
-    def _at_place(self, subjects: Sequence[str], place: Place, *, on: bool = False) -> Iterator[Demand]:
-        """Yield that things stand at a place of the room."""
+    def _at_place(
+        self, subjects: Sequence[str], place: Place, *, on: bool = False, share: bool = False
+    ) -> Iterator[Demand]:
+        """Yield that things stand at a place of the room; where several share it, each somewhat farther from its middle."""
         for a in subjects:
-            ways = list(self._ways_at(a, place, on=on, share=len(subjects) > 1))
+            ways = list(self._ways_at(a, place, on=on, share=share))
             if ways:
                 yield Demand(tuple(ways))
 
@@ -374,7 +403,7 @@ class Demander:
         elif place.name == "corner":
             yield from ((_say("corner", ref, vertex),) for vertex in corners_meant(self.scene, place))
         elif place.name in ("window", "door"):
-            gap = AT_WINDOW if place.name == "window" else AT_DOOR
+            gap = AT_WINDOW if place.name == "window" else AT_DOOR * (1.5 if share else 1.0)
             yield from ((_say("near", ref, point, gap),) for point in self._points(place))
         elif place.name == "middle":
             x0, y0, x1, y1 = self.room.bounds

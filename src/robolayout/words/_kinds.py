@@ -24,7 +24,7 @@ def settle_kinds(parsed: Parsed) -> None:
             noun = mention.thing.noun
             standing = place == "wall" and CATALOGUE[noun.kind].on_floor and noun.said not in ("lamp", "light")
             hung = f"wall {noun.kind.split()[-1].replace('bookshelf', 'shelf')}"
-            standing = standing and (link.relation != "above" or not hung.endswith("shelf"))
+            standing = standing and link.relation != "above"
             if place == "wall" and link.relation == "above" and not standing and hung in CATALOGUE and not noun.others:
                 mention.thing.noun = replace(noun, words=hung, kind=hung)
                 continue

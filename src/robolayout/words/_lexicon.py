@@ -12,8 +12,12 @@ from importlib.resources import files
 
 from robolayout.assets import CATALOGUE, Category, category_of, find_category
 from robolayout.assets.lexicon import phrase_index, singular
+from robolayout.assets.palette import LOOKS
 from robolayout.scene import Scene
 from robolayout.words.rooms import Rooms
+
+BEFORE_NOUNS = ("stacked", "piled", "diagonal", "angled", "left", "right", "poster", "drawer", "door", "tier", "person")
+"""Words before nouns that say how or where things stand, or of what they have so many."""
 
 LONGEST = 6
 """Most words of a phrase."""
@@ -44,6 +48,13 @@ class Grammar:
     exclusive: tuple[frozenset[str], ...]  # attributes of which a thing has one
     floors: Mapping[str, str]  # names of floors by what is said of them, or of the style of the room
     dress: Mapping[str, tuple[str, ...]]  # phrases that say how much is to lie about, by how much
+
+    @property
+    def adjectives(self) -> frozenset[str]:
+        """All words before nouns that mean something or ask for nothing."""
+        lists = (self.styles, self.sizes, self.walls, self.fillers, self.rooms, LOOKS, self.functions, self.parts)
+        models = (word for model in self.models for word in model.split())
+        return frozenset(word for words in (*lists, models, BEFORE_NOUNS) for word in words)
 
 
 @cache

@@ -33,7 +33,7 @@ def sized(kind: Category, adjectives: Sequence[str]) -> tuple[float, float, floa
     if model is not None:
         return model
     depth, width, height = kind.size
-    for word in adjectives:
+    for word in dict.fromkeys(adjectives):
         d, w, h = lists.sizes.get(word, (1.0, 1.0, 1.0))
         depth, width, height = depth * d, width * w, height * h
     return (round(depth, 3), round(width, 3), round(height, 3))

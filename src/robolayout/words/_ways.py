@@ -56,6 +56,9 @@ TO_ANOTHER: Mapping[str, Ways] = {
 AT_PLACES = frozenset((*TO_ANOTHER, "on", "in", "flank", "under", "above", "wall"))
 """Relations that lead to a place of the room as well as to things."""
 
+AT_SIDES = frozenset(("flank", "left", "right", "next"))
+"""Relations that put a thing at a side of another one."""
+
 IN_A_CHAIN: Mapping[str, Ways] = {
     "abreast": ((("near", AT_TABLE),),),
     "parallel": _PARALLEL,

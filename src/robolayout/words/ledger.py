@@ -141,9 +141,7 @@ class _Rows:
     def __init__(self, scene: Scene, reading: Reading) -> None:
         self.scene, self.reading = scene, reading
         self.names = stand_ins(scene, reading.parsed.things)
-        links = reading.parsed.links
-        stacked = {mention.thing for link in links if link.relation == "stacked" for mention in link.subjects}
-        self.demander = Demander(scene, self.names, stacked)
+        self.demander = Demander(scene, self.names, reading.parsed.links)
 
     def rows(self) -> Iterator[_Row]:
         """Yield facts about the room, counts, relations, refusals, and what was not understood."""
@@ -164,8 +162,13 @@ class _Rows:
             yield self._relation(link)
         for noun, span in parsed.refused:
             yield self._refusal(noun.words, noun.kind, self.reading.span(*span))
-        for chunk in parsed.missed:
-            yield _unread(self.reading.span(chunk.start, chunk.end), "no word list has it")
+        yield from self._unread()
+
+    def _unread(self) -> Iterator[_Row]:
+        """Yield what was not understood."""
+        missed = [self.reading.span(chunk.start, chunk.end) for chunk in self.reading.parsed.missed]
+        for words in (*missed, *self.reading.unknown):
+            yield _unread(words, "no word list has it")
         if self.reading.unread:
             yield _unread("...", f"{self.reading.unread} further characters were not read")
 

@@ -11,7 +11,7 @@ from robolayout.words._chunks import Chunk, Chunker
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
-from robolayout.words._said import Parsed, Thing, children
+from robolayout.words._said import Parsed, Place, Thing, children
 from robolayout.words._tokens import Token, measures, tokens
 
 LONGEST = 4000
@@ -81,6 +81,18 @@ class Reading:
         said = [chunk.adjectives for chunk in self.parsed.facts] + [thing.adjectives for thing in self.parsed.things]
         alone = [chunk.value for chunk in self.parsed.facts if chunk.kind == "style"]
         return list(dict.fromkeys([*alone, *(word for words in said for word in words if word in styles)]))
+
+    @property
+    def flanked_door(self) -> bool:
+        """Whether things are to stand on both sides of the door."""
+        sides = [item for link in self.parsed.links if link.relation == "flank" for item in link.objects]
+        return any(isinstance(item, Place) and item.name == "door" for item in sides)
+
+    @property
+    def unknown(self) -> list[str]:
+        """Words before nouns of which nothing is known ("a frilly bed"), in order."""
+        said = (word for thing in self.parsed.things for word in thing.adjectives)
+        return list(dict.fromkeys(word for word in said if word not in grammar().adjectives))
 
     @property
     def style(self) -> str:

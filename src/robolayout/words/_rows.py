@@ -1,0 +1,36 @@
+"""Straight rows of like things: how many lines are meant, and the statement that says it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from robolayout.constraints import AssetRef
+from robolayout.constraints.in_rows import InRows
+from robolayout.scene import Scene
+from robolayout.words._said import Link
+from robolayout.words._ways import BESIDE
+from robolayout.words.demands import Demand
+
+
+def alike(scene: Scene, names: Sequence[str]) -> bool:
+    """Return whether several things of one size stand on the floor."""
+    things = [scene.by_name[name] for name in names]
+    return len(things) > 1 and len({thing.size for thing in things}) == 1 and things[0].on_floor
+
+
+def lines(scene: Scene, link: Link, names: Sequence[str]) -> int | None:
+    """Return in how many lines like things stand: as many as are said, or files where such lines are longer than the room."""
+    rows = 1 if link.relation == "row" else link.rows
+    if not 0 < rows <= len(names):
+        return None
+    across = math.ceil(len(names) / rows)
+    x0, y0, x1, y1 = scene.room.bounds
+    long = rows > 1 and across * scene.by_name[names[0]].size[1] > max(x1 - x0, y1 - y0)
+    return across if long or link.relation == "columns" else rows
+
+
+def in_rows(names: Sequence[str], rows: int | None) -> Demand:
+    """Return that things stand in a block of so many straight rows, any number for None."""
+    items = tuple(AssetRef(name) for name in names)
+    return Demand(((InRows(items, BESIDE, 0.0, "alike", rows),),))
