@@ -74,7 +74,7 @@ def verdict(text: str, kind: str, layout: Layout = PLACED) -> str:
         ("The night stands are stacked.", False),
         ("The two night stands stand symmetrically on both sides of the bed.", True),
         ("The room is open in the middle.", False),
-        ("The night stands stand in a row.", False),
+        ("The night stands stand in a row.", True),
     ],
 )
 def test_relations_are_measured_in_the_layout(text: str, met: bool) -> None:
@@ -185,6 +185,11 @@ def test_rows_longer_than_the_room_are_files_and_look_one_way() -> None:
     said = {row.words: row.understanding for row in read_words(scene).rows}
     assert said["pew in two rows"].endswith("aisle=0.6, 5)")  # five pews abreast are 9.5 m
     assert "point_towards(pew-1, altar-0)" in said["pew facing altar"] and "align_with" in said["pew facing altar"]
+
+
+def test_a_row_is_straight() -> None:
+    moved = PLACED.moved("night_stand-1", by=(0.3, 0.0))
+    assert verdict("The two night stands stand in a row.", "relation", moved) == "unmet"
 
 
 def test_of_a_stack_the_lowest_stands_in_the_corner() -> None:

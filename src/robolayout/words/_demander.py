@@ -286,7 +286,6 @@ class Demander:
         """Side by side: alike things in one line, others each at a side of the one before, turned the same way."""
         if alike(self.scene, subjects) and not self.flanked & {*subjects}:
             yield in_rows(subjects, 1)
-            yield from self._huddle(subjects, objects)
             return
         for before, a in pairwise(subjects):
             if self._asset(a).on_floor:
