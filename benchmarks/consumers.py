@@ -26,7 +26,7 @@ from benchmarks import browser
 from benchmarks.examples import ROOMS, ROOT
 from benchmarks.exports import validated
 from benchmarks.page import RESULTS
-from benchmarks.simulators import SIMULATORS, Rested, Spot
+from benchmarks.simulators import SIMULATORS, Rested, Spot, in_drake
 from benchmarks.store import Row, Store
 from benchmarks.tables import table
 from robolayout._files import write_atomic
@@ -64,6 +64,7 @@ NOT_RUN = (
 
 CONSUMERS: Mapping[str, str] = {
     "MuJoCo": "MJCF",
+    "Drake, MJCF": "MJCF",
     "Drake, SDF": "world and model folders",
     "Drake, URDF": "the room and its robots",
     "PyBullet, SDF": "model folders, put where the world says",
@@ -89,6 +90,8 @@ def measured(room: Path) -> Row:
             for kind, path in (("SDF", sdf), ("URDF", urdf)):
                 if find_spec(package):
                     row |= _named(f"{simulator}, {kind}", _rested(result, load(path, SECONDS)))
+        if find_spec("pydrake"):
+            row |= _named("Drake, MJCF", _rested(result, in_drake(mjcf, SECONDS)))
         row |= _named("MuJoCo", _rested(result, _mujoco(result, mjcf)))
         row |= _named("trimesh", _spots(result, _trimesh(glb)))
         if find_spec("bpy"):

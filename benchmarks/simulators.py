@@ -35,7 +35,7 @@ class Rested:
 
 
 def in_drake(path: Path, seconds: float) -> Rested:
-    """Return what Drake makes of an SDF world or a URDF with its robots."""
+    """Return what Drake makes of an MJCF model, an SDF world or a URDF with its robots."""
     plants: Any = import_module("pydrake.multibody.plant")
     builder = import_module("pydrake.systems.framework").DiagramBuilder()
     plant, geometry = plants.AddMultibodyPlantSceneGraph(builder, STEP)
@@ -48,6 +48,10 @@ def in_drake(path: Path, seconds: float) -> Rested:
         for name, include in _included(path):
             model = plant.GetModelInstanceByName(include.findtext("name", ""))
             bodies[name] = plant.get_body(plant.GetBodyIndices(model)[0])
+    elif path.suffix == ".xml":
+        (room,) = parser.AddModels(str(path))
+        names = [body.attrib["name"] for body in ET.parse(path).getroot().findall("worldbody/body")]
+        bodies = {name: plant.GetBodyByName(name, room) for name in names[1:]}  # the room comes first
     else:
         (room,) = parser.AddModels(str(path))
         for place in ET.parse(path).getroot().iter("place"):
@@ -64,9 +68,15 @@ def in_drake(path: Path, seconds: float) -> Rested:
     start = spots()
     simulator.AdvanceTo(seconds)
     free = {name: body for name, body in bodies.items() if body.is_floating_base_body()}
-    masses = {name: plant.CalcTotalMass(context, [body.model_instance()]) for name, body in free.items()}
+    masses = {name: _drake_mass(plant, body, alone=path.suffix != ".xml") for name, body in free.items()}
     joints = sum(plant.get_joint(index).num_positions() == 1 for index in plant.GetJointIndices())
     return Rested(start, _moved(start, spots()), masses, joints)
+
+
+def _drake_mass(plant: Any, body: Any, *, alone: bool) -> float:
+    """Return the kilograms of a body with its links, of all of its model where it is alone in that."""
+    links = [plant.get_body(index) for index in plant.GetBodyIndices(body.model_instance())]
+    return sum(link.default_mass() for link in links if alone or link.name().partition("/")[0] == body.name())
 
 
 def _drake_body(plant: Any, parser: Any, room: Any, folder: Path, place: ET.Element) -> Any:

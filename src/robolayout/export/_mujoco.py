@@ -80,5 +80,5 @@ def touched(model: Any, data: Any, bodies: Sequence[int]) -> set[str]:
     names: set[str] = set()
     for geom in pairs[~own & own.any(axis=1, keepdims=True)].tolist():
         root = int(model.body_rootid[model.geom_bodyid[geom]])
-        names.add(str(model.geom(geom).name.split("/")[1] if root == ROOM_BODY else model.body(root).name))
+        names.add(str(model.geom(geom).name.split("/")[1] if root <= ROOM_BODY else model.body(root).name))
     return names

@@ -140,7 +140,7 @@ def _jointed(model: _Model, outer: ET.Element, own: str, link: Link) -> ET.Eleme
 
 
 def _geom(model: _Model, body: ET.Element, thing: Thing, shape: Shape, folder: str) -> None:
-    """Add a shape as a box or a mesh; the floor is a plane."""
+    """Add a shape as a box or a mesh; the floor is a plane of the world, since Drake crashes at one of a body."""
     note = {"name": f"{thing.name}/{shape.name}", "class": "solid" if shape.touched else "look"}
     if shape.touched:
         note["friction"] = f"{thing.friction:.6g} 0.005 0.0001"
@@ -149,7 +149,7 @@ def _geom(model: _Model, body: ET.Element, thing: Thing, shape: Shape, folder: s
     note |= {"material": _material(model, shape.part.material)} if shape.seen else {"rgba": "0 0 0 0"}
     box = shape.box
     if thing.asset is None and not shape.seen:
-        note |= {"type": "plane", "size": "0 0 0.1"}
+        body, note = model.world, {**note, "type": "plane", "size": "0 0 0.1"}
     elif box is None:
         note |= {"type": "mesh", "mesh": shape.mesh}
         if shape.mesh not in model.meshes:
