@@ -108,7 +108,7 @@ def resting(room: Room, a: str, b: str) -> bool:
     (x, y, _), (_, _, bottom, _), (_, _, low, top) = room.pose(a), room.box(a), room.box(b)
     if not room.outline(b).buffer(0.02).contains(Point(x, y)):
         return False
-    alike = [n for n in room.layout if n not in (a, b) and room.kind(n) == room.kind(a)]
+    alike = [n for n in room.layout if n != b and room.kind(n) == room.kind(a) and room.box(n)[2] < bottom]
     below = any(abs(bottom - room.box(n)[3]) <= 0.03 and resting(room, n, b) for n in alike)
     return abs(bottom - top) <= 0.03 or low + LOWEST_SEAT <= bottom <= top or below
 

@@ -75,6 +75,12 @@ def verdict(text: str, kind: str, layout: Layout = PLACED) -> str:
         ("The two night stands stand symmetrically on both sides of the bed.", True),
         ("The room is open in the middle.", False),
         ("The night stands stand in a row.", True),
+        ("Keep the north wall free.", False),
+        ("Keep the east wall free.", True),
+        ("The desk is no closer than 1 m to the bed.", False),
+        ("The desk is no closer than 1 m to the door.", True),
+        ("The bed is at one end.", True),
+        ("The desk is at the other end.", False),
     ],
 )
 def test_relations_are_measured_in_the_layout(text: str, met: bool) -> None:

@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from robolayout._errors import SceneError
-from robolayout.words import Lexicon, Mention, Reading, read_rooms, read_text
+from robolayout.words import Lexicon, Mention, Place, Reading, read_rooms, read_text
 
 LEXICON = Lexicon(read_rooms())
 
@@ -43,6 +43,7 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("a plant in each corner", {"plant": 4}),
         ("a bed. The bed is brown. Keep the bed near the window.", {"bed": 1}),
         ("three rows of four student desks", {"student desk": 12}),
+        ("three chairs, each facing its own mirror", {"chair": 3, "mirror": 3}),
         ("a two-seater sofa, a four-poster bed and a trash can", {"sofa": 1, "bed": 1, "trash can": 1}),
         ("a plant stands on the TV stand", {"potted plant": 1, "tv stand": 1}),
         ("a shop with flower stands", {"plant stand": 2}),
@@ -163,6 +164,16 @@ def test_every_word_is_part_of_something() -> None:
     assert "shimmering" in missed
     assert [thing.noun.words for thing in said.things] == ["glorp", "bed"]
     assert said.things[0].noun.guessed
+
+
+def test_a_wall_is_kept_free_coloured_or_not_understood() -> None:
+    assert ("bare", "wall") in {
+        (link.relation, link.objects[0].name)
+        for link in read("Leave the north wall free.").parsed.links
+        if isinstance(link.objects[0], Place)
+    }
+    assert "white wall" in read("a room with white walls").words_of_taste
+    assert [chunk.value for chunk in read("A bedroom with a bed. The north wall.").parsed.missed] == ["wall"]
 
 
 def test_words_before_nouns_that_say_nothing_are_named() -> None:

@@ -32,6 +32,7 @@ from robolayout.words._ways import (
     LEAST_MIDDLE,
     MIDDLE_SHARE,
     NEAR,
+    OFF_A_WALL,
     OPEN_SHARE,
     SEATS,
     SLEPT_ON,
@@ -75,12 +76,12 @@ class Demander:
         if link.relation != "stacked":
             piled = {name for thing in self.stacked for name in self.names.get(thing, ())[1:]}
             subjects = [name for name in subjects if name not in piled]
-        if link.relation == "open":
+        if link.relation in ("open", "bare"):
             subjects = [asset.name for asset in self.scene.assets if asset.on_floor and not asset.is_flat]
         if not subjects:
             return ()
-        if link.relation == "apart":
-            return tuple(self._apart(subjects, link.objects, link.metres))
+        if link.relation in ("apart", "bare"):
+            return tuple(self._apart(subjects, link.objects, link.metres if link.relation == "apart" else OFF_A_WALL))
         if link.relation in ENDS and any(isinstance(item, Place) and item.name == "room" for item in link.objects):
             return tuple(self._at_place(subjects, Place("side", (ENDS[link.relation],))))
         place = self._place(link.objects) if link.relation in AT_PLACES else None
@@ -175,7 +176,7 @@ class Demander:
             walls = place.name == "wall"
             points = [WallRef(wall.index) for wall in walls_meant(self.scene, place)] if walls else self._points(place)
             gaps = [self._gap(a, point, *metres) for point in points]
-            if metres[1] == math.inf and (not walls or place.plural or place.det in ("each", "all")):
+            if metres[1] == math.inf:
                 yield from map(_one, gaps)
             elif gaps:
                 yield Demand(tuple((gap,) for gap in gaps))
@@ -402,14 +403,14 @@ class Demander:
         elif place.name == "corner":
             yield from ((_say("corner", ref, vertex),) for vertex in corners_meant(self.scene, place))
         elif place.name in ("window", "door"):
-            gap = AT_WINDOW if place.name == "window" else AT_DOOR * (1.5 if share else 1.0)
+            gap = (AT_WINDOW if place.name == "window" else AT_DOOR) * (1.5 if share else 1.0)
             yield from ((_say("near", ref, point, gap),) for point in self._points(place))
         elif place.name == "middle":
             x0, y0, x1, y1 = self.room.bounds
             most = max(LEAST_MIDDLE, MIDDLE_SHARE * min(x1 - x0, y1 - y0)) * (1.5 if share else 1.0)
             x, y = centre(self.scene)
             yield (_say("distance_constraint", ref, PointRef(x, y), None, round(most, 2)),)
-        elif place.name == "side" and place.words:
+        elif place.name == "side":
             yield from ((_say("zone", ref, half),) for half in halves_meant(self.scene, place))
 
     def _fits(self, name: str, wall: Wall) -> bool:

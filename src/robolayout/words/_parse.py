@@ -12,12 +12,12 @@ from dataclasses import replace
 
 from robolayout.assets import CATALOGUE
 from robolayout.words._chunks import Chunk
+from robolayout.words._lexicon import grammar
 from robolayout.words._relations import AIDS, Relating
 from robolayout.words._said import (
     Link,
     Mention,
     Parsed,
-    Place,
     count_of,
     place_of,
     topped,
@@ -27,6 +27,9 @@ from robolayout.words._ways import SEATS
 SAID_OF = {"stacked": "stacked", "piled": "stacked", "diagonal": "diagonal", "angled": "diagonal"}
 """Relations that stand before a noun."""
 
+
+FREE = ("free", "clear", "empty", "bare", "uncluttered")
+"""What a wall is said to stay where nothing is to stand at it."""
 
 ALONE_DOES = frozenset(["is", "stands", "sits", "hangs", "lies", "rests", "goes", "belongs"])
 """Verbs of one thing."""
@@ -199,22 +202,21 @@ class Parser(Relating):
 
     def _on_part(self, chunk: Chunk) -> None:
         """A place of the room that no relation leads to: doors and windows that are asked for."""
-        if chunk.value in ("window", "door") and (self.holder or chunk.number or chunk.det == "a"):
-            place = place_of(chunk)
+        following = self.chunks[self.at : self.at + 2]
+        free = next((c for c in following if c.value in FREE), None) if chunk.value == "wall" else None
+        if chunk.value in ("window", "door"):
             walls = self._opening_walls()
-            self.said.openings.append(
-                (Place(place.name, walls, chunk.number, chunk.plural, chunk.det), (chunk.start, chunk.end))
-            )
-        elif chunk.value in ("window", "door"):
-            walls = self._opening_walls()
-            if walls:
-                self.said.openings.append(
-                    (Place(chunk.value, walls, chunk.number, chunk.plural, chunk.det), (chunk.start, chunk.end))
-                )
+            if walls or self.holder or chunk.number or chunk.det == "a":
+                self.said.openings.append((replace(place_of(chunk), words=walls), (chunk.start, chunk.end)))
         elif chunk.value == "side" and chunk.det == "each" and self.group and self._previous(chunk) == "for":
             self._link(Chunk("rel", chunk.start, chunk.end, "flank"), self.group, self._meant("it"))
-        elif chunk.value == "floor" and chunk.adjectives:
-            self.said.facts.append(Chunk("style", chunk.start, chunk.end, f"{' '.join(chunk.adjectives)} floor"))
+        elif free is not None:
+            self.said.links.append(Link("bare", (), (place_of(chunk),), chunk.start, free.end))
+        elif chunk.value in ("floor", "wall") and set(chunk.adjectives) - set(grammar().walls):
+            named = f"{' '.join(chunk.adjectives)} {chunk.value}"
+            self.said.facts.append(Chunk("style", chunk.start, chunk.end, named))
+        elif chunk.value == "wall":
+            self.said.missed.append(chunk)
         self.broken = True
 
     def _opening_walls(self) -> tuple[str, ...]:

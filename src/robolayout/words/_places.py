@@ -86,7 +86,9 @@ def halves_meant(scene: Scene, place: Place) -> Iterator[tuple[PointRef, ...]]:
         "rear": back,
         "front": (x0, y0, x1, y),
     }
-    for word in place.words:
+    ends = ("left", "right") if x1 - x0 >= y1 - y0 else ("front", "back")
+    told = (ends[place.det == "other"],) if place.det in ("one", "other") or place.number == 1 else ()
+    for word in place.words or told:
         if word in halves:
             yield rectangle(*halves[word])
 

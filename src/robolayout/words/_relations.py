@@ -153,7 +153,8 @@ class Relating(References):
         if (place or chunk.value == "middle" or laid) and held and subjects == self.group[-1:]:
             subjects = self.holder  # "a table with a vase near the door"
         for item in objects if every and subjects else ():
-            if isinstance(item, Mention) and item.det == "a" and item.thing.times == 1:
+            own = isinstance(item, Mention) and (item.det == "a" or "own" in item.thing.adjectives)
+            if isinstance(item, Mention) and own and item.thing.times == 1:
                 item.thing.times = subjects[0].thing.count  # "each facing a mirror"
         self._relate(chunk, subjects, objects, first)
 

@@ -45,8 +45,8 @@ _AREA = re.compile(
 )
 _HEIGHT = re.compile(rf"{_N}{_U}\s*(?:high|tall|ceilings?)\b|ceilings?\s*(?:of|at)?\s*{_N}{_U}", re.IGNORECASE)
 _APART = re.compile(
-    rf"(?:\b(?:(at least|no less than|more than)|(at most|no more than|up to|less than|within))\s+)?"
-    rf"{_N}{_U}\s*(?:apart|(?:away )?from|of)\b",
+    rf"(?:\b(?:(at least|no less than|more than|(?:no|not) (?:closer|nearer) than)|(at most|no more than|up to|less than|within))\s+)?"
+    rf"{_N}{_U}\s*(?:apart|(?:away )?from|of|to)\b",
     re.IGNORECASE,
 )
 APART = 0.3
@@ -139,7 +139,8 @@ def _heights(text: str) -> Iterator[Measure]:
 def _gaps(text: str) -> Iterator[Measure]:
     for match in _APART.finditer(text):
         least, most, number, unit = match.groups()
-        if unit and (most or not match.group().endswith("of")):
+        closer = bool(least) and least.lower().startswith("no") and " than" in least and "less" not in least
+        if unit and (most or not match.group().endswith("of")) and closer == match.group().endswith("to"):
             gap = round(metres(number, unit), 2)
             bounds = (0.0 if most else gap, math.inf if least else gap if most else gap + APART)
             yield Measure("apart", bounds, match.start(), match.end())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 BESIDE, NEAR, AT_TABLE, AT_WINDOW, AT_DOOR = 0.6, 1.2, 0.5, 0.6, 1.4
@@ -55,6 +56,9 @@ TO_ANOTHER: Mapping[str, Ways] = {
 
 AT_PLACES = frozenset((*TO_ANOTHER, "on", "in", "flank", "under", "above", "wall"))
 """Relations that lead to a place of the room as well as to things."""
+
+OFF_A_WALL = (0.3, math.inf)
+"""Metres between things and a wall that stays free, least and most."""
 
 AT_SIDES = frozenset(("flank", "left", "right", "next"))
 """Relations that put a thing at a side of another one."""
