@@ -43,6 +43,8 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("a plant in each corner", {"plant": 4}),
         ("a bed. The bed is brown. Keep the bed near the window.", {"bed": 1}),
         ("three rows of four student desks", {"student desk": 12}),
+        ("a media console with a 65-inch TV above it", {"tv stand": 1, "television": 1}),
+        ("3 bookcases. No bookcase blocks the door.", {"bookshelf": 3}),
         ("three chairs, each facing its own mirror", {"chair": 3, "mirror": 3}),
         ("a two-seater sofa, a four-poster bed and a trash can", {"sofa": 1, "bed": 1, "trash can": 1}),
         ("a plant stands on the TV stand", {"potted plant": 1, "tv stand": 1}),

@@ -29,6 +29,9 @@ MARKS = {
 HALVES = ("back", "rear", "front", "left", "right")
 """Sides of the room that are halves of it."""
 
+SCALES = ("inch", "inches", "in", "cm", "mm", "m", "metre", "metres", "meter", "meters", "ft", "foot", "feet")
+"""Words after a number that is no count."""
+
 HEAPS, HEAPED = ("stack", "pile"), ("stacked", "piled")
 """Words for things one on top of the other: before "of", and of the things."""
 
@@ -151,6 +154,8 @@ class Chunker:
         sided = phrase.endswith(("left", "right", "middle", "center", "centre")) and " its " not in phrase
         if sided and following and following not in MARKS:
             return following in (*JOINING, "there", "is", "stands", "with", "sits", "are", "stand", "hangs")
+        if phrase in ("line", "lines"):
+            return following in DETERMINERS or _count(following) is not None
         if phrase in ("nearest", "flank", "block", "blocks"):
             return following in DETERMINERS
         if phrase in ("at", "around", "over", "about") and (following.isdigit() or following in ("least", "most")):
@@ -207,7 +212,7 @@ class Chunker:
             return (DETERMINERS[word], None, "", 0, 1)
         if word in ("only", "just", "exactly", "about", "additional", "more"):
             return ("", None, "", 0, 1) if self._run(i + 1) or _count(rest[0] if rest else "") else None
-        count = None if self._seats(i) else _count(word)
+        count = None if self._seats(i) or (rest[:1] and rest[0] in SCALES) else _count(word)
         if count and number is None and word not in ("a", "an", "twin", "couple"):
             return ("", count, "vague" if word in VAGUE else "", 0, 1 + ("of" in rest[:1]))
         return None
@@ -364,6 +369,8 @@ class Chunker:
     def _single(self, at: int) -> Chunk:
         """Return a word that is part of nothing larger."""
         word = self.words[at]
+        if word[0].isdecimal() and self.words[at + 1 : at + 2] and self.words[at + 1] in SCALES:
+            return Chunk("other", at, at + 2, word)  # "a 65 inch TV"
         for size in range(min(3, len(self.words) - at), 0, -1):
             phrase = " ".join(self.words[at : at + size])
             if phrase in self.grammar.styles or (size == 1 and word in self.grammar.sizes):

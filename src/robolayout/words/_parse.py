@@ -20,6 +20,7 @@ from robolayout.words._said import (
     Parsed,
     count_of,
     place_of,
+    same,
     topped,
 )
 from robolayout.words._ways import SEATS
@@ -131,6 +132,7 @@ class Parser(Relating):
             self.group = list(self.before)
 
     def _on_thing(self, chunk: Chunk) -> None:
+        chunk = self._none_of(chunk)
         if self._no_thing(chunk):
             return
         mention = self._mention(chunk)
@@ -164,6 +166,15 @@ class Parser(Relating):
             self.subject = self.group
         self.acted = []
         self.verb = self.relative = self.broken = False
+
+    def _none_of(self, chunk: Chunk) -> Chunk:
+        """Return all of what was named before, where none of it is to stand as a relation says: "no bookcase blocks the door"."""
+        follows = self.at < len(self.chunks) and self.chunks[self.at].kind == "rel"
+        if not (self.refusing and follows and any(same(thing, chunk) for thing in self.said.things)):
+            return chunk
+        self.negated = True
+        self.chunks[self.at - 1] = replace(chunk, det="the", number=None)
+        return self.chunks[self.at - 1]
 
     def _no_thing(self, chunk: Chunk) -> bool:
         """Return whether a noun names what is not to be there, what somebody moves with, or what a thing is for."""

@@ -306,6 +306,8 @@ class Relating(References):
         if self.target is not None and told and self.acted:
             return [self.target]
         last = self.group[-1:] or list(self.subject)
+        if relation in _ORDERS.split() and last and last[0].thing.count == 1:
+            return list(self.group or self.subject)  # "fridge, stove and sink in a row"
         if relation == "on" and last and topped(last[0]) and len(self.group) > 1:
             it = self.at < len(self.chunks) and self.chunks[self.at].kind == "pron"
             linked = {m for link in self.said.links if not it or link.relation != "with" for m in link.subjects}
