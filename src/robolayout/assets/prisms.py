@@ -81,7 +81,7 @@ def prisms_of(asset: Asset) -> tuple[Prism, ...]:
     ):
         return box
     try:
-        spans = piece_spans(asset, shut=True)
+        spans = piece_spans(asset, shut=True) if asset.path is None else piece_spans(asset)
     except AssetError:
         return box
     merged = _merged(spans, SPARE * depth * width * height)
@@ -205,8 +205,10 @@ def _slices(part: Part) -> Iterator[Array]:
     for low, high in pairwise(edges.tolist()):
         met = triangles[(triangles[:, :, 2].max(axis=1) > low + 1e-6) & (triangles[:, :, 2].min(axis=1) < high - 1e-6)]
         if len(met):
-            points = np.concatenate([clipped(triangle, low, high, step) for triangle in met])
-            yield from _covers(points, step)
+            whole = (met[:, :, 2] >= low).all(axis=1) & (met[:, :, 2] <= high).all(axis=1)
+            whole &= np.ptp(met[:, :, :2], axis=1).max(axis=1) < step  # of these nothing but their corners is needed
+            cut = [clipped(triangle, low, high, step) for triangle in met[~whole]]
+            yield from _covers(np.concatenate([met[whole].reshape(-1, 3), *cut]), step)
 
 
 def clipped(triangle: Array, low: float, high: float, step: float) -> Array:
