@@ -77,6 +77,11 @@ def test_a_record_of_ones_own_is_drawn_by_its_own_rows(tmp_path: Path) -> None:
             "z 0:3.6",
             "parts of the thing 'spinning wheel', part 'bench': z reaches 2.60 m beyond the thing's 1 m",
         ),
+        (
+            "z 0:.36",
+            "z .36:.36",
+            "parts of the thing 'spinning wheel', part 'bench': its two ends along z are one; part them",
+        ),
         ('role = "statue"', 'role = "statu"', "unknown role of 'spinning wheel': 'statu'. Did you mean 'statue'?"),
         (
             'like = "easel"',

@@ -73,7 +73,9 @@ def check_rows(text: str, where: str, size: tuple[float, float, float]) -> None:
     low = np.array([-size[0] / 2, -size[1] / 2, 0.0])
     for part in read_rows(text, where)(make_piece(where, where, where, size, 0)):
         over = np.maximum(low - part.vertices.min(axis=0), part.vertices.max(axis=0) - low - size)
-        for axis, edge, beyond in zip("xyz", size, over.tolist(), strict=True):
+        for axis, edge, beyond, thick in zip("xyz", size, over.tolist(), np.ptp(part.vertices, axis=0), strict=True):
+            if thick < 1e-6:
+                raise AssetError(f"parts of {where}, part {part.name!r}: its two ends along {axis} are one; part them.")
             if beyond > max(OVERHANG[0] * edge, OVERHANG[1]):
                 raise AssetError(f"parts of {where}, part {part.name!r}: {axis} reaches {beyond:.2f} m beyond the thing's "
                                  f"{edge:g} m; keep it between 0 and 1.")  # fmt: skip
