@@ -12,10 +12,13 @@ of it: as an edge of the first box, never as one of the second.
 
 from __future__ import annotations
 
-import jax.numpy as jnp
-from jaxtyping import Array, Float
+from typing import TYPE_CHECKING
 
+from robolayout._geometry._backend import Array, backend
 from robolayout._geometry.boxes import Body, corners
+
+if TYPE_CHECKING:
+    from jaxtyping import Float
 
 TOUCH = 1.0e-9
 """Metres within which an edge lies on an outline."""
@@ -26,12 +29,13 @@ LEVEL = 1.0e-6
 
 def intersection_area(a: Body, b: Body) -> Float[Array, "*batch"]:
     """Return the area in square metres that two boxes have in common."""
+    xp = backend(a.x, b.x)
     # The pieces are measured from a's centre, so that far from the origin no digits are lost.
     ax, ay = (value - centre[..., None] for value, centre in zip(corners(a), (a.x, a.y), strict=True))
     bx, by = (value - centre[..., None] for value, centre in zip(corners(b), (a.x, a.y), strict=True))
     of_a = _pieces(ax, ay, b._replace(x=b.x - a.x, y=b.y - a.y), first=True)
-    of_b = _pieces(bx, by, a._replace(x=jnp.zeros_like(a.x), y=jnp.zeros_like(a.y)), first=False)
-    return jnp.maximum(0.5 * (of_a + of_b), 0.0)
+    of_b = _pieces(bx, by, a._replace(x=xp.zeros_like(a.x), y=xp.zeros_like(a.y)), first=False)
+    return xp.maximum(0.5 * (of_a + of_b), 0.0)
 
 
 def intersection_over_union(a: Body, b: Body) -> Float[Array, "*batch"]:
@@ -42,22 +46,23 @@ def intersection_over_union(a: Body, b: Body) -> Float[Array, "*batch"]:
 
 def _pieces(px: Array, py: Array, box: Body, *, first: bool) -> Array:
     """Return the sum of x1 y2 - x2 y1 over the parts of a ring's edges that lie in a box."""
+    xp = backend(px)
     dx, dy = px - box.x[..., None], py - box.y[..., None]
     c, s = box.c[..., None], box.s[..., None]
     u, v = c * dx + s * dy, c * dy - s * dx
-    run_u, run_v = (jnp.roll(place, -1, axis=-1) - place for place in (u, v))
-    begin, end = jnp.zeros_like(u), jnp.ones_like(u)
+    run_u, run_v = (xp.roll(place, -1, axis=-1) - place for place in (u, v))
+    begin, end = xp.zeros_like(u), xp.ones_like(u)
     # The box's own outline runs up its side u = +hx and backwards along its side v = +hy.
     for place, run, along, half in ((u, run_u, run_v, box.hx), (v, run_v, -run_u, box.hy)):
         half = half[..., None]
-        level = jnp.abs(run) < LEVEL
-        within = jnp.abs(place) < half - TOUCH
+        level = xp.abs(run) < LEVEL
+        within = xp.abs(place) < half - TOUCH
         if first:
-            within |= (jnp.abs(place) <= half + TOUCH) & (place * along > 0)
-        steps = jnp.where(level, 1.0, run)
+            within |= (xp.abs(place) <= half + TOUCH) & (place * along > 0)
+        steps = xp.where(level, 1.0, run)
         near, far = (-half - place) / steps, (half - place) / steps
-        begin = jnp.maximum(begin, jnp.where(level, jnp.where(within, 0.0, 2.0), jnp.minimum(near, far)))
-        end = jnp.minimum(end, jnp.where(level, 1.0, jnp.maximum(near, far)))
-    nx, ny = jnp.roll(px, -1, axis=-1), jnp.roll(py, -1, axis=-1)
+        begin = xp.maximum(begin, xp.where(level, xp.where(within, 0.0, 2.0), xp.minimum(near, far)))
+        end = xp.minimum(end, xp.where(level, 1.0, xp.maximum(near, far)))
+    nx, ny = xp.roll(px, -1, axis=-1), xp.roll(py, -1, axis=-1)
     # (p + t1 e) x (p + t2 e) = (t2 - t1) p x e for an edge e = n - p, and p x e = p x n
-    return jnp.sum(jnp.maximum(end - begin, 0.0) * (px * ny - nx * py), axis=-1)
+    return xp.sum(xp.maximum(end - begin, 0.0) * (px * ny - nx * py), axis=-1)

@@ -11,12 +11,13 @@ where h is a hinge, rounded at 0 over 2 cm so that the gradient fades as the sta
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-import jax.numpy as jnp
-from jaxtyping import Array, Bool, Float
-
+from robolayout._geometry._backend import Array, backend
 from robolayout._geometry.boxes import TINY, Body
+
+if TYPE_CHECKING:
+    from jaxtyping import Bool, Float
 
 ROUNDING = 0.02
 """Metres over which hinges are rounded."""
@@ -49,37 +50,41 @@ class FrameRow(NamedTuple):
 
 def soft_abs(x: Float[Array, "*batch"]) -> Float[Array, "*batch"]:
     """Return |x| rounded at 0: sqrt(x^2 + eps^2) - eps with eps = 2 cm."""
-    return jnp.sqrt(x * x + ROUNDING**2) - ROUNDING
+    xp = backend(x)
+    return xp.sqrt(x * x + ROUNDING**2) - ROUNDING
 
 
 def _hinge(x: Float[Array, "*batch"]) -> Float[Array, "*batch"]:
-    return soft_abs(jnp.maximum(x, 0.0))
+    xp = backend(x)
+    return soft_abs(xp.maximum(x, 0.0))
 
 
 def _ray_hits(
     u: Float[Array, "*batch"], v: Float[Array, "*batch"], c: Float[Array, "*batch"], s: Float[Array, "*batch"], b: Body
 ) -> Bool[Array, "*batch"]:
     """Return whether the ray from (u, v) along (c, s), in b's frame, hits b's box."""
-    inverse_c = 1.0 / jnp.where(jnp.abs(c) < 1e-9, 1e-9, c)
-    inverse_s = 1.0 / jnp.where(jnp.abs(s) < 1e-9, 1e-9, s)
+    xp = backend(u)
+    inverse_c = 1.0 / xp.where(xp.abs(c) < 1e-9, 1e-9, c)
+    inverse_s = 1.0 / xp.where(xp.abs(s) < 1e-9, 1e-9, s)
     t1, t2 = (-b.hx - u) * inverse_c, (b.hx - u) * inverse_c
     t3, t4 = (-b.hy - v) * inverse_s, (b.hy - v) * inverse_s
-    enter = jnp.maximum(jnp.minimum(t1, t2), jnp.minimum(t3, t4))
-    leave = jnp.minimum(jnp.maximum(t1, t2), jnp.maximum(t3, t4))
+    enter = xp.maximum(xp.minimum(t1, t2), xp.minimum(t3, t4))
+    leave = xp.minimum(xp.maximum(t1, t2), xp.maximum(t3, t4))
     return (leave >= enter) & (leave >= 0.0)
 
 
 def frame_residual(a: Body, b: Body, row: FrameRow) -> Float[Array, "*batch"]:
     """Return how far `a` is from where `row` wants it in the frame of `b`; 0 when satisfied (metres plus 1 - cos)."""
+    xp = backend(a.x, b.x)
     dx, dy = a.x - b.x, a.y - b.y
     u = b.c * dx + b.s * dy
     v = b.c * dy - b.s * dx
     rc = a.c * b.c + a.s * b.s
     rs = a.s * b.c - a.c * b.s
-    eu = jnp.abs(rc) * a.hx + jnp.abs(rs) * a.hy
-    ev = jnp.abs(rs) * a.hx + jnp.abs(rc) * a.hy
-    side = jnp.where(row.fold > 0, jnp.abs(v), v)
-    distance = jnp.sqrt(jnp.maximum(jnp.abs(u) - b.core, 0.0) ** 2 + v * v + TINY)
+    eu = xp.abs(rc) * a.hx + xp.abs(rs) * a.hy
+    ev = xp.abs(rs) * a.hx + xp.abs(rc) * a.hy
+    side = xp.where(row.fold > 0, xp.abs(v), v)
+    distance = xp.sqrt(xp.maximum(xp.abs(u) - b.core, 0.0) ** 2 + v * v + TINY)
     place = (
         _hinge(row.low_u - (u - row.low_u_extent * eu))
         + _hinge(u + row.high_u_extent * eu - row.high_u)
@@ -91,8 +96,8 @@ def frame_residual(a: Body, b: Body, row: FrameRow) -> Float[Array, "*batch"]:
     heading = 1.0 - (rc * row.heading_c + rs * row.heading_s)
     fc = rc * row.look_c - rs * row.look_s
     fs = rs * row.look_c + rc * row.look_s
-    away = jnp.sqrt(u * u + v * v + TINY)
-    look = jnp.where(_ray_hits(u, v, fc, fs, b), 0.0, 1.0 + (fc * u + fs * v) / away)
+    away = xp.sqrt(u * u + v * v + TINY)
+    look = xp.where(_ray_hits(u, v, fc, fs, b), 0.0, 1.0 + (fc * u + fs * v) / away)
     return place + row.heading * heading + row.look * look
 
 
@@ -101,11 +106,12 @@ def mirror_residual(a: Body, b: Body, axis: Body, along_normal: Float[Array, "*b
 
     The mirror runs through `axis` along its front; where `along_normal` is 1, along its normal (walls).
     """
-    ac = jnp.where(along_normal > 0, -axis.s, axis.c)
-    as_ = jnp.where(along_normal > 0, axis.c, axis.s)
+    xp = backend(a.x, b.x)
+    ac = xp.where(along_normal > 0, -axis.s, axis.c)
+    as_ = xp.where(along_normal > 0, axis.c, axis.s)
     image_x, image_y = _mirrored(a.x - axis.x, a.y - axis.y, ac, as_)
     image_c, image_s = _mirrored(a.c, a.s, ac, as_)
-    error = jnp.sqrt((image_x - (b.x - axis.x)) ** 2 + (image_y - (b.y - axis.y)) ** 2 + TINY)
+    error = xp.sqrt((image_x - (b.x - axis.x)) ** 2 + (image_y - (b.y - axis.y)) ** 2 + TINY)
     return soft_abs(error) + 0.5 * (1.0 - (image_c * b.c + image_s * b.s))
 
 

@@ -1,12 +1,14 @@
-"""The arrays that a compiled search takes: everything about a scene is data, padded to a few sizes."""
+"""The arrays that a compiled search takes: everything about a scene is data, padded to a few sizes.
+
+Below, the fields say the shapes: K starts, A asset slots, F fixed bodies, S prisms, P pairs, R frame rows, M mirror rows, G clear
+boxes, E room edges, Q inner corners, T route points.
+"""
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-Array = Any
-"""A NumPy or JAX array; the fields below say its shape. K starts, A asset slots, F fixed bodies, S prisms, P pairs, R frame rows,
-M mirror rows, G clear boxes, E room edges, Q inner corners, T route points."""
+from robolayout._geometry import Array
 
 
 class Arrays(NamedTuple):

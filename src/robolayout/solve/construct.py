@@ -14,47 +14,45 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout._geometry import compose
 from robolayout.constraints import AssetRef, WallRef
 from robolayout.floor import FLOOR, Blocks, Walked
-from robolayout.solve._zones import Rects, Zones, area, shared
+from robolayout.solve._zones import Rects, Zones
 from robolayout.solve.compile import Floats, Problem
-from robolayout.solve.proposals import Proposals, carry, compose, placing
+from robolayout.solve.config import Weights
+from robolayout.solve.proposals import Proposals, carry, placing
+from robolayout.solve.push import nearest
+from robolayout.solve.score import Score
+from robolayout.solve.stage import make_stage
 
-CANDIDATES = 64
-"""Places looked at for each thing."""
+CANDIDATES, PUT = 64, 32
+"""Places looked at for each thing, and how many of them are put where all of its statements hold."""
 
 LOOKS, AGAIN = 4, 1
 """Most times that it looks at so many, and in a room in which only some things are placed anew."""
 
-GOOD = 2.5
+GOOD = 1.0
 """Cost of a place at which it looks no further."""
 
 CLOSEST = 0.02
 """Metres between a thing and the wall behind it."""
 
-HIT, SPECK = 100.0, 1e-4
-"""Cost of each overlap above so many square metres, and of lying outside by such a share: nothing else outweighs them."""
+BROKEN, SAID = 100.0, 4.0
+"""Cost of each hard demand that is not met: no statement outweighs it; and factor on the statements against the floor."""
 
-OUTSIDE, BODY, STRIP, MISSED, AWAY = 20.0, 10.0, 2.0, 3.0, 0.02
-"""Further costs: of lying outside the room and of overlap, whole; of blocked floor in front, whole; of a row missed by a metre
-or more; per metre from the guess."""
+AWAY, TIGHT = 0.02, 0.1
+"""Cost of a metre from where it was, and of a metre left empty beside a thing at a wall."""
 
-OFF, SLACK = 2.0, 0.05
-"""Further cost of a row that is missed by more than so many metres."""
+CRAMPED = 4.0
+"""Cost of a place that leaves no room to what goes by it."""
 
-SHUT = 4.0
-"""Cost of each thing that has no room to open."""
-
-WALKED = 2.0
+WALKED = 1.0
 """Cost of taking only floor that people could walk on until then."""
-
-TIGHT = 0.1
-"""Cost of a metre left empty beside a thing at a wall."""
 
 NEEDS = 6
 """Places looked at for each thing that is yet to come and goes by the one that is placed."""
 
-CORNER = 0.3
+CORNER = 0.1
 """Cost of a metre from the corner that a packed room is filled from."""
 
 GRAIN = 0.002
@@ -70,8 +68,6 @@ class _Site:
 
     settled: NDArray[np.bool_]  # (n,) which slots have their place
     bodies: Rects  # (n, 4) bounds of slots
-    ahead: Rects  # (n, 4) bounds of the floor in front of them
-    openings: Rects  # (n, 4) bounds of what they need to be opened
     stands: Blocks  # (n, 4) cells of `walked` from which they are within reach
     walked: Walked  # the floor that is left to walk on
 
@@ -82,10 +78,12 @@ class Builder:
     Args:
         problem: The problem.
         rng: Source of randomness.
+        weights: Factors of the terms of the objective.
     """
 
-    def __init__(self, problem: Problem, rng: np.random.Generator) -> None:
+    def __init__(self, problem: Problem, rng: np.random.Generator, weights: Weights | None = None) -> None:
         self.problem, self.moving, self.rng = problem, problem.movable(0), rng
+        self.score = Score(make_stage(problem, 0, problem.start), weights or Weights())
         self.proposals = Proposals.of(problem)
         widest = max(problem.scene.agents, key=lambda agent: agent.radius)
         self.zones = Zones(problem, widest)
@@ -133,10 +131,10 @@ class Builder:
         """Return the room before slots are placed: what stands on the floor, at walls and at the ceiling beside them."""
         settled = np.array([parent < 0 for parent in self.problem.parent])
         settled[list(slots)] = False
-        zones, walked, every = self.zones, self._walked.copy(), np.arange(len(world))
-        bodies, ahead, openings = (make(every, world) for make in (zones.bodies, zones.ahead, zones.openings))
-        walked.take(walked.taken(bodies[settled & zones.blocks]))
-        return _Site(settled, bodies, ahead, openings, walked.cells(zones.stands(every, world)), walked)
+        walked, every = self._walked.copy(), np.arange(len(world))
+        bodies = self.zones.bodies(every, world)
+        walked.take(walked.taken(bodies[settled & self.zones.blocks]))
+        return _Site(settled, bodies, walked.cells(self.zones.stands(every, world)), walked)
 
     def _place(self, slot: int, world: Floats, site: _Site, looks: int) -> Floats:
         """Return the best of many places of a slot, and take the floor that it needs; where all are bad, look again."""
@@ -144,7 +142,7 @@ class Builder:
         for _ in range(looks):
             places, gaps = self._places(slot, world, site)
             bodies = self.zones.bodies(slot, places)
-            cost = self._cost(slot, places, bodies, world, site) + TIGHT * gaps
+            cost = self._cost(slot, places, world, site) + TIGHT * gaps
             blocks = self.zones.blocks[slot]
             k = self._cheapest(slot, places, bodies, cost, site, least) if blocks else int(cost.argmin())
             if cost[k] < least:
@@ -152,8 +150,6 @@ class Builder:
                 site.bodies[slot] = bodies[k]
             if least < GOOD:
                 break
-        site.ahead[slot] = self.zones.ahead([slot], best[None])[0]
-        site.openings[slot] = self.zones.openings([slot], best[None])[0]
         site.stands[slot] = site.walked.cells(self.zones.stands([slot], best[None]))[0]
         if self.zones.blocks[slot]:
             site.walked.take(site.walked.taken(site.bodies[[slot]]))
@@ -165,12 +161,6 @@ class Builder:
         own = walked.cells(self.zones.stands(slot, places))
         cost += WALKED * walked.share(cells) + FLOOR.lost * (walked.left(own, cells) == 0)
         return walked.cheapest(cells, cost, site.stands[site.settled], limit)
-
-    def touched(self, slot: int, places: Floats, world: Floats) -> set[int]:
-        """Return the slots whose bounds overlap those of a slot at some places (m, 4), at heights at which they would collide."""
-        bodies = self.zones.bodies(np.arange(len(world)), world)
-        found = shared(self.zones.bodies(slot, places), bodies).max(axis=0)
-        return set(np.flatnonzero(self.zones.level(slot) & (found > 0.0)).tolist()) - {slot}
 
     def pack(self, world: Floats) -> Floats:
         """Return a start (n, 4) that fills the room from one corner, each thing flush with its neighbours.
@@ -184,14 +174,11 @@ class Builder:
         site = self._site(world, self.moving)
         for slot in sorted(self.moving, key=lambda s: (-size[s], s)):
             places = self._flush(slot, site.bodies[site.settled])
-            bodies = self.zones.bodies(slot, places)
-            cost = self._hard_cost(slot, bodies, site)
-            for term in self.proposals.frames.get(slot, []):
-                cost += MISSED / 3 * np.minimum(self.proposals.misses(term, slot, places, world), 1.0)
+            cost = self._priced(slot, places, world, site.settled)
             cost += CORNER * np.hypot(*(places[:, :2] - corner).T)
             k = int(cost.argmin())
             carry(self.problem, world, slot, places[k])
-            site.settled[slot], site.bodies[slot] = True, bodies[k]
+            site.settled[slot], site.bodies[slot] = True, self.zones.bodies(slot, places[[k]])[0]
         return world
 
     def _flush(self, slot: int, bodies: Rects) -> Floats:
@@ -227,22 +214,27 @@ class Builder:
                         needs[self.problem.slot[term.b.name]].append(image)
         return needs
 
-    def _cramped(self, slot: int, places: Floats, site: _Site) -> Floats:
+    def _cramped(self, slot: int, places: Floats, world: Floats, site: _Site) -> Floats:
         """Return how little room each place (m, 4) of a slot leaves to what goes by it."""
         cost = np.zeros(len(places))
         for other, around in self._needs.get(slot, []):
             if not site.settled[other]:
-                bodies = self.zones.bodies(other, compose(places[:, None], around).reshape(-1, 4))
-                each = self._hard_cost(other, bodies, site).reshape(len(places), -1)
+                there = compose(places[:, None], around).reshape(-1, 4)
+                cost_there, broken = self.score.hard(other, there, world, site.settled)
+                each = (cost_there + broken).reshape(len(places), -1)
                 cost += np.minimum(np.partition(each, 1, axis=1)[:, 1], 1.0)  # one place alone may fit by a hair
         return cost
 
     def _places(self, slot: int, world: Floats, site: _Site) -> tuple[Floats, Floats | float]:
         """Return places (m, 4) and the metres (m,) left empty beside them at walls.
 
-        They are drawn from the slot's statements, and along the walls if nothing says where it goes.
+        They are drawn from the slot's statements, half of them then put where all of these hold, and along the walls if nothing
+        says where it goes.
         """
         places = self.proposals.draw(slot, world, CANDIDATES, self.rng)
+        for term in self.proposals.rows(slot) * 2:
+            if not isinstance(term.b, AssetRef) or site.settled[self.problem.slot[term.b.name]]:
+                places[:PUT] = nearest(self.problem, term, slot, places[:PUT], world)
         if self._free[slot] and self.zones.fronts[slot]:
             places = np.concatenate([places[: CANDIDATES // 4], self._along_walls(slot, CANDIDATES)])
         return self._push(slot, places, site) if self._pushed[slot] else (places, 0.0)
@@ -283,46 +275,16 @@ class Builder:
         )
         return np.concatenate([starts + along[:, None] * ways + (hx + CLOSEST) * normals, normals], axis=1)
 
-    def _cost(self, slot: int, places: Floats, bodies: Rects, world: Floats, site: _Site) -> Floats:
+    def _cost(self, slot: int, places: Floats, world: Floats, site: _Site) -> Floats:
         """Return what each place (m, 4) of a slot costs, given what is settled."""
-        cost = self._hard_cost(slot, bodies, site) + self.rng.random(len(places)) * 0.05
+        cost = self._priced(slot, places, world, site.settled) + self.rng.random(len(places)) * 0.01
         cost += AWAY * np.hypot(*(places[:, :2] - world[slot, :2]).T)
-        cost += MISSED * self._cramped(slot, places, site)
-        beside = self._beside(slot, site)
-        ahead = site.ahead[beside & self.zones.fronts]
-        cost += STRIP * (shared(bodies, ahead) / area(ahead)).sum(axis=1)
-        if self.zones.fixed[slot]:
-            cost += SHUT * (shared(bodies, site.openings[beside & self.zones.opens]) > SPECK).sum(axis=1)
-        if self.zones.opens[slot]:
-            zone = self.zones.openings(slot, places)
-            cost += SHUT * (shared(zone, site.bodies[beside & self.zones.fixed]) > SPECK).sum(axis=1)
-            cost += SHUT * (self.zones.outside(zone) > SPECK)
-        if self.zones.fronts[slot]:
-            front = self.zones.ahead(slot, places)
-            cost += STRIP * np.minimum(shared(front, site.bodies[beside]).sum(axis=1) / area(front), 1.0)
-            cost += STRIP * self.zones.outside(front)
-        for term in self.proposals.frames.get(slot, []):
-            if not isinstance(term.b, AssetRef) or site.settled[self.problem.slot[term.b.name]]:
-                missed = self.proposals.misses(term, slot, places, world)
-                cost += MISSED * np.minimum(missed, 1.0) + OFF * (missed > SLACK)
-        for term in self.proposals.mirrors.get(slot, []):
-            if site.settled[self.proposals.twin(term, slot)]:
-                image = self.proposals.image(term, slot, world)
-                cost += MISSED * np.minimum(np.hypot(*(places[:, :2] - image[:2]).T), 1.0)
-        return cost
+        return cost + CRAMPED * self._cramped(slot, places, world, site)
 
-    def _hard_cost(self, slot: int, bodies: Rects, site: _Site) -> Floats:
-        """Return what each place of a slot, given by its bounds (m, 4), costs by what it overlaps and leaves of the room."""
-        outside = self.zones.outside(bodies)
-        cost = OUTSIDE * outside + HIT * (outside > SPECK)
-        size = float(4 * self.problem.half[slot].prod())
-        if self.zones.solid[slot]:
-            shut = shared(bodies, self.zones.landings).sum(axis=1)
-            cost += BODY / size * shut + HIT * (shut > SPECK)
-        beside = self._beside(slot, site)
-        least = np.minimum(size, 4 * self.problem.half[beside].prod(axis=1))
-        hit = shared(bodies, site.bodies[beside])
-        return cost + BODY * (hit / least).sum(axis=1) + HIT * (hit > SPECK).sum(axis=1)
+    def _priced(self, slot: int, places: Floats, world: Floats, settled: NDArray[np.bool_]) -> Floats:
+        """Return the objective of places (m, 4) of a slot, given what is settled."""
+        cost, broken = self.score.hard(slot, places, world, settled)
+        return cost + BROKEN * broken + SAID * self.score.statements(slot, places, world, settled)
 
     def _beside(self, slot: int, site: _Site) -> NDArray[np.bool_]:
         """Return with which of the settled slots (n,) a slot could collide."""

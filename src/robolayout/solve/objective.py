@@ -10,18 +10,16 @@ from robolayout._geometry import (
     Body,
     FrameRow,
     compose,
-    corners,
     cut_separation,
     frame_residual,
     intersection_over_union,
     mirror_residual,
     penetration,
     point_to_box,
-    signed_distance,
-    yielding,
 )
 from robolayout.solve.arrays import Arrays, Losses, Near, Routes
 from robolayout.solve.config import Weights
+from robolayout.solve.terms import boundary_depths, hard, saturated, within
 
 Poses = Float[Array, "starts slots 4"]
 
@@ -43,17 +41,22 @@ def bodies(world: Poses, arrays: Arrays) -> Body:
     return Body(*(jnp.concatenate([column, fixed[..., i]], axis=1) for i, column in enumerate(columns)))
 
 
+def yielding(box: Body, move: Float[Array, "*#batch"]) -> Body:
+    """Return the same boxes, with the gradient along their pose scaled by `move`: 0 holds them, 1 changes nothing."""
+
+    def scaled(value: Array) -> Array:
+        still = stop_gradient(value)
+        return still + move * (value - still)
+
+    return box._replace(x=scaled(box.x), y=scaled(box.y), c=scaled(box.c), s=scaled(box.s))
+
+
 def take(body: Body, index: Array) -> Body:
     """Return the bodies of those indices: the same (M,) for every start, or (starts, M) each start's own."""
     if index.ndim == 1:
         return Body(*(field[:, index] for field in body))
     rows = jnp.arange(index.shape[0])[:, None]
     return Body(*(field[rows, index] for field in body))
-
-
-def hard(depth: Array, weights: Weights) -> Array:
-    """Return d^2 + hinge d for a depth of violation in metres."""
-    return depth * depth + weights.hinge * depth
 
 
 def statement_residuals(body: Body, arrays: Arrays) -> tuple[Array, Array]:
@@ -68,7 +71,7 @@ def statement_residuals(body: Body, arrays: Arrays) -> tuple[Array, Array]:
 
 def prisms(body: Body, arrays: Arrays) -> Body:
     """Return the prisms (starts, S) where their slots are."""
-    return _within(take(body, arrays.prism_slot), arrays.prism)
+    return within(take(body, arrays.prism_slot), arrays.prism)
 
 
 def overlap_gaps(prisms: Body, pairs: Array, cut: Array) -> Array:
@@ -91,30 +94,9 @@ def overlap_losses(body: Body, arrays: Arrays, pairs: Array, weights: Weights) -
     return weights.iou * jnp.where(same, 0.0, shared)
 
 
-def boundary_depths(slots: Body, arrays: Arrays) -> Array:
-    """Return by how many metres each slot leaves the room (starts, A): corners outside, or inner corners inside it."""
-    px, py = corners(slots)
-    outside = jnp.maximum(signed_distance(px, py, arrays.edges), 0.0)
-    spread = Body(*(field[..., None] for field in slots))
-    pierced = jnp.maximum(-point_to_box(arrays.inner[:, 0], arrays.inner[:, 1], spread), 0.0)
-    return jnp.sum(outside, axis=-1) + jnp.sum(pierced, axis=-1)
-
-
 def strips(body: Body, arrays: Arrays) -> Body:
     """Return the clear boxes (starts, G) where their owners are."""
-    return _within(take(body, arrays.clear_owner), arrays.clear_box)
-
-
-def _within(owner: Body, box: Array) -> Body:
-    """Return boxes, rows (n, 4 or more) of centre and half size in the frames of their owners, where these are."""
-    cx, cy, hx, hy = (box[:, i] for i in range(4))
-    return owner._replace(
-        x=owner.x + owner.c * cx - owner.s * cy,
-        y=owner.y + owner.s * cx + owner.c * cy,
-        hx=jnp.broadcast_to(hx, owner.x.shape),
-        hy=jnp.broadcast_to(hy, owner.x.shape),
-        core=jnp.zeros_like(owner.x),
-    )
+    return within(take(body, arrays.clear_owner), arrays.clear_box)
 
 
 def clear_depths(body: Body, arrays: Arrays, clears: Array, weights: Weights) -> Array:
@@ -136,18 +118,14 @@ def everything(arrays: Arrays) -> Near:
 
 
 def losses(local: Poses, arrays: Arrays, routes: Routes, near: Near, weights: Weights) -> Losses:
-    """Return every term of the objective per start, looking only at what may touch.
-
-    Statements saturate: s log(1 + r / s), so that one that cannot be met stops pulling at the others.
-    """
+    """Return every term of the objective per start, looking only at what may touch."""
     body = bodies(world_poses(local, arrays), arrays)
     framed, mirrored = statement_residuals(body, arrays)
     body = body._replace(
         c=stop_gradient(body.c), s=stop_gradient(body.s)
     )  # things make way, they do not turn out of it
-    scale = weights.saturation
-    pull = jnp.sum(scale * jnp.log1p(framed / scale) * arrays.frame_row[:, -1], axis=-1)
-    pull += jnp.sum(scale * jnp.log1p(mirrored / scale) * arrays.mirror_weight, axis=-1)
+    pull = jnp.sum(saturated(framed, weights) * arrays.frame_row[:, -1], axis=-1)
+    pull += jnp.sum(saturated(mirrored, weights) * arrays.mirror_weight, axis=-1)
     clear = hard(clear_depths(body, arrays, near.clears, weights), weights)
     return Losses(
         overlap=jnp.sum(overlap_losses(body, arrays, near.pairs, weights), axis=-1),

@@ -14,19 +14,10 @@ import numpy as np
 import shapely
 from shapely import Polygon
 
+from robolayout._geometry import compose
 from robolayout.constraints import FAR, AssetRef, FrameTerm, MirrorTerm, Ref, WallRef
 from robolayout.solve.compile import Floats, Problem
-from robolayout.solve.rows import missed
 from robolayout.solve.stage import relative
-
-
-def compose(outer: Floats, inner: Floats) -> Floats:
-    """Return poses (..., 4) given in the frame of `outer` in the frame that `outer` is given in."""
-    c, s = outer[..., 2], outer[..., 3]
-    x, y, ic, is_ = (inner[..., i] for i in range(4))
-    return np.stack(
-        [outer[..., 0] + c * x - s * y, outer[..., 1] + s * x + c * y, c * ic - s * is_, s * ic + c * is_], axis=-1
-    )
 
 
 def frame_of(problem: Problem, ref: Ref, world: Floats) -> Floats:
@@ -156,19 +147,6 @@ class Proposals:
             u = rng.uniform(-end, end, count)
             v = rng.uniform(low, min(high, low + spread), count)
         return compose(frame, np.stack([u, v, np.cos(yaw), np.sin(yaw)], axis=-1))
-
-    def misses(self, term: FrameTerm, slot: int, poses: Floats, world: Floats) -> Floats:
-        """Return by how many metres poses (m, 4) of a slot miss a row; a heading a radian off counts as a metre."""
-        local = relative(frame_of(self.problem, term.b, world), poses)
-        place = np.column_stack([local[:, :2], np.arctan2(local[:, 3], local[:, 2])])
-        return missed(term, place, self._half(AssetRef(self.problem.names[slot])), self._half(term.b))
-
-    def _half(self, ref: Ref) -> tuple[float, float]:
-        """Return half the depth and width of what a row is about."""
-        if isinstance(ref, AssetRef):
-            hx, hy = self.problem.half[self.problem.slot[ref.name]].tolist()
-            return hx, hy
-        return (self.problem.scene.room.walls[ref.index].length / 2, 0.0) if isinstance(ref, WallRef) else (0.0, 0.0)
 
     def _spread(self) -> float:
         x0, y0, x1, y1 = self.problem.scene.room.bounds

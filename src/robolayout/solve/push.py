@@ -12,9 +12,10 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from robolayout._geometry import compose
 from robolayout.constraints import FAR, AssetRef, FrameTerm, Interval, WallRef
 from robolayout.solve.compile import Floats, Problem
-from robolayout.solve.proposals import Proposals, at_wall, carry, compose, frame_of
+from robolayout.solve.proposals import Proposals, at_wall, carry, frame_of
 from robolayout.solve.stage import relative
 
 PASSES = 3

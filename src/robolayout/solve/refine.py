@@ -106,7 +106,7 @@ class Solver:
     @cached_property
     def builder(self) -> Builder:
         """Builds rooms anew."""
-        return Builder(self.problem, self.rng)
+        return Builder(self.problem, self.rng, self.config.weights)
 
     @cached_property
     def repairer(self) -> Repair:

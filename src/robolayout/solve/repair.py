@@ -10,9 +10,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
+from itertools import zip_longest
 
 import numpy as np
 
+from robolayout._geometry import compose
 from robolayout.constraints import AssetRef, FrameTerm, MirrorTerm, WallRef
 from robolayout.floor import Plan
 from robolayout.solve.arrays import Routes
@@ -20,10 +22,11 @@ from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.construct import Builder
 from robolayout.solve.judge import Verdict
-from robolayout.solve.proposals import carry, compose, placing
+from robolayout.solve.proposals import carry, placing
 from robolayout.solve.push import nearest
 from robolayout.solve.routes import pack
 from robolayout.solve.runner import BATCH, Runner
+from robolayout.solve.score import Score
 from robolayout.solve.stage import make_stage
 
 WAYS = 4
@@ -125,28 +128,33 @@ class Repair:
             slot: The thing; what is placed in its stage makes way.
             plan_for: Plans routes in a layout.
         """
-        stage = make_stage(self.problem, self.problem.stage[slot], world)
+        stage, plan = make_stage(self.problem, self.problem.stage[slot], world), plan_for(world)
+        score, group = Score(stage, self.config.weights), frozenset(self.groups[slot])
+        tries = [self._elsewhere(score, world, slot, plan, along) for along in dict.fromkeys((frozenset[int](), group))]
+        yield from (one for some in tries for one in some)
+        picked = np.array([one for pair in zip_longest(*tries) for one in pair if one is not None][:BATCH])
+        routes = partial(self._open, picked, plan_for, 8 * stage.slots)
+        yield from self.runner.advance(stage, picked, self.config.polish, "mend", routes=routes).ranked()
+
+    def _elsewhere(self, score: Score, world: Floats, slot: int, plan: Plan, along: frozenset[int]) -> list[Floats]:
+        """Return the most promising layouts in which a thing, and what goes along with it, is elsewhere near its guess."""
         free = not any(term.heading is not None or term.look is not None for term in self.proposals.rows(slot))
         turned = [_turned(world[[slot]], quarter) for quarter in (2, 1, 3) if free]
         poses = np.concatenate([*turned, self._around(slot, world)])
-        batch = np.repeat(world[None], len(poses), axis=0)
-        for one, pose in zip(batch, poses, strict=True):
-            carry(self.problem, one, slot, pose)
-        size = 8 * stage.slots
-        same = pack([plan_for(world)] * self.runner.share, size)
-        found = self.runner.evaluate(stage, batch, lambda _part: same)
-        chosen = list(
-            range(len(turned))
-        )  # first as it stands, only turned: a guess is sooner wrong in this than in its place
-        for k in np.argsort(found.energy, kind="stable").tolist():
+        there = np.array(self.problem.stage) <= self.problem.stage[slot]
+        there[list(along)] = False
+        cost, _ = score.hard(slot, poses, world, there)
+        cost += score.statements(slot, poses, world, there) + score.routes(slot, poses, plan.demands)
+        chosen = list(range(len(turned)))  # first as it stands, only turned: a guess is sooner wrong in this
+        for k in np.argsort(cost, kind="stable").tolist():
             if not chosen or np.abs(poses[chosen] - poses[k]).max(axis=1).min() > ALIKE:
                 chosen.append(k)
             if len(chosen) == len(turned) + self.config.effort.looked_at:
                 break
-        yield from batch[chosen]
-        picked = batch[chosen[:BATCH]]
-        routes = partial(self._open, picked, plan_for, size)
-        yield from self.runner.advance(stage, picked, self.config.polish, "mend", routes=routes).ranked()
+        tries = np.repeat(world[None], len(chosen), axis=0)
+        for one, pose in zip(tries, poses[chosen], strict=True):
+            carry(self.problem, one, slot, pose, along)
+        return list(tries)
 
     def _open(self, worlds: Floats, plan_for: Callable[[Floats], Plan], size: int, part: slice) -> Routes:
         """Return what keeps ways open in some layouts."""
@@ -189,7 +197,7 @@ class Repair:
     def _eject(self, world: Floats, slot: int) -> None:
         """Put a thing, in place, where its statements want it, and what stands there or goes by it somewhere else."""
         carry(self.problem, world, slot, self.proposals.draw(slot, world, 1, self.rng)[0])
-        there = self.builder.touched(slot, world[[slot]], world)
+        there = self.builder.score.touched(slot, world[[slot]], world)
         moved = there | self.groups[slot].union(*(self.groups[other] for other in there))
         world[:] = self.builder.build(world, (moved & set(self.builder.moving)) - {slot})
 
@@ -197,7 +205,7 @@ class Repair:
         """Return what no statement holds and what stands where those of a slot would have it."""
         rows = [term for term in self.proposals.frames.get(slot, []) if placing(term)]
         places = [self.proposals.placed(slot, term, world, PLACES, self.rng) for term in rows]
-        there = self.builder.touched(slot, np.concatenate(places), world) if places else set[int]()
+        there = self.builder.score.touched(slot, np.concatenate(places), world) if places else set[int]()
         return {other for other in there if other not in self.proposals.frames and not self.groups[other]}
 
     def _near(self, slot: int, world: Floats) -> set[int]:

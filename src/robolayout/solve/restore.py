@@ -7,9 +7,10 @@ from collections.abc import Callable
 
 import numpy as np
 
+from robolayout._geometry import compose
 from robolayout.constraints import AssetRef, FrameTerm
 from robolayout.solve.compile import Floats, Problem
-from robolayout.solve.proposals import carry, compose
+from robolayout.solve.proposals import carry
 from robolayout.solve.stage import relative
 
 SAME = 1e-9

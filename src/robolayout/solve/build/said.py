@@ -13,6 +13,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from robolayout._geometry import Body, FrameRow, frame_residual
 from robolayout.constraints import AssetRef, FrameTerm, PointRef, Relation, WallRef, Way
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
@@ -22,16 +23,15 @@ from robolayout.constraints.under import Under
 from robolayout.program import Program
 from robolayout.scene import Layout, Pose, Scene
 from robolayout.solve.build.member import Member
-from robolayout.solve.rows import missed
 
 Poses = NDArray[np.float64]
 """(n, 3) metres and radians."""
 
 MISSED, PER_METRE, FARTHEST = 12.0, 6.0, 2.0
-"""Cost of a place that misses a statement, and of each metre (or radian) by which it does, up to so many."""
+"""Cost of a place that misses a statement, and of each metre of its residual, up to so many."""
 
-SLACK = 0.04
-"""Metres by which a place may miss a statement and still count as meeting it."""
+SLACK = 0.015
+"""Residual up to which a place counts as meeting a statement: 3 cm, or 10 degrees."""
 
 
 class Placed(Protocol):
@@ -107,28 +107,29 @@ class Said:
         return total
 
     def _missed(self, term: FrameTerm, moving: Mapping[str, Poses], placed: Mapping[str, Member]) -> Poses:
-        """Return by how many metres or radians (n,) a row is missed."""
-        a, half = self._poses(term.a, moving, placed)
-        b, other = self._poses(term.b, moving, placed)
-        c, s = np.cos(b[:, 2]), np.sin(b[:, 2])
-        dx, dy = a[:, 0] - b[:, 0], a[:, 1] - b[:, 1]
-        return missed(term, np.column_stack([c * dx + s * dy, c * dy - s * dx, a[:, 2] - b[:, 2]]), half, other)
+        """Return the residual (n,) of a row."""
+        row = FrameRow(*np.array(term.row()))
+        return frame_residual(self._body(term.a, moving, placed), self._body(term.b, moving, placed), row)
 
-    def _poses(
+    def _body(
         self, ref: AssetRef | WallRef | PointRef, moving: Mapping[str, Poses], placed: Mapping[str, Member]
-    ) -> tuple[Poses, tuple[float, float]]:
-        """Return poses (n or 1, 3) and half extents of what a row is about."""
+    ) -> Body:
+        """Return what a row is about at its poses (n or 1,)."""
+        depth, width, core = 0.0, 0.0, 0.0
         if isinstance(ref, WallRef):
             wall = self.scene.room.walls[ref.index]
-            yaw = math.atan2(wall.direction[1], wall.direction[0])
-            return np.array([[*wall.midpoint, yaw]]), (wall.length / 2, 0.0)
-        if isinstance(ref, PointRef):
-            return np.array([[ref.x, ref.y, ref.yaw]]), (0.0, 0.0)
-        depth, width, _ = self.scene.by_name[ref.name].size
-        if ref.name in moving:
-            return moving[ref.name], (depth / 2, width / 2)
-        member = placed[ref.name]
-        return np.array([[member.x, member.y, member.yaw]]), (depth / 2, width / 2)
+            poses = np.array([[*wall.midpoint, math.atan2(wall.direction[1], wall.direction[0])]])
+            depth, core = wall.length, wall.length / 2
+        elif isinstance(ref, PointRef):
+            poses = np.array([[ref.x, ref.y, ref.yaw]])
+        else:
+            depth, width, _ = self.scene.by_name[ref.name].size
+            there = placed.get(ref.name)
+            poses = (
+                moving[ref.name] if there is None or ref.name in moving else np.array([[there.x, there.y, there.yaw]])
+            )
+        x, y, yaw = poses.T
+        return Body(x, y, np.cos(yaw), np.sin(yaw), *np.array([[depth / 2], [width / 2], [core]]))
 
 
 def _built_in(relation: Relation) -> bool:

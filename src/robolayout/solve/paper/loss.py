@@ -14,8 +14,9 @@ import jax
 import jax.numpy as jnp
 from jaxtyping import Array, Float
 
-from robolayout._geometry import Body, FrameRow, frame_residual, intersection_over_union, mirror_residual, yielding
+from robolayout._geometry import Body, FrameRow, frame_residual, intersection_over_union, mirror_residual
 from robolayout.constraints.reachable_pairwise import ALPHA
+from robolayout.solve.objective import yielding
 from robolayout.solve.paper.table import Table
 
 OVERLAP = 1000.0
