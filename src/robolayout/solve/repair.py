@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from itertools import zip_longest
 
 import numpy as np
 
@@ -130,14 +129,17 @@ class Repair:
         """
         stage, plan = make_stage(self.problem, self.problem.stage[slot], world), plan_for(world)
         score, group = Score(stage, self.config.weights), frozenset(self.groups[slot])
-        tries = [self._elsewhere(score, world, slot, plan, along) for along in dict.fromkeys((frozenset[int](), group))]
-        yield from (one for some in tries for one in some)
-        picked = np.array([one for pair in zip_longest(*tries) for one in pair if one is not None][:BATCH])
+        found = [self._elsewhere(score, world, slot, plan, along) for along in dict.fromkeys((frozenset[int](), group))]
+        tries, costs = (np.concatenate(parts) for parts in zip(*found, strict=True))
+        yield from tries
+        picked = tries[np.argsort(costs, kind="stable")[:BATCH]]
         routes = partial(self._open, picked, plan_for, 8 * stage.slots)
         yield from self.runner.advance(stage, picked, self.config.polish, "mend", routes=routes).ranked()
 
-    def _elsewhere(self, score: Score, world: Floats, slot: int, plan: Plan, along: frozenset[int]) -> list[Floats]:
-        """Return the most promising layouts in which a thing, and what goes along with it, is elsewhere near its guess."""
+    def _elsewhere(
+        self, score: Score, world: Floats, slot: int, plan: Plan, along: frozenset[int]
+    ) -> tuple[Floats, Floats]:
+        """Return the most promising layouts with a thing, and what goes along with it, elsewhere near its guess; and their costs."""
         free = not any(term.heading is not None or term.look is not None for term in self.proposals.rows(slot))
         turned = [_turned(world[[slot]], quarter) for quarter in (2, 1, 3) if free]
         poses = np.concatenate([*turned, self._around(slot, world)])
@@ -154,7 +156,7 @@ class Repair:
         tries = np.repeat(world[None], len(chosen), axis=0)
         for one, pose in zip(tries, poses[chosen], strict=True):
             carry(self.problem, one, slot, pose, along)
-        return list(tries)
+        return tries, cost[chosen]
 
     def _open(self, worlds: Floats, plan_for: Callable[[Floats], Plan], size: int, part: slice) -> Routes:
         """Return what keeps ways open in some layouts."""
