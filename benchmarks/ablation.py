@@ -24,7 +24,7 @@ CONFIGS: dict[str, SolverConfig] = {
     "default": DEFAULT,
     "no gradient steps": replace(DEFAULT, search=STILL, tops=STILL, polish=STILL, reroute=STILL),
     "no polishing": replace(DEFAULT, polish=STILL),
-    "no construction": replace(DEFAULT, effort=replace(DEFAULT.effort, built=0, mendings=0, packings=0)),
+    "no construction": replace(DEFAULT, effort=replace(DEFAULT.effort, built=0, mendings=0)),
     "no mending, no repair": replace(DEFAULT, effort=Effort(repair_rounds=0)),
     "no routes anywhere": replace(DEFAULT, route_rounds=0),
     "overlap by IoU": replace(DEFAULT, weights=replace(DEFAULT.weights, iou=1000.0 / DEFAULT.weights.overlap)),

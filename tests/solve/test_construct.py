@@ -85,17 +85,6 @@ def test_the_same_seed_builds_the_same_room() -> None:
     assert first.tobytes() == second.tobytes()
 
 
-def test_a_room_that_is_all_but_full_is_packed() -> None:
-    boxes = tuple(Asset(f"storage_box-{i}", "storage box", (0.5, 0.9, 0.4)) for i in range(14))
-    problem = problem_of(room_of(*boxes, room=Room(((0, 0), (3.2, 0), (3.2, 3.2), (0, 3.2)), 2.6)), seed=2)
-    builder = Builder(problem, np.random.default_rng(0))
-    packed = min((builder.pack(problem.start) for _ in range(12)), key=lambda world: shared(problem, world))
-    assert shared(problem, packed) < 1e-6
-    floor = Polygon(problem.scene.room.vertices).buffer(1e-6)
-    layout = problem.layout(packed)
-    assert all(floor.covers(Polygon(layout[a.name].corners(a.size))) for a in boxes)
-
-
 def test_what_goes_by_a_thing_is_placed_right_after_it() -> None:
     text = "solver.distance_constraint(chair[0], table[0], 0.6, 0.9)\nsolver.against_wall(wardrobe[0], walls[1])\n"
     chair, wardrobe = Asset("chair-0", "chair", (0.5, 0.5, 0.9)), Asset("wardrobe-0", "wardrobe", (0.6, 1.6, 2.1))

@@ -84,9 +84,6 @@ class Effort:
     mendings: int = 32
     """Most layouts with one thing built anew that are judged in a row; fewer in rounds of repair after fruitless ones."""
 
-    packings: int = 24
-    """Orders in which a room is packed before it is given up as too full."""
-
     repair_rounds: int = 32
     """Most rounds of remove-and-reinsert; none leaves all mending out."""
 
@@ -102,7 +99,6 @@ EFFORTS: Mapping[str, Effort] = MappingProxyType(
             built=1,
             nearly=3.0,
             mendings=8,
-            packings=8,
             repair_rounds=4,
         ),
         "normal": Effort(),
@@ -115,7 +111,6 @@ EFFORTS: Mapping[str, Effort] = MappingProxyType(
             built=6,
             nearly=6.0,
             mendings=96,
-            packings=72,
             repair_rounds=96,
         ),
     }

@@ -52,14 +52,8 @@ WALKED = 1.0
 NEEDS = 6
 """Places looked at for each thing that is yet to come and goes by the one that is placed."""
 
-CORNER = 0.1
-"""Cost of a metre from the corner that a packed room is filled from."""
-
 GRAIN = 0.002
 """Metres between things that stand side by side."""
-
-PACKED = 3000
-"""Most places with one heading that packing looks at for a thing."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,42 +155,6 @@ class Builder:
         own = walked.cells(self.zones.stands(slot, places))
         cost += WALKED * walked.share(cells) + FLOOR.lost * (walked.left(own, cells) == 0)
         return walked.cheapest(cells, cost, site.stands[site.settled], limit)
-
-    def pack(self, world: Floats) -> Floats:
-        """Return a start (n, 4) that fills the room from one corner, each thing flush with its neighbours.
-
-        For rooms so full that only this finds a place for everything; edges are those along the axes.
-        """
-        world = world.copy()
-        x0, y0, x1, y1 = self.problem.scene.room.bounds
-        corner = np.array([self.rng.choice((x0, x1)), self.rng.choice((y0, y1))])
-        size = self.problem.half.prod(axis=1) * self.rng.uniform(0.5, 2.0, len(world))
-        site = self._site(world, self.moving)
-        for slot in sorted(self.moving, key=lambda s: (-size[s], s)):
-            places = self._flush(slot, site.bodies[site.settled])
-            cost = self._priced(slot, places, world, site.settled)
-            cost += CORNER * np.hypot(*(places[:, :2] - corner).T)
-            k = int(cost.argmin())
-            carry(self.problem, world, slot, places[k])
-            site.settled[slot], site.bodies[slot] = True, self.zones.bodies(slot, places[[k]])[0]
-        return world
-
-    def _flush(self, slot: int, bodies: Rects) -> Floats:
-        """Return places (m, 4) at which two sides of a slot touch something: walls, landings, what stands already."""
-        outline = np.array(self.problem.scene.room.vertices)
-        rects = np.concatenate([self.zones.landings, bodies])
-        edges = [np.unique(np.round(np.concatenate([outline[:, k], *rects[:, k::2].T]), 4)) for k in (0, 1)]
-        quarters = self.rng.permutation(4) * (np.pi / 2)
-        found: list[Floats] = []
-        for yaw in quarters:
-            c, s = np.cos(yaw), np.sin(yaw)
-            reach = np.abs([[c, s], [s, c]]) @ self.problem.half[slot] + GRAIN
-            x, y = (np.concatenate([e + r, e - r]) for e, r in zip(edges, reach, strict=True))
-            grid = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
-            if len(grid) > PACKED:
-                grid = grid[self.rng.choice(len(grid), PACKED, replace=False)]
-            found.append(np.column_stack([grid, np.broadcast_to((c, s), grid.shape)]))
-        return np.concatenate(found)
 
     def _followers(self) -> dict[int, list[tuple[int, Floats]]]:
         """Return for each slot what goes by it, and a few places (m, 4) of that in the slot's frame."""

@@ -30,9 +30,6 @@ from robolayout.solve.solution import Progress, Solution, conclude, silent
 from robolayout.solve.stage import Stage, make_stage, stages
 from robolayout.solve.starts import Starts
 
-FULL = 0.5
-"""Share of the floor above which packing comes before repair; below it, a few collisions are cheaper to repair."""
-
 NEAR = 0.4
 """Metres that a polished thing may be put where its statements hold exactly."""
 
@@ -230,7 +227,7 @@ class Solver:
         return self.problem.stage[self.problem.slot[name]] == number and name not in self.problem.pinned
 
     def _anew(self, stage: Stage, number: int, best: _Best) -> _Best:
-        """Return the best of what is there and of rooms that are built, searched for and packed."""
+        """Return the best of what is there and of rooms that are built and searched for."""
         self._say("build")
         self.lead, self.gained = best, self.judgements
         starts = Starts(self.problem, stage.world, stage.moving, self.builder)
@@ -249,8 +246,6 @@ class Solver:
             more = self.runner.advance(stage, far, phase, "search", rng=self.rng)
             more = self.runner.advance(stage, more.world, self.config.polish, "polish")
             best, run = self._with(more, number, best, run)
-        if number == 0 and best.verdict.hard and self.effort.repair_rounds and self._fill() > FULL:
-            best = self._pack(best)
         if number == 0 and self.config.route_rounds and best.verdict.barred:
             best = self._route(stage, run, best)
         return best
@@ -289,21 +284,6 @@ class Solver:
         """Return what keeps ways to everything open in some layouts."""
         plans = [self._planned(one, [], everywhere=True) for one in worlds[part]]
         return pack(plans, 8 * stage.slots)
-
-    def _fill(self) -> float:
-        """Return the share of the floor that things standing on it take."""
-        standing = [i for i, a in enumerate(self.problem.scene.assets) if self.problem.parent[i] < 0 and not a.is_flat]
-        return float(4 * self.problem.half[standing].prod(axis=1).sum()) / self.problem.scene.room.area
-
-    def _pack(self, best: _Best) -> _Best:
-        """Fill the room from a corner, in several orders, where nothing else has found a place for everything."""
-        for _ in range(self.effort.packings):
-            if not best.verdict.hard or self.spent:
-                break
-            found = self._judged(self.builder.pack(best.world), 0, best)
-            if found.verdict.worth < best.verdict.worth:
-                best = found
-        return best
 
     def _best_of(self, worlds: Iterable[Floats], number: int, best: _Best | None) -> _Best:
         """Return the best of some layouts and of what was best before, by the judge; nobody looks past a perfect one."""

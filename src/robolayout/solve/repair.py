@@ -132,7 +132,7 @@ class Repair:
         found = [self._elsewhere(score, world, slot, plan, along) for along in dict.fromkeys((frozenset[int](), group))]
         tries, costs = (np.concatenate(parts) for parts in zip(*found, strict=True))
         yield from tries
-        picked = tries[np.argsort(costs, kind="stable")[:BATCH]]
+        picked = tries[_unlike(tries[:, slot], costs, [], BATCH)]
         routes = partial(self._open, picked, plan_for, 8 * stage.slots)
         yield from self.runner.advance(stage, picked, self.config.polish, "mend", routes=routes).ranked()
 
@@ -147,12 +147,8 @@ class Repair:
         there[list(along)] = False
         cost, _ = score.hard(slot, poses, world, there)
         cost += score.statements(slot, poses, world, there) + score.routes(slot, poses, plan.demands)
-        chosen = list(range(len(turned)))  # first as it stands, only turned: a guess is sooner wrong in this
-        for k in np.argsort(cost, kind="stable").tolist():
-            if not chosen or np.abs(poses[chosen] - poses[k]).max(axis=1).min() > ALIKE:
-                chosen.append(k)
-            if len(chosen) == len(turned) + self.config.effort.looked_at:
-                break
+        first = list(range(len(turned)))  # as it stands, only turned: a guess is sooner wrong in this than in its place
+        chosen = _unlike(poses, cost, first, self.config.effort.looked_at)
         tries = np.repeat(world[None], len(chosen), axis=0)
         for one, pose in zip(tries, poses[chosen], strict=True):
             carry(self.problem, one, slot, pose, along)
@@ -267,6 +263,17 @@ def _rings(pose: Floats, radii: Sequence[float]) -> Floats:
     around = np.arange(8) * (math.pi / 4)
     steps = np.concatenate([[(0.0, 0.0)], *(np.column_stack([r * np.cos(around), r * np.sin(around)]) for r in radii)])
     return compose(pose, np.column_stack([steps, np.ones(len(steps)), np.zeros(len(steps))]))
+
+
+def _unlike(poses: Floats, cost: Floats, first: Sequence[int], most: int) -> list[int]:
+    """Return which of some poses (m, 4) to try: the first ones, and so many of the cheapest that are not the same try."""
+    chosen = list(first)
+    for k in np.argsort(cost, kind="stable").tolist():
+        if len(chosen) == len(first) + most:
+            break
+        if not chosen or np.abs(poses[chosen] - poses[k]).max(axis=1).min() > ALIKE:
+            chosen.append(k)
+    return chosen
 
 
 def _turned(poses: Floats, quarter: int) -> Floats:
