@@ -16,10 +16,6 @@ from shapely.ops import unary_union
 TWO_FRONTS = ("desk", "table", "counter")
 """Last words of what faces a thing when who sits at it does."""
 
-
-BLOCK = 6
-"""How many like things that look one way are a block: who sits at its end looks past what all of it faces."""
-
 LOWEST_SEAT = 0.2
 """Metres above the floor of a thing from which on what is within its box can stand on it: a seat, a mattress, a board."""
 
@@ -127,16 +123,14 @@ def _before(room: Room, a: str, b: str, most: float, sign: int = 1) -> bool:
 
 
 def turned_to(room: Room, a: str, shape: Polygon | LineString) -> bool:
-    """Return whether a front of an asset looks at a shape; in a block of like things that look one way, roughly so."""
+    """Return whether a front of an asset looks at a shape."""
     x, y, yaw = room.pose(a)
-    alike = [n for n in room.layout if room.kind(n) == room.kind(a)]
-    block = sum(abs(math.remainder(room.pose(n)[2] - yaw, math.tau)) < math.radians(5) for n in alike) >= BLOCK
     fronts = (yaw, yaw + math.pi) if room.scene["assets"][a]["category"].endswith(TWO_FRONTS) else (yaw,)
     target = shape.centroid
     for front in fronts:
         ray = LineString([(x, y), (x + 50 * math.cos(front), y + 50 * math.sin(front))])
         off = abs(math.remainder(math.atan2(target.y - y, target.x - x) - front, math.tau))
-        if ray.intersects(shape) or off <= math.radians(45 if block else 20):
+        if ray.intersects(shape) or off <= math.radians(20):
             return True
     return False
 

@@ -31,7 +31,11 @@ from benchmarks.tables import Rows, of, select, table
 
 FOLDER = Path(__file__).parent / "prompts"
 FILES = ("held", "open")
-FACTS = ("room", "size", "area", "height", "body", "windows", "doors", "shape")
+FACTS = {
+    "room": ("room type",), "size": ("room size",), "area": ("room area",), "height": ("room height",), "body": ("body",),
+    "windows": ("opening",), "doors": ("opening",), "shape": ("room type",),
+}  # fmt: skip
+"""What a demand can say of the room itself, and the kinds of rows of the ledger that do."""
 RELATIONS = (
     "on", "next", "near", "far", "front", "behind", "left", "right", "between", "around", "facing", "opposite", "above", "under",
     "wall", "corner", "atwindow", "atdoor", "middle", "row", "stacked", "pairs", "diagonal", "half", "daylight", "path", "openmiddle",
@@ -186,15 +190,11 @@ def measured(prompt: Prompt) -> Row:
     for demand, good in zip(prompt.demands, met, strict=True):
         for key in ("asked", *(["met"] if good else [])):
             row[f"{class_of(demand)} {key}"] = row.get(f"{class_of(demand)} {key}", 0) + 1
-    unmet = [
-        f"{d.kind} {', '.join(d.about)} {d.number or ''}".strip()
-        for d, good in zip(prompt.demands, met, strict=True)
-        if not good
-    ]
     ledger = result.report.asked
     agreed = list(_agreement(prompt, met, room, ledger))
     row |= {
-        "unmet": "; ".join(unmet),
+        "unmet": "; ".join(shown(demand) for demand, good in zip(prompt.demands, met, strict=True) if not good),
+        "dropped": len(dropped(prompt, met, room, ledger)),
         "compared": len(agreed),
         "agreed": sum(agreed),
         "rows": len(ledger),
@@ -202,6 +202,32 @@ def measured(prompt: Prompt) -> Row:
         "rows not understood": sum(r.verdict == "not understood" for r in ledger),
     }
     return row
+
+
+def shown(demand: Demand) -> str:
+    """Return a demand as a result file names it."""
+    return f"{demand.kind} {', '.join(demand.about)} {demand.number or ''}".strip()
+
+
+def dropped(prompt: Prompt, met: list[bool], room: Room, ledger: Any) -> list[Demand]:
+    """Return the demands that are unmet while no row of the ledger is about them, whatever its verdict."""
+    lost = (demand for demand, good in zip(prompt.demands, met, strict=True) if not good)
+    return [demand for demand in lost if not any(_covers(row, demand, room) for row in ledger)]
+
+
+def _covers(row: Any, demand: Demand, room: Room) -> bool:
+    """Return whether a row, or words given back as not understood, is about the things and the place of a demand."""
+    words = row.words.lower()
+    if demand.kind in FACTS:
+        return row.kind in FACTS[demand.kind] or any(value in words for value in demand.about[0].split("|"))
+    nouns = demand.about[0].split(" ", 1)[1:] if demand.kind == "half" else [noun for noun in demand.about if noun]
+    said, things = f"{words} {row.understanding}", set(row.things)
+    named = all(
+        any(word.split()[-1] in said for word in noun.split("|")) or things & set(room.find(noun)) for noun in nouns
+    )
+    if demand.kind == "count":
+        return named and row.kind in ("count", "refusal", "not understood")
+    return named and row.kind != "count" and (len(nouns) > 1 or _same_word(demand, words))
 
 
 def _agreement(prompt: Prompt, met: list[bool], room: Room, ledger: Any) -> Iterator[bool]:
@@ -236,6 +262,12 @@ WORDS = {
     "above": ("above", "over", "under"),
     "under": ("under", "beneath", "on"),
     "opposite": ("opposite", "across"),
+    "stacked": ("stack",),
+    "pairs": ("pair",),
+    "path": ("path", "way"),
+    "daylight": ("light",),
+    "half": ("half", "side"),
+    "openmiddle": ("middle", "cent"),
     "on": (" on", "with", "hold", "top"),
     "facing": ("fac", "seen"),
     "near": ("near", "close", "at", "by", "with", "next"),
@@ -264,15 +296,18 @@ def section(rows: Rows, images: Path) -> str:
         cells = [of(totals[f"{kind} met"], totals[f"{kind} asked"]) for kind in kinds]
         met, asked = (sum(totals[f"{kind} {word}"] for kind in kinds) for word in ("met", "asked"))
         compared, agreed = (sum(int(row.get(word, 0)) for row in found) for word in ("compared", "agreed"))
-        refused = str(sum("refused" in row for row in found))
+        lost, refused = str(sum(row.get("dropped", 0) for row in found)), str(sum("refused" in row for row in found))
         if found:
             seconds = f"{statistics.median(row['seconds'] for row in found):.1f}"
-            lines.append([f"{len(found)} {shown}", of(met, asked), *cells, of(agreed, compared), refused, seconds])
-    heads = ["prompts", "all demands", *kinds, "ledger agrees", "refused", "CPU s, median"]
+            lines.append(
+                [f"{len(found)} {shown}", of(met, asked), *cells, of(agreed, compared), lost, refused, seconds]
+            )
+    heads = ["prompts", "all demands", *kinds, "ledger agrees", "dropped", "refused", "CPU s, median"]
     intro = (
         "Prompts of our own in the manner of published ones, with the demands that a person reads in them "
         "(`benchmarks/prompts/`), checked by a script that knows nothing of the reader. *Ledger agrees*: of the demands "
-        "that have a row of the ledger, those to which both give the same verdict.\n"
+        "that have a row of the ledger, those to which both give the same verdict. *Dropped*: demands that are unmet while "
+        "no row of the ledger, whatever its verdict, is about their things or place.\n"
     )
     return f"## Words\n\n{intro}\n{table(heads, lines)}\n{_words_by_kind(rows)}"
 

@@ -8,12 +8,14 @@ from pathlib import Path
 
 import pytest
 from benchmarks import __main__ as command
-from benchmarks import bodies, page
+from benchmarks import bodies, page, words
 from benchmarks.measures import SHARES
 from benchmarks.rooms import Crowd, crowd
+from benchmarks.seen import Room
 from benchmarks.store import Row, Store
 
 import robolayout as rl
+from robolayout.words import AskedRow
 
 
 @pytest.mark.parametrize(
@@ -40,6 +42,20 @@ def test_every_section_has_cases_with_names_of_their_own() -> None:
         for quick in (True, False):
             keys = [key for key, _ in command.SECTIONS[name].cases(quick)]
             assert keys and len(set(keys)) == len(keys)
+
+
+def test_a_demand_is_dropped_where_no_row_is_about_it() -> None:
+    row = AskedRow("plant in corner", "relation", "", ("plant-0",), "unmet", "")
+    demands = [
+        words.Demand("corner", ("plant",)),
+        words.Demand("wall", ("plant",)),
+        words.Demand("near", ("plant", "bed")),
+    ]
+    prompt = words.Prompt("", tuple(demands))
+    square = {"boundary": {"floor_vertices": [[0, 0], [4, 0], [4, 4], [0, 4]], "wall_height": 2.6}, "assets": {}}
+    room = Room(square, {})
+    assert words.dropped(prompt, [False] * 3, room, [row]) == demands[1:]
+    assert words.dropped(prompt, [False, True, True], room, [row]) == []
 
 
 def test_what_is_measured_is_kept_and_not_measured_again(tmp_path: Path) -> None:

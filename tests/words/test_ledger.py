@@ -219,3 +219,10 @@ def test_a_second_room_is_a_thing_or_not_understood() -> None:
     scene, _ = scene_from_sentence("A bedroom with a bed and a bathroom")
     rows = {row.words: row.understanding for row in read_words(scene).rows}
     assert rows["a bathroom"] == "one room is laid out, the bedroom"
+
+
+def test_a_row_says_once_what_a_thing_has() -> None:
+    rows = [
+        row.words for row in judged("The desk has a table lamp. The bed is by the window.") if row.kind == "relation"
+    ]
+    assert rows == ["desk with a table lamp", "bed by window"]

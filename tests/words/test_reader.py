@@ -87,6 +87,17 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("tables in rows, guests are received near the door", {("rows", "dining table", "")}),
         ("three stacked crates in the corner", {("stacked", "crate", ""), ("in", "crate", "corner")}),
         ("an armchair with a table to its right", {("right", "dining table", "armchair")}),
+        (
+            "an armchair by the window, a lamp behind the armchair, a small table with a cup and a book to its right",
+            {
+                ("by", "armchair", "window"),
+                ("behind", "floor lamp", "armchair"),
+                ("with", "cup", "side table"),
+                ("with", "book", "side table"),
+                ("right", "side table", "armchair"),
+            },
+        ),
+        ("a round table with two stools by the window", {("with", "stool", "round table"), ("by", "round table", "window")}),
         ("a desk with a computer near the door", {("with", "computer", "desk"), ("near", "desk", "door")}),
         ("a laptop and a mug are on the desk", {("on", "laptop", "desk"), ("on", "mug", "desk")}),
         ("a hood over the stove", {("above", "hood", "stove")}),

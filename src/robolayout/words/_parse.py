@@ -207,7 +207,7 @@ class Parser(Relating):
         """Return whether what another thing has is on it or at it: what can stand nowhere else, what a table has first, seats."""
         tops = holder.thing.noun.kind.split()[-1] in ("table", "desk", "counter", "island")
         kind = mention.thing.noun.kind
-        seat = kind.split()[-1] in SEATS and holder.thing.noun.kind.split()[-1] != "table"  # a table's know their place
+        seat = kind.split()[-1] in SEATS
         first = seat or CATALOGUE[kind].on_object
         return (topped(mention) or (tops and not joined and first)) and not topped(holder)
 

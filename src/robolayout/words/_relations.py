@@ -21,6 +21,9 @@ AIDS = {"wheelchair": "wheelchair", "walker": "elder_walker"}
 NEARNESS = frozenset(("next", "near", "by", "under", "front"))
 """Relations that say that one thing is close to another."""
 
+LAID = frozenset(("behind", "next", "near", "left", "right"))
+"""Relations that are about what holds a thing, where the thing lies on it: "a table with a cup behind the sofa"."""
+
 ZONES = ("room", "corner", "function", "part")
 """Kinds of chunks that name a part of the room."""
 
@@ -146,17 +149,26 @@ class Relating(References):
         sides = place.name == "side" if place else chunk.value == "flank" and not objects and not self.holder
         if sides and self._at_sides(chunk, subjects):
             return
-        held = self.having and self.holder and not self.listed
-        laid = (
-            chunk.value in ("behind", "next", "near") and held and topped(self.group[-1]) and not topped(self.holder[0])
-        )
-        if (place or chunk.value == "middle" or laid) and held and subjects == self.group[-1:]:
-            subjects = self.holder  # "a table with a vase near the door"
+        subjects, objects = self._held_by(chunk, subjects, objects)
         for item in objects if every and subjects else ():
             own = isinstance(item, Mention) and (item.det == "a" or "own" in item.thing.adjectives)
             if isinstance(item, Mention) and own and item.thing.times == 1:
                 item.thing.times = subjects[0].thing.count  # "each facing a mirror"
         self._relate(chunk, subjects, objects, first)
+
+    def _held_by(
+        self, chunk: Chunk, subjects: list[Mention], objects: list[Mention | Place]
+    ) -> tuple[list[Mention], list[Mention | Place]]:
+        """Return what a relation is about and leads to, where that is not what a thing has but the thing itself."""
+        held = self.having and self.holder and not self.listed
+        place = chunk.value == "middle" or (bool(objects) and isinstance(objects[0], Place))
+        laid = chunk.value in LAID and held and topped(self.group[-1]) and not topped(self.holder[0])
+        if laid and chunk.det == "its":  # "an armchair by the window, a table with a cup to its right"
+            before = list[Mention | Place](m for m in self.targets if m.thing is not self.holder[0].thing)
+            objects = before[-1:] or objects
+            laid = objects != self.holder
+        swapped = (place or laid) and held and subjects == self.group[-1:]  # "a table with a vase near the door"
+        return (self.holder if swapped else subjects), objects
 
     def _refused(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
         """Note what must not be so: where nearness is refused, a gap is asked for; of what must not be there nothing is."""

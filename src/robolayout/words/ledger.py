@@ -264,7 +264,8 @@ class _Rows:
             return self._way(link, words)
         about = ", ".join(_shown(mention) for mention in link.subjects)
         to = " and ".join(_shown(item) for item in link.objects)
-        understanding = f"{about} {words} {to}".strip()
+        said = [about, words, to] if about not in words.lower() else [to, "with", words] if to else [words]
+        understanding = " ".join(said).strip()
         demands = self.demander.demands(link)
         hung = [item for item in link.objects if isinstance(item, Place) and item.name == "ceiling"]
         if not demands and hung and link.subjects:
