@@ -98,6 +98,8 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
             },
         ),
         ("a round table with two stools by the window", {("with", "stool", "round table"), ("by", "round table", "window")}),
+        ("a sofa facing a TV on a stand", {("facing", "sofa", "television"), ("on", "television", "tv stand")}),
+        ("Two nightstands are placed on either side of the bed.", {("flank", "night stand", "bed")}),
         ("a desk with a computer near the door", {("with", "computer", "desk"), ("near", "desk", "door")}),
         ("a laptop and a mug are on the desk", {("on", "laptop", "desk"), ("on", "mug", "desk")}),
         ("a hood over the stove", {("above", "hood", "stove")}),

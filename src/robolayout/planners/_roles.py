@@ -20,17 +20,6 @@ BEYOND = 0.03
 TOP_SHARE = 0.55
 """Share of a top that may be covered."""
 
-FALLBACKS = (
-    "thing on a wall",
-    "thing on the ceiling",
-    "thing on a top",
-    "covering",
-    "tall thing",
-    "small thing",
-    "big thing",
-)
-"""Roles of what nobody knows, chosen by flags, size and shape; written in knowledge/unknown.toml."""
-
 
 @dataclass(frozen=True)
 class Cast:

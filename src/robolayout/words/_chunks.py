@@ -52,7 +52,6 @@ class Chunk:
     bound: str = ""  # "least", "most", "more", or "" for exactly so many; "vague" for "some"
     plural: bool = False  # whether the noun stands in the plural
     adjectives: tuple[str, ...] = ()  # the words before the noun
-    refused: bool = False  # whether it must not be there
     rows: int = 0  # rows that it stands in ("three rows of four"), 0 if none are said
     measure: Measure | None = None  # A measure of the room
 
@@ -127,7 +126,7 @@ class Chunker:
                 return Chunk("corner", at, at + size, self.lexicon.corners[phrase])
             kind, value = self.grammar.phrases.get(phrase, ("", ""))
             measured = any(inner in self.measured for inner in range(at + 1, at + size))  # "in 3 rows and 4 columns"
-            if kind == "rel" and not measured and self._is_relation(phrase, at + size):
+            if kind == "rel" and not measured and self._is_relation(phrase, at + size) and not self._overlaid(at, size):
                 rows = next((number for word in phrase.split() if (number := _count(word))), 0)
                 return Chunk("rel", at, at + size, value, det="its" if " its " in phrase else "", rows=rows)
         word = self.words[at]
@@ -136,6 +135,11 @@ class Chunker:
         if word in WITH:
             return Chunk("with", at, at + 1)
         return Chunk("and", at, at + 1, word) if word in JOINING else None
+
+    def _overlaid(self, at: int, size: int) -> bool:
+        """Return whether a relation that begins within this one goes on beyond it: "placed on either side of"."""
+        phrases = (self.words[i : at + size + more] for i in range(at + 1, at + size) for more in range(1, LONGEST))
+        return any(self.grammar.phrases.get(" ".join(words), ("", ""))[0] == "rel" for words in phrases)
 
     def _is_relation(self, phrase: str, end: int) -> bool:
         """Return whether a phrase is a relation here: "opposite walls", "left bank" and "to the left wall" are none."""

@@ -22,6 +22,10 @@ def settle_kinds(parsed: Parsed) -> None:
         place = _where(link)
         for mention in link.subjects:
             noun = mention.thing.noun
+            for bearer in (item.thing for item in link.objects if isinstance(item, Mention)):
+                own = f"{noun.said} stand"
+                if link.relation == "on" and bearer.noun.said == "stand" and own in CATALOGUE:
+                    bearer.noun = replace(bearer.noun, words=own, kind=own, guessed="")
             standing = place == "wall" and CATALOGUE[noun.kind].on_floor and noun.said not in ("lamp", "light")
             hung = f"wall {noun.kind.split()[-1].replace('bookshelf', 'shelf')}"
             standing = standing and link.relation != "above"

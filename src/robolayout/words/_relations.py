@@ -315,9 +315,11 @@ class Relating(References):
         told = relation in ("by", "next", "near", "holds") or (
             following == "wall" and hung and relation in ("on", "wall")
         )
+        last = self.group[-1:] or list(self.subject)
+        if self.target is not None and relation == "on" and following != "wall" and last:
+            told = _on_tops(self.target) and not _on_tops(last[0])  # "a sofa facing a TV on a stand"
         if self.target is not None and told and self.acted:
             return [self.target]
-        last = self.group[-1:] or list(self.subject)
         if relation in _ORDERS.split() and last and last[0].thing.count == 1:
             return list(self.group or self.subject)  # "fridge, stove and sink in a row"
         if relation == "on" and last and topped(last[0]) and len(self.group) > 1:
@@ -417,3 +419,8 @@ def _had(link: Link, own: Set[Thing], to: Set[Thing] | None) -> bool:
     """Return whether a relation only says that one of some things has a thing (any, for None)."""
     has = {item.thing for item in link.objects if isinstance(item, Mention)}
     return link.relation == "with" and link.subjects[0].thing in own and (to is None or bool(has & to))
+
+
+def _on_tops(mention: Mention) -> bool:
+    """Return whether a thing can stand on another."""
+    return CATALOGUE[mention.thing.noun.kind].on_object

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
-from typing import Any, Literal
+from typing import Literal
 
 from shapely import LineString
 from shapely.geometry.base import BaseGeometry
@@ -419,7 +419,3 @@ def share_met(rows: tuple[AskedRow, ...]) -> float:
     """Return the share of the understood rows that are met; 1 where there are none."""
     judged = [row.verdict == "met" for row in rows if row.verdict in ("met", "unmet")]
     return sum(judged) / len(judged) if judged else 1.0
-
-
-Rows = tuple[AskedRow, ...]
-Plain = Mapping[str, Any]
