@@ -91,7 +91,7 @@ def test_without_mujoco_the_extra_is_named_before_any_work(
     [
         (("drive", "--doors", "ajar"), "unknown way for doors to stand 'ajar'. Known: open, shut, swinging."),
         (("export", "--to", "mjcf", "--doors", "ajar"), "unknown way for doors to stand 'ajar'"),
-        (("export", "--to", "mjcf", "--body", "arm"), "unknown body to export 'arm'. Known: base, none."),
+        (("export", "--to", "mjcf", "--body", "arm"), "unknown body to export 'arm'. Known: base, full, none."),
     ],
 )
 def test_unknown_ways_are_refused(

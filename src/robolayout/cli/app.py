@@ -45,7 +45,7 @@ from robolayout.cli.terminal import progress, say, show, table
 
 __all__ = ["app", "main"]
 
-BODIES = ("none", "base")
+BODIES = ("none", "base", "full")
 """What of a body a file may hold."""
 
 REFUSALS = (errno.ENAMETOOLONG, errno.EACCES, errno.EPERM, errno.ELOOP, errno.ENOTDIR, errno.EISDIR, errno.EROFS)
@@ -171,7 +171,7 @@ def export(
     to: Annotated[str, Option(help="Formats, separated by commas: glb, usd, mjcf, dxf, pdf, ...")] = "glb",
     out: Annotated[Path, Option(help="Folder to write to.")] = Path(),
     partial: Annotated[bool, Option("--partial", help="Leave assets without a pose out.")] = False,
-    body: Annotated[str, Option(help="What of the body goes into MJCF: none, or base (its driving base).")] = "base",
+    body: Annotated[str, Option(help="In MJCF: none, base (what drives), or full (a robot's model).")] = "base",
     doors: DoorsOption = "swinging",
 ) -> None:
     """Write a layout for simulators and viewers."""
@@ -190,7 +190,7 @@ def export(
     check_writable(out)
     one_of("body to export", body, BODIES)
     options = replace(export_options(verify(given, placed)), leaves=standing(doors))
-    options = options if body == "base" else replace(options, agent=None)
+    options = replace(options, agent=None if body == "none" else options.agent, whole=body == "full")
     plain = [name for name in formats if find_exporter(name).fit is None]
     for path in export_all(given, placed, plain, folder=out, options=options, partial=partial):
         say(str(path))

@@ -40,6 +40,7 @@ class Options:
     """What may go into a file beside the scene and the layout."""
 
     agent: Agent | None = None  # the body whose base is added where the format can hold one (MJCF); None leaves it out
+    whole: bool = False  # whether the whole model of that body is added to its base, if it was read from one (MJCF)
     leaves: str = "swinging"  # how the doors of the room stand in a simulator (MJCF): one of `LEAVES`
     # routes of that agent, kept as metadata or lines where the format has a place
     routes: Routes = field(default_factory=dict[str, Sequence[Point]])

@@ -21,7 +21,7 @@ from robolayout.export._bodies import DRAG, STICTION, THINNEST, Free, Link, Shap
 from robolayout.export._exporter import Exporter, Options, Rows, free_name, is_movable, reader, unique
 from robolayout.export._mesh import numbers, quaternion
 from robolayout.export._xml import dump_xml, parse_xml, rgba
-from robolayout.scene import Agent, Layout, Pose, Scene
+from robolayout.scene import Agent, Figure, Layout, Pose, Scene
 
 AGENT = "agent"
 AGENT_MASS = 60.0
@@ -74,7 +74,7 @@ def build(scene: Scene, layout: Layout, options: Options, *, free: Free) -> tupl
         flat = " ".join(f"{value:.6g}" for point in line for value in point)
         ET.SubElement(custom, "text", name=f"route/{name}", data=flat or "-")
     if options.agent is not None:
-        _agent(model, free_name(AGENT, scene), options.agent, start(scene, options))
+        _agent(model, free_name(AGENT, scene), options, start(scene, options))
     key = {"name": "home", "qpos": " ".join(map(repr, model.home)), "ctrl": " ".join("0" * len(model.actuators))}
     ET.SubElement(ET.SubElement(model.root, "keyframe"), "key", {name: text for name, text in key.items() if text})
     return dump_xml(model.root), dict(model.meshes.values())
@@ -184,11 +184,10 @@ def start(scene: Scene, options: Options) -> Pose:
     return Pose((low_x + high_x) / 2, (low_y + high_y) / 2, 0.0, 0.0)
 
 
-def _agent(model: _Model, own: str, agent: Agent, pose: Pose) -> None:
-    """Add the planar base of an agent, above what it drives over, without friction: its joints carry it."""
-    low = max(agent.step, 0.01)
-    half = (agent.height - low) / 2
-    half_yaw = pose.yaw / 2
+def _agent(model: _Model, own: str, options: Options, pose: Pose) -> None:
+    """Add the planar base of an agent, and on it a robot's model if that is asked for, else its shape."""
+    agent, half_yaw = options.agent, pose.yaw / 2
+    assert agent is not None
     turn = f"{math.cos(half_yaw)!r} 0 0 {math.sin(half_yaw)!r}"
     body = ET.SubElement(model.world, "body", name=own, pos=f"{pose.x!r} {pose.y!r} 0", quat=turn)
     joints = {"x": ("slide", pose.x), "y": ("slide", pose.y), "yaw": ("hinge", pose.yaw)}
@@ -203,6 +202,31 @@ def _agent(model: _Model, own: str, agent: Agent, pose: Pose) -> None:
         drive = {"gaintype": "fixed", "biastype": "affine", "joint": f"{own}/{name}"}
         ET.SubElement(model.actuators, "general", {"name": f"{own}/{name}", **drive, **gains})
         model.home.append(value)
+    if options.whole and agent.figure is not None:
+        _robot(model, body, agent, agent.figure)
+    else:
+        _shape(body, own, agent)
+
+
+def _robot(model: _Model, body: ET.Element, agent: Agent, figure: Figure) -> None:
+    """Add a robot's model to its base."""
+    from robolayout.export._whole import sections, whole
+
+    found = whole(agent, figure, body.get("name", ""))
+    body.append(found.body)
+    for tag, elements in sections(found):
+        section = model.root.find(tag)
+        (ET.SubElement(model.root, tag) if section is None else section).extend(elements)
+    for compiler in model.root.iter("compiler"):
+        compiler.set("balanceinertia", "true")  # real files have inertias that no thing can have
+    model.home += found.home
+    model.meshes |= found.files
+
+
+def _shape(body: ET.Element, own: str, agent: Agent) -> None:
+    """Add the shape of an agent above what it drives over, without friction: its joints carry it."""
+    low = max(agent.step, 0.01)
+    half = (agent.height - low) / 2
     shape = {"type": "cylinder", "size": f"{agent.radius:.9g} {half:.9g}"}
     if agent.length is not None and agent.width is not None:
         shape = {"type": "box", "size": f"{agent.length / 2:.9g} {agent.width / 2:.9g} {half:.9g}"}

@@ -2,6 +2,7 @@
 
 from robolayout.scene.agent import DEFAULT_AGENT as DEFAULT_AGENT
 from robolayout.scene.agent import Agent as Agent
+from robolayout.scene.agent import Figure as Figure
 from robolayout.scene.agent import Hold as Hold
 from robolayout.scene.agent import Source as Source
 from robolayout.scene.agents_io import agent_from_dict as agent_from_dict

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 
 
 @dataclass(frozen=True)
@@ -13,6 +14,15 @@ class Source:
 
     text: str  # the source in words
     verified: bool  # whether the figure was checked against that source
+
+
+@dataclass(frozen=True)
+class Figure:
+    """The model of a robot, and how it stands while it drives about."""
+
+    path: Path  # its URDF or MJCF file
+    pose: Mapping[str, float]  # values of its joints, radians and metres, by name; others are at 0
+    foot: tuple[float, float, float]  # the middle of its footprint, on the floor, in the frame of its root
 
 
 @dataclass(frozen=True)
@@ -42,6 +52,7 @@ class Agent:
     title: str = ""  # name for people
     # source of each figure, by attribute name
     sources: Mapping[str, Source] = field(default_factory=dict[str, Source], compare=False)
+    figure: Figure | None = field(default=None, compare=False)  # its model, if its figures were read from one
 
     @property
     def reach(self) -> float:

@@ -9,6 +9,7 @@ Lengths are in metres. `radius` may be left out where `length` and `width` are g
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -121,7 +122,7 @@ def agent_from_dict(data: object, name: str = "agent") -> Agent:
         figures["radius"] = _half_passage(figures, label)
     if "height" not in figures:
         raise AgentError(f"agent {label!r} has no height; give it in metres.")
-    return checked(Agent(name=label, title=title, sources=sources, reach_bands=bands, **figures))
+    return checked(Agent(name=label, title=title, sources=sources, reach_bands=bands, figure=None, **figures))
 
 
 def agent_to_dict(agent: Agent) -> str | dict[str, object]:
@@ -193,11 +194,11 @@ def _load_profile(path: Path) -> Agent:
     if path.suffix.lower() == ".json":
         return agent_from_dict(_CHECK.read_json(path, "agent file"), name=path.stem)
     content = _CHECK.read_toml(path, "agent file")
-    return agent_from_dict(_with_model(content, path) if "model" in content else content, name=path.stem)
+    return _with_model(content, path) if "model" in content else agent_from_dict(content, name=path.stem)
 
 
-def _with_model(content: dict[str, object], path: Path) -> dict[str, object]:
-    """Return a profile with the figures of the robot model that it names, in its pose, where it gives none itself."""
+def _with_model(content: dict[str, object], path: Path) -> Agent:
+    """Return the agent of a profile, with the figures of the robot model that it names, in its pose, where it gives none itself."""
     from robolayout.scene.robot import load_robot
 
     where = f"agent file {path}"
@@ -207,10 +208,12 @@ def _with_model(content: dict[str, object], path: Path) -> dict[str, object]:
     if given is not None:
         pose = _CHECK.mapping(given, f"{where}: pose")
         values = {name: _CHECK.number(value, f"{where}: pose.{name}") for name, value in pose.items()}
-    known = agent_to_dict(load_robot(path.parent / file, values))
+    robot = load_robot(path.parent / file, values)
+    known = agent_to_dict(robot)
     if isinstance(known, dict) and content.keys() & {"reach", "reach_distance", "shoulder_height"}:
         known.pop("reach_bands", None)
-    return {**known, **content} if isinstance(known, dict) else content
+    whole = {**known, **content} if isinstance(known, dict) else content
+    return replace(agent_from_dict(whole, name=path.stem), figure=robot.figure)
 
 
 def _figure(value: object, where: str, key: str) -> tuple[float, Source | None]:

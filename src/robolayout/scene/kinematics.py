@@ -151,6 +151,11 @@ class Robot:
         )
         return tuple(joint for joint in free if not self.beyond(joint) & standing)
 
+    def led(self, values: Mapping[str, float]) -> dict[str, float]:
+        """Return values of joints with those of the joints that follow them."""
+        follow = ((joint.name, joint.mimics) for joint in self.joints if joint.mimics is not None)
+        return {**values, **{name: by * values.get(leader, 0.0) + off for name, (leader, by, off) in follow}}
+
     @cached_property
     def rest(self) -> dict[str, float]:
         """All arms at 0, or as near to it as they come."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ import numpy as np
 from robolayout._errors import UnknownNameError
 from robolayout._reading import show
 from robolayout.scene._model import CHECK, Matrix, Model
-from robolayout.scene.agent import CLEARANCE, Agent, Source
+from robolayout.scene.agent import CLEARANCE, Agent, Figure, Source
 from robolayout.scene.kinematics import POSES, Robot
 from robolayout.scene.mjcf import read_mjcf
 from robolayout.scene.urdf import read_urdf
@@ -45,7 +46,10 @@ def load_robot(path: Path, pose: Mapping[str, float] | None = None) -> Agent:
     else:
         values, how = body.folded(), "its arms folded" if body.arms else "joints at zero"
     points = body.points({name: np.array([value]) for name, value in values.items()})[0]
-    return _agent(points, f"collision geometry of the {kind} model {body.name}, {how}", body)
+    agent = _agent(points, f"collision geometry of the {kind} model {body.name}, {how}", body)
+    middle = np.zeros(2) if agent.length is None else (points.min(axis=0) + points.max(axis=0))[:2] / 2
+    foot = (float(middle[0]), float(middle[1]), float(points[:, 2].min()))
+    return replace(agent, figure=Figure(path, body.led(values), foot))
 
 
 def _given(body: Robot, pose: Mapping[str, float], model: Model) -> dict[str, float]:
