@@ -146,6 +146,7 @@ class AgentReport:
             "unreached": {name: finite(nav.distances[name]) for name in nav.unreached},
             "moved": {name: list(use.moved) for name, use in self.usage.uses.items() if use.moved},
             "opened": {name: use.opens for name, use in self.usage.uses.items() if use.opens},
+            "stays_shut": [f"{hold.asset}/{hold.joint}" for hold in self.usage.holds if not hold.poses],
             "unusable": {name: use.reason for name, use in self.usage.uses.items() if not use.usable},
             "drives": {
                 name: {
