@@ -15,8 +15,6 @@ from pathlib import Path
 
 import pytest
 
-from robolayout.scene.agents import BUILT_IN
-
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src"
 PACKAGE = SOURCE / "robolayout"
@@ -243,11 +241,6 @@ def test_every_variant_has_its_line_in_the_folder(folder: str, least: int) -> No
     assert len(variants) >= least
     missing = [name for name in variants if not re.search(rf"\b{name}\b", text)]
     assert not missing, f"{page.relative_to(ROOT)}: has no line for {', '.join(missing)}"
-
-
-def test_every_agent_has_its_line_in_the_folder() -> None:
-    profiles = {path.stem for path in (PACKAGE / "scene" / "agents").glob("*.toml")}
-    assert profiles == set(BUILT_IN)
 
 
 KNOWN_HERE = frozenset(

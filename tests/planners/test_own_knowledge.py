@@ -160,3 +160,25 @@ def test_a_broken_file_is_refused_in_words_with_exit_code_2(
     assert re.search(words, ran.err), ran.err
     assert "own.toml" in ran.err or "the role 'a'" in ran.err
     assert "Traceback" not in ran.err
+
+
+def test_a_name_in_two_files_is_refused_and_both_are_named(tmp_path: Path, command: Callable[..., Ran]) -> None:
+    ours, theirs = tmp_path / "ours.toml", tmp_path / "theirs.toml"
+    for text, kind in (
+        ('[harp]\nlike = "stool"', "thing 'harp'"),
+        ('[role.harp]\nstands = ["wall"]', "role 'harp'"),
+        ("[rooms.harp]\nsize = [4, 4]", "room type 'harp'"),
+    ):
+        for path in (ours, theirs):
+            path.write_text(f'[group]\nlabel = "{path.stem}"\n{text}\n', "utf-8")
+        ran = command("generate", "a bedroom", "--knowledge", ours, "--knowledge", theirs, "--out", tmp_path / "out")
+        assert ran.code == 2
+        assert f"the {kind} is in" in ran.err and "ours.toml too" in ran.err and "theirs.toml" in ran.err, ran.err
+
+
+def test_a_record_of_ones_own_takes_the_place_of_the_built_in_one_of_its_name(tmp_path: Path) -> None:
+    own = tmp_path / "own.toml"
+    own.write_text('[group]\nlabel = "a"\n[armchair]\nlike = "sofa"\nsize = [1.1, 1.3, 0.9]\n', "utf-8")
+    found = OfflinePlanner([own]).recognised(Scene(ROOM, (Asset("x-0", "armchair", (1.0, 1.0, 0.9)),)))
+    assert found.assets[0].like == "sofa"
+    assert OfflinePlanner().recognised(Scene(ROOM, (Asset("x-0", "armchair", (1.0, 1.0, 0.9)),))).assets[0].like == ""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import shutil
 import tomllib
 from collections.abc import Mapping
 from importlib.metadata import EntryPoint
@@ -15,7 +16,6 @@ import pytest
 import robolayout.scene.agents_io as agents_io
 from robolayout._errors import AgentError, UnknownNameError
 from robolayout.scene import Agent, agent_names, agent_to_dict, load_agent, load_agents
-from robolayout.scene.agents import BUILT_IN
 from robolayout.scene.agents_io import FIGURES
 
 FOLDER = Path(agents_io.__file__).parent / "agents"
@@ -25,11 +25,24 @@ LISTED = (
 )
 NAMES = LISTED.split(", ")
 
-each_agent = pytest.mark.parametrize("name", BUILT_IN)
+each_agent = pytest.mark.parametrize("name", agent_names())
 
 
 def test_the_fifteen_are_there() -> None:
     assert agent_names() == tuple(NAMES)
+
+
+def test_a_body_is_one_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for path in FOLDER.glob("*.toml"):
+        shutil.copy(path, tmp_path)
+    (tmp_path / "goat.toml").write_text("radius = 0.3\nheight = 0.9\n", "utf-8")
+    monkeypatch.setattr(agents_io, "_FOLDER", tmp_path)
+    agents_io._orders.cache_clear()
+    try:
+        assert agent_names() == (*NAMES, "goat")
+        assert load_agent("goat").height == 0.9
+    finally:
+        agents_io._orders.cache_clear()
 
 
 @each_agent

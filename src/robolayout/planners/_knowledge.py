@@ -131,10 +131,10 @@ class _Group:
 
 
 def load_knowledge(extra: Iterable[Path] = ()) -> Knowledge:
-    """Read the built-in files and then `extra` ones, whose roles replace built-in roles of the same name.
+    """Read the built-in files and then `extra` ones, whose names replace built-in ones.
 
     Raises:
-        SceneError: A file is missing, broken, or says what cannot be.
+        SceneError: A file is missing, broken, says what cannot be, or what another of `extra` says.
     """
     return _parse(tuple((str(path), _read(path)) for path in extra))
 
@@ -155,20 +155,21 @@ def _parse(texts: tuple[tuple[str, str], ...]) -> Knowledge:
     for name, text in texts:
         data = _CHECK.parse(toml_value, text, f"the knowledge file {name}")
         try:
-            reading.add(data)
+            reading.add(data, name)
         except InputError as error:
             raise SceneError(f"the knowledge file {name}: {error}") from None
     return reading.knowledge()
 
 
 class _Reading:
-    """Collects what one file after the other says; later ones replace earlier ones."""
+    """Collects what one file after the other says; the user's own replace built-in ones."""
 
     def __init__(self, slots: Mapping[str, Any]) -> None:
         self.roles: dict[str, Role] = {}
         self.groups: dict[str, _Group] = {}
         self.things: dict[str, Category] = {}
         self.rooms: dict[str, RoomType] = {}
+        self.files: dict[tuple[str, str], str] = {}  # which of the user's own files says what
         self.slots = slots
 
     def cast(self, thing: Category) -> None:
@@ -178,8 +179,8 @@ class _Reading:
             role = self.roles[thing.role]
             self.roles[thing.role] = replace(role, names=(*role.names, thing.name))
 
-    def add(self, data: Mapping[str, Any]) -> None:
-        """Read one file."""
+    def add(self, data: Mapping[str, Any], file: str = "") -> None:
+        """Read one file, by its name where it is one of the user's own."""
         records = {key: value for key, value in data.items() if key not in TOP_KEYS and isinstance(value, Mapping)}
         among("key", [key for key in data if key not in records], TOP_KEYS)
         head = data.get("group", {key: data[key] for key in GROUP_KEYS if key in data})
@@ -188,10 +189,16 @@ class _Reading:
         found = [_role(entry, group, self.slots) for entry in _named(data.get("role", []), "role")]
         self.roles |= {role.name: role for role in found}
         entries = [*_named(data.get("thing", []), "thing"), *_named(records, "thing")]
-        for thing in own_things(entries, group.label):
+        things = own_things(entries, group.label)
+        for thing in things:
             self.things[thing.name] = thing
             self.cast(thing)
-        self.rooms |= {room.name: room for room in own_rooms(data.get("rooms", {}), self.things)}
+        rooms = own_rooms(data.get("rooms", {}), self.things)
+        self.rooms |= {room.name: room for room in rooms}
+        for kind, said in (("role", found), ("thing", things), ("room type", rooms)) if file else ():
+            for entry in said:
+                if (other := self.files.setdefault((kind, entry.name), file)) != file:
+                    raise SceneError(f"the {kind} {entry.name!r} is in {other} too; rename one, or leave one file out.")
 
     def knowledge(self) -> Knowledge:
         """Return everything that was read, once its roles are known to fit together."""

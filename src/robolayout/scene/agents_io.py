@@ -8,6 +8,8 @@ Lengths are in metres. `radius` may be left out where `length` and `width` are g
 
 from __future__ import annotations
 
+import math
+import tomllib
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import cache
@@ -17,7 +19,6 @@ from typing import TYPE_CHECKING
 from robolayout._errors import AgentError, UnknownNameError
 from robolayout._reading import Checker, show
 from robolayout.scene.agent import CLEARANCE, Agent, Source
-from robolayout.scene.agents import BUILT_IN
 from robolayout.scene.room import Room
 
 if TYPE_CHECKING:
@@ -42,6 +43,7 @@ ENTRY_POINTS = "robolayout.agents"
 """Entry-point group through which other packages add agents: each loads to a dictionary or the path of a profile."""
 
 _CHECK = Checker(AgentError)
+_FOLDER = Path(__file__).parent / "agents"  # the built-in profiles, a file each
 _MAY_BE_ZERO = ("turning_radius", "reach_low", "reach_high", "shoulder_height", "step")
 _LARGEST = 20.0
 _ALLOWED = ("name", "title", *FIGURES, "reach", "reach_bands")
@@ -49,7 +51,7 @@ _ALLOWED = ("name", "title", *FIGURES, "reach", "reach_bands")
 
 def agent_names() -> tuple[str, ...]:
     """Return the names of all agents that can be given by name."""
-    return (*BUILT_IN, *sorted(_outside()))
+    return (*_orders(), *sorted(_outside()))
 
 
 def load_agent(spec: str | Path | Mapping[str, object] | Agent) -> Agent:
@@ -87,7 +89,7 @@ def load_agents(spec: str | Path | Mapping[str, object] | Agent | Iterable[objec
 
 def built_in_agent(name: str) -> Agent:
     """Return an agent by its name: a built-in one, or one that an installed package brings."""
-    if name in BUILT_IN:
+    if name in _orders():
         return _built_in(name)
     outside = _outside()
     if name not in outside:
@@ -127,7 +129,7 @@ def agent_from_dict(data: object, name: str = "agent") -> Agent:
 
 def agent_to_dict(agent: Agent) -> str | dict[str, object]:
     """Return an agent as a scene file gives it: its name if it is built in, else its figures."""
-    if agent.name in BUILT_IN and agent == _built_in(agent.name):
+    if agent.name in _orders() and agent == _built_in(agent.name):
         return agent.name
     data: dict[str, object] = {"name": agent.name, "title": agent.title}
     for key in FIGURES:
@@ -179,8 +181,16 @@ def check_headroom(agents: Iterable[Agent], room: Room) -> None:
 
 
 @cache
+def _orders() -> Mapping[str, float]:
+    """Return the names of the built-in agents with their places in lists; those that say none come last."""
+    texts = {path.stem: path.read_text(encoding="utf-8") for path in sorted(_FOLDER.glob("*.toml"))}
+    found = {name: tomllib.loads(text).get("order", math.inf) for name, text in texts.items()}
+    return dict(sorted(found.items(), key=lambda item: item[1]))
+
+
+@cache
 def _built_in(name: str) -> Agent:
-    return _load_profile(Path(__file__).parent / "agents" / f"{name}.toml")
+    return _load_profile(_FOLDER / f"{name}.toml")
 
 
 def _outside() -> dict[str, EntryPoint]:
@@ -194,6 +204,7 @@ def _load_profile(path: Path) -> Agent:
     if path.suffix.lower() == ".json":
         return agent_from_dict(_CHECK.read_json(path, "agent file"), name=path.stem)
     content = _CHECK.read_toml(path, "agent file")
+    content.pop("order", None)  # its place among the built-in ones
     return _with_model(content, path) if "model" in content else agent_from_dict(content, name=path.stem)
 
 
