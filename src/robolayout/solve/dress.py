@@ -13,7 +13,7 @@ import zlib
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import count
+from itertools import count, product
 from typing import Any
 
 import numpy as np
@@ -53,7 +53,7 @@ class DressConfig:
     # how far before the back edge a thing is tried, one after the other
     ahead: tuple[float, ...] = (0.0, 0.03, 0.08, 0.14)
     level: float = 0.002  # most by which the tops under one thing may differ in height
-    sunk: float = 0.008  # most by which a thing may lie below its surface, whose parts are level within little more
+    sunk: float = 0.0105  # most by which a thing may lie below its surface, whose parts are level within little more
     slack: float = 1e-5  # rounding: what ends on the edge of a region lies in it
     # how far above what carries it a thing lies: where meshes touch, collision checks find a collision
     lift: float = 0.0002
@@ -132,17 +132,16 @@ class _Dresser:
         words = f"{self.scene.name} {self.scene.task_description}".lower().replace("_", " ")
         standing = [asset for asset in self.scene.assets if asset.name in self.layout and not asset.is_flat]
         rules = {asset.name: _rules(category_of(asset).name, words) for asset in standing}
-        # shelves last, in an order that the seed settles: those for which nothing is left keep what is drawn on them
-        standing.sort(key=lambda a: (bool(_clears(rules[a.name])), zlib.crc32(utf8(f"{self.seed}/{a.name}"))))
-        for asset in standing:
-            before = len(self.assets)
-            self._asset(asset, rules[asset.name])
-            if len(self.assets) > self.config.most:
-                for extra in self.assets[before:]:
+        standing.sort(key=lambda a: zlib.crc32(utf8(f"{self.seed}/{a.name}")))
+        shown = [asset for asset in standing if _clears(rules[asset.name])]
+        plain = [asset for asset in standing if not _clears(rules[asset.name])]
+        # tops before insides; shelves last: those for which nothing is left keep what is drawn on them
+        for asset, covered in [*product(plain, (False,)), *product(plain, (True,)), *product(shown, (None,))]:
+            self._asset(asset, rules[asset.name], covered)
+            if len(self.assets) >= self.config.most:
+                for extra in self.assets[self.config.most :]:
                     del self.poses[extra.name]
-                del self._standing[before - len(self.assets) :]
-                del self.assets[before:]
-                self.without.pop(asset.name, None)
+                del self.assets[self.config.most :]
                 break
         bare = tuple(replace(a, without=self.without.get(a.name, a.without)) for a in self.scene.assets)
         scene, layout = replace(self.scene, assets=(*bare, *self.assets)), Layout({**self.layout, **self.poses})
@@ -154,8 +153,8 @@ class _Dresser:
         self._lists: Counter[str] = Counter()
         self._count: Counter[str] = Counter()
 
-    def _asset(self, asset: Asset, rules: Sequence[Mapping[str, Any]]) -> None:
-        """Dress one thing: first it is cleared of what is drawn on it, then its surfaces are filled."""
+    def _asset(self, asset: Asset, rules: Sequence[Mapping[str, Any]], covered: bool | None) -> None:
+        """Dress one thing, only what is covered or open of it, or all: it is cleared of what is drawn on it, then filled."""
         clears = _clears(rules)
         rng = random.Random(utf8(f"{self.seed}/{asset.name}"))
         if clears and rng.random() > self.amount:
@@ -166,7 +165,8 @@ class _Dresser:
         for surface in surfaces_of(asset):
             word = surface.name.split()[0]
             rule = next((rule for rule in rules if rule["where"] in (word, "any")), None)
-            if rule is not None and (rng.random() < self.amount or clears or rule["put"] == "places"):
+            meant = covered is None or covered == surface.covered
+            if rule is not None and meant and (rng.random() < self.amount or clears or rule["put"] == "places"):
                 self._surface(asset, surface, rule, rng)
 
     def _surface(self, asset: Asset, surface: Surface, rule: Mapping[str, Any], rng: random.Random) -> None:
@@ -227,7 +227,7 @@ class _Dresser:
         kind = place.rng.choices(fit, [things[kind] for kind in fit])[0]
         depth, width, height = CATALOGUE[kind].size
         narrow = width if width * least <= wide else min(depth, width)
-        scale = min(place.rng.uniform(least, 2 - least), wide / narrow)
+        scale = min(place.rng.uniform(least, 2 - least), (wide - 10 * self.config.slack) / narrow)
         tall = min(height * place.rng.uniform(least, 2 - least), room)
         return Asset("", kind, (round(depth * scale, 4), round(width * scale, 4), round(tall, 4)))
 
@@ -296,8 +296,10 @@ class _Dresser:
                     return
                 loose = 3 * self.config.turn * (1 - number / self.config.tries)  # a tight place wants it straight
                 turn = math.radians(place.rng.gauss(0, loose))
-                spot = (place.rng.uniform(x0, x1), place.rng.uniform(y0, y1), turn)
-                if self._put(place, thing, spot, self._variable(thing.category), rule=rule):
+                half = np.abs(Pose(0.0, 0.0, 0.0, turn).corners(thing.size)).max(axis=0) + self.config.edge
+                (dx, dy), at = half.tolist(), place.rng.uniform
+                x, y = at(x0 + dx, max(x1 - dx, x0 + dx)), at(y0 + dy, max(y1 - dy, y0 + dy))
+                if self._put(place, thing, (x, y, turn), self._variable(thing.category), rule=rule):
                     break
 
     def _places(self, place: _Place, rule: Mapping[str, Any]) -> None:
@@ -387,8 +389,8 @@ class _Dresser:
         if thing.size[2] + self.config.air > place.surface.free:
             return False
         shape = Polygon(Pose(x, y, 0.0, turn).corners(thing.size))
-        height = self._height(place, shape)
-        if height is None or not place.free.covers(shape):
+        height = self._height(place, shape) if place.free.covers(shape) else None
+        if height is None:
             return False
         place.free = place.free.difference(
             shape.buffer(self.config.gap * 0.9 if gap is None else gap / 2, join_style="mitre")
