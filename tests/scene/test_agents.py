@@ -37,12 +37,9 @@ def test_a_body_is_one_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
         shutil.copy(path, tmp_path)
     (tmp_path / "goat.toml").write_text("radius = 0.3\nheight = 0.9\n", "utf-8")
     monkeypatch.setattr(agents_io, "_FOLDER", tmp_path)
-    agents_io._orders.cache_clear()
-    try:
-        assert agent_names() == (*NAMES, "goat")
-        assert load_agent("goat").height == 0.9
-    finally:
-        agents_io._orders.cache_clear()
+    monkeypatch.setattr(agents_io, "_orders", vars(agents_io)["_orders"].__wrapped__)
+    assert agent_names() == (*NAMES, "goat")
+    assert load_agent("goat").height == 0.9
 
 
 @each_agent

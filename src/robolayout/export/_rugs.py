@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 import shapely
@@ -21,7 +22,7 @@ CLEAR = 0.001
 def laid_parts(asset: Asset, scene: Scene, layout: Layout, *, seed: int = 0) -> tuple[Part, ...]:
     """Return the parts of a thing as they lie in a room: those of a rug have holes where others stand through it.
 
-    A rug that is a mesh of one's own stays whole, and so does one of which nothing would be left.
+    A rug of which nothing would be left stays whole.
 
     Args:
         asset: The thing.
@@ -30,10 +31,11 @@ def laid_parts(asset: Asset, scene: Scene, layout: Layout, *, seed: int = 0) -> 
         seed: Picks the palette.
     """
     made = parts(asset, seed=seed)
-    if not asset.is_flat or asset.name not in layout or asset.path is not None:
+    if not asset.is_flat or asset.name not in layout:
         return made
     holes = shapely.union_all([*_feet(asset, scene, layout)])
-    return tuple(piece for part in made for piece in _cut(part, holes)) or made
+    cut = _cut if asset.path is None else _cut_mesh
+    return tuple(piece for part in made for piece in cut(part, holes)) or made
 
 
 def _feet(rug: Asset, scene: Scene, layout: Layout) -> Iterator[BaseGeometry]:
@@ -80,3 +82,33 @@ def _cut(part: Part, holes: BaseGeometry) -> Iterator[Part]:
     for piece in shapely.get_parts(shapely.set_precision(whole.difference(holes), 1e-6)):
         if piece.geom_type == "Polygon" and piece.area > CLEAR**2:
             yield extruded(part.name, part.material, piece, span)
+
+
+def _cut_mesh(part: Part, holes: BaseGeometry) -> Iterator[Part]:
+    """Yield what is left of a mesh of one's own, triangle by triangle, with its texture; the part itself where nothing stands in it."""
+    corners = part.vertices[part.faces]
+    plans = [shapely.MultiPoint(triangle[:, :2]).convex_hull for triangle in corners]
+    met = np.array([plan.intersects(holes) for plan in plans])
+    if not met.any():
+        yield part
+        return
+    given = part.vertices if part.uv is None else np.hstack([part.vertices, part.uv])
+    found = [*given[part.faces[~met]]]
+    for plan, face in ((plan, face) for plan, face, hit in zip(plans, part.faces, met, strict=True) if hit):
+        if plan.area > CLEAR**2:  # one that stands upright goes with what it bounds
+            kept = shapely.constrained_delaunay_triangles(plan.difference(holes))
+            found += [_on(given[face], np.array(piece.exterior.coords)[2::-1]) for piece in shapely.get_parts(kept)]
+    if found:
+        rows = np.concatenate(found)
+        faces = np.arange(len(rows), dtype=np.int32).reshape(-1, 3)
+        yield replace(part, vertices=rows[:, :3], faces=faces, uv=None if part.uv is None else rows[:, 3:])
+
+
+def _on(
+    face: np.ndarray[tuple[int, ...], np.dtype[np.float64]], points: np.ndarray[tuple[int, ...], np.dtype[np.float64]]
+) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    """Return what a triangle's corners say of each of three points in plan, wound as the triangle is."""
+    shares = np.linalg.solve(np.vstack([face[:, :2].T, np.ones(3)]), np.vstack([points.T, np.ones(3)]))
+    made = shares.T @ face
+    turns = [np.linalg.det(corner[1:, :2] - corner[0, :2]) > 0 for corner in (face, made)]
+    return made if turns[0] == turns[1] else made[::-1]
