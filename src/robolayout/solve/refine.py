@@ -155,7 +155,8 @@ class Solver:
             return best
         best, run = self._polished(stage, number, best)
         off = self.problem.moved(best.world) / len(stage.moving) if self.problem.guessed else math.inf
-        self.blind |= self._amiss(stage, best) > self.effort.lost[0] and off > self.effort.lost[1]
+        unmet = best.verdict.soft / max(len(self.problem.relations), 1)
+        self.blind |= self._amiss(stage, best) > self.effort.lost[0] and off + unmet > self.effort.lost[1]
         if number == 0 and self.config.route_rounds and best.verdict.barred and not self.blind:
             best, run = self._opened(stage, run, best)
             best = self._route(stage, run, best)
