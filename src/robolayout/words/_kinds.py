@@ -11,6 +11,13 @@ STANDING = frozenset(("next", "flank", "behind", "front", "corner", "left", "rig
 """Relations of what stands on the floor."""
 
 
+TABLES = ("table", "dining table", "round table")
+"""What a table without a closer word is taken for."""
+
+LOUNGE = frozenset(("armchair", "sofa", "recliner", "chaise", "lounger"))
+"""Seats between which a table is a low one, and no table to eat at."""
+
+
 def settle_kinds(parsed: Parsed) -> None:
     """Give things whose noun means several kinds the first kind that can be where they are asked to be."""
     heads = {thing.noun.kind.split()[-1] for thing in parsed.things if thing.noun.kind != "side table"}
@@ -19,6 +26,7 @@ def settle_kinds(parsed: Parsed) -> None:
             thing.noun = replace(thing.noun, words="round table", kind="round table", others=())
             thing.adjectives = (*thing.adjectives, "small")
     for link in parsed.links:
+        _settle_low_table(link)
         place = _where(link)
         for mention in link.subjects:
             noun = mention.thing.noun
@@ -39,6 +47,15 @@ def settle_kinds(parsed: Parsed) -> None:
             )
             if noun.others and fits and noun.words == noun.kind:
                 mention.thing.noun = replace(noun, words=fits[0], kind=fits[0], others=())
+
+
+def _settle_low_table(link: Link) -> None:
+    """Take a table between armchairs and sofas for a low one."""
+    seats = {item.thing.noun.kind.split()[-1] for item in link.objects if isinstance(item, Mention)}
+    if link.relation in ("between", "amid") and seats and seats <= LOUNGE:
+        low = "coffee table" if "sofa" in seats else "side table"
+        for thing in (mention.thing for mention in link.subjects if mention.thing.noun.kind in TABLES):
+            thing.noun = replace(thing.noun, words=low, kind=low, others=())
 
 
 def _where(link: Link) -> str:

@@ -20,6 +20,9 @@ LONGEST = 4000
 AFTER_A_PLACE = frozenset(("with", "colon", "stop", "comma", "filler", "verb", "measure", "rel", "people"))
 """Kinds of chunks that may follow the name of a place that a text begins with."""
 
+ONE_EACH = ("chair", "desk")
+"""Things of which everyone has one, where several are named without a number."""
+
 LEAST_SAID = ("turtlebot4", "child_6")
 """Bodies that give way to any other that is named: "a robot" may be told more closely, and children live in rooms for others, too."""
 
@@ -156,8 +159,8 @@ def read_text(text: str, lexicon: Lexicon, given: Sequence[Thing] = ()) -> Readi
     number = bounded(people[0], "people")
     seats = number or next((thing.people * thing.count for thing in parsed.things if thing.people), 0)
     for thing in parsed.things:
-        if seats and thing.plural and thing.number is None and thing.noun.kind.split()[-1] == "chair":
-            thing.number = seats // thing.times  # "for ten people, with chairs"
+        if seats and thing.plural and thing.number is None and thing.noun.kind.split()[-1] in ONE_EACH:
+            thing.number = max(seats // thing.times, 1)  # "for ten people, with chairs"
         bounded(thing.count, thing.noun.words)
     return Reading(
         read,
