@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from shapely import Polygon
 
 from robolayout.planners import scene_from_sentence
@@ -142,7 +145,62 @@ def test_attributes_that_exclude_each_other_are_said() -> None:
 
 def test_a_place_where_nothing_stands_is_said() -> None:
     rows = judged("On the desk in the middle of the room. The bed is against the wall.")
-    assert [row.words for row in rows if row.verdict == "not understood"] == ["On"]
+    assert [row.words for row in rows if row.verdict == "not understood"] == ["On the desk in the middle of the room"]
+
+
+WORDS = {
+    "thing": ("lamp", "two plants", "large desk", "bed", "glorps"),
+    "verb": ("stands", "is", "should be", "leans", "must not be"),
+    "where": (
+        "on",
+        "opposite",
+        "beside",
+        "in",
+        "under",
+        "halfway up",
+        "kittycorner to",
+        "symmetrically at",
+        "half above",
+    ),
+    "place": ("window", "corner", "ceiling", "east wall", "left side", "bench", "three windows", "sofa"),
+}
+SMALL = frozenset(["a", "the", "is", "stands", "should", "be", "leans", "must", "to", "up"])
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.tuples(*(st.sampled_from(WORDS[part]) for part in ("thing", "verb", "where", "place", "where", "place"))))
+def test_each_word_that_says_something_is_in_a_row(said: tuple[str, ...]) -> None:
+    thing, verb, where, place, second, other = said
+    text = f"The {thing} {verb} {where} the {place} and {second} the {other}."
+    rows = " ".join(f"{row.words} {row.understanding}" for row in judged(text)).lower()
+    known = set(re.findall("[a-z]+", rows)) | {word + "s" for word in re.findall("[a-z]+", rows)}
+    lost = [word for word in re.findall("[a-z]+", text.lower()) if word not in known | SMALL | {"and"}]
+    assert not lost, (text, lost)
+
+
+@pytest.mark.parametrize(
+    ("text", "quoted"),
+    [
+        ("The desk is centered.", "The desk is centered"),
+        ("Half of the night stands are by the bed.", "Half of the night stands are by the bed"),
+        ("A bed. Hang the lamp symmetrically.", "symmetrically"),
+        ("A bed, no desk in the corner.", "no desk in the corner"),
+        ("A bed and a desk. The three desks are by the window.", "The three desks are by the window"),
+        ("Keep the corner by the window free.", "Keep the corner by the window free"),
+    ],
+)
+def test_what_no_row_is_about_is_quoted(text: str, quoted: str) -> None:
+    assert quoted in [row.words for row in judged(text) if row.kind == "not understood"]
+
+
+def test_a_table_for_so_many_asks_for_seats() -> None:
+    (row,) = [row for row in judged("a dining table for six") if "seats" in row.understanding]
+    assert (row.words, row.verdict, row.value) == ("for six", "unmet", "0 seats there")
+    chairs = [Asset(f"chair-{i}", "chair", (0.5, 0.5, 0.9)) for i in range(6)]
+    placed = Layout({chair.name: Pose(1.0, 1.0, 0.45, 0.0) for chair in chairs})
+    scene = Scene(ROOM, tuple(chairs), "a dining table for six")
+    rows = read_words(scene).judged(scene, placed)
+    assert [row.verdict for row in rows if "seats" in row.understanding] == ["met"]
 
 
 def test_two_moods_are_measured_and_the_others_are_not() -> None:

@@ -199,7 +199,8 @@ class Chunker:
     def _before_noun(self, i: int, det: str, number: int | None) -> tuple[str, int | None, str, int, int] | None:
         """Return (article, number, bound, rows, length) of what stands before a noun here."""
         word, rest = self.words[i], self.words[i + 1 : i + 5]
-        if i in self.measured or (word == "first" and self.lexicon.noun(self.words[i : i + 3])):
+        seats = word == "that" and rest[:1] == ["seats"]
+        if seats or i in self.measured or (word == "first" and self.lexicon.noun(self.words[i : i + 3])):
             return None  # "first aid kit"
         if rest[:1] and word in SETS and "of" in rest[:1]:
             return ("", 2 if word in ("pair", "couple") else None, "", 0, 2)
@@ -384,13 +385,7 @@ class Chunker:
         kind, value = self.grammar.phrases.get(word, ("", ""))
         if kind in ("verb", "pron"):
             return Chunk(kind, at, at + 1, value)
-        if (
-            word in self.grammar.fillers
-            or word in DETERMINERS
-            or _count(word) is not None
-            or word in BREAKING
-            or word.endswith("ly")
-        ):
+        if word in self.grammar.fillers or word in DETERMINERS or _count(word) is not None or word in BREAKING:
             return Chunk("each" if word == "each" else "filler", at, at + 1, word)
         return Chunk("other", at, at + 1, word)
 

@@ -47,6 +47,25 @@ person child teenager user users owner man woman couple family guest student pat
 """
 PEOPLE = frozenset(_PEOPLE.split())
 """Words for who uses a room."""
+LED = frozenset(
+    [
+        "aligned",
+        "centered",
+        "centred",
+        "faced",
+        "form",
+        "forming",
+        "forms",
+        "leaning",
+        "lined",
+        "oriented",
+        "spread",
+        "suspended",
+        "surround",
+        "surrounds",
+    ]
+)
+"""Verbs that ask for nothing only where a relation follows."""
 YOUNG = frozenset(["children", "kids", "child", "kid"])
 """Words for people that are children."""
 BOUNDS = {

@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from robolayout.assets import CATALOGUE
 from robolayout.words._chunks import Chunk
+from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
 from robolayout.words._relations import AIDS, Relating
 from robolayout.words._said import (
@@ -23,7 +24,7 @@ from robolayout.words._said import (
     same,
     topped,
 )
-from robolayout.words._ways import SEATS
+from robolayout.words._ways import SEATS, TOPS
 
 SAID_OF = {"stacked": "stacked", "piled": "stacked", "diagonal": "diagonal", "angled": "diagonal"}
 """Relations that stand before a noun."""
@@ -31,6 +32,9 @@ SAID_OF = {"stacked": "stacked", "piled": "stacked", "diagonal": "diagonal", "an
 
 FREE = ("free", "clear", "empty", "bare", "uncluttered")
 """What a wall is said to stay where nothing is to stand at it."""
+
+SEATED = ("seating", "sitting", "eating", "dining", "seats")
+"""What a room is for that takes a seat for each."""
 
 ALONE_DOES = frozenset(["is", "stands", "sits", "hangs", "lies", "rests", "goes", "belongs"])
 """Verbs of one thing."""
@@ -52,6 +56,7 @@ class Parser(Relating):
             elif chunk.kind in ("room", "body", "people", "measure", "style", "function", "corner"):
                 self._fact(chunk)
         self._on_stop(None)
+        self.said.missed = leftover(self.chunks, self.said)
         return self.said
 
     def _on_stop(self, chunk: Chunk | None) -> None:
@@ -86,19 +91,29 @@ class Parser(Relating):
             self.relative = True
         following = self.chunks[self.at] if self.at < len(self.chunks) else chunk
         if chunk.value == "for" and following.kind == "filler" and count_of(following.value) > 1:
-            if self.group:
-                self.group[-1].thing.people = count_of(following.value)
-            else:
-                self.said.people = count_of(following.value)
+            self._for_people(Chunk("people", chunk.start, following.end, number=count_of(following.value)))
         share = count_of(chunk.value)
         if share and following.kind == "rel":
             self._deal(share, self.chunks[self.at + 1 : self.at + 2])
+
+    def _for_people(self, chunk: Chunk) -> None:
+        """Note for how many the thing before is, or the room: "a table for six"."""
+        seated = self._previous(self.chunks[self.at - 1]) in SEATED
+        if self.group:
+            self.group[-1].thing.people = chunk.number or 0
+            seated = seated or self.group[-1].thing.noun.kind.split()[-1] in (*TOPS, *SEATS)
+        else:
+            self.said.people = chunk.number or 0
+        self.said.facts.append(replace(chunk, kind="seats" if seated else "users"))
 
     def _deal(self, share: int, objects: Sequence[Chunk]) -> None:
         """Let so many of the things named last be what the next relation is about: "two at one wall and two at the other"."""
         last = (self.group or self.subject or self.before)[-1:]
         first = self.dealt.get(last[0].thing, 0) if last else 0
-        if not last or first + share > last[0].thing.count or share == last[0].thing.count:
+        if not last or first + share > last[0].thing.count:
+            return
+        self._understood(self.chunks[self.at - 1])
+        if share == last[0].thing.count:
             return
         each = bool(objects) and objects[0].det == "each"
         self.dealt[last[0].thing] = first + (0 if each else share)
@@ -209,7 +224,8 @@ class Parser(Relating):
         kind = mention.thing.noun.kind
         seat = kind.split()[-1] in SEATS
         first = seat or CATALOGUE[kind].on_object
-        return (topped(mention) or (tops and not joined and first)) and not topped(holder)
+        told = self.chunks[self.at - 2].kind == "with"  # "a wardrobe with a mirror"
+        return (topped(mention) or (tops and not joined and first) or told) and not topped(holder)
 
     def _on_part(self, chunk: Chunk) -> None:
         """A place of the room that no relation leads to: doors and windows that are asked for."""
@@ -218,9 +234,12 @@ class Parser(Relating):
         if chunk.value in ("window", "door"):
             walls = self._opening_walls()
             if walls or self.holder or chunk.number or chunk.det == "a":
-                self.said.openings.append((replace(place_of(chunk), words=walls), (chunk.start, chunk.end)))
+                end = self.chunks[self.at - 1].end
+                self.said.openings.append((replace(place_of(chunk), words=walls), (chunk.start, end)))
         elif chunk.value == "side" and chunk.det == "each" and self.group and self._previous(chunk) == "for":
             self._link(Chunk("rel", chunk.start, chunk.end, "flank"), self.group, self._meant("it"))
+        elif chunk.value == "ceiling" and self.group and self._previous(chunk) == "from":
+            self._link(Chunk("rel", chunk.start, chunk.end, "hanging"), self.group[-1:], [place_of(chunk)])
         elif free is not None:
             self.said.links.append(Link("bare", (), (place_of(chunk),), chunk.start, free.end))
         elif chunk.value in ("floor", "wall") and set(chunk.adjectives) - set(grammar().walls):

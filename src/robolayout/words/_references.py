@@ -41,6 +41,10 @@ class References:
         self.targets: list[Mention] = []
         self.target: Mention | None = None
 
+    def _understood(self, *chunks: Chunk) -> None:
+        """Note chunks that are understood with what stands before them."""
+        self.said.read.update(token for chunk in chunks for token in range(chunk.start, chunk.end))
+
     def _object(self, chunk: Chunk) -> Mention | Place | None:
         """Return the thing or place at the head of what follows, and go past it."""
         if self.at >= len(self.chunks):
@@ -56,7 +60,8 @@ class References:
             return self._place_of(following)
         if following.kind in ("room", "function", "people"):
             self.at += 1
-            if following.kind == "room":
+            self._understood(following)
+            if following.kind != "people":
                 self.said.facts.append(following)
             return Place("room")
         if following.kind == "pron" and following.value not in ("that", "which", "both"):
@@ -72,12 +77,18 @@ class References:
     def _place_of(self, chunk: Chunk) -> Mention | Place:
         """Return a place of the room, or the thing whose side it is ("the foot of the bed")."""
         following = self.chunks[self.at : self.at + 2]
+        self._understood(chunk)
+        if chunk.value in ("window", "door") and chunk.number:  # "a desk under two windows"
+            told = any((place.name, place.number) == (chunk.value, chunk.number) for place, _ in self.said.openings)
+            if chunk.number > 1 and not told:
+                self.said.openings.append((place_of(chunk), (chunk.start, chunk.end)))
         if chunk.value in ("side", "middle") and len(following) == 2 and following[0].value == "of":
             if following[1].kind in ("thing", "pron"):
                 self.at += 1
                 return self._object(chunk) or place_of(chunk)
             if following[1].kind in ("part", "room"):
                 self.at += 2
+                self._understood(*following)
                 if following[1].kind == "room":
                     self.said.facts.append(following[1])
         return place_of(chunk)
@@ -91,6 +102,7 @@ class References:
         if how not in ("opposite", "facing", "behind", "by", "with"):
             return wall
         self.at += 2
+        self._understood(*following)
         return replace(wall, by=(how, place_of(following[1])))
 
     def _meant(self, word: str) -> list[Mention]:

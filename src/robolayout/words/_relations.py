@@ -11,6 +11,7 @@ from robolayout.words._chunks import Chunk
 from robolayout.words._references import References
 from robolayout.words._said import Link, Mention, Place, Thing, several, topped
 from robolayout.words._tokens import Measure
+from robolayout.words._ways import SEATS, TOPS
 
 REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on", "separated": "amid"}
 """Relations that are said from the other side."""
@@ -26,6 +27,9 @@ LAID = frozenset(("behind", "next", "near", "left", "right"))
 
 ZONES = ("room", "corner", "function", "part")
 """Kinds of chunks that name a part of the room."""
+
+OF_THE_ROOM = ("measure", "style", "body", "corner")
+"""Kinds of chunks that "in" leads to where they say how the room is: "in a 5 m by 6 m dining room"."""
 
 KEPT_OFF = 0.6
 """Metres between a thing and what it must not be near."""
@@ -47,6 +51,8 @@ class Relating(References):
             self.said.links.append(Link("rows", (self.group[-1],), (), chunk.start, chunk.end, rows=rows))
         if chunk.kind == "people" and self.group and chunk.number and self._previous(chunk) == "for":
             self.group[-1].thing.people = chunk.number
+            if self.group[-1].thing.noun.kind.split()[-1] in (*TOPS, *SEATS):
+                self.said.facts[-1:] = [chunk, replace(chunk, kind="seats")]
         self.broken = True
 
     def _previous(self, chunk: Chunk) -> str:
@@ -139,6 +145,7 @@ class Relating(References):
         every = self.chunks[self.at - 2].value == "each" if self.at > 1 else False
         subjects = self._subjects(chunk.value)
         if chunk.value == "holds" and not subjects:
+            self._understood(chunk)
             self._on_with(chunk)
             return
         first = self.at
@@ -148,6 +155,7 @@ class Relating(References):
         place = objects[0] if objects and isinstance(objects[0], Place) else None
         sides = place.name == "side" if place else chunk.value == "flank" and not objects and not self.holder
         if sides and self._at_sides(chunk, subjects):
+            self._understood(chunk)
             return
         subjects, objects = self._held_by(chunk, subjects, objects)
         for item in objects if every and subjects else ():
@@ -189,8 +197,10 @@ class Relating(References):
             objects = self._meant("them")
         colon = self.at < len(self.chunks) and self.chunks[self.at].kind == "colon"
         if not objects and chunk.value not in ALONE:
-            self.said.missed += [] if chunk.value in ("in", "by") else [chunk]
+            follows = self.chunks[self.at].kind if self.at < len(self.chunks) else "stop"
+            self._understood(*[chunk] * (chunk.value in ("in", "by") and follows in OF_THE_ROOM))
         elif objects and self._is_room(chunk, objects):
+            self._understood(chunk)
             self.broken = True
         elif chunk.value in REVERSED:
             self._reversed(chunk, subjects, objects)
@@ -228,6 +238,7 @@ class Relating(References):
         ):
             return False
         self.at += 1
+        self._understood(self.chunks[self.at - 2])
         self._fact(Chunk("body", following.start, following.end, AIDS[following.noun.kind]))
         return True
 
@@ -375,7 +386,7 @@ class Relating(References):
         if (
             len(following) < 2
             or following[0].kind != "and"
-            or following[1].kind != "thing"
+            or following[1].kind not in ("thing", "part")
             or following[1].det != "the"
         ):
             return False

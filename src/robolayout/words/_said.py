@@ -91,6 +91,9 @@ class Parsed:
     openings: list[tuple[Place, tuple[int, int]]] = field(default_factory=list[tuple[Place, tuple[int, int]]])
     facts: list[Chunk] = field(default_factory=list[Chunk])  # Rooms, bodies, people, measures, styles ... as chunks.
     missed: list[Chunk] = field(default_factory=list[Chunk])  # chunks that nothing is made of
+    read: set[int] = field(
+        default_factory=set[int]
+    )  # further tokens that are understood: places that relations lead to
     people: int = 0  # people that the room is for, where a bare number says it ("for ten"); 0 if none does
 
 

@@ -19,6 +19,7 @@ from robolayout.words._demander import Demander
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._match import fits, stand_ins
 from robolayout.words._said import Link, Mention, Place, Thing
+from robolayout.words._ways import SEATS
 from robolayout.words.demands import Demand
 from robolayout.words.reading import Reading, read_text
 from robolayout.words.rooms import read_rooms
@@ -49,6 +50,9 @@ Finding = tuple[Verdict, str]
 
 AIRY = 0.3
 """Share of the floor that furniture takes at the most in an airy room; usual rooms have a quarter to two fifths."""
+
+SEAT = 0.5
+"""Metres of a bench or sofa that one person takes."""
 
 UP_TO = 0.5
 """Metres between a body's edge and what a way leads up to."""
@@ -188,7 +192,9 @@ class _Rows:
                 yield _measured(words, chunk.measure.kind, chunk.measure.values)
             elif chunk.kind == "body":
                 yield _Row(words, "body", f"for {chunk.value}", _for_body(chunk.value))
-            elif chunk.kind == "people":
+            elif chunk.kind == "seats":
+                yield _Row(words, "count", f"chairs or other seats for {chunk.number}", _seats_for(chunk.number or 0))
+            elif chunk.kind in ("people", "users"):
                 yield _Row(words, "people", "who uses the room", _as_given)
             elif chunk.kind == "corner":
                 yield _Row(words, "relation", f"what belongs to a {chunk.value}", _as_given)
@@ -373,6 +379,20 @@ def _as_given(room: _Furnished) -> Finding:
 
 def _taste(room: _Furnished) -> Finding:
     return "not judged", ""
+
+
+def _seats_for(people: int) -> Callable[[_Furnished], Finding]:
+    def judge(room: _Furnished) -> Finding:
+        there = [asset for asset in room.scene.assets if asset.name in room.layout]
+        kinds = [(category_of(asset).name.split()[-1], asset) for asset in there]
+        seats = sum(
+            int(asset.size[1] // SEAT) or 1 if kind in ("sofa", "bench") else 1
+            for kind, asset in kinds
+            if kind in SEATS
+        )
+        return ("met" if seats >= people else "unmet"), f"{seats} seats there"
+
+    return judge
 
 
 def _hangs(things: Sequence[str]) -> Callable[[_Furnished], Finding]:

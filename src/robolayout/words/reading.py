@@ -208,7 +208,7 @@ def _named_room(
         said = " ".join(word.text for word in words[chunk.start : chunk.end])
         said = said.removeprefix("a ").removeprefix("an ").removeprefix("the ")
         last = said.split()[-1]
-        other = chunk.kind == "part" and (chunk.value not in ("room", "corner") or said == last)
+        other = chunk.kind == "part" and (chunk.value not in ("room", "corner", "middle") or said == last)
         follows = chunks[i + 1].kind if i + 1 < len(chunks) else "stop"
         if last not in places or other or (chunk.number or 1) > 1 or follows not in AFTER_A_PLACE:
             return None, list(chunks)
