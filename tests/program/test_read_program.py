@@ -127,7 +127,7 @@ def test_example_of_every_relation_reads(scene):
     """Whatever nouns an example uses, a scene that has them can state it, and it survives normalising."""
     for name, kind in RELATIONS.items():
         words = sorted(set(re.findall(r"(\w+)\[", kind.example)) - {"walls"})
-        size = (0.5, 0.5, 0.5)
+        size = (0.5, 0.5, 1.5)  # high enough for a second shelf
         assets = tuple(Asset(f"{word}-{i}", word, size) for word in words for i in range(6))
         here = Scene(replace(scene.room, windows=(Opening(2, 0.5, 1.0, 1.0, 0.9),)), assets)
         statement = relation(kind.example, here)

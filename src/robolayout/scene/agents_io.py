@@ -202,9 +202,10 @@ def _outside() -> dict[str, EntryPoint]:
 
 def _load_profile(path: Path) -> Agent:
     if path.suffix.lower() == ".json":
-        return agent_from_dict(_CHECK.read_json(path, "agent file"), name=path.stem)
-    content = _CHECK.read_toml(path, "agent file")
-    content.pop("order", None)  # its place among the built-in ones
+        content = _CHECK.mapping(_CHECK.read_json(path, "agent file"), f"agent file {path}")
+    else:
+        content = _CHECK.read_toml(path, "agent file")
+    content = {key: value for key, value in content.items() if key != "order"}  # its place among the built-in ones
     return _with_model(content, path) if "model" in content else agent_from_dict(content, name=path.stem)
 
 
