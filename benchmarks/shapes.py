@@ -1,0 +1,86 @@
+"""What shapes are worth: crowded rooms laid out and judged with the shapes of things, and with their boxes."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Generator, Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+from types import ModuleType
+
+import robolayout as rl
+from benchmarks.measures import figures, watch
+from benchmarks.rooms import Crowd, crowd
+from benchmarks.store import Row
+from benchmarks.tables import Rows, table
+from robolayout.assets import Prism, prisms_of
+from robolayout.scene import Asset
+
+FILLS, COUNTS, SEEDS = (0.45, 0.60), (10, 20), range(3)
+
+
+def cases(quick: bool) -> Iterator[tuple[str, Callable[[], Row]]]:
+    """Yield every room with shapes and with boxes, one right after the other."""
+    for fill in FILLS[:1] if quick else FILLS:
+        for count in COUNTS[:1] if quick else COUNTS:
+            for seed in SEEDS[:1] if quick else SEEDS:
+                asked = Crowd(count, fill, seed)
+                for kind in ("shapes", "boxes"):
+                    yield f"{fill:.0%}/{kind}/{asked.key}", partial(measured, asked, boxes=kind == "boxes")
+
+
+def measured(asked: Crowd, *, boxes: bool) -> Row:
+    """Lay a crowded room out, once to load everything and once to measure."""
+    content, program = crowd(asked)
+    scene = rl.scene_from_dict(content)
+    with _boxes(boxes):
+        rl.generate(scene, program=program, seed=asked.seed)
+        with watch() as spent:
+            result = rl.generate(scene, program=program, seed=asked.seed)
+    met = [item.met for item in result.report.statements]
+    return {**figures(result.report), "met": sum(met), "asked": len(met), "cpu": spent.cpu}
+
+
+def _box(asset: Asset) -> tuple[Prism, ...]:
+    depth, width, height = asset.size
+    return (Prism(0.0, 0.0, depth / 2, width / 2, 0.0, 0.0, height),)
+
+
+@contextmanager
+def _boxes(wanted: bool) -> Generator[None]:
+    """Make everything its box for a while, wherever shapes are asked for."""
+    asking = [module for module in list(sys.modules.values()) if getattr(module, "prisms_of", None) is prisms_of]
+    try:
+        _ask(asking, _box if wanted else prisms_of)
+        yield
+    finally:
+        _ask(asking, prisms_of)
+
+
+def _ask(modules: Sequence[ModuleType], answer: Callable[[Asset], tuple[Prism, ...]]) -> None:
+    """Let modules ask for shapes elsewhere, and forget what they know of them."""
+    for module in modules:
+        for kept in list(vars(module).values()):
+            if kept is not prisms_of and hasattr(kept, "cache_clear"):
+                kept.cache_clear()
+        vars(module)["prisms_of"] = answer
+
+
+def section(rows: Rows, images: Path) -> str:
+    """Return the table of rooms by how full they are."""
+    lines: list[list[str]] = []
+    for fill in FILLS:
+        found = {k: [r for key, r in rows.items() if key.startswith(f"{fill:.0%}/{k}/")] for k in ("shapes", "boxes")}
+        for kind, some in found.items():
+            met = f"{sum(r['met'] for r in some)} of {sum(r['asked'] for r in some)}"
+            ok = f"{sum(r['ok'] for r in some)} of {len(some)}"
+            lines.append(
+                [f"{fill:.0%}", kind, ok, met, str(sum(r["short"] for r in some)), f"{sum(r['cpu'] for r in some):.1f}"]
+            )
+    intro = (
+        "The crowded rooms with blind programs of 10 and 20 assets (`benchmarks/shapes.py`), laid out and judged with shapes, "
+        "and with every thing its box.\n"
+    )
+    heads = ["floor filled", "with", "everything met", "statements met", "out of reach", "CPU s in all"]
+    return f"## Shapes against boxes\n\n{intro}\n{table(heads, lines)}"
