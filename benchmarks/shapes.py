@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Generator, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor
 from functools import partial
+from multiprocessing import get_context
 from pathlib import Path
-from types import ModuleType
 
 import robolayout as rl
 from benchmarks.measures import figures, watch
@@ -31,13 +31,22 @@ def cases(quick: bool) -> Iterator[tuple[str, Callable[[], Row]]]:
 
 
 def measured(asked: Crowd, *, boxes: bool) -> Row:
-    """Lay a crowded room out, once to load everything and once to measure."""
+    """Lay a crowded room out in a process of its own, whose modules remember no other shapes."""
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
+        return pool.submit(_laid_out, asked, boxes=boxes).result()
+
+
+def _laid_out(asked: Crowd, *, boxes: bool) -> Row:
+    """Lay it out once to load everything and once to measure, perhaps with every thing its box."""
+    if boxes:
+        for module in list(sys.modules.values()):
+            if getattr(module, "prisms_of", None) is prisms_of:
+                vars(module)["prisms_of"] = _box
     content, program = crowd(asked)
     scene = rl.scene_from_dict(content)
-    with _boxes(boxes):
-        rl.generate(scene, program=program, seed=asked.seed)
-        with watch() as spent:
-            result = rl.generate(scene, program=program, seed=asked.seed)
+    rl.generate(scene, program=program, seed=asked.seed)
+    with watch() as spent:
+        result = rl.generate(scene, program=program, seed=asked.seed)
     met = [item.met for item in result.report.statements]
     return {**figures(result.report), "met": sum(met), "asked": len(met), "cpu": spent.cpu}
 
@@ -45,26 +54,6 @@ def measured(asked: Crowd, *, boxes: bool) -> Row:
 def _box(asset: Asset) -> tuple[Prism, ...]:
     depth, width, height = asset.size
     return (Prism(0.0, 0.0, depth / 2, width / 2, 0.0, 0.0, height),)
-
-
-@contextmanager
-def _boxes(wanted: bool) -> Generator[None]:
-    """Make everything its box for a while, wherever shapes are asked for."""
-    asking = [module for module in list(sys.modules.values()) if getattr(module, "prisms_of", None) is prisms_of]
-    try:
-        _ask(asking, _box if wanted else prisms_of)
-        yield
-    finally:
-        _ask(asking, prisms_of)
-
-
-def _ask(modules: Sequence[ModuleType], answer: Callable[[Asset], tuple[Prism, ...]]) -> None:
-    """Let modules ask for shapes elsewhere, and forget what they know of them."""
-    for module in modules:
-        for kept in list(vars(module).values()):
-            if kept is not prisms_of and hasattr(kept, "cache_clear"):
-                kept.cache_clear()
-        vars(module)["prisms_of"] = answer
 
 
 def section(rows: Rows, images: Path) -> str:
