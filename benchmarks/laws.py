@@ -9,8 +9,7 @@ from dataclasses import replace
 from functools import cache, partial
 from pathlib import Path
 
-import robolayout as rl
-from benchmarks.measures import figures, watch
+from benchmarks.measures import warmed
 from benchmarks.rough import rough
 from benchmarks.store import Row
 from benchmarks.tables import Rows, table
@@ -123,18 +122,9 @@ def cases(quick: bool) -> Iterator[tuple[str, Callable[[], Row]]]:
 
 
 def measured(task: str, change: Callable[[Scene, str], Given]) -> Row:
-    """Lay a changed room out, once to load everything and once to measure."""
+    """Lay a changed room out."""
     scene, text = change(*_given(task))
-    rl.generate(scene, program=text)
-    with watch() as spent:
-        result = rl.generate(scene, program=text)
-    statements = result.report.statements
-    return {
-        **figures(result.report),
-        "met": sum(item.met for item in statements),
-        "asked": len(statements),
-        "cpu": spent.cpu,
-    }
+    return warmed(scene, program=text)[1]
 
 
 def section(rows: Rows, images: Path) -> str:

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import robolayout as rl
 from benchmarks.examples import ROOT
-from benchmarks.measures import figures, watch
+from benchmarks.measures import warmed
 from benchmarks.store import Row
 from benchmarks.tables import Rows, mean, phases, table
 from robolayout.constraints import AssetRef, Relation, WallRef
@@ -197,20 +197,14 @@ def _said(scene: Scene, name: str) -> str:
 def measured(task: str, seed: int) -> Row:
     """Lay a rough program out, once to load everything and once to measure, and compare the result with its guess."""
     given = rough(task, seed)
-    rl.generate(given.scene, program=given.text, seed=seed)
-    with watch() as spent:
-        result = rl.generate(given.scene, program=given.text, seed=seed)
+    result, row = warmed(given.scene, program=given.text, seed=seed)
     guess = rl.verify(given.scene, guessed(given.scene, result.program), result.program)
     return {
-        **figures(result.report),
+        **row,
         "guess_met": sum(item.met for item in guess.statements),
-        "met": sum(item.met for item in result.report.statements),
-        "asked": len(result.report.statements),
         **moves(given.scene, result),
         "phase": result.solution.phase,
         "assets": len(given.scene.assets),
-        "wall": spent.wall,
-        "cpu": spent.cpu,
     }
 
 

@@ -10,7 +10,7 @@ from multiprocessing import get_context
 from pathlib import Path
 
 import robolayout as rl
-from benchmarks.measures import figures, watch
+from benchmarks.measures import warmed
 from benchmarks.rooms import Crowd, crowd
 from benchmarks.store import Row
 from benchmarks.tables import Rows, table
@@ -37,18 +37,13 @@ def measured(asked: Crowd, *, boxes: bool) -> Row:
 
 
 def _laid_out(asked: Crowd, *, boxes: bool) -> Row:
-    """Lay it out once to load everything and once to measure, perhaps with every thing its box."""
-    if boxes:
-        for module in list(sys.modules.values()):
-            if getattr(module, "prisms_of", None) is prisms_of:
-                vars(module)["prisms_of"] = _box
+    """Lay it out, perhaps with every thing its box."""
+    real = prisms_of  # this module's name for it is replaced, too
+    for module in list(sys.modules.values()) if boxes else ():
+        if getattr(module, "prisms_of", None) is real:
+            vars(module)["prisms_of"] = _box
     content, program = crowd(asked)
-    scene = rl.scene_from_dict(content)
-    rl.generate(scene, program=program, seed=asked.seed)
-    with watch() as spent:
-        result = rl.generate(scene, program=program, seed=asked.seed)
-    met = [item.met for item in result.report.statements]
-    return {**figures(result.report), "met": sum(met), "asked": len(met), "cpu": spent.cpu}
+    return warmed(rl.scene_from_dict(content), program=program, seed=asked.seed)[1]
 
 
 def _box(asset: Asset) -> tuple[Prism, ...]:

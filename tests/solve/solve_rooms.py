@@ -38,6 +38,20 @@ PICTURE = Asset("picture-0", "picture", (0.03, 0.8, 0.6), on_floor=False, on_wal
 PENDANT = Asset("pendant-0", "pendant lamp", (0.4, 0.4, 0.5), on_floor=False, on_ceiling=True)
 
 
+FURNISHED = """
+solver.against_wall(bed[0], walls[5])
+solver.symmetric_pair(night_stand[0], night_stand[1], bed[0])
+solver.next_to(night_stand[0], bed[0], "left")
+solver.on_top_of(lamp[0], night_stand[0])
+solver.point_towards(night_stand[1], bed[0])
+solver.distance_constraint(night_stand[1], [1, 3], 0.2, 0.4)
+solver.keep_clear(bed[0], "left", 0.5)
+solver.under(rug[0], [bed[0]])
+solver.mounted_on(picture[0], walls[5])
+"""
+"""A bedroom in which something of every kind of row is asked for, in the L-shaped room."""
+
+
 def room_of(*assets: Asset, room: Room = SQUARE, agent: Agent = DISC) -> Scene:
     return Scene(room, assets, agents=(agent,))
 

@@ -8,7 +8,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
-from solve_rooms import BED, L_SHAPED, LAMP, PICTURE, RUG, STANDS, problem_of, room_of, scattered
+from solve_rooms import BED, FURNISHED, L_SHAPED, LAMP, PICTURE, RUG, STANDS, problem_of, room_of, scattered
 
 from robolayout._geometry import FrameRow
 from robolayout.solve import Problem, Weights
@@ -17,17 +17,6 @@ from robolayout.solve.objective import Losses, losses, total
 from robolayout.solve.objective import everything as all_pairs
 from robolayout.solve.stage import make_stage
 
-TEXT = """
-solver.against_wall(bed[0], walls[5])
-solver.symmetric_pair(night_stand[0], night_stand[1], bed[0])
-solver.next_to(night_stand[0], bed[0], "left")
-solver.on_top_of(lamp[0], night_stand[0])
-solver.point_towards(night_stand[1], bed[0])
-solver.distance_constraint(night_stand[1], [1, 3], 0.2, 0.4)
-solver.keep_clear(bed[0], "left", 0.5)
-solver.under(rug[0], [bed[0]])
-solver.mounted_on(picture[0], walls[5])
-"""
 STARTS = 3
 
 
@@ -59,7 +48,7 @@ def doubled(fields: Arrays | Routes) -> Arrays | Routes:
 
 @pytest.fixture(scope="module")
 def problem() -> Problem:
-    return problem_of(room_of(BED, *STANDS, LAMP, RUG, PICTURE, room=L_SHAPED), TEXT)
+    return problem_of(room_of(BED, *STANDS, LAMP, RUG, PICTURE, room=L_SHAPED), FURNISHED)
 
 
 @pytest.fixture(scope="module")

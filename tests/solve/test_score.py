@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from solve_rooms import BED, L_SHAPED, LAMP, PICTURE, RUG, STANDS, problem_of, room_of, scattered
+from solve_rooms import BED, FURNISHED, L_SHAPED, LAMP, PICTURE, RUG, STANDS, problem_of, room_of, scattered
 
 from robolayout.scene import Asset, Room
 from robolayout.solve import Problem, Weights
@@ -17,17 +17,6 @@ from robolayout.solve.score import Score
 from robolayout.solve.stage import Stage, make_stage, no_routes
 from robolayout.verify import physics
 
-TEXT = """
-solver.against_wall(bed[0], walls[5])
-solver.symmetric_pair(night_stand[0], night_stand[1], bed[0])
-solver.next_to(night_stand[0], bed[0], "left")
-solver.on_top_of(lamp[0], night_stand[0])
-solver.point_towards(night_stand[1], bed[0])
-solver.distance_constraint(night_stand[1], [1, 3], 0.2, 0.4)
-solver.keep_clear(bed[0], "left", 0.5)
-solver.under(rug[0], [bed[0]])
-solver.mounted_on(picture[0], walls[5])
-"""
 WARDROBE = Asset("wardrobe-0", "wardrobe", (0.6, 1.6, 2.1))
 SLANTED = Room(((0, 0), (5, 0), (5, 3), (0, 4)), 2.5)
 PLAIN = "solver.against_wall(wardrobe[0], walls[1])\nsolver.distance_constraint(bed[0], wardrobe[0], 0.5, 1.5)"
@@ -35,7 +24,7 @@ WEIGHTS = Weights()
 
 
 def furnished() -> Problem:
-    return problem_of(room_of(BED, *STANDS, LAMP, RUG, PICTURE, room=L_SHAPED), TEXT)
+    return problem_of(room_of(BED, *STANDS, LAMP, RUG, PICTURE, room=L_SHAPED), FURNISHED)
 
 
 def compiled(stage: Stage, worlds: np.ndarray) -> np.ndarray:

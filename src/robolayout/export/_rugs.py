@@ -13,6 +13,7 @@ from shapely.geometry.base import BaseGeometry
 from robolayout.assets import Part, parts, prisms_of
 from robolayout.assets.prisms import clipped
 from robolayout.assets.rooms import extruded
+from robolayout.export._mesh import FloatArray
 from robolayout.scene import Asset, Layout, Pose, Scene, vertical_span
 
 CLEAR = 0.001
@@ -104,9 +105,7 @@ def _cut_mesh(part: Part, holes: BaseGeometry) -> Iterator[Part]:
         yield replace(part, vertices=rows[:, :3], faces=faces, uv=None if part.uv is None else rows[:, 3:])
 
 
-def _on(
-    face: np.ndarray[tuple[int, ...], np.dtype[np.float64]], points: np.ndarray[tuple[int, ...], np.dtype[np.float64]]
-) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+def _on(face: FloatArray, points: FloatArray) -> FloatArray:
     """Return what a triangle's corners say of each of three points in plan, wound as the triangle is."""
     shares = np.linalg.solve(np.vstack([face[:, :2].T, np.ones(3)]), np.vstack([points.T, np.ones(3)]))
     made = shares.T @ face

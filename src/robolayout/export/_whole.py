@@ -74,8 +74,8 @@ def whole(agent: Agent, figure: Figure, own: str) -> Whole:
     for body in root.iter("body"):
         _posed(compiled, data, body)
     for foot in _feet(compiled, data, agent.step):
-        ET.SubElement(_section(root, "contact"), "exclude", body1="world", body2=foot)
-    _hold(mujoco, compiled, data, _section(root, "actuator"))
+        ET.SubElement(section(root, "contact"), "exclude", body1="world", body2=foot)
+    _hold(mujoco, compiled, data, section(root, "actuator"))
     top = next(root.iter("body"))
     return Whole(root, top, tuple(data.qpos.tolist()), {path: (path, content) for path, content in files.items()})
 
@@ -221,7 +221,7 @@ def _posed(compiled: Any, data: Any, body: ET.Element) -> None:
                 joint.set("range", f"{min(low, value)!r} {max(high, value)!r}")
 
 
-def _hold(mujoco: Any, compiled: Any, data: Any, section: ET.Element) -> None:
+def _hold(mujoco: Any, compiled: Any, data: Any, actuators: ET.Element) -> None:
     """Add an actuator for each hinge and slide, which holds it where it is now."""
     for number in range(compiled.njnt):
         if compiled.jnt_type[number] < int(mujoco.mjtJoint.mjJNT_SLIDE):
@@ -231,16 +231,17 @@ def _hold(mujoco: Any, compiled: Any, data: Any, section: ET.Element) -> None:
         stiff, damping = weight * PACE**2, 2 * weight * PACE
         bias = f"{stiff * value:.17g} {-stiff:.17g} {-damping:.17g}"
         drive = {"gaintype": "fixed", "biastype": "affine", "gainprm": f"{stiff:.17g}", "biasprm": bias}
-        ET.SubElement(section, "general", {"name": name, "joint": name, **drive})
+        ET.SubElement(actuators, "general", {"name": name, "joint": name, **drive})
 
 
-def _section(root: ET.Element, tag: str) -> ET.Element:
+def section(root: ET.Element, tag: str) -> ET.Element:
+    """Return a section of a model, which is added where it has none."""
     found = root.find(tag)
     return ET.SubElement(root, tag) if found is None else found
 
 
 def sections(found: Whole) -> Iterator[tuple[str, list[ET.Element]]]:
     """Yield what is to be added to a model, by the name of its section."""
-    for section in found.root:
-        if section.tag not in ("compiler", "option", "size", "statistic", "visual", "worldbody", "keyframe", "sensor"):
-            yield section.tag, list(section)
+    for part in found.root:
+        if part.tag not in ("compiler", "option", "size", "statistic", "visual", "worldbody", "keyframe", "sensor"):
+            yield part.tag, list(part)

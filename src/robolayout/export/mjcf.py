@@ -210,13 +210,12 @@ def _agent(model: _Model, own: str, options: Options, pose: Pose) -> None:
 
 def _robot(model: _Model, body: ET.Element, agent: Agent, figure: Figure) -> None:
     """Add a robot's model to its base."""
-    from robolayout.export._whole import sections, whole
+    from robolayout.export._whole import section, sections, whole
 
     found = whole(agent, figure, body.get("name", ""))
     body.append(found.body)
     for tag, elements in sections(found):
-        section = model.root.find(tag)
-        (ET.SubElement(model.root, tag) if section is None else section).extend(elements)
+        section(model.root, tag).extend(elements)
     for compiler in model.root.iter("compiler"):
         compiler.set("balanceinertia", "true")  # real files have inertias that no thing can have
     model.home += found.home

@@ -47,24 +47,8 @@ person child teenager user users owner man woman couple family guest student pat
 """
 PEOPLE = frozenset(_PEOPLE.split())
 """Words for who uses a room."""
-LED = frozenset(
-    [
-        "aligned",
-        "centered",
-        "centred",
-        "faced",
-        "form",
-        "forming",
-        "forms",
-        "leaning",
-        "lined",
-        "oriented",
-        "spread",
-        "suspended",
-        "surround",
-        "surrounds",
-    ]
-)
+_LED = "aligned centered centred faced form forming forms leaning lined oriented spread suspended surround surrounds"
+LED = frozenset(_LED.split())
 """Verbs that ask for nothing only where a relation follows."""
 YOUNG = frozenset(["children", "kids", "child", "kid"])
 """Words for people that are children."""
