@@ -158,8 +158,12 @@ class Thing:
         return {s.mesh: s.data for link in self.links for s in link.shapes if s.box is None and s.kinds}
 
 
-def things(scene: Scene, layout: Layout, options: Options, *, free: Free = is_movable) -> Iterator[Thing]:
-    """Yield the room, its doors as the options say, and every placed asset, in the order of the scene."""
+def things(scene: Scene, layout: Layout, options: Options, *, free: Free | None = is_movable) -> Iterator[Thing]:
+    """Yield the room, its doors as the options say, and every placed asset, in the order of the scene.
+
+    Args:
+        free: Which assets may move as a whole; None where nothing of them moves, doors and drawers neither.
+    """
     shown = [part for part in room_parts(scene.room, seed=options.seed) if np.ptp(part.vertices[:, 2]) > THINNEST]
     shapes = [
         _shape(number, _stood(part, options.leaves), touched=not is_trim(part) and part.name != "floor")
@@ -172,6 +176,8 @@ def things(scene: Scene, layout: Layout, options: Options, *, free: Free = is_mo
         pieces = tuple(
             _footed(part, -asset.size[2] / 2) for part in laid_parts(asset, scene, layout, seed=options.seed)
         )
+        if free is None:
+            pieces = tuple(replace(part, joint=None) for part in pieces)
         weights = part_masses(pieces)[0]
         shares = (mass(asset) * weights / weights.sum()).tolist()
         shapes = [
@@ -185,7 +191,8 @@ def things(scene: Scene, layout: Layout, options: Options, *, free: Free = is_mo
             solids = enumerate(_solids(asset), len(pieces))
             shapes += [replace(_shape(number, solid, touched=True), seen=False) for number, solid in solids]
         friction = category_of(asset).friction
-        yield Thing(asset.name, pose, _links(shapes), friction, free(asset, scene, layout), asset)
+        loose = free is not None and free(asset, scene, layout)
+        yield Thing(asset.name, pose, _links(shapes), friction, loose, asset)
 
 
 def _solids(asset: Asset) -> Iterator[Part]:

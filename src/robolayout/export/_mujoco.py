@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from importlib import import_module
 from importlib.util import find_spec
@@ -41,10 +40,12 @@ def simulator() -> Any:
     return import_module("mujoco")
 
 
-def load(made: tuple[bytes, dict[str, bytes]]) -> tuple[Any, Any]:
-    """Return MuJoCo's model and state for a model's text and meshes."""
+def load(made: tuple[bytes, dict[str, bytes]], *, dozing: bool = False) -> tuple[Any, Any]:
+    """Return MuJoCo's model and state for a model's text and meshes; what dozes takes no time until something moves it."""
     mujoco, (text, meshes) = simulator(), made
     model = mujoco.MjModel.from_xml_string(text.decode(), meshes)
+    if dozing:
+        model.opt.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
     return model, mujoco.MjData(model)
 
 
@@ -73,12 +74,13 @@ def controls(model: Any, wanted: FloatArray) -> FloatArray:
     return wanted - model.key_qpos[0, -3:] + rates * (DAMPING / STIFFNESS) + push / STIFFNESS
 
 
-def touched(model: Any, data: Any, bodies: Sequence[int]) -> set[str]:
-    """Return the names of what some bodies touch now: assets, and parts of the room."""
+def touched(model: Any, data: Any, body: int) -> set[str]:
+    """Return the names of what a body touches now: assets, and parts of the room."""
+    if not data.ncon:
+        return set()
     pairs = data.contact.geom[: data.ncon]
-    own = np.isin(model.geom_bodyid[pairs], bodies)
-    names: set[str] = set()
-    for geom in pairs[~own & own.any(axis=1, keepdims=True)].tolist():
-        root = int(model.body_rootid[model.geom_bodyid[geom]])
-        names.add(str(model.geom(geom).name.split("/")[1] if root <= ROOM_BODY else model.body(root).name))
-    return names
+    own = model.geom_bodyid[pairs] == body
+    met = {str(model.geom(geom).name) for geom in pairs[~own & own.any(axis=1, keepdims=True)].tolist()}
+    sized = {str(model.numeric(number).name) for number in range(model.nnumeric if met else 0)}
+    owners = (name.rsplit("/", 2) for name in met)  # a thing, its part and a number; the floor has none
+    return {thing if f"size/{thing}" in sized else part for thing, part, *_ in owners}

@@ -84,7 +84,7 @@ def pull_open(scene: Scene, layout: Layout, agent: Agent, holds: Iterable[Hold])
         MissingExtraError: MuJoCo is not installed.
     """
     check_layout(scene, layout, partial=True)
-    model, data = load(build(scene, layout, Options(agent=smaller(agent, disc=False)), free=is_movable))
+    model, data = load(build(scene, layout, Options(agent=smaller(agent, disc=False)), free=is_movable), dozing=True)
     doors = [_Hand(model, int(joint)) for joint in np.flatnonzero(model.body_rootid[model.jnt_bodyid] == ROOM_BODY)]
     found: dict[str, Pulled] = {}
     for hold in holds:
@@ -116,7 +116,7 @@ def _pulled(model: Any, data: Any, hand: _Hand, doors: Iterable[_Hand], hold: Ho
         data.ctrl[:] = order
         most = max(most, abs(hand.pull(data, float(share), seconds)))
         mujoco.mj_step(model, data)
-        met |= touched(model, data, [body]) | touched(model, data, [hand.leaf])
+        met |= touched(model, data, body) | touched(model, data, hand.leaf)
     return Pulled(hand.opened(data), tuple(sorted(met)), most)
 
 

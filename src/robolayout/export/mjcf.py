@@ -60,9 +60,12 @@ def beside(scene: Scene, layout: Layout, options: Options) -> dict[str, bytes]:
     return build(scene, layout, options, free=is_movable)[1]
 
 
-def build(scene: Scene, layout: Layout, options: Options, *, free: Free) -> tuple[bytes, dict[str, bytes]]:
-    """Return the model as XML, with free joints for the assets that `free` says yes to, and its meshes by path."""
-    model = _start(scene)
+def build(scene: Scene, layout: Layout, options: Options, *, free: Free | None) -> tuple[bytes, dict[str, bytes]]:
+    """Return the model as XML, with free joints for the assets that `free` says yes to, and its meshes by path.
+
+    Where it is None all furniture holds still, and is one body with the world: MuJoCo takes a tenth of the time for that.
+    """
+    model = _start(scene, still=free is None)
     custom = ET.SubElement(model.root, "custom")
     for thing in things(scene, layout, options, free=free):
         _body(model, thing)
@@ -80,14 +83,15 @@ def build(scene: Scene, layout: Layout, options: Options, *, free: Free) -> tupl
     return dump_xml(model.root), dict(model.meshes.values())
 
 
-def _start(scene: Scene) -> _Model:
+def _start(scene: Scene, *, still: bool) -> _Model:
     """Return an empty model with options and classes.
 
     Solver settings are for quiet furniture: an elliptic cone with a high friction impedance does not creep, and implicit
     integration keeps small light things calm.
     """
     root = ET.Element("mujoco", model=scene.name)
-    ET.SubElement(root, "compiler", angle="radian", autolimits="true", boundmass="1e-4", boundinertia="1e-7")
+    units = {"angle": "radian", "autolimits": "true", "boundmass": "1e-4", "boundinertia": "1e-7"}
+    ET.SubElement(root, "compiler", units | ({"fusestatic": "true"} if still else {}))
     solver = {"timestep": "0.004", "integrator": "implicitfast", "cone": "elliptic", "impratio": "10"}
     ET.SubElement(root, "option", solver | {"iterations": "50", "tolerance": "1e-8"})
     ET.SubElement(root, "statistic", extent="6")

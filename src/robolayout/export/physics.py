@@ -147,11 +147,6 @@ def _stands(asset: Asset, scene: Scene, layout: Layout) -> bool:
     return not asset.is_flat and not hangs(asset, scene, layout)
 
 
-def _never(asset: Asset, scene: Scene, layout: Layout) -> bool:
-    """Return False: everything holds still."""
-    return False
-
-
 def settle(scene: Scene, layout: Layout, seconds: float = 5.0, *, seed: int = 0) -> Settled:
     """Let gravity work on a layout and measure what moves.
 
@@ -223,7 +218,7 @@ def drive(
     check_layout(scene, layout, partial=True)
     driven = {name: np.array(way, dtype=float) for name, way in ways.items() if len(way) > 1}
     body = smaller(agent, disc=any(way.shape[1] < 3 for way in driven.values()))
-    model, data = load(build(scene, layout, Options(agent=body, leaves=leaves), free=_never))
+    model, data = load(build(scene, layout, Options(agent=body, leaves=leaves), free=None), dozing=True)
     return Driven(agent.name, {name: _drive(model, data, way, speed) for name, way in driven.items()})
 
 
@@ -243,7 +238,7 @@ def _drive(model: Any, data: Any, way: FloatArray, speed: float) -> Drive:
         data.ctrl[:] = order
         mujoco.mj_step(model, data)
         error = max(error, math.dist(data.qpos[places[:2]], goal[:2]))
-        met |= touched(model, data, [body])
+        met |= touched(model, data, body)
     length = float(np.hypot(*np.diff(way[:, :2], axis=0).T).sum())
     return Drive(tuple(sorted(met)), error, length, float(times[-1]))
 
