@@ -122,10 +122,16 @@ def _before(room: Room, a: str, b: str, most: float, sign: int = 1) -> bool:
     return u * sign > depth / 2 - 0.05 and abs(v) <= width / 2 + 0.3 and room.gap(a, b) <= most
 
 
-def turned_to(room: Room, a: str, shape: Polygon | LineString) -> bool:
-    """Return whether a front of an asset looks at a shape."""
+def _facing(room: Room, a: str, b: str) -> bool:
+    """Whether a looks at b; of two desks, who sits at a looks over its back at b."""
+    over_its_back = all(room.kind(name).endswith("desk") for name in (a, b))
+    return turned_to(room, a, room.outline(b), (math.pi,) if over_its_back else None)
+
+
+def turned_to(room: Room, a: str, shape: Polygon | LineString, turns: tuple[float, ...] | None = None) -> bool:
+    """Return whether a front of an asset, turned by one of some angles, looks at a shape."""
     x, y, yaw = room.pose(a)
-    fronts = (yaw, yaw + math.pi) if room.scene["assets"][a]["category"].endswith(TWO_FRONTS) else (yaw,)
+    fronts = [yaw + turn for turn in turns or ((0.0, math.pi) if room.kind(a).endswith(TWO_FRONTS) else (0.0,))]
     target = shape.centroid
     for front in fronts:
         ray = LineString([(x, y), (x + 50 * math.cos(front), y + 50 * math.sin(front))])
@@ -157,7 +163,7 @@ PAIRS: dict[str, Callable[[Room, str, str], bool]] = {
     "left": partial(_beside, side=1),
     "right": partial(_beside, side=-1),
     "around": lambda room, a, b: room.gap(a, b) <= 1.3,
-    "facing": lambda room, a, b: turned_to(room, a, room.outline(b)),
+    "facing": _facing,
     "opposite": lambda room, a, b: _before(room, a, b, 15.0) or _before(room, b, a, 15.0),
     "above": _over,
     "under": lambda room, a, b: (

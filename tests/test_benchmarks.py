@@ -58,6 +58,23 @@ def test_a_demand_is_dropped_where_no_row_is_about_it() -> None:
     assert words.dropped(prompt, [False, True, True], room, [row]) == []
 
 
+@pytest.mark.parametrize(
+    ("kind", "turn", "met"), [("desk", 180, True), ("desk", 0, False), ("sofa", 0, True), ("sofa", 180, False)]
+)
+def test_who_sits_at_two_desks_that_face_each_other_looks_over_their_backs(kind: str, turn: int, met: bool) -> None:
+    """Sofas look where their fronts do."""
+    things = {
+        name: {"category": kind, "assetMetadata": {"boundingBox": {"x": 0.7, "y": 1.4, "z": 0.7}}} for name in "ab"
+    }
+    square = {"boundary": {"floor_vertices": [[0, 0], [4, 0], [4, 4], [0, 4]], "wall_height": 2.6}, "assets": things}
+    layout = {
+        "a": {"position": [1.0, 2.0, 0.35], "rotation": [0, 0, turn]},
+        "b": {"position": [3.0, 2.0, 0.35], "rotation": [0, 0, turn + 180]},
+    }
+    prompt = words.Demand("facing", (kind, kind))
+    assert words.related(Room(square, layout), prompt, 2) is met
+
+
 def test_what_is_measured_is_kept_and_not_measured_again(tmp_path: Path) -> None:
     measured: list[str] = []
 

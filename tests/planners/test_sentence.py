@@ -215,3 +215,27 @@ def test_roles_and_words_never_speak_against_each_other(text: str) -> None:
 def test_who_sits_at_a_table_takes_nobodys_desk(text: str, things: dict[str, int]) -> None:
     wished = scene_from_sentence(text)[1].wished
     assert {name: wished.get(name, 0) for name in things} == things
+
+
+@pytest.mark.parametrize(
+    ("text", "things"),
+    [
+        ("an office with two desks and a printer near the door", {"printer stand": 1}),
+        ("an office with two desks and a printer on the filing cabinet", {"printer stand": 0}),
+        ("a room with a kids table and a rocking chair", {"kids chair": 2}),
+        ("a room with a kids table and two chairs", {"kids chair": 0}),
+        ("a barbershop with three barber chairs", {"salon chair": 3, "mirror": 3}),
+        ("a living room with a round wool rug", {"round rug": 1, "rug": 0}),
+        ("a bedroom with a circular carpet", {"round rug": 1, "rug": 0}),
+        ("a living room with a round coffee table", {"coffee table": 1, "round table": 0}),
+    ],
+)
+def test_what_things_need_comes_with_them_and_round_ones_are_round(text: str, things: dict[str, int]) -> None:
+    found = scene_from_sentence(text)[1]
+    there = {**found.added, **found.wished}
+    assert {name: there.get(name, 0) for name in things} == things
+
+
+def test_a_machine_stands_on_the_counter_of_a_cafe_and_on_no_guests_table() -> None:
+    scene, _ = scene_from_sentence("a cafe with four tables for two and a coffee machine")
+    assert "solver.on_top_of(coffee_machine[0], bar_counter[0])" in OfflinePlanner().plan(PlanRequest(scene))

@@ -96,3 +96,19 @@ def test_what_came_to_stand_askew_is_squared_and_what_is_meant_so_stays() -> Non
     meant = replace(problem, guess=problem.layout(askew))
     assert squared(meant, askew, lambda world: True) == pytest.approx(askew)
     assert squared(free, askew, lambda world: False) == pytest.approx(askew)
+
+
+def test_a_rug_comes_along_with_what_would_leave_it_once_it_is_square() -> None:
+    problem, _ = planned("living_room")
+    problem = replace(problem, guessed=())
+    table, rug = problem.slot["coffee_table-0"], problem.slot["rug-0"]
+    askew = problem.start.copy()
+    askew[rug, 0] += 0.5
+    carry(problem, askew, table, compose(askew[table], np.array([0.0, 0.0, np.cos(0.1), np.sin(0.1)])))
+
+    def apart(world: Floats) -> float:
+        return float(np.hypot(*(world[table] - world[rug])[:2]))
+
+    found = squared(problem, askew, lambda world: apart(world) < apart(askew) - 0.04)
+    assert found[table] == pytest.approx(problem.start[table])
+    assert apart(found) == pytest.approx(apart(askew) - 0.05)

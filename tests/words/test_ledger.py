@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import replace
 
@@ -284,3 +285,29 @@ def test_a_row_says_once_what_a_thing_has() -> None:
         row.words for row in judged("The desk has a table lamp. The bed is by the window.") if row.kind == "relation"
     ]
     assert rows == ["desk with a table lamp", "bed by window"]
+
+
+def test_desks_that_face_each_other_stand_back_to_back() -> None:
+    """Who sits at them look at each other: with their fronts together they would sit with their backs to each other."""
+    scene, _ = scene_from_sentence("an office with two desks facing each other")
+    result = generate(scene)
+    (row,) = [one for one in result.report.asked if one.words == "desk facing each other"]
+    assert row.verdict == "met"
+    first, second = (result.layout[name] for name in ("desk-0", "desk-1"))
+    size = scene.by_name["desk-0"].size
+    assert math.dist((first.x, first.y), (second.x, second.y)) <= size[0] + 0.11
+    assert abs(math.remainder(first.yaw - second.yaw, math.tau)) == pytest.approx(math.pi, abs=0.01)
+    turned = replace(result.layout, poses={**result.layout.poses, "desk-0": replace(first, yaw=second.yaw)})
+    (row,) = [one for one in judge(scene, turned).report.asked if one.words == "desk facing each other"]
+    assert row.verdict == "unmet"
+
+
+def test_who_looks_into_a_mirror_sits_before_it() -> None:
+    """Each of the chairs has a mirror of its own, all side by side, and none is far from it."""
+    scene, _ = scene_from_sentence("a salon with three chairs each facing a mirror")
+    result = generate(scene)
+    poses = result.layout.poses
+    chairs, mirrors = (sorted(name for name in poses if name.startswith(kind)) for kind in ("salon_chair", "mirror"))
+    gaps = [math.dist((poses[a].x, poses[a].y), (poses[b].x, poses[b].y)) for a, b in zip(chairs, mirrors, strict=True)]
+    assert len(gaps) == 3 and max(gaps) < 1.5
+    assert len({round(poses[name].yaw, 2) for name in mirrors}) == 1

@@ -13,7 +13,7 @@ from robolayout.assets import Category
 from robolayout.planners._knowledge import Role
 from robolayout.planners._wishes import Wishes
 from robolayout.scene import Agent
-from robolayout.words import KIN, Rooms
+from robolayout.words import KIN, Mention, Rooms
 
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
@@ -115,6 +115,15 @@ class Added:
         self.asked = {known.head(name) for name in wishes.things}
         self.asked |= {known.head(name) for name in wished if known.head(name) == "bed"}
         self.lasts = {name.split()[-1] for name in wishes.things} | wishes.general
+        links = wishes.reading.parsed.links
+        on = [
+            m.thing.noun.kind
+            for k in links
+            if k.relation == "on"
+            for m in k.subjects
+            if isinstance(k.objects[0], Mention)
+        ]
+        self.borne = {name for name in on if known.kinds[name].places == ("object",)}  # something is said to bear it
         height = wishes.reading.measure("height")
         self.ceiling = height[0] if height else math.inf
         self.found: dict[str, int] = {}
@@ -153,6 +162,8 @@ class Added:
 
     def _go_along(self, name: str, count: int) -> None:
         """Add what a wished thing is of no use without; benches and stools are seats of tables, too."""
+        if name in self.borne:
+            return
         there = {self.known.head(other) for other in self.wished}
         there |= {"chair"} if head(name) == "table" and SEATS & {*self.wished} else set()
         for other, each in self.known.rooms.companions.get(name, {}).items():

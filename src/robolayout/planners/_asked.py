@@ -17,8 +17,8 @@ from robolayout.program import Program
 from robolayout.scene import Scene
 from robolayout.words import Demand
 
-SEATED, BEFORE = 0.05, 0.4
-"""Metres between a seat and what it stands at, and between other things and what they stand before."""
+SEATED, BEFORE, BACKS = 0.05, 0.4, 0.02
+"""Metres between a seat and what it stands at, other things and what they stand before, and things back to back."""
 
 CLOSE = 3.0
 """Metres up to which what stands before a thing belongs to it."""
@@ -103,13 +103,15 @@ def _joins(demand: Demand, cast: Mapping[str, Cast]) -> list[tuple[str, tuple[st
         if len(names) != 2 or not all(name in cast for name in names):
             continue
         a, b = names
-        join = _join(relation, cast[a], cast[b], around=around)
+        join = _join(
+            relation, cast[a], cast[b], around=around, turned=getattr(relations.get("align_with"), "angle", 0.0)
+        )
         if join is not None:
             found.append((a, (b, join)))
     return found
 
 
-def _join(relation: Relation, a: Cast, b: Cast, *, around: bool) -> Join | None:
+def _join(relation: Relation, a: Cast, b: Cast, *, around: bool, turned: float) -> Join | None:
     """Return how a thing joins another, None where it is placed by itself."""
     if relation.name == "on_top_of":
         known = next((join for join in a.role.joins if join.slot in ("on", "setting")), None)
@@ -129,5 +131,7 @@ def _join(relation: Relation, a: Cast, b: Cast, *, around: bool) -> Join | None:
         seated = a.role.name == "seat"
         return Join("front", (b.role.name,), gap=SEATED if seated else BEFORE, loose=True, faces="anchor")
     if relation.name == "behind":
+        if turned == 180.0:
+            return Join("behind", (b.role.name,), gap=BACKS, loose=True, faces="away")
         return Join("behind", (b.role.name,), gap=BEFORE, loose=True)
     return None

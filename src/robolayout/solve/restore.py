@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from itertools import product
 
 import numpy as np
 
@@ -18,6 +19,9 @@ SAME = 1e-9
 
 STRAIGHT, ASKEW = math.radians(0.5), math.radians(20.0)
 """Angles off a wall's between which a thing counts as having come to stand askew."""
+
+PULL = 0.05
+"""Metres by which a rug comes along with what is squared on it."""
 
 GAIN = 0.01
 """Metres (`Problem.moved`) that putting a thing back must be worth."""
@@ -61,7 +65,8 @@ def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]
 def squared(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]) -> Floats:
     """Return poses (n, 4) in which what came to stand a little askew is square to a wall again.
 
-    Where it has to look at something, it also slides sideways until it looks straight at it. What the program has askew stays so.
+    Where it has to look at something, it also slides sideways until it looks straight at it; where it would leave its rug, the
+    rug comes along a little. What the program has askew stays so.
 
     Args:
         problem: The problem.
@@ -77,13 +82,26 @@ def squared(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool])
             continue
         turned = compose(world[slot], np.array([0.0, 0.0, math.cos(off), -math.sin(off)]))
         aims = world[_looked_at(problem, slot)] * (1.0, 1.0, 0.0, 0.0) + (0.0, 0.0, 1.0, 0.0)
-        for slide in (0.0, *relative(turned, aims)[:, 1].tolist()):
+        slides, rugs = (0.0, *relative(turned, aims)[:, 1].tolist()), _rugs(problem, slot)
+        for slide, pull in product(slides, (0.0, PULL) if rugs else (0.0,)):
             trial = world.copy()
             carry(problem, trial, slot, compose(turned, np.array([0.0, slide, 1.0, 0.0])))
+            for rug in rugs:
+                away = trial[slot, :2] - world[rug, :2]
+                trial[rug, :2] += away * min(1.0, pull / max(float(np.hypot(*away)), SAME))
             if no_worse(trial):
                 world = trial
                 break
     return world
+
+
+def _rugs(problem: Problem, slot: int) -> list[int]:
+    """Return the slots that are asked to lie under a slot."""
+    mine = AssetRef(problem.names[slot])
+    rows = (term for terms in problem.statement_terms for term in terms if isinstance(term, FrameTerm))
+    return [
+        problem.slot[row.b.name] for row in rows if row.a == mine and row.moves == "b" and isinstance(row.b, AssetRef)
+    ]
 
 
 def _off_square(angle: float) -> float:

@@ -28,6 +28,7 @@ from robolayout.words._ways import (
     ENDS,
     FAR_SHARE,
     IN_A_CHAIN,
+    INTO,
     LEAST_FAR,
     LEAST_MIDDLE,
     MIDDLE_SHARE,
@@ -94,7 +95,8 @@ class Demander:
             return tuple(_way(IN_A_CHAIN[link.relation], b, a) for a, b in pairwise(subjects))
         if link.relation in BY_TWOS:
             twos = zip(subjects[::2], subjects[1::2], strict=False)
-            return tuple(_way(BY_TWOS[link.relation], b, a) for a, b in twos)
+            desks = link.relation == "mutual" and self._is(subjects[0], ("desk",))  # who sits there looks over its back
+            return tuple(_way(BY_TWOS["mutual desks" if desks else link.relation], b, a) for a, b in twos)
         if link.relation in ("rows", "columns"):
             return tuple(self._rows(subjects, link))
         make = getattr(self, f"_{link.relation}", None)
@@ -223,11 +225,8 @@ class Demander:
     def _around(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         for a, b in self._matched(subjects, objects):
             near = _say("near", AssetRef(a), AssetRef(b), NEAR if self._is(a, ("armchair", "sofa", "bag")) else BESIDE)
-            yield Demand(((near, _say("point_towards", AssetRef(a), AssetRef(b))) if self._turns(a) else (near,),))
-
-    def _turns(self, name: str) -> bool:
-        """Return whether a thing has a front that matters."""
-        return not self._asset(name).is_flat and self._is(name, SEATS)
+            turns = not self._asset(a).is_flat and self._is(a, SEATS)
+            yield Demand(((near, _say("point_towards", AssetRef(a), AssetRef(b))) if turns else (near,),))
 
     def _opposite(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         place = self._place(objects)
@@ -254,6 +253,8 @@ class Demander:
                 targets = [AssetRef(others[i])]
             angles = (180.0, 0.0) if self._is(a, TOPS) else (0.0,)
             ways = [(_say("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles]
+            if len(others) == len(subjects) > 1 and self._is(a, SEATS) and self._is(others[i], ("mirror",)):
+                ways = [(*way, _say("in_front_of", AssetRef(a), AssetRef(others[i]), *INTO)) for way in ways]
             if ways:
                 yield Demand(tuple(ways))
 

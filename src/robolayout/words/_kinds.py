@@ -14,6 +14,9 @@ STANDING = frozenset(("next", "flank", "behind", "front", "corner", "left", "rig
 TABLES = ("table", "dining table", "round table")
 """What a table without a closer word is taken for."""
 
+ROUND = frozenset(("round", "circular"))
+"""Words for things that are drawn round where the catalogue has them so."""
+
 LOUNGE = frozenset(("armchair", "sofa", "recliner", "chaise", "lounger"))
 """Seats between which a table is a low one, and no table to eat at."""
 
@@ -22,9 +25,13 @@ def settle_kinds(parsed: Parsed) -> None:
     """Give things whose noun means several kinds the first kind that can be where they are asked to be."""
     heads = {thing.noun.kind.split()[-1] for thing in parsed.things if thing.noun.kind != "side table"}
     for thing in parsed.things:
-        if thing.noun.said == "small table" and "chair" in heads and not heads & {"table", "desk"}:
-            thing.noun = replace(thing.noun, words="round table", kind="round table", others=())
+        noun = thing.noun
+        if noun.said == "small table" and "chair" in heads and not heads & {"table", "desk"}:
+            thing.noun = replace(noun, words="round table", kind="round table", others=())
             thing.adjectives = (*thing.adjectives, "small")
+        rounded = f"round {'table' if noun.kind in TABLES else noun.kind}" if ROUND & {*thing.adjectives} else ""
+        if rounded in CATALOGUE:
+            thing.noun = replace(noun, words=rounded, kind=rounded, others=())
     for link in parsed.links:
         _settle_low_table(link)
         place = _where(link)

@@ -18,6 +18,8 @@ KIN = {
     "couch": "sofa",
     "settee": "sofa",
     "recliner": "armchair",
+    "rocking chair": "armchair",
+    "hanging chair": "armchair",
     "chandelier": "lamp",
 }
 """Things that stand for another that they are not named after."""

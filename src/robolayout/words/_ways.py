@@ -8,6 +8,9 @@ from collections.abc import Mapping
 BESIDE, NEAR, AT_TABLE, AT_WINDOW, AT_DOOR = 0.6, 1.2, 0.5, 0.6, 1.4
 """Metres from edge to edge that "next to", "near", "at" a thing, "at the window" and "by the door" allow (0.9 m before it stay clear)."""
 
+TOUCHING, INTO = 0.1, (0.5, 0.9)
+"""Metres between the backs of desks at which people face each other, and before a mirror into which somebody looks."""
+
 AHEAD, BACK, BACK_WALL = 1.5, 1.2, 2.0
 """Metres from edge to edge that "in front of" and "behind" allow, and behind what stands free to what hangs on the wall."""
 
@@ -77,5 +80,6 @@ BY_TWOS: Mapping[str, Ways] = {
     "mutual": ((("facing_pair",),),),
     "pairs": ((("near", AT_TABLE),),),
     "backs": ((("behind", 0.0, AT_TABLE), ("align_with", 180.0)),),
+    "mutual desks": ((("behind", 0.0, TOUCHING), ("align_with", 180.0)),),
 }
 """What the second of every two is asked to be to the first."""
