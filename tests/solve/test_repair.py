@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from solve_rooms import BED, QUICK, problem_of, room_of
+from solve_rooms import BED, LAMP, QUICK, STANDS, problem_of, room_of
 
 from robolayout.run.flow import solve
 from robolayout.scene import Asset, Pose
@@ -83,3 +83,17 @@ def test_the_phase_that_made_the_layout_is_told() -> None:
     right = "wardrobe[0].position = [2, 3.7, 1.05]\nwardrobe[0].rotation = [-90]\n" + AT_WALL
     assert solve(scene, right, config=QUICK).phase == "guess"
     assert solve(scene, right.replace("3.7", "3.4").replace("-90", "90"), config=QUICK).phase == "push"
+
+
+def test_the_phase_of_the_floor_is_told_where_things_stand_on_tops() -> None:
+    scene = room_of(WARDROBE, STANDS[0], LAMP)
+    text = (
+        AT_WALL
+        + """
+wardrobe[0].position = [2, 3.4, 1.05]
+wardrobe[0].rotation = [90]
+night_stand[0].position = [0.5, 0.5, 0.25]
+solver.on_top_of(lamp[0], night_stand[0])
+"""
+    )
+    assert solve(scene, text, config=QUICK).phase == "push"

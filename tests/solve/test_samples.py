@@ -1,4 +1,4 @@
-"""Several programs of one scene, solved in shared batches: as good as alone where it counts, and hardly dearer than one."""
+"""Several programs of one scene, solved together: as good as alone where it counts, and hardly dearer than one."""
 
 from __future__ import annotations
 
@@ -11,15 +11,12 @@ from unittest.mock import patch
 
 import numpy as np
 import pytest
-from solve_rooms import BED, LAMP, PICTURE, QUICK, STANDS, TABLE, room_of
+from solve_rooms import BED, LAMP, QUICK, STANDS, TABLE, room_of
 
 from robolayout.program import Program, read_program, reconcile
 from robolayout.run.flow import make_judge, solve, solve_many
 from robolayout.scene import Layout, Pose, Scene
 from robolayout.solve import SolverConfig, Verdict, compile_problem, programs, solve_samples
-from robolayout.solve.lanes import LaneRunner, Request, run_together
-from robolayout.solve.runner import Runner
-from robolayout.solve.stage import Stage, make_stage
 
 ROOM = room_of(BED, *STANDS, LAMP, TABLE)
 GOOD = """
@@ -68,8 +65,8 @@ def test_every_program_gets_a_layout_that_its_own_judge_measured() -> None:
 
 
 @pytest.mark.parametrize("config", [THOROUGH, SolverConfig()])
-def test_four_programs_cost_little_more_than_twice_one_with_its_other_ways(config: SolverConfig) -> None:
-    """A program that cannot be met is searched in several ways; four of them share one search, without these."""
+def test_four_programs_cost_no_more_than_one_with_its_other_ways(config: SolverConfig) -> None:
+    """A program that cannot be met is searched in several ways; four of them are polished, the best is searched, without these."""
     names = ("bed[0]", "table[0]", "night_stand[0]", "night_stand[1]")
     walls = [f"solver.against_wall({name}, walls[2])\n" for name in names]
     corners = [f"solver.corner({name})\n" for name in names]
@@ -78,7 +75,7 @@ def test_four_programs_cost_little_more_than_twice_one_with_its_other_ways(confi
         solve(ROOM, read(ROOM, texts[0])[0], config=config)
     with counted() as four:
         solve_many(ROOM, read(ROOM, *texts), config=config)
-    assert four["steps"] < 2.5 * one["steps"]
+    assert four["steps"] <= one["steps"]
 
 
 def test_four_programs_cost_at_most_twice_one_that_is_done_at_once() -> None:
@@ -124,28 +121,6 @@ def test_an_empty_room_and_no_program() -> None:
     nothing = room_of()
     assert solve_many(ROOM, [], config=QUICK) == []
     assert [len(s.layout) for s in solve_many(nothing, read(nothing, "", ""), config=QUICK)] == [0, 0]
-
-
-def test_a_lane_computes_what_the_search_of_one_computes() -> None:
-    scene = room_of(BED, *STANDS, PICTURE)
-    problems = [compile_problem(scene, program) for program in read(scene, "", "solver.against_wall(bed[0], walls[2])")]
-    rng = np.random.default_rng(3)
-    asked: list[Request] = []
-    jobs: list[tuple[Stage, Any]] = []
-    for problem in problems:
-        world = problem.start[None] + np.pad(rng.normal(0, 0.2, (3, 4, 2)), ((0, 0), (0, 0), (0, 2)))
-        jobs.append((make_stage(problem, 0, problem.start), world))
-        with pytest.raises(StopIteration):
-            LaneRunner(QUICK, lambda request: asked.append(request) or next(iter(()))).advance(
-                *jobs[-1], QUICK.polish, "x"
-            )
-    assert [len(request.lanes) for request in asked] == [2, 2]
-    answers = run_together(asked, QUICK.weights)
-    for (stage, world), answer in zip(jobs, answers, strict=True):
-        lanes = LaneRunner(QUICK, lambda _, answer=answer: answer).advance(stage, world, QUICK.polish, "x")
-        alone = Runner(QUICK).advance(stage, world, QUICK.polish, "x")
-        np.testing.assert_allclose(lanes.world, alone.world, atol=2e-3)
-        np.testing.assert_allclose(lanes.energy, alone.energy, rtol=1e-2, atol=1e-3)
 
 
 def test_a_solver_that_breaks_down_breaks_the_run_and_hangs_nobody() -> None:

@@ -29,7 +29,6 @@ from robolayout.solve import (
     solve_samples,
     solve_with,
     warm_up,
-    warm_up_samples,
 )
 from robolayout.verify import Report, overfull, verify
 from robolayout.words import Wishes, read_words
@@ -284,10 +283,10 @@ class Run:
             report = report.with_notes((f"{note} This report measures exactly.",))
         return report.with_timing(self.clock.seconds)
 
-    def prepare(self, here: Scene, samples: int) -> None:
-        """Warm up for solving so many programs of a scene."""
+    def prepare(self, here: Scene) -> None:
+        """Warm up for solving programs of a scene."""
         if self.solver == "default":
-            (warm_up if samples == 1 else warm_up_samples)(here, self.config)
+            warm_up(here, self.config)
 
     def filtered(self, asked: Program, here: Scene) -> Reconciled:
         """Filter a program for a scene, as the solver wants it."""
@@ -398,7 +397,7 @@ def solve_many(
     ways: bool = True,
     **known: Any,
 ) -> list[Solution]:
-    """Solve several programs for one scene, filtered; the default solver shares its effort among them.
+    """Solve several programs for one scene, filtered; the default solver spends most of its effort on the best.
 
     The arguments are those of `solve`; `known` are its `pinned` and `built`.
     """

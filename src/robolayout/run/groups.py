@@ -163,7 +163,7 @@ class GroupedRun:
     def _group(self, question: Question) -> _Standing | _Reopen:
         """Ask for one group, tell what was wrong, and ask again; the offline planner takes over if nothing is usable."""
         label, failure = question.group.label, ""
-        self.whole.prepare(question.here, self.planner.samples)
+        self.whole.prepare(question.here)
         feedback, said = self._reopened.get(label, ""), self._said.pop(label, "")
         previous = said
         if said and not feedback:  # it was said before an earlier group was planned again, and may still do

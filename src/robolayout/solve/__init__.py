@@ -8,7 +8,7 @@ from robolayout.solve.profiles import PAPER, UNREFINED, solve_with, solver_names
 from robolayout.solve.proposals import Proposals, carry
 from robolayout.solve.refine import Solver
 from robolayout.solve.runner import warm_up
-from robolayout.solve.samples import solve_samples, warm_up_samples
+from robolayout.solve.samples import solve_samples
 from robolayout.solve.solution import Solution, silent
 
 __all__ = [
@@ -37,5 +37,4 @@ __all__ = [
     "solve_with",
     "solver_names",
     "warm_up",
-    "warm_up_samples",
 ]

@@ -126,7 +126,7 @@ class SolverConfig:
     starts: int = 16
     """Starts, at most: a quarter near the guess; where none of these is perfect twice a quarter built, then a quarter far off.
 
-    Where the guess is blind only those that are built: the others were measured to be worth nothing then.
+    Where the guess is blind only those that are built: the others were measured to be worth nothing then. None leaves out all of it.
     """
 
     kept: int = 8

@@ -82,7 +82,7 @@ class Solver:
         best: _Best | None = None
         for number in stages(self.problem):
             best = self._stage(number, world)
-            world = best.world
+            world, self.phase = best.world, best.phase
         assert best is not None
         if best.verdict.broken:
             best = self._repair(best)
@@ -163,7 +163,7 @@ class Solver:
         self.blind |= self._amiss(stage, best) > self.effort.blind
         best = best if self.blind else self._near(number, best)
         self.blind |= best.verdict.soft > self.effort.blind * len(self.problem.relations)
-        if not self.blind and not best.verdict.broken:
+        if not self.config.starts or not (self.blind or best.verdict.broken):
             return best
         return self._anew(stage, number, best)
 

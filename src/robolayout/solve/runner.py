@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,9 +83,6 @@ class Runner:
         config: Constants.
     """
 
-    share: ClassVar[int] = BATCH
-    """Starts that run in one piece."""
-
     def __init__(self, config: SolverConfig) -> None:
         self.config = config
         self._losses: list[dict[str, float]] = []
@@ -102,10 +99,10 @@ class Runner:
         rng: np.random.Generator | None = None,
     ) -> Run:
         """Run one phase from world poses (K, n, 4)."""
-        parts = [slice(begin, begin + self.share) for begin in range(0, len(world), self.share)]
-        free = no_routes(self.share, 8 * stage.slots)
+        parts = [slice(begin, begin + BATCH) for begin in range(0, len(world), BATCH)]
+        free = no_routes(BATCH, 8 * stage.slots)
         pieces = [(world[part], partial(routes, part) if routes else lambda: free) for part in parts]
-        results = self._results(stage, pieces, phase, label, rng)
+        results = self._results(stage, pieces, phase, rng)
         runs = [self._run(stage, world[part], found) for part, found in zip(parts, results, strict=True)]
         if self.config.trace and label:
             self._record(stage, label, phase.steps, results[0])
@@ -116,11 +113,10 @@ class Runner:
         return self.advance(stage, world, STILL, "", routes=routes)
 
     def _results(
-        self, stage: Stage, pieces: Sequence[Piece], phase: SearchConfig, label: str, rng: np.random.Generator | None
+        self, stage: Stage, pieces: Sequence[Piece], phase: SearchConfig, rng: np.random.Generator | None
     ) -> list[Found]:
-        """Run pieces of at most `share` starts side by side, one on each processor."""
-        del label
-        noises = [noise(stage, BATCH, rng) for _ in pieces]
+        """Run pieces of at most `BATCH` starts side by side, one on each processor."""
+        noises = [_noise(stage, rng) for _ in pieces]
 
         def run(piece: Piece, shakes: Singles) -> Found:
             arguments = _arguments(stage, piece, phase, shakes)
@@ -182,30 +178,20 @@ class Runner:
         return Trace(tuple(self._losses), shots)
 
 
-def filled(stage: Stage, piece: Piece, count: int) -> tuple[Singles, Routes]:
-    """Return the variables and routes of some starts, filled up by repeating the last one."""
-    world, planned = piece
-    routes = planned()
-    fill = np.minimum(np.arange(count), len(world) - 1)
-    return stage.local(world[fill]).astype(np.float32), Routes(*(field[fill] for field in routes))
-
-
-def noise(stage: Stage, count: int, rng: np.random.Generator | None) -> Singles:
-    """Return standard normal numbers for `count` starts, 0 without a source."""
-    shape = (NOISE_BLOCK, count, stage.slots, 2)
+def _noise(stage: Stage, rng: np.random.Generator | None) -> Singles:
+    """Return standard normal numbers for a batch, 0 without a source."""
+    shape = (NOISE_BLOCK, BATCH, stage.slots, 2)
     return np.zeros(shape, np.float32) if rng is None else rng.standard_normal(shape, np.float32)
 
 
-def schedule_of(phase: SearchConfig) -> Schedule:
-    """Return a phase as the program takes it."""
-    rates = (phase.rate, phase.final_rate, phase.noise, phase.ramp)
-    return Schedule(np.int32(phase.steps), *(np.float32(rate) for rate in rates))
-
-
 def _arguments(stage: Stage, piece: Piece, phase: SearchConfig, shakes: Singles) -> tuple[Any, ...]:
-    """Return what the program takes for one batch."""
-    local, routes = filled(stage, piece, BATCH)
-    return local, stage.arrays, routes, schedule_of(phase), shakes
+    """Return what the program takes for one batch, filled up by repeating the last start."""
+    world, planned = piece
+    routes, fill = planned(), np.minimum(np.arange(BATCH), len(world) - 1)
+    local, ways = stage.local(world[fill]).astype(np.float32), Routes(*(field[fill] for field in routes))
+    rates = (phase.rate, phase.final_rate, phase.noise, phase.ramp)
+    schedule = Schedule(np.int32(phase.steps), *(np.float32(rate) for rate in rates))
+    return local, stage.arrays, ways, schedule, shakes
 
 
 def warm_up(scene: Scene, config: SolverConfig | None = None, *, missing_only: bool = False) -> None:
@@ -219,5 +205,5 @@ def warm_up(scene: Scene, config: SolverConfig | None = None, *, missing_only: b
     if scene.assets:
         stage, weights = sizes_of(scene), (config or SolverConfig()).weights
         piece = (stage.world[None], lambda: no_routes(1, 8 * stage.slots))
-        arguments = _arguments(stage, piece, STILL, noise(stage, BATCH, None))
+        arguments = _arguments(stage, piece, STILL, _noise(stage, None))
         programs.prepare(PROGRAM, *arguments, missing_only=missing_only, weights=weights)
