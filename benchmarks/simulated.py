@@ -47,7 +47,7 @@ def measured(room: Path, body: str | None) -> Row:
         "impossible": list(report.impossible),
         "ways": len(driven.drives),
         "touching": list(driven.violations),
-        "undriven": len(report.undriven),
+        "undriven": len(report.usage.undriven),
         "off_mm": 1000 * max((way.error for way in driven.drives.values()), default=0.0),
         "joints": len(holds),
         "opened": sum(free[: len(holds)]),

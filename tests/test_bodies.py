@@ -181,3 +181,9 @@ def test_in_a_simulator_a_vacuum_cleaner_drives_under_a_bed_and_a_taller_robot_h
     tall = Agent("tall", vacuum.radius, 0.5, step=vacuum.step)
     assert not judge_agent(scene, layout, tall).navigation.reached["box-0"]
     assert "bed-0" in str(drive(scene, layout, tall, routes).contacts)
+
+
+def test_a_room_is_arranged_so_that_a_body_that_cannot_slide_sideways_drives_to_what_it_uses() -> None:
+    """As first built, the robot could stand beside five things of this bedroom and drive to none of them."""
+    report = rl.generate(ROOT / "examples" / "tasks" / "bedroom_small.json", agent="amr").report
+    assert report.ok and not report.agents[0].usage.undriven

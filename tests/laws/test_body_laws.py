@@ -125,7 +125,7 @@ def test_a_long_body_driven_to_where_it_uses_a_thing_meets_nothing_on_the_way(se
     shapely.prepare(free)
     uses = report.usage.uses.items()
     stands = {name: use.stand for name, use in uses if use.stand is not None and not use.moved}
-    assert set(report.drives) == set(stands) and not report.undriven
+    assert set(report.drives) == set(stands) and not report.usage.undriven
     for name, drive in report.drives.items():
         assert math.dist(drive.poses[-1][:2], stands[name]) < 1e-6
         assert_swept_free(free, agent, drive)
@@ -154,7 +154,7 @@ def test_a_body_that_cannot_slide_drives_ahead_and_back_on_arcs_no_tighter_than_
     report = judge_agent(scene, layout, agent)
     free = shapely.Polygon(scene.room.vertices).buffer(1e-6).difference(solid(scene, layout, agent).buffer(-1e-6))
     shapely.prepare(free)
-    assert set(report.drives).isdisjoint(report.undriven)
+    assert set(report.drives).isdisjoint(report.usage.undriven)
     for name, drive in report.drives.items():
         assert_swept_free(free, agent, drive)
         x, y, _ = drive.poses[-1]

@@ -11,7 +11,7 @@ import shapely
 from verify_rooms import furnished, on_floor, square, thing
 
 from robolayout.scene import Agent, Layout, Opening, Room, Scene, load_agent
-from robolayout.verify import navigation
+from robolayout.verify import judge_agent, navigation
 from robolayout.verify.heading import grown, heading_space, rectangle
 
 CART = Agent(name="cart", radius=0.4, height=1.0, length=1.2, width=0.6)
@@ -127,3 +127,25 @@ def test_a_forklift_needs_its_aisle(aisle: float, gets_there: bool):
         agents=(forklift,),
     )
     assert navigation(scene, layout).reached["crate-0"] is gets_there
+
+
+@pytest.mark.parametrize("slides", [True, False])
+def test_what_a_body_would_have_to_slide_to_sideways_is_not_usable(slides: bool):
+    """A niche as wide as the body is long, too narrow to turn in; from outside it the crate at its back is 0.6 m away."""
+    body = replace(CART, reach_distance=0.4, turning_radius=None if slides else 0.0)
+    crate, left, right = (
+        thing("crate-0", (1.2, 0.1, 1.0), "box"),
+        thing("left-0", (1.3, 0.8, 1.0), "box"),
+        thing("right-0", (1.4, 0.8, 1.0), "box"),
+    )
+    places = (on_floor(crate, 1.95, 3.95), on_floor(left, 0.65, 3.6), on_floor(right, 3.3, 3.6))
+    report = judge_agent(*furnished(square(), *zip((crate, left, right), places, strict=True), agents=(body,)), body)
+    assert report.usage.usable["crate-0"] is slides
+    assert ("crate-0" in report.drives) is slides
+    assert report.usage.undriven == (() if slides else ("crate-0",))
+    if not slides:
+        assert set(report.usage.shutting("crate-0")) == {"left-0", "right-0"}
+        assert report.usage.uses["crate-0"].reason == (
+            "it could stand at its edge, but finds no way to drive there: left-0 and right-0 leave no room to turn"
+        )
+        assert report.figures["usable_share"] == pytest.approx(2 / 3) and "crate-0" in report.short

@@ -69,8 +69,8 @@ def drive(laid: Laid, told: Told, report: ReportOption = None, doors: DoorsOptio
 
     def show() -> None:
         say(f"{len(found.contacts)} contacts on all routes of {given.agent.name}, the room's doors {doors}")
-        if judged.undriven:
-            say(f"{given.agent.name} finds no way to drive to {', '.join(judged.undriven)}")
+        if judged.usage.undriven:
+            say(f"{given.agent.name} finds no way to drive to {', '.join(judged.usage.undriven)}")
         say(*(f"- {sentence}" for sentence in found.violations))
 
     _tell(found, report, told, show)

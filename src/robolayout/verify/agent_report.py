@@ -57,17 +57,12 @@ class AgentReport:
     @cached_property
     def drives(self) -> Mapping[str, Drive]:
         """For a rectangular body the way, with its heading, to where it uses each thing; empty for a disc."""
-        from robolayout.verify.driving import Lattice
-
-        room, space = self.navigation.scene.room, self.headings
-        if space is None or space.start is None:
+        if self.headings is None:
             return {}
-        if self.agent.turning_radius is None:
-            return find_drives(room, space, self._stands)
-        came_in = entry(room, space.pieces[space.start])
-        lattice = Lattice(room, self.navigation.blocking, self.agent, came_in, space.headings[0])
-        found = lattice.drives(self.usage.places)
-        return {name: found[name] for name in self._stands if name in found}
+        found = self.usage.drives
+        if found is None:
+            return find_drives(self.navigation.scene.room, self.headings, self._stands)
+        return {name: found[name] for name in self._stands}
 
     @property
     def ways(self) -> Mapping[str, Sequence[tuple[float, ...]]]:
@@ -86,11 +81,6 @@ class AgentReport:
         place = self.navigation.entry if space is None else space.start and entry(room, space.pieces[space.start])
         wall = room.walls[room.doors[0].wall if room.doors else 0]
         return Pose(*place, 0.0, math.atan2(wall.normal[1], wall.normal[0])) if place else None
-
-    @cached_property
-    def undriven(self) -> tuple[str, ...]:
-        """What a body that cannot slide sideways would use where it finds no way to drive."""
-        return tuple(name for name in self._stands if self.headings is not None and name not in self.drives)
 
     @cached_property
     def _stands(self) -> Mapping[str, Point]:
@@ -157,7 +147,7 @@ class AgentReport:
                 }
                 for name, drive in self.drives.items()
             },
-            "undriven": list(self.undriven),
+            "undriven": list(self.usage.undriven),
             "turning_places": None if self.headings is None else _places(self.headings),
             "exempt": dict(self.exempt),
             "impossible": list(self.impossible),

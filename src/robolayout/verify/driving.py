@@ -52,9 +52,11 @@ class Move:
 class Lattice:
     """Where a body can drive from the door.
 
+    Its places do not depend on what stands in the room.
+
     Args:
         agent: The body; with length, width and turning radius.
-        start: Where its centre comes in, metres.
+        start: Where its centre comes in if nothing is in the way, metres; it may come in beside that as far as the door is wide.
         heading: The heading in which it comes in, radians.
     """
 
@@ -143,9 +145,10 @@ class Lattice:
 
     def _start(self, stands: NDArray[np.bool_]) -> int | None:
         """Return the place nearest to where the body comes in at which it can stand, heading into the room."""
-        here = np.flatnonzero(stands)
+        here, doors = np.flatnonzero(stands), self._room.doors
         away = np.hypot(*(self.places[here] - self._origin).T)
-        return int(here[np.argmin(away)]) if len(here) and away.min() <= ENTRY else None
+        aside = max(0.0, doors[0].width - (self._agent.width or 0.0)) / 2 if doors else 0.0
+        return int(here[np.argmin(away)]) if len(here) and away.min() <= ENTRY + aside else None
 
     def drives(self, places: Callable[[float], tuple[Sequence[str], NDArray[np.object_]]]) -> dict[str, Drive]:
         """Return the cheapest drive to each thing that the body gets to.
@@ -157,12 +160,12 @@ class Lattice:
         cost, _ = self._found
         by_heading, count = cost.reshape(TURNS, -1), len(self.places)
         best: dict[str, tuple[float, int]] = {}
+        spots: Any = shapely.points(self.places)
         for k in range(TURNS // 2):
             both = by_heading[[k, k + TURNS // 2]]
             there = np.flatnonzero(np.isfinite(both).any(axis=0))
-            spots: Any = shapely.points(self.places[there])
             names, zones = places(self.heading(k))
-            asked, hit = shapely.STRtree(spots).query(zones, predicate="intersects")
+            asked, hit = shapely.STRtree(spots[there]).query(zones, predicate="intersects")
             ahead = both[:, there[hit]].argmin(axis=0)
             nodes = (k + ahead * (TURNS // 2)) * count + there[hit]
             for number, node in zip(asked.tolist(), nodes.tolist(), strict=True):

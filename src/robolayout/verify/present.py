@@ -138,18 +138,14 @@ def _stability(found: Mapping[str, Any]) -> list[str]:
 
 
 def _driving(report: AgentReport) -> list[str]:
-    """Return what a rectangular body drives to, after how many reversals, and to what it finds no way."""
-    if not report.drives and not report.undriven:
+    """Return what a rectangular body drives to, and after how many reversals."""
+    if not report.drives:
         return []
     back = {name: drive.reversals for name, drive in report.drives.items() if drive.reversals}
     times = ", ".join(f"{plain(name)} {count}" for name, count in back.items())
-    lines = [
+    return [
         f"It drives to {len(report.drives)} things" + (f"; reversals: {times}." if times else ", without a reversal.")
     ]
-    if report.undriven:
-        names = ", ".join(map(plain, report.undriven))
-        lines.append(f"**No way to drive** was found to {names}: near enough, but it cannot slide sideways there.")
-    return lines
 
 
 def _usable(use: Use) -> str:

@@ -5,14 +5,14 @@ centre can stand in the main component, beyond that side's edge, within horizont
 must be opened has room to open. What stands on something is reached over the edge of its carrier, and what a person
 moves in daily use (a chair) is taken hold of from any side. A body with an arm moves chairs away from what it uses: from
 its place at a table it gets to what lies before it. A seated body works at a desk, table, basin or counter frontally only
-where its knees and toes have room below, else from beside it.
+where its knees and toes have room below, else from beside it. A body with a turning radius must find a way to drive there.
 """
 
 from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -30,6 +30,7 @@ from robolayout.verify._knees import frontal, is_sat_at
 from robolayout.verify._sides import side_edge
 from robolayout.verify._stances import Stances
 from robolayout.verify._swept import Swept, by_hand, handle_heights, handle_near
+from robolayout.verify.drives import Drive, entry
 from robolayout.verify.heading import HeadingSpace, rectangle
 from robolayout.verify.holds import find_hold
 from robolayout.verify.limits import AREA_TOLERANCE, REACH_SLACK
@@ -66,10 +67,16 @@ class Usage:
         """Share of all assets that can be used."""
         return share(list(self.usable.values()))
 
-    def places(self, heading: float) -> tuple[tuple[str, ...], NDArray[np.object_]]:
-        """Return from where the centre of a body at a heading in radians uses what: (m,) names and zones, no chair moved."""
-        names = tuple(self._judge.found.names[row] for row in self._judge.ways.rows.tolist())
-        return names, self._judge.places(heading)
+    @property
+    def drives(self) -> Mapping[str, Drive] | None:
+        """How a body with a turning radius drives to what it uses, no chair moved; None for one that slides sideways."""
+        return self._judge.drives
+
+    @cached_property
+    def undriven(self) -> tuple[str, ...]:
+        """What a body with a turning radius could stand at, but finds no way to drive to."""
+        unused = (row for row, usable in enumerate(self.usable.values()) if not usable)
+        return tuple(self._judge.found.names[row] for row in unused if self._judge.stranded(row) is not None)
 
     @property
     def headings(self) -> HeadingSpace | None:
@@ -77,8 +84,9 @@ class Usage:
         return self._judge.stances.space
 
     def shutting(self, name: str) -> tuple[str, ...]:
-        """Return the assets that stand where a placed one needs room to open."""
-        found = self._judge.in_front.get(self._judge.found.names.index(name), ())
+        """Return the assets that stand where a placed one needs room to open, or the body room to turn."""
+        row = self._judge.found.names.index(name)
+        found = (*self._judge.in_front.get(row, ()), *self._judge.cramping(row))
         return tuple(blocker for blocker in found if blocker in self.usable)
 
     def too_high(self, name: str) -> bool:
@@ -112,7 +120,7 @@ class _Judge:
     """Looks at all assets of a layout for one body."""
 
     def __init__(self, nav: Navigation) -> None:
-        self.agent, self.found, self.stances = nav.agent, nav.boxes, Stances(nav)
+        self.agent, self.found, self.stances, self._nav = nav.agent, nav.boxes, Stances(nav), nav
         self.ways = approaches(self.found, self.agent)
         self._room = room_polygon(nav.scene.room)
         self._touched: dict[int, NDArray[np.object_]] = {}
@@ -141,6 +149,7 @@ class _Judge:
                 stand(number, region, zones)
         for number, region in self.stances.everywhere if self._touches and len(waiting()) else ():
             stand(number, region, self._touching(number))
+        usable &= self._driven
         for row in sorted(set(rows[waiting()].tolist())):
             of_row = np.flatnonzero(able & (rows == row))
             for number, region in self.stances.opened(row)[1]:
@@ -191,15 +200,58 @@ class _Judge:
             self._touched[number] = self.ways.touching(self.stances.body(number))
         return self._touched[number]
 
-    def places(self, heading: float) -> NDArray[np.object_]:
-        """Return (m,) from where the body uses each approach at a heading in radians; nothing where it cannot."""
+    @cached_property
+    def drives(self) -> Mapping[str, Drive] | None:
+        """How a body with a turning radius drives to what it uses, no chair moved; None for one that slides sideways."""
+        from robolayout.verify.driving import Lattice
+
+        room, agent = self._nav.scene.room, self.agent
+        if agent.turning_radius is None or not self.stances.rectangular:
+            return None
+        came_in = self._came_in()
+        if came_in is None:
+            return {}
+        return Lattice(room, self._nav.blocking, agent, came_in, self.stances.heading(0)).drives(self._places)
+
+    def _came_in(self) -> Point | None:
+        """Return where the centre of a rectangular body comes in if nothing is in the way; None if it cannot."""
+        room = self._nav.scene.room
+        if room.doors:
+            return room.walls[room.doors[0].wall].point(room.doors[0].center, (self.agent.length or 0.0) / 2)
+        space = self.stances.space
+        return entry(room, space.pieces[space.start]) if space and space.start else None
+
+    @cached_property
+    def _driven(self) -> NDArray[np.bool_]:
+        """(n,) what the body gets to with its heading."""
+        if self.drives is None:
+            return np.ones(len(self.found.names), dtype=bool)
+        return needs_no_use(self.found) | np.isin(self.found.names, list(self.drives))
+
+    def stranded(self, row: int) -> BaseGeometry | None:
+        """Return from where a body would use an asset if it found a way to drive there; None where it does, or has no place."""
+        stands = () if self._driven[row] else self._stands(row)
+        return next((places for _, places, chairs in stands if not chairs and not places.is_empty), None)
+
+    def cramping(self, row: int) -> tuple[str, ...]:
+        """Return what stands within the turning circle of a body that finds no way to where it would use an asset."""
+        places, blocking = self.stranded(row), self._nav.blocking
+        if places is None:
+            return ()
+        circle = max(self.agent.circumradius, (self.agent.turning_diameter or 0.0) / 2)
+        spot = shapely.get_point(shapely.shortest_line(places, self.found.footprints[row].centroid), 0)
+        near = blocking.rows[shapely.distance(blocking.shapes, spot) < circle]
+        return tuple(self.found.names[other] for other in np.unique(near) if other != row)
+
+    def _places(self, heading: float) -> tuple[Sequence[str], NDArray[np.object_]]:
+        """Return from where the body uses what at a heading in radians: (m,) names and zones, nothing where it cannot."""
         able = np.array([not self.opening_blockers(row, side) for row, side in self._each], dtype=bool)
         zones = self.ways.zones
         if self._touches:
             zones = shapely.union(zones, self.ways.touching(rectangle(self.agent, heading)))
         found = zones.copy()
         found[~(able & self._faces(heading))] = Polygon()
-        return found
+        return [self.found.names[row] for row in self.ways.rows.tolist()], found
 
     def opening_blockers(self, row: int, side: str) -> tuple[str, ...]:
         """Return what stands in the depth that an asset needs in front to be opened: names, or "the wall"."""
@@ -233,7 +285,8 @@ class _Judge:
         name = self.found.names[row]
         if needs_no_use(self.found)[row]:
             return Use(name, True, "", None, "")
-        way = next((way for way in self._stands(row) if not way[1].is_empty), None)
+        ways = (way for way in self._stands(row) if not way[1].is_empty and (way[2] or self._driven[row]))
+        way = next(ways, None)
         if way is None:
             return Use(name, False, "", None, self._reason(row))
         number, places, chairs = way
@@ -276,6 +329,9 @@ class _Judge:
         if blockers := self.in_front.get(row):
             return f"its front has no room to open: {' and '.join(blockers)} in the way"
         sides = " or ".join(self.ways.sides[i] for i in numbers if self.ways.sides[i]) or "edge"
+        if self.stranded(row) is not None:
+            near = " and ".join(self.cramping(row))
+            return f"it could stand at its {sides}, but finds no way to drive there{near and f': {near} leave no room to turn'}"
         away = min((self._nearest(row, i) for i in numbers), default=math.inf)
         if away > FAR:
             return f"there is no place to stand at its {sides}"
