@@ -128,7 +128,7 @@ class Chunker:
             measured = any(inner in self.measured for inner in range(at + 1, at + size))  # "in 3 rows and 4 columns"
             if kind == "rel" and not measured and self._is_relation(phrase, at + size) and not self._overlaid(at, size):
                 rows = next((number for word in phrase.split() if (number := _count(word))), 0)
-                return Chunk("rel", at, at + size, value, det="its" if " its " in phrase else "", rows=rows)
+                return Chunk("rel", at, at + size, value, det="its" if " its " in phrase and value != "wall" else "", rows=rows)
         word = self.words[at]
         if word in REFUSING and not self._bound(at)[0]:
             return Chunk("not", at, at + 1, word)

@@ -6,7 +6,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from robolayout.words._chunks import Chunk
-from robolayout.words._said import Mention, Parsed, Place, Thing, place_of, same, same_words
+from robolayout.words._said import Mention, Parsed, Place, Thing, place_of, same, same_words, topped
+
+AXES = {"left": "across", "right": "across", "front": "along", "behind": "along", "foot": "along"}
+"""Lines through a thing by the relations that say on which side of it another one stands."""
+
+CLOSE = frozenset(("next", "near", "by", "in", "on", "ontop", ""))
+"""Relations by which things follow each other, so that "it" is the last one."""
 
 
 class References:
@@ -25,6 +31,10 @@ class References:
         self.before: list[Mention] = []
         self.pending: list[Mention] = []
         self.dealt: dict[Thing, int] = {}
+        self.about: list[Mention] = []  # what the relation that is being read is about
+        self.kept: list[Mention] = []  # what the last "it" stood for, or the head of the sentence led to
+        self.axis = ""  # along which line of it, where no "it" was said
+        self.other: list[Mention] = []  # what was said since, by a noun
         self._new_sentence()
 
     def _new_sentence(self) -> None:
@@ -66,7 +76,7 @@ class References:
             return Place("room")
         if following.kind == "pron" and following.value not in ("that", "which", "both"):
             self.at += 1
-            meant = self._meant(following.value)
+            meant = self._meant(following.value, chunk.value)
             if len(meant) > 1:
                 self.pending = meant[1:]
             if following.value.startswith("each") and meant:
@@ -105,26 +115,55 @@ class References:
         self._understood(*following)
         return replace(wall, by=(how, place_of(following[1])))
 
-    def _meant(self, word: str) -> list[Mention]:
-        """Return what a pronoun stands for: what stands before "with", what was named last before, the subject before."""
+    def _meant(self, word: str, relation: str = "") -> list[Mention]:
+        """Return what a pronoun stands for.
+
+        That is what stands before "with"; what the last "it" stood for ("a lamp behind it, a table to the left of it"); what was
+        named last before; what the last relation led to, where that is one and the other is several; the subject before.
+        """
         if word in ("each other", "one another"):
             return []
-        own = {m.thing for m in self.group[-1:]}
-        one_of_several = word == "it" and bool(self.holder) and self.holder[0].thing.count > 1
-        if self.holder and self.holder[0].thing not in own and not one_of_several:
-            return self.holder
-        earlier = [m for m in self.recent if m.thing not in own]
+        own = {m.thing for m in self.about}
+        holder = self.holder[0] if self.holder else None
+        if holder is not None and holder.thing not in own:
+            if word != "it" or holder.thing.count == 1 or holder.det == "each":
+                return self.holder
+        earlier, to = ([m for m in given if m.thing not in own] for given in (self.recent, self.targets))
         if word in ("them", "they", "both", "the two", "these", "those"):
-            several = [m for m in earlier if m.thing.count > 1]
-            if several and earlier[-1:] == several[-1:]:
-                return several[-1:]
-            if len(earlier) == 1:  # "a sofa facing the TV and a table between them"
-                earlier += [m for m in self.targets[-1:] if m.thing not in own | {earlier[0].thing}]
-            return earlier[-2:] or self.before
-        if word == "it" and earlier:
-            single = [m for m in earlier if m.thing.count == 1] or [m for m in self.targets if m.thing.count == 1]
-            earlier = single or earlier
-        return earlier[-1:] or self.before[:1] or self.group[:1]
+            return self._several_meant(earlier, to)
+        kept = self.kept if self._keeps(relation) and {m.thing for m in self.other} <= own else []
+        if kept and kept[0].thing not in own:
+            return kept
+        single, led = ([m for m in given if m.thing.count == 1] for given in (earlier, to))
+        if word == "it" and earlier and earlier[-1].thing.count > 1:
+            earlier = led or single or earlier
+        return earlier[-1:] or self.before[:1] or to[-1:] or self.group[:1]
+
+    def _several_meant(self, earlier: list[Mention], to: list[Mention]) -> list[Mention]:
+        """Return what "them" stands for: several things named at once, or the last two."""
+        several = [m for m in earlier if m.thing.count > 1]
+        if several and earlier[-1:] == several[-1:]:
+            return several[-1:]
+        if len(earlier) == 1:  # "a sofa facing the TV and a table between them"
+            earlier += [m for m in to[-1:] if m.thing is not earlier[0].thing]
+        before = self.before
+        if len(before) == 1 and before[0].thing.count == 1:
+            two = ([*k.subjects, *k.objects] for k in reversed(self.said.links) if k.subjects and k.objects)
+            standing = ([m for m in both if isinstance(m, Mention) and not topped(m)] for both in two)
+            before = next((both for both in standing if len(both) > 1), before)
+        return earlier[-2:] or before
+
+    def _keeps(self, relation: str) -> bool:
+        """Return whether "it" still means here what it meant before."""
+        return bool(self.axis and self.axis == AXES.get(relation)) or (not self.axis and relation not in CLOSE)
+
+    def _keep(self, relation: str, objects: Sequence[Mention | Place], *, pronoun: bool, fronted: bool) -> None:
+        """Note what a relation led to, so that a later "it" can mean the same."""
+        things = [item for item in objects if isinstance(item, Mention) and item.thing.count == 1]
+        if things and (pronoun or (fronted and relation in AXES)):
+            self.kept, self.axis, self.other = things[:1], "" if pronoun else AXES[relation], []
+        elif not pronoun:
+            self.kept, self.other = [] if fronted else self.kept, list(self.about)
 
     def _mention(self, chunk: Chunk, *, target: bool = False) -> Mention:
         """Return the thing that a noun phrase names: one named before, or a new one."""

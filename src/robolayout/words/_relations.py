@@ -31,10 +31,13 @@ ZONES = ("room", "corner", "function", "part")
 OF_THE_ROOM = ("measure", "style", "body", "corner")
 """Kinds of chunks that "in" leads to where they say how the room is: "in a 5 m by 6 m dining room"."""
 
+FINITE = frozenset("is are be was were been being stands stand sits sit lies lie hangs hang rests rest goes go should must will".split())
+"""Verbs that say something of the subject of a clause, not of the noun before them."""
+
 KEPT_OFF = 0.6
 """Metres between a thing and what it must not be near."""
 
-_ORDERS = "row rows columns huddle pairs backs stacked diagonal parallel mutual abreast apart"
+_ORDERS = "row rows columns huddle pairs backs stacked diagonal parallel crossed mutual abreast apart"
 ALONE = frozenset(f"{_ORDERS} next lit middle flank left right front near under".split())
 """Relations that may stand without an object."""
 
@@ -148,8 +151,10 @@ class Relating(References):
             self._understood(chunk)
             self._on_with(chunk)
             return
-        first = self.at
-        objects = list[Mention | Place](self._meant("it")) if chunk.det == "its" else self._objects(chunk)
+        first, its = self.at, chunk.det == "its"
+        self.about = [] if self._turned_round(first, self.at + (not its)) else subjects
+        objects = list[Mention | Place](self._meant("it", chunk.value)) if its else self._objects(chunk)
+        self._keep(chunk.value, objects, pronoun=its or self.chunks[self.at - 1].kind == "pron", fronted=not subjects)
         if chunk.value == "ontop":
             chunk, objects = replace(chunk, value="on"), objects or list(self.holder or self.subject)
         place = objects[0] if objects and isinstance(objects[0], Place) else None
@@ -194,7 +199,7 @@ class Relating(References):
             self._refused(chunk, subjects, objects)
             return
         if chunk.value == "amid" and not objects:
-            objects = self._meant("them")
+            objects = self._meant("them", chunk.value)
         colon = self.at < len(self.chunks) and self.chunks[self.at].kind == "colon"
         if not objects and chunk.value not in ALONE:
             follows = self.chunks[self.at].kind if self.at < len(self.chunks) else "stop"
@@ -208,7 +213,7 @@ class Relating(References):
             self._link(chunk, named, objects)  # "on the desk in the corner stands a lamp"
         elif not subjects and self._of_a_zone(first - 1):
             self.said.missed.append(chunk)
-        elif (not subjects and not colon) or self._turned_round(first, objects):
+        elif (not subjects and not colon) or (objects and self._turned_round(first, self.at)):
             self.fronted = (chunk, list(objects))
             self.group = []
         elif subjects:
@@ -287,18 +292,16 @@ class Relating(References):
             place.name in ("room", "floor") and chunk.value in ("in", "on", "by", "around")
         )
 
-    def _turned_round(self, first: int, objects: Sequence[Mention | Place]) -> bool:
-        """Return whether what follows the object is what the relation is about: "and on it stands a lamp"."""
-        if not objects or self.at >= len(self.chunks):
-            return False
-        index, verb = self.at, False
+    def _turned_round(self, first: int, index: int) -> bool:
+        """Return whether what follows the object of a relation is what it is about: "and on it stands a lamp"."""
+        end, verb = index, False
         while index < len(self.chunks) and self.chunks[index].kind in ("verb", "filler", "style", "pron"):
             verb = verb or self.chunks[index].kind == "verb"
             index += 1
         if index >= len(self.chunks) or self.chunks[index].kind != "thing":
             return False
         starts = self.chunks[first - 2].kind in ("and", "comma", "stop", "colon") if first >= 2 else True
-        return starts and (verb or index == self.at) and self.chunks[index].det != "the"
+        return starts and (verb or index == end) and self.chunks[index].det != "the"
 
     def _reversed(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
         """Link what is said from the other side: "flanked by two lamps"."""
@@ -348,6 +351,8 @@ class Relating(References):
         if self.fronted is not None and previous.kind in ("and", "comma"):
             self.fronted = None
             return []
+        if self._of_the_noun():
+            return self._nearest(relation)
         if previous.kind == "verb" or self.verb:
             return self.group[-1:] if self.relative else list(self.subject or self.group)
         if previous.kind == "thing":
@@ -357,6 +362,13 @@ class Relating(References):
         if self.relative:
             return self.group[-1:]
         return list(self.acted or self.group[-1:] or self.subject)
+
+    def _of_the_noun(self) -> bool:
+        """Return whether a participle leads from the noun before it to a relation: "..., a lamp hanging over it"."""
+        index = self.at - 2
+        while index > 0 and self.chunks[index].kind in ("verb", "filler") and self.chunks[index].value not in FINITE:
+            index -= 1
+        return index < self.at - 2 and self.chunks[index].kind == "thing" and self.group != self.subject
 
     def _objects(self, chunk: Chunk) -> list[Mention | Place]:
         """Return what a relation leads to; "between" takes two, and a wall may be told by what it is opposite to."""
@@ -421,6 +433,9 @@ class Relating(References):
             own, to = {m.thing for m in subjects}, {m.thing for m in objects if isinstance(m, Mention)}
             elsewhere = chunk.value in ("on", "flank")
             self.said.links[:] = [k for k in self.said.links if not _had(k, own, None if elsewhere else to)]
+        if any(a.thing is b.thing and a.pick == b.pick for a in subjects for b in objects if isinstance(b, Mention)):
+            self.said.missed.append(chunk)  # nothing stands at itself
+            return
         low, high = chunk.measure.values if chunk.measure else (0.0, 0.0)
         about = (tuple(subjects), tuple(objects))
         self.said.links.append(Link(chunk.value, *about, chunk.start, chunk.end, (low, high), chunk.rows))

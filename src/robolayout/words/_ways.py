@@ -69,6 +69,7 @@ AT_SIDES = frozenset(("flank", "left", "right", "next"))
 IN_A_CHAIN: Mapping[str, Ways] = {
     "abreast": ((("near", AT_TABLE),),),
     "parallel": _PARALLEL,
+    "crossed": _BY_RIGHT_ANGLE,
     "stacked": ((("on_top_of",),),),
 }
 """What each of several is asked to be to the one before it."""
