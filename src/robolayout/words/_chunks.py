@@ -6,10 +6,12 @@ that names something says what it is: "two leather office chairs" are two office
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
-from robolayout.words._function_words import BOUNDS, BREAKING, DETERMINERS, JOINING, PEOPLE, REFUSING, SETS, WITH
+from robolayout.words._function_words import BOUNDS, BREAKING, DETERMINERS, JOINING, ORDINALS, PEOPLE, REFUSING, SETS, WITH
 from robolayout.words._lexicon import LONGEST, Lexicon, Noun, grammar
 from robolayout.words._tokens import NUMBERS, VAGUE, Measure, Token
 
@@ -35,6 +37,15 @@ SCALES = ("inch", "inches", "in", "cm", "mm", "m", "metre", "metres", "meter", "
 HEAPS, HEAPED = ("stack", "pile"), ("stacked", "piled")
 """Words for things one on top of the other: before "of", and of the things."""
 
+
+REST = ("other", "others", "remaining", "rest")
+"""Words for those that were not yet said."""
+
+WITHOUT_NOUN = re.compile(
+    r"(?:(?:the )?\b(another|(?<=the )(?:others?|remaining|rest|first|second|third|last))(?: (two|three|four|five|six|[2-9]))?( ones?)?"
+    r"|(?:the|an?) (?:(?!other)(\w+) )?ones?) "
+)
+"""Phrases that leave out their noun: what picks, how many, whether "one" stands for the noun, an adjective."""
 
 @dataclass(frozen=True)
 class Chunk:
@@ -86,13 +97,33 @@ class Chunker:
             chunk = self._next(at)
             if chunk.kind == "room" and chunk.det == "a" and any(c.kind == "room" for c in found):
                 chunk = self._in_room(chunk)
-            another = chunk.kind == "filler" and chunk.value == "another"  # "one left of it, another right of it"
-            last = next((c for c in reversed(found) if c.kind == "thing"), None) if another else None
-            if last is not None:
-                chunk = replace(last, start=at, end=chunk.end, det="new", number=None, plural=False, rows=0)
-            found.append(chunk)
-            at = chunk.end
+            found.append(self._without_noun(at, found) or chunk)
+            at = found[-1].end
         return found
+
+    def _without_noun(self, at: int, found: Sequence[Chunk]) -> Chunk | None:
+        """Return a phrase whose noun was said before: "another", "the other one", "the round ones", "the remaining two"."""
+        match = WITHOUT_NOUN.match(" ".join(self.words[at : at + 4]) + " ")
+        if match is None:
+            return None
+        picks, number, one, told = match.groups()
+        end = at + len(match.group().split())
+        if (picks and not one and self._run(end)) or (told and told not in self.grammar.adjectives):
+            return None
+        new = self.words[at] in ("a", "an", "another")
+        nouns = [c for c in found if c.kind in ("thing", "part") and (new or _of_several(c))]
+        led = [c for before, c in pairwise(found) if before.kind == "rel" and c in nouns]
+        alike = [c for c in nouns if c.noun is not None and told in (*c.adjectives, *c.noun.said.split())]
+        leads = bool(found) and found[-1].kind == "rel"
+        last = (alike or [c for c in nouns if (c in led) == leads] or nouns or [None])[-1]
+        many = " ones " in match.group() or picks in ("others", "rest") or bool(number and _count(number) != 1)
+        det = "other" if picks in REST else DETERMINERS.get(picks or "", "new" if new else "the")
+        side = self.words[end + 2] if self.words[end : end + 2] == ["on", "the"] and end + 2 < len(self.words) else ""
+        told, end = (side, end + 3) if one is None and not picks and side in ("left", "right") else (told, end)
+        if last is None:
+            return None
+        chunk = replace(last, start=at, end=end, det=det, number=_count(number or ""), bound="", plural=many, rows=0)
+        return replace(chunk, adjectives=(told,) if told else last.adjectives if last.kind == "part" else ())
 
     def _in_room(self, chunk: Chunk) -> Chunk:
         """Return a further room as a thing of the first, where its name is one: "a studio with a kitchenette"."""
@@ -184,7 +215,7 @@ class Chunker:
         det, number, rows = "", None, 0
         while i < len(self.words) and (step := self._before_noun(i, det, number)):
             det, number, bound, rows = (
-                det if det == "each" else step[0] or det,
+                det if det in ("each", "one") else step[0] or det,
                 step[1] if step[1] is not None else number,
                 step[2] or bound,
                 step[3] or rows,
@@ -211,9 +242,9 @@ class Chunker:
             return ("", None, "", _count(word) or 1, 3)
         if word in ("couple", "both", "all", "each") and rest[:1] == ["of"]:
             return ("each" if word == "each" else "all", None, "", 0, 2)
-        if word == "one" and rest[:1] == ["of"]:
-            return ("one", 1, "", 0, 2)
-        if word in DETERMINERS and (det == "the" or word not in ("second", "first", "third")):
+        if _count(word) and rest[:1] == ["of"] and {*rest[1:2]} & {"the", "these", "those", "his", "her"}:
+            return ("one", _count(word), "", 0, 2)
+        if word in DETERMINERS and (det == "the" or word not in ORDINALS):
             return (DETERMINERS[word], None, "", 0, 1)
         if word in ("only", "just", "exactly", "about", "additional", "more"):
             return ("", None, "", 0, 1) if self._run(i + 1) or _count(rest[0] if rest else "") else None
@@ -392,6 +423,12 @@ class Chunker:
 
 def _count(word: str) -> int | None:
     return int(word) if word.isdecimal() else NUMBERS.get(word)
+
+
+def _of_several(chunk: Chunk) -> bool:
+    """Return whether a phrase names several things, or one of them."""
+    told = chunk.number or chunk.det in ("one", "both", "each") or {"left", "right", *grammar().walls} & {*chunk.adjectives}
+    return chunk.plural or bool(told)
 
 
 def _plural(word: str, noun: Noun | None) -> bool:

@@ -10,13 +10,18 @@ DETERMINERS = {
         "each": "each every",
         "all": "all",
         "both": "both",
-        "new": "another second third",
+        "new": "another",
         "other": "other",
         "first": "first",
+        "second": "second",
+        "third": "third",
+        "last": "last",
     }.items()
     for word in words.split()
 }
 """Articles by word."""
+ORDINALS = ("first", "second", "third", "last")
+"""Words that pick one of several by its number."""
 JOINING = frozenset(["and", "plus", "as", "or", "also", "then", "but", "while", "where", "&"])
 """Words that join phrases."""
 WITH = frozenset(

@@ -9,7 +9,7 @@ from robolayout.words._chunks import MARKS, Chunk
 from robolayout.words._function_words import LED
 from robolayout.words._said import Parsed, count_of, same
 
-PICKING = frozenset(["left", "right", "own", "same", "first", "last", "middle", "other", "front", "back"])
+PICKING = frozenset(["left", "right", "own", "same", "middle", "other", "front", "back"])
 """Words before a noun that tell one thing from others of its kind."""
 
 SILENT = ("comma", "stop", "colon", "and", "with", "verb", "pron", "filler", "each")
@@ -39,7 +39,8 @@ def leftover(chunks: Sequence[Chunk], said: Parsed) -> list[Chunk]:
 def _named(chunk: Chunk, said: Parsed) -> bool:
     """Return whether a noun phrase only names again what another row is about: no more of it, and not otherwise."""
     again = [thing for thing in said.things if (chunk.start, chunk.end) in thing.spans[1:]]
-    known = {word for thing in said.things if same(thing, chunk) for word in (*thing.adjectives, *thing.told)}
+    alike = [thing for thing in said.things if same(thing, chunk)]
+    known = {word for thing in alike for word in (*thing.adjectives, *thing.told, *thing.noun.said.split())}
     return any((chunk.number or 1) <= thing.count for thing in again) and {*chunk.adjectives} <= known | PICKING
 
 

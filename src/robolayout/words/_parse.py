@@ -92,9 +92,11 @@ class Parser(Relating):
         following = self.chunks[self.at] if self.at < len(self.chunks) else chunk
         if chunk.value == "for" and following.kind == "filler" and count_of(following.value) > 1:
             self._for_people(Chunk("people", chunk.start, following.end, number=count_of(following.value)))
-        share = count_of(chunk.value)
-        if share and following.kind == "rel":
-            self._deal(share, self.chunks[self.at + 1 : self.at + 2])
+        share, index = count_of(chunk.value), self.at
+        while index < len(self.chunks) and (self.chunks[index].kind in ("verb", "pron") or self.chunks[index].value == "of"):
+            index += 1  # "one of them is against the wall"
+        if share and index < len(self.chunks) and self.chunks[index].kind == "rel" and self._deal(share, index):
+            self.at = index
 
     def _for_people(self, chunk: Chunk) -> None:
         """Note for how many the thing before is, or the room: "a table for six"."""
@@ -106,19 +108,20 @@ class Parser(Relating):
             self.said.people = chunk.number or 0
         self.said.facts.append(replace(chunk, kind="seats" if seated else "users"))
 
-    def _deal(self, share: int, objects: Sequence[Chunk]) -> None:
-        """Let so many of the things named last be what the next relation is about: "two at one wall and two at the other"."""
+    def _deal(self, share: int, index: int) -> bool:
+        """Let so many of the things named last be what the relation there is about: "two at one wall and two at the other"."""
         last = (self.group or self.subject or self.before)[-1:]
         first = self.dealt.get(last[0].thing, 0) if last else 0
         if not last or first + share > last[0].thing.count:
-            return
+            return False
         self._understood(self.chunks[self.at - 1])
         if share == last[0].thing.count:
-            return
-        each = bool(objects) and objects[0].det == "each"
+            return False
+        each = any(chunk.det == "each" for chunk in self.chunks[index + 1 : index + 2])
         self.dealt[last[0].thing] = first + (0 if each else share)
         self.group = self.acted = [Mention(last[0].thing, None if each else slice(first, first + share))]
         self.verb = False
+        return True
 
     def _on_each(self, chunk: Chunk) -> None:
         """After a thing it multiplies ("four chairs each"); before "with" it says that each one has them."""

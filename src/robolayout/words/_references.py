@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from robolayout.words._chunks import Chunk
+from robolayout.words._function_words import ORDINALS
 from robolayout.words._said import Mention, Parsed, Place, Thing, place_of, same, same_words, topped
 
 AXES = {"left": "across", "right": "across", "front": "along", "behind": "along", "foot": "along"}
@@ -168,20 +169,10 @@ class References:
     def _mention(self, chunk: Chunk, *, target: bool = False) -> Mention:
         """Return the thing that a noun phrase names: one named before, or a new one."""
         assert chunk.noun is not None
-        pick = (
-            slice(0, 1)
-            if "left" in chunk.adjectives or chunk.det in ("first", "one")
-            else slice(1, 2)
-            if "right" in chunk.adjectives
-            else None
-        )
-        pick = slice(1, 2) if chunk.det == "other" and not chunk.plural else pick
-        pick = slice(0, 1) if target and chunk.number == 1 and not chunk.plural else pick
         known = self._known(chunk, target=target)
         if known is not None:
             known.spans.append((chunk.start, chunk.end))
-            one = pick is not None and known.count > 1
-            return Mention(known, pick if one else None, chunk.det)
+            return Mention(known, self._pick(chunk, known.count, self.dealt.get(known), target=target), chunk.det)
         number = 1 if chunk.number is None and chunk.det in ("a", "new", "one") and not chunk.plural else chunk.number
         if chunk.det == "both" and number is None:
             number = 2
@@ -203,15 +194,30 @@ class References:
         self.said.things.append(made)
         return Mention(made, None, chunk.det)
 
+    def _pick(self, chunk: Chunk, count: int, dealt: int | None, *, target: bool) -> slice | None:
+        """Return which of several things a noun phrase means, None for all of them."""
+        first, many = dealt or 0, chunk.number or 1
+        if count == 1:
+            return None
+        if chunk.det == "other":
+            first = 1 if dealt is None else dealt
+            return slice(first, count if chunk.plural else first + 1)
+        if chunk.det == "one":
+            return slice(first, first + many) if first + many <= count else slice(0, many)
+        sides = ("left" in chunk.adjectives or chunk.det == "first", "right" in chunk.adjectives or chunk.det == "second")
+        one = chunk.number == 1 and not chunk.plural and target
+        numbers = (sides[0] or one, sides[1], chunk.det == "third", chunk.det == "last")
+        return next((slice(n, n + 1) for n, told in zip((0, 1, 2, count - 1), numbers, strict=True) if told), None)
+
     def _known(self, chunk: Chunk, *, target: bool) -> Thing | None:
         """Return the thing named before that a noun phrase means; the one named last where several fit."""
         one = target and chunk.number == 1 and chunk.det == ""
         new = chunk.det == "new" or (
-            chunk.number is not None and not one and chunk.det not in ("the", "all", "both", "one", "each")
+            chunk.number is not None and not one and chunk.det not in ("the", "all", "both", "one", "each", "other")
         )
         fits = [t for t in [*self.given, *self.said.things] if same(t, chunk)]
         fits = [t for t in fits if same_words(t, chunk)] or fits
-        if not fits or chunk.noun is None:
+        if not fits or (chunk.det in ORDINALS and fits[-1].count <= ORDINALS.index(chunk.det) % 3):
             return None
         told = chunk.number is not None and not one and fits[-1].definite and fits[-1].number is None
         if told and fits[-1].plural and same_words(fits[-1], chunk):
