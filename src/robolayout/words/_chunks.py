@@ -152,13 +152,17 @@ class Chunker:
     def _fixed(self, at: int) -> Chunk | None:
         """Return a relation or another phrase of the closed lists that begins here."""
         for size in range(min(LONGEST, len(self.words) - at), 0, -1):
-            phrase = " ".join(self.words[at : at + size])
+            words = self.words[at : at + size]
+            phrase = " ".join(words)
             if phrase in self.lexicon.corners:
                 return Chunk("corner", at, at + size, self.lexicon.corners[phrase])
-            kind, value = self.grammar.phrases.get(phrase, ("", ""))
+            counted = " ".join("n" if (_count(word) or 0) > 1 else word for word in words)  # "in three rows"
+            kind, value = self.grammar.phrases.get(phrase) or self.grammar.phrases.get(counted, ("", ""))
             measured = any(inner in self.measured for inner in range(at + 1, at + size))  # "in 3 rows and 4 columns"
             if kind == "rel" and not measured and self._is_relation(phrase, at + size) and not self._overlaid(at, size):
-                rows = next((number for word in phrase.split() if (number := _count(word))), 0)
+                rows = next((number for word in words if (number := _count(word))), 0)
+                each = rows > 1 and self.words[at + size : at + size + 1] == ["of"]  # "in three rows of four"
+                size += 2 * bool(each and _count(*self.words[at + size + 1 : at + size + 2] or [""]))
                 return Chunk("rel", at, at + size, value, det="its" if " its " in phrase and value != "wall" else "", rows=rows)
         word = self.words[at]
         if word in REFUSING and not self._bound(at)[0]:
@@ -282,7 +286,7 @@ class Chunker:
         following, beyond = (*self.words[i + 1 : i + 3], "", "")[:2]
         counted = following in ("door", "drawer", "person", "tier") and beyond not in MARKS and beyond.isalpha()
         counted = counted and beyond not in (*JOINING, *WITH, *DETERMINERS)
-        return self.words[i] == "twin" or following.startswith(("seat", "poster")) or counted
+        return self.words[i] == "twin" or following in ("seat", "seater", "poster") or counted
 
     def _closed(self, i: int, run: Sequence[str], many: bool) -> bool:
         """Return whether a word here begins a relation or is a verb, not a part of what is named."""

@@ -199,8 +199,8 @@ class References:
         first, many = dealt or 0, chunk.number or 1
         if count == 1:
             return None
-        if chunk.det == "other":
-            first = 1 if dealt is None else dealt
+        if chunk.det in ("other", "new"):
+            first = (count - many if chunk.number else 1) if dealt is None else dealt
             return slice(first, count if chunk.plural else first + 1)
         if chunk.det == "one":
             return slice(first, first + many) if first + many <= count else slice(0, many)
@@ -211,14 +211,14 @@ class References:
 
     def _known(self, chunk: Chunk, *, target: bool) -> Thing | None:
         """Return the thing named before that a noun phrase means; the one named last where several fit."""
-        one = target and chunk.number == 1 and chunk.det == ""
-        new = chunk.det == "new" or (
-            chunk.number is not None and not one and chunk.det not in ("the", "all", "both", "one", "each", "other")
-        )
         fits = [t for t in [*self.given, *self.said.things] if same(t, chunk)]
         fits = [t for t in fits if same_words(t, chunk)] or fits
         if not fits or (chunk.det in ORDINALS and fits[-1].count <= ORDINALS.index(chunk.det) % 3):
             return None
+        one = target and chunk.number == 1 and chunk.det == ""
+        new = (chunk.det == "new" and not any(0 < self.dealt.get(thing, 0) < thing.count for thing in fits[-1:])) or (
+            chunk.number is not None and not one and chunk.det not in ("the", "all", "both", "one", "each", "other")
+        )
         told = chunk.number is not None and not one and fits[-1].definite and fits[-1].number is None
         if told and fits[-1].plural and same_words(fits[-1], chunk):
             fits[-1].number = chunk.number  # "facing the mirrors, three mirrors on the wall"
