@@ -60,6 +60,17 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("a watch on the desk", {"jewelry box": 1, "desk": 1}),
         ("twelve student desks in 3 rows and 4 columns", {"student desk": 12}),
         ("a round table for four. A cabinet is behind the chairs.", {"round table": 1, "cabinet": 1, "chair": 4}),
+        ("a theater with 30 seats in 5 rows of 6", {"seat": 30}),
+        ("three chairs. The second chair is red. The third one is blue.", {"chair": 3}),
+        ("four tables, each surrounded by six chairs", {"dining table": 4, "chair": 24}),
+        ("four rows of racks and two pairs of armchairs", {"shelving unit": 4, "armchair": 4}),
+        ("a slide in one corner and a bed in another", {"slide": 1, "bed": 1}),
+        (
+            "four square tables and four round tables; the round ones stand at the window",
+            {"dining table": 4, "round table": 4},
+        ),
+        ("a chest of drawers and a sideboard with three drawers", {"dresser": 1, "sideboard": 1}),
+        ("five tables. Three of them are square and seat four, the remaining two are round.", {"dining table": 5}),
     ],
 )
 def test_counts(text: str, counts: dict[str, int]) -> None:
@@ -135,10 +146,87 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ),
         ("a kitchenette along the wall and a bed by the window", {("by", "bed", "window")}),
         ("A globe sits on top of the shelf.", {("on", "globe", "shelving unit")}),
+        (
+            "Two nightstands are on either side of the bed, each with a lamp on it.",
+            {("flank", "night stand", "bed"), ("on", "table lamp", "night stand")},
+        ),
+        (
+            "a bed with a nightstand to its right, and a small desk to its left",
+            {("right", "night stand", "bed"), ("left", "desk", "bed")},
+        ),
+        (
+            "A desk is next to the bed. On it is a lamp, a bin stands beneath it, a chair stands in front of it.",
+            {("next", "desk", "bed"), ("on", "table lamp", "desk"), ("under", "trash can", "desk"), ("front", "chair", "desk")},
+        ),
+        (
+            "On the left of the desk is a cabinet, and on its right a plant.",
+            {("left", "cabinet", "desk"), ("right", "plant", "desk")},
+        ),
+        (
+            "three monitors on the desk, and a computer tower under it",
+            {("on", "monitor", "desk"), ("under", "computer tower", "desk")},
+        ),
+        (
+            "A wardrobe is near the bed, and next to it is a mirror.",
+            {("near", "wardrobe", "bed"), ("next", "floor mirror", "wardrobe")},
+        ),
+        (
+            "a workbench along the wall, bicycles hung on the north wall",
+            {("wall", "workbench", "wall"), ("on", "bicycle", "wall")},
+        ),
+        (
+            "A table surrounded by five chairs, with a lamp hanging directly over it.",
+            {("around", "chair", "dining table"), ("above", "pendant lamp", "dining table")},
+        ),
+        (
+            "a counter near the door, and a reading corner with two armchairs and a floor lamp between them",
+            {("near", "kitchen counter", "door"), ("amid", "floor lamp", "armchair")},
+        ),
+        ("The north wall has a sofa.", {("on", "sofa", "wall")}),
+        ("a rack of dumbbells against the wall", {("on", "dumbbell", "shelving unit"), ("wall", "shelving unit", "wall")}),
+        ("a rug beneath the sofa and coffee table", {("under", "rug", "sofa"), ("under", "rug", "coffee table")}),
+        ("There must be at least 1 m between the bed and the wardrobe.", {("apart", "bed", "wardrobe")}),
+        ("three desks, each with a chair, in a row", {("with", "chair", "desk"), ("row", "desk", "")}),
+        ("Every table has a candle in its center.", {("middle", "candle", "dining table")}),
     ],
 )  # fmt: skip
 def test_relations(text: str, said: set[tuple[str, ...]]) -> None:
     assert links(text) == said
+
+
+@pytest.mark.parametrize(
+    ("text", "picked"),
+    [
+        (
+            "Two sofas. One of the sofas is against the wall. A lamp stands behind the other.",
+            [("sofa", 0), ("sofa", 1)],
+        ),
+        ("Two beds. One is against the left wall, the other against the right wall.", [("bed", 0), ("bed", 1)]),
+        ("Two whiteboards, one beside the other", [("whiteboard", 0), ("whiteboard", 1)]),
+        ("three chairs. The second is in the corner. The last one faces the window.", [("chair", 1), ("chair", 2)]),
+        ("two plants, one left of the sofa, another right of it", [("plant", 0), ("plant", 1)]),
+        (
+            "Two nightstands. The one on the right holds a book. The left one holds a clock.",
+            [("night stand", 1), ("night stand", 0)],
+        ),
+    ],
+)
+def test_one_of_several_is_picked(text: str, picked: list[tuple[str, int]]) -> None:
+    found = [
+        item
+        for link in read(text).parsed.links
+        for item in (*link.subjects, *link.objects)
+        if isinstance(item, Mention)
+    ]
+    assert [(item.thing.noun.words, item.pick.start) for item in found if item.pick] == picked
+
+
+def test_what_a_thing_is_made_of_is_nothing_of_the_room() -> None:
+    said = read("A bedroom with two windows in the south wall and a wardrobe with two sliding doors.").parsed
+    assert [place.name for place, _ in said.openings] == ["window"]
+    assert [place.words for place, _ in read("On the south wall there are two windows.").parsed.openings] == [
+        ("south",)
+    ]
 
 
 @pytest.mark.parametrize(

@@ -6,27 +6,26 @@ that names something says what it is: "two leather office chairs" are two office
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from itertools import pairwise
+from dataclasses import replace
 
-from robolayout.words._function_words import BOUNDS, BREAKING, DETERMINERS, JOINING, ORDINALS, PEOPLE, REFUSING, SETS, WITH
+from robolayout.words._chunk import MARKS, Chunk, without_noun
+from robolayout.words._function_words import (
+    BOUNDS,
+    BREAKING,
+    DETERMINERS,
+    JOINING,
+    ORDINALS,
+    PEOPLE,
+    REFUSING,
+    SETS,
+    WITH,
+)
 from robolayout.words._lexicon import LONGEST, Lexicon, Noun, grammar
-from robolayout.words._tokens import NUMBERS, VAGUE, Measure, Token
+from robolayout.words._tokens import VAGUE, Measure, Token, count_of
 
-MARKS = {
-    ",": "comma",
-    ".": "stop",
-    ";": "stop",
-    "!": "stop",
-    "?": "stop",
-    ":": "colon",
-    "\n": "stop",
-    "(": "comma",
-    ")": "comma",
-}
-
+SOME = -1
+"""Rows of which no number is said."""
 
 HALVES = ("back", "rear", "front", "left", "right")
 """Sides of the room that are halves of it."""
@@ -36,35 +35,6 @@ SCALES = ("inch", "inches", "in", "cm", "mm", "m", "metre", "metres", "meter", "
 
 HEAPS, HEAPED = ("stack", "pile"), ("stacked", "piled")
 """Words for things one on top of the other: before "of", and of the things."""
-
-
-REST = ("other", "others", "remaining", "rest")
-"""Words for those that were not yet said."""
-
-WITHOUT_NOUN = re.compile(
-    r"(?:(?:the )?\b(another|(?<=the )(?:others?|remaining|rest|first|second|third|last))(?: (two|three|four|five|six|[2-9]))?( ones?)?"
-    r"|(?:the|an?) (?:(?!other)(\w+) )?ones?) "
-)
-"""Phrases that leave out their noun: what picks, how many, whether "one" stands for the noun, an adjective."""
-
-@dataclass(frozen=True)
-class Chunk:
-    """A phrase."""
-
-    # "thing", "part", "room", "body", "people", "corner", "measure", "rel", "verb", "with", "and", "comma", "colon",
-    # "stop", "pron", "not", "style", "function", "filler" or "other"
-    kind: str
-    start: int  # first token
-    end: int  # token after the last one
-    value: str = ""  # A relation's name, a part's name, a room type
-    noun: Noun | None = None  # what a thing is
-    det: str = ""  # its article: "a", "the", "each", "all", "both", "new", "other", "first" or ""
-    number: int | None = None  # its count, if one is said
-    bound: str = ""  # "least", "most", "more", or "" for exactly so many; "vague" for "some"
-    plural: bool = False  # whether the noun stands in the plural
-    adjectives: tuple[str, ...] = ()  # the words before the noun
-    rows: int = 0  # rows that it stands in ("three rows of four"), 0 if none are said
-    measure: Measure | None = None  # A measure of the room
 
 
 Before = tuple[str, int | None, str, int]
@@ -97,33 +67,9 @@ class Chunker:
             chunk = self._next(at)
             if chunk.kind == "room" and chunk.det == "a" and any(c.kind == "room" for c in found):
                 chunk = self._in_room(chunk)
-            found.append(self._without_noun(at, found) or chunk)
+            found.append(without_noun(self.words, at, found, self._run) or chunk)
             at = found[-1].end
         return found
-
-    def _without_noun(self, at: int, found: Sequence[Chunk]) -> Chunk | None:
-        """Return a phrase whose noun was said before: "another", "the other one", "the round ones", "the remaining two"."""
-        match = WITHOUT_NOUN.match(" ".join(self.words[at : at + 4]) + " ")
-        if match is None:
-            return None
-        picks, number, one, told = match.groups()
-        end = at + len(match.group().split())
-        if (picks and not one and self._run(end)) or (told and told not in self.grammar.adjectives):
-            return None
-        new = self.words[at] in ("a", "an", "another")
-        nouns = [c for c in found if c.kind in ("thing", "part") and (new or _of_several(c))]
-        led = [c for before, c in pairwise(found) if before.kind == "rel" and c in nouns]
-        alike = [c for c in nouns if c.noun is not None and told in (*c.adjectives, *c.noun.said.split())]
-        leads = bool(found) and found[-1].kind == "rel"
-        last = (alike or [c for c in nouns if (c in led) == leads] or nouns or [None])[-1]
-        many = " ones " in match.group() or picks in ("others", "rest") or bool(number and _count(number) != 1)
-        det = "other" if picks in REST else DETERMINERS.get(picks or "", "new" if new else "the")
-        side = self.words[end + 2] if self.words[end : end + 2] == ["on", "the"] and end + 2 < len(self.words) else ""
-        told, end = (side, end + 3) if one is None and not picks and side in ("left", "right") else (told, end)
-        if last is None:
-            return None
-        chunk = replace(last, start=at, end=end, det=det, number=_count(number or ""), bound="", plural=many, rows=0)
-        return replace(chunk, adjectives=(told,) if told else last.adjectives if last.kind == "part" else ())
 
     def _in_room(self, chunk: Chunk) -> Chunk:
         """Return a further room as a thing of the first, where its name is one: "a studio with a kitchenette"."""
@@ -134,8 +80,8 @@ class Chunker:
     def _next(self, at: int) -> Chunk:
         if at in self.measured:
             measure, end = self.measured[at], max(self.after[at], at + 1)
-            gap = measure.kind == "apart"
-            return Chunk("rel" if gap else "measure", at, end, "apart" if gap else "", measure=measure)
+            gap = measure.kind in ("apart", "between")
+            return Chunk("rel" if gap else "measure", at, end, measure.kind if gap else "", measure=measure)
         if self.words[at] in MARKS:
             return Chunk(MARKS[self.words[at]], at, at + 1)
         return self._role(at) or self._fixed(at) or self._noun_phrase(at) or self._single(at)
@@ -143,8 +89,8 @@ class Chunker:
     def _role(self, at: int) -> Chunk | None:
         """Return what a thing is to serve as ("as an island"), or how many a table seats: neither is one more thing."""
         before, word, following = (["", *self.words, "", ""][at + i] for i in range(3))
-        if word in ("seats", "seating") and _count(following):
-            return Chunk("people", at, at + 2, "people", number=_count(following))
+        if word in ("seat", "seats", "seating") and count_of(following):
+            return Chunk("people", at, at + 2, "people", number=count_of(following))
         role = word == "as" and following in ("a", "an", "the") and before not in ("well", "such", "same")
         named = self._noun_phrase(at + 1) if role else None
         return Chunk("filler", at, named.end, word) if named else None
@@ -156,14 +102,16 @@ class Chunker:
             phrase = " ".join(words)
             if phrase in self.lexicon.corners:
                 return Chunk("corner", at, at + size, self.lexicon.corners[phrase])
-            counted = " ".join("n" if (_count(word) or 0) > 1 else word for word in words)  # "in three rows"
+            counted = " ".join("n" if (count_of(word) or 0) > 1 else word for word in words)  # "in three rows"
             kind, value = self.grammar.phrases.get(phrase) or self.grammar.phrases.get(counted, ("", ""))
             measured = any(inner in self.measured for inner in range(at + 1, at + size))  # "in 3 rows and 4 columns"
             if kind == "rel" and not measured and self._is_relation(phrase, at + size) and not self._overlaid(at, size):
-                rows = next((number for word in words if (number := _count(word))), 0)
+                rows = next((number for word in words if (number := count_of(word))), 0)
                 each = rows > 1 and self.words[at + size : at + size + 1] == ["of"]  # "in three rows of four"
-                size += 2 * bool(each and _count(*self.words[at + size + 1 : at + size + 2] or [""]))
-                return Chunk("rel", at, at + size, value, det="its" if " its " in phrase and value != "wall" else "", rows=rows)
+                size += 2 * bool(each and count_of(*self.words[at + size + 1 : at + size + 2] or [""]))
+                return Chunk(
+                    "rel", at, at + size, value, det="its" if " its " in phrase and value != "wall" else "", rows=rows
+                )
         word = self.words[at]
         if word in REFUSING and not self._bound(at)[0]:
             return Chunk("not", at, at + 1, word)
@@ -194,7 +142,7 @@ class Chunker:
         if sided and following and following not in MARKS:
             return following in (*JOINING, "there", "is", "stands", "with", "sits", "are", "stand", "hangs")
         if phrase in ("line", "lines"):
-            return following in DETERMINERS or _count(following) is not None
+            return following in DETERMINERS or count_of(following) is not None
         if phrase in ("nearest", "flank", "block", "blocks"):
             return following in DETERMINERS
         if phrase in ("at", "around", "over", "about") and (following.isdigit() or following in ("least", "most")):
@@ -237,22 +185,23 @@ class Chunker:
         seats = word == "that" and rest[:1] == ["seats"]
         if seats or i in self.measured or (word == "first" and self.lexicon.noun(self.words[i : i + 3])):
             return None  # "first aid kit"
-        if rest[:1] and word in SETS and "of" in rest[:1]:
-            return ("", 2 if word in ("pair", "couple") else None, "", 0, 2)
-        if len(rest) > 2 and rest[0] in ("rows", "row") and rest[1] == "of" and _count(rest[2]) and _count(word):
-            rows, each = _count(word) or 1, _count(rest[2]) or 1
+        if rest[:1] == ["of"] and word.removesuffix("s") in SETS:
+            twos = 2 * (number or 1) if word.startswith(("pair", "couple")) else None
+            return ("", twos, "", SOME if word == "rows" and number is None else 0, 2)
+        if len(rest) > 2 and rest[0] in ("rows", "row") and rest[1] == "of" and count_of(rest[2]) and count_of(word):
+            rows, each = count_of(word) or 1, count_of(rest[2]) or 1
             return ("", rows * each, "", rows, 4)
-        if len(rest) > 1 and rest[0] == "rows" and rest[1] == "of" and _count(word):
-            return ("", None, "", _count(word) or 1, 3)
+        if len(rest) > 1 and rest[0] == "rows" and rest[1] == "of" and count_of(word):
+            return ("", None, "", count_of(word) or 1, 3)
         if word in ("couple", "both", "all", "each") and rest[:1] == ["of"]:
             return ("each" if word == "each" else "all", None, "", 0, 2)
-        if _count(word) and rest[:1] == ["of"] and {*rest[1:2]} & {"the", "these", "those", "his", "her"}:
-            return ("one", _count(word), "", 0, 2)
+        if count_of(word) and rest[:1] == ["of"] and {*rest[1:2]} & {"the", "these", "those", "his", "her"}:
+            return ("one", count_of(word), "", 0, 2)
         if word in DETERMINERS and (det == "the" or word not in ORDINALS):
             return (DETERMINERS[word], None, "", 0, 1)
         if word in ("only", "just", "exactly", "about", "additional", "more"):
-            return ("", None, "", 0, 1) if self._run(i + 1) or _count(rest[0] if rest else "") else None
-        count = None if self._seats(i) or (rest[:1] and rest[0] in SCALES) else _count(word)
+            return ("", None, "", 0, 1) if self._run(i + 1) or count_of(rest[0] if rest else "") else None
+        count = None if self._seats(i) or (rest[:1] and rest[0] in SCALES) else count_of(word)
         if count and number is None and word not in ("a", "an", "twin", "couple"):
             return ("", count, "vague" if word in VAGUE else "", 0, 1 + ("of" in rest[:1]))
         return None
@@ -268,18 +217,22 @@ class Chunker:
                 word in MARKS
                 or (word in JOINING and not both)  # "the left and right walls"
                 or word in WITH
-                or word in BREAKING
+                or (word in BREAKING and not self._named_of(i, run))
                 or word in REFUSING
                 or i in self.measured
                 or word[0].isdecimal()
             )
-            counts = _count(word) is not None and word != "couple" and not self._seats(i)
+            counts = count_of(word) is not None and word != "couple" and not self._seats(i)
             named = not run and self.lexicon.noun(self.words[i : i + 3]) is not None  # "first aid kit"
             if stops or counts or (word in DETERMINERS and not named) or self._closed(i, run, many):
                 break
             run.append(word)
             i += 1
         return run
+
+    def _named_of(self, i: int, run: Sequence[str]) -> bool:
+        """Return whether "of" is part of a name here: "chest of drawers"."""
+        return bool(run) and self.lexicon.noun([run[-1], *self.words[i : i + 2]]) is not None
 
     def _seats(self, i: int) -> bool:
         """Return whether a number is part of a name here: "two-seater", "twin bed"."""
@@ -339,7 +292,7 @@ class Chunker:
                     owner = self.lexicon.noun(run[:start][-2:]) or self.lexicon.noun(run[:start][-1:])
                     if value == "side" and owner is not None:  # "the bed's headboard"
                         return Chunk("thing", at, i + end, "", owner, det, number, bound)
-                    plural = kind in ("thing", "part") and _plural(tail[-1], noun)
+                    plural = kind in ("thing", "part") and _plural(tail[-3 if "of" in tail else -1], noun)
                     adjectives = (*run[:start], *(HEAPED[:1] if set(HEAPS) & set(self.words[at:i]) else ()))
                     adjectives += tuple(tail[-1:]) if value == "side" and tail[-1] in HALVES else ()  # "at the back"
                     return Chunk(kind, at, i + end, value, noun, det, number, bound, plural, adjectives, rows=rows)
@@ -420,19 +373,9 @@ class Chunker:
         kind, value = self.grammar.phrases.get(word, ("", ""))
         if kind in ("verb", "pron"):
             return Chunk(kind, at, at + 1, value)
-        if word in self.grammar.fillers or word in DETERMINERS or _count(word) is not None or word in BREAKING:
+        if word in self.grammar.fillers or word in DETERMINERS or count_of(word) is not None or word in BREAKING:
             return Chunk("each" if word == "each" else "filler", at, at + 1, word)
         return Chunk("other", at, at + 1, word)
-
-
-def _count(word: str) -> int | None:
-    return int(word) if word.isdecimal() else NUMBERS.get(word)
-
-
-def _of_several(chunk: Chunk) -> bool:
-    """Return whether a phrase names several things, or one of them."""
-    told = chunk.number or chunk.det in ("one", "both", "each") or {"left", "right", *grammar().walls} & {*chunk.adjectives}
-    return chunk.plural or bool(told)
 
 
 def _plural(word: str, noun: Noun | None) -> bool:

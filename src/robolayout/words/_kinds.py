@@ -44,7 +44,13 @@ def settle_kinds(parsed: Parsed) -> None:
             standing = place == "wall" and CATALOGUE[noun.kind].on_floor and noun.said not in ("lamp", "light")
             hung = f"wall {noun.kind.split()[-1].replace('bookshelf', 'shelf')}"
             standing = standing and link.relation != "above"
-            if place == "wall" and link.relation == "above" and not standing and hung in CATALOGUE and not noun.others:
+            if (
+                place == "wall"
+                and link.relation == "above"
+                and not standing
+                and hung in CATALOGUE
+                and " " not in noun.said
+            ):
                 mention.thing.noun = replace(noun, words=hung, kind=hung)
                 continue
             fits = (

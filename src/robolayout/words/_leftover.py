@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from robolayout.words._chunks import MARKS, Chunk
+from robolayout.words._chunk import MARKS, Chunk
 from robolayout.words._function_words import LED
-from robolayout.words._said import Parsed, count_of, same
+from robolayout.words._said import Parsed, same
+from robolayout.words._tokens import count_of
 
 PICKING = frozenset(["left", "right", "own", "same", "middle", "other", "front", "back"])
 """Words before a noun that tell one thing from others of its kind."""
@@ -48,9 +49,11 @@ def _says(chunk: Chunk, after: Sequence[Chunk]) -> bool:
     """Return whether a chunk asks for something: of the small words numbers do, and verbs of place with no relation after them."""
     if chunk.kind == "part" and chunk.value in ("room", "floor"):
         return bool(chunk.number and chunk.number > 1)
+    if chunk.kind == "part" and chunk.value == "side" and chunk.det and [other.kind for other in after[:1]] == ["rel"]:
+        return False  # "its headboard touches the wall"
     if chunk.kind == "verb" and chunk.value in LED:
         return not any(other.kind == "rel" for other in after)
-    return chunk.kind not in SILENT or (chunk.kind == "filler" and count_of(chunk.value) > 1)
+    return chunk.kind not in SILENT or (chunk.kind == "filler" and (count_of(chunk.value) or 0) > 1)
 
 
 def _clauses(chunks: Sequence[Chunk]) -> list[list[Chunk]]:

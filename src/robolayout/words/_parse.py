@@ -7,11 +7,10 @@ clause before, or what stands before "with". A noun with "the" that was named be
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 from robolayout.assets import CATALOGUE
-from robolayout.words._chunks import Chunk
+from robolayout.words._chunk import Chunk
 from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
 from robolayout.words._relations import AIDS, Relating
@@ -19,11 +18,12 @@ from robolayout.words._said import (
     Link,
     Mention,
     Parsed,
-    count_of,
+    Place,
     place_of,
     same,
     topped,
 )
+from robolayout.words._tokens import count_of
 from robolayout.words._ways import SEATS, TOPS
 
 SAID_OF = {"stacked": "stacked", "piled": "stacked", "diagonal": "diagonal", "angled": "diagonal"}
@@ -90,10 +90,12 @@ class Parser(Relating):
         if chunk.value in ("that", "which"):
             self.relative = True
         following = self.chunks[self.at] if self.at < len(self.chunks) else chunk
-        if chunk.value == "for" and following.kind == "filler" and count_of(following.value) > 1:
+        if chunk.value == "for" and following.kind == "filler" and (count_of(following.value) or 0) > 1:
             self._for_people(Chunk("people", chunk.start, following.end, number=count_of(following.value)))
         share, index = count_of(chunk.value), self.at
-        while index < len(self.chunks) and (self.chunks[index].kind in ("verb", "pron") or self.chunks[index].value == "of"):
+        while index < len(self.chunks) and (
+            self.chunks[index].kind in ("verb", "pron") or self.chunks[index].value == "of"
+        ):
             index += 1  # "one of them is against the wall"
         if share and index < len(self.chunks) and self.chunks[index].kind == "rel" and self._deal(share, index):
             self.at = index
@@ -127,7 +129,7 @@ class Parser(Relating):
         """After a thing it multiplies ("four chairs each"); before "with" it says that each one has them."""
         if self.at < len(self.chunks) and self.chunks[self.at].kind == "with":
             self.at += 1
-            holder = self.group[-1:] or self.subject[-1:]
+            holder = [replace(mention, det="each") for mention in self.group[-1:] or self.subject[-1:]]
             self.holder = holder
             self._each_has(holder, holder[0].thing.count if holder else 1)
         elif self.group and self.holder and self.group[-1].thing is not self.holder[0].thing:
@@ -157,7 +159,7 @@ class Parser(Relating):
         self.recent.append(mention)
         self.target = None
         if chunk.rows:
-            self.said.links.append(Link("rows", (mention,), (), chunk.start, chunk.end, rows=chunk.rows))
+            self.said.links.append(Link("rows", (mention,), (), chunk.start, chunk.end, rows=max(chunk.rows, 0)))
         for word in set(SAID_OF) & set(chunk.adjectives):
             self.said.links.append(Link(SAID_OF[word], (mention,), (), chunk.start, chunk.end))
         if chunk.det == "each" and self.group and self._previous(chunk) == "for":
@@ -199,10 +201,15 @@ class Parser(Relating):
         noun, before = chunk.noun, self._previous(chunk)
         several = chunk.plural or (noun is not None and noun.words.endswith("s"))
         bare = several and not chunk.det and chunk.number is None
+        held = [] if before != "of" or not bare or not self.group else self.group[-1:]
         if noun is not None and self.refusing and not (self.negated and chunk.det == "the"):
             self.said.refused.append((noun, (chunk.start, chunk.end)))
         elif noun is not None and noun.kind in AIDS and before in ("use", "uses", "using"):
             self._fact(Chunk("body", chunk.start, chunk.end, AIDS[noun.kind]))
+        elif held and self.chunks[self.at - 3].kind == "thing":  # "a rack of dumbbells"
+            mention = self._mention(chunk)
+            if CATALOGUE[mention.thing.noun.kind].on_object and not CATALOGUE[held[0].thing.noun.kind].on_object:
+                self.said.links.append(Link("on", (mention,), tuple(held), chunk.start, chunk.end))
         elif bare and self.group and before == "for":
             self._fact(replace(chunk, kind="function"))  # "a rack for shoes"
         else:
@@ -231,26 +238,51 @@ class Parser(Relating):
         return (topped(mention) or (tops and not joined and first) or told) and not topped(holder)
 
     def _on_part(self, chunk: Chunk) -> None:
-        """A place of the room that no relation leads to: doors and windows that are asked for."""
-        following = self.chunks[self.at : self.at + 2]
-        free = next((c for c in following if c.value in FREE), None) if chunk.value == "wall" else None
-        if chunk.value in ("window", "door"):
-            walls = self._opening_walls()
-            if walls or self.holder or chunk.number or chunk.det == "a":
-                end = self.chunks[self.at - 1].end
-                self.said.openings.append((replace(place_of(chunk), words=walls), (chunk.start, end)))
+        """A place of the room that no relation leads to: what it has, doors and windows that are asked for."""
+        if chunk.value == "room":
+            self._new_zone()
+        if [c.kind for c in self.chunks[max(self.at - 3, 0) : self.at - 1]] == ["thing", "with"]:
+            self._fact(replace(chunk, kind="function"))  # "a wardrobe with two sliding doors"
+        elif chunk.value in ("window", "door"):
+            self._on_opening(chunk)
         elif chunk.value == "side" and chunk.det == "each" and self.group and self._previous(chunk) == "for":
             self._link(Chunk("rel", chunk.start, chunk.end, "flank"), self.group, self._meant("it"))
         elif chunk.value == "ceiling" and self.group and self._previous(chunk) == "from":
             self._link(Chunk("rel", chunk.start, chunk.end, "hanging"), self.group[-1:], [place_of(chunk)])
-        elif free is not None:
-            self.said.links.append(Link("bare", (), (place_of(chunk),), chunk.start, free.end))
-        elif chunk.value in ("floor", "wall") and set(chunk.adjectives) - set(grammar().walls):
+        elif chunk.value in ("floor", "wall"):
+            self._on_surface(chunk)
+        self.broken = True
+
+    def _on_opening(self, chunk: Chunk) -> None:
+        """A door or window: it is asked for where a wall is told, or a number, or "a"."""
+        at = self.fronted[1][0] if self.fronted is not None and not self.group else None
+        walls = self._opening_walls() or (at.words if isinstance(at, Place) and at.name == "wall" else ())
+        self.fronted = None if walls and not self.group else self.fronted
+        if walls or self.holder or chunk.number or chunk.det == "a":
+            self.said.openings.append(
+                (replace(place_of(chunk), words=walls), (chunk.start, self.chunks[self.at - 1].end))
+            )
+
+    def _on_surface(self, chunk: Chunk) -> None:
+        """A wall or the floor: how it looks, that it stays free, what it has ("the north wall has a sofa")."""
+        free = next((c for c in self.chunks[self.at : self.at + 2] if c.value in FREE), None)
+        coloured = bool(set(chunk.adjectives) - set(grammar().walls))
+        if coloured:
             named = f"{' '.join(chunk.adjectives)} {chunk.value}"
             self.said.facts.append(Chunk("style", chunk.start, chunk.end, named))
-        elif chunk.value == "wall":
+        if chunk.value == "floor":
+            return
+        if free is not None:
+            self.said.links.append(Link("bare", (), (place_of(chunk),), chunk.start, free.end))
+            return
+        wall = self._which_wall(place_of(chunk))
+        follows = [c for c in self.chunks[self.at : self.at + 1] if c.kind == "with" or c.value == "holds"]
+        if follows:
+            self.at += 1
+            self.fronted, self.group = (Chunk("rel", chunk.start, follows[0].end, "on"), [wall]), []
+            self.said.read.update(range(chunk.start, follows[0].end))
+        elif not coloured:
             self.said.missed.append(chunk)
-        self.broken = True
 
     def _opening_walls(self) -> tuple[str, ...]:
         """Return the words of a wall that follows: "in the south wall"."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from robolayout.words._chunks import Chunk
+from robolayout.words._chunk import Chunk
 from robolayout.words._function_words import ORDINALS
-from robolayout.words._said import Mention, Parsed, Place, Thing, place_of, same, same_words, topped
+from robolayout.words._said import Mention, Parsed, Place, Thing, place_of, same, same_words, several, topped
 
 AXES = {"left": "across", "right": "across", "front": "along", "behind": "along", "foot": "along"}
 """Lines through a thing by the relations that say on which side of it another one stands."""
@@ -52,9 +52,54 @@ class References:
         self.targets: list[Mention] = []
         self.target: Mention | None = None
 
+    def _new_zone(self) -> None:
+        """Forget what was spoken of: what a part of the room has belongs to no thing before it."""
+        self.group, self.subject, self.acted, self.holder = [], [], [], []
+        self.having = False
+
     def _understood(self, *chunks: Chunk) -> None:
         """Note chunks that are understood with what stands before them."""
         self.said.read.update(token for chunk in chunks for token in range(chunk.start, chunk.end))
+
+    def _objects(self, chunk: Chunk) -> list[Mention | Place]:
+        """Return what a relation leads to; "between" takes two, and a wall may be told by what it is opposite to."""
+        found: list[Mention | Place] = []
+        self.target = None
+        while self.at < len(self.chunks):
+            self._skip()
+            item = self._object(chunk)
+            if item is None:
+                break
+            found += [item, *self.pending]
+            self.pending = []
+            pronoun = self.chunks[self.at - 1].kind == "pron"
+            wants = chunk.value in ("amid", "between") and len(found) < 2 and not several(item) and not pronoun
+            both = chunk.value in ("amid", "facing", "under", "around", "near", "next", "on")
+            if not (wants or (both and self._plain_pair(found))):
+                break
+            self.at += 1
+        if found and isinstance(found[-1], Place) and found[-1].name == "wall":
+            found[-1] = self._which_wall(found[-1])
+        self.target = found[-1] if found and isinstance(found[-1], Mention) else None
+        return found
+
+    def _plain_pair(self, found: Sequence[Mention | Place]) -> bool:
+        """Return whether "and the ..." goes on with the same relation."""
+        following = self.chunks[self.at : self.at + 3]
+        kinds = [chunk.kind for chunk in following]
+        if kinds[:1] != ["and"] or kinds[1:2] not in (["thing"], ["part"]):
+            return False
+        other = following[1]
+        if other.det != "the" and (
+            other.det or other.plural or other.number is not None
+        ):  # "the sofa and coffee table"
+            return False
+        third = following[2].kind if len(following) > 2 else "stop"
+        return third in ("stop", "comma", "with") and isinstance(found[-1], Mention)
+
+    def _skip(self) -> None:
+        while self.at < len(self.chunks) and self.chunks[self.at].kind in ("filler", "style"):
+            self.at += 1
 
     def _object(self, chunk: Chunk) -> Mention | Place | None:
         """Return the thing or place at the head of what follows, and go past it."""
@@ -81,7 +126,7 @@ class References:
             if len(meant) > 1:
                 self.pending = meant[1:]
             if following.value.startswith("each") and meant:
-                return replace(meant[0], det="each")
+                return Mention(meant[0].thing, None, "each")
             return meant[0] if meant else None
         return None
 
@@ -126,9 +171,9 @@ class References:
             return []
         own = {m.thing for m in self.about}
         holder = self.holder[0] if self.holder else None
-        if holder is not None and holder.thing not in own:
-            if word != "it" or holder.thing.count == 1 or holder.det == "each":
-                return self.holder
+        one = word != "it" or holder is None or holder.thing.count == 1 or holder.det == "each"
+        if holder is not None and holder.thing not in own and one:
+            return self.holder
         earlier, to = ([m for m in given if m.thing not in own] for given in (self.recent, self.targets))
         if word in ("them", "they", "both", "the two", "these", "those"):
             return self._several_meant(earlier, to)
@@ -138,7 +183,7 @@ class References:
         single, led = ([m for m in given if m.thing.count == 1] for given in (earlier, to))
         if word == "it" and earlier and earlier[-1].thing.count > 1:
             earlier = led or single or earlier
-        return earlier[-1:] or self.before[:1] or to[-1:] or self.group[:1]
+        return earlier[-1:] or to[-1:] or self.before[:1] or self.group[:1]
 
     def _several_meant(self, earlier: list[Mention], to: list[Mention]) -> list[Mention]:
         """Return what "them" stands for: several things named at once, or the last two."""
@@ -204,7 +249,10 @@ class References:
             return slice(first, count if chunk.plural else first + 1)
         if chunk.det == "one":
             return slice(first, first + many) if first + many <= count else slice(0, many)
-        sides = ("left" in chunk.adjectives or chunk.det == "first", "right" in chunk.adjectives or chunk.det == "second")
+        sides = (
+            "left" in chunk.adjectives or chunk.det == "first",
+            "right" in chunk.adjectives or chunk.det == "second",
+        )
         one = chunk.number == 1 and not chunk.plural and target
         numbers = (sides[0] or one, sides[1], chunk.det == "third", chunk.det == "last")
         return next((slice(n, n + 1) for n, told in zip((0, 1, 2, count - 1), numbers, strict=True) if told), None)

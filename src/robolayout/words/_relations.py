@@ -7,9 +7,9 @@ from collections.abc import Sequence, Set
 from dataclasses import replace
 
 from robolayout.assets import CATALOGUE
-from robolayout.words._chunks import Chunk
+from robolayout.words._chunk import Chunk
 from robolayout.words._references import References
-from robolayout.words._said import Link, Mention, Place, Thing, several, topped
+from robolayout.words._said import Link, Mention, Place, Thing, topped
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import SEATS, TOPS
 
@@ -31,7 +31,8 @@ ZONES = ("room", "corner", "function", "part")
 OF_THE_ROOM = ("measure", "style", "body", "corner")
 """Kinds of chunks that "in" leads to where they say how the room is: "in a 5 m by 6 m dining room"."""
 
-FINITE = frozenset("is are be was were been being stands stand sits sit lies lie hangs hang rests rest goes go should must will".split())
+_FINITE = "is are be was were been being stands stand sits sit lies lie hangs hang rests rest goes go should must will"
+FINITE = frozenset(_FINITE.split())
 """Verbs that say something of the subject of a clause, not of the noun before them."""
 
 KEPT_OFF = 0.6
@@ -47,6 +48,8 @@ class Relating(References):
 
     def _fact(self, chunk: Chunk) -> None:
         self.said.facts.append(chunk)
+        if chunk.kind in ("room", "corner"):
+            self._new_zone()
         for mention in self.subject or self.group if chunk.kind == "style" and self.verb else ():
             mention.thing.told.append(chunk.value)  # "the bed is brown"
         if chunk.measure is not None and chunk.measure.kind == "grid" and self.group:
@@ -75,7 +78,8 @@ class Relating(References):
         elif self.acted and not self.broken:
             self.holder = self.acted
         elif self.group:
-            self.holder = [self.group[-1]]
+            clause = who.kind == "comma" and self.acted and len(self.subject) == 1
+            self.holder = [self.subject[0] if clause else self.group[-1]]
         self.having = True
         self.verb = self.listed = False
         self.broken = True
@@ -162,9 +166,13 @@ class Relating(References):
         if sides and self._at_sides(chunk, subjects):
             self._understood(chunk)
             return
+        if chunk.value == "between":  # "1 m between the bed and the wardrobe"
+            chunk, subjects = replace(chunk, value="apart"), [m for m in objects if isinstance(m, Mention)][:1]
+            objects = [item for item in objects if item not in subjects]
         subjects, objects = self._held_by(chunk, subjects, objects)
         for item in objects if every and subjects else ():
-            own = isinstance(item, Mention) and (item.det == "a" or "own" in item.thing.adjectives)
+            told = chunk.value in REVERSED and item.det != "the"  # "each surrounded by six chairs"
+            own = isinstance(item, Mention) and (item.det == "a" or told or "own" in item.thing.adjectives)
             if isinstance(item, Mention) and own and item.thing.times == 1:
                 item.thing.times = subjects[0].thing.count  # "each facing a mirror"
         self._relate(chunk, subjects, objects, first)
@@ -174,7 +182,7 @@ class Relating(References):
     ) -> tuple[list[Mention], list[Mention | Place]]:
         """Return what a relation is about and leads to, where that is not what a thing has but the thing itself."""
         held = self.having and self.holder and not self.listed
-        place = chunk.value == "middle" or (bool(objects) and isinstance(objects[0], Place))
+        place = isinstance(objects[0], Place) if objects else chunk.value == "middle"
         laid = chunk.value in LAID and held and topped(self.group[-1]) and not topped(self.holder[0])
         if laid and chunk.det == "its":  # "an armchair by the window, a table with a cup to its right"
             before = list[Mention | Place](m for m in self.targets if m.thing is not self.holder[0].thing)
@@ -320,7 +328,8 @@ class Relating(References):
 
     def _another(self) -> bool:
         kinds = [chunk.kind for chunk in self.chunks[self.at : self.at + 2]]
-        return kinds == ["and", "thing"]
+        noun = self.chunks[self.at + 1].noun if kinds == ["and", "thing"] else None
+        return noun is not None and CATALOGUE[noun.kind].on_object
 
     def _nearest(self, relation: str) -> list[Mention]:
         """Return what a relation right after a noun is about: small things "on" something all together, else the noun."""
@@ -361,6 +370,9 @@ class Relating(References):
             return list(self.before or self.subject) if not self.group else list(self.group)
         if self.relative:
             return self.group[-1:]
+        follows = [chunk.kind for chunk in self.chunks[self.at : self.at + 1]]
+        if previous.kind == "comma" and self.holder and not self.acted and follows != ["pron"]:
+            return list(self.holder)  # "three desks, each with a chair, in a row"
         return list(self.acted or self.group[-1:] or self.subject)
 
     def _of_the_noun(self) -> bool:
@@ -369,45 +381,6 @@ class Relating(References):
         while index > 0 and self.chunks[index].kind in ("verb", "filler") and self.chunks[index].value not in FINITE:
             index -= 1
         return index < self.at - 2 and self.chunks[index].kind == "thing" and self.group != self.subject
-
-    def _objects(self, chunk: Chunk) -> list[Mention | Place]:
-        """Return what a relation leads to; "between" takes two, and a wall may be told by what it is opposite to."""
-        found: list[Mention | Place] = []
-        self.target = None
-        while self.at < len(self.chunks):
-            self._skip()
-            item = self._object(chunk)
-            if item is None:
-                break
-            found += [item, *self.pending]
-            self.pending = []
-            pronoun = self.chunks[self.at - 1].kind == "pron"
-            wants = chunk.value == "amid" and len(found) < 2 and not several(item) and not pronoun
-            both = chunk.value in ("amid", "facing", "under", "around", "near", "next", "on")
-            if not (wants or (both and self._plain_pair(found))):
-                break
-            self.at += 1
-        if found and isinstance(found[-1], Place) and found[-1].name == "wall":
-            found[-1] = self._which_wall(found[-1])
-        self.target = found[-1] if found and isinstance(found[-1], Mention) else None
-        return found
-
-    def _plain_pair(self, found: Sequence[Mention | Place]) -> bool:
-        """Return whether "and the ..." goes on with the same relation."""
-        following = self.chunks[self.at : self.at + 3]
-        if (
-            len(following) < 2
-            or following[0].kind != "and"
-            or following[1].kind not in ("thing", "part")
-            or following[1].det != "the"
-        ):
-            return False
-        third = following[2].kind if len(following) > 2 else "stop"
-        return third in ("stop", "comma", "with") and isinstance(found[-1], Mention)
-
-    def _skip(self) -> None:
-        while self.at < len(self.chunks) and self.chunks[self.at].kind in ("filler", "style"):
-            self.at += 1
 
     def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
         """Note a relation; what stands at each of several things is as many times there."""

@@ -6,10 +6,9 @@ from dataclasses import dataclass, field
 
 from robolayout.assets import CATALOGUE
 from robolayout.assets.palette import LOOKS
-from robolayout.words._chunks import Chunk
+from robolayout.words._chunk import Chunk
 from robolayout.words._function_words import YOUNG
 from robolayout.words._lexicon import Noun
-from robolayout.words._tokens import NUMBERS
 
 IN_PAIRS = ("curtain", "blinds")
 """What is one thing in the plural."""
@@ -39,7 +38,7 @@ class Thing:
     @property
     def count(self) -> int:
         """How many are asked for: as said, else two for a plural, else one; twice "each with two" is four."""
-        usual = 2 if self.plural and self.noun.kind not in IN_PAIRS else 1
+        usual = max(2, self.rows) if self.plural and self.noun.kind not in IN_PAIRS else 1
         one = usual if self.number is None else self.number + (self.bound == "more")
         return one * self.times
 
@@ -132,11 +131,6 @@ def topped(mention: Mention) -> bool:
     """Return whether a thing can stand nowhere but on another."""
     kind = CATALOGUE.get(mention.thing.noun.kind)
     return kind is not None and kind.on_object and not kind.on_floor and not kind.on_wall and not kind.on_ceiling
-
-
-def count_of(word: str) -> int:
-    """Return the number that a word says, 0 if none."""
-    return int(word) if word.isdecimal() else NUMBERS.get(word, 0)
 
 
 def children(parsed: Parsed) -> bool:

@@ -46,7 +46,7 @@ _AREA = re.compile(
 _HEIGHT = re.compile(rf"{_N}{_U}\s*(?:high|tall|ceilings?)\b|ceilings?\s*(?:of|at)?\s*{_N}{_U}", re.IGNORECASE)
 _APART = re.compile(
     rf"(?:\b(?:(at least|no less than|more than|(?:no|not) (?:closer|nearer) than)|(at most|no more than|up to|less than|within))\s+)?"
-    rf"{_N}{_U}\s*(?:apart|(?:away )?from|of|to)\b",
+    rf"{_N}{_U}\s*(?:apart|(?:away )?from|of|to|(?:of )?(?:(?:free|clear|empty) )?(?:space |distance )?between)\b",
     re.IGNORECASE,
 )
 APART = 0.3
@@ -59,7 +59,7 @@ _TOKEN = re.compile(r"[a-z]+-(?:in|mounted|hung)\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^
 class Measure:
     """A measure of the room."""
 
-    kind: str  # "size", "area", "height", "grid" of things, or "apart": what lies between two
+    kind: str  # "size", "area", "height", "grid" of things, "apart" or "between": what lies between two
     values: tuple[float, ...]  # metres, square metres, rows and columns, or the least and the most that lies between
     start: int  # first character
     end: int  # character after the last one
@@ -143,7 +143,8 @@ def _gaps(text: str) -> Iterator[Measure]:
         if unit and (most or not match.group().endswith("of")) and closer == match.group().endswith("to"):
             gap = round(metres(number, unit), 2)
             bounds = (0.0 if most else gap, math.inf if least else gap if most else gap + APART)
-            yield Measure("apart", bounds, match.start(), match.end())
+            kind = "between" if match.group().endswith("between") else "apart"
+            yield Measure(kind, bounds, match.start(), match.end())
 
 
 def metres(number: str, unit: str | None, fallback: str | None = None) -> float:
@@ -156,3 +157,8 @@ def metres(number: str, unit: str | None, fallback: str | None = None) -> float:
 
 def _number(text: str) -> float:
     return float(NUMBERS[text.lower()]) if text.lower() in NUMBERS else float(text.replace(",", "."))
+
+
+def count_of(word: str) -> int | None:
+    """Return the number that a word says, None if none."""
+    return int(word) if word.isdecimal() else NUMBERS.get(word)

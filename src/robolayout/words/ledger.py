@@ -199,7 +199,7 @@ class _Rows:
             elif chunk.kind == "corner":
                 yield _Row(words, "relation", f"what belongs to a {chunk.value}", _as_given)
             elif chunk.kind != "style":
-                yield _Row(words, chunk.kind, "what the room is to be good for", _taste)
+                yield _Row(words, chunk.kind, "what it is good for or made of", _taste)
 
     def _taste(self, word: str) -> _Row:
         """Return the row of a word of taste: some can be measured, some drawn, of the others nothing is known."""

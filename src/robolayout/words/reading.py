@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 
 from robolayout._errors import SceneError
 from robolayout.assets.palette import STYLED, WOODS
-from robolayout.words._chunks import Chunk, Chunker
+from robolayout.words._chunk import Chunk
+from robolayout.words._chunks import Chunker
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser

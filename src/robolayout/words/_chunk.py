@@ -1,0 +1,97 @@
+"""A phrase of a text, and phrases that leave out their noun."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+from robolayout.words._function_words import DETERMINERS
+from robolayout.words._lexicon import Noun, grammar
+from robolayout.words._tokens import Measure, count_of
+
+MARKS = {
+    ",": "comma",
+    ".": "stop",
+    ";": "stop",
+    "!": "stop",
+    "?": "stop",
+    ":": "colon",
+    "\n": "stop",
+    "(": "comma",
+    ")": "comma",
+}
+
+REST = ("other", "others", "remaining", "rest")
+"""Words for those that were not yet said."""
+
+WITHOUT_NOUN = re.compile(
+    r"(?:(?:the )?\b(another|(?<=the )(?:others?|remaining|rest|first|second|third|last))(?: (two|three|four|five|six|[2-9]))?( ones?)?"
+    r"|(?:the|an?) (?:(?!other)(\w+) )?ones?) "
+)
+"""Phrases that leave out their noun: what picks, how many, whether "one" stands for the noun, an adjective."""
+
+
+@dataclass(frozen=True)
+class Chunk:
+    """A phrase."""
+
+    # "thing", "part", "room", "body", "people", "corner", "measure", "rel", "verb", "with", "and", "comma", "colon",
+    # "stop", "pron", "not", "style", "function", "filler" or "other"
+    kind: str
+    start: int  # first token
+    end: int  # token after the last one
+    value: str = ""  # A relation's name, a part's name, a room type
+    noun: Noun | None = None  # what a thing is
+    det: str = ""  # its article: "a", "the", "each", "all", "both", "new", "other", "first" or ""
+    number: int | None = None  # its count, if one is said
+    bound: str = ""  # "least", "most", "more", or "" for exactly so many; "vague" for "some"
+    plural: bool = False  # whether the noun stands in the plural
+    adjectives: tuple[str, ...] = ()  # the words before the noun
+    rows: int = 0  # rows that it stands in ("three rows of four"), 0 if none are said
+    measure: Measure | None = None  # A measure of the room
+
+
+def without_noun(
+    words: Sequence[str], at: int, found: Sequence[Chunk], run: Callable[[int], Sequence[str]]
+) -> Chunk | None:
+    """Return a phrase whose noun was said before: "another", "the other one", "the round ones", "the remaining two".
+
+    Args:
+        words: All words.
+        at: Where it begins.
+        found: The phrases before it.
+        run: What gives the words from a place on that can be part of a noun phrase.
+    """
+    match = WITHOUT_NOUN.match(" ".join(words[at : at + 4]) + " ")
+    if match is None:
+        return None
+    picks, number, one, told = match.groups()
+    end = at + len(match.group().split())
+    if (picks and not one and run(end)) or (told and told not in grammar().adjectives):
+        return None
+    new = words[at] in ("a", "an", "another")
+    nouns = [c for c in found if c.kind in ("thing", "part") and (new or _of_several(c))]
+    led = [c for before, c in pairwise(found) if before.kind == "rel" and c in nouns]
+    alike = [c for c in nouns if c.noun is not None and told in (*c.adjectives, *c.noun.said.split())]
+    leads = [c.kind for c in found[-1:]] == ["rel"] and [c.value for c in found[-2:-1]] != ["one"]
+    last = (alike or [c for c in nouns if (c in led) == leads] or nouns or [None])[-1]
+    many = " ones " in match.group() or picks in ("others", "rest") or bool(number and count_of(number) != 1)
+    det = "other" if picks in REST else DETERMINERS.get(picks or "", "new" if new else "the")
+    side = words[end + 2] if words[end : end + 2] == ["on", "the"] and end + 2 < len(words) else ""
+    told, end = (side, end + 3) if one is None and not picks and side in ("left", "right") else (told, end)
+    if last is None:
+        return None
+    chunk = replace(last, start=at, end=end, det=det, number=count_of(number or ""), bound="", plural=many, rows=0)
+    return replace(chunk, adjectives=(told,) if told else last.adjectives if last.kind == "part" else ())
+
+
+def _of_several(chunk: Chunk) -> bool:
+    """Return whether a phrase names several things, or one of them."""
+    told = (
+        chunk.number
+        or chunk.det in ("one", "both", "each")
+        or {"left", "right", *grammar().walls} & {*chunk.adjectives}
+    )
+    return chunk.plural or bool(told)
