@@ -298,6 +298,8 @@ class Chunker:
                     return Chunk(kind, at, i + end, value, noun, det, number, bound, plural, adjectives, rows=rows)
             if not told or self._does(run):
                 break
+            if end == len(run) and (room := self.lexicon.room_like(run)):
+                return Chunk("room", at, i + end, room, None, det, number, bound)
             if end == len(run) and self._promises(run):
                 noun = self.lexicon.guess(run)
                 return Chunk("thing", at, i + end, "", noun, det, number, bound, _plural(run[-1], noun), (), rows=rows)

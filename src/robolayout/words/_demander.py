@@ -9,7 +9,7 @@ from itertools import pairwise
 from robolayout.constraints import RELATIONS, AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Asset, Opening, Scene, Wall
-from robolayout.words._places import centre, corners_meant, halves_meant, rectangle, turned, walls_meant
+from robolayout.words._places import centre, corners_meant, halves_meant, rectangle, turned, wall_pairs, walls_meant
 from robolayout.words._rows import alike, in_rows, lines
 from robolayout.words._said import Link, Mention, Place, Thing
 from robolayout.words._ways import (
@@ -386,18 +386,31 @@ class Demander:
         self, subjects: Sequence[str], place: Place, *, on: bool = False, share: bool = False
     ) -> Iterator[Demand]:
         """Yield that things stand at a place of the room; where several share it, each somewhat farther from its middle."""
+        together = "same" in place.words or (place.plural and "opposite" in place.words)
+        if place.name == "wall" and together and len(subjects) > 1:
+            yield Demand(tuple(self._ways_at_walls(subjects, place, on=on)))
+            return
         for a in subjects:
             ways = list(self._ways_at(a, place, on=on, share=share))
             if ways:
                 yield Demand(tuple(ways))
 
+    def _ways_at_walls(self, subjects: Sequence[str], place: Place, *, on: bool) -> Iterator[Way]:
+        """Yield the ways in which things are at one wall together, or one half at each of two walls that face each other."""
+        half = (len(subjects) + 1) // 2
+        for walls in wall_pairs(self.scene, same="same" in place.words):
+            yield tuple(_say(self._held(a, on), AssetRef(a), WallRef(walls[i >= half].index)) for i, a in enumerate(subjects))
+
+    def _held(self, name: str, on: bool) -> str:
+        """Return the statement that says that a thing is at a wall: hung on it, or standing against it."""
+        asset = self._asset(name)
+        return "mounted_on" if self._only_wall(name) or (on and asset.on_wall and not asset.on_floor) else "against_wall"
+
     def _ways_at(self, a: str, place: Place, *, on: bool, share: bool) -> Iterator[Way]:
         """Yield the ways in which one thing can be at a place of the room."""
-        ref, asset = AssetRef(a), self._asset(a)
+        ref = AssetRef(a)
         if place.name == "wall":
-            hangs = (
-                "mounted_on" if self._only_wall(a) or (on and asset.on_wall and not asset.on_floor) else "against_wall"
-            )
+            hangs = self._held(a, on)
             walls = [w for w in walls_meant(self.scene, place) if self._fits(a, w)]
             free = len(walls) == len(self.room.walls)
             yield from [(_say(hangs, ref),)] if free else ((_say(hangs, ref, WallRef(w.index)),) for w in walls)

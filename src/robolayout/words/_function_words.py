@@ -27,6 +27,9 @@ JOINING = frozenset(["and", "plus", "as", "or", "also", "then", "but", "while", 
 WITH = frozenset(
     [
         "with",
+        "w",
+        "consisting",
+        "comprising",
         "has",
         "have",
         "having",
@@ -49,6 +52,9 @@ BREAKING = frozenset(
 _PEOPLE = """
 people persons guests pupils students children kids patients colleagues employees players adults friends workers visitors
 person child teenager user users owner man woman couple family guest student patient teacher nurse baby toddler
+daughter son girl boy mother father parents grandparents grandmother grandfather sister brother siblings twins roommate roommates
+researcher musician artist writer designer programmer engineer scientist professor doctor lawyer gamer collector chef photographer
+customers diners staff clients tenant freelancer blogger retiree newlyweds
 """
 PEOPLE = frozenset(_PEOPLE.split())
 """Words for who uses a room."""

@@ -58,7 +58,7 @@ def settle_kinds(parsed: Parsed) -> None:
                 if standing
                 else [kind for kind in (noun.kind, *noun.others) if place and place in CATALOGUE[kind].places]
             )
-            if noun.others and fits and noun.words == noun.kind:
+            if noun.others and fits and noun.words in (noun.kind, noun.said):
                 mention.thing.noun = replace(noun, words=fits[0], kind=fits[0], others=())
 
 

@@ -130,8 +130,8 @@ class Lexicon:
             kind = self._known(text)
             if kind:
                 told = text in self._listed or text in self.there
-                others = () if told or text in self.own else phrase_index().get(text, ())[1:]
-                return Noun(text if told else kind, kind, single, "", others)
+                others = tuple(kind.split("|")[1:]) if told or text in self.own else phrase_index().get(text, ())[1:]
+                return Noun(text if told else kind, kind.split("|")[0], single, "", others)
         return None
 
     @property
@@ -145,6 +145,11 @@ class Lexicon:
             return listed
         names = phrase_index().get(text) or (_joined().get(text.replace(" ", "")) if len(text) > 3 else ())
         return names[0] if names else None
+
+    def room_like(self, words: Sequence[str]) -> str | None:
+        """Return the room type whose name is most like some words, None where none is."""
+        near = get_close_matches(" ".join(words), self.room_words, n=1, cutoff=SIMILAR)
+        return self.room_words[near[0]] if near else None
 
     def guess(self, words: Sequence[str]) -> Noun:
         """Return the nearest kind of a noun that nobody knows: by a slip of spelling, its last word, or any known word."""

@@ -163,7 +163,8 @@ class Parser(Relating):
         for word in set(SAID_OF) & set(chunk.adjectives):
             self.said.links.append(Link(SAID_OF[word], (mention,), (), chunk.start, chunk.end))
         if chunk.det == "each" and self.group and self._previous(chunk) == "for":
-            self.group[-1].thing.times = mention.thing.count
+            dealt = self.group[-1].thing.count == mention.thing.count  # "four microphones, one per seat"
+            self.group[-1].thing.times = 1 if dealt else mention.thing.count
             self._link(Chunk("rel", chunk.start, chunk.end, "with"), self.group[-1:], [mention])
             return
         if self.fronted is not None and self.acted and (self._elsewhere() or self._alone(mention)):
@@ -179,6 +180,8 @@ class Parser(Relating):
         joined = self._joined()
         if self.having and self.holder and self._put_on(mention, self.holder[0], joined=joined):
             self.said.links.append(Link("with", (mention,), tuple(self.holder), chunk.start, chunk.end))
+            if self.holder[0].det == "each" and mention.thing.times == 1 and chunk.det != "the":
+                mention.thing.times = self.holder[0].thing.count
         joined = joined and not self._alone(mention)
         together = joined and self.subject == self.group
         self.group = [*self.group, mention] if joined else [mention]

@@ -51,13 +51,17 @@ def _by_opening(scene: Scene, walls: list[Wall], how: str, by: Place) -> list[Wa
     own = {opening.wall for opening in openings}
     if how == "with":
         return [wall for wall in walls if wall.index in own]
-    facing: list[Wall] = []
-    for wall in walls:
-        for index in own - {wall.index}:
-            nx, ny = scene.room.walls[index].normal
-            if wall.normal[0] * nx + wall.normal[1] * ny < -math.sqrt(0.5):
-                facing.append(wall)
-    return facing
+    return [wall for wall in walls if any(_across(wall, scene.room.walls[index]) for index in own)]
+
+
+def wall_pairs(scene: Scene, *, same: bool) -> list[tuple[Wall, Wall]]:
+    """Return each wall twice, or each two walls that face each other, in both orders."""
+    pairs = [(one, two) for one in scene.room.walls for two in scene.room.walls]
+    return [(one, two) for one, two in pairs if (one is two if same else _across(one, two))]
+
+
+def _across(one: Wall, two: Wall) -> bool:
+    return one.normal[0] * two.normal[0] + one.normal[1] * two.normal[1] < -math.sqrt(0.5)
 
 
 def corners_meant(scene: Scene, place: Place) -> list[int]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from robolayout.words._chunk import Chunk
-from robolayout.words._function_words import ORDINALS
+from robolayout.words._function_words import ORDINALS, PEOPLE
 from robolayout.words._said import Mention, Parsed, Place, Thing, place_of, same, same_words, several, topped
 
 AXES = {"left": "across", "right": "across", "front": "along", "behind": "along", "foot": "along"}
@@ -263,6 +263,8 @@ class References:
         fits = [t for t in fits if same_words(t, chunk)] or fits
         if not fits or (chunk.det in ORDINALS and fits[-1].count <= ORDINALS.index(chunk.det) % 3):
             return None
+        if fits[-1].count > 1 and not chunk.plural and {word.removesuffix("s") for word in chunk.adjectives} & PEOPLE:
+            return None  # "the teacher's desk"
         one = target and chunk.number == 1 and chunk.det == ""
         new = (chunk.det == "new" and not any(0 < self.dealt.get(thing, 0) < thing.count for thing in fits[-1:])) or (
             chunk.number is not None and not one and chunk.det not in ("the", "all", "both", "one", "each", "other")
@@ -277,7 +279,8 @@ class References:
             return fits[-1]
         bare = not chunk.det and chunk.number is None
         if bare and not chunk.plural and not target:
-            return None
+            follows = [other.kind for other in self.chunks[self.at : self.at + 1]]
+            return fits[-1] if follows == ["rel"] and same_words(fits[-1], chunk) else None  # "1 bed, 1 desk: desk near bed"
         if chunk.det == "a" and not target and fits[-1].definite and same_words(fits[-1], chunk):
             fits[-1].definite = False
             return fits[-1]

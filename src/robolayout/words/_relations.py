@@ -31,6 +31,9 @@ ZONES = ("room", "corner", "function", "part")
 OF_THE_ROOM = ("measure", "style", "body", "corner")
 """Kinds of chunks that "in" leads to where they say how the room is: "in a 5 m by 6 m dining room"."""
 
+OTHER_SIDE = {"left": "right", "right": "left", "front": "behind", "behind": "front"}
+"""The relation of what is at the other side."""
+
 _FINITE = "is are be was were been being stands stand sits sit lies lie hangs hang rests rest goes go should must will"
 FINITE = frozenset(_FINITE.split())
 """Verbs that say something of the subject of a clause, not of the noun before them."""
@@ -97,7 +100,8 @@ class Relating(References):
             if chunk.kind == "and" and following and following[0].kind != "thing":
                 break
             self.at += 1
-            if chunk.kind == "thing":
+            own = holder and chunk.noun is not None and chunk.noun.kind == holder[0].thing.noun.kind
+            if chunk.kind == "thing" and not own:  # "six workstations, each consisting of a desk and a chair"
                 mention = self._mention(chunk)
                 if mention.thing in self.said.things[first:]:
                     mention.thing.times = times
@@ -162,6 +166,10 @@ class Relating(References):
         if chunk.value == "ontop":
             chunk, objects = replace(chunk, value="on"), objects or list(self.holder or self.subject)
         place = objects[0] if objects and isinstance(objects[0], Place) else None
+        if place is not None and (place.name, place.det) == ("side", "other"):  # "to the left of the sofa ..., on the other side"
+            sided = [link for link in self.said.links if link.relation in OTHER_SIDE and link.objects][-1:]
+            chunk = replace(chunk, value=OTHER_SIDE[sided[0].relation]) if sided else chunk
+            place, objects = (None, list(sided[0].objects)) if sided else (place, objects)
         sides = place.name == "side" if place else chunk.value == "flank" and not objects and not self.holder
         if sides and self._at_sides(chunk, subjects):
             self._understood(chunk)
@@ -272,7 +280,7 @@ class Relating(References):
         while before and before[-1].kind == "style":
             before = before[:-1]
         unknown = 0
-        while before and before[-1].kind == "other":
+        while before and before[-1].kind in ("other", "function"):
             before, unknown = before[:-1], unknown + 1
         return unknown > 0 and bool(before) and before[-1].kind in ("and", "comma", "with")
 
