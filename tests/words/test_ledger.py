@@ -149,6 +149,15 @@ def test_a_place_where_nothing_stands_is_said() -> None:
     assert [row.words for row in rows if row.verdict == "not understood"] == ["On the desk in the middle of the room"]
 
 
+@pytest.mark.parametrize(("words", "met"), [("opposite walls", (True, False)), ("the same wall", (False, False))])
+def test_two_things_are_at_walls_together(words: str, met: tuple[bool, bool]) -> None:
+    text = f"The bed and the desk are against {words}."
+    across = Layout({**PLACED, "desk-0": Pose(4.64, 2.0, 0.375, 3.14159)})
+    assert tuple(verdict(text, "relation", layout) == "met" for layout in (across, PLACED)) == met
+    beside = Layout({**PLACED, "desk-0": Pose(0.36, 3.3, 0.375, 0.0)})
+    assert (verdict(text, "relation", beside) == "met") == (words == "the same wall")
+
+
 WORDS = {
     "thing": ("lamp", "two plants", "large desk", "bed", "glorps"),
     "verb": ("stands", "is", "should be", "leans", "must not be"),

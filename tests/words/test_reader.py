@@ -70,6 +70,13 @@ def links(text: str) -> set[tuple[str, ...]]:
             {"dining table": 4, "round table": 4},
         ),
         ("a chest of drawers and a sideboard with three drawers", {"dresser": 1, "sideboard": 1}),
+        ("a chair for the doctor and a bed for my daughter", {"chair": 1, "bed": 1}),
+        (
+            "six workstations, each consisting of a desk, an office chair, and a monitor",
+            {"desk": 6, "office chair": 6, "monitor": 6},
+        ),
+        ("1 sofa, 1 television. Layout: sofa opposite television", {"sofa": 1, "television": 1}),
+        ("A classroom with twelve desks. The teacher's desk is by the door.", {"desk": 12, "teacher desk": 1}),
         ("five tables. Three of them are square and seat four, the remaining two are round.", {"dining table": 5}),
     ],
 )
@@ -182,6 +189,16 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
             "a counter near the door, and a reading corner with two armchairs and a floor lamp between them",
             {("near", "kitchen counter", "door"), ("amid", "floor lamp", "armchair")},
         ),
+        (
+            "To the left of the sofa is a shelf. On the other side stands a plant.",
+            {("left", "shelving unit", "sofa"), ("right", "plant", "sofa")},
+        ),
+        (
+            "There is a sofa facing a TV stand. On the TV stand is a TV. A coffee table sits between them.",
+            {("facing", "sofa", "tv stand"), ("on", "television", "tv stand"), ("amid", "coffee table", "sofa"), ("amid", "coffee table", "tv stand")},
+        ),
+        ("a table with six chairs: two on each long side and one at each end", {("around", "chair", "dining table")}),
+        ("a sink with knee space under it", set()),
         ("The north wall has a sofa.", {("on", "sofa", "wall")}),
         ("a rack of dumbbells against the wall", {("on", "dumbbell", "shelving unit"), ("wall", "shelving unit", "wall")}),
         ("a rug beneath the sofa and coffee table", {("under", "rug", "sofa"), ("under", "rug", "coffee table")}),
@@ -240,6 +257,8 @@ def test_what_a_thing_is_made_of_is_nothing_of_the_room() -> None:
         ("a bistro table", "round table"),
         ("a wardrob", "wardrobe"),
         ("a karaoke machine", "vending machine"),
+        ("a screen on the wall", "projection screen"),
+        ("a floor lamp above the sofa", "floor lamp"),
     ],
 )
 def test_a_noun_takes_the_kind_that_fits(text: str, kind: str) -> None:
@@ -258,6 +277,10 @@ def test_a_body_is_who_the_room_is_for_and_a_thing_is_what_stands_there() -> Non
     hospital = read("a hospital room with a wheelchair")
     assert hospital.agent is None
     assert [thing.noun.words for thing in hospital.parsed.things] == ["wheelchair"]
+
+
+def test_a_room_is_known_in_spite_of_a_slip() -> None:
+    assert read("A bedrom with a bed.").room == "bedroom"
 
 
 def test_every_word_is_part_of_something() -> None:

@@ -11,17 +11,7 @@ from robolayout.words._function_words import DETERMINERS
 from robolayout.words._lexicon import Noun, grammar
 from robolayout.words._tokens import Measure, count_of
 
-MARKS = {
-    ",": "comma",
-    ".": "stop",
-    ";": "stop",
-    "!": "stop",
-    "?": "stop",
-    ":": "colon",
-    "\n": "stop",
-    "(": "comma",
-    ")": "comma",
-}
+MARKS = {":": "colon", **dict.fromkeys(".;!?\n", "stop"), **dict.fromkeys(",()", "comma")}
 
 REST = ("other", "others", "remaining", "rest")
 """Words for those that were not yet said."""

@@ -127,16 +127,7 @@ class Chunker:
     def _is_relation(self, phrase: str, end: int) -> bool:
         """Return whether a phrase is a relation here: "opposite walls", "left bank" and "to the left wall" are none."""
         following = self.words[end] if end < len(self.words) else ""
-        if phrase in ("opposite", "across") and following in (
-            "wall",
-            "walls",
-            "side",
-            "sides",
-            "end",
-            "ends",
-            "corner",
-            "corners",
-        ):
+        if phrase in ("opposite", "across") and following.removesuffix("s") in ("wall", "side", "end", "corner"):
             return False
         sided = phrase.endswith(("left", "right", "middle", "center", "centre")) and " its " not in phrase
         if sided and following and following not in MARKS:

@@ -9,38 +9,10 @@ from itertools import pairwise
 from robolayout.constraints import RELATIONS, AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Asset, Opening, Scene, Wall
+from robolayout.words import _ways as ways_of
 from robolayout.words._places import centre, corners_meant, halves_meant, rectangle, turned, wall_pairs, walls_meant
 from robolayout.words._rows import alike, in_rows, lines
 from robolayout.words._said import Link, Mention, Place, Thing
-from robolayout.words._ways import (
-    ACROSS,
-    AHEAD,
-    AT_DOOR,
-    AT_PLACES,
-    AT_SIDES,
-    AT_TABLE,
-    AT_WINDOW,
-    BACK,
-    BACK_WALL,
-    BESIDE,
-    BY_TWOS,
-    DAYLIGHT,
-    ENDS,
-    FAR_SHARE,
-    IN_A_CHAIN,
-    INTO,
-    LEAST_FAR,
-    LEAST_MIDDLE,
-    MIDDLE_SHARE,
-    NEAR,
-    OFF_A_WALL,
-    OPEN_SHARE,
-    SEATS,
-    SLEPT_ON,
-    TO_ANOTHER,
-    TOPS,
-    Ways,
-)
 from robolayout.words.demands import Demand, Way
 
 
@@ -58,7 +30,7 @@ class Demander:
         # of these only the first stands where they are put
         self.stacked = {mention.thing for link in links if link.relation == "stacked" for mention in link.subjects}
         # beside these others stand, so that they are no unbroken row
-        to = [item for link in links if link.relation in AT_SIDES for item in link.objects]
+        to = [item for link in links if link.relation in ways_of.AT_SIDES for item in link.objects]
         self.flanked = {name for item in to if isinstance(item, Mention) for name in names.get(item.thing, ())}
         self.room = scene.room
         # how many stand side by side in the straight rows that are told
@@ -82,21 +54,24 @@ class Demander:
         if not subjects:
             return ()
         if link.relation in ("apart", "bare"):
-            return tuple(self._apart(subjects, link.objects, link.metres if link.relation == "apart" else OFF_A_WALL))
-        if link.relation in ENDS and any(isinstance(item, Place) and item.name == "room" for item in link.objects):
-            return tuple(self._at_place(subjects, Place("side", (ENDS[link.relation],))))
-        place = self._place(link.objects) if link.relation in AT_PLACES else None
+            return tuple(
+                self._apart(subjects, link.objects, link.metres if link.relation == "apart" else ways_of.OFF_A_WALL)
+            )
+        rooms = [item for item in link.objects if isinstance(item, Place) and item.name == "room"]
+        if link.relation in ways_of.ENDS and rooms:
+            return tuple(self._at_place(subjects, Place("side", (ways_of.ENDS[link.relation],))))
+        place = self._place(link.objects) if link.relation in ways_of.AT_PLACES else None
         on, share = link.relation in ("on", "wall"), len(subjects) > 1 and link.relation != "flank"
         at_place = self._at_place(subjects, place, on=on, share=share) if place is not None else ()
-        if link.relation in TO_ANOTHER:
+        if link.relation in ways_of.TO_ANOTHER:
             twos = self._matched(subjects, link.objects)
-            return (*at_place, *(_way(TO_ANOTHER[link.relation], a, b) for a, b in twos))
-        if link.relation in IN_A_CHAIN:
-            return tuple(_way(IN_A_CHAIN[link.relation], b, a) for a, b in pairwise(subjects))
-        if link.relation in BY_TWOS:
+            return (*at_place, *(_way(ways_of.TO_ANOTHER[link.relation], a, b) for a, b in twos))
+        if link.relation in ways_of.IN_A_CHAIN:
+            return tuple(_way(ways_of.IN_A_CHAIN[link.relation], b, a) for a, b in pairwise(subjects))
+        if link.relation in ways_of.BY_TWOS:
             twos = zip(subjects[::2], subjects[1::2], strict=False)
             desks = link.relation == "mutual" and self._is(subjects[0], ("desk",))  # who sits there looks over its back
-            return tuple(_way(BY_TWOS["mutual desks" if desks else link.relation], b, a) for a, b in twos)
+            return tuple(_way(ways_of.BY_TWOS["mutual desks" if desks else link.relation], b, a) for a, b in twos)
         if link.relation in ("rows", "columns"):
             return tuple(self._rows(subjects, link))
         make = getattr(self, f"_{link.relation}", None)
@@ -144,18 +119,21 @@ class Demander:
         """What a thing has: on it, if it can stand nowhere else, else at it."""
         for a, b in self._matched(subjects, objects):
             asset = self._asset(a)
-            beside = asset.on_floor or self._is(b, SLEPT_ON)
-            if asset.on_object and (not beside or self._is(b, TOPS)):
+            beside = asset.on_floor or self._is(b, ways_of.SLEPT_ON)
+            if asset.on_object and (not beside or self._is(b, ways_of.TOPS)):
                 yield self._resting(a, b)
-            elif self._is(a, SEATS) and self._is(b, ("desk", "counter", "island")):
-                ahead = (_say(side, AssetRef(a), AssetRef(b), -BESIDE, BESIDE) for side in ("in_front_of", "behind"))
+            elif self._is(a, ways_of.SEATS) and self._is(b, ("desk", "counter", "island")):
+                ahead = (
+                    _say(side, AssetRef(a), AssetRef(b), -ways_of.BESIDE, ways_of.BESIDE)
+                    for side in ("in_front_of", "behind")
+                )
                 yield Demand(tuple((way,) for way in ahead))
             elif beside:
-                yield _one(_say("near", AssetRef(a), AssetRef(b), BESIDE))
+                yield _one(_say("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
 
     def _far(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         x0, y0, x1, y1 = self.room.bounds
-        least = round(max(LEAST_FAR, FAR_SHARE * max(x1 - x0, y1 - y0)), 2)
+        least = round(max(ways_of.LEAST_FAR, ways_of.FAR_SHARE * max(x1 - x0, y1 - y0)), 2)
         place = self._place(objects)
         points = self._points(place) if place is not None else []
         for a in subjects:
@@ -196,7 +174,7 @@ class Demander:
         """Left and right of a thing, in turn; of a door or window: close to it."""
         by: dict[str, list[str]] = {}
         for a, b in self._matched(subjects, objects):
-            if self._is(b, TOPS) and self._asset(a).on_object and not self._asset(a).on_floor:
+            if self._is(b, ways_of.TOPS) and self._asset(a).on_object and not self._asset(a).on_floor:
                 yield self._resting(a, b)
             else:
                 by.setdefault(b, []).append(a)
@@ -205,7 +183,7 @@ class Demander:
             ways = (
                 [sides, sides[::-1]] if len(items) > 1 and len(items) % 2 == 0 else [sides, [turned(s) for s in sides]]
             )
-            gap = BESIDE if len(items) < 3 else BESIDE * len(items)
+            gap = ways_of.BESIDE if len(items) < 3 else ways_of.BESIDE * len(items)
             yield Demand(
                 tuple(
                     tuple(_say("next_to", AssetRef(a), AssetRef(b), s, gap) for a, s in zip(items, way, strict=True))
@@ -216,16 +194,21 @@ class Demander:
     def _behind(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Behind a thing; who sits behind a desk sits at the side from which it is used."""
         for a, b in self._matched(subjects, objects):
-            gap = BACK_WALL if self._only_wall(a) else BACK  # "on the wall behind the counter"
+            gap = ways_of.BACK_WALL if self._only_wall(a) else ways_of.BACK  # "on the wall behind the counter"
             ways = [(_say("behind", AssetRef(a), AssetRef(b), 0.0, gap),)]
-            if self._is(a, SEATS) and self._is(b, ("desk", "counter")):
-                ways.insert(0, (_say("in_front_of", AssetRef(a), AssetRef(b), 0.0, BACK),))
+            if self._is(a, ways_of.SEATS) and self._is(b, ("desk", "counter")):
+                ways.insert(0, (_say("in_front_of", AssetRef(a), AssetRef(b), 0.0, ways_of.BACK),))
             yield Demand(tuple(ways))
 
     def _around(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         for a, b in self._matched(subjects, objects):
-            near = _say("near", AssetRef(a), AssetRef(b), NEAR if self._is(a, ("armchair", "sofa", "bag")) else BESIDE)
-            turns = not self._asset(a).is_flat and self._is(a, SEATS)
+            near = _say(
+                "near",
+                AssetRef(a),
+                AssetRef(b),
+                ways_of.NEAR if self._is(a, ("armchair", "sofa", "bag")) else ways_of.BESIDE,
+            )
+            turns = not self._asset(a).is_flat and self._is(a, ways_of.SEATS)
             yield Demand(((near, _say("point_towards", AssetRef(a), AssetRef(b))) if turns else (near,),))
 
     def _opposite(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
@@ -235,7 +218,7 @@ class Demander:
                 ways = [(_say("point_towards", AssetRef(a), point),) for point in self._points(place)]
                 yield from [Demand(tuple(ways))] if ways else []
         for a, b in self._matched(subjects, objects):
-            yield _one(_say("in_front_of", AssetRef(a), AssetRef(b), 0.0, ACROSS))
+            yield _one(_say("in_front_of", AssetRef(a), AssetRef(b), 0.0, ways_of.ACROSS))
 
     def _facing(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Looking at a thing, a door or a window; a desk faces what one sees who sits at it."""
@@ -251,10 +234,10 @@ class Demander:
             )
             if len(others) == len(subjects):
                 targets = [AssetRef(others[i])]
-            angles = (180.0, 0.0) if self._is(a, TOPS) else (0.0,)
+            angles = (180.0, 0.0) if self._is(a, ways_of.TOPS) else (0.0,)
             ways = [(_say("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles]
-            if len(others) == len(subjects) > 1 and self._is(a, SEATS) and self._is(others[i], ("mirror",)):
-                ways = [(*way, _say("in_front_of", AssetRef(a), AssetRef(others[i]), *INTO)) for way in ways]
+            if len(others) == len(subjects) > 1 and self._is(a, ways_of.SEATS) and self._is(others[i], ("mirror",)):
+                ways = [(*way, _say("in_front_of", AssetRef(a), AssetRef(others[i]), *ways_of.INTO)) for way in ways]
             if ways:
                 yield Demand(tuple(ways))
 
@@ -272,14 +255,14 @@ class Demander:
     def _lit(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """In daylight: not far from a window."""
         for a in subjects:
-            ways = [(_say("near", AssetRef(a), point, DAYLIGHT),) for point in self._points(Place("window"))]
+            ways = [(_say("near", AssetRef(a), point, ways_of.DAYLIGHT),) for point in self._points(Place("window"))]
             yield from [Demand(tuple(ways))] if ways else []
 
     def _open(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """The middle of the room stays free: each thing stands in one of the four strips around it."""
         x0, y0, x1, y1 = self.room.bounds
         x, y = centre(self.scene)
-        half = max(LEAST_MIDDLE, OPEN_SHARE * min(x1 - x0, y1 - y0))
+        half = max(ways_of.LEAST_MIDDLE, ways_of.OPEN_SHARE * min(x1 - x0, y1 - y0))
         strips = ((x0, y0, x - half, y1), (x + half, y0, x1, y1), (x0, y0, x1, y - half), (x0, y + half, x1, y1))
         for a in subjects:
             yield Demand(tuple((_say("zone", AssetRef(a), rectangle(*strip)),) for strip in strips))
@@ -291,7 +274,7 @@ class Demander:
             return
         for before, a in pairwise(subjects):
             if self._asset(a).on_floor:
-                yield _way(((("next_to", "beside", BACK), ("align_with",)),), a, before)
+                yield _way(((("next_to", "beside", ways_of.BACK), ("align_with",)),), a, before)
 
     def _rows(self, subjects: Sequence[str], link: Link) -> Iterator[Demand]:
         """Like things stand in a block, in so many rows if that is said; others near each other."""
@@ -305,7 +288,7 @@ class Demander:
         for number, a in enumerate(subjects[1:], 1):
             beside = [*reversed(subjects[:number]), *subjects[number + 1 :]]
             if self._asset(a).on_floor:
-                yield Demand(tuple((_say("near", AssetRef(a), AssetRef(b), BACK),) for b in beside))
+                yield Demand(tuple((_say("near", AssetRef(a), AssetRef(b), ways_of.BACK),) for b in beside))
 
     def _seen(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         for a, b in self._matched(subjects, objects):
@@ -322,7 +305,7 @@ class Demander:
             if below and not self._asset(b).on_floor:
                 yield _one(_say("above", AssetRef(b), AssetRef(a)))
             elif not self._asset(a).is_flat:
-                yield _one(_say("near", AssetRef(a), AssetRef(b), AT_TABLE))
+                yield _one(_say("near", AssetRef(a), AssetRef(b), ways_of.AT_TABLE))
 
     def _above(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         for a, b in self._matched(subjects, objects):
@@ -345,13 +328,13 @@ class Demander:
     def _within(self, a: str, end: AssetRef | PointRef) -> float:
         """Return how far from an end a thing between two stands: what is narrower than itself flanks it."""
         flanked = isinstance(end, AssetRef) and self._asset(end.name).size[1] < self._asset(a).size[1]
-        return BESIDE if flanked else AHEAD
+        return ways_of.BESIDE if flanked else ways_of.AHEAD
 
     # what stands at a place of the room
 
     def _wall(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         for a, b in self._matched(subjects, objects):
-            yield _one(_say("near", AssetRef(a), AssetRef(b), BESIDE / 2))
+            yield _one(_say("near", AssetRef(a), AssetRef(b), ways_of.BESIDE / 2))
 
     def _corner(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         yield from self._at_place(subjects, Place("corner"))
@@ -377,7 +360,7 @@ class Demander:
             yield (
                 self._resting(a, b)
                 if self._asset(a).on_object or self._asset(b).is_flat
-                else _one(_say("near", AssetRef(a), AssetRef(b), BESIDE))
+                else _one(_say("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
             )
         if not others:
             yield from self._at_place(subjects, Place("middle"), share=len(subjects) > 1)
@@ -399,12 +382,16 @@ class Demander:
         """Yield the ways in which things are at one wall together, or one half at each of two walls that face each other."""
         half = (len(subjects) + 1) // 2
         for walls in wall_pairs(self.scene, same="same" in place.words):
-            yield tuple(_say(self._held(a, on), AssetRef(a), WallRef(walls[i >= half].index)) for i, a in enumerate(subjects))
+            yield tuple(
+                _say(self._held(a, on), AssetRef(a), WallRef(walls[i >= half].index)) for i, a in enumerate(subjects)
+            )
 
     def _held(self, name: str, on: bool) -> str:
         """Return the statement that says that a thing is at a wall: hung on it, or standing against it."""
         asset = self._asset(name)
-        return "mounted_on" if self._only_wall(name) or (on and asset.on_wall and not asset.on_floor) else "against_wall"
+        return (
+            "mounted_on" if self._only_wall(name) or (on and asset.on_wall and not asset.on_floor) else "against_wall"
+        )
 
     def _ways_at(self, a: str, place: Place, *, on: bool, share: bool) -> Iterator[Way]:
         """Yield the ways in which one thing can be at a place of the room."""
@@ -417,11 +404,11 @@ class Demander:
         elif place.name == "corner":
             yield from ((_say("corner", ref, vertex),) for vertex in corners_meant(self.scene, place))
         elif place.name in ("window", "door"):
-            gap = (AT_WINDOW if place.name == "window" else AT_DOOR) * (1.5 if share else 1.0)
+            gap = (ways_of.AT_WINDOW if place.name == "window" else ways_of.AT_DOOR) * (1.5 if share else 1.0)
             yield from ((_say("near", ref, point, gap),) for point in self._points(place))
         elif place.name == "middle":
             x0, y0, x1, y1 = self.room.bounds
-            most = max(LEAST_MIDDLE, MIDDLE_SHARE * min(x1 - x0, y1 - y0)) * (1.5 if share else 1.0)
+            most = max(ways_of.LEAST_MIDDLE, ways_of.MIDDLE_SHARE * min(x1 - x0, y1 - y0)) * (1.5 if share else 1.0)
             x, y = centre(self.scene)
             yield (_say("distance_constraint", ref, PointRef(x, y), None, round(most, 2)),)
         elif place.name == "side":
@@ -454,7 +441,7 @@ def _say(relation: str, *arguments: object) -> Relation:
     return RELATIONS[relation](*arguments)
 
 
-def _way(ways: Ways, a: str, b: str) -> Demand:
+def _way(ways: ways_of.Ways, a: str, b: str) -> Demand:
     """Return a demand on two things from its ways."""
     return Demand(tuple(tuple(_say(str(name), AssetRef(a), AssetRef(b), *more) for name, *more in way) for way in ways))
 

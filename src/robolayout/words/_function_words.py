@@ -24,24 +24,8 @@ ORDINALS = ("first", "second", "third", "last")
 """Words that pick one of several by its number."""
 JOINING = frozenset(["and", "plus", "as", "or", "also", "then", "but", "while", "where", "&"])
 """Words that join phrases."""
-WITH = frozenset(
-    [
-        "with",
-        "w",
-        "consisting",
-        "comprising",
-        "has",
-        "have",
-        "having",
-        "contains",
-        "contain",
-        "containing",
-        "includes",
-        "include",
-        "featuring",
-        "including",
-    ]
-)
+_WITH = "with w consisting comprising has have having contains contain containing includes include featuring including"
+WITH = frozenset(_WITH.split())
 """Words after which comes what something has."""
 REFUSING = frozenset(["no", "without", "not", "neither", "nor", "dont", "avoid", "never"])
 """Words that refuse what follows."""

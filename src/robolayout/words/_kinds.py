@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from robolayout.assets import CATALOGUE
 from robolayout.words._said import Link, Mention, Parsed, Place
+from robolayout.words._ways import TOPS
 
 STANDING = frozenset(("next", "flank", "behind", "front", "corner", "left", "right", "near", "far", "by", "foot"))
 """Relations of what stands on the floor."""
@@ -41,7 +42,9 @@ def settle_kinds(parsed: Parsed) -> None:
                 own = f"{noun.said} stand"
                 if link.relation == "on" and bearer.noun.said == "stand" and own in CATALOGUE:
                     bearer.noun = replace(bearer.noun, words=own, kind=own, guessed="")
-            standing = place == "wall" and CATALOGUE[noun.kind].on_floor and noun.said not in ("lamp", "light")
+            standing = (
+                place == "wall" and CATALOGUE[noun.kind].on_floor and noun.said not in ("lamp", "light", "screen")
+            )
             hung = f"wall {noun.kind.split()[-1].replace('bookshelf', 'shelf')}"
             standing = standing and link.relation != "above"
             if (
@@ -59,7 +62,8 @@ def settle_kinds(parsed: Parsed) -> None:
                 else [kind for kind in (noun.kind, *noun.others) if place and place in CATALOGUE[kind].places]
             )
             if noun.others and fits and noun.words in (noun.kind, noun.said):
-                mention.thing.noun = replace(noun, words=fits[0], kind=fits[0], others=())
+                words = fits[0] if noun.words == noun.kind else noun.words
+                mention.thing.noun = replace(noun, words=words, kind=fits[0], others=())
 
 
 def _settle_low_table(link: Link) -> None:
@@ -80,13 +84,7 @@ def _where(link: Link) -> str:
         hung = link.relation in ("on", "hanging", "in")
         return "ceiling" if to.name == "ceiling" else "wall" if hung else "floor" if link.relation == "wall" else ""
     if link.relation == "above":
-        wall = isinstance(to, Mention) and to.thing.noun.kind.split()[-1] not in (
-            "table",
-            "chair",
-            "counter",
-            "island",
-            "desk",
-        )
+        wall = isinstance(to, Mention) and to.thing.noun.kind.split()[-1] not in (*TOPS, "chair", "island")
         return "wall" if wall else "ceiling"
     if link.relation == "on" and isinstance(to, Mention):
         return "object" if not CATALOGUE[to.thing.noun.kind].size[2] < 0.03 else "floor"

@@ -10,18 +10,8 @@ from robolayout.scene import Asset, Scene
 from robolayout.words._lexicon import grammar, plain
 from robolayout.words._said import Thing
 
-KIN = {
-    "crib": "bed",
-    "cot": "bed",
-    "cradle": "bed",
-    "loveseat": "sofa",
-    "couch": "sofa",
-    "settee": "sofa",
-    "recliner": "armchair",
-    "rocking chair": "armchair",
-    "hanging chair": "armchair",
-    "chandelier": "lamp",
-}
+_KIN = "crib bed, cot bed, cradle bed, loveseat sofa, couch sofa, settee sofa, recliner armchair, chandelier lamp"
+KIN = {thing: other for thing, other in (pair.split() for pair in _KIN.split(", "))}
 """Things that stand for another that they are not named after."""
 
 

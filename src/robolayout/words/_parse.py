@@ -129,7 +129,7 @@ class Parser(Relating):
         """After a thing it multiplies ("four chairs each"); before "with" it says that each one has them."""
         if self.at < len(self.chunks) and self.chunks[self.at].kind == "with":
             self.at += 1
-            holder = [replace(mention, det="each") for mention in self.group[-1:] or self.subject[-1:]]
+            holder = [Mention(mention.thing, None, "each") for mention in self.group[-1:] or self.subject[-1:]]
             self.holder = holder
             self._each_has(holder, holder[0].thing.count if holder else 1)
         elif self.group and self.holder and self.group[-1].thing is not self.holder[0].thing:
@@ -180,8 +180,6 @@ class Parser(Relating):
         joined = self._joined()
         if self.having and self.holder and self._put_on(mention, self.holder[0], joined=joined):
             self.said.links.append(Link("with", (mention,), tuple(self.holder), chunk.start, chunk.end))
-            if self.holder[0].det == "each" and mention.thing.times == 1 and chunk.det != "the":
-                mention.thing.times = self.holder[0].thing.count
         joined = joined and not self._alone(mention)
         together = joined and self.subject == self.group
         self.group = [*self.group, mention] if joined else [mention]

@@ -194,7 +194,7 @@ class References:
             earlier += [m for m in to[-1:] if m.thing is not earlier[0].thing]
         before = self.before
         if len(before) == 1 and before[0].thing.count == 1:
-            two = ([*k.subjects, *k.objects] for k in reversed(self.said.links) if k.subjects and k.objects)
+            two = ([*k.subjects, *k.objects] for k in reversed(self.said.links) if k.relation != "on" and k.objects)
             standing = ([m for m in both if isinstance(m, Mention) and not topped(m)] for both in two)
             before = next((both for both in standing if len(both) > 1), before)
         return earlier[-2:] or before
@@ -225,17 +225,8 @@ class References:
             before = self.group[-1].thing.number
             number = before if before and before > 1 else None
         definite = chunk.det in ("the", "each", "all")
-        made = Thing(
-            chunk.noun,
-            number,
-            chunk.bound,
-            chunk.plural,
-            chunk.adjectives,
-            [(chunk.start, chunk.end)],
-            1,
-            chunk.rows,
-            definite,
-        )
+        made = Thing(chunk.noun, number, chunk.bound, chunk.plural, chunk.adjectives, [(chunk.start, chunk.end)])
+        made.rows, made.definite = chunk.rows, definite
         self.said.things.append(made)
         return Mention(made, None, chunk.det)
 
@@ -263,7 +254,10 @@ class References:
         fits = [t for t in fits if same_words(t, chunk)] or fits
         if not fits or (chunk.det in ORDINALS and fits[-1].count <= ORDINALS.index(chunk.det) % 3):
             return None
-        if fits[-1].count > 1 and not chunk.plural and {word.removesuffix("s") for word in chunk.adjectives} & PEOPLE:
+        said = {
+            word.removesuffix("s") for word in (*chunk.adjectives, *(chunk.noun.said.split() if chunk.noun else ()))
+        }
+        if fits[-1].count > 1 and not chunk.plural and said & PEOPLE and not same_words(fits[-1], chunk):
             return None  # "the teacher's desk"
         one = target and chunk.number == 1 and chunk.det == ""
         new = (chunk.det == "new" and not any(0 < self.dealt.get(thing, 0) < thing.count for thing in fits[-1:])) or (
@@ -280,7 +274,9 @@ class References:
         bare = not chunk.det and chunk.number is None
         if bare and not chunk.plural and not target:
             follows = [other.kind for other in self.chunks[self.at : self.at + 1]]
-            return fits[-1] if follows == ["rel"] and same_words(fits[-1], chunk) else None  # "1 bed, 1 desk: desk near bed"
+            return (
+                fits[-1] if follows == ["rel"] and same_words(fits[-1], chunk) else None
+            )  # "1 bed, 1 desk: desk near bed"
         if chunk.det == "a" and not target and fits[-1].definite and same_words(fits[-1], chunk):
             fits[-1].definite = False
             return fits[-1]

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence, Set
 from dataclasses import replace
+from itertools import takewhile
 
 from robolayout.assets import CATALOGUE
 from robolayout.words._chunk import Chunk
@@ -101,7 +103,8 @@ class Relating(References):
                 break
             self.at += 1
             own = holder and chunk.noun is not None and chunk.noun.kind == holder[0].thing.noun.kind
-            if chunk.kind == "thing" and not own:  # "six workstations, each consisting of a desk and a chair"
+            self._understood(*[chunk] * bool(own))  # "six workstations, each consisting of a desk and a chair"
+            if chunk.kind == "thing" and not own:
                 mention = self._mention(chunk)
                 if mention.thing in self.said.things[first:]:
                     mention.thing.times = times
@@ -111,16 +114,11 @@ class Relating(References):
 
     def _list_goes_on(self) -> bool:
         """Return whether from a comma here a plain list goes on to the end of the sentence: ", a keyboard and a chair." """
-        index = self.at + 1
-        while index + 1 < len(self.chunks) and self.chunks[index].kind == "thing":
-            joins = self.chunks[index + 1].kind
-            if joins == "and":
-                ends = self.chunks[index + 3].kind if index + 3 < len(self.chunks) else "stop"
-                return self.chunks[index + 2].kind == "thing" and ends == "stop"
-            if joins != "comma":
-                return False
-            index += 2
-        return False
+        rest = list(takewhile(lambda kind: kind != "stop", (chunk.kind for chunk in self.chunks[self.at :])))
+        return (
+            rest[-2:] == ["and", "thing"]
+            and re.fullmatch("(comma thing )*(comma )?and thing", " ".join(rest)) is not None
+        )
 
     def _of_the_room(self, chunk: Chunk) -> bool:
         """Note what is asked of the room itself: an open middle, a way to something, daylight at it."""
@@ -165,12 +163,10 @@ class Relating(References):
         self._keep(chunk.value, objects, pronoun=its or self.chunks[self.at - 1].kind == "pron", fronted=not subjects)
         if chunk.value == "ontop":
             chunk, objects = replace(chunk, value="on"), objects or list(self.holder or self.subject)
+        chunk, objects = self._other_side(chunk, objects)
         place = objects[0] if objects and isinstance(objects[0], Place) else None
-        if place is not None and (place.name, place.det) == ("side", "other"):  # "to the left of the sofa ..., on the other side"
-            sided = [link for link in self.said.links if link.relation in OTHER_SIDE and link.objects][-1:]
-            chunk = replace(chunk, value=OTHER_SIDE[sided[0].relation]) if sided else chunk
-            place, objects = (None, list(sided[0].objects)) if sided else (place, objects)
-        sides = place.name == "side" if place else chunk.value == "flank" and not objects and not self.holder
+        sides = place.name == "side" if place else chunk.value == "flank" and not objects
+        sides = sides and (place is not None or not self.holder or any(m.thing in self.dealt for m in subjects))
         if sides and self._at_sides(chunk, subjects):
             self._understood(chunk)
             return
@@ -184,6 +180,15 @@ class Relating(References):
             if isinstance(item, Mention) and own and item.thing.times == 1:
                 item.thing.times = subjects[0].thing.count  # "each facing a mirror"
         self._relate(chunk, subjects, objects, first)
+
+    def _other_side(self, chunk: Chunk, objects: list[Mention | Place]) -> tuple[Chunk, list[Mention | Place]]:
+        """Return a relation and what it leads to, where "on the other side" is the other side of what was spoken of."""
+        if not objects or not isinstance(objects[0], Place) or (objects[0].name, objects[0].det) != ("side", "other"):
+            return chunk, objects
+        sided = [link for link in self.said.links if link.relation in OTHER_SIDE and link.objects][-1:]
+        return (
+            (replace(chunk, value=OTHER_SIDE[sided[0].relation]), list(sided[0].objects)) if sided else (chunk, objects)
+        )
 
     def _held_by(
         self, chunk: Chunk, subjects: list[Mention], objects: list[Mention | Place]
