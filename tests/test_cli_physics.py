@@ -16,6 +16,11 @@ from running import Furnished, Ran
 
 Command = Callable[..., Ran]
 
+ARMED = """<robot name="armed"><link name="base"><collision><origin xyz="0 0 0.2"/><geometry><box size="0.5 0.4 0.4"/></geometry>
+</collision></link><link name="hand"><collision><origin xyz="0.3 0 0"/><geometry><box size="0.6 0.05 0.05"/></geometry></collision>
+</link><joint name="shoulder" type="revolute"><parent link="base"/><child link="hand"/><origin xyz="0 0 0.6"/>
+<axis xyz="0 1 0"/><limit lower="-2" upper="2" effort="5" velocity="1"/></joint></robot>"""
+
 
 @pytest.fixture(scope="module")
 def given(furnished: Furnished) -> tuple[Path, Path]:
@@ -108,6 +113,25 @@ def test_a_model_is_written_without_the_body_and_with_open_doors(
     text = (tmp_path / "scene.xml").read_text()
     assert ran.code == 0 and 'name="agent"' not in text and '<key name="home"' in text
     assert 'joint name="room/door-0"' not in text and 'name="wardrobe-0/door 0"' in text
+
+
+def test_the_whole_model_of_a_robot_is_written_and_no_file_of_a_run_says_where_it_lies(
+    command: Command, furnished: Furnished, tmp_path: Path
+) -> None:
+    robot, out = tmp_path / "mine" / "armed.urdf", tmp_path / "run"
+    robot.parent.mkdir()
+    robot.write_text(ARMED)
+    program = furnished.folder / "program.py"
+    assert command("generate", furnished.scene, "--agent", robot, "--program", program, "--out", out).code in (0, 1)
+    given = (out / "scene.json", out / "layout.json")
+    assert command("export", *given, "--agent", robot, "--to", "mjcf", "--body", "full", "--out", out).code == 0
+    text = (out / "scene.xml").read_text()
+    assert 'name="agent/shoulder"' in text and 'name="agent/yaw"' in text
+    ran = command("export", *given, "--to", "mjcf", "--body", "full", "--out", out / "base")
+    assert ran.code == 0 and "shoulder" not in (out / "base" / "scene.xml").read_text(), "figures alone have no model"
+    assert json.loads(given[0].read_text())["agent"]["height"]
+    for file in out.rglob("*"):
+        assert file.is_dir() or str(robot.parent).encode() not in file.read_bytes(), file
 
 
 def test_what_falls_makes_the_verdict_short() -> None:
