@@ -161,7 +161,7 @@ class Solver:
             best, run = self._opened(stage, run, best)
             best = self._route(stage, run, best)
         self.blind |= self._amiss(stage, best) > self.effort.blind
-        best = best if self.blind else self._near(number, best)
+        best = best if self.blind and not number else self._near(number, best)  # on a top a few centimetres are enough
         self.blind |= best.verdict.soft > self.effort.blind * len(self.problem.relations)
         if not self.config.starts or not (self.blind or best.verdict.broken):
             return best
