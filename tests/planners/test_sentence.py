@@ -1,5 +1,7 @@
 """From a sentence to a scene: what is understood, what is ignored, what is refused."""
 
+import re
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -228,9 +230,26 @@ def test_who_sits_at_a_table_takes_nobodys_desk(text: str, things: dict[str, int
         ("a living room with a round wool rug", {"round rug": 1, "rug": 0}),
         ("a bedroom with a circular carpet", {"round rug": 1, "rug": 0}),
         ("a living room with a round coffee table", {"coffee table": 1, "round table": 0}),
+        ("a cocktail bar with a bar counter, eight bar stools and four high tables", {"chair": 0, "bar stool": 8}),
+        ("a waiting room with two sofas and a coffee table", {"chair": 0}),
+        ("a waiting room with a coffee table", {"chair": 6}),
+        ("a cafe with three small round tables", {"chair": 6}),
+        (
+            "a studio apartment with a bed and a bistro table with two chairs",
+            {"chair": 2, "desk": 1, "office chair": 1},
+        ),
+        ("a kitchen with an island with three stools", {"bar stool": 3, "stool": 0}),
+        ("a bathroom with a bathtub", {"shower": 0}),
+        ("a classroom with a blackboard", {"whiteboard": 0}),
+        ("a living room with a sofa and a TV on the wall", {"tv stand": 0}),
+        ("a playroom", {"single bed": 0, "wardrobe": 0, "kids table": 1}),
+        ("a vet clinic with a scale", {"hospital bed": 0, "examination table": 1, "physician scale": 1}),
+        ("a music room with a piano", {"stool": 1}),
     ],
 )
-def test_what_things_need_comes_with_them_and_round_ones_are_round(text: str, things: dict[str, int]) -> None:
+def test_what_things_need_comes_with_them_and_nothing_is_there_without_purpose(
+    text: str, things: dict[str, int]
+) -> None:
     found = scene_from_sentence(text)[1]
     there = {**found.added, **found.wished}
     assert {name: there.get(name, 0) for name in things} == things
@@ -239,3 +258,35 @@ def test_what_things_need_comes_with_them_and_round_ones_are_round(text: str, th
 def test_a_machine_stands_on_the_counter_of_a_cafe_and_on_no_guests_table() -> None:
     scene, _ = scene_from_sentence("a cafe with four tables for two and a coffee machine")
     assert "solver.on_top_of(coffee_machine[0], bar_counter[0])" in OfflinePlanner().plan(PlanRequest(scene))
+
+
+def test_a_room_of_a_narrower_type_counts_as_the_wider_one() -> None:
+    assert [scene_from_sentence(f"a {text}")[1].room_type for text in ("playroom", "exam room", "dance studio")] == [
+        "children's room",
+        "hospital room",
+        "work studio",
+    ]
+
+
+def test_a_television_on_the_wall_hangs_flat() -> None:
+    scene, _ = scene_from_sentence("a living room with a sofa and a large TV on the wall")
+    screen = scene.by_name["television-0"]
+    assert screen.size[0] < 0.1 and not screen.on_object
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "bearers"),
+    [
+        ("a garage with a workbench and four stacked tires", "tire", {"tire"}),
+        ("a home cinema with six recliners, a side table and a popcorn machine", "popcorn_machine", {"side_table"}),
+    ],
+)
+def test_things_stand_on_tops_that_are_meant_for_them(text: str, name: str, bearers: set[str]) -> None:
+    plan = OfflinePlanner().plan(PlanRequest(scene_from_sentence(text)[0]))
+    assert set(re.findall(rf"on_top_of\({name}\[\d\], (\w+)\[", plan)) <= bearers
+
+
+def test_what_is_asked_to_stand_in_a_corner_is_placed_before_what_is_not() -> None:
+    scene, _ = scene_from_sentence("a living room with a bookshelf, a cabinet and a large plant in each corner")
+    plan = OfflinePlanner().plan(PlanRequest(scene, asked=read_words(scene).demands))
+    assert plan.index("corner(plant[0]") < plan.index("against_wall(cabinet[0]")

@@ -84,12 +84,13 @@ def test_nothing_is_asked_where_the_program_places_nothing() -> None:
     assert np.array_equal(restored(problem, world, never, TRIALS), world)
 
 
-def test_what_came_to_stand_askew_is_squared_and_what_is_meant_so_stays() -> None:
+@pytest.mark.parametrize("angle", [0.1, 0.7])
+def test_what_came_to_stand_askew_is_squared_and_what_is_meant_so_stays(angle: float) -> None:
     problem, _ = planned("bedroom")
     slots = [slot for slot in range(len(problem.names)) if problem.parent[slot] < 0]
     askew = problem.start.copy()
     for slot in slots:
-        carry(problem, askew, slot, compose(askew[slot], np.array([0.0, 0.0, np.cos(0.1), np.sin(0.1)])))
+        carry(problem, askew, slot, compose(askew[slot], np.array([0.0, 0.0, np.cos(angle), np.sin(angle)])))
     free = replace(problem, guessed=())
     found = squared(free, askew, lambda world: True)
     assert found[slots] == pytest.approx(problem.start[slots])

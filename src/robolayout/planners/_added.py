@@ -13,7 +13,7 @@ from robolayout.assets import Category
 from robolayout.planners._knowledge import Role
 from robolayout.planners._wishes import Wishes
 from robolayout.scene import Agent
-from robolayout.words import KIN, Mention, Rooms
+from robolayout.words import KIN, Rooms
 
 COMFORT, AIRY = 0.26, 0.15
 """Shares of the floor up to which further things are added: usually, and in a room that is to be airy."""
@@ -37,10 +37,14 @@ VAGUE = ("stand", "rack", "machine", "board")
 """Last words that do not say what a thing is for."""
 
 
+IN_PLACE_OF = {"bathtub": "shower", "blackboard": "whiteboard", "projection screen": "television"}
+"""What is not added where something else does its work."""
+
+
 def head(name: str) -> str:
     """Return the word that says what a thing is: "bed" for a bunk bed."""
     last = name.split()[-1]
-    return KIN.get(name, name if last in VAGUE else last)
+    return KIN.get(name, IN_PLACE_OF.get(name, name if last in VAGUE else last))
 
 
 @dataclass(frozen=True)
@@ -115,15 +119,11 @@ class Added:
         self.asked = {known.head(name) for name in wishes.things}
         self.asked |= {known.head(name) for name in wished if known.head(name) == "bed"}
         self.lasts = {name.split()[-1] for name in wishes.things} | wishes.general
-        links = wishes.reading.parsed.links
-        on = [
-            m.thing.noun.kind
-            for k in links
-            if k.relation == "on"
-            for m in k.subjects
-            if isinstance(k.objects[0], Mention)
-        ]
-        self.borne = {name for name in on if known.kinds[name].places == ("object",)}  # something is said to bear it
+        on = [mention.thing for k in wishes.reading.parsed.links if k.relation == "on" for mention in k.subjects]
+        borne = {thing.noun.kind for thing in on if "floor" not in known.kinds[thing.noun.kind].places}
+        self.spared = {
+            other for name in borne for other in known.rooms.companions.get(name, {})
+        }  # what bears them is said
         height = wishes.reading.measure("height")
         self.ceiling = height[0] if height else math.inf
         self.found: dict[str, int] = {}
@@ -148,6 +148,7 @@ class Added:
         last, wishes = name.split()[-1], self.wishes
         return (
             name in wishes.reading.unwanted
+            or name in self.spared
             or last in self.lasts
             or self.known.head(name) in self.asked
             or name in self.wished
@@ -162,12 +163,14 @@ class Added:
 
     def _go_along(self, name: str, count: int) -> None:
         """Add what a wished thing is of no use without; benches and stools are seats of tables, too."""
-        if name in self.borne:
-            return
         there = {self.known.head(other) for other in self.wished}
         there |= {"chair"} if head(name) == "table" and SEATS & {*self.wished} else set()
         for other, each in self.known.rooms.companions.get(name, {}).items():
-            if other not in self.wishes.reading.unwanted and head(other) not in there | self.wishes.general:
+            if (
+                other not in self.spared
+                and other not in self.wishes.reading.unwanted
+                and head(other) not in there | self.wishes.general
+            ):
                 self.found[other] = self.found.get(other, 0) + count * each
 
     def _add(self, name: str, most: int) -> None:
@@ -176,7 +179,7 @@ class Added:
         needs = {
             other: each
             for other, each in self.known.rooms.companions.get(name, {}).items()
-            if head(other) not in present and other not in self.room.base
+            if head(other) == "chair" or (head(other) not in present and other not in self.room.base)
         }
         limit = BASIC if name in self.room.base and self.fill > AIRY else self.fill
         for count in range(most, 0, -1):

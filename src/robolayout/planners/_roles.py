@@ -194,11 +194,11 @@ def _any_top(item: Cast, cast: Mapping[str, Cast], covered: Mapping[str, float])
     if not item.asset.on_object or item.asset.on_floor or item.asset.on_wall or item.asset.on_ceiling:
         return None
     best = [
-        (other.asset.size[2] > TOP_HEIGHT, covered.get(name, 0.0) - _footprint(other.asset), name)
+        (other.asset.size[2] > TOP_HEIGHT, not other.role.top, covered.get(name, 0.0) - _footprint(other.asset), name)
         for name, other in cast.items()
         if name != item.name and other.asset.on_floor and not other.asset.is_flat and not depends(name, item.name, cast)
     ]
-    return (min(best)[2], Join("on", ("*",), say=("on_top_of({a}, {b})",))) if best else None
+    return (min(best)[-1], Join("on", ("*",), say=("on_top_of({a}, {b})",))) if best else None
 
 
 def _room_for(asset: Asset, other: Asset, join: Join, covered: float) -> bool:

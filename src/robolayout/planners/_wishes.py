@@ -25,7 +25,7 @@ from robolayout.words import (
     sized,
 )
 
-GENERAL = ("desk", "bed", "table", "chair", "shelf", "sink", "counter", "mat")
+GENERAL = ("desk", "bed", "table", "chair", "shelf", "sink", "counter", "mat", "monitor", "scale")
 """Nouns that mean what is usual in a room: a desk of a classroom is a student desk."""
 
 LACKING, LIKELY = 0.4, 1.0
@@ -33,6 +33,9 @@ LACKING, LIKELY = 0.4, 1.0
 
 CARRIED = 0.5
 """Square metres of floor that a thing takes at the most to be put on another, where it is asked to stand there."""
+
+FOOTLESS = 0.09
+"""Metres that a thing stands out from a wall at the most where it hangs there instead of standing on its foot."""
 
 SIZE_WORDS = {"small", "large", "big", "little"}
 
@@ -147,34 +150,12 @@ def _things(
     """Return what is wished, and the kinds of it that are not in the catalogue as they stand."""
     wished: dict[str, int] = {}
     named: dict[str, Category] = {}
-    resting = {
-        mention.thing
-        for link in reading.parsed.links
-        if link.relation == "on" and link.objects and isinstance(link.objects[0], Mention)
-        for mention in link.subjects
-        if lexicon.kinds[link.objects[0].thing.noun.kind].size[2] >= FLAT_HEIGHT
-    }
-    hung = {
-        mention.thing
-        for link in reading.parsed.links
-        if any(isinstance(place, Place) and place.name == "ceiling" for place in link.objects)
-        for mention in link.subjects
-    }
-    stacked = {
-        mention.thing for link in reading.parsed.links if link.relation == "stacked" for mention in link.subjects
-    }
     for thing in reading.parsed.things:
         name, shown = usual_there(thing, room) or thing.noun.kind, _shown(thing, room, lexicon)
         kind = lexicon.kinds[name]
         like = kind.like or (name if shown != name else "")
         size = _large_enough(thing, sized(kind, thing.adjectives), reading.parsed.links, lexicon)
-        kind = replace(kind, name=shown, like=like, size=size)
-        if thing in resting and kind.size[0] * kind.size[1] < CARRIED:
-            kind = replace(kind, on_object=True, on_wall=False, on_ceiling=False, on_floor=False)
-        if thing in hung and not kind.on_ceiling:
-            kind = replace(kind, on_ceiling=True, on_floor=False, on_wall=False, on_object=False)
-        if thing in stacked:
-            kind = replace(kind, on_object=True)
+        kind = _as_placed(thing, replace(kind, name=shown, like=like, size=size), reading.parsed.links, lexicon)
         if kind != lexicon.kinds[name] and wished.get(shown, 0) == 0:
             named[shown] = kind
         wished[shown] = wished.get(shown, 0) + thing.count
@@ -185,6 +166,25 @@ def _things(
                 if name.split()[-1] not in present:
                     wished[name] = wished.get(name, 0) + count
     return wished, named
+
+
+def _as_placed(thing: Thing, kind: Category, links: Sequence[Link], lexicon: Lexicon) -> Category:
+    """Return a kind as it is where it is asked to be: on a thing, under the ceiling, flat on a wall, on one of its own."""
+    for link in links:
+        if all(mention.thing is not thing for mention in link.subjects):
+            continue
+        to = [lexicon.kinds[item.thing.noun.kind] for item in link.objects[:1] if isinstance(item, Mention)]
+        places = {item.name for item in link.objects if isinstance(item, Place)}
+        small = kind.size[0] * kind.size[1] < CARRIED
+        if link.relation == "on" and small and any(bearer.size[2] >= FLAT_HEIGHT for bearer in to):
+            kind = replace(kind, on_object=True, on_wall=False, on_ceiling=False, on_floor=False)
+        if "ceiling" in places and not kind.on_ceiling:
+            kind = replace(kind, on_ceiling=True, on_floor=False, on_wall=False, on_object=False)
+        if link.relation == "on" and "wall" in places and kind.on_wall and kind.on_object:
+            kind = replace(kind, on_object=False, size=(min(kind.size[0], FOOTLESS), *kind.size[1:]))
+        if link.relation == "stacked":
+            kind = replace(kind, on_object=True)
+    return kind
 
 
 def _large_enough(

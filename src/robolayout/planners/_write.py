@@ -32,6 +32,9 @@ UNDER = 0.2
 LARGE, ALONG_WALLS = 40.0, 1.6
 """Square metres from which on a room is furnished through its middle, and metres along its walls that are not its middle."""
 
+SMALL = 44
+"""Rank from which on things are placed after those of which the user says where they stand."""
+
 NARROWEST = 0.6
 """Metres that people need to get to a side of a thing."""
 
@@ -64,8 +67,8 @@ class Writer:
 
     def _turn(self, name: str) -> tuple[object, ...]:
         top = self.cast[root(self.cast, name)]
-        own = self.cast[name]
-        return (top.role.rank, -top.asset.size[0] * top.asset.size[1], top.name, name != top.name, own.role.rank)
+        own, late = self.cast[name], top.role.rank >= SMALL and top.name not in self.asked
+        return (late, top.role.rank, -top.asset.size[0] * top.asset.size[1], top.name, name != top.name, own.role.rank)
 
     def lines(self, name: str) -> Iterator[Line]:
         """Yield what is said of one asset; sets of assets speak with their last one."""

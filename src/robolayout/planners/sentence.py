@@ -34,6 +34,12 @@ ROOMY = 0.22
 STRETCH = 0.25
 """Logarithm of the factor by which variants of a room are longer or shorter than usual at the most."""
 
+LOUNGE = {"sofa", "armchair", "bench", "stool", "booth", "pew"}
+"""Last words of what people sit on where there is no table for chairs."""
+
+FOR_TWO = 1.2
+"""Metres of a table's longer side up to which two sit at it, if nobody says how many."""
+
 WALKWAY = 0.6
 """Metres by which a room is longer and wider than the longest thing in it, where no size is given."""
 
@@ -111,7 +117,7 @@ def scene_from_sentence(
     roles = {name: role for role in own.roles.values() for name in role.names}
     known = Known({**CATALOGUE, **{thing.name: thing for thing in own.things}, **wishes.named}, rooms, roles)
     room = wishes.room
-    wished = _wished(wishes, room)
+    wished = _wished(wishes, room, known)
     stretch = float(np.exp(rng.uniform(-STRETCH, STRETCH))) if variant else 1.0
     size = _room_size(wishes, room, wished, known, stretch)
     _possible(wishes.reading.shape, wished, size, known)
@@ -122,7 +128,7 @@ def scene_from_sentence(
     assumed = (*wishes.guesses, *_assumed(wishes, room, size), *_lowered(height, map(known.kinds.__getitem__, wished)))
     found = Understanding(
         text.strip(),
-        room.name,
+        room.of or room.name,
         size,
         wishes.reading.shape,
         height,
@@ -135,10 +141,10 @@ def scene_from_sentence(
     return scene_from_dict(_scene(found, wishes, known.kinds, rng, varied=variant > 0)), found
 
 
-def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
+def _wished(wishes: Wishes, room: RoomType, known: Known) -> dict[str, int]:
     """Return what was asked for, with what the people in the sentence bring along."""
     wished = dict(wishes.things)
-    people = _people(wishes, room, wished)
+    people = _people(wishes, room, wished, known)
     heads = {head(name) for name in wished}
     heads |= {"chair"} if SEATS & {*wished} and "table" in heads else set()
     in_rows = {
@@ -148,6 +154,9 @@ def _wished(wishes: Wishes, room: RoomType) -> dict[str, int]:
         any(head(kind) == "chair" for kind in in_rows) and "desk" not in heads
     )  # it sits before a board, at no desks
     heads |= {"desk"} if audience else set()
+    seated = "table" in heads if room.tables else heads & LOUNGE
+    if seated and not wishes.reading.people and known.useless("chair", {**wished, **room.base}):
+        heads.add("chair")  # who is here sits elsewhere: on sofas, or on stools at high tables
     for name, count in room.person.items():
         if people and head(name) not in heads and name not in wishes.reading.unwanted:
             wished[name] = wished.get(name, 0) + count * people
@@ -166,7 +175,7 @@ def _usual_people(wishes: Wishes) -> int:
     return round(room.people * times) if grows else room.people
 
 
-def _people(wishes: Wishes, room: RoomType, wished: dict[str, int]) -> int:
+def _people(wishes: Wishes, room: RoomType, wished: dict[str, int], known: Known) -> int:
     """Return for how many the room is: as said, else as many as have a seat, a desk or a bed; seats are wished for."""
     if wishes.seats:
         adults = [name for name in wished if head(name) == "chair" and name not in ("high chair", "kids chair")]
@@ -181,7 +190,9 @@ def _people(wishes: Wishes, room: RoomType, wished: dict[str, int]) -> int:
     taken = {head(name) for name in room.person}
     if "desk" in taken and wishes.seats:
         taken = {"desk"}  # who sits at the table also has a desk
-    return max((count for name, count in wished.items() if head(name) in taken), default=_usual_people(wishes))
+    tables = {name: count for name, count in wished.items() if room.tables and head(name) == "table"}
+    seats = sum(count * (2 if max(known.kinds[name].size[:2]) <= FOR_TWO else 4) for name, count in tables.items())
+    return max((count for name, count in wished.items() if head(name) in taken), default=seats or _usual_people(wishes))
 
 
 def _chair(room: RoomType) -> str:

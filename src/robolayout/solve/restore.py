@@ -17,7 +17,7 @@ from robolayout.solve.stage import relative
 SAME = 1e-9
 """Metres, or parts of a unit heading vector, below which a thing has not moved."""
 
-STRAIGHT, ASKEW = math.radians(0.5), math.radians(20.0)
+STRAIGHT, ASKEW = math.radians(0.5), math.radians(45.0)
 """Angles off a wall's between which a thing counts as having come to stand askew."""
 
 PULL = 0.05

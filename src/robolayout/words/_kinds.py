@@ -22,6 +22,10 @@ LOUNGE = frozenset(("armchair", "sofa", "recliner", "chaise", "lounger"))
 """Seats between which a table is a low one, and no table to eat at."""
 
 
+HIGH = ("counter", "island", "bar table")
+"""Last words of what one sits at on a high stool."""
+
+
 def settle_kinds(parsed: Parsed) -> None:
     """Give things whose noun means several kinds the first kind that can be where they are asked to be."""
     heads = {thing.noun.kind.split()[-1] for thing in parsed.things if thing.noun.kind != "side table"}
@@ -35,6 +39,7 @@ def settle_kinds(parsed: Parsed) -> None:
             thing.noun = replace(noun, words=rounded, kind=rounded, others=())
     for link in parsed.links:
         _settle_low_table(link)
+        _settle_high_stool(link)
         place = _where(link)
         for mention in link.subjects:
             noun = mention.thing.noun
@@ -64,6 +69,13 @@ def settle_kinds(parsed: Parsed) -> None:
             if noun.others and fits and noun.words in (noun.kind, noun.said):
                 words = fits[0] if noun.words == noun.kind else noun.words
                 mention.thing.noun = replace(noun, words=words, kind=fits[0], others=())
+
+
+def _settle_high_stool(link: Link) -> None:
+    """Take stools at counters and islands for high ones."""
+    if any(isinstance(item, Mention) and item.thing.noun.kind.endswith(HIGH) for item in link.objects):
+        for thing in (mention.thing for mention in link.subjects if mention.thing.noun.words == "stool"):
+            thing.noun = replace(thing.noun, words="bar stool", kind="bar stool", others=())
 
 
 def _settle_low_table(link: Link) -> None:

@@ -88,9 +88,11 @@ class Reading:
 
     @property
     def flanked_door(self) -> bool:
-        """Whether things are to stand on both sides of the door."""
-        sides = [item for link in self.parsed.links if link.relation == "flank" for item in link.objects]
-        return any(isinstance(item, Place) and item.name == "door" for item in sides)
+        """Whether things are to stand on both sides of the door, or in every corner, so that it stands off its own."""
+        said = [(k.relation, item) for k in self.parsed.links for item in k.objects if isinstance(item, Place)]
+        return any(
+            (item.name == "corner" and item.det == "each") or (to, item.name) == ("flank", "door") for to, item in said
+        )
 
     @property
     def unknown(self) -> list[str]:

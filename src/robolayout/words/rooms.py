@@ -23,6 +23,7 @@ class RoomType:
     extras: Mapping[str, int]  # what may be added
     person: Mapping[str, int] = field(default_factory=dict[str, int])  # what each person brings along
     zones: tuple[Mapping[str, int], ...] = ()  # what a large room has besides, one group after the other
+    of: str = ""  # the wider room type that it is counted as
     people: int = 0  # how many people there are if nobody says
     couple: bool = False  # whether two adults need nothing besides what always belongs in
     tables: str = ""  # the table that the chairs of this room stand at, if they need one
