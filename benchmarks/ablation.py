@@ -22,18 +22,17 @@ from robolayout.solve.runner import STILL
 DEFAULT = SolverConfig()
 CONFIGS: dict[str, SolverConfig] = {
     "default": DEFAULT,
-    "no gradient steps": replace(DEFAULT, search=STILL, tops=STILL, polish=STILL, reroute=STILL),
+    "no gradient steps": replace(DEFAULT, polish=STILL, reroute=STILL),
     "no polishing": replace(DEFAULT, polish=STILL),
     "no construction": replace(DEFAULT, effort=replace(DEFAULT.effort, built=0, mendings=0)),
-    "no mending, no repair": replace(DEFAULT, effort=Effort(repair_rounds=0)),
+    "no mending, no repair": replace(DEFAULT, effort=Effort(nearby=0, mendings=0)),
     "no routes anywhere": replace(DEFAULT, route_rounds=0),
     "overlap by IoU": replace(DEFAULT, weights=replace(DEFAULT.weights, iou=1000.0 / DEFAULT.weights.overlap)),
     **{f"{n} starts": replace(DEFAULT, starts=n, kept=min(n, DEFAULT.kept)) for n in (1, 4, 64)},
     "gradients alone": replace(
         DEFAULT,
         route_rounds=0,
-        effort=Effort(repair_rounds=0, built=0),
-        search=replace(DEFAULT.search, noise=0.0),
+        effort=Effort(nearby=0, mendings=0, built=0),
         starts=1,
     ),
 }

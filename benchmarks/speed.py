@@ -105,7 +105,7 @@ def bucket(slots: str) -> Row:
     from robolayout.solve.runner import STILL
 
     scene, program = crowd(Crowd(int(slots), 0.30, 0))
-    still = rl.SolverConfig(starts=1, kept=1, route_rounds=0, effort=Effort(repair_rounds=0), polish=STILL)
+    still = rl.SolverConfig(starts=1, kept=1, route_rounds=0, effort=Effort(nearby=0, mendings=0), polish=STILL)
     with watch() as spent:
         rl.solve(rl.scene_from_dict(scene), program, config=still)
     return {"slots": int(slots), "wall": spent.wall, "cpu": spent.cpu}
@@ -148,7 +148,7 @@ def growth(count: str) -> Row:
     for name, seen, config in (
         ("routes", scene, default),
         ("nobody", scene.with_agents(rl.load_agent(NOBODY)), default),
-        ("no_routes", scene, replace(default, route_rounds=0, effort=Effort(repair_rounds=0))),
+        ("no_routes", scene, replace(default, route_rounds=0, effort=Effort(nearby=0, mendings=0))),
     ):
         seconds: list[tuple[float, float]] = []
         for seed in range(REPEATS + 1):

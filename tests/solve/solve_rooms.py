@@ -14,13 +14,10 @@ from robolayout.solve import Effort, Problem, SearchConfig, Solution, SolverConf
 QUICK = SolverConfig(
     starts=8,
     kept=8,
-    search=SearchConfig(steps=120, rate=0.10, final_rate=0.01, noise=0.06, ramp=0.05),
-    tops=SearchConfig(steps=80, rate=0.03, final_rate=0.002, noise=0.01, ramp=0.3),
     polish=SearchConfig(steps=60, rate=0.02, final_rate=0.0005),
     reroute=SearchConfig(steps=60, rate=0.03, final_rate=0.001),
     route_rounds=3,
-    effort=Effort(repair_rounds=6),
-    candidates=16,
+    effort=Effort(mendings=16),
 )
 
 DOOR = Opening(0, 2.9, 0.9, 2.05)

@@ -206,8 +206,7 @@ def test_what_is_warmed_up_is_what_the_room_needs_in_every_stage(room, monkeypat
     for number in stages(problem):
         stage = make_stage(problem, number, problem.start)
         piece = (problem.start[None], lambda stage=stage: no_routes(1, 8 * stage.slots))
-        shakes = runner.noise(stage, runner.BATCH, None)
-        assert shapes(runner._arguments(stage, piece, runner.STILL, shakes)) == warmed[0]
+        assert shapes(runner._arguments(stage, piece, runner.STILL)) == warmed[0]
 
 
 def test_an_unknown_runtime_leaves_the_work_to_jax(probe, folder):

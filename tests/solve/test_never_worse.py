@@ -19,8 +19,7 @@ from robolayout.solve.refine import _Best
 HASTY = replace(
     SolverConfig(),
     kept=4,
-    candidates=16,
-    effort=Effort(repair_rounds=1),
+    effort=Effort(mendings=8),
     polish=SearchConfig(steps=20, rate=0.03, final_rate=0.001),
 )
 PROGRAM = """

@@ -30,7 +30,7 @@ def parts(poses: jax.Array, arrays: Arrays, routes: Routes, weights: Weights = W
 
 
 def value(poses: jax.Array, arrays: Arrays, routes: Routes, weights: Weights) -> jax.Array:
-    return jnp.sum(total(parts(poses, arrays, routes, weights), jnp.float64(0.7), weights))
+    return jnp.sum(total(parts(poses, arrays, routes, weights), weights, 0.7))
 
 
 _SAID = Weights(overlap=0.0, inside=0.0, clear=0.0, routes=0.0)

@@ -15,7 +15,7 @@ from robolayout.solve import Problem
 from robolayout.solve.construct import Builder
 from robolayout.solve.proposals import Proposals, frame_of
 from robolayout.solve.stage import relative
-from robolayout.solve.starts import Starts
+from robolayout.solve.starts import bring_in, near
 
 ROOMS = pytest.mark.parametrize("room", [SQUARE, L_SHAPED, TRIANGLE], ids=["square", "L", "triangle"])
 CHAIRS = tuple(Asset(f"chair-{i}", "chair", (0.5, 0.5, 0.9)) for i in range(3))
@@ -42,11 +42,11 @@ STATEMENTS = [
 
 
 def every_kind(problem: Problem, world: np.ndarray, moving: tuple[int, ...], count: int) -> np.ndarray:
-    """Return starts: a quarter near the guess, half built, a quarter far from it."""
-    starts = Starts(problem, world, moving, Builder(problem, np.random.default_rng(0)))
-    return np.concatenate(
-        [starts.near(count // 4), [starts.built() for _ in range(count // 2)], starts.far(count // 4)]
-    )
+    """Return starts: half of them near the guess, half built."""
+    builder = Builder(problem, np.random.default_rng(0))
+    built = np.array([builder.build(world, moving) for _ in range(count // 2)])
+    bring_in(problem, built, moving)
+    return np.concatenate([near(problem, world, moving, count // 2, builder.rng), built])
 
 
 @ROOMS

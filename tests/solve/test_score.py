@@ -33,7 +33,7 @@ def compiled(stage: Stage, worlds: np.ndarray) -> np.ndarray:
     arrays = arrays._replace(inside=(arrays.half[:, 0] > 0.0) * 1.0)  # as boxes that nothing keeps in the room
     local = jnp.asarray(stage.local(worlds))
     free = no_routes(len(worlds), 8)
-    return np.asarray(total(losses(local, arrays, free, everything(arrays), WEIGHTS), jnp.float32(1.0), WEIGHTS))
+    return np.asarray(total(losses(local, arrays, free, everything(arrays), WEIGHTS), WEIGHTS))
 
 
 @pytest.mark.parametrize(

@@ -260,7 +260,7 @@ def test_refinement_and_repair_never_end_worse() -> None:
     rng = np.random.default_rng(5)
     better = 0
     for seed in range(6):
-        solver = Solver(problem, judge, replace(QUICK, effort=Effort(repair_rounds=2)), seed=seed)
+        solver = Solver(problem, judge, replace(QUICK, effort=Effort(mendings=8)), seed=seed)
         solver.grounds = [(make_ground(problem.contents, DISC, 0.05), obstacles_of(problem.contents, DISC))]
         world = scattered(problem, rng)
         before = judge(problem.layout(world))
@@ -277,10 +277,8 @@ def test_repair_moves_only_what_is_to_blame_and_what_belongs_to_it() -> None:
     problem = problem_of(scene, "solver.next_to(night_stand[0], table[0])")
     repair = Repair(problem, Runner(QUICK), QUICK, Builder(problem, np.random.default_rng(0)))
     world = problem.start.copy()
-    slots = [1]
-    for _ in range(100):
-        moved = world.copy()
-        repair._move(moved, slots, (1, 2))
+    for _ in range(20):
+        moved = repair.mended(world, 1, 0)
         assert (moved[0] == world[0]).all(), "the bed has nothing to do with it"
         assert np.hypot(moved[:, 2], moved[:, 3]) == pytest.approx(1.0)
 
@@ -313,10 +311,10 @@ def test_the_trace_is_kept_when_asked_for() -> None:
     assert not solved(room_of(BED)).trace.losses
 
 
-@pytest.mark.parametrize("numbers", [{"candidates": 2}, {"candidates": 1, "kept": 1}, {"starts": 1, "kept": 4}])
+@pytest.mark.parametrize("numbers", [{"starts": 0}, {"starts": 4, "kept": 1}, {"starts": 1, "kept": 4}])
 def test_any_small_budget_works(numbers: dict[str, int]) -> None:
     too_many = room_of(*(replace(BED, name=f"bed-{i}") for i in range(8)))
-    config = replace(QUICK, effort=Effort(repair_rounds=2), **numbers)
+    config = replace(QUICK, effort=Effort(mendings=8), **numbers)
     assert solve(too_many, "", config=config).status == "unmet"
 
 

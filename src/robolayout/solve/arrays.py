@@ -57,8 +57,6 @@ class Schedule(NamedTuple):
     steps: Array  # number of steps
     rate: Array  # first step size of positions (metres) and headings
     final_rate: Array  # last step size
-    noise: Array  # first standard deviation of the noise in metres; annealed to 0 by half time
-    ramp: Array  # first share of the hard weights; 1 by half time
 
 
 class Losses(NamedTuple):

@@ -45,8 +45,6 @@ class SearchConfig:
     steps: int
     rate: float
     final_rate: float
-    noise: float = 0.0
-    ramp: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -68,7 +66,7 @@ class Effort:
     """The same share once the ways are opened, and share of the statements that do not hold after mending."""
 
     nearby: int = 30
-    """Things that are tried elsewhere near their guess, at most."""
+    """Things that are tried elsewhere near their guess, at most; none leaves it out."""
 
     looked_at: int = 6
     """Of the tries of one thing, so many are judged as they are; at most four of them are polished, too."""
@@ -83,10 +81,7 @@ class Effort:
     """Promise of a built start up to which single things in it are placed anew before it is polished."""
 
     mendings: int = 32
-    """Most layouts with one thing built anew that are judged in a row; fewer in rounds of repair after fruitless ones."""
-
-    repair_rounds: int = 32
-    """Most rounds of remove-and-reinsert; none leaves all mending out."""
+    """Most layouts with one thing built anew that are judged in a row, and four times as many at the end; none leaves it out."""
 
 
 EFFORTS: Mapping[str, Effort] = MappingProxyType(
@@ -100,7 +95,6 @@ EFFORTS: Mapping[str, Effort] = MappingProxyType(
             built=1,
             nearly=3.0,
             mendings=8,
-            repair_rounds=4,
         ),
         "normal": Effort(),
         "thorough": Effort(
@@ -112,7 +106,6 @@ EFFORTS: Mapping[str, Effort] = MappingProxyType(
             built=6,
             nearly=6.0,
             mendings=96,
-            repair_rounds=96,
         ),
     }
 )
@@ -124,34 +117,22 @@ class SolverConfig:
     """The default search."""
 
     starts: int = 16
-    """Starts, at most: a quarter near the guess; where none of these is perfect twice a quarter built, then a quarter far off.
-
-    Where the guess is blind only those that are built: the others were measured to be worth nothing then. None leaves out all of it.
-    """
+    """Starts, where polishing the guess is not enough: a quarter of them in each batch that is built; none leaves out building."""
 
     kept: int = 8
-    """How many go on to routes, and from one round of repair to its polish."""
+    """How many go on to routes."""
 
     judged: int = 8
-    """Layouts of each round of routes or repair that the exact verifier sees, the most promising first."""
-
-    search: SearchConfig = SearchConfig(steps=220, rate=0.10, final_rate=0.01, noise=0.06, ramp=0.05)
-    """Wide search, of the starts that are far from the guess."""
-
-    tops: SearchConfig = SearchConfig(steps=160, rate=0.03, final_rate=0.002, noise=0.01, ramp=0.3)
-    """The same for what stands on other things, where distances are short."""
+    """Layouts of each round of routes that the exact verifier sees, the most promising first."""
 
     polish: SearchConfig = SearchConfig(steps=140, rate=0.02, final_rate=0.0005)
-    """Of starts that are near a solution, and after the wide search."""
+    """Of starts that are near a solution."""
 
     reroute: SearchConfig = SearchConfig(steps=120, rate=0.03, final_rate=0.001)
     """After each planning of routes."""
 
     route_rounds: int = 3
     """Most rounds of planning routes and moving furniture out of their way; none leaves out all routes."""
-
-    candidates: int = 64
-    """Layouts that a repair round tries as one batch."""
 
     cell: float = 0.05
     """Metres per cell of the grid on which routes are planned."""

@@ -159,12 +159,12 @@ def _nothing(body: Body) -> Array:
     return jnp.zeros(body.x.shape[0])
 
 
-def total(parts: Losses, ramp: Array, weights: Weights, routes: Array | float = 1.0) -> Array:
-    """Return the weighted sum per start, hard terms scaled by `ramp`, that of the routes by `routes` as well."""
+def total(parts: Losses, weights: Weights, routes: Array | float = 1.0) -> Array:
+    """Return the weighted sum per start, the term of the routes scaled by `routes`."""
     hard_sum = (
         weights.overlap * parts.overlap
         + weights.inside * parts.boundary
         + weights.clear * parts.clear
         + weights.routes * routes * parts.reachability
     )
-    return parts.statements + ramp * hard_sum
+    return parts.statements + hard_sum

@@ -28,7 +28,7 @@ from robolayout.solve.routes import pack
 from robolayout.solve.runner import BATCH, STILL, Run, Runner
 from robolayout.solve.solution import Progress, Solution, conclude, silent
 from robolayout.solve.stage import Stage, make_stage, stages
-from robolayout.solve.starts import Starts
+from robolayout.solve.starts import bring_in, near
 
 NEAR = 0.4
 """Metres that a polished thing may be put where its statements hold exactly."""
@@ -187,7 +187,7 @@ class Solver:
         proposals, order = self.builder.proposals, self._order(stage)
         push = pushed(proposals, stage.world, order)
         walls = pushed(proposals, stage.world, order, walls_only=True)
-        starts = Starts(self.problem, stage.world, stage.moving, self.builder).near(BATCH)
+        starts = near(self.problem, stage.world, stage.moving, BATCH, self.rng)
         worlds = _different([push, walls, *starts])[:BATCH]
         run = self.runner.advance(stage, worlds, self.config.polish, "polish")
         best = self._best_of(self._sharpened(run, order), number, best)
@@ -210,7 +210,7 @@ class Solver:
         """Place single things to blame anew, as near to their guesses as can be, as long as the judge likes that better."""
         self._say("mend")
         self.lead, hopeless = None, set[str]()
-        for _ in range(self.effort.nearby if self.effort.repair_rounds else 0):
+        for _ in range(self.effort.nearby):
             names = [name for name in best.verdict.culprits if name not in hopeless and self._at(number, name)]
             if best.verdict.ok or not names or self.spent:
                 break
@@ -231,45 +231,37 @@ class Solver:
         """Return the best of what is there and of rooms that are built and searched for."""
         self._say("build")
         self.lead, self.gained = best, self.judgements
-        starts = Starts(self.problem, stage.world, stage.moving, self.builder)
-        quarter, several = max(self.config.starts // 4, 1), self.config.starts > 1
-        run: Run | None = None
+        count, run = self.config.starts // 4, None
         if number == 0:
-            best = self._mended(best, number)
-            best, run = self._built(stage, starts, quarter if several else 0, best, run)
+            best = self._mended(best, number, self.effort.mendings)
+            best, run = self._built(stage, count, best)
         if run is None:
-            run = self.runner.advance(stage, starts.near(quarter), self.config.polish, "polish")
+            nearby = near(self.problem, stage.world, stage.moving, max(count, 1), self.rng)
+            run = self.runner.advance(stage, nearby, self.config.polish, "polish")
             best = self._best_of(run.ranked(), number, best)
-        if several and not best.verdict.ok:
-            self._say("search")
-            phase = self.config.tops if number else self.config.search
-            far = starts.far(quarter * (3 if number else 1))
-            more = self.runner.advance(stage, far, phase, "search", rng=self.rng)
-            more = self.runner.advance(stage, more.world, self.config.polish, "polish")
-            best, run = self._with(more, number, best, run)
         if number == 0 and self.config.route_rounds and best.verdict.barred:
             best = self._route(stage, run, best)
         return best
 
-    def _built(
-        self, stage: Stage, starts: Starts, count: int, best: _Best, run: Run | None
-    ) -> tuple[_Best, Run | None]:
+    def _built(self, stage: Stage, count: int, best: _Best) -> tuple[_Best, Run | None]:
         """Return the best after so many starts of each batch are built and polished, and single things mended."""
+        run: Run | None = None
         for _ in range(self.effort.built if count else 0):
             if best.verdict.ok or self.spent:
                 break
             made = list[Floats]()
             while len(made) < count and not best.verdict.ok:
-                made.append(starts.built())
+                made.append(self.builder.build(stage.world, stage.moving))
+                bring_in(self.problem, made[-1][None], stage.moving)
                 best = self._best_of(made[-1:], 0, best)
-            best = self._mended(best, 0) if best.verdict.promise <= self.effort.nearly else best
+            best = self._mended(best, 0, self.effort.mendings) if best.verdict.promise <= self.effort.nearly else best
             if best.verdict.ok:
                 return best, self._still(stage, best, "built")
             worlds = np.array(made)
             routes = partial(self._open, stage, worlds) if self.config.route_rounds else None
             more = self.runner.advance(stage, worlds, self.config.polish, "polish", routes=routes)
             best, run = self._with(more, 0, best, run)
-            best = self._mended(best, 0)
+            best = self._mended(best, 0, self.effort.mendings)
         return best, run
 
     def _still(self, stage: Stage, best: _Best, label: str) -> Run:
@@ -354,10 +346,10 @@ class Solver:
         squared(self.problem, best.world, no_worse)
         return best
 
-    def _mended(self, best: _Best, number: int, most: int | None = None) -> _Best:
+    def _mended(self, best: _Best, number: int, most: int) -> _Best:
         """Place single things to blame anew while all else stays, in turn, as long as the judge likes that better."""
         turn = 0
-        for _ in range((self.effort.mendings if most is None else most) if self.effort.repair_rounds else 0):
+        for _ in range(most):
             slots = [self.problem.slot[name] for name in best.verdict.culprits]
             slots = [slot for slot in slots if slot in self.builder.moving]
             if best.verdict.ok or not slots or self.spent:
@@ -370,22 +362,10 @@ class Solver:
         return best
 
     def _repair(self, best: _Best) -> _Best:
-        """Remove and reinsert what is to blame, while that helps."""
-        last = max(stages(self.problem))
-        self.lead, self.gained, fruitless = best, self.judgements, 0
-        for round_number in range(self.effort.repair_rounds):
-            if best.verdict.ok or self.spent:
-                break
-            before = self.gained
-            self._say("repair")
-            best = self._mended(best, last, self.effort.mendings // (1 + fruitless))
-            if best.verdict.ok:
-                break
-            lead = self.lead or best
-            made = self.repairer.candidates(lead.world, lead.verdict, round_number, self._plan)
-            best = self._best_of(made[: self.config.judged], last, best)
-            fruitless = fruitless + 1 if self.gained == before else 0
-        return best
+        """Place what is to blame anew for longer, whatever stage it is of."""
+        self._say("repair")
+        self.lead, self.gained = best, self.judgements
+        return self._mended(best, max(stages(self.problem)), 4 * self.effort.mendings)
 
 
 def _different(worlds: Iterable[Floats]) -> Floats:

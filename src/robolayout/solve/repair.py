@@ -1,9 +1,4 @@
-"""Repair: remove what is to blame and put it elsewhere.
-
-Each round makes a batch of candidate layouts by discrete moves (reinsert one thing at a place drawn from its statements, swap
-two, turn one, move a thing with everything that is bound to it), evaluates them as one batch and polishes the best few with
-only the moved things free.
-"""
+"""Repair: what is to blame goes elsewhere, near its guess while that is worth anything, else where its statements want it."""
 
 from __future__ import annotations
 
@@ -20,7 +15,6 @@ from robolayout.solve.arrays import Routes
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SolverConfig
 from robolayout.solve.construct import Builder
-from robolayout.solve.judge import Verdict
 from robolayout.solve.proposals import carry, placing
 from robolayout.solve.push import nearest
 from robolayout.solve.routes import pack
@@ -69,55 +63,6 @@ class Repair:
         self.rng = builder.rng
         self.proposals = builder.proposals
         self.groups = _groups(problem)
-
-    def candidates(
-        self, world: Floats, verdict: Verdict, round_number: int, plan_for: Callable[[Floats], Plan]
-    ) -> list[Floats]:
-        """Return polished candidates, most promising first.
-
-        Args:
-            world: (n, 4) the best layout so far.
-            verdict: What the judge says of it.
-            round_number: Later rounds move more.
-            plan_for: Plans routes in a layout.
-        """
-        plan = plan_for(world)
-        named = [self.problem.slot[name] for name in verdict.culprits if name in self.problem.slot]
-        slots = [s for s in dict.fromkeys([*plan.blockers, *named]) if self.problem.names[s] not in self.problem.pinned]
-        if not slots:
-            return []
-        number = min(self.problem.stage[s] for s in slots)
-        slots = [s for s in slots if self.problem.stage[s] == number]
-        stage = make_stage(self.problem, number, world)
-        batch = np.repeat(world[None], self.config.candidates, axis=0)
-        turned = self._turns(batch, slots)
-        rebuilt = 1 + turned
-        if number == 0:
-            rebuilt = max(rebuilt, self.config.candidates // 2)
-            colliding = set(named[: int(verdict.hard)]) & set(slots)
-            for k in range(1 + turned, rebuilt):
-                if k % 3 == 0:
-                    self._eject(batch[k], self._pressing(slots))
-                    continue
-                ruined = self._ruined(slots, stage.moving, round_number)
-                batch[k] = self.builder.build(world, ruined | colliding if k % 3 == 1 else ruined)
-        for k in range(rebuilt, self.config.candidates):
-            for _ in range(1 + (self.rng.random() < 0.15 * (1 + round_number))):
-                self._move(batch[k], slots, stage.moving)
-        size = 8 * stage.slots
-
-        def same(part: slice) -> Routes:
-            return pack([plan] * len(batch[part]), size)
-
-        def own(part: slice) -> Routes:
-            return pack([plan_for(one) for one in picked[part]], size)
-
-        order = self.runner.evaluate(stage, batch, None if number else same).order()
-        kept = min(self.config.kept, self.config.candidates)
-        also = self.rng.choice(order[kept // 2 : 4 * kept], kept - kept // 2, replace=False)
-        picked = batch[[*order[: kept // 2], *(int(k) for k in also)]]
-        run = self.runner.advance(stage, picked, self.config.polish, "repair", routes=None if number else own)
-        return [run.world[k] for k in run.order()]
 
     def near(self, world: Floats, slot: int, plan_for: Callable[[Floats], Plan]) -> Iterator[Floats]:
         """Yield layouts in which one thing is elsewhere, as near to its guess as can be, the others making way.
@@ -172,13 +117,6 @@ class Repair:
         _, first = np.unique(np.round(poses / SAME), axis=0, return_index=True)
         return poses[np.sort(first)]
 
-    def _ruined(self, slots: list[int], moving: tuple[int, ...], round_number: int) -> set[int]:
-        """Return what to take out and place anew: one or two to blame and a few others, more of them in later rounds."""
-        count = int(self.rng.integers(1, 3 + round_number))
-        others = self.rng.choice(moving, min(count, len(moving)), replace=False).tolist()
-        blamed = [self._pressing(slots) for _ in range(2)]
-        return {*blamed, *others}
-
     def mended(self, world: Floats, slot: int, way: int) -> Floats:
         """Return a layout (n, 4) with one thing to blame placed anew, and what goes by it, in one of `WAYS`."""
         if way == 1:
@@ -212,50 +150,6 @@ class Repair:
         away = np.hypot(*(world[moving, :2] - world[slot, :2]).T)
         near = moving[np.argsort(away, kind="stable")[: int(self.rng.integers(*FEW))]].tolist()
         return set(near).union(*(self.groups[other] for other in near))
-
-    def _pressing(self, slots: list[int]) -> int:
-        """Draw one of the slots to blame, those named first far more often."""
-        return slots[min(int(self.rng.exponential(1.5)), len(slots) - 1)]
-
-    def _with(self, slot: int, whole: bool) -> frozenset[int]:
-        """Return what moves along with a slot: everything bound to it, or nothing."""
-        return frozenset(self.groups[slot]) if whole else frozenset()
-
-    def _turns(self, batch: Floats, slots: list[int]) -> int:
-        """Turn each of the most pressing things by 90, 180 and 270 degrees, alone and with what is bound to it."""
-        k = 0
-        for slot in slots[: self.config.candidates // 16]:
-            for quarter in (1, 2, 3):
-                yaw = quarter * math.pi / 2
-                for whole in (False, True):
-                    k += 1
-                    turn = np.array([0.0, 0.0, math.cos(yaw), math.sin(yaw)])
-                    carry(self.problem, batch[k], slot, compose(batch[k, slot], turn), self._with(slot, whole))
-        return k
-
-    def _move(self, world: Floats, slots: list[int], moving: tuple[int, ...]) -> None:
-        """Apply one random move in place."""
-        slot = self._pressing(slots)
-        chance = self.rng.random()
-        before = world[slot].copy()
-        if chance < 0.55:
-            pose = self.proposals.draw(slot, world, 1, self.rng)[0]
-            carry(self.problem, world, slot, pose, self._with(slot, self.rng.random() < 0.5))
-            for term in self.proposals.mirrors.get(slot, []):
-                if (twin := self.proposals.twin(term, slot)) in moving and self.rng.random() < 0.5:
-                    carry(self.problem, world, twin, self.proposals.image(term, twin, world))
-        elif chance < 0.7:
-            other = moving[int(self.rng.integers(len(moving)))]
-            carry(self.problem, world, slot, world[other].copy())
-            carry(self.problem, world, other, before)
-        elif chance < 0.85:
-            yaw = math.pi / 2 * int(self.rng.integers(1, 4))
-            turned = compose(before, np.array([0.0, 0.0, math.cos(yaw), math.sin(yaw)]))
-            carry(self.problem, world, slot, turned, self._with(slot, self.rng.random() < 0.5))
-        else:
-            shifted = before.copy()
-            shifted[:2] += self.rng.normal(0.0, 0.4, 2)
-            carry(self.problem, world, slot, shifted, self._with(slot, True))
 
 
 def _rings(pose: Floats, radii: Sequence[float]) -> Floats:

@@ -33,10 +33,6 @@ TERMS = ("overlap", "boundary", "clear", "statements", "reachability")
 BATCH = 4
 """Starts that run at once; more run in several batches side by side, so that one compiled program serves them all."""
 
-NOISE_BLOCK = 32
-"""Steps after which the noise repeats."""
-
-
 Planned = Callable[[slice], Routes]
 """Says what must not stand in the routes of some of the starts; asked where these run, beside the others."""
 
@@ -96,37 +92,29 @@ class Runner:
         label: str,
         *,
         routes: Planned | None = None,
-        rng: np.random.Generator | None = None,
     ) -> Run:
         """Run one phase from world poses (K, n, 4)."""
         parts = [slice(begin, begin + BATCH) for begin in range(0, len(world), BATCH)]
         free = no_routes(BATCH, 8 * stage.slots)
         pieces = [(world[part], partial(routes, part) if routes else lambda: free) for part in parts]
-        results = self._results(stage, pieces, phase, rng)
+        results = self._results(stage, pieces, phase)
         runs = [self._run(stage, world[part], found) for part, found in zip(parts, results, strict=True)]
         if self.config.trace and label:
             self._record(stage, label, phase.steps, results[0])
         return Run(*(np.concatenate(fields) for fields in zip(*(run.fields() for run in runs), strict=True)))
 
-    def evaluate(self, stage: Stage, world: Floats, routes: Planned | None = None) -> Run:
-        """Return the objective of layouts (K, n, 4) without moving anything."""
-        return self.advance(stage, world, STILL, "", routes=routes)
-
-    def _results(
-        self, stage: Stage, pieces: Sequence[Piece], phase: SearchConfig, rng: np.random.Generator | None
-    ) -> list[Found]:
+    def _results(self, stage: Stage, pieces: Sequence[Piece], phase: SearchConfig) -> list[Found]:
         """Run pieces of at most `BATCH` starts side by side, one on each processor."""
-        noises = [_noise(stage, rng) for _ in pieces]
 
-        def run(piece: Piece, shakes: Singles) -> Found:
-            arguments = _arguments(stage, piece, phase, shakes)
+        def run(piece: Piece) -> Found:
+            arguments = _arguments(stage, piece, phase)
             local, world, *terms, history, shots = programs.call(PROGRAM, *arguments, weights=self.config.weights)
             return Found(local, world, Losses(*terms), history, shots)
 
         if len(pieces) == 1:
-            return [run(pieces[0], noises[0])]
+            return [run(pieces[0])]
         with ThreadPoolExecutor(min(len(pieces), PROCESSORS)) as pool:
-            return list(pool.map(run, pieces, noises))
+            return list(pool.map(run, pieces))
 
     def _run(self, stage: Stage, world: Floats, found: Found) -> Run:
         count = len(stage.problem.names)
@@ -178,20 +166,13 @@ class Runner:
         return Trace(tuple(self._losses), shots)
 
 
-def _noise(stage: Stage, rng: np.random.Generator | None) -> Singles:
-    """Return standard normal numbers for a batch, 0 without a source."""
-    shape = (NOISE_BLOCK, BATCH, stage.slots, 2)
-    return np.zeros(shape, np.float32) if rng is None else rng.standard_normal(shape, np.float32)
-
-
-def _arguments(stage: Stage, piece: Piece, phase: SearchConfig, shakes: Singles) -> tuple[Any, ...]:
+def _arguments(stage: Stage, piece: Piece, phase: SearchConfig) -> tuple[Any, ...]:
     """Return what the program takes for one batch, filled up by repeating the last start."""
     world, planned = piece
     routes, fill = planned(), np.minimum(np.arange(BATCH), len(world) - 1)
     local, ways = stage.local(world[fill]).astype(np.float32), Routes(*(field[fill] for field in routes))
-    rates = (phase.rate, phase.final_rate, phase.noise, phase.ramp)
-    schedule = Schedule(np.int32(phase.steps), *(np.float32(rate) for rate in rates))
-    return local, stage.arrays, ways, schedule, shakes
+    schedule = Schedule(np.int32(phase.steps), np.float32(phase.rate), np.float32(phase.final_rate))
+    return local, stage.arrays, ways, schedule
 
 
 def warm_up(scene: Scene, config: SolverConfig | None = None, *, missing_only: bool = False) -> None:
@@ -205,5 +186,5 @@ def warm_up(scene: Scene, config: SolverConfig | None = None, *, missing_only: b
     if scene.assets:
         stage, weights = sizes_of(scene), (config or SolverConfig()).weights
         piece = (stage.world[None], lambda: no_routes(1, 8 * stage.slots))
-        arguments = _arguments(stage, piece, STILL, _noise(stage, None))
+        arguments = _arguments(stage, piece, STILL)
         programs.prepare(PROGRAM, *arguments, missing_only=missing_only, weights=weights)

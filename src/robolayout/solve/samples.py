@@ -40,7 +40,7 @@ def solve_samples(
 
     guesses = [(problem.guess, judge(problem.guess)) for problem, judge in zip(problems, judges, strict=True)]
     found = [conclude(*guess, Trace()) for guess in guesses]
-    brief = replace(config, starts=0, effort=replace(config.effort, nearby=0, repair_rounds=0))
+    brief = replace(config, starts=0, effort=replace(config.effort, nearby=0, mendings=0))
     for how, most in ((brief, len(found)), (config, WHOLE)):
         for i in sorted(range(len(found)), key=lambda i: found[i].verdict.merit)[:most]:
             if any(one.verdict.ok for one in found):

@@ -1,6 +1,6 @@
 """Gradient search over a batch of starts, compiled once per size.
 
-One compiled program serves every room of a size: steps, rates, noise and all of the scene are arguments. Each step is Adam on
+One compiled program serves every room of a size: steps, rates and all of the scene are arguments. Each step is Adam on
 the objective along x, y and yaw, then unit-circle and rectangle projection.
 """
 
@@ -82,17 +82,14 @@ def _project(local: Array, arrays: Arrays) -> Array:
     return jnp.where(arrays.free[None, :, None] > 0, moved, local)
 
 
-def advance(
-    local: Array, arrays: Arrays, routes: Routes, schedule: Schedule, noise: Array, *, weights: Weights
-) -> Found:
+def advance(local: Array, arrays: Arrays, routes: Routes, schedule: Schedule, *, weights: Weights) -> Found:
     """Run the search.
 
     Args:
         local: (K, A, 4) variables to start from.
         arrays: The problem.
         routes: What must not stand in the way.
-        schedule: Steps, rates, noise and ramp.
-        noise: (N, K, A, 2) standard normal numbers, used cyclically.
+        schedule: Steps and rates.
         weights: Factors of the terms.
 
     Returns:
@@ -100,26 +97,23 @@ def advance(
     """
     steps = schedule.steps
 
-    def objective(value: Array, near: Near, ramp: Array, fade: Array) -> tuple[Array, Losses]:
+    def objective(value: Array, near: Near, fade: Array) -> tuple[Array, Losses]:
         parts = losses(value, arrays, routes, near, weights)
-        return jnp.sum(total(parts, ramp, weights, fade)), parts
+        return jnp.sum(total(parts, weights, fade)), parts
 
     def step(i: Array, state: _State) -> _State:
         done = i / jnp.maximum(steps, 1)
-        ramp = jnp.minimum(1.0, schedule.ramp + (1.0 - schedule.ramp) * 2.0 * done)
         rate = schedule.final_rate + (schedule.rate - schedule.final_rate) * 0.5 * (1.0 + jnp.cos(jnp.pi * done))
         renew = (i % REFRESH == 0) | (i == steps)
         fade = jnp.clip((FADED - done) / FADING, 0.0, 1.0)
         near = jax.lax.cond(renew, lambda: nearest(state.local, arrays), lambda: state.near)
-        gradient, parts = jax.grad(objective, has_aux=True)(state.local, near, ramp, fade)
+        gradient, parts = jax.grad(objective, has_aux=True)(state.local, near, fade)
         gradient = _tangent(state.local, gradient) * arrays.free[None, :, None]
         first = 0.9 * state.first + 0.1 * gradient
         second = 0.98 * state.second + 0.02 * gradient * gradient
         t = i + 1.0
         move = rate * (first / (1.0 - 0.9**t)) / (jnp.sqrt(second / (1.0 - 0.98**t)) + 1e-4)
-        shake = schedule.noise * jnp.maximum(0.0, 1.0 - 2.0 * done) * noise[i % noise.shape[0]]
-        move = (move.at[..., :2].add(-shake)) * arrays.free[None, :, None] * (i < steps)
-        local = _project(_moved(state.local, move), arrays)
+        local = _project(_moved(state.local, move * arrays.free[None, :, None] * (i < steps)), arrays)
         history = state.history.at[jnp.minimum(i, HISTORY - 1)].set(jnp.stack(parts, axis=-1))
         shots = state.shots.at[jnp.minimum(i * SNAPSHOTS // jnp.maximum(steps, 1), SNAPSHOTS - 1)].set(state.local)
         return _State(local, first, second, near, history, shots, parts)
@@ -136,6 +130,6 @@ def advance(
     )
     # One more turn than there are steps: it moves nothing and leaves the losses of the result.
     end = jax.lax.fori_loop(0, steps + 1, step, begin)
-    best = jnp.argmin(total(end.parts, jnp.float32(1.0), weights))
+    best = jnp.argmin(total(end.parts, weights))
     shots = world_poses(end.shots[:, best], arrays)
     return Found(end.local, world_poses(end.local, arrays), end.parts, end.history[:, best], shots)
