@@ -77,6 +77,13 @@ def links(text: str) -> set[tuple[str, ...]]:
         ),
         ("1 sofa, 1 television. Layout: sofa opposite television", {"sofa": 1, "television": 1}),
         ("A classroom with twelve desks. The teacher's desk is by the door.", {"desk": 12, "teacher desk": 1}),
+        ("a toilet, a washbasin and a shower are lined up", {"toilet": 1, "washbasin": 1, "shower": 1}),
+        ("two windows in the north wall. In front of each window is an armchair", {"armchair": 2}),
+        (
+            "3 lamps and 2 sofas. One lamp should be next to each sofa and the third one on the table.",
+            {"floor lamp": 3, "sofa": 2, "dining table": 1},
+        ),
+        ("six tables for two near the window", {"dining table": 6}),
         ("five tables. Three of them are square and seat four, the remaining two are round.", {"dining table": 5}),
     ],
 )
@@ -199,6 +206,14 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ),
         ("a table with six chairs: two on each long side and one at each end", {("around", "chair", "dining table")}),
         ("a sink with knee space under it", set()),
+        ("nightstand on left side of bed", {("left", "night stand", "bed")}),
+        ("The stove has a hood above it, and the sink is under the window.", {("above", "hood", "stove"), ("under", "washbasin", "window")}),
+        (
+            "The fridge is to the left of the sink, which is under the window.",
+            {("left", "fridge", "washbasin"), ("under", "washbasin", "window")},
+        ),
+        ("dumbbells on a rack along the wall", {("on", "dumbbell", "shelving unit"), ("wall", "shelving unit", "wall")}),
+        ("a console table with two lamps, one on each end", {("flank", "floor lamp", "console table")}),
         ("The north wall has a sofa.", {("on", "sofa", "wall")}),
         ("a rack of dumbbells against the wall", {("on", "dumbbell", "shelving unit"), ("wall", "shelving unit", "wall")}),
         ("a rug beneath the sofa and coffee table", {("under", "rug", "sofa"), ("under", "rug", "coffee table")}),

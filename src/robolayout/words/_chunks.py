@@ -109,9 +109,8 @@ class Chunker:
                 rows = next((number for word in words if (number := count_of(word))), 0)
                 each = rows > 1 and self.words[at + size : at + size + 1] == ["of"]  # "in three rows of four"
                 size += 2 * bool(each and count_of(*self.words[at + size + 1 : at + size + 2] or [""]))
-                return Chunk(
-                    "rel", at, at + size, value, det="its" if " its " in phrase and value != "wall" else "", rows=rows
-                )
+                its = "its" if " its " in phrase and value != "wall" else ""
+                return Chunk("rel", at, at + size, value, det=its, rows=rows, adjectives=tuple(words))
         word = self.words[at]
         if word in REFUSING and not self._bound(at)[0]:
             return Chunk("not", at, at + 1, word)
@@ -166,7 +165,7 @@ class Chunker:
             i += step[4]
         run = self._run(i, many=(number or 1) > 1)
         if not run:
-            return None
+            return Chunk("pron", at, i, "the two") if det == "the" and (number or 0) > 1 else None
         told = bool(det or number is not None or bound)
         return self._named(at, i, run, told, (det, number, bound, rows))
 

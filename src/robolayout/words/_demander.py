@@ -174,7 +174,7 @@ class Demander:
         """Left and right of a thing, in turn; of a door or window: close to it."""
         by: dict[str, list[str]] = {}
         for a, b in self._matched(subjects, objects):
-            if self._is(b, ways_of.TOPS) and self._asset(a).on_object and not self._asset(a).on_floor:
+            if self._is(b, (*ways_of.TOPS, "sideboard", "dresser", "island")) and self._asset(a).on_object and not self._asset(a).on_floor:
                 yield self._resting(a, b)
             else:
                 by.setdefault(b, []).append(a)
@@ -370,13 +370,13 @@ class Demander:
     ) -> Iterator[Demand]:
         """Yield that things stand at a place of the room; where several share it, each somewhat farther from its middle."""
         together = "same" in place.words or (place.plural and "opposite" in place.words)
-        if place.name == "wall" and together and len(subjects) > 1:
+        if place.name == "wall" and "middle" in place.words:
+            yield from self._middle(subjects, [place])
+        elif place.name == "wall" and together and len(subjects) > 1:
             yield Demand(tuple(self._ways_at_walls(subjects, place, on=on)))
-            return
-        for a in subjects:
-            ways = list(self._ways_at(a, place, on=on, share=share))
-            if ways:
-                yield Demand(tuple(ways))
+        else:
+            found = (tuple(self._ways_at(a, place, on=on, share=share)) for a in subjects)
+            yield from (Demand(ways) for ways in found if ways)
 
     def _ways_at_walls(self, subjects: Sequence[str], place: Place, *, on: bool) -> Iterator[Way]:
         """Yield the ways in which things are at one wall together, or one half at each of two walls that face each other."""

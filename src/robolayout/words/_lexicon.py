@@ -64,6 +64,10 @@ def grammar() -> Grammar:
     phrases = {plain(word): ("verb", word) for word in data["verbs"]["words"]}
     phrases |= {word: ("pron", word) for word in data["pronouns"]["words"]}
     phrases |= {phrase: ("rel", name) for name, given in data["relations"].items() for phrase in given}
+    short = {
+        phrase.replace(" the ", " "): named for phrase, named in phrases.items() if " the " in phrase
+    }  # "on left side of"
+    phrases = short | phrases
     return Grammar(
         phrases,
         frozenset(map(plain, data["fillers"]["words"])),

@@ -8,6 +8,7 @@ clause before, or what stands before "with". A noun with "the" that was named be
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import takewhile
 
 from robolayout.assets import CATALOGUE
 from robolayout.words._chunk import Chunk
@@ -92,12 +93,11 @@ class Parser(Relating):
         following = self.chunks[self.at] if self.at < len(self.chunks) else chunk
         if chunk.value == "for" and following.kind == "filler" and (count_of(following.value) or 0) > 1:
             self._for_people(Chunk("people", chunk.start, following.end, number=count_of(following.value)))
-        share, index = count_of(chunk.value), self.at
-        while index < len(self.chunks) and (
-            self.chunks[index].kind in ("verb", "pron") or self.chunks[index].value == "of"
-        ):
-            index += 1  # "one of them is against the wall"
-        if share and index < len(self.chunks) and self.chunks[index].kind == "rel" and self._deal(share, index):
+        rest = self.chunks[self.at :]
+        led = list(takewhile(lambda other: other.kind in ("verb", "pron") or other.value == "of", rest))
+        share, index = count_of(chunk.value), self.at + len(led)  # "one of them is against the wall"
+        leads = self._previous(chunk) != "for" and [other.kind for other in rest[len(led) : len(led) + 1]] == ["rel"]
+        if share and leads and self._deal(share, index):
             self.at = index
 
     def _for_people(self, chunk: Chunk) -> None:
@@ -119,7 +119,8 @@ class Parser(Relating):
         self._understood(self.chunks[self.at - 1])
         if share == last[0].thing.count:
             return False
-        each = any(chunk.det == "each" for chunk in self.chunks[index + 1 : index + 2])
+        each = "each" in self.chunks[index].adjectives  # "two lamps, one on each end"
+        each = each or any(chunk.det == "each" for chunk in self.chunks[index + 1 : index + 2])
         self.dealt[last[0].thing] = first + (0 if each else share)
         self.group = self.acted = [Mention(last[0].thing, None if each else slice(first, first + share))]
         self.verb = False
@@ -167,7 +168,7 @@ class Parser(Relating):
             self.group[-1].thing.times = 1 if dealt else mention.thing.count
             self._link(Chunk("rel", chunk.start, chunk.end, "with"), self.group[-1:], [mention])
             return
-        if self.fronted is not None and self.acted and (self._elsewhere() or self._alone(mention)):
+        if self.fronted is not None and self.acted and (self._elsewhere() or self._alone(mention, joined=True)):
             self.fronted = None
         if self.fronted is not None:
             self._link(self.fronted[0], [mention], self.fronted[1])
@@ -180,7 +181,7 @@ class Parser(Relating):
         joined = self._joined()
         if self.having and self.holder and self._put_on(mention, self.holder[0], joined=joined):
             self.said.links.append(Link("with", (mention,), tuple(self.holder), chunk.start, chunk.end))
-        joined = joined and not self._alone(mention)
+        joined = not self._alone(mention, joined=joined) and joined
         together = joined and self.subject == self.group
         self.group = [*self.group, mention] if joined else [mention]
         if not self.subject or together or (not joined and not self.verb and not self.holder):
@@ -222,10 +223,11 @@ class Parser(Relating):
         following = self.chunks[self.at].kind if self.at < len(self.chunks) else "stop"
         return self.fronted is not None and self.fronted[0].value != "on" and following == "rel"
 
-    def _alone(self, mention: Mention) -> bool:
+    def _alone(self, mention: Mention, *, joined: bool) -> bool:
         """Return whether a new clause begins with a thing: "..., and a rack stands at the wall"."""
         following = self.chunks[self.at].value if self.at < len(self.chunks) else ""
-        alone = following in ALONE_DOES and mention.thing.count == 1
+        starts = self.chunks[self.at - 2].kind in ("and", "comma")
+        alone = following in ALONE_DOES and (mention.thing.count == 1 if joined else starts)
         self.subject, self.acted = ([], []) if alone else (self.subject, self.acted)
         return alone
 

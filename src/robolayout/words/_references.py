@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from dataclasses import replace
 
 from robolayout.words._chunk import Chunk
 from robolayout.words._function_words import ORDINALS, PEOPLE
-from robolayout.words._said import Mention, Parsed, Place, Thing, place_of, same, same_words, several, topped
+from robolayout.words._said import Link, Mention, Parsed, Place, Thing, place_of, same, same_words, several, topped
 
 AXES = {"left": "across", "right": "across", "front": "along", "behind": "along", "foot": "along"}
 """Lines through a thing by the relations that say on which side of it another one stands."""
@@ -147,6 +147,8 @@ class References:
                 self._understood(*following)
                 if following[1].kind == "room":
                     self.said.facts.append(following[1])
+                if (chunk.value, following[1].value) == ("middle", "wall"):  # "against the center of the far wall"
+                    return replace(place_of(following[1]), words=(*following[1].adjectives, "middle"))
         return place_of(chunk)
 
     def _which_wall(self, wall: Place) -> Place:
@@ -238,7 +240,7 @@ class References:
         if chunk.det in ("other", "new"):
             first = (count - many if chunk.number else 1) if dealt is None else dealt
             return slice(first, count if chunk.plural else first + 1)
-        if chunk.det == "one":
+        if chunk.det == "one" or (chunk.number == 1 and not chunk.det and not target):
             return slice(first, first + many) if first + many <= count else slice(0, many)
         sides = (
             "left" in chunk.adjectives or chunk.det == "first",
@@ -267,8 +269,12 @@ class References:
         if told and fits[-1].plural and same_words(fits[-1], chunk):
             fits[-1].number = chunk.number  # "facing the mirrors, three mirrors on the wall"
             return fits[-1]
-        if fits[-1] in self.given and chunk.det != "new":
-            return fits[-1]
+        says = [other.kind for other in self.chunks[self.at : self.at + 1]] == ["verb"]
+        earlier = fits[-1] not in [mention.thing for mention in self.recent]
+        if (fits[-1] in self.given and chunk.det != "new") or (
+            chunk.number == 1 and not chunk.det and says and earlier
+        ):
+            return fits[-1]  # "three lamps. One lamp should be next to the sofa"
         if one and fits[-1].count > 1:
             return fits[-1]
         bare = not chunk.det and chunk.number is None
@@ -295,3 +301,57 @@ class References:
 
     def _given(self, mention: Mention) -> bool:
         return mention.thing in self.given
+
+    def _number_of(self, item: Mention | Place) -> int:
+        """Return how many there are of a thing, of corners or walls, of doors or windows that are asked for."""
+        if isinstance(item, Mention):
+            return item.thing.count
+        asked = sum(place.number or 0 for place, _ in self.said.openings if place.name == item.name)
+        return item.number or (4 if item.name in ("corner", "wall") else asked or 1)
+
+    def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
+        """Note a relation; what stands at each of several things is as many times there."""
+        each = [item for item in objects if item.det == "each" and chunk.value not in ("apart", "far")]
+        for item in each:
+            count = self._number_of(item)
+            subjects = [_widened(mention, count) for mention in subjects]
+            for mention in subjects:
+                owned = isinstance(item, Mention) and item.thing is mention.thing
+                dealt = mention.thing in self.dealt or mention.pick is not None  # "two lamps, one in each corner"
+                if mention.thing.times == 1 and not owned and not dealt and not self._given(mention):
+                    mention.thing.times = count * (2 if chunk.value == "flank" and mention.thing.number == 1 else 1)
+        if chunk.value == "flank" and len(subjects) == 1 and not self._given(subjects[0]):
+            thing = subjects[0].thing
+            if thing.number == 1 and thing.times == 1:
+                around = objects[0] if objects else None
+                thing.times = 2 * (
+                    around.thing.count if isinstance(around, Mention) and around.det in ("each", "all") else 1
+                )
+        objects = objects or (
+            self.holder if chunk.value in ("next", "flank", "left", "right", "front", "near", "under") else []
+        )
+        if objects:  # "a bed with a lamp on either side": the lamps are not on the bed
+            own, to = {m.thing for m in subjects}, {m.thing for m in objects if isinstance(m, Mention)}
+            elsewhere = chunk.value in ("on", "flank")
+            self.said.links[:] = [k for k in self.said.links if not _had(k, own, None if elsewhere else to)]
+        if any(
+            a.thing is b.thing and a.pick in (None, b.pick) for a in subjects for b in objects if isinstance(b, Mention)
+        ):
+            self.said.missed.append(chunk)  # nothing stands at itself
+            return
+        low, high = chunk.measure.values if chunk.measure else (0.0, 0.0)
+        about = (tuple(subjects), tuple(objects))
+        self.said.links.append(Link(chunk.value, *about, chunk.start, chunk.end, (low, high), chunk.rows))
+
+
+def _had(link: Link, own: Set[Thing], to: Set[Thing] | None) -> bool:
+    """Return whether a relation only says that one of some things has a thing (any, for None)."""
+    has = {item.thing for item in link.objects if isinstance(item, Mention)}
+    return link.relation == "with" and link.subjects[0].thing in own and (to is None or bool(has & to))
+
+
+def _widened(mention: Mention, count: int) -> Mention:
+    """Return one of several things as so many of them: "one lamp is next to each sofa"."""
+    if mention.pick is None or mention.pick.start + count > mention.thing.count:
+        return mention
+    return Mention(mention.thing, slice(mention.pick.start, mention.pick.start + count), mention.det)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence, Set
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import takewhile
 
 from robolayout.assets import CATALOGUE
 from robolayout.words._chunk import Chunk
 from robolayout.words._references import References
-from robolayout.words._said import Link, Mention, Place, Thing, topped
+from robolayout.words._said import Link, Mention, Place, topped
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import SEATS, TOPS
 
@@ -354,6 +354,9 @@ class Relating(References):
         last = self.group[-1:] or list(self.subject)
         if self.target is not None and relation == "on" and following != "wall" and last:
             told = _on_tops(self.target) and not _on_tops(last[0])  # "a sofa facing a TV on a stand"
+        place = [chunk.kind for chunk in self.chunks[self.at : self.at + 1]] == ["part"]
+        if self.target is not None and place and last and relation not in ("on", "facing"):
+            told = told or (_on_tops(last[0]) and not _on_tops(self.target))  # "a laptop on the desk under the window"
         if self.target is not None and told and self.acted:
             return [self.target]
         if relation in _ORDERS.split() and last and last[0].thing.count == 1:
@@ -376,7 +379,10 @@ class Relating(References):
         if self._of_the_noun():
             return self._nearest(relation)
         if previous.kind == "verb" or self.verb:
-            return self.group[-1:] if self.relative else list(self.subject or self.group)
+            told = (
+                [self.target] if self.target is not None else self.group[-1:]
+            )  # "the sink, which is under the window"
+            return told if self.relative else list(self.subject or self.group)
         if previous.kind == "thing":
             return self._nearest(relation)
         if previous.kind == "pron" and not self.relative:
@@ -394,43 +400,6 @@ class Relating(References):
         while index > 0 and self.chunks[index].kind in ("verb", "filler") and self.chunks[index].value not in FINITE:
             index -= 1
         return index < self.at - 2 and self.chunks[index].kind == "thing" and self.group != self.subject
-
-    def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
-        """Note a relation; what stands at each of several things is as many times there."""
-        for item in objects:
-            for mention in subjects if item.det == "each" and chunk.value not in ("apart", "far") else ():
-                whole = {"corner": 4, "wall": 4}
-                count = item.thing.count if isinstance(item, Mention) else item.number or whole.get(item.name, 1)
-                owned = isinstance(item, Mention) and item.thing is mention.thing
-                dealt = mention.thing in self.dealt  # "two lamps, one in each corner"
-                if mention.thing.times == 1 and not owned and not dealt and not self._given(mention):
-                    mention.thing.times = count * (2 if chunk.value == "flank" and mention.thing.number == 1 else 1)
-        if chunk.value == "flank" and len(subjects) == 1 and not self._given(subjects[0]):
-            thing = subjects[0].thing
-            if thing.number == 1 and thing.times == 1:
-                around = objects[0] if objects else None
-                thing.times = 2 * (
-                    around.thing.count if isinstance(around, Mention) and around.det in ("each", "all") else 1
-                )
-        objects = objects or (
-            self.holder if chunk.value in ("next", "flank", "left", "right", "front", "near", "under") else []
-        )
-        if objects:  # "a bed with a lamp on either side": the lamps are not on the bed
-            own, to = {m.thing for m in subjects}, {m.thing for m in objects if isinstance(m, Mention)}
-            elsewhere = chunk.value in ("on", "flank")
-            self.said.links[:] = [k for k in self.said.links if not _had(k, own, None if elsewhere else to)]
-        if any(a.thing is b.thing and a.pick == b.pick for a in subjects for b in objects if isinstance(b, Mention)):
-            self.said.missed.append(chunk)  # nothing stands at itself
-            return
-        low, high = chunk.measure.values if chunk.measure else (0.0, 0.0)
-        about = (tuple(subjects), tuple(objects))
-        self.said.links.append(Link(chunk.value, *about, chunk.start, chunk.end, (low, high), chunk.rows))
-
-
-def _had(link: Link, own: Set[Thing], to: Set[Thing] | None) -> bool:
-    """Return whether a relation only says that one of some things has a thing (any, for None)."""
-    has = {item.thing for item in link.objects if isinstance(item, Mention)}
-    return link.relation == "with" and link.subjects[0].thing in own and (to is None or bool(has & to))
 
 
 def _on_tops(mention: Mention) -> bool:

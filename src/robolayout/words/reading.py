@@ -213,6 +213,9 @@ def _named_room(
         last = said.split()[-1]
         other = chunk.kind == "part" and (chunk.value not in ("room", "corner", "middle") or said == last)
         follows = chunks[i + 1].kind if i + 1 < len(chunks) else "stop"
+        other = other or (
+            follows == "comma" and chunk.noun is not None and not chunk.noun.guessed
+        )  # "a toilet, a sink"
         if last not in places or other or (chunk.number or 1) > 1 or follows not in AFTER_A_PLACE:
             return None, list(chunks)
         named = [c for c in chunks[i + 1 :] if c.kind == "room" and c.value != "room"]
