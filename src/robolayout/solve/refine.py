@@ -70,7 +70,6 @@ class Solver:
         self.rng = np.random.default_rng(seed)
         self.progress = progress or silent
         self.runner = Runner(self.config)
-        self.lead: _Best | None = None
         self.phase = "guess" if problem.guessed else "built"
         self.blind = False
 
@@ -128,22 +127,18 @@ class Solver:
         moved = self.problem.moved(world)
 
         def enough(verdict: Verdict) -> bool:
-            if best is None or replace(verdict, moved=moved).worth < best.verdict.worth:
-                return False
-            return self.lead is None or verdict.promise >= self.lead.verdict.promise
+            return best is not None and replace(verdict, moved=moved).worth >= best.verdict.worth
 
         self.judgements += 1
         phase = best.phase if best and number else self.phase
         found = _Best(world, replace(self.judge(Layout(placed), enough), moved=moved), phase)
-        if self.lead is not None and found.verdict.promise < self.lead.verdict.promise:
-            self.lead, self.gained = found, self.judgements
         if best is None or found.verdict.worth[:3] < best.verdict.worth[:3]:
             self.gained = self.judgements
         return found
 
     def _stage(self, number: int, world: Floats) -> _Best:
         """Place what belongs to a stage."""
-        self.lead, self.judgements, self.gained = None, 0, 0
+        self.judgements, self.gained = 0, 0
         stage = make_stage(self.problem, number, world)
         best = self._judged(stage.world, number)
         if not stage.moving or best.verdict.ok:
@@ -209,7 +204,7 @@ class Solver:
     def _near(self, number: int, best: _Best) -> _Best:
         """Place single things to blame anew, as near to their guesses as can be, as long as the judge likes that better."""
         self._say("mend")
-        self.lead, hopeless = None, set[str]()
+        hopeless = set[str]()
         for _ in range(self.effort.nearby):
             names = [name for name in best.verdict.culprits if name not in hopeless and self._at(number, name)]
             if best.verdict.ok or not names or self.spent:
@@ -230,7 +225,7 @@ class Solver:
     def _anew(self, stage: Stage, number: int, best: _Best) -> _Best:
         """Return the best of what is there and of rooms that are built and searched for."""
         self._say("build")
-        self.lead, self.gained = best, self.judgements
+        self.gained = self.judgements
         count, run = self.config.starts // 4, None
         if number == 0:
             best = self._mended(best, number, self.effort.mendings)
@@ -291,7 +286,7 @@ class Solver:
 
     def _route(self, stage: Stage, run: Run, best: _Best) -> _Best:
         """Push furniture out of the agents' routes, replanning as it moves."""
-        world, self.lead = run.world, best
+        world = run.world
         kept: list[list[Floats]] = [[] for _ in run.world]
         fruitless = False
         for _ in range(self.config.route_rounds):
@@ -364,7 +359,7 @@ class Solver:
     def _repair(self, best: _Best) -> _Best:
         """Place what is to blame anew for longer, whatever stage it is of."""
         self._say("repair")
-        self.lead, self.gained = best, self.judgements
+        self.gained = self.judgements
         return self._mended(best, max(stages(self.problem)), 4 * self.effort.mendings)
 
 

@@ -219,7 +219,7 @@ class _Judge:
         if room.doors:
             return room.walls[room.doors[0].wall].point(room.doors[0].center, (self.agent.length or 0.0) / 2)
         space = self.stances.space
-        return entry(room, space.pieces[space.start]) if space and space.start else None
+        return entry(room, space.pieces[space.start]) if space is not None and space.start is not None else None
 
     @cached_property
     def _driven(self) -> NDArray[np.bool_]:
