@@ -100,8 +100,6 @@ class Chunker:
         for size in range(min(LONGEST, len(self.words) - at), 0, -1):
             words = self.words[at : at + size]
             phrase = " ".join(words)
-            if phrase in self.lexicon.corners:
-                return Chunk("corner", at, at + size, self.lexicon.corners[phrase])
             counted = " ".join("n" if (count_of(word) or 0) > 1 else word for word in words)  # "in three rows"
             kind, value = self.grammar.phrases.get(phrase) or self.grammar.phrases.get(counted, ("", ""))
             measured = any(inner in self.measured for inner in range(at + 1, at + size))  # "in 3 rows and 4 columns"
@@ -360,8 +358,6 @@ class Chunker:
             phrase = " ".join(self.words[at : at + size])
             if phrase in self.grammar.styles or (size == 1 and word in self.grammar.sizes):
                 return Chunk("style", at, at + size, phrase)
-            if phrase in self.grammar.functions:
-                return Chunk("function", at, at + size, phrase)
         kind, value = self.grammar.phrases.get(word, ("", ""))
         if kind in ("verb", "pron"):
             return Chunk(kind, at, at + 1, value)

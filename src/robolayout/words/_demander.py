@@ -174,11 +174,7 @@ class Demander:
         """Left and right of a thing, in turn; of a door or window: close to it."""
         by: dict[str, list[str]] = {}
         for a, b in self._matched(subjects, objects):
-            if (
-                self._is(b, (*ways_of.TOPS, "sideboard", "dresser", "island"))
-                and self._asset(a).on_object
-                and not self._asset(a).on_floor
-            ):
+            if self._is(b, ways_of.BEARING) and self._asset(a).on_object and not self._asset(a).on_floor:
                 yield self._resting(a, b)
             else:
                 by.setdefault(b, []).append(a)

@@ -88,8 +88,6 @@ class Parser(Relating):
         self.refusing, self.negated = True, chunk.value in ("not", "dont", "avoid", "never")
 
     def _on_filler(self, chunk: Chunk) -> None:
-        if chunk.value in ("that", "which"):
-            self.relative = True
         following = self.chunks[self.at] if self.at < len(self.chunks) else chunk
         if chunk.value == "for" and following.kind == "filler" and (count_of(following.value) or 0) > 1:
             self._for_people(Chunk("people", chunk.start, following.end, number=count_of(following.value)))

@@ -169,8 +169,6 @@ class References:
         That is what stands before "with"; what the last "it" stood for ("a lamp behind it, a table to the left of it"); what was
         named last before; what the last relation led to, where that is one and the other is several; the subject before.
         """
-        if word in ("each other", "one another"):
-            return []
         own = {m.thing for m in self.about}
         holder = self.holder[0] if self.holder else None
         one = word != "it" or holder is None or holder.thing.count == 1 or holder.det == "each"

@@ -35,6 +35,9 @@ SEATS = ("chair", "stool", "armchair", "sofa", "bench", "recliner", "seat")
 TOPS = ("desk", "table", "counter")
 """Last words of what has a top at which one sits or stands."""
 
+BEARING = (*TOPS, "sideboard", "dresser", "island")
+"""Last words of what bears what is said to flank it."""
+
 SLEPT_ON = ("bed", "crib", "cot")
 """Last words of what one lies on; what such a thing has stands beside it."""
 
