@@ -68,25 +68,35 @@ def section(rows: Rows, images: Path) -> str:
     for key, row in rows.items():
         body, _, room = key.partition("/")
         groups.setdefault(body, {})[room] = row
-    heads = ["body", "rooms", "ways", "with contacts", "undriven", "doors and drawers", "opened, nothing touched"]
-    heads += ["leaves of room doors", "something moved aside", "stepping back", "N at most"]
+    heads = ["body", "rooms", "all demands met", "ways", "with contacts", "undriven", "doors and drawers"]
+    heads += ["opened, nothing touched", "leaves of room doors", "something moved aside", "stepping back", "N at most"]
     lines: list[list[str]] = []
     for body, rooms in groups.items():
         found = rooms.values()
         names = ("ways", "undriven", "joints", "opened", "leaves", "leaves_opened", "aside", "stepping")
         total = {n: sum(row[n] for row in found) for n in names}
         touching = sum(len(row["touching"]) for row in found)
-        line = [len(rooms), total["ways"], touching, total["undriven"], total["joints"]]
+        possible = [row for row in found if not row["impossible"]]
+        met = of(sum(row["ok"] for row in possible), len(possible))
+        line = [len(rooms), met, total["ways"], touching, total["undriven"], total["joints"]]
         shares = [of(total["opened"], total["joints"]), of(total["leaves_opened"], total["leaves"])]
         rest = [total["aside"], total["stepping"], round(max(row["newtons"] for row in found))]
         lines.append([body.replace("_", " "), *map(str, [*line, *shares, *rest])])
     told = "".join(f"- {key}: {text}\n" for key, row in rows.items() for text in row["touching"] + row["shut"])
+    lacking = "".join(
+        f"- {key}: {', '.join(row['short'])} out of reach or use.\n"
+        for key, row in rows.items()
+        if row["short"] and not row["impossible"]
+    )
+    pairs, everything = (sum(not key.startswith(f"{OWN}/") for key in keys) for keys in (rows, dict(cases(False))))
     intro = (
-        "Each body's footprint is driven to all that it uses (*undriven*: it would use it and finds no way that it can "
-        "drive), the room's doors open. Then each door and drawer, of what it uses, whose handle it reaches in height is "
+        f"Measured so far: {pairs} of {everything} pairs of a built-in body and a room, the rooms with the fewest things first. "
+        "Each body's footprint is driven to all that it uses (*undriven*: it could stand at it and finds no way that it can "
+        "drive), the room's doors open. *All demands met*: of the rooms that are possible for the body. "
+        "Then each door and drawer, of what it uses, whose handle it reaches in height is "
         "pulled by a force at the handle, the body standing where the report says and all that can move free, and so is each "
         "leaf of the room's own doors, as by one who comes in. It is opened if it gets to its stop and neither leaf nor body "
         "touches anything else. *Something moved aside*: what people move in daily use stood in the way. "
         "*Stepping back*: no place is clear of all that the leaf sweeps.\n"
     )
-    return f"## Ways driven, doors and drawers opened\n\n{intro}\n{table(heads, lines)}\n{told}"
+    return f"## Ways driven, doors and drawers opened\n\n{intro}\n{table(heads, lines)}\n{told}{lacking}"

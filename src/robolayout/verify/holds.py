@@ -25,6 +25,8 @@ STEPS = 12
 """Steps of a leaf from shut to open."""
 STRIDE = 0.10
 """Metres that a body may move while the leaf makes one of them."""
+BERTHS = (0.04, 0.0)
+"""Metres that it keeps from what it steps past, the first that leave it a way: strides are straight and would cut a corner by as much."""
 
 Leaf = tuple[BaseGeometry, float, float]
 """A convex shape in plan, and between which heights in metres it lies."""
@@ -61,8 +63,10 @@ def find_hold(found: Boxes, agent: Agent, row: int, joint: Joint, reach: float, 
         if still.area > 0:
             x, y = shapely.get_coordinates(shapely.maximum_inscribed_circle(still))[0].tolist()
             return Hold(asset.name, joint.name, ((x, y, heading),), moved)
-        if not walk.poses and (poses := _walk(free, heading)):
-            walk = Hold(asset.name, joint.name, poses, moved)
+        for berth in () if walk.poses else BERTHS:
+            if poses := _walk([places.buffer(-berth) for places in free], heading):
+                walk = Hold(asset.name, joint.name, poses, moved)
+                break
     return walk
 
 
