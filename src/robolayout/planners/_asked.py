@@ -132,6 +132,7 @@ def _join(relation: Relation, a: Cast, b: Cast, *, around: bool, turned: float) 
         return Join("front", (b.role.name,), gap=SEATED if seated else BEFORE, loose=True, faces="anchor")
     if relation.name == "behind":
         if turned == 180.0:
-            return Join("behind", (b.role.name,), gap=BACKS, loose=True, faces="away")
+            straight = ('centered_on({a}, {b}, "side")',)
+            return Join("behind", (b.role.name,), gap=BACKS, loose=True, faces="away", say=straight)
         return Join("behind", (b.role.name,), gap=BEFORE, loose=True)
     return None
