@@ -245,6 +245,10 @@ def test_who_sits_at_a_table_takes_nobodys_desk(text: str, things: dict[str, int
         ("a playroom", {"single bed": 0, "wardrobe": 0, "kids table": 1}),
         ("a vet clinic with a scale", {"hospital bed": 0, "examination table": 1, "physician scale": 1}),
         ("a music room with a piano", {"stool": 1}),
+        ("a sports bar with two TVs on the wall", {"television": 2, "tv stand": 0}),
+        ("a nail salon with three small tables with two chairs each", {"chair": 6, "salon chair": 0, "mirror": 2}),
+        ("a pet salon with a chair near the door", {"chair": 1}),
+        ("a salon with three chairs each facing a mirror", {"chair": 0, "salon chair": 3, "mirror": 3}),
     ],
 )
 def test_what_things_need_comes_with_them_and_nothing_is_there_without_purpose(

@@ -37,7 +37,13 @@ VAGUE = ("stand", "rack", "machine", "board")
 """Last words that do not say what a thing is for."""
 
 
-IN_PLACE_OF = {"bathtub": "shower", "blackboard": "whiteboard", "projection screen": "television"}
+IN_PLACE_OF = {
+    "bathtub": "shower",
+    "blackboard": "whiteboard",
+    "projection screen": "television",
+    "rocking chair": "armchair",
+    "hanging chair": "armchair",
+}
 """What is not added where something else does its work."""
 
 

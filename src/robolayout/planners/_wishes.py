@@ -112,7 +112,8 @@ def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wish
         for thing in said
         if thing.noun.guessed and not thing.noun.kind.startswith("unknown")
     ]
-    looks = {_shown(thing, room, lexicon): ", ".join(thing.look) for thing in said if thing.look}
+    links = reading.parsed.links
+    looks = {_shown(thing, room, lexicon, links): ", ".join(thing.look) for thing in said if thing.look}
     return Wishes(reading, room, things, named, looks, tuple(guesses))
 
 
@@ -151,11 +152,12 @@ def _things(
     wished: dict[str, int] = {}
     named: dict[str, Category] = {}
     for thing in reading.parsed.things:
-        name, shown = usual_there(thing, room) or thing.noun.kind, _shown(thing, room, lexicon)
+        links = reading.parsed.links
+        name, shown = usual_there(thing, room, links) or thing.noun.kind, _shown(thing, room, lexicon, links)
         kind = lexicon.kinds[name]
         like = kind.like or (name if shown != name else "")
-        size = _large_enough(thing, sized(kind, thing.adjectives), reading.parsed.links, lexicon)
-        kind = _as_placed(thing, replace(kind, name=shown, like=like, size=size), reading.parsed.links, lexicon)
+        size = _large_enough(thing, sized(kind, thing.adjectives), links, lexicon)
+        kind = _as_placed(thing, replace(kind, name=shown, like=like, size=size), links, lexicon)
         if kind != lexicon.kinds[name] and wished.get(shown, 0) == 0:
             named[shown] = kind
         wished[shown] = wished.get(shown, 0) + thing.count
@@ -211,18 +213,24 @@ def _large_enough(
     return depth, width, height
 
 
-def _shown(thing: Thing, room: RoomType, lexicon: Lexicon) -> str:
+def _shown(thing: Thing, room: RoomType, lexicon: Lexicon, links: Sequence[Link]) -> str:
     """Return the category under which a thing stands in the scene: its own words where no kind of that name is known."""
-    name = usual_there(thing, room) or thing.noun.kind
+    name = usual_there(thing, room, links) or thing.noun.kind
     return thing.noun.words if thing.noun.kind == name and thing.noun.words not in lexicon.kinds else name
 
 
-def usual_there(thing: Thing, room: RoomType) -> str | None:
-    """Return what a single general word means in a room: a desk of a classroom is a student desk."""
+def usual_there(thing: Thing, room: RoomType, links: Sequence[Link]) -> str | None:
+    """Return what a single general word means in a room: a desk of a classroom is a student desk.
+
+    A chair at a table, at a wall or by the door is what people there sit on, and nothing else that stands in such a room.
+    """
     said = [word for word in thing.noun.said.split() if word not in SIZE_WORDS]
     if len(said) != 1 or said[0] not in GENERAL or thing.noun.guessed or set(thing.adjectives) - SIZE_WORDS - LOOKS:
         return None
-    items = [*([room.tables] if room.tables else []), *room.person, *room.base, *room.extras]
+    at = [item for k in links if any(m.thing is thing for m in k.subjects) for item in k.objects]
+    elsewhere = any(isinstance(item, Place) or item.thing.noun.kind.endswith("table") for item in at)
+    usual = () if said[0] == "chair" and elsewhere else (*room.base, *room.extras)
+    items = [*([room.tables] if room.tables else []), *room.person, *usual]
     word = said[0] if said else ""
     if word in items or (word in CATALOGUE and thing.noun.kind != word):
         return None
