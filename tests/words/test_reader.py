@@ -207,6 +207,7 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("a table with six chairs: two on each long side and one at each end", {("around", "chair", "dining table")}),
         ("a sink with knee space under it", set()),
         ("nightstand on left side of bed", {("left", "night stand", "bed")}),
+        ("ten chairs lined up along two opposite walls", {("wall", "chair", "wall")}),
         ("On the desk in the corner stands a lamp.", {("in", "desk", "corner"), ("on", "table lamp", "desk")}),
         ("The stove has a hood above it and the sink is under the window.", {("above", "hood", "stove"), ("under", "washbasin", "window")}),
         (

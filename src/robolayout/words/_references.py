@@ -339,6 +339,10 @@ class References:
             return
         low, high = chunk.measure.values if chunk.measure else (0.0, 0.0)
         about = (tuple(subjects), tuple(objects))
+        walls = any(isinstance(item, Place) and item.name == "wall" and item.plural for item in objects)
+        for row in [k for k in self.said.links if walls and k.relation == "row" and k.subjects == about[0]]:
+            self.said.links.remove(row)  # "lined up along two opposite walls": no one line
+            self.said.read.update(range(row.start, row.end))
         self.said.links.append(Link(chunk.value, *about, chunk.start, chunk.end, (low, high), chunk.rows))
 
 
