@@ -71,8 +71,8 @@ def without_noun(
     det = "other" if picks in REST else DETERMINERS.get(picks or "", "new" if new else "the")
     side = words[end + 2] if words[end : end + 2] == ["on", "the"] and end + 2 < len(words) else ""
     told, end = (side, end + 3) if one is None and not picks and side in ("left", "right") else (told, end)
-    if last is None:
-        return None
+    if last is None or (leads and picks == "other" and any("side" in c.adjectives for c in found if c.kind == "rel")):
+        return None  # "stools on one side, the stove on the other"
     chunk = replace(last, start=at, end=end, det=det, number=count_of(number or ""), bound="", plural=many, rows=0)
     return replace(chunk, adjectives=(told,) if told else last.adjectives if last.kind == "part" else ())
 

@@ -209,7 +209,8 @@ class References:
         if things and (pronoun or (fronted and relation in AXES)):
             self.kept, self.axis, self.other = things[:1], "" if pronoun else AXES[relation], []
         elif not pronoun:
-            self.kept, self.other = [] if fronted else self.kept, list(self.about)
+            led = any(isinstance(item, Mention) for item in objects)
+            self.kept, self.other = [] if fronted or led else self.kept, list(self.about)
 
     def _mention(self, chunk: Chunk, *, target: bool = False) -> Mention:
         """Return the thing that a noun phrase names: one named before, or a new one."""
@@ -309,6 +310,14 @@ class References:
 
     def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
         """Note a relation; what stands at each of several things is as many times there."""
+        led = objects or (
+            self.holder if chunk.value in ("next", "flank", "left", "right", "front", "near", "under") else []
+        )
+        if any(
+            a.thing is b.thing and a.pick in (None, b.pick) for a in subjects for b in led if isinstance(b, Mention)
+        ):
+            self.said.missed.append(chunk)  # nothing stands at itself
+            return
         each = [item for item in objects if item.det == "each" and chunk.value not in ("apart", "far")]
         for item in each:
             count = self._number_of(item)
@@ -325,18 +334,11 @@ class References:
                 thing.times = 2 * (
                     around.thing.count if isinstance(around, Mention) and around.det in ("each", "all") else 1
                 )
-        objects = objects or (
-            self.holder if chunk.value in ("next", "flank", "left", "right", "front", "near", "under") else []
-        )
+        objects = led
         if objects:  # "a bed with a lamp on either side": the lamps are not on the bed
             own, to = {m.thing for m in subjects}, {m.thing for m in objects if isinstance(m, Mention)}
             elsewhere = chunk.value in ("on", "flank")
             self.said.links[:] = [k for k in self.said.links if not _had(k, own, None if elsewhere else to)]
-        if any(
-            a.thing is b.thing and a.pick in (None, b.pick) for a in subjects for b in objects if isinstance(b, Mention)
-        ):
-            self.said.missed.append(chunk)  # nothing stands at itself
-            return
         low, high = chunk.measure.values if chunk.measure else (0.0, 0.0)
         about = (tuple(subjects), tuple(objects))
         walls = any(isinstance(item, Place) and item.name == "wall" and item.plural for item in objects)

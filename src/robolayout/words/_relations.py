@@ -371,8 +371,8 @@ class Relating(References):
     def _subjects(self, relation: str) -> list[Mention]:
         """Return what a relation here is about."""
         previous = next((c for c in reversed(self.chunks[: self.at - 1]) if c.kind not in ("filler", "style")), None)
-        if previous is None or previous.kind == "stop":
-            return []
+        if previous is None or previous.kind == "stop" or (previous.kind == "part" and previous.det == "a"):
+            return []  # "a window on each side of it"
         if self.fronted is not None and previous.kind in ("and", "comma"):
             self.fronted = None
             return []
