@@ -13,7 +13,7 @@ import pytest
 from robolayout.planners import OfflinePlanner, PlanRequest, scene_from_sentence
 from robolayout.program import read_program, reconcile
 from robolayout.run.verdict import make_judge
-from robolayout.scene import Asset, Opening, Room, Scene, load_scene
+from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene, load_scene
 from robolayout.solve import Verdict, compile_problem
 from robolayout.solve.build.attempt import Attempt
 from robolayout.solve.build.cluster import Cluster
@@ -104,3 +104,47 @@ def test_a_long_chain_that_fits_nowhere_is_taken_apart_link_by_link(monkeypatch:
     monkeypatch.setattr(Attempt, "_place", counted)
     compile_problem(scene, program)
     assert placed.count("cabinet-6") <= placed.count("cabinet-0")  # had doubled from link to link
+
+
+SEATS = tuple(Asset(f"armchair-{i}", "armchair", (0.9, 0.98, 1.0)) for i in range(6))
+SCREEN = Asset("television-0", "television", (0.08, 1.2, 0.7), on_floor=False, on_wall=True)
+SMALL = Asset("side_table-0", "side table", (0.45, 0.45, 0.55))
+BLOCK = """
+solver.in_rows([armchair[0], armchair[1], armchair[2], armchair[3], armchair[4], armchair[5]], aisle=0.6, rows=2)
+solver.point_towards(armchair[1], television[0])
+solver.wish.next_to(armchair[0], armchair[1], "beside", 0.5)
+solver.wish.next_to(armchair[2], armchair[3], "beside", 0.5)
+solver.wish.against_wall(armchair[1], weight=8)
+solver.wish.next_to(side_table[0], armchair[0], "beside", 0.2)
+solver.mounted_on(television[0])
+"""
+
+
+def test_a_block_in_rows_is_built_whole_before_the_screen_that_one_of_it_looks_at() -> None:
+    scene = Scene(replace(ROOM, vertices=((0, 0), (5.5, 0), (5.5, 5), (0, 5))), (*SEATS, SCREEN, SMALL))
+    program = reconcile(read_program(BLOCK, scene), scene).program
+    built = compile_problem(scene, program).guess
+    assert [one.source for one in program.statements if not one.relation.check(scene, built).met] == []
+    side = built["television-0"].yaw
+    assert all(math.cos(built[seat.name].yaw - side) == pytest.approx(-1.0, abs=1e-6) for seat in SEATS)
+
+
+def test_a_block_is_built_although_one_of_it_is_asked_to_be_elsewhere() -> None:
+    scene = Scene(replace(ROOM, vertices=((0, 0), (7, 0), (7, 6), (0, 6))), (*SEATS, SMALL))
+    rows = BLOCK.splitlines()[1]
+    program = reconcile(read_program(f"{rows}\nsolver.near(armchair[5], [0.2, 0.2], 0.1)", scene), scene).program
+    built = compile_problem(scene, program).guess
+    assert program.statements[0].relation.check(scene, built).met
+
+
+def test_rows_of_four_and_two_are_no_two_rows_of_three() -> None:
+    scene = Scene(ROOM, SEATS)
+    (asked,) = read_program(BLOCK.splitlines()[1], scene).statements
+    places = [(1.0 + 1.2 * (i // columns), 0.6 + i % columns) for columns in (3, 4) for i in range(6)]
+    even, uneven = (
+        Layout({seat.name: Pose(x, y, 0.5, 0.0) for seat, (x, y) in zip(SEATS, some, strict=True)})
+        for some in (places[:6], places[6:])
+    )
+    assert asked.relation.check(scene, even).met
+    assert not asked.relation.check(scene, uneven).met
+    assert asked.relation.check(scene, uneven).text.startswith("2 rows of at most 4")

@@ -14,7 +14,7 @@ from robolayout.scene import Layout, Scene
 
 @dataclass(frozen=True)
 class InRows(Relation):
-    """The `items` stand in straight `rows` (None: any number), at least `aisle` m apart, `gap` m beside; `backs` "paired": back to back."""
+    """The `items` stand in straight, even `rows` (None: any), at least `aisle` m apart, `gap` m beside; `backs` "paired": back to back."""
 
     name = "in_rows"
     moves = ("items",)
@@ -50,7 +50,7 @@ class InRows(Relation):
         return tuple(rows)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """All headings alike or opposite within 10 degrees; in each line the middles within 5 cm; as many lines as asked."""
+        """All headings alike or opposite within 10 degrees; in each line the middles within 5 cm; as many even lines as asked."""
         seen = frame(scene, layout, self.items[0])
         turned = max(self._turned(layout, item) for item in self.items)
         lines: list[list[float]] = []
@@ -60,8 +60,10 @@ class InRows(Relation):
             else:
                 lines.append([u])
         off = max(max(line) - min(line) for line in lines)
-        met = off <= 2 * GAP_TOLERANCE and turned <= ANGLE_TOLERANCE and self.rows in (None, len(lines))
-        text = f"{len(lines)} rows, up to {off:.2f} m out of line, {turned:.0f} deg off"
+        longest = max(map(len, lines))
+        even = self.rows is None or (len(lines) == self.rows and longest <= math.ceil(len(self.items) / self.rows))
+        met = off <= 2 * GAP_TOLERANCE and turned <= ANGLE_TOLERANCE and even
+        text = f"{len(lines)} rows of at most {longest}, up to {off:.2f} m out of line, {turned:.0f} deg off"
         return Outcome(met, off, 2 * GAP_TOLERANCE, "m", text)
 
     def _beside(self, seen: Frame, layout: Layout, item: AssetRef) -> tuple[float, float]:

@@ -17,7 +17,7 @@ from robolayout.solve.build.places import Batch, batches, centroid
 from robolayout.solve.build.rugs import lay_rugs
 from robolayout.solve.build.said import MISSED
 from robolayout.solve.build.site import Site, Spot
-from robolayout.solve.build.sorts import alike, given_up, told_rows
+from robolayout.solve.build.sorts import alike, given_up, parted, told_rows
 from robolayout.solve.build.taste import keep_sight, looks, taste
 from robolayout.solve.build.wants import Want
 
@@ -254,8 +254,16 @@ class Attempt:
 
     def _in_rows(self, clusters: Sequence[Cluster], modes: Modes, weights: Mapping[str, float]) -> list[Cluster]:
         """Place what fits well along the walls, put the rest into a grid, and return what fits nowhere."""
-        left = list(clusters)
-        if next(iter(modes)) == "wall" and not told_rows(self.site.wants[left[0].anchor]):
+        left, told = list(clusters), told_rows(self.site.wants[clusters[0].anchor])
+        if told:
+            left, own = parted(self.site, clusters)
+            if self._place_grid(left, weights, 0):
+                for cluster in own:
+                    want = self.site.wants[cluster.anchor]
+                    self._place(cluster, want.stands, want.weights)
+                return []
+            left = list(clusters)
+        elif next(iter(modes)) == "wall":
             left = [cluster for cluster in clusters if not self._place(cluster, {"wall": 0.0}, weights, limit=BAD)]
         for equal in alike(self.site, left):
             for count in sorted({max(2, round(len(equal) * share)) for share in SHARES}, reverse=True):
@@ -357,6 +365,7 @@ class Attempt:
     def _place_grid(self, clusters: Sequence[Cluster], weights: Mapping[str, float], strays: int) -> bool:
         """Put equal clusters into their best grid, so many others being left; False if none is good."""
         ranked: list[tuple[float, GridPlan, Batch, int]] = []
+        missed = [math.inf if told_rows(self.site.wants[clusters[0].anchor]) else 0.0]
         for plan, batch in grid_batches(self.site, clusters):
             clash = self.site.clash(batch.cluster, batch.poses, limit=1.0)
             free = clash <= 1.0
@@ -367,14 +376,15 @@ class Attempt:
             last = last_cell(self.site, plan, batch)
             middle = replace(batch, poses=(batch.poses + last.poses) / 2)
             cost += sum(taste(self.site, one, weights) for one in (batch, middle, last)) / 3
-            cost += self.site.missed(batch.cluster, batch.poses)
-            cost += TIGHT * plan.tight + RAGGED * (plan.rows * plan.columns - len(plan.names))
+            missed.append(float((unmet := self.site.missed(batch.cluster, batch.poses)).min()))
+            cost += unmet + TIGHT * plan.tight + RAGGED * (plan.rows * plan.columns - len(plan.names))
             cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5
             ranked += [(float(cost[row]), plan, batch, int(row)) for row in np.argsort(cost, kind="stable")[:4]]
         best: tuple[float, GridPlan, Batch, int] | None = None
         before, tried = self.site.unreached(), 0
+        limit = HOPELESS + min(missed)  # what no place of a demanded block meets speaks against none
         for cost, plan, batch, row in sorted(ranked, key=lambda entry: entry[0]):
-            if cost > HOPELESS or tried >= 3 * TRIALS or (best is not None and cost > best[0]):
+            if cost > limit or tried >= 3 * TRIALS or (best is not None and cost > best[0]):
                 break
             if not self.site.fault(batch.cluster, batch.poses[row]):
                 tried += 1
@@ -384,7 +394,7 @@ class Attempt:
                 harm /= len(clusters) ** 0.5
                 if best is None or cost + harm < best[0]:
                     best = (cost + harm, plan, batch, row)
-        if best is None or best[0] > HOPELESS:
+        if best is None or best[0] > limit:
             return False
         put = partial(put_grid, clusters=clusters, plan=best[1], frame=best[2].poses[best[3]])
         self.steps.append(_Step(put, best[0] * len(clusters) ** 0.5 + STRAY * strays))

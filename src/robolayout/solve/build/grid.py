@@ -31,7 +31,7 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
     names = tuple(cluster.anchor for cluster in clusters)
     for columns in range(1, len(names) + 1):
         count = math.ceil(len(names) / columns)
-        if columns * (count - 1) >= len(names) or rows.rows not in (None, count):
+        if columns * (count - 1) >= len(names) or (rows.rows and columns != math.ceil(len(names) / rows.rows)):
             continue
         for wider, closer in ((1.0, 1.0), (1.0, 0.1), (1.35, 1.0), (1.35, 0.1), (1.8, 1.8)):
             if closer < 1.0 and gap0 > TIGHTEST:
@@ -103,7 +103,7 @@ def _poses(site: Site, cluster: Cluster) -> NDArray[np.float64]:
     middle = ((box[0] + box[2]) / 2, (box[1] + box[3]) / 2)
     left, bottom, right, top = site.room.bounds
     found: list[tuple[float, float, float]] = []
-    for yaw in _yaws(site, cluster.anchor):
+    for yaw in _yaws(site, cluster):
         c, s = math.cos(yaw), math.sin(yaw)
         hx = (abs(c) * (box[2] - box[0]) + abs(s) * (box[3] - box[1])) / 2
         hy = (abs(s) * (box[2] - box[0]) + abs(c) * (box[3] - box[1])) / 2
@@ -122,10 +122,10 @@ def _steps(low: float, high: float, corridor: float) -> list[float]:
     return sorted({round(float(v), 4) for v in marks if low <= v <= high})
 
 
-def _yaws(site: Site, anchor: str) -> list[float]:
-    """Return the headings to try: one if there is something to face, else along and across the room."""
-    face = site.wants[anchor].face
-    there = targets(site, anchor)
-    if face and there:
-        return [site.spots[there[0]].member.yaw + (0.0 if face.away else math.pi)]
+def _yaws(site: Site, cluster: Cluster) -> list[float]:
+    """Return the headings to try: one if one of a block's things has something to face, else along and across the room."""
+    for member in cluster.members:
+        face, there = site.wants[member.name].face, targets(site, member.name)
+        if face and there:
+            return [site.spots[there[0]].member.yaw + (0.0 if face.away else math.pi)]
     return room_yaws(site)

@@ -165,7 +165,17 @@ def wants_of(scene: Scene, program: Program) -> dict[str, Want]:
     for want in [want for want in found.values() if want.carried and want.anchor is None]:
         found[want.name] = replace(want, anchor=_top(want, found), join=Join("on"))
     _pair(found, program.statements)
-    return _acyclic(found)
+    return _seen_first(_acyclic(found))
+
+
+def _seen_first(wants: dict[str, Want]) -> dict[str, Want]:
+    """Return the same with what hangs and is looked at right before the first that looks at it."""
+    turns = {name: float(want.turn) for name, want in wants.items()}
+    for want in wants.values():
+        for name in want.face.names if want.face and want.standing else ():
+            if name in wants and wants[name].hung:
+                turns[name] = min(turns[name], want.turn - 0.5)
+    return dict(sorted(wants.items(), key=lambda item: turns[item[0]]))
 
 
 def _pair(wants: dict[str, Want], said: Sequence[Statement]) -> None:
@@ -209,7 +219,10 @@ def _subjects(relation: Relation) -> tuple[str, ...]:
 
 
 def _kind(asset: Asset, said: Sequence[Statement]) -> str:
-    """Return what is said of a thing but for whom it is about; what it is where nothing is said."""
+    """Return what is said of a thing but for whom it is about; what it is where nothing is said; its block where one is demanded."""
+    for one in said:
+        if isinstance(one.relation, InRows) and one.wish is None and one.relation.rows is not None:
+            return " ".join(one.relation.asset_names())
     alone = [one for one in said if not isinstance(one.relation, SymmetricPair)]
     parts = [f"{one.relation.name} {_plain(one.relation)} {one.wish}" for one in alone]
     return "; ".join(sorted(parts)) or asset.category
@@ -249,6 +262,9 @@ class _Reading:
     def want(self) -> Want:
         """Return the thing with all of it."""
         anchor, join, demanded = self._join()
+        rows = self._rows()
+        if rows is not None and rows.rows is not None and anchor in rows.asset_names():
+            anchor, join = None, None  # its place is in the block
         face = self._face(anchor)
         stands = self._stands(face)
         weights: dict[str, float] = {}
@@ -271,7 +287,7 @@ class _Reading:
             anchor=anchor,
             join=join,
             loose=join is not None and (not demanded or bool(self._modes())),
-            rows=self._rows(),
+            rows=rows,
         )
 
     def _rows(self) -> InRows | None:
