@@ -38,7 +38,9 @@ def make_judge(scene: Scene, program: Program) -> Judge:
         for agent in bodies:
             if enough(replace(found, access=access, soft=soft)):
                 break
-            missing, to_move = _access(scene, layout, agent)
+            missing, to_move = _access(scene, layout, replace(agent, turning_radius=None))
+            if agent.turning_radius is not None and not enough(replace(found, access=access + missing, soft=soft)):
+                missing, to_move = _access(scene, layout, agent)  # how it drives there is dear, and only ever makes it worse
             access += missing
             blamed += to_move
         return Verdict(found.hard, access, soft, tuple(dict.fromkeys([*failing, *blamed, *unmet])))

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any
 
@@ -25,7 +25,7 @@ from scipy.sparse.csgraph import dijkstra
 from robolayout.scene import Agent, Point, Room
 from robolayout.verify._obstacles import Obstacles
 from robolayout.verify.drives import Drive, Pose
-from robolayout.verify.heading import free_of, rectangle
+from robolayout.verify.heading import free_of, grown, rectangle
 
 QUARTER = ((1, 0), (2, 1), (1, 1), (1, 2))  # directions of the headings of a quarter turn, in cells
 TURNS = 4 * len(QUARTER)
@@ -49,6 +49,43 @@ class Move:
     poses: Poses  # the poses on the way in the lattice's frame, the first one aside
 
 
+@dataclass(frozen=True)
+class _Grid:
+    """Where the places of a lattice are."""
+
+    origin: Point  # metres
+    heading: float  # radians, of its first axis
+    cell: float  # metres
+    low: tuple[int, int]  # cells from the origin to the first place
+    shape: tuple[int, int]  # places along each axis
+
+    @cached_property
+    def places(self) -> NDArray[np.float64]:
+        """(n, 2) metres."""
+        c, s = math.cos(self.heading), math.sin(self.heading)
+        cells = np.indices(self.shape).reshape(2, -1).T + self.low
+        return np.asarray(cells * self.cell @ np.array([(c, s), (-s, c)]) + self.origin, np.float64)
+
+
+@lru_cache(maxsize=256)
+def _inside(grid: _Grid, room: Room, body: bytes) -> NDArray[np.bool_]:
+    """Return (n,) at which places a convex body, corners (m, 2) as bytes, stands in the empty room."""
+    free = free_of(room, np.array([], dtype=object), np.frombuffer(body).reshape(-1, 2))
+    shapely.prepare(free)
+    return np.asarray(shapely.contains_xy(free, *grid.places.T))
+
+
+@lru_cache(maxsize=1 << 14)  # while a layout is mended one thing moves, and all others meet what they met before
+def _met(grid: _Grid, body: bytes, ring: bytes) -> NDArray[np.intp]:
+    """Return the places at which a convex body meets a rectangle, corners (4, 2) as bytes."""
+    (larger,) = grown(np.frombuffer(ring).reshape(1, 4, 2), np.frombuffer(body).reshape(-1, 2))
+    left, bottom, right, top = larger.bounds
+    x, y = grid.places.T
+    near = np.flatnonzero((x >= left) & (x <= right) & (y >= bottom) & (y <= top))
+    shapely.prepare(larger)
+    return near[shapely.intersects_xy(larger, x[near], y[near])]
+
+
 class Lattice:
     """Where a body can drive from the door.
 
@@ -67,15 +104,18 @@ class Lattice:
         forward = np.array([math.cos(self._angle), math.sin(self._angle)])
         self._axes = np.array([forward, (-forward[1], forward[0])])
         corners = (np.array(room.vertices) - self._origin) @ self._axes.T / self.cell
-        self._low = np.floor(corners.min(axis=0)).astype(int)
-        self._shape = tuple((np.ceil(corners.max(axis=0)).astype(int) - self._low + 1).tolist())
+        low, high = (
+            np.floor(corners.min(axis=0)).astype(int).tolist(),
+            np.ceil(corners.max(axis=0)).astype(int).tolist(),
+        )
+        self._grid = _Grid(start, heading, self.cell, (low[0], low[1]), (high[0] - low[0] + 1, high[1] - low[1] + 1))
+        self._shape = self._grid.shape
         self._moves = [list(_moves(k, self.cell, agent.turning_radius or 0.0)) for k in range(TURNS)]
 
     @cached_property
     def places(self) -> NDArray[np.float64]:
         """(n, 2) all places of the lattice in metres."""
-        cells = np.indices(self._shape).reshape(2, -1).T + self._low
-        return cells * self.cell @ self._axes + self._origin
+        return self._grid.places
 
     def heading(self, number: int) -> float:
         """Return a heading of the lattice in radians."""
@@ -104,10 +144,11 @@ class Lattice:
         """Return from which places the shape that a move sweeps meets nothing."""
         poses = np.concatenate([[(0.0, 0.0, _angle(number))], move.poses])
         rings = [rectangle(self._agent, self._angle + turn, ROUNDING) + at @ self._axes for *at, turn in poses]
-        body = shapely.get_coordinates(shapely.MultiPoint(np.concatenate(rings)).convex_hull)[:-1]
-        free = free_of(self._room, self._blocking.shapes, body)
-        shapely.prepare(free)
-        return np.asarray(shapely.contains_xy(free, *self.places.T))
+        body = shapely.get_coordinates(shapely.MultiPoint(np.concatenate(rings)).convex_hull)[:-1].tobytes()
+        free = _inside(self._grid, self._room, body).copy()
+        for ring in shapely.get_coordinates(self._blocking.shapes).reshape(-1, 5, 2)[:, :4]:
+            free[_met(self._grid, body, ring.tobytes())] = False
+        return free
 
     @cached_property
     def _found(self) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
