@@ -40,7 +40,8 @@ def make_judge(scene: Scene, program: Program) -> Judge:
                 break
             missing, to_move = _access(scene, layout, replace(agent, turning_radius=None))
             if agent.turning_radius is not None and not enough(replace(found, access=access + missing, soft=soft)):
-                missing, to_move = _access(scene, layout, agent)  # how it drives there is dear, and only ever makes it worse
+                # how it drives there is dear, and only ever makes it worse
+                missing, to_move = _access(scene, layout, agent)
             access += missing
             blamed += to_move
         return Verdict(found.hard, access, soft, tuple(dict.fromkeys([*failing, *blamed, *unmet])))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from itertools import product
 
 import numpy as np
@@ -95,15 +95,6 @@ def squared(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool])
     return world
 
 
-def _rugs(problem: Problem, slot: int) -> list[int]:
-    """Return the slots that are asked to lie under a slot."""
-    mine = AssetRef(problem.names[slot])
-    rows = (term for terms in problem.statement_terms for term in terms if isinstance(term, FrameTerm))
-    return [
-        problem.slot[row.b.name] for row in rows if row.a == mine and row.moves == "b" and isinstance(row.b, AssetRef)
-    ]
-
-
 def _off_square(angle: float) -> float:
     """Return by how many radians an angle is off the nearest multiple of a right one."""
     return angle - round(angle / (math.pi / 2)) * (math.pi / 2)
@@ -111,10 +102,20 @@ def _off_square(angle: float) -> float:
 
 def _looked_at(problem: Problem, slot: int) -> list[int]:
     """Return the slots that a slot is asked to look at."""
+    return [other for other, row in _rows(problem, slot) if row.look is not None]
+
+
+def _rugs(problem: Problem, slot: int) -> list[int]:
+    """Return the slots that are asked to lie under a slot."""
+    return [other for other, row in _rows(problem, slot) if row.moves == "b"]
+
+
+def _rows(problem: Problem, slot: int) -> Iterator[tuple[int, FrameTerm]]:
+    """Yield the rows of statements that are about a slot and another one, with that."""
     mine = AssetRef(problem.names[slot])
-    rows = (term for terms in problem.statement_terms for term in terms if isinstance(term, FrameTerm))
-    looks = [row.b for row in rows if row.a == mine and row.look is not None]
-    return [problem.slot[ref.name] for ref in looks if isinstance(ref, AssetRef)]
+    for row in (row for rows in problem.statement_terms for row in rows):
+        if isinstance(row, FrameTerm) and row.a == mine and isinstance(row.b, AssetRef):
+            yield problem.slot[row.b.name], row
 
 
 def _nearer(problem: Problem, world: Floats, slot: int, no_worse: Callable[[Floats], bool]) -> Floats:

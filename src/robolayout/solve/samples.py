@@ -35,17 +35,25 @@ def solve_samples(
     """
     config = config or SolverConfig()
 
-    def solved(i: int, how: SolverConfig) -> Solution:
-        return solve_with(DEFAULT, problems[i], judges[i], seed=seed + 1009 * i, config=how, progress=progress)
-
     guesses = [(problem.guess, judge(problem.guess)) for problem, judge in zip(problems, judges, strict=True)]
     found = [conclude(*guess, Trace()) for guess in guesses]
+
+    def improve(i: int, how: SolverConfig) -> None:
+        more = solve_with(DEFAULT, problems[i], judges[i], seed=seed + 1009 * i, config=how, progress=progress)
+        found[i] = min(found[i], more, key=lambda one: one.verdict.merit)
+
+    def ranked() -> list[int]:
+        return sorted(range(len(found)), key=lambda i: found[i].verdict.merit)
+
     brief = replace(config, starts=0, effort=replace(config.effort, nearby=0, mendings=0))
-    for how, most in ((brief, len(found)), (config, WHOLE)):
-        for i in sorted(range(len(found)), key=lambda i: found[i].verdict.merit)[:most]:
-            if any(one.verdict.ok for one in found):
-                return found
-            found[i] = min(found[i], solved(i, how), key=lambda one: one.verdict.merit)
-            if how is config and not found[i].verdict.hard:
-                return found
+    for i in ranked():
+        if any(one.verdict.ok for one in found):
+            return found
+        improve(i, brief)
+    for i in ranked()[:WHOLE]:
+        if any(one.verdict.ok for one in found):
+            break
+        improve(i, config)
+        if not found[i].verdict.hard:
+            break
     return found

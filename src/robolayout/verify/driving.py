@@ -62,9 +62,14 @@ class _Grid:
     @cached_property
     def places(self) -> NDArray[np.float64]:
         """(n, 2) metres."""
-        c, s = math.cos(self.heading), math.sin(self.heading)
         cells = np.indices(self.shape).reshape(2, -1).T + self.low
-        return np.asarray(cells * self.cell @ np.array([(c, s), (-s, c)]) + self.origin, np.float64)
+        return np.asarray(cells * self.cell @ _axes(self.heading) + self.origin, np.float64)
+
+
+def _axes(heading: float) -> NDArray[np.float64]:
+    """Return the axes (2, 2) of a lattice."""
+    c, s = math.cos(heading), math.sin(heading)
+    return np.array([(c, s), (-s, c)])
 
 
 @lru_cache(maxsize=256)
@@ -101,14 +106,11 @@ class Lattice:
         self._room, self._blocking, self._agent = room, blocking, agent
         self.cell = _cell(agent, room)
         self._angle, self._origin = heading, np.array(start)
-        forward = np.array([math.cos(self._angle), math.sin(self._angle)])
-        self._axes = np.array([forward, (-forward[1], forward[0])])
+        self._axes = _axes(heading)
         corners = (np.array(room.vertices) - self._origin) @ self._axes.T / self.cell
-        low, high = (
-            np.floor(corners.min(axis=0)).astype(int).tolist(),
-            np.ceil(corners.max(axis=0)).astype(int).tolist(),
-        )
-        self._grid = _Grid(start, heading, self.cell, (low[0], low[1]), (high[0] - low[0] + 1, high[1] - low[1] + 1))
+        (left, bottom), (right, top) = np.floor(corners.min(axis=0)), np.ceil(corners.max(axis=0))
+        shape = (int(right - left) + 1, int(top - bottom) + 1)
+        self._grid = _Grid(start, heading, self.cell, (int(left), int(bottom)), shape)
         self._shape = self._grid.shape
         self._moves = [list(_moves(k, self.cell, agent.turning_radius or 0.0)) for k in range(TURNS)]
 

@@ -17,7 +17,7 @@ from robolayout.solve.build.places import Batch, batches, centroid
 from robolayout.solve.build.rugs import lay_rugs
 from robolayout.solve.build.said import MISSED
 from robolayout.solve.build.site import Site, Spot
-from robolayout.solve.build.sorts import alike, given_up, parted, told_rows
+from robolayout.solve.build.sorts import alike, given_up, told_rows, uncommon
 from robolayout.solve.build.taste import keep_sight, looks, taste
 from robolayout.solve.build.wants import Want
 
@@ -256,13 +256,10 @@ class Attempt:
         """Place what fits well along the walls, put the rest into a grid, and return what fits nowhere."""
         left, told = list(clusters), told_rows(self.site.wants[clusters[0].anchor])
         if told:
-            left, own = parted(self.site, clusters)
-            if self._place_grid(left, weights, 0):
-                for cluster in own:
-                    want = self.site.wants[cluster.anchor]
-                    self._place(cluster, want.stands, want.weights)
+            out = uncommon(self.site, clusters)
+            if self._place_grid([self._without_own(cluster, out) for cluster in clusters], weights, 0):
+                self._place_alone(out)
                 return []
-            left = list(clusters)
         elif next(iter(modes)) == "wall":
             left = [cluster for cluster in clusters if not self._place(cluster, {"wall": 0.0}, weights, limit=BAD)]
         for equal in alike(self.site, left):
@@ -335,8 +332,7 @@ class Attempt:
         loose = [m for m in cluster.members[1:] if self._stands_alone(m.name)]
         out, rest = list[str](), cluster
         for out in given_up(loose):
-            gone = {m.name for name in out for m in self.site.clusters.build(name).members}
-            rest = replace(cluster, members=tuple(m for m in cluster.members if m.name not in gone))
+            rest = self._without_own(cluster, out)
             if len(out) < len(loose):
                 found = self._ranked(batches(self.site, rest, modes), weights, modes)
                 if found and found[0][0] <= MUCH:
@@ -344,12 +340,21 @@ class Attempt:
         if not out:
             return False
         self._place(rest, modes, weights)
+        self._place_alone(out)
+        return True
+
+    def _without_own(self, cluster: Cluster, out: Sequence[str]) -> Cluster:
+        """Return a cluster without some things and what goes by them."""
+        gone = {m.name for name in out for m in self.site.clusters.build(name).members}
+        return replace(cluster, members=tuple(m for m in cluster.members if m.name not in gone))
+
+    def _place_alone(self, out: Sequence[str]) -> None:
+        """Place things that their clusters gave up, each with what goes by it."""
         own = {name: self.site.clusters.build(name) for name in out}
         carried = {member.name for one in own.values() for member in one.members[1:]}  # stand where their anchors go
         for name in (name for name in out if name not in carried):
             want = self.site.wants[name]
             self._place(own[name], want.stands, want.weights)
-        return True
 
     def _stands_alone(self, name: str) -> bool:
         item = self.site.wants[name]
@@ -365,7 +370,7 @@ class Attempt:
     def _place_grid(self, clusters: Sequence[Cluster], weights: Mapping[str, float], strays: int) -> bool:
         """Put equal clusters into their best grid, so many others being left; False if none is good."""
         ranked: list[tuple[float, GridPlan, Batch, int]] = []
-        missed = [math.inf if told_rows(self.site.wants[clusters[0].anchor]) else 0.0]
+        missed = math.inf  # the least that a place misses of what is said
         for plan, batch in grid_batches(self.site, clusters):
             clash = self.site.clash(batch.cluster, batch.poses, limit=1.0)
             free = clash <= 1.0
@@ -376,13 +381,15 @@ class Attempt:
             last = last_cell(self.site, plan, batch)
             middle = replace(batch, poses=(batch.poses + last.poses) / 2)
             cost += sum(taste(self.site, one, weights) for one in (batch, middle, last)) / 3
-            missed.append(float((unmet := self.site.missed(batch.cluster, batch.poses)).min()))
+            unmet = self.site.missed(batch.cluster, batch.poses)
+            missed = min(missed, float(unmet.min()))
             cost += unmet + TIGHT * plan.tight + RAGGED * (plan.rows * plan.columns - len(plan.names))
             cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5
             ranked += [(float(cost[row]), plan, batch, int(row)) for row in np.argsort(cost, kind="stable")[:4]]
         best: tuple[float, GridPlan, Batch, int] | None = None
         before, tried = self.site.unreached(), 0
-        limit = HOPELESS + min(missed)  # what no place of a demanded block meets speaks against none
+        told = told_rows(self.site.wants[clusters[0].anchor])
+        limit = HOPELESS + (missed if told else 0.0)  # what no place of a demanded block meets speaks against none
         for cost, plan, batch, row in sorted(ranked, key=lambda entry: entry[0]):
             if cost > limit or tried >= 3 * TRIALS or (best is not None and cost > best[0]):
                 break

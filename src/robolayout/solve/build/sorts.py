@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from functools import reduce
 from operator import and_
 
@@ -38,20 +37,17 @@ def told_rows(item: Want) -> bool:
     return item.rows is not None and item.rows.rows is not None
 
 
-def parted(site: Site, clusters: Sequence[Cluster]) -> tuple[list[Cluster], list[Cluster]]:
-    """Return clusters without what may stand alone and not each of them has on the floor, and the clusters of that."""
-    kinds = [Counter(site.wants[m.name].kind for m in one.members[1:] if site.on_floor(m)) for one in clusters]
-    common, found, own = reduce(and_, kinds), list[Cluster](), list[Cluster]()
-    for cluster in clusters:
-        seen, out = Counter[str](), set[str]()
-        for member in cluster.members[1:]:
-            want = site.wants[member.name]
-            seen[want.kind] += site.on_floor(member)
-            if site.on_floor(member) and want.loose and seen[want.kind] > common[want.kind]:
-                own.append(site.clusters.build(member.name))
-                out |= {one.name for one in own[-1].members}
-        found.append(replace(cluster, members=tuple(m for m in cluster.members if m.name not in out)))
-    return found, own
+def uncommon(site: Site, clusters: Sequence[Cluster]) -> list[str]:
+    """Return what may stand alone of what clusters have on the floor, where not each of them has as many of its kind."""
+    floor = [[m.name for m in cluster.members[1:] if site.on_floor(m)] for cluster in clusters]
+    common = reduce(and_, (Counter(site.wants[name].kind for name in names) for names in floor))
+    found: list[str] = []
+    for names in floor:
+        seen = Counter[str]()
+        for want in (site.wants[name] for name in names):
+            seen[want.kind] += 1
+            found += [want.name] if want.loose and seen[want.kind] > common[want.kind] else []
+    return found
 
 
 def given_up(loose: Sequence[Member]) -> Iterator[list[str]]:
