@@ -9,7 +9,7 @@ import pytest
 import trimesh
 
 from robolayout._errors import AssetError
-from robolayout._reading import MAX_MESH_BYTES
+from robolayout._reading import LIMITS
 from robolayout.assets import CATALOGUE, import_folder, load_mesh_parts, own, parts
 from robolayout.scene import Asset
 
@@ -112,7 +112,7 @@ def test_a_missing_file_is_named(tmp_path: Path) -> None:
 def test_a_file_that_is_too_large_is_refused_unread(tmp_path: Path) -> None:
     path = tmp_path / "huge.stl"
     with path.open("wb") as file:
-        file.truncate(MAX_MESH_BYTES + 1)
+        file.truncate(LIMITS.mesh_bytes + 1)
     with pytest.raises(AssetError, match="100 MB"):
         load_mesh_parts(path, SIZE)
 

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from robolayout._errors import AgentError, InputError, LayoutError, ProgramError, SceneError
-from robolayout._reading import Checker, Unreadable
-from robolayout._reading.syntax import MAX_DEPTH, json_value, toml_value, xml_root
+from robolayout._reading import LIMITS, Checker, Unreadable
+from robolayout._reading.syntax import json_value, toml_value, xml_root
 from robolayout.planners import FilePlanner, OfflinePlanner, PlanRequest
 from robolayout.planners.model.exchange import read_exchanges
 from robolayout.scene import Asset, Room, Scene, load_agent, load_layout, load_scene
@@ -116,13 +116,13 @@ def test_values_are_counted_before_they_are_made() -> None:
 
 
 def test_what_is_allowed_is_exactly_so_deep() -> None:
-    deepest = "[" * MAX_DEPTH + "]" * MAX_DEPTH
+    deepest = "[" * LIMITS.depth + "]" * LIMITS.depth
     assert json_value(deepest) and toml_value(f"a = {deepest[1:-1]}")
-    assert xml_root("<a>" * MAX_DEPTH + "</a>" * MAX_DEPTH).tag == "a"
+    assert xml_root("<a>" * LIMITS.depth + "</a>" * LIMITS.depth).tag == "a"
     for read, text in (
         (json_value, f"[{deepest}]"),
         (toml_value, f"a = {deepest}"),
-        (xml_root, "<a>" * (MAX_DEPTH + 1) + "</a>" * (MAX_DEPTH + 1)),
+        (xml_root, "<a>" * (LIMITS.depth + 1) + "</a>" * (LIMITS.depth + 1)),
     ):
         with pytest.raises(Unreadable, match="nested too deeply"):
             read(text)

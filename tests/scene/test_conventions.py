@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from robolayout._reading import LIMITS
 from robolayout.scene import layout_from_dict, load_agent, scene_from_dict
-from robolayout.scene._asset_io import MAX_ASSETS
-from robolayout.scene._room_io import DOOR_HEIGHT, MAX_CORNERS, WINDOW_HEIGHT, WINDOW_SILL
+from robolayout.scene._room_io import DOOR_HEIGHT, WINDOW_HEIGHT, WINDOW_SILL
 
 PAGE = (Path(__file__).parents[2] / "docs" / "conventions.md").read_text(encoding="utf-8")
 
@@ -42,8 +42,8 @@ def test_the_agents_of_the_page(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "words",
     [
-        f"3 to {MAX_CORNERS} corners",
-        f"1 to {MAX_ASSETS} assets",
+        f"3 to {LIMITS.corners} corners",
+        f"1 to {LIMITS.assets} assets",
         f"height ({DOOR_HEIGHT:g} for doors, {WINDOW_HEIGHT:g} for windows) and sill (0, {WINDOW_SILL:g})",
     ],
 )

@@ -6,8 +6,7 @@ from typing import Any
 
 import numpy as np
 
-Array = Any
-"""A NumPy or JAX array."""
+Array = Any  # A NumPy or JAX array
 
 
 def backend(*values: Any) -> Any:

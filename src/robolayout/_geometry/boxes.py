@@ -14,11 +14,8 @@ from robolayout._geometry._backend import Array, backend
 if TYPE_CHECKING:
     from jaxtyping import Float
 
-SLANT = 0.5**0.5
-"""Cosine of 45 degrees."""
-
-TINY = 1.0e-12
-"""Added under square roots so that gradients stay finite at 0."""
+SLANT = 0.5**0.5  # cosine of 45 degrees
+TINY = 1.0e-12  # added under square roots so that gradients stay finite at 0
 
 
 class Body(NamedTuple):

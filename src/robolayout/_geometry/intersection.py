@@ -20,11 +20,8 @@ from robolayout._geometry.boxes import Body, corners
 if TYPE_CHECKING:
     from jaxtyping import Float
 
-TOUCH = 1.0e-9
-"""Metres within which an edge lies on an outline."""
-
-LEVEL = 1.0e-6
-"""Metres of rise within which an edge runs alongside a side."""
+TOUCH = 1.0e-9  # metres within which an edge lies on an outline
+LEVEL = 1.0e-6  # metres of rise within which an edge runs alongside a side
 
 
 def intersection_area(a: Body, b: Body) -> Float[Array, "*batch"]:

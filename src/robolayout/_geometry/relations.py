@@ -19,8 +19,7 @@ from robolayout._geometry.boxes import TINY, Body
 if TYPE_CHECKING:
     from jaxtyping import Bool, Float
 
-ROUNDING = 0.02
-"""Metres over which hinges are rounded."""
+ROUNDING = 0.02  # metres over which hinges are rounded
 
 
 class FrameRow(NamedTuple):

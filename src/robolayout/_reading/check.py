@@ -15,12 +15,10 @@ from pathlib import Path
 from typing import TypeVar, cast
 
 from robolayout._errors import RoboLayoutError
-from robolayout._reading.files import MAX_FILE_BYTES, is_folder, regular_bytes
+from robolayout._reading.files import is_folder, regular_bytes
+from robolayout._reading.limits import LIMITS
 from robolayout._reading.syntax import Unreadable, check_plain, decoded, json_value, toml_value
 
-MAX_TEXT = 10_000  # longest text in a file, in characters
-MAX_SHOWN = 300  # characters of a path that a message shows
-MAX_LENGTH = 1000.0  # largest coordinate or length in metres
 Given = TypeVar("Given")
 Made = TypeVar("Made")
 
@@ -79,7 +77,7 @@ class Checker:
         *,
         above: float | None = None,
         least: float | None = None,
-        most: float = MAX_LENGTH,
+        most: float = LIMITS.length,
     ) -> float:
         """Return `value` as a finite float within (above, most] or [least, most]."""
         if isinstance(value, bool) or not isinstance(value, (int, float)) or abs(value) > 1e300 or math.isnan(value):
@@ -99,11 +97,11 @@ class Checker:
             allowed = " or ".join(str(n) for n in count)
             raise self.error(f"{where} must have {allowed} numbers, but has {len(entries)}.")
         return tuple(
-            self.number(entry, f"{where}[{i}]", least=-MAX_LENGTH * 10, most=MAX_LENGTH * 10)
+            self.number(entry, f"{where}[{i}]", least=-LIMITS.length * 10, most=LIMITS.length * 10)
             for i, entry in enumerate(entries)
         )
 
-    def text(self, value: object, where: str, most: int = MAX_TEXT) -> str:
+    def text(self, value: object, where: str, most: int = LIMITS.text) -> str:
         """Return `value` if it is a text of at most `most` characters."""
         if not isinstance(value, str):
             raise self.error(f"{where} must be a text, but is {show(value)}.")
@@ -122,24 +120,24 @@ class Checker:
             raise self.error(f"{where} must be true or false, but is {show(value)}.")
         return value
 
-    def read_json(self, path: Path, what: str, most: int = MAX_FILE_BYTES) -> object:
+    def read_json(self, path: Path, what: str, most: int = LIMITS.file_bytes) -> object:
         """Return the content of a JSON file; duplicate keys, deep nesting and large files are refused."""
         return self.parse(json_value, self.read_text(path, what, most), f"{what} {path}")
 
-    def read_toml(self, path: Path, what: str, most: int = MAX_FILE_BYTES) -> dict[str, object]:
+    def read_toml(self, path: Path, what: str, most: int = LIMITS.file_bytes) -> dict[str, object]:
         """Return the tables of a TOML file."""
         return self.parse(toml_value, self.read_text(path, what, most), f"{what} {path}")
 
-    def read_text(self, path: Path, what: str, most: int = MAX_FILE_BYTES) -> str:
+    def read_text(self, path: Path, what: str, most: int = LIMITS.file_bytes) -> str:
         """Return the text of a file of at most `most` bytes, in UTF-8."""
         return self.parse(decoded, self.read_bytes(path, what, most), f"{what} {path}")
 
-    def read_bytes(self, path: Path, what: str, most: int = MAX_FILE_BYTES) -> bytes:
+    def read_bytes(self, path: Path, what: str, most: int = LIMITS.file_bytes) -> bytes:
         """Return the content of a regular file of at most `most` bytes."""
         if is_folder(path):
             raise self.error(f"{what} {path} is a folder; name the file in it{_such_as(path, what)}.")
         if not os.path.lexists(path):
-            shown = str(path) if len(str(path)) <= MAX_SHOWN else f"{str(path)[:MAX_SHOWN]}..."
+            shown = str(path) if len(str(path)) <= LIMITS.shown else f"{str(path)[: LIMITS.shown]}..."
             raise self.error(f"{what} {shown} does not exist; {_meant(path)}check the path.")
         return self.parse(lambda place: regular_bytes(place, most), path, f"{what} {path}")
 
@@ -176,6 +174,6 @@ def _such_as(folder: Path, what: str) -> str:
 
 def _centimetres(value: float, most: float) -> str:
     """Return what to ask about a length that is too large: whether it was written in centimetres."""
-    if most > MAX_LENGTH or value > 100 * most:
+    if most > LIMITS.length or value > 100 * most:
         return ""
     return f" Lengths are in metres: is it in centimetres? Then write {value / 100:g}."

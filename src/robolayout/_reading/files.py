@@ -9,9 +9,7 @@ from pathlib import Path
 
 from robolayout._reading.syntax import Unreadable
 
-MAX_FILE_BYTES = 20_000_000  # largest scene, layout or asset file in bytes
 MESH_SUFFIXES = (".glb", ".obj", ".ply", ".stl")  # kinds of mesh file that are read
-MAX_MESH_BYTES = 100_000_000  # largest mesh file in bytes
 _HOW = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 """Without waiting: a pipe that nobody writes to would hold up its reader for ever."""
 

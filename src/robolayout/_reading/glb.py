@@ -12,12 +12,9 @@ import struct
 from collections.abc import Mapping
 from typing import Any, cast
 
+from robolayout._reading.limits import LIMITS
 from robolayout._reading.syntax import Unreadable, decoded, json_value
 
-MAX_PIXELS = 64_000_000
-"""Pixels of all pictures of a file together (one of 8,000 x 8,000); each takes four bytes when it is looked at."""
-MAX_UNPACKED = 200_000_000
-"""Bytes of all views, and of all accessors, together: twice the largest file, for views that share bytes."""
 _MAGIC, _JSON, _BIN = 0x46546C67, 0x4E4F534A, 0x004E4942
 _BYTES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
 _PARTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
@@ -97,8 +94,10 @@ def _check_views(views: list[Entry], length: int) -> None:
         if _whole(view, "byteOffset", where, 0) + size > length:
             raise _broken(f"{where} reaches beyond the file")
         total += size
-    if total > MAX_UNPACKED:
-        raise Unreadable(f"promises {total / 1e6:.0f} MB of numbers; at most {MAX_UNPACKED // 1_000_000} MB are read")
+    if total > LIMITS.unpacked:
+        raise Unreadable(
+            f"promises {total / 1e6:.0f} MB of numbers; at most {LIMITS.unpacked // 1_000_000} MB are read"
+        )
 
 
 def _check_accessors(accessors: list[Entry], views: list[Entry]) -> None:
@@ -117,8 +116,10 @@ def _check_accessors(accessors: list[Entry], views: list[Entry]) -> None:
         end = _whole(accessor, "byteOffset", where, 0) + (count - 1) * stride + row
         if count and end > view["byteLength"]:
             raise _broken(f"{where} reaches beyond its view")
-    if total > MAX_UNPACKED:
-        raise Unreadable(f"promises {total / 1e6:.0f} MB of numbers; at most {MAX_UNPACKED // 1_000_000} MB are read")
+    if total > LIMITS.unpacked:
+        raise Unreadable(
+            f"promises {total / 1e6:.0f} MB of numbers; at most {LIMITS.unpacked // 1_000_000} MB are read"
+        )
 
 
 def _check_triangles(lists: Mapping[str, list[Entry]], most: int) -> None:
@@ -166,9 +167,9 @@ def _check_pictures(images: list[Entry], views: list[Entry], binary: bytes) -> N
         if content is not None:
             width, height = _size(content, f"images[{i}]")
             pixels += width * height
-            if pixels > MAX_PIXELS:
+            if pixels > LIMITS.pixels:
                 raise Unreadable(
-                    f"has pictures of more than {MAX_PIXELS // 1_000_000} million pixels (images[{i}]: {width} x {height}); "
+                    f"has pictures of more than {LIMITS.pixels // 1_000_000} million pixels (images[{i}]: {width} x {height}); "
                     "make its textures smaller"
                 )
 
@@ -202,6 +203,6 @@ def _size(content: bytes, where: str) -> tuple[int, int]:
         ):
             return picture.size
     except Image.DecompressionBombError:
-        raise Unreadable(f"has a picture of more than {MAX_PIXELS // 1_000_000} million pixels ({where})") from None
+        raise Unreadable(f"has a picture of more than {LIMITS.pixels // 1_000_000} million pixels ({where})") from None
     except (OSError, SyntaxError, ValueError, TypeError, struct.error):
         raise _broken(f"{where} is no PNG, JPEG or WebP picture") from None

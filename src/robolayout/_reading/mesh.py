@@ -19,13 +19,11 @@ from numpy.typing import NDArray
 
 from robolayout._color import encoded, linear
 from robolayout._reading.glb import check_glb
+from robolayout._reading.limits import LIMITS
 from robolayout._reading.syntax import Unreadable, decoded, xml_root
 
 Array = NDArray[np.float64]
 
-MAX_TRIANGLES = 3_000_000  # triangles of a file in all; reading one takes about 250 bytes of memory
-MAX_PIECES = 20_000  # pieces of a file: nodes, groups, solids or changes of material
-FARTHEST = 1e7  # coordinate, in the file's unit, beyond which a vertex is unusable
 PARSER_ERRORS = (
     ArithmeticError, AssertionError, AttributeError, EOFError, ImportError, LookupError, MemoryError, NameError,
     OSError, RuntimeError, SyntaxError, TypeError, ValueError, struct.error, zlib.error,
@@ -36,9 +34,6 @@ _PIECES = {
     ".stl": re.compile(rb"^\s*solid", re.MULTILINE),
 }
 _FACES = {".obj": re.compile(rb"^[ \t]*f\b", re.MULTILINE), ".stl": re.compile(rb"^\s*facet\b", re.MULTILINE)}
-
-
-LARGEST_PICTURE = 1024  # most pixels along a side of a texture; larger ones are made smaller
 
 
 UNSAID = [102, 102, 102, 255]
@@ -89,13 +84,13 @@ def _short(error: BaseException) -> str:
 def _check_promises(data: bytes, suffix: str) -> None:
     """Refuse a file that promises more than is read, before anything is unpacked."""
     if suffix == ".glb":
-        check_glb(data, most_nodes=MAX_PIECES, most_triangles=MAX_TRIANGLES)
+        check_glb(data, most_nodes=LIMITS.pieces, most_triangles=LIMITS.triangles)
     elif suffix == ".ply":
         _check_ply(data)
     elif suffix == ".dae":
         xml_root(decoded(data))
     else:
-        for what, found, most in (("pieces", _PIECES, MAX_PIECES), ("triangles", _FACES, MAX_TRIANGLES)):
+        for what, found, most in (("pieces", _PIECES, LIMITS.pieces), ("triangles", _FACES, LIMITS.triangles)):
             if (count := sum(1 for _ in found[suffix].finditer(data))) > most:
                 raise Unreadable(f"has {count} {what}; at most {most} are read. Simplify it and export it again")
 
@@ -109,8 +104,10 @@ def _check_ply(data: bytes) -> None:
     count = sum(map(int, counts))
     if count > len(data):
         raise Unreadable(f"is broken and cannot be used: its header promises {count} elements")
-    if count > 3 * MAX_TRIANGLES:
-        raise Unreadable(f"has {count} elements; at most {3 * MAX_TRIANGLES} are read. Simplify it and export it again")
+    if count > 3 * LIMITS.triangles:
+        raise Unreadable(
+            f"has {count} elements; at most {3 * LIMITS.triangles} are read. Simplify it and export it again"
+        )
 
 
 def _pieces(data: bytes, kind: str) -> Iterator[Piece]:
@@ -125,8 +122,8 @@ def _pieces(data: bytes, kind: str) -> Iterator[Piece]:
         if not isinstance(mesh, trimesh.Trimesh) or len(mesh.faces) == 0:
             continue
         total += len(mesh.faces)
-        if total > MAX_TRIANGLES:
-            raise Unreadable(f"unfolds to more than {MAX_TRIANGLES} triangles. Simplify it and export it again")
+        if total > LIMITS.triangles:
+            raise Unreadable(f"unfolds to more than {LIMITS.triangles} triangles. Simplify it and export it again")
         piece = _cleaned(str(key), mesh, np.asarray(matrix), looks, kind)
         if piece is not None:
             yield piece
@@ -137,7 +134,7 @@ def _cleaned(name: str, mesh: Any, matrix: Array, looks: dict[int, Look | None],
     points, faces = np.asarray(mesh.vertices), np.asarray(mesh.faces)
     with np.errstate(all="ignore"):
         placed = points @ matrix[:3, :3].T + matrix[:3, 3]
-        usable = np.asarray((np.isfinite(placed) & (np.abs(placed) < FARTHEST)).all(axis=1))
+        usable = np.asarray((np.isfinite(placed) & (np.abs(placed) < LIMITS.coordinate)).all(axis=1))
         mirrored = np.linalg.det(matrix[:3, :3]) < 0
     inside = ((faces >= 0) & (faces < len(points))).all(axis=1)
     faces = faces[inside]
@@ -154,7 +151,8 @@ def _cleaned(name: str, mesh: Any, matrix: Array, looks: dict[int, Look | None],
     look, uv = looks[key], getattr(visual, "uv", None)
     if look is None or look.picture is None:
         return Piece(name, placed[used], index.reshape(-1, 3), look)
-    flipped = np.nan_to_num(np.clip(np.asarray(uv, np.float64)[used], -FARTHEST, FARTHEST)) * (1, -1) + (0, 1)
+    far = LIMITS.coordinate
+    flipped = np.nan_to_num(np.clip(np.asarray(uv, np.float64)[used], -far, far)) * (1, -1) + (0, 1)
     return Piece(name, placed[used], index.reshape(-1, 3), look, flipped)
 
 
@@ -188,9 +186,9 @@ def _look(visual: Any, kind: str) -> Look | None:
 
 
 def _encoded(image: Any) -> bytes:
-    """Return a picture as a JPEG of at most `LARGEST_PICTURE` pixels a side."""
+    """Return a picture as a JPEG of at most `LIMITS.picture` pixels a side."""
     picture = image.convert("RGB")
-    picture.thumbnail((LARGEST_PICTURE, LARGEST_PICTURE))
+    picture.thumbnail((LIMITS.picture, LIMITS.picture))
     content = io.BytesIO()
     picture.save(content, "JPEG", quality=88)
     return content.getvalue()

@@ -2,7 +2,7 @@
 
 The parsers of the standard library are exact but trusting: a megabyte of brackets ends their recursion, a number of 5,000
 digits is none of theirs, NaN and lone surrogates pass and break whoever writes them next. What leaves this module holds
-finite numbers and text that can be written, at most `MAX_DEPTH` deep.
+finite numbers and text that can be written, at most `LIMITS.depth` deep.
 """
 
 from __future__ import annotations
@@ -13,21 +13,19 @@ import re
 from itertools import accumulate
 from typing import TYPE_CHECKING, cast
 
+from robolayout._reading.limits import LIMITS
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
     from xml.etree.ElementTree import Element
 
-MAX_DEPTH = 64  # lists and objects inside each other; a scene has seven
-MAX_VALUES = 2_000_000  # values in a file; the largest scene has about 50,000
-MAX_DIGITS = 100  # characters of a number; a double needs at most 25
-MAX_ELEMENTS = 500_000  # elements of an XML file
 _JSON_TEXT = re.compile(r'"[^"\\]*+(?:\\.[^"\\]*+)*+"?', re.DOTALL)
 _TOML_TEXT = re.compile(
     r'"""(?:[^\\]|\\.)*?(?:"""|\Z)|\'\'\'.*?(?:\'\'\'|\Z)|"[^"\\\n]*+(?:\\.[^"\\\n]*+)*+"?|\'[^\'\n]*+\'?|#[^\n]*+',
     re.DOTALL,
 )
-_LONG_NUMBER = re.compile(rf"[0-9A-Za-z_]{{{MAX_DIGITS + 1},}}")
-_LONG_KEY = re.compile(rf"(?<![\w-])(?:[\w-]*+[ \t]*+\.[ \t]*+){{{MAX_DEPTH}}}", re.ASCII)
+_LONG_NUMBER = re.compile(rf"[0-9A-Za-z_]{{{LIMITS.digits + 1},}}")
+_LONG_KEY = re.compile(rf"(?<![\w-])(?:[\w-]*+[ \t]*+\.[ \t]*+){{{LIMITS.depth}}}", re.ASCII)
 _STEPS = {ord("["): 1, ord("{"): 1, ord("]"): -1, ord("}"): -1}
 _NO_BRACKETS = bytes(set(range(256)) - set(_STEPS))
 _DECLARES = re.compile(r"<!(?:DOCTYPE|ENTITY)", re.IGNORECASE)
@@ -65,7 +63,7 @@ def toml_value(text: str) -> dict[str, object]:
     bare = _TOML_TEXT.sub("s", text)
     _bound(bare)
     if _LONG_KEY.search(bare):
-        raise Unreadable(f"is nested too deeply. At most {MAX_DEPTH} levels are read")
+        raise Unreadable(f"is nested too deeply. At most {LIMITS.depth} levels are read")
     try:
         value = tomllib.loads(text)
     except (RecursionError, ValueError) as error:
@@ -80,8 +78,8 @@ def xml_root(text: str) -> Element:
 
     if _DECLARES.search(text):
         raise Unreadable("has a document type or entities, which are not allowed; remove them")
-    if text.count("<") > 2 * MAX_ELEMENTS:
-        raise Unreadable(f"has more than {MAX_ELEMENTS} elements; simplify it")
+    if text.count("<") > 2 * LIMITS.elements:
+        raise Unreadable(f"has more than {LIMITS.elements} elements; simplify it")
     parser, depth, root = XMLPullParser(("start", "end")), 0, None
     try:
         for start in range(0, len(text), 65_536):
@@ -89,8 +87,8 @@ def xml_root(text: str) -> Element:
             for event, element in cast("Iterator[tuple[str, Element]]", parser.read_events()):
                 depth += 1 if event == "start" else -1
                 root = element if root is None else root
-                if depth > MAX_DEPTH:
-                    raise Unreadable(f"is nested too deeply. At most {MAX_DEPTH} levels are read")
+                if depth > LIMITS.depth:
+                    raise Unreadable(f"is nested too deeply. At most {LIMITS.depth} levels are read")
         parser.close()
     except (ParseError, ValueError) as error:
         raise Unreadable(f"is not XML: {error}") from None
@@ -102,8 +100,8 @@ def xml_root(text: str) -> Element:
 def check_plain(value: object) -> None:
     """Raise `Unreadable` for the first value in lists and objects that could not be written again.
 
-    That is a number that is not finite or has more than `MAX_DIGITS` digits, a text with a lone surrogate or a null
-    character, and what is nested deeper than `MAX_DEPTH`.
+    That is a number that is not finite or has more than `LIMITS.digits` digits, a text with a lone surrogate or a null
+    character, and what is nested deeper than `LIMITS.depth`.
     """
     waiting: list[tuple[object, tuple[str | int, ...]]] = [(value, ())]
     while waiting:
@@ -112,8 +110,8 @@ def check_plain(value: object) -> None:
             raise Unreadable(f"has {fault}{_place(path)}")
         if not isinstance(item, (dict, list, tuple)):
             continue
-        if len(path) >= MAX_DEPTH:
-            raise Unreadable(f"is nested too deeply. At most {MAX_DEPTH} levels are read")
+        if len(path) >= LIMITS.depth:
+            raise Unreadable(f"is nested too deeply. At most {LIMITS.depth} levels are read")
         if isinstance(item, dict):
             for key, inner in item.items():  # pyright: ignore[reportUnknownVariableType]
                 if fault := _fault(key):
@@ -127,8 +125,8 @@ def _fault(item: object) -> str:
     """Return what keeps one value from being written again; empty for nothing."""
     if isinstance(item, float) and not math.isfinite(item):
         return f"{item} where only finite numbers are allowed"
-    if isinstance(item, int) and item.bit_length() > 3.33 * MAX_DIGITS:
-        return f"a whole number of {item.bit_length()} bits, longer than {MAX_DIGITS} digits,"
+    if isinstance(item, int) and item.bit_length() > 3.33 * LIMITS.digits:
+        return f"a whole number of {item.bit_length()} bits, longer than {LIMITS.digits} digits,"
     if isinstance(item, str) and not item.isascii():
         try:
             item.encode()
@@ -148,13 +146,13 @@ def _bound(bare: str) -> None:
     """Raise for depth, count and length of numbers beyond the bounds; `bare` is the text without what is quoted."""
     if number := _LONG_NUMBER.search(bare):
         raise Unreadable(
-            f"has a number of {len(number[0])} characters ({number[0][:12]}...); at most {MAX_DIGITS} are read"
+            f"has a number of {len(number[0])} characters ({number[0][:12]}...); at most {LIMITS.digits} are read"
         )
     brackets = bare.encode("utf-8", "replace").translate(None, _NO_BRACKETS)
-    if bare.count(",") + len(brackets) // 2 > MAX_VALUES:
-        raise Unreadable(f"has more than {MAX_VALUES} values; split it or leave out what is not needed")
-    if len(brackets) > MAX_DEPTH and max(accumulate(map(_STEPS.__getitem__, brackets))) > MAX_DEPTH:
-        raise Unreadable(f"is nested too deeply. At most {MAX_DEPTH} levels are read")
+    if bare.count(",") + len(brackets) // 2 > LIMITS.values:
+        raise Unreadable(f"has more than {LIMITS.values} values; split it or leave out what is not needed")
+    if len(brackets) > LIMITS.depth and max(accumulate(map(_STEPS.__getitem__, brackets))) > LIMITS.depth:
+        raise Unreadable(f"is nested too deeply. At most {LIMITS.depth} levels are read")
 
 
 def _unique(pairs: list[tuple[str, object]]) -> dict[str, object]:

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from robolayout._errors import AssetError, UnknownNameError
-from robolayout._reading import MESH_SUFFIXES, Checker, is_file, regular_bytes
+from robolayout._reading import LIMITS, MESH_SUFFIXES, Checker, is_file, regular_bytes
 from robolayout._reading.syntax import decoded, json_value
 from robolayout.assets.category import Category
 from robolayout.assets.lexicon import find_category
@@ -26,8 +26,6 @@ from robolayout.assets.own import AXES, Size, extent, fits_y_up, orientation, re
 from robolayout.assets.part import Part
 from robolayout.scene import variable_name
 
-MAX_FILES = 5000  # mesh files that are looked at in one folder
-MAX_JSON = 1_000_000  # largest metadata file in bytes
 UNITS = {"m": 1.0, "cm": 0.01, "mm": 0.001, "inch": 0.0254}
 """Units that mesh files are drawn in, the likeliest first, and their length in metres."""
 SCALED = "none"  # the unit of a mesh that fits its category's size in no unit, and is scaled to it
@@ -36,7 +34,6 @@ CLEARLY = math.log(2.0)
 SURE = 0.3  # how sure an axis or unit must be not to be asked about
 CORRECTIONS = "corrections.json"
 PLAUSIBLE = (0.02, 6.0)  # longest edge in metres of a thing of unknown category
-LARGEST = 100.0  # largest side of a box in metres
 FLAGS = {"onFloor": "on_floor", "onWall": "on_wall", "onCeiling": "on_ceiling", "onObject": "on_object"}
 VIEWS = ("+z", "+x", "-z", "-x")  # front axis of a y-up mesh by objathor's `frontView`: a quarter turn each
 _CHECK = Checker(AssetError)
@@ -125,8 +122,10 @@ def _mesh_files(directory: Path) -> Iterator[Path]:
     found = (p for p in directory.rglob("*") if p.suffix.lower() in MESH_SUFFIXES and is_file(p) and not p.is_symlink())
     root = directory.resolve()
     inside = sorted(p for p in found if p.resolve().is_relative_to(root))
-    if len(inside) > MAX_FILES:
-        raise AssetError(f"asset folder {directory.name!r} holds {len(inside)} meshes; at most {MAX_FILES} are read.")
+    if len(inside) > LIMITS.folder_files:
+        raise AssetError(
+            f"asset folder {directory.name!r} holds {len(inside)} meshes; at most {LIMITS.folder_files} are read."
+        )
     yield from inside
 
 
@@ -181,7 +180,7 @@ def _corrected(guess: Guess, said: Mapping[str, Any], where: str) -> Guess:
     size = said.get("size")
     edges = None if size is None else _CHECK.numbers(size, f"{where}: size", (3,))
     for edge in edges or ():
-        _CHECK.number(edge, f"{where}: size", above=0.0, most=LARGEST)
+        _CHECK.number(edge, f"{where}: size", above=0.0, most=LIMITS.largest_side)
     units = {key: said.get(key) or getattr(guess, key) for key in ("unit", "up", "front")}
     own = guess.size if edges is None else (edges[0], edges[1], edges[2])
     return Guess(text or guess.text, words or guess.description, {**guess.flags, **flags}, own, **units)
@@ -261,7 +260,7 @@ def _words(name: str) -> str:
 def _json(path: Path) -> Mapping[str, Any]:
     """Read a metadata file within bounds."""
     what = f"metadata {path.parent.name}/{path.name}"
-    text = _CHECK.parse(lambda file: decoded(regular_bytes(file, MAX_JSON)), path, what)
+    text = _CHECK.parse(lambda file: decoded(regular_bytes(file, LIMITS.folder_json)), path, what)
     return _CHECK.mapping(_CHECK.parse(json_value, text, what), what)
 
 
@@ -276,7 +275,8 @@ def _objathor(path: Path, data: Mapping[str, Any]) -> Guess:
     place = f"{where}: assetMetadata.boundingBox"
     edges = _CHECK.mapping(_CHECK.required(metadata, "boundingBox", f"{where}: assetMetadata"), place)
     across, along, height = (
-        _CHECK.number(_CHECK.required(edges, key, place), f"{place}.{key}", above=0.0, most=LARGEST) for key in "xyz"
+        _CHECK.number(_CHECK.required(edges, key, place), f"{place}.{key}", above=0.0, most=LIMITS.largest_side)
+        for key in "xyz"
     )
     turns = _CHECK.number(notes.get("frontView", 0), f"{where}: annotations.frontView", least=0.0, most=1000.0)
     view = VIEWS[int(turns) % 4]

@@ -14,12 +14,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 
+from robolayout._reading import LIMITS
 from robolayout.assets.category import PLACES, Category, built_in_categories, read_data
 from robolayout.scene import FLAT_HEIGHT, Asset
 
 Size = tuple[float, float, float]
 
-MAX_TEXT = 2000  # characters of a text that are looked at; the rest is ignored
 LONGEST_PHRASE = 5
 ODD_SIZE = math.log(4.0)
 """A word whose typical size differs by more than this factor in its longest edge yields to another word."""
@@ -104,7 +104,7 @@ def _from_words(text: str, size: Size | None, place: str | None, own: tuple[Cate
 
 def _segments(text: str) -> list[list[str]]:
     """Split a text into lower-case words, in segments that end at punctuation; "NightStand" is two words."""
-    text = text[:MAX_TEXT]
+    text = text[: LIMITS.looked_at]
     if not re.search(r"\s", text):
         text = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)
     text = unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode().lower()

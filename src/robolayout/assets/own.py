@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._errors import AssetError
-from robolayout._reading import MAX_MESH_BYTES, MESH_SUFFIXES, Checker, regular_bytes
+from robolayout._reading import LIMITS, MESH_SUFFIXES, Checker, regular_bytes
 from robolayout.assets.part import Material, Part, fit
 from robolayout.assets.rows import check_rows
 from robolayout.scene import Scene
@@ -27,8 +27,6 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Size = tuple[float, float, float]
 
-MAX_TRIANGLES = 20_000  # an asset with more triangles is thinned out to at most this
-MAX_PARTS = 64  # an asset with more pieces is merged into one
 PLAIN = Material("own mesh", (0.72, 0.70, 0.67), 0.8)
 AXES: dict[str, tuple[float, float, float]] = {
     sign + axis: tuple((1.0 if sign == "+" else -1.0) * (axis == other) for other in "xyz")  # type: ignore[misc]
@@ -96,7 +94,7 @@ def read_pieces(path: Path) -> tuple[Part, ...]:
     suffix = path.suffix.lower()
     if suffix not in MESH_SUFFIXES:
         raise AssetError(f"mesh {path.name}: format {suffix!r} is not read; use one of {', '.join(MESH_SUFFIXES)}.")
-    data = _CHECK.parse(lambda file: regular_bytes(file, MAX_MESH_BYTES), path, f"mesh {path.name}")
+    data = _CHECK.parse(lambda file: regular_bytes(file, LIMITS.mesh_bytes), path, f"mesh {path.name}")
     pieces = _CHECK.parse(lambda content: mesh_pieces(content, suffix), data, f"mesh {path.name}")
     return tuple(Part(p.name, p.vertices, p.faces.astype(np.int32), _material(p.look), False, p.uv) for p in pieces)
 
@@ -141,12 +139,12 @@ def _thin_version(path: Path, changed: int) -> tuple[Size, tuple[Part, ...]]:
 
 def _thinned(pieces: Sequence[Part]) -> list[Part]:
     """Merge and thin pieces so that neither their number nor their triangles exceed the bounds."""
-    if len(pieces) > MAX_PARTS:
+    if len(pieces) > LIMITS.drawn_parts:
         pieces = _by_material(pieces)
     total = sum(len(piece.faces) for piece in pieces)
-    if total <= MAX_TRIANGLES:
+    if total <= LIMITS.drawn_triangles:
         return list(pieces)
-    return [_clustered(piece, max(200, int(MAX_TRIANGLES * len(piece.faces) / total))) for piece in pieces]
+    return [_clustered(piece, max(200, int(LIMITS.drawn_triangles * len(piece.faces) / total))) for piece in pieces]
 
 
 def _by_material(pieces: Sequence[Part]) -> list[Part]:
@@ -154,7 +152,7 @@ def _by_material(pieces: Sequence[Part]) -> list[Part]:
     groups: dict[Material, list[Part]] = {}
     for piece in pieces:
         groups.setdefault(piece.material, []).append(piece)
-    if len(groups) > MAX_PARTS:
+    if len(groups) > LIMITS.drawn_parts:
         plain = replace(pieces[0].material, texture=None)
         return [_joined([replace(piece, material=plain, uv=None) for piece in pieces])]
     return [_joined(row) for row in groups.values()]

@@ -45,8 +45,7 @@ from robolayout.cli.terminal import progress, say, show, table
 
 __all__ = ["app", "main"]
 
-BODIES = ("none", "base", "full")
-"""What of a body a file may hold."""
+BODIES = ("none", "base", "full")  # what of a body a file may hold
 
 REFUSALS = (errno.ENAMETOOLONG, errno.EACCES, errno.EPERM, errno.ELOOP, errno.ENOTDIR, errno.EISDIR, errno.EROFS)
 """What a system says of a path that is no good, rather than of one that should be there and is not."""
@@ -75,8 +74,7 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 
-JUDGED = "judged"
-"""Folder of a judge's votes beside the report."""
+JUDGED = "judged"  # folder of a judge's votes beside the report
 
 
 def _version(value: bool) -> None:

@@ -26,14 +26,9 @@ if TYPE_CHECKING:
     from robolayout.run.result import Result
     from robolayout.scene import Scene
 
-DRAWS = 4
-"""How often a variant is drawn until it is not much like those before it."""
-
-KEPT_SHOWN = 5
-"""Names of kept files that are said."""
-
-LONGEST_WORD = 45
-"""Letters of the longest word of a dictionary: more of them without a blank are a path."""
+DRAWS = 4  # how often a variant is drawn until it is not much like those before it
+KEPT_SHOWN = 5  # names of kept files that are said
+LONGEST_WORD = 45  # letters of the longest word of a dictionary: more of them without a blank are a path
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -23,8 +23,7 @@ if TYPE_CHECKING:
 UNMET, WRONG, OURS, INTERRUPTED, UNREAD = 1, 2, 3, 130, 141
 """Exit codes; the last two are those of a program that is stopped by the signals SIGINT and SIGPIPE."""
 
-SOON = 0.05
-"""Seconds after which an interrupt that hit a callback is sent again, when the callback is over."""
+SOON = 0.05  # seconds after which an interrupt that hit a callback is sent again, when the callback is over
 
 
 class Unforeseen(Exception):

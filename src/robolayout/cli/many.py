@@ -18,11 +18,8 @@ from robolayout.cli.terminal import say, table, warn
 if TYPE_CHECKING:
     from robolayout.many.dataset import Batch, Progress
 
-EVERY = 30.0
-"""Seconds between two lines about the progress where nobody looks at a terminal."""
-
-SHOWN = 12
-"""Reasons and rooms that are said; the index holds all."""
+EVERY = 30.0  # seconds between two lines about the progress where nobody looks at a terminal
+SHOWN = 12  # reasons and rooms that are said; the index holds all
 
 Workers = Annotated[int, Option(min=1, max=1024, help="Rooms that are made at the same time.")]
 

@@ -25,8 +25,7 @@ if TYPE_CHECKING:
 SUFFIXES = {"plan": (".png", ".svg", ".pdf"), "sheet": (".pdf", ".svg", ".png"), "walk": (".gif",)}
 """Endings of the files of drawings, the first by default; everything else is a PNG."""
 
-VIEWS = ("top", "side", *SUFFIXES)
-"""Views that every room has; the others are an asset's name and eye:ASSET."""
+VIEWS = ("top", "side", *SUFFIXES)  # views that every room has; the others are an asset's name and eye:ASSET
 
 RENDERERS = {"auto": "auto", "gl": "gl", "ray": "rays", "rays": "rays"}
 """Names on the command line and in Python."""
@@ -34,8 +33,7 @@ RENDERERS = {"auto": "auto", "gl": "gl", "ray": "rays", "rays": "rays"}
 SEEN_FROM = 1.3
 """An eye-level picture is taken where the asset is at least so many of its own sizes away, if the route is long enough."""
 
-LEAST = 1.2
-"""... and at least so many metres."""
+LEAST = 1.2  # ... and at least so many metres.
 
 
 @dataclass(frozen=True, kw_only=True)

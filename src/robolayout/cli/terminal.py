@@ -16,11 +16,8 @@ from robolayout._text import printable
 if TYPE_CHECKING:
     from robolayout.verify import Report
 
-SHOWN = 12
-"""Violations that are printed; the report holds all."""
-
-WIDTH = 140
-"""Columns of a table that goes to a file or another program."""
+SHOWN = 12  # violations that are printed; the report holds all
+WIDTH = 140  # columns of a table that goes to a file or another program
 
 
 def say(*lines: str) -> None:

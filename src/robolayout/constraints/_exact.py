@@ -12,11 +12,8 @@ from shapely.geometry.base import BaseGeometry
 from robolayout.constraints._refs import AssetRef, PointRef, Ref, WallRef
 from robolayout.scene import Layout, Scene
 
-ANGLE_TOLERANCE = 10.0
-"""Degrees by which a heading may be off (DESIGN section 4)."""
-
-GAP_TOLERANCE = 0.05
-"""Metres by which a distance or gap may be off (DESIGN section 4)."""
+ANGLE_TOLERANCE = 10.0  # degrees by which a heading may be off (DESIGN section 4)
+GAP_TOLERANCE = 0.05  # metres by which a distance or gap may be off (DESIGN section 4)
 
 
 @dataclass(frozen=True)

@@ -117,8 +117,7 @@ class Relation(ABC):
         return f"{self.name}({', '.join(shown)})"
 
 
-Way = tuple[Relation, ...]
-"""Relations that hold together."""
+Way = tuple[Relation, ...]  # relations that hold together
 
 
 def best_way(ways: Sequence[Way], scene: Scene, layout: Layout) -> tuple[Way, Outcome]:

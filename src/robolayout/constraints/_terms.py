@@ -14,8 +14,7 @@ from dataclasses import dataclass
 from robolayout.assets.prisms import Prism
 from robolayout.constraints._refs import AssetRef, Ref
 
-FAR = 1.0e3
-"""Metres that stand for "no bound" in a term; larger than any room."""
+FAR = 1.0e3  # metres that stand for "no bound" in a term; larger than any room
 
 
 @dataclass(frozen=True)

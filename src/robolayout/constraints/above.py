@@ -10,8 +10,7 @@ from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
 from robolayout.scene import Layout, Scene
 
-BEHIND = 0.3
-"""Metres behind b's back at which a may still hang: on the wall that b stands before."""
+BEHIND = 0.3  # metres behind b's back at which a may still hang: on the wall that b stands before
 
 
 @dataclass(frozen=True)

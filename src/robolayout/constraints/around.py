@@ -18,17 +18,10 @@ from robolayout.scene import Asset, Layout, Pose, Scene
 Slot = tuple[float, float, float]
 """Place of a seat's centre in the table's frame (metres) and its heading there (radians)."""
 
-SLACK = 0.03
-"""Metres by which a seat may stand beside its slot."""
-
-USUAL = 0.05
-"""Metres from the edge at which a seat stands that does not go under."""
-
-TUCKED = (0.18, 0.12, 0.06)
-"""Metres by which people leave a seat under a table, the first that is free."""
-
-SPARE = 0.02
-"""Metres that stay free above and beside a seat that is left under a table."""
+SLACK = 0.03  # metres by which a seat may stand beside its slot
+USUAL = 0.05  # metres from the edge at which a seat stands that does not go under
+TUCKED = (0.18, 0.12, 0.06)  # metres by which people leave a seat under a table, the first that is free
+SPARE = 0.02  # metres that stay free above and beside a seat that is left under a table
 
 
 def left_gap(scene: Scene, items: Sequence[AssetRef], b: AssetRef, slots: Callable[[float], Sequence[Slot]]) -> float:

@@ -10,8 +10,7 @@ from robolayout.constraints._relation import Outcome, Relation, Way, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
 from robolayout.scene import Layout, Opening, Scene
 
-CLOSE = 0.3
-"""Metres that may lie between a thing and the wall of its window."""
+CLOSE = 0.3  # metres that may lie between a thing and the wall of its window
 
 
 @dataclass(frozen=True)

@@ -13,11 +13,8 @@ from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
 from robolayout.scene import Layout, Scene
 
-SLACK = 0.5
-"""Metres that may lie between a thing and the line from one of the others to the other."""
-
-ENDS = 0.2
-"""Part of that line, at either end, that the search keeps clear of."""
+SLACK = 0.5  # metres that may lie between a thing and the line from one of the others to the other
+ENDS = 0.2  # part of that line, at either end, that the search keeps clear of
 
 
 @dataclass(frozen=True)

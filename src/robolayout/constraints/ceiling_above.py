@@ -11,8 +11,7 @@ from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Term
 from robolayout.scene import Layout, Scene
 
-ABOVE_TOLERANCE = 0.15
-"""Metres in plan by which a hanging thing may be off."""
+ABOVE_TOLERANCE = 0.15  # metres in plan by which a hanging thing may be off
 
 
 @dataclass(frozen=True)

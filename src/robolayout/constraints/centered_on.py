@@ -11,8 +11,7 @@ from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
 from robolayout.scene import Layout, Scene
 
-CENTER_TOLERANCE = 0.10
-"""Metres by which a centre may be off."""
+CENTER_TOLERANCE = 0.10  # metres by which a centre may be off
 
 MIDDLE = Interval(0.0, 0.0)
 

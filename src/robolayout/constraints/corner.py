@@ -11,8 +11,7 @@ from robolayout.constraints._relation import Outcome, Relation, Way, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
 from robolayout.scene import Layout, Room, Scene
 
-CORNER_GAP = 0.15
-"""Metres that may stay free between a thing and each wall of its corner."""
+CORNER_GAP = 0.15  # metres that may stay free between a thing and each wall of its corner
 
 
 def convex_corners(room: Room) -> tuple[int, ...]:

@@ -14,8 +14,7 @@ from robolayout.constraints._terms import ClearTerm, Term
 from robolayout.constraints.no_overlap import OVERLAP_AREA
 from robolayout.scene import Layout, Opening, Room, Scene, vertical_span
 
-CLEAR_HEIGHT = 2.0
-"""Metres above the floor up to which a door's landing stays free (DESIGN section 4)."""
+CLEAR_HEIGHT = 2.0  # metres above the floor up to which a door's landing stays free (DESIGN section 4)
 
 
 @dataclass(frozen=True)

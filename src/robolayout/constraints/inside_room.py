@@ -12,8 +12,7 @@ from robolayout.constraints._relation import Outcome, Relation
 from robolayout.constraints._terms import InsideTerm, Term
 from robolayout.scene import Layout, Scene
 
-INSIDE_TOLERANCE = 0.01
-"""Metres by which the room is grown (DESIGN section 4)."""
+INSIDE_TOLERANCE = 0.01  # metres by which the room is grown (DESIGN section 4)
 
 
 @dataclass(frozen=True)

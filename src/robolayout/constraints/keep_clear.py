@@ -16,8 +16,7 @@ from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import ClearTerm, Term
 from robolayout.scene import Layout, Scene, vertical_span
 
-CLEAR_TOLERANCE = 0.01
-"""Square metres by which things may reach into the strip."""
+CLEAR_TOLERANCE = 0.01  # square metres by which things may reach into the strip
 
 
 def side_box(half: tuple[float, float], side: str, depth: float) -> tuple[tuple[float, float], tuple[float, float]]:

@@ -16,11 +16,8 @@ from robolayout.constraints._relation import Outcome, Relation
 from robolayout.constraints._terms import OverlapTerm, Term
 from robolayout.scene import Asset, Layout, Pose, Scene, vertical_span
 
-OVERLAP_AREA = 1e-4
-"""Square metres of common plan from which on two prisms collide (DESIGN section 4)."""
-
-OVERLAP_HEIGHT = 0.01
-"""Metres of common height from which on two prisms collide (DESIGN section 4)."""
+OVERLAP_AREA = 1e-4  # square metres of common plan from which on two prisms collide (DESIGN section 4)
+OVERLAP_HEIGHT = 0.01  # metres of common height from which on two prisms collide (DESIGN section 4)
 
 
 def share_height(a: Asset, b: Asset, layout: Layout) -> bool:

@@ -15,8 +15,7 @@ from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
 from robolayout.scene import Asset, Layout, Scene, vertical_span
 
-SUPPORT_TOLERANCE = 0.02
-"""Metres between a thing's bottom and the surface that carries it (DESIGN section 4)."""
+SUPPORT_TOLERANCE = 0.02  # metres between a thing's bottom and the surface that carries it (DESIGN section 4)
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,7 @@ from robolayout.constraints._relation import Outcome, Relation
 from robolayout.constraints._terms import PairwiseTerm, Term
 from robolayout.scene import Layout, Scene
 
-ALPHA = 0.01
-"""The paper's scale of the pairwise reachability loss."""
+ALPHA = 0.01  # the paper's scale of the pairwise reachability loss
 
 
 @dataclass(frozen=True)

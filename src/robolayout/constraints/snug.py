@@ -11,8 +11,7 @@ from robolayout.constraints.corner import Corner, convex_corners
 from robolayout.constraints.next_to import NextTo
 from robolayout.scene import Layout, Scene
 
-CRACK = 0.15
-"""Metres that may be left."""
+CRACK = 0.15  # metres that may be left
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,7 @@ from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import MirrorTerm, Term
 from robolayout.scene import Layout, Scene
 
-MIRROR_TOLERANCE = 0.10
-"""Metres between a thing and the mirror image of its twin (DESIGN section 4)."""
+MIRROR_TOLERANCE = 0.10  # metres between a thing and the mirror image of its twin (DESIGN section 4)
 
 
 @dataclass(frozen=True)

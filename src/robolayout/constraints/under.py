@@ -10,8 +10,7 @@ from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
 from robolayout.scene import Layout, Scene
 
-OVERLAP = 0.10
-"""Metres by which each thing should reach over the rug."""
+OVERLAP = 0.10  # metres by which each thing should reach over the rug
 
 
 @dataclass(frozen=True)

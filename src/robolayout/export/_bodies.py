@@ -28,29 +28,21 @@ THINNEST = 5e-4
 FOOT = 0.08
 """Share of a mesh's height that is pressed flat where it stands, so that pots and cushions with round bottoms stand."""
 
-SMALLEST_VOLUME = 1e-8
-"""Volume in cubic metres below which a part collides as its box."""
+SMALLEST_VOLUME = 1e-8  # volume in cubic metres below which a part collides as its box
 
 SMALLEST_MOMENT = 1e-7
 """Moment of inertia in kg m2 that is added to every link's, so that forks and leaves do not tremble."""
 
-LEAF_MASS = 600.0
-"""Kilograms per cubic metre of the leaf of a door: wood."""
-
-SLAB = 0.1
-"""Thickness of the floor that is stood on in metres, and how far it reaches beyond the room."""
+LEAF_MASS = 600.0  # kilograms per cubic metre of the leaf of a door: wood
+SLAB = 0.1  # thickness of the floor that is stood on in metres, and how far it reaches beyond the room
 
 FLOOR_FRICTION = 0.6
-ON_RUG = 0.003
-"""Largest gap in metres between a rug's top and what stands on it."""
+ON_RUG = 0.003  # largest gap in metres between a rug's top and what stands on it
 
 STICTION = {"hinge": 1.0, "slide": 5.0}
 """Friction of a joint of furniture in N m or N: what it takes to move a cabinet's door or drawer (judgement); a flap stays shut."""
-DRAG = {"hinge": 0.5, "slide": 10.0}
-"""Damping of such a joint in N m s/rad or N s/m."""
-
-Free = Callable[[Asset, Scene, Layout], bool]
-"""Says whether an asset may move as a whole."""
+DRAG = {"hinge": 0.5, "slide": 10.0}  # damping of such a joint in N m s/rad or N s/m
+Free = Callable[[Asset, Scene, Layout], bool]  # says whether an asset may move as a whole
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,7 +14,7 @@ from functools import wraps
 import numpy as np
 
 from robolayout._errors import LayoutError
-from robolayout._reading import MAX_MESH_BYTES, Unreadable
+from robolayout._reading import LIMITS, Unreadable
 from robolayout._text import utf8
 from robolayout.assets import Part, category_of
 from robolayout.scene import Agent, Asset, Layout, Point, Pose, Scene, vertical_span
@@ -24,8 +24,7 @@ Routes = Mapping[str, Sequence[Point]]
 
 Json = dict[str, object]
 
-STANDING = 0.02
-"""Largest gap in metres between a thing and what it stands on (DESIGN section 4)."""
+STANDING = 0.02  # largest gap in metres between a thing and what it stands on (DESIGN section 4)
 
 _ASTRAY = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, struct.error)
 """What a reader trips over in bytes of another form."""
@@ -58,8 +57,7 @@ class Contents:
     sizes: Mapping[str, tuple[float, float, float]] = field(default_factory=dict[str, tuple[float, float, float]])
 
 
-Read = Callable[[bytes], Contents]
-"""What reads a file's content back."""
+Read = Callable[[bytes], Contents]  # what reads a file's content back
 
 Rows = Iterable[tuple[str, Pose, Iterable[float]]]
 """Names, poses and sizes of assets; nothing for a size that a format has no place for."""
@@ -205,8 +203,10 @@ def reader(what: str) -> Callable[[Callable[[bytes], Rows]], Read]:
     def decorate(rows: Callable[[bytes], Rows]) -> Read:
         @wraps(rows)
         def read(data: bytes) -> Contents:
-            if len(data) > MAX_MESH_BYTES:
-                raise LayoutError(f"this {what} is larger than {MAX_MESH_BYTES // 1_000_000} MB; export fewer things.")
+            if len(data) > LIMITS.mesh_bytes:
+                raise LayoutError(
+                    f"this {what} is larger than {LIMITS.mesh_bytes // 1_000_000} MB; export fewer things."
+                )
             try:
                 found = _contents(rows(data))
                 poses = found.layout.items()

@@ -16,8 +16,7 @@ from robolayout.assets.textures import coordinates, mean
 CREASE = math.cos(math.radians(40.0))
 """Cosine of the angle between two faces above which their edge is drawn sharp."""
 
-SMALLEST_FACE = 1e-12
-"""Area in square metres below which a triangle is dropped: it has no direction."""
+SMALLEST_FACE = 1e-12  # area in square metres below which a triangle is dropped: it has no direction
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]

@@ -15,8 +15,7 @@ from robolayout.export._bodies import THINNEST
 from robolayout.export.mjcf import AGENT_MASS, DAMPING, STIFFNESS
 from robolayout.scene import Agent
 
-ROOM_BODY = 1
-"""The room's body in a model: the first after the world."""
+ROOM_BODY = 1  # the room's body in a model: the first after the world
 
 MARGIN = 0.01
 """Metres by which the collider of a base is smaller than the body: what a controller may stray from the planned line."""

@@ -16,8 +16,7 @@ from robolayout.assets.rooms import extruded
 from robolayout.export._mesh import FloatArray
 from robolayout.scene import Asset, Layout, Pose, Scene, vertical_span
 
-CLEAR = 0.001
-"""Metres between a rug and what stands in its holes."""
+CLEAR = 0.001  # metres between a rug and what stands in its holes
 
 
 def laid_parts(asset: Asset, scene: Scene, layout: Layout, *, seed: int = 0) -> tuple[Part, ...]:

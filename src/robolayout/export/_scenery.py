@@ -11,20 +11,14 @@ from robolayout.assets import Part
 from robolayout.export._mesh import FloatArray
 from robolayout.scene import Room
 
-LAMP = "lampshade"
-"""The material whose parts give a lamp's light."""
+LAMP = "lampshade"  # the material whose parts give a lamp's light
 
 LUMENS = 806.0
 """Light of one lamp: a bulb that replaces one of 60 W (Commission Regulation (EC) No 244/2009, table 6)."""
 
-WARM = (1.0, 0.71, 0.42)
-"""Linear colour of a bulb of about 3000 K."""
-
-FIELD = math.radians(40.0)
-"""Vertical field of view of the camera."""
-
-ASPECT = 4 / 3
-"""Width of its picture by the height."""
+WARM = (1.0, 0.71, 0.42)  # linear colour of a bulb of about 3000 K
+FIELD = math.radians(40.0)  # vertical field of view of the camera
+ASPECT = 4 / 3  # width of its picture by the height
 
 
 def lamp(pieces: tuple[Part, ...]) -> tuple[float, float, float] | None:

@@ -27,19 +27,13 @@ from robolayout.export._mesh import Box, Surface, base_color, linear, quaternion
 from robolayout.export._scenery import ASPECT, FIELD, LUMENS, WARM, lamp, overview
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
-BULB = 0.05
-"""Radius in metres of a lamp's light."""
+BULB = 0.05  # radius in metres of a lamp's light
 
 WORLD, ROOM, ASSETS, ROUTES = "/World", "/World/Room", "/World/Assets", "/World/Routes"
 THING, SHAPES = "/Thing", "/Shapes"
-ROUTE_WIDTH = 0.03
-"""Width in metres that routes are drawn with."""
-
-LIGHTEST = 1e-4
-"""Kilograms of a link of which nothing has a mass, as in MJCF."""
-
-DOORS = "doors"
-"""Variant set of what has joints: "shut", "open", and "drawn" where it is drawn half-open."""
+ROUTE_WIDTH = 0.03  # width in metres that routes are drawn with
+LIGHTEST = 1e-4  # kilograms of a link of which nothing has a mass, as in MJCF
+DOORS = "doors"  # variant set of what has joints: "shut", "open", and "drawn" where it is drawn half-open
 
 
 def _things(scene: Scene, layout: Layout, options: Options) -> Iterator[tuple[Thing, str]]:

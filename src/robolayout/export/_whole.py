@@ -23,14 +23,12 @@ from robolayout.scene._model import Model
 
 Matrix = NDArray[np.float64]
 
-PACE = 18.0
-"""Radians per second at which a held joint swings back, without swinging over (that of the base)."""
+PACE = 18.0  # radians per second at which a held joint swings back, without swinging over (that of the base)
 
 LIGHTEST = 1e-4
 """Least inertia in kg (kg m2 for hinges) for which a joint is held: fingers weigh next to nothing."""
 
-MESHES, PICTURES = (".stl", ".obj", ".msh"), (".png",)
-"""Kinds of file that MuJoCo reads."""
+MESHES, PICTURES = (".stl", ".obj", ".msh"), (".png",)  # kinds of file that MuJoCo reads
 
 THICK = 5e-4 * np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
 """Metres by which the corners of a flat mesh are moved."""

@@ -11,8 +11,7 @@ from robolayout.assets import Material
 from robolayout.export._mesh import FloatArray, numbers
 from robolayout.scene import Asset, Pose
 
-DRAKE = "http://drake.mit.edu"
-"""XML namespace of what only Drake reads."""
+DRAKE = "http://drake.mit.edu"  # XML namespace of what only Drake reads
 
 STIFF = "1e7"
 """Pascals by which what touches gives way in Drake, over an area: by single points flat things creep on each other."""

@@ -32,17 +32,13 @@ LAYERS = {
 }
 """Layers and their colours (AutoCAD colour index)."""
 
-WALL = 0.1
-"""Thickness in metres that walls are drawn with."""
-
-LETTER = (0.03, 0.1)
-"""Smallest and largest height of letters in metres."""
+WALL = 0.1  # thickness in metres that walls are drawn with
+LETTER = (0.03, 0.1)  # smallest and largest height of letters in metres
 
 PLAIN = frozenset(range(32, 127)) - frozenset(b"%^\\")
 """Codes of the letters that stand for themselves in a text: `%%d`, `^J` and `\\U+` stand for others."""
 
-Group = tuple[int, object]
-"""One line pair of a DXF file: group code and value."""
+Group = tuple[int, object]  # one line pair of a DXF file: group code and value
 
 
 def write(scene: Scene, layout: Layout, options: Options) -> bytes:

@@ -24,11 +24,8 @@ from robolayout.export._xml import dump_xml, parse_xml, rgba
 from robolayout.scene import Agent, Figure, Layout, Pose, Scene
 
 AGENT = "agent"
-AGENT_MASS = 60.0
-"""Mass of the planar base in kg (a person; judgement)."""
-
-INSIDE = 0.6
-"""Metres inside the door at which a body starts if nothing is said, or more if it is longer."""
+AGENT_MASS = 60.0  # mass of the planar base in kg (a person; judgement)
+INSIDE = 0.6  # metres inside the door at which a body starts if nothing is said, or more if it is longer
 
 STIFFNESS, DAMPING = 20_000.0, 2_200.0
 """Gains of the base's actuators in N/m and N s/m (for the hinge N m/rad and N m s/rad): critically damped for its mass."""

@@ -24,17 +24,13 @@ from robolayout.export._thor import as_in_thor, kept, nearest, nearest_of, rise
 from robolayout.export.mjcf import start
 from robolayout.scene import Layout, Opening, Pose, Room, Scene, Wall
 
-ROOM = "room|2"
-"""Rooms of THOR are numbered from 2; 1 is outside."""
-
-AGENT_HEIGHT = 0.95
-"""Height in metres of the middle of THOR's default agent."""
+ROOM = "room|2"  # rooms of THOR are numbered from 2; 1 is outside
+AGENT_HEIGHT = 0.95  # height in metres of the middle of THOR's default agent
 
 ROOM_TYPES = {"kitchen": "Kitchen", "bath": "Bathroom", "bed": "Bedroom"}
 WALL_MATERIAL, FLOOR_MATERIAL, OUTSIDE_MATERIAL = "PureWhite", "WoodFloorsCross", "BrownDrywall"
 
-Hole = tuple[str, int, Opening]
-"""Kind ("door", "window"), number and opening."""
+Hole = tuple[str, int, Opening]  # kind ("door", "window"), number and opening
 
 
 def write(scene: Scene, layout: Layout, options: Options) -> bytes:

@@ -36,10 +36,8 @@ from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene
 
 PREFIX = "robolayout"
 ROOM = "room"
-FOLDER = "sceneeval"
-"""Folder of the meshes, beside the scene state."""
-THICKNESS = 0.1
-"""Thickness of walls in metres, as in the files that SceneEval ships."""
+FOLDER = "sceneeval"  # folder of the meshes, beside the scene state
+THICKNESS = 0.1  # thickness of walls in metres, as in the files that SceneEval ships
 
 
 def write(scene: Scene, layout: Layout, options: Options) -> bytes:

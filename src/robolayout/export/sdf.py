@@ -17,11 +17,8 @@ from robolayout.export._xml import DRAKE, STIFF, Tree, dump_xml, facts, moments,
 from robolayout.scene import Layout, Scene
 
 VERSION = "1.7"
-OURS = "https://robolayout.invalid/sdf"
-"""XML namespace of what only we read."""
-
-BASE = "body"
-"""Name of the link that stays."""
+OURS = "https://robolayout.invalid/sdf"  # XML namespace of what only we read
+BASE = "body"  # name of the link that stays
 
 
 def write(scene: Scene, layout: Layout, options: Options) -> bytes:

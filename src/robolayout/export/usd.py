@@ -17,8 +17,7 @@ from robolayout.export._exporter import Exporter, Options, Rows, reader
 from robolayout.scene import Layout, Scene
 
 EXTRA = "usd"
-ALIGNMENT = 64
-"""Bytes to which the files in a USDZ package are aligned, as its specification demands."""
+ALIGNMENT = 64  # bytes to which the files in a USDZ package are aligned, as its specification demands
 
 
 def _require() -> None:

@@ -41,8 +41,7 @@ DEATHS = 5
 STATIONS = ("draw", "generate", "scene", "plan", "program", "solve", "verify", "conflicts", "write")
 """Columns of CPU seconds in `timing.csv`; `generate` holds those between it and `write`."""
 
-PER_FOLDER = 1000
-"""Rooms in one folder."""
+PER_FOLDER = 1000  # rooms in one folder
 
 _CHECK = Checker(InputError)
 

@@ -30,8 +30,7 @@ from robolayout.scene import Agent, load_agents
 LOWER = ("COL", "Col_", "OOB", "R_out", "violations", "short", "exempt", "regions")
 """Parts of the names of figures of which less is better."""
 
-PLOTTED = 24
-"""Figures that a plot shows."""
+PLOTTED = 24  # figures that a plot shows
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ import numpy as np
 
 from robolayout._errors import MissingExtraError
 from robolayout._files import write_atomic
-from robolayout._reading import MAX_MESH_BYTES, Unreadable, regular_bytes
+from robolayout._reading import LIMITS, Unreadable, regular_bytes
 from robolayout._reading.glb import glb_notice
 from robolayout._text import markdown
 from robolayout._version import __version__
@@ -28,14 +28,9 @@ from robolayout.page import part
 from robolayout.render import png_bytes
 from robolayout.render.animation import spread
 
-TILE = 160
-"""Pixels of a side of one room in the picture of all."""
-
-MOST_TILES = 600
-"""Rooms in that picture; of more, so many at even distances."""
-
-SHOWN = 12
-"""Reasons that the card tells."""
+TILE = 160  # pixels of a side of one room in the picture of all
+MOST_TILES = 600  # rooms in that picture; of more, so many at even distances
+SHOWN = 12  # reasons that the card tells
 
 OWN = "Own meshes, with the notice that each file holds:"
 
@@ -160,6 +155,6 @@ def _table(rows: Iterable[tuple[str, object]]) -> str:
 def _notice(path: Path) -> str:
     """Return the copyright notice of a mesh file."""
     try:
-        return glb_notice(regular_bytes(path, MAX_MESH_BYTES)) or "none stated"
+        return glb_notice(regular_bytes(path, LIMITS.mesh_bytes)) or "none stated"
     except Unreadable:  # another format, which has no place for one
         return "none stated"

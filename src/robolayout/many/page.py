@@ -9,8 +9,7 @@ from typing import Any
 from robolayout._text import html, printable
 from robolayout.page import part, sealed
 
-MOST = 5000
-"""Rows that one page holds; the index has all."""
+MOST = 5000  # rows that one page holds; the index has all
 
 
 def columns(rows: Sequence[Mapping[str, Any]]) -> list[str]:

@@ -48,14 +48,9 @@ SAID = {
 NOBODY = {"name": "nobody", "radius": 0.001, "height": 0.05, "step": 0.03, "reach": 20.0, "reach_high": 20.0}
 """A body so small that nothing is in its way, for a search that is to know none."""
 
-GRID = 0.05
-"""Metres to which drawn lengths are rounded, as people say them."""
-
-THUMB = 240
-"""Pixels of a side of the small picture that every room has."""
-
-NOTE = "room.json"
-"""A room's row in the index, with what else is needed to go on after a stop."""
+GRID = 0.05  # metres to which drawn lengths are rounded, as people say them
+THUMB = 240  # pixels of a side of the small picture that every room has
+NOTE = "room.json"  # A room's row in the index, with what else is needed to go on after a stop
 
 
 @dataclass(frozen=True)
@@ -69,8 +64,7 @@ class Drawn:
     facts: Mapping[str, Any]  # what was drawn, for the index
 
 
-_Tried = str | tuple[Drawn, Result]
-"""Why a try is not kept, or what it came to."""
+_Tried = str | tuple[Drawn, Result]  # why a try is not kept, or what it came to
 
 
 @dataclass(frozen=True)

@@ -18,15 +18,12 @@ from pathlib import Path
 from typing import Any
 
 from robolayout._errors import InputError, UnknownNameError
-from robolayout._reading import Checker
+from robolayout._reading import LIMITS, Checker
 from robolayout.assets import find_category, import_folder
 from robolayout.export import find_exporter
 from robolayout.planners import scene_from_sentence
 from robolayout.scene import DRESSINGS, Agent, Scene, digest, load_agents, load_scene, scene_digest
 from robolayout.solve import EFFORTS, solver_names
-
-MOST_NAMED = 1000
-"""Entries of one list of a SPEC."""
 
 _CHECK = Checker(InputError)
 
@@ -243,7 +240,7 @@ def _value(key: str, value: object, default: object, bounds: Mapping[str, float]
         return _number(value, where, whole=isinstance(default, int), bounds=bounds)
     if bounds:
         return _range(value, where, whole=isinstance(default[0], int), bounds=bounds)
-    entries = _CHECK.sequence([value] if isinstance(value, str | bool) else value, where, most=MOST_NAMED)
+    entries = _CHECK.sequence([value] if isinstance(value, str | bool) else value, where, most=LIMITS.named)
     read = _CHECK.flag if key == "reach" else _CHECK.text
     found = tuple(read(entry, f"{where}: entry {number + 1}") for number, entry in enumerate(entries))
     if len(set(found)) < len(found) or (default and not found):

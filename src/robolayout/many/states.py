@@ -13,8 +13,7 @@ from robolayout.assets.folder import FLAGS
 from robolayout.scene import Layout, Pose, Scene, scene_from_dict
 from robolayout.scene.reference import look_up
 
-FORMAT = "sceneState"
-"""What such a file says in "format"."""
+FORMAT = "sceneState"  # what such a file says in "format"
 
 _ASTRAY = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 """What is tripped over in a file of another form."""

@@ -8,11 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-RESAMPLES = 2000
-"""Sets drawn with replacement from the rooms."""
-
-SURE = 0.95
-"""Share of those sets whose means lie within the interval that is told."""
+RESAMPLES = 2000  # sets drawn with replacement from the rooms
+SURE = 0.95  # share of those sets whose means lie within the interval that is told
 
 
 @dataclass(frozen=True)

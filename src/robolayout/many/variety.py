@@ -16,11 +16,8 @@ from numpy.typing import NDArray
 
 from robolayout.scene import Layout, Scene
 
-NEAR = 0.25
-"""Metres between two things that stand at the same place."""
-
-ALIKE = 20.0
-"""Degrees between two fronts that face the same way."""
+NEAR = 0.25  # metres between two things that stand at the same place
+ALIKE = 20.0  # degrees between two fronts that face the same way
 
 LEAST, VARIED = 0.15, 0.4
 """Difference below which two rooms are near-duplicates, and from which on they are variants that are worth having."""

@@ -27,20 +27,14 @@ from robolayout._files import write_atomic
 from robolayout.many.room import Made, make
 from robolayout.many.spec import Ready
 
-AHEAD = 2
-"""Rooms under way for each processor of a cluster: one that is made, one that waits for it."""
-
-ANSWER = 10.0
-"""Seconds in which a cluster must answer."""
-
-PATIENCE = 10
-"""Seconds by the clock for each CPU second that a room may take."""
+AHEAD = 2  # rooms under way for each processor of a cluster: one that is made, one that waits for it
+ANSWER = 10.0  # seconds in which a cluster must answer
+PATIENCE = 10  # seconds by the clock for each CPU second that a room may take
 
 RENEWED = 100
 """Rooms after which a worker ends and another takes its place: caches and compiled programs add some megabytes a dozen rooms."""
 
-TICK = 0.2
-"""Seconds to wait for a worker before something else is looked at."""
+TICK = 0.2  # seconds to wait for a worker before something else is looked at
 
 
 @dataclass(frozen=True)

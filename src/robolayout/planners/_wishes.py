@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from robolayout._errors import SceneError
-from robolayout._reading.check import MAX_TEXT
+from robolayout._reading import LIMITS
 from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.palette import LOOKS
 from robolayout.scene import FLAT_HEIGHT
@@ -98,8 +98,8 @@ def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wish
     """
     if not text.strip():
         raise SceneError('the sentence is empty; say for example "a bedroom for two with a desk, 4 x 5 m".')
-    if len(text) > MAX_TEXT:
-        raise SceneError(f"the sentence has {len(text)} characters; say it in at most {MAX_TEXT}.")
+    if len(text) > LIMITS.text:
+        raise SceneError(f"the sentence has {len(text)} characters; say it in at most {LIMITS.text}.")
     lexicon = Lexicon(rooms, own)
     reading = read_text(text, lexicon)
     room, guesses = _room(reading, rooms)

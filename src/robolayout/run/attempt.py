@@ -11,8 +11,7 @@ from robolayout.program import Program, Reconciled
 from robolayout.scene import Snapshot, Trace
 from robolayout.solve import Solution
 
-Progress = Callable[[str], None]
-"""Told the name of each phase as it begins."""
+Progress = Callable[[str], None]  # told the name of each phase as it begins
 
 
 @dataclass(frozen=True)

@@ -17,11 +17,8 @@ from robolayout.scene import Layout, Scene
 from robolayout.solve import Proposals, carry, compile_problem
 from robolayout.verify import judge_agent, physics
 
-DRAWN = 96
-"""Places drawn for each thing of an unmet statement."""
-
-LOOKED_AT = 10
-"""Of the places at which the statement holds, so many are judged."""
+DRAWN = 96  # places drawn for each thing of an unmet statement
+LOOKED_AT = 10  # of the places at which the statement holds, so many are judged
 
 
 @dataclass(frozen=True)

@@ -17,11 +17,8 @@ from robolayout.verify import Report, verify
 if TYPE_CHECKING:
     from robolayout.run.flow import Run
 
-FULL_MARKS = 10
-"""Rating at which nothing is amended."""
-
-MOST_REASONS, LONGEST_REASON = 5, 300
-"""Reasons that are kept, and characters of one."""
+FULL_MARKS = 10  # rating at which nothing is amended
+MOST_REASONS, LONGEST_REASON = 5, 300  # reasons that are kept, and characters of one
 
 
 @dataclass(frozen=True)

@@ -16,8 +16,7 @@ from robolayout.verify import Report
 MOVED, TURNED = 0.001, 0.1
 """Metres and degrees from which on a thing counts as moved, as turned: files round to less."""
 
-CHANGED = 1e-4
-"""Difference of a figure from which on it counts as changed."""
+CHANGED = 1e-4  # difference of a figure from which on it counts as changed
 
 
 @dataclass(frozen=True)

@@ -35,8 +35,7 @@ from robolayout.words import Wishes, read_words
 
 AgentSpec = Agent | str | Path | Mapping[str, Any]
 
-AHEAD = 3
-"""Rooms that are looked at before one is searched that is not right as it is built or guessed."""
+AHEAD = 3  # rooms that are looked at before one is searched that is not right as it is built or guessed
 
 NEARLY = 4.0
 """Up to how much (`Verdict.promise`) is amiss in a room that is mended before others are looked at: two things out of reach."""
@@ -50,11 +49,8 @@ COARSE = 0.25
 MOST_WAYS = 6
 """Ways of open statements (the corners of a room) that are tried by themselves where a statement is not met."""
 
-SOLVED_WAYS = 3
-"""How many of them, those whose rooms are nearest to right as built, are searched."""
-
-ATTEMPT_STRIDE = 1000
-"""Added to the planner's seed for each further attempt."""
+SOLVED_WAYS = 3  # how many of them, those whose rooms are nearest to right as built, are searched
+ATTEMPT_STRIDE = 1000  # added to the planner's seed for each further attempt
 
 
 def as_scene(

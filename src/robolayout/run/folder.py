@@ -25,11 +25,8 @@ from robolayout._errors import OutputError
 from robolayout._files import check_writable, exchange, locked, write_atomic
 from robolayout._version import __version__
 
-RUN = "run.json"
-"""The list of a run's files."""
-
-ANSWERS = "exchanges"
-"""Folder of a model's answers, which are paid for: they outlive a run that fails."""
+RUN = "run.json"  # the list of a run's files
+ANSWERS = "exchanges"  # folder of a model's answers, which are paid for: they outlive a run that fails
 
 FRESH, FORMER, READY, LOCK = (f"robolayout-{word}" for word in ("new", "old", "ready", "lock"))
 """Ends of the names of our hidden files: a run being made; what a finished run replaces; a finished run whose files are

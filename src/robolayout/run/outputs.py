@@ -21,8 +21,7 @@ if TYPE_CHECKING:
     from robolayout.run.diff import Difference
     from robolayout.run.result import Result
 
-PICTURE_SIZE = 900
-"""Pixels of a side of `top.png` and `view.png`."""
+PICTURE_SIZE = 900  # pixels of a side of `top.png` and `view.png`
 
 PLAIN = ("scene.json", "layout.json", "report.json")
 """The files without which a layout cannot be judged again."""

@@ -10,11 +10,8 @@ from robolayout.program import Program
 from robolayout.scene import Layout, Pose, Scene
 from robolayout.verify import Report, judge_agent
 
-VIEWS = ("top", "side")
-"""The paper's annotated views."""
-
-PICTURE_SIZE = 768
-"""Pixels of a side of the pictures of a finished room."""
+VIEWS = ("top", "side")  # the paper's annotated views
+PICTURE_SIZE = 768  # pixels of a side of the pictures of a finished room
 
 
 def room_pictures(scene: Scene, layout: Layout, new: Sequence[str], pictures: Pictures) -> dict[str, bytes]:

@@ -7,18 +7,14 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from robolayout._errors import SceneError
-from robolayout._reading import MAX_MESH_BYTES, MESH_SUFFIXES, Checker, inside, is_file, misspelt, show
+from robolayout._reading import LIMITS, MESH_SUFFIXES, Checker, inside, is_file, misspelt, show
 from robolayout._text import printable
 from robolayout.scene import reference
 from robolayout.scene._catalogue import described, find_catalogue
 from robolayout.scene.asset import Asset, by_variable, split_name
 
-MAX_ASSETS = 2000  # most assets of a scene
-MAX_NAME = 200  # characters of an asset's name
 NO_TEXT = "\ufffe\uffff"  # code points that are no characters, and that XML cannot hold
-SMALLEST, LARGEST = 1e-4, 100.0  # allowed side of an asset's box in metres
 SIDES = ("front", "back", "left", "right")  # sides that an asset can be used from
-MOST_WITHOUT = 100  # most names of parts that a thing is drawn without
 _CHECK = Checker(SceneError)
 _FLAGS = ("onFloor", "onWall", "onCeiling", "onObject")
 _KNOWN = ("category", "description", "path", "useSides", "like", "parts", "without", "from", "assetMetadata", *_FLAGS)
@@ -35,8 +31,8 @@ def read_assets(
         warnings: Gets a sentence for everything that was mended.
     """
     entries = _CHECK.mapping(_CHECK.required(data, "assets", "the scene"), "assets")
-    if not 0 < len(entries) <= MAX_ASSETS:
-        raise SceneError(f"the scene has {len(entries)} assets; from 1 to {MAX_ASSETS} are allowed.")
+    if not 0 < len(entries) <= LIMITS.assets:
+        raise SceneError(f"the scene has {len(entries)} assets; from 1 to {LIMITS.assets} are allowed.")
     folders = [folder for folder in (base, asset_dir) if folder is not None]
     catalogue = find_catalogue(data.get("catalogue"), folders)
     given = {key: _CHECK.mapping(entry, f"asset {show(key)}") for key, entry in entries.items()}
@@ -98,7 +94,7 @@ def _named(
 def _check_name(name: str) -> None:
     """Raise SceneError for a name that is no text on one line."""
     where = f"the asset name {show(name)}"
-    _CHECK.text(name, where, most=MAX_NAME)
+    _CHECK.text(name, where, most=LIMITS.name)
     odd = next((c for c in name if unicodedata.category(c) in ("Cc", "Zl", "Zp") or c in NO_TEXT), None)
     if odd is not None:
         raise SceneError(f"{where} has the control character U+{ord(odd):04X}; any other text on one line is allowed.")
@@ -133,7 +129,7 @@ def _asset(name: str, entry: Mapping[str, object], folders: list[Path], warnings
         parts=_CHECK.text(entry.get("parts", ""), f"{where}: parts"),
         without=tuple(
             _CHECK.text(name, f"{where}: without")
-            for name in _CHECK.sequence(entry.get("without", []), f"{where}: without", most=MOST_WITHOUT)
+            for name in _CHECK.sequence(entry.get("without", []), f"{where}: without", most=LIMITS.without)
         ),
         metadata={key: _CHECK.plain(value, f"{where}: {key}") for key, value in entry.items() if key not in _KNOWN},
     )
@@ -146,9 +142,9 @@ def _size(entry: Mapping[str, object], where: str) -> tuple[float, float, float]
     sides: list[float] = []
     for axis, meaning in (("x", "depth"), ("y", "width"), ("z", "height")):
         value, label = _CHECK.required(box, axis, place), f"{where}: {meaning} (boundingBox.{axis})"
-        sides.append(_CHECK.number(value, label, above=0.0, most=LARGEST))
-        if sides[-1] < SMALLEST:
-            raise SceneError(f"{label} is {sides[-1]:g} m; sizes are in metres, at least {SMALLEST:g}.")
+        sides.append(_CHECK.number(value, label, above=0.0, most=LIMITS.largest_side))
+        if sides[-1] < LIMITS.smallest_side:
+            raise SceneError(f"{label} is {sides[-1]:g} m; sizes are in metres, at least {LIMITS.smallest_side:g}.")
     return (sides[0], sides[1], sides[2])
 
 
@@ -187,9 +183,9 @@ def _mesh(value: object, where: str, folders: list[Path]) -> Path | None:
 def _check_length(place: Path, text: str, where: str) -> None:
     """Raise SceneError if a mesh file is larger than is read."""
     length = place.stat().st_size
-    if length > MAX_MESH_BYTES:
+    if length > LIMITS.mesh_bytes:
         raise SceneError(
-            f"{where}: path {show(text)} has {length / 1e6:.0f} MB; at most {MAX_MESH_BYTES // 1_000_000} MB are read. "
+            f"{where}: path {show(text)} has {length / 1e6:.0f} MB; at most {LIMITS.mesh_bytes // 1_000_000} MB are read. "
             "Simplify the mesh or leave path out for a built-in shape."
         )
 

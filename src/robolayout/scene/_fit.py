@@ -15,19 +15,18 @@ import numpy as np
 import shapely
 
 from robolayout._errors import SceneError
+from robolayout._reading import LIMITS
 from robolayout.scene.asset import Asset
 from robolayout.scene.room import Room
 
 LEEWAY = 0.01
 """Metres by which a box may stick out on each side: the tolerance of the boundary check (DESIGN section 4)."""
 FINEST = math.radians(0.05)  # half an interval of headings, in radians, that is taken to fit if it cannot be ruled out
-MAX_WORK = 50_000
-"""Walls tested in all, before the remaining assets are left to the verifier: bounds the time for hostile files."""
 
 
 def check_fit(room: Room, assets: Iterable[Asset]) -> None:
     """Raise a SceneError for the first asset that is too large for the room."""
-    work = MAX_WORK
+    work = LIMITS.tested_walls
     fitting: list[tuple[float, float]] = []
     for asset in assets:
         depth, width, height = asset.size
@@ -64,7 +63,7 @@ def _fits(room: Room, depth: float, width: float) -> tuple[bool, int]:
         tried += 1
         if not _fits_at(room, _shrunk(half, reach), middle):
             continue
-        if reach < FINEST or tried * len(room.walls) > MAX_WORK or _fits_at(room, half, middle):
+        if reach < FINEST or tried * len(room.walls) > LIMITS.tested_walls or _fits_at(room, half, middle):
             return True, tried * len(room.walls)
         intervals += [(middle + reach / 2, reach / 2), (middle - reach / 2, reach / 2)]
     return False, tried * len(room.walls)

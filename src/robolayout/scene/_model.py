@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._errors import AgentError, MissingExtraError
-from robolayout._reading import Checker, inside, is_file, regular_bytes, show
+from robolayout._reading import LIMITS, Checker, inside, is_file, regular_bytes, show
 from robolayout._reading.syntax import xml_root
 
 if TYPE_CHECKING:
@@ -26,9 +26,6 @@ if TYPE_CHECKING:
 
 Matrix = NDArray[np.float64]
 
-MAX_PARTS = 2000  # most links, most joints and most collision shapes of a model
-MAX_BYTES = 50_000_000  # bytes of meshes and included files read in all
-MAX_POINTS = 5_000_000  # points on all collision shapes together
 MESH_SUFFIXES = (".stl", ".obj", ".ply", ".dae")  # kinds of mesh that are read
 CHECK = Checker(AgentError)
 _CIRCLE, _BETWEEN = 64, 300
@@ -39,8 +36,8 @@ class Model:
     """The file that is being read, and what it may still use."""
 
     path: Path  # the file
-    bytes_left: int = MAX_BYTES  # bytes of other files that may still be read
-    points_left: int = MAX_POINTS  # points that its shapes may still have
+    bytes_left: int = LIMITS.model_bytes  # bytes of other files that may still be read
+    points_left: int = LIMITS.model_points  # points that its shapes may still have
     parts_left: dict[str, int] = field(default_factory=dict[str, int])  # parts of each kind that it may still have
     # vertices of the meshes read so far, in their own unit
     meshes: dict[Path, Matrix] = field(default_factory=dict[Path, Matrix])
@@ -51,9 +48,11 @@ class Model:
 
     def count(self, what: str, number: int = 1) -> None:
         """Note further parts of a kind; too many are an error."""
-        left = self.parts_left.get(what, MAX_PARTS) - number
+        left = self.parts_left.get(what, LIMITS.model_parts) - number
         if left < 0:
-            raise self.fail(f"has {MAX_PARTS - left} <{what}> elements; at most {MAX_PARTS} are allowed.")
+            raise self.fail(
+                f"has {LIMITS.model_parts - left} <{what}> elements; at most {LIMITS.model_parts} are allowed."
+            )
         self.parts_left[what] = left
 
     def root(self, path: Path) -> tuple[Element, str]:
@@ -66,7 +65,7 @@ class Model:
         """Note that so many bytes were read."""
         self.bytes_left -= size
         if self.bytes_left < 0:
-            raise self.fail(f"its meshes are larger than {MAX_BYTES // 1_000_000} MB together; simplify them.")
+            raise self.fail(f"its meshes are larger than {LIMITS.model_bytes // 1_000_000} MB together; simplify them.")
 
     def numbers(self, text: str | None, where: str, count: int) -> list[float]:
         """Return the numbers of an attribute; zeros if it is not there."""
@@ -87,7 +86,7 @@ class Model:
         """Return points (n, 3) of a shape at its pose (4, 4)."""
         self.points_left -= len(points)
         if self.points_left < 0:
-            raise self.fail(f"its collision shapes have more than {MAX_POINTS} points; simplify its meshes.")
+            raise self.fail(f"its collision shapes have more than {LIMITS.model_points} points; simplify its meshes.")
         found = points @ pose[:3, :3].T + pose[:3, 3]
         if not np.isfinite(found).all():
             raise self.fail("its collision geometry has coordinates that are not finite.")
@@ -122,7 +121,7 @@ class Model:
         what, suffix = f"agent file {self.path}: mesh {path.name}", path.suffix.lower()
         if suffix == ".dae" and find_spec("collada") is None:
             raise MissingExtraError(f"{what}, a COLLADA file,", "sim")
-        content = CHECK.parse(lambda file: regular_bytes(file, MAX_BYTES), path, what)
+        content = CHECK.parse(lambda file: regular_bytes(file, LIMITS.model_bytes), path, what)
         self.take(len(content))
         pieces = CHECK.parse(lambda data: mesh_pieces(data, suffix), content, what)
         return np.concatenate([piece.vertices for piece in pieces])

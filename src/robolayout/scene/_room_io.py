@@ -9,14 +9,9 @@ from itertools import combinations
 from typing import Any
 
 from robolayout._errors import SceneError
-from robolayout._reading import MAX_LENGTH, Checker
+from robolayout._reading import LIMITS, Checker
 from robolayout.scene.room import Opening, Point, Room, Wall
 
-MAX_CORNERS = 200  # most corners of a room
-MAX_OPENINGS = 100  # most doors, and most windows, of a room
-MIN_AREA = 0.01  # smallest floor area in square metres that counts as a room
-VAST, MAX_SIDE = 100.0, 500.0
-"""Metres of a room's longer side beyond which its unit is asked about, and beyond which it is refused."""
 TOLERANCE = 1e-6  # metres below which two points are one, and by which an opening may overshoot through rounding
 DOOR_HEIGHT = 2.05  # height in metres of a door that gives none
 WINDOW_HEIGHT, WINDOW_SILL = 1.2, 0.9  # height and sill in metres of a window that gives none
@@ -66,11 +61,11 @@ def write_room(room: Room) -> dict[str, object]:
 
 def _vertices(value: object) -> tuple[Point, ...]:
     corners: list[Point] = []
-    for i, entry in enumerate(_CHECK.sequence(value, "boundary.floor_vertices", most=MAX_CORNERS)):
+    for i, entry in enumerate(_CHECK.sequence(value, "boundary.floor_vertices", most=LIMITS.corners)):
         where = f"boundary.floor_vertices[{i}]"
         point = _CHECK.numbers(entry, where, (2, 3))
-        if any(abs(number) > MAX_LENGTH for number in point):
-            raise SceneError(f"{where} lies more than {MAX_LENGTH:g} m from the origin; coordinates are in metres.")
+        if any(abs(number) > LIMITS.length for number in point):
+            raise SceneError(f"{where} lies more than {LIMITS.length:g} m from the origin; coordinates are in metres.")
         if len(point) == 3 and abs(point[2]) > TOLERANCE:
             raise SceneError(f"{where} has height {point[2]:g}; the floor lies at z = 0.")
         corners.append((point[0], point[1]))
@@ -94,22 +89,24 @@ def _check_shape(room: Room) -> None:
             raise SceneError(
                 f"the room's walls {a.index} and {b.index} cross or touch; list the corners in order around the room."
             )
-    if abs(room.area) < MIN_AREA:
-        raise SceneError(f"the room's area is {abs(room.area):.4f} m2; at least {MIN_AREA} m2 are needed (in metres).")
+    if abs(room.area) < LIMITS.least_area:
+        raise SceneError(
+            f"the room's area is {abs(room.area):.4f} m2; at least {LIMITS.least_area} m2 are needed (in metres)."
+        )
 
 
 def _check_units(room: Room, warnings: list[str]) -> None:
     """Ask about a room that is so large that it was perhaps drawn in centimetres."""
     low_x, low_y, high_x, high_y = room.bounds
     width, depth = high_x - low_x, high_y - low_y
-    if max(width, depth) <= VAST:
+    if max(width, depth) <= LIMITS.room_asked:
         return
     asks = (
         f"the room is {width:g} x {depth:g} m: was it drawn in centimetres? Lengths are in metres; "
         f"divide them by 100 for one of {width / 100:g} x {depth / 100:g} m"
     )
-    if max(width, depth) > MAX_SIDE:
-        raise SceneError(f"{asks}. At most {MAX_SIDE:g} m are read.")
+    if max(width, depth) > LIMITS.room_side:
+        raise SceneError(f"{asks}. At most {LIMITS.room_side:g} m are read.")
     warnings.append(f"{asks}, or leave them if it is that large.")
 
 
@@ -134,7 +131,7 @@ def _touching(a: Wall, b: Wall, room: Room) -> bool:
 
 
 def _openings(data: Mapping[str, object], key: str, room: Room, warnings: list[str]) -> list[tuple[str, Opening]]:
-    entries = _CHECK.sequence(data.get(key, []), key, most=MAX_OPENINGS)
+    entries = _CHECK.sequence(data.get(key, []), key, most=LIMITS.openings)
     return [(f"{key}[{i}]", _opening(entry, f"{key}[{i}]", room, warnings)) for i, entry in enumerate(entries)]
 
 

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from robolayout._errors import AgentError, UnknownNameError
-from robolayout._reading import Checker, show
+from robolayout._reading import LIMITS, Checker, show
 from robolayout.scene.agent import CLEARANCE, Agent, Source
 from robolayout.scene.room import Room
 
@@ -45,7 +45,6 @@ ENTRY_POINTS = "robolayout.agents"
 _CHECK = Checker(AgentError)
 _FOLDER = Path(__file__).parent / "agents"  # the built-in profiles, a file each
 _MAY_BE_ZERO = ("turning_radius", "reach_low", "reach_high", "shoulder_height", "step")
-_LARGEST = 20.0
 _ALLOWED = ("name", "title", *FIGURES, "reach", "reach_bands")
 
 
@@ -245,19 +244,19 @@ def _figure(value: object, where: str, key: str) -> tuple[float, Source | None]:
 def _bands(value: object, where: str) -> tuple[tuple[float, float, float], ...]:
     """Return how far a hand gets by height: (from, to, reach) in metres."""
     rows = [_CHECK.numbers(row, where, (3,)) for row in _CHECK.sequence(value, where, 1000)]
-    if any(low > high or min(row) < 0 or max(row) > _LARGEST for row in rows for low, high in [row[:2]]):
+    if any(low > high or min(row) < 0 or max(row) > LIMITS.body for row in rows for low, high in [row[:2]]):
         raise AgentError(
-            f"{where}: each is [from, to, reach] in metres, from 0 to {_LARGEST:g}, the lower height first."
+            f"{where}: each is [from, to, reach] in metres, from 0 to {LIMITS.body:g}, the lower height first."
         )
     return tuple((low, high, far) for low, high, far in rows)
 
 
 def _positive(value: object, where: str, key: str) -> float:
     if key in _MAY_BE_ZERO:
-        return _CHECK.number(value, f"{where} (metres)", least=0.0, most=_LARGEST)
+        return _CHECK.number(value, f"{where} (metres)", least=0.0, most=LIMITS.body)
     if key == "radius" and value == 0 and not isinstance(value, bool):
         raise AgentError(f"{where} is 0: a point has no body to get through the room; give a radius above 0 m.")
-    return _CHECK.number(value, f"{where} (metres)", above=0.0, most=_LARGEST)
+    return _CHECK.number(value, f"{where} (metres)", above=0.0, most=LIMITS.body)
 
 
 def _half_passage(figures: Mapping[str, float], label: str) -> float:

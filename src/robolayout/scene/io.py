@@ -12,15 +12,14 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from robolayout._errors import LayoutError, SceneError
-from robolayout._reading import Checker, misspelt, show
-from robolayout.scene._asset_io import MAX_ASSETS, read_assets, write_asset
+from robolayout._reading import LIMITS, Checker, misspelt, show
+from robolayout.scene._asset_io import read_assets, write_asset
 from robolayout.scene._room_io import read_room, write_room
 from robolayout.scene.agent import DEFAULT_AGENT, Agent
 from robolayout.scene.agents_io import agent_from_dict, agent_to_dict, built_in_agent, check_headroom, check_names
 from robolayout.scene.layout import Layout, Pose
 from robolayout.scene.scene import DRESSINGS, Scene
 
-MAX_AGENTS = 16  # most agents of a scene
 _SCENE = Checker(SceneError)
 _LAYOUT = Checker(LayoutError)
 _KEYS = ("task_description", "layout_criteria", "boundary", "doors", "windows", "agent", "catalogue", "assets", "dress")
@@ -116,8 +115,8 @@ def layout_from_dict(data: object, scene: Scene | None = None) -> Layout:
         scene: The scene that it belongs to; names unknown to it are refused, assets without a pose stay unplaced.
     """
     content = _LAYOUT.mapping(data, "the layout")
-    if len(content) > MAX_ASSETS:
-        raise LayoutError(f"the layout has {len(content)} entries; at most {MAX_ASSETS} are allowed.")
+    if len(content) > LIMITS.assets:
+        raise LayoutError(f"the layout has {len(content)} entries; at most {LIMITS.assets} are allowed.")
     poses = {name: _pose(entry, name) for name, entry in content.items()}
     if scene is None:
         return Layout(poses)
@@ -147,7 +146,7 @@ def _agents(value: object) -> tuple[Agent, ...]:
     """Return the agents of a scene file: none, one, or a list; names of built-in agents only, never paths."""
     if value is None:
         return (DEFAULT_AGENT,)
-    entries = _SCENE.sequence(value, "agent", most=MAX_AGENTS) if isinstance(value, (list, tuple)) else [value]
+    entries = _SCENE.sequence(value, "agent", most=LIMITS.agents) if isinstance(value, (list, tuple)) else [value]
     if not entries:
         raise SceneError("agent is an empty list; name at least one agent or leave it out.")
     agents = [built_in_agent(entry) if isinstance(entry, str) else agent_from_dict(entry) for entry in entries]

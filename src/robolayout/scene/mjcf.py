@@ -15,7 +15,7 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
-from robolayout._reading import show
+from robolayout._reading import LIMITS, show
 from robolayout.scene._model import Matrix, Model, ball, box, capsule, cylinder, transform
 from robolayout.scene.kinematics import Joint, Kind, Robot
 
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
 
 Attributes = Mapping[str, str]
 
-MAX_DEPTH = 64  # most bodies, frames and included files inside each other
 ROOT = "world"  # the link that stands for the middle of the robot's own first body, turned as the world
 STOWED = ("stow", "home")  # names of the keyframe in which it drives about, best first
 GROWN = ("replicate", "attach", "composite", "flexcomp")  # elements that MuJoCo's compiler turns into bodies
@@ -51,8 +50,8 @@ def read_mjcf(root: Element, model: Model) -> Robot:
 
 def _expanded(element: Element, model: Model, read: set[Path], depth: int) -> Iterator[Element]:
     """Yield an element's children, those of included files in their place."""
-    if depth > MAX_DEPTH:
-        raise model.fail(f"is nested too deeply. At most {MAX_DEPTH} levels are read.")
+    if depth > LIMITS.depth:
+        raise model.fail(f"is nested too deeply. At most {LIMITS.depth} levels are read.")
     for child in list(element):
         if child.tag in GROWN:
             raise model.fail(f"has <{child.tag}>, which is not read; load it in MuJoCo and save it (mj_saveLastXML).")

@@ -21,10 +21,8 @@ from robolayout.verify._space import QUAD_SEGS
 from robolayout.verify.drives import Pose
 from robolayout.verify.heading import grown, rectangle
 
-STEPS = 12
-"""Steps of a leaf from shut to open."""
-STRIDE = 0.10
-"""Metres that a body may move while the leaf makes one of them."""
+STEPS = 12  # steps of a leaf from shut to open
+STRIDE = 0.10  # metres that a body may move while the leaf makes one of them
 BERTHS = (0.04, 0.0)
 """Metres that it keeps from what it steps past, the first that leave it a way: strides are straight and would cut a corner by as much."""
 
