@@ -10,7 +10,8 @@ import pytest
 
 from robolayout.render import body_text
 from robolayout.render._drawing import Shape, Text
-from robolayout.render.body import LABELS, draw_body
+from robolayout.render._style import BODY
+from robolayout.render.body import draw_body
 from robolayout.render.palette import REACH, ROUTE, TURN
 from robolayout.scene import Agent, agent_names, load_agent
 
@@ -93,4 +94,4 @@ def test_on_a_terminal_it_is_lines_of_braille():
     lines = text.splitlines()
     assert all(0x2800 <= ord(c) <= 0x28FF for line in lines for c in line)
     assert max(map(len, lines)) <= 40 and len(lines) > 5
-    assert LABELS > 0
+    assert BODY.labels > 0

@@ -10,8 +10,9 @@ from PIL import Image
 
 from robolayout.render import PlanMarks, annotation_camera, annotation_marks, model_plan
 from robolayout.render._drawing import Text, text_width
+from robolayout.render._style import MODEL_PLAN
 from robolayout.render.annotation import draw_marks
-from robolayout.render.model_plan import LONGEST, SIZES, _sheet
+from robolayout.render.model_plan import _sheet
 from robolayout.scene import Layout, Pose, Scene, scene_from_dict
 
 
@@ -55,7 +56,7 @@ def test_in_a_full_room_no_name_covers_another() -> None:
     for a, b in combinations(boxes, 2):
         assert not (a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]), (a, b)
     names = [text for text in texts(scene, layout) if text.text.startswith(("#", "dining"))]
-    assert min(text.size for text in names) >= min(SIZES)
+    assert min(text.size for text in names) >= min(MODEL_PLAN.sizes)
 
 
 def test_ticks_stand_at_whole_metres() -> None:
@@ -64,7 +65,7 @@ def test_ticks_stand_at_whole_metres() -> None:
     columns = {int(t.text): t.at[0] for t in found if t.text.isdigit() and t.at[1] < 12}
     rows = {int(t.text): t.at[1] for t in found if t.text.isdigit() and t.at[0] < 12 and t.at[1] > 12}
     assert sorted(columns) == list(range(1, 10)) and sorted(rows) == list(range(2, 10))
-    metre = LONGEST / 8
+    metre = MODEL_PLAN.longest / 8
     assert [columns[x + 1] - columns[x] for x in range(1, 9)] == pytest.approx([metre] * 8)
     assert [rows[y] - rows[y + 1] for y in range(2, 9)] == pytest.approx([metre] * 7)
 

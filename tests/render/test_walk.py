@@ -10,7 +10,8 @@ from film_frames import frames
 
 from robolayout._errors import InputError
 from robolayout.render import PlanMarks, walk_gif
-from robolayout.render._tour import SLACK, tour
+from robolayout.render._style import FILM
+from robolayout.render._tour import tour
 from robolayout.scene import Agent, Layout
 
 SQUARE = ((0.0, 0.0), (6.0, 0.0), (6.0, 4.0), (0.0, 4.0))
@@ -38,7 +39,7 @@ def test_a_round_stays_in_the_free_space_and_is_short():
     free = shapely.Polygon(SQUARE, [BLOCK])
     legs = tour(ROUTES, [(SQUARE, BLOCK)])
     for leg in legs:
-        assert free.buffer(2 * SLACK).covers(shapely.LineString(leg.line[:, :2]))
+        assert free.buffer(2 * FILM.slack).covers(shapely.LineString(leg.line[:, :2]))
     there_and_back = 2 * sum(shapely.LineString(line).length for line in ROUTES.values())
     assert sum(leg.length for leg in legs) < 0.7 * there_and_back
     near = next(leg for leg in legs if leg.names in (("a-0",), ("c-0",)) and leg.line[0, 0] != 3.0)

@@ -8,10 +8,10 @@ from collections.abc import Callable
 import shapely
 
 from robolayout.render._drawing import Drawing, Point
+from robolayout.render._style import PLAN
 from robolayout.render.palette import FLOOR, PAPER, QUIET, WALL
 from robolayout.scene import Opening, Room, Wall
 
-THICKNESS = 0.12  # drawn thickness of walls, metres
 Place = Callable[[float, float], Point]
 
 
@@ -29,7 +29,7 @@ def draw_floor(sheet: Drawing, room: Room, place: Place) -> None:
 def draw_walls(sheet: Drawing, room: Room, place: Place) -> None:
     """Draw walls in solid section, doors with leaf and swing, windows with their panes."""
     inner = shapely.Polygon(room.vertices)
-    solid = inner.buffer(THICKNESS, join_style="mitre").difference(inner)
+    solid = inner.buffer(PLAN.wall, join_style="mitre").difference(inner)
     gaps = [_gap(room, opening) for opening in (*room.doors, *room.windows)]
     solid = solid.difference(shapely.union_all(gaps)) if gaps else solid
     for piece in shapely.get_parts(solid):
@@ -50,8 +50,8 @@ def _gap(room: Room, opening: Opening) -> shapely.Polygon:
         [
             wall.point(start, 0.01),
             wall.point(end, 0.01),
-            wall.point(end, -2 * THICKNESS),
-            wall.point(start, -2 * THICKNESS),
+            wall.point(end, -2 * PLAN.wall),
+            wall.point(start, -2 * PLAN.wall),
         ]
     )
 
@@ -60,10 +60,10 @@ def _draw_window(sheet: Drawing, room: Room, window: Opening, place: Place) -> N
     """Draw the sill's two edges and the pane between them."""
     wall = room.walls[window.wall]
     start, end = window.offset, window.offset + window.width
-    frame = [wall.point(s, d) for s, d in ((start, 0), (end, 0), (end, -THICKNESS), (start, -THICKNESS))]
+    frame = [wall.point(s, d) for s, d in ((start, 0), (end, 0), (end, -PLAN.wall), (start, -PLAN.wall))]
     sheet.polygon([[place(*p) for p in frame]], PAPER, stroke=WALL, width=0.18)
     for depth in (0.42, 0.58):
-        pane = (wall.point(start, -depth * THICKNESS), wall.point(end, -depth * THICKNESS))
+        pane = (wall.point(start, -depth * PLAN.wall), wall.point(end, -depth * PLAN.wall))
         sheet.line([place(*p) for p in pane], WALL, width=0.13)
 
 
@@ -74,7 +74,7 @@ def _draw_door(sheet: Drawing, room: Room, door: Opening, place: Place) -> None:
     """
     wall = room.walls[door.wall]
     start, end = door.offset, door.offset + door.width
-    for depth in (0.0, -THICKNESS):
+    for depth in (0.0, -PLAN.wall):
         sheet.line(
             [place(*wall.point(start, depth)), place(*wall.point(end, depth))], QUIET, width=0.1, dash=(0.6, 0.5)
         )

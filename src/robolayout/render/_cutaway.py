@@ -9,19 +9,16 @@ from numpy.typing import NDArray
 
 from robolayout._color import linear
 from robolayout.render._mesh import FLOOR_STRIP, ROOM, Mesh, flat_mesh, merge
+from robolayout.render._style import VIEW
 from robolayout.render.camera import Camera
 from robolayout.scene import Layout, Room, Scene, Wall
-
-CUT_COLOR = (0.42, 0.41, 0.40)  # sRGB colour of a cut wall
-HIDES = 0.02  # share of the floor that a wall may hide before it is cut away
-ON_WALL = 0.25  # metres within which an asset fixed to a wall goes with it
 
 
 def near_walls(room: Room, camera: Camera) -> set[int]:
     """Return the indices of the walls that hide more than HIDES of the floor from the camera."""
     floor = _floor_points(room)
     eye = np.asarray(camera.position)
-    return {wall.index for wall in room.walls if _hidden_share(wall, room.wall_height, eye, floor) > HIDES}
+    return {wall.index for wall in room.walls if _hidden_share(wall, room.wall_height, eye, floor) > VIEW.hides}
 
 
 def hidden_parts(scene: Scene, layout: Layout, camera: Camera) -> set[str]:
@@ -37,7 +34,7 @@ def hidden_parts(scene: Scene, layout: Layout, camera: Camera) -> set[str]:
         if asset.on_wall and asset.name in layout:
             pose = layout[asset.name]
             nearest = min(room.walls, key=lambda wall: wall.distance((pose.x, pose.y)))
-            if nearest.index in cut and nearest.distance((pose.x, pose.y)) < asset.size[0] / 2 + ON_WALL:
+            if nearest.index in cut and nearest.distance((pose.x, pose.y)) < asset.size[0] / 2 + VIEW.on_wall:
                 names.add(asset.name)
     return names
 
@@ -48,12 +45,12 @@ def dress(mesh: Mesh, room: Room) -> Mesh:
     top = walls & (mesh.normals[:, :, 2] > 0.9).all(axis=1)
     top &= mesh.corners[:, :, 2].min(axis=1) > room.wall_height - 0.01
     colors = mesh.colors.copy()
-    colors[top, :3] = linear(np.array(CUT_COLOR))
+    colors[top, :3] = linear(np.array(VIEW.cut_color))
     dressed = replace(mesh, colors=colors)
     for wall in room.walls:
         strip = _strip(mesh, room, wall)
         if len(strip):
-            dressed = merge(dressed, flat_mesh(strip, CUT_COLOR, f"{FLOOR_STRIP}-{wall.index}"))
+            dressed = merge(dressed, flat_mesh(strip, VIEW.cut_color, f"{FLOOR_STRIP}-{wall.index}"))
     return dressed
 
 

@@ -13,17 +13,13 @@ from itertools import pairwise
 
 import shapely
 
-from robolayout.render._architecture import THICKNESS, Place
+from robolayout.render._architecture import Place
 from robolayout.render._drawing import Drawing, Point, text_width
 from robolayout.render._labels import Label
+from robolayout.render._style import PLAN, SHEET
 from robolayout.render.palette import INK, QUIET
 from robolayout.scene import Room, Wall
 
-BESIDE = 8.0  # millimetres between a wall and its first dimension line: room for the numbers of what hangs there
-STEP = 5.5  # millimetres between dimension lines
-SIZES = (2.1, 1.8, 1.5)  # font sizes of a length, millimetres; the first at which it finds a place
-SAME = 1e-3  # metres within which two marks on a chain are one
-ROOM = 0.8  # millimetres that a length leaves free between its ticks
 Outline = tuple[Point, ...]
 
 
@@ -55,12 +51,12 @@ def chains(room: Room) -> tuple[Chain, ...]:
 
 def margin(room: Room) -> float:
     """Return how many millimetres beyond the walls' inner faces the dimension lines take, their texts included."""
-    return BESIDE + STEP * max(chain.level for chain in chains(room)) + 4.0
+    return SHEET.beside + SHEET.step * max(chain.level for chain in chains(room)) + 4.0
 
 
 def _sides(room: Room) -> list[list[Wall]]:
     """Return the walls that share dimension lines: those of one side if all run along the axes, else each its own."""
-    straight = all(min(map(abs, wall.normal)) < SAME for wall in room.walls)
+    straight = all(min(map(abs, wall.normal)) < SHEET.same for wall in room.walls)
     if not straight:
         return [[wall] for wall in room.walls]
     sides: list[list[Wall]] = []
@@ -69,7 +65,7 @@ def _sides(room: Room) -> list[list[Wall]]:
         walls = [w for w in room.walls if round(w.normal[0]) == -out[0] and round(w.normal[1]) == -out[1]]
         walls.sort(key=lambda wall: _along(wall.start, wall.direction))
         ends = [(_along(w.start, w.direction), _along(w.end, w.direction)) for w in walls]
-        clear = all(a[1] <= b[0] + SAME for a, b in pairwise(ends))
+        clear = all(a[1] <= b[0] + SHEET.same for a, b in pairwise(ends))
         sides += [walls] if clear else [[wall] for wall in walls]
     return sides
 
@@ -96,7 +92,7 @@ def _chains(room: Room, walls: Sequence[Wall]) -> list[Chain]:
     rows += [[min(ends), max(ends)]] if len(walls) > 1 else []
     found: list[Chain] = []
     for level, row in enumerate(rows):
-        kept = [row[0], *(b for a, b in pairwise(row) if b[0] - a[0] > SAME)]
+        kept = [row[0], *(b for a, b in pairwise(row) if b[0] - a[0] > SHEET.same)]
         marks, depths = zip(*kept, strict=True)
         found.append(Chain(origin, first.direction, out, marks, depths, level))
     return found
@@ -113,17 +109,19 @@ def draw_chains(sheet: Drawing, room: Room, place: Place, k: float, names: Seque
     """
     lengths: list[tuple[Point, Point, str]] = []
     for chain in chains(room):
-        off = (BESIDE + STEP * chain.level) / k + THICKNESS
+        off = (SHEET.beside + SHEET.step * chain.level) / k + PLAN.wall
         stops = [place(*chain.point(at, off)) for at in chain.marks]
         sheet.line([stops[0], stops[-1]], QUIET, width=0.13)
         for at, back, (x, y) in zip(chain.marks, chain.depths, stops, strict=True):
-            near = THICKNESS - back + 1.2 / k if chain.level == 0 else off - 1.6 / k
+            near = PLAN.wall - back + 1.2 / k if chain.level == 0 else off - 1.6 / k
             sheet.line([place(*chain.point(at, near)), place(*chain.point(at, off + 1.0 / k))], QUIET, width=0.09)
             sheet.line([(x - 0.7, y + 0.7), (x + 0.7, y - 0.7)], INK, width=0.25)
         words = (f"{b - a:.2f}" for a, b in pairwise(chain.marks))
         lengths += [(a, b, text) for (a, b), text in zip(pairwise(stops), words, strict=True)]
     taken = list(names)
-    for a, b, text in sorted(lengths, key=lambda row: text_width(row[2], SIZES[0]) > math.dist(*row[:2]) - ROOM):
+    for a, b, text in sorted(
+        lengths, key=lambda row: text_width(row[2], SHEET.lengths[0]) > math.dist(*row[:2]) - SHEET.room
+    ):
         spot = _free_spot(a, b, text, taken)
         sheet.words(spot.at, text, spot.size, color=INK, angle=spot.angle)
         taken.append(spot.corners)
@@ -146,9 +144,9 @@ def _spots(a: Point, b: Point, words: str) -> Iterator[Label]:
     length = math.dist(a, b)
     angle = upright(math.degrees(math.atan2(a[1] - b[1], b[0] - a[0])))
     ux, uy = math.cos(math.radians(angle)), -math.sin(math.radians(angle))
-    for size in SIZES:
+    for size in SHEET.lengths:
         half, high = text_width(words, size) / 2, 0.42 * size
-        middle = [(0.0, 1), (0.0, -1)] if 2 * half < length - ROOM else []
+        middle = [(0.0, 1), (0.0, -1)] if 2 * half < length - SHEET.room else []
         for slide, side in (*middle, (1.0, 1), (-1.0, 1), (1.0, -1), (-1.0, -1)):
             along, across = slide * (half + length / 2 + 0.5), side * (high + 0.7)
             x, y = (a[0] + b[0]) / 2 + ux * along + uy * across, (a[1] + b[1]) / 2 + uy * along - ux * across

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from unicodedata import east_asian_width
 
 from robolayout._text import html, printable
+from robolayout.render._style import PLAN
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
 Point = tuple[float, float]
 Anchor = Literal["start", "middle", "end"]
 
-SAMPLES = 3  # supersampling of the Pillow form along each side
 BEYOND_ASCII = "\u00a9\u00ab\u00b0\u00b1\u00b4\u00b7\u00bb\u2018\u2019\u201c\u201d\u2026\u2039\u203a\u2044\u2122"
 """Characters of Pillow's own font beside ASCII."""
 
@@ -106,9 +106,9 @@ class Drawing:
 
         scale = width / self.width
         size = (width, max(1, round(self.height * scale)))
-        big = Image.new("RGB", (size[0] * SAMPLES, size[1] * SAMPLES), self.background)
-        paint(big, self.items, scale * SAMPLES)
-        return big.reduce(SAMPLES)
+        big = Image.new("RGB", (size[0] * PLAN.samples, size[1] * PLAN.samples), self.background)
+        paint(big, self.items, scale * PLAN.samples)
+        return big.reduce(PLAN.samples)
 
     def file(self, suffix: str, width: int = 1200) -> bytes:
         """Return the content of a file that ends in ".svg", ".pdf" or ".png"; the last is `width` pixels wide."""

@@ -22,10 +22,8 @@ from robolayout.assets.textures import pixels
 from robolayout.render import _light
 from robolayout.render._mesh import Mesh
 from robolayout.render._rays import Lit, lit_by_sky
-from robolayout.render.camera import NEAR, Camera
-
-SUN_TILE, SUN_COLUMNS = 768, 3  # pixels along a side of a light's depth map, and maps along a side of the atlas
-LARGEST_TEXTURE = 512  # most pixels along a side of a texture; larger pictures of own meshes are made smaller
+from robolayout.render._style import LIGHT, VIEW
+from robolayout.render.camera import Camera
 
 
 def _text(values: NDArray[np.float64]) -> str:
@@ -62,7 +60,7 @@ def _programs(context: Any) -> dict[str, Any]:
         "sky": _text(_light.SKY),
         "bounce": _text(_light.BOUNCE),
     }
-    suns = {"count": _light.SUN_COUNT, "columns": SUN_COLUMNS, "half": 0.5 / SUN_TILE}
+    suns = {"count": _light.SUN_COUNT, "columns": LIGHT.sun_columns, "half": 0.5 / LIGHT.sun_tile}
     vertex = _shader("shade.vert")
     return {
         "shade": context.program(vertex, _shader("lookup.frag") % suns + _shader("shade.frag") % words),
@@ -177,7 +175,7 @@ class GLRenderer:
         from PIL import Image
 
         pictures = [Image.fromarray(pixels(texture)) for texture in textures] or [Image.new("RGB", (1, 1))]
-        side = min(max(max(picture.size) for picture in pictures), LARGEST_TEXTURE)
+        side = min(max(max(picture.size) for picture in pictures), LIGHT.texture)
         layers = [np.asarray(p if p.size == (side, side) else p.resize((side, side))) / 255.0 for p in pictures]
         data = linear(np.array(layers)).astype(np.float16)
         array = self._context.texture_array((side, side, len(layers)), 3, data.tobytes(), dtype="f2", alignment=2)
@@ -209,11 +207,11 @@ class GLRenderer:
         """
         low, high = self._bounds
         _, depth = camera.project(np.array(list(product(*zip(low, high, strict=True)))))
-        return max(float(depth.max()) * 1.01, 1.0), max(float(depth.min()) * 0.99, NEAR)
+        return max(float(depth.max()) * 1.01, 1.0), max(float(depth.min()) * 0.99, VIEW.near)
 
     def _atlas(self, shadows: NDArray[np.float32], toward: NDArray[np.float32]) -> tuple[NDArray[np.float32], Any]:
         """Return the (lights, 4, 4) world-to-tile matrices that hold `shadows`, and the texture of depth maps."""
-        context, gl, columns, tile = self._context, self._gl, SUN_COLUMNS, SUN_TILE
+        context, gl, columns, tile = self._context, self._gl, LIGHT.sun_columns, LIGHT.sun_tile
         atlas = context.depth_texture((columns * tile, columns * tile))
         atlas.compare_func = "<="
         atlas.filter = (gl.LINEAR, gl.LINEAR)

@@ -12,12 +12,8 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout.render._drawing import text_width
+from robolayout.render._style import LABELS
 
-LINE = 1.12  # distance of two lines of text, in font sizes
-SQUARISH = 1.6  # below this ratio of its sides, a footprint's name stands level aside rather than turned in the middle
-SIZES = (2.3, 2.0, 1.7, 1.4, 1.15)  # font sizes that are tried for a name, millimetres
-MARGIN = 0.25  # millimetres between a name and the edge of the footprint that it stands in
-EAGER = 3  # font sizes that are tried for a place where no line is crossed, before the name may cross one
 Point = tuple[float, float]
 Box = tuple[float, float, float, float]
 
@@ -55,7 +51,7 @@ class Label:
     def extent(self) -> Point:
         """Length along the text and height across it, millimetres."""
         length = max(text_width(line, self.size) for line in self.lines)
-        return (length, self.size * (0.82 + LINE * (len(self.lines) - 1)))
+        return (length, self.size * (0.82 + LABELS.line * (len(self.lines) - 1)))
 
     @property
     def corners(self) -> tuple[Point, ...]:
@@ -79,7 +75,7 @@ def place_labels(
     tags: Sequence[Tag],
     obstacles: Sequence[Sequence[Point]],
     sheet: Box,
-    sizes: Sequence[float] = SIZES,
+    sizes: Sequence[float] = LABELS.sizes,
     lines: Sequence[Sequence[Point]] = (),
 ) -> list[Label]:
     """Return the labels that find a place, biggest footprints first; a name without a place is left out.
@@ -98,7 +94,7 @@ def place_labels(
         label = None
         for text in (tag.text, tag.short) if tag.short else (tag.text,):
             named = replace(tag, text=text)
-            label = label or (_first_inside(named, taken, sizes[:EAGER], soft) if len(soft) else None)
+            label = label or (_first_inside(named, taken, sizes[: LABELS.eager], soft) if len(soft) else None)
             label = label or _first_inside(replace(named, halo=tag.halo or len(soft) > 0), taken, sizes)
         if label is None and tag.beside:
             beside = replace(tag, text=tag.short or tag.text)
@@ -124,7 +120,7 @@ def _first_inside(
     tag: Tag, taken: Sequence[Box], sizes: Sequence[float], soft: NDArray[np.object_] | None = None
 ) -> Label | None:
     """Return the largest label inside the footprint that meets no other, covers nothing on top and crosses no `soft` line."""
-    inner = shapely.Polygon(tag.outline).buffer(-MARGIN, join_style="mitre")
+    inner = shapely.Polygon(tag.outline).buffer(-LABELS.margin, join_style="mitre")
     shapely.prepare(inner)
     covers = np.array([shapely.Polygon(c) for c in tag.covers], dtype=object)
     covers = covers if soft is None else np.concatenate([covers, soft])
@@ -147,7 +143,7 @@ def _inside(tag: Tag, sizes: Sequence[float]) -> Iterator[Label]:
         for lines in _splits(tag.text):
             turns: list[float] = list(dict.fromkeys([0.0, along, *([90.0] if extent[1] > extent[0] else [])]))
             middle_first = [(shifts[0], angle) for angle in turns] + list(product(shifts[1:], turns))
-            if max(extent) < SQUARISH * min(extent):
+            if max(extent) < LABELS.squarish * min(extent):
                 middle_first = [(shift, angle) for angle in turns for shift in shifts]
             for (dx, dy), angle in middle_first:
                 at = (float(middle[0] + dx * extent[0]), float(middle[1] + dy * extent[1]))

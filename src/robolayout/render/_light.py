@@ -16,26 +16,19 @@ from numpy.typing import NDArray
 
 from robolayout._color import encoded
 from robolayout.render._mesh import Mesh
+from robolayout.render._style import LIGHT
 from robolayout.render.camera import Camera
 
-SKY_COUNT = 48  # sky directions whose visibility is looked up for every corner of the refined mesh
-SUN_COUNT = 5  # directions inside the sun's disc; they make the shadow's edge soft
 SUN = np.array([0.98, 0.90, 0.78])
 SKY = np.array([0.60, 0.66, 0.74])
 BOUNCE = np.array([0.36, 0.345, 0.32])  # linear irradiance over pi of sun, open sky and reflected light
-BOUNCE_LEVEL, BOUNCE_TILT = 0.95, 0.80
-"""How much reflected light a vertical surface gets, and how much more one that looks down."""
-
-BIAS = 0.012  # metres by which a point is lifted along its normal before its visibility is looked up
-BACKGROUND = (0.965, 0.960, 0.950)  # sRGB colour behind everything
-SHOULDER = 0.75  # linear value above which the tone curve bends, so that bright walls keep their drawing
 
 
 @lru_cache(maxsize=1)
 def sky_directions() -> NDArray[np.float32]:
     """Return (SKY_COUNT, 3) unit vectors spread evenly over the upper hemisphere (golden spiral)."""
-    k = np.arange(SKY_COUNT)
-    z = 0.06 + 0.94 * (k + 0.5) / SKY_COUNT
+    k = np.arange(LIGHT.sky)
+    z = 0.06 + 0.94 * (k + 0.5) / LIGHT.sky
     angle = k * math.pi * (3 - math.sqrt(5)) + 0.4
     r = np.sqrt(1 - z * z)
     return np.column_stack([r * np.cos(angle), r * np.sin(angle), z]).astype(np.float32)
@@ -51,7 +44,7 @@ def sun_directions(camera: Camera) -> NDArray[np.float32]:
     center /= np.linalg.norm(center)
     side = _unit(np.cross(center, (0.0, 0.0, 1.0)))
     other = np.cross(center, side)
-    angles = 2 * math.pi * np.arange(SUN_COUNT) / SUN_COUNT
+    angles = 2 * math.pi * np.arange(LIGHT.sun) / LIGHT.sun
     spread = 0.035 * (np.cos(angles)[:, None] * side + np.sin(angles)[:, None] * other)
     rays = center + spread
     return (rays / np.linalg.norm(rays, axis=1, keepdims=True)).astype(np.float32)
@@ -69,6 +62,6 @@ def _unit(vector: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def encode(radiance: NDArray[np.float32]) -> NDArray[np.float32]:
     """Return display values in [0, 1]: shoulder, then sRGB. The same curve is in the shader of `_gl`."""
-    over = np.maximum(radiance - SHOULDER, 0)
-    bent = np.minimum(radiance, SHOULDER) + (1 - SHOULDER) * (1 - np.exp(-over / (1 - SHOULDER)))
+    over = np.maximum(radiance - LIGHT.shoulder, 0)
+    bent = np.minimum(radiance, LIGHT.shoulder) + (1 - LIGHT.shoulder) * (1 - np.exp(-over / (1 - LIGHT.shoulder)))
     return encoded(bent).astype(np.float32)

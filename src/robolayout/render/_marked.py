@@ -9,16 +9,14 @@ from itertools import product
 
 import numpy as np
 
-from robolayout.render._architecture import THICKNESS, Place
+from robolayout.render._architecture import Place
 from robolayout.render._drawing import Drawing, Point, circle, text_width
-from robolayout.render._labels import LINE, SIZES, Box, Label, Tag, place_labels
+from robolayout.render._labels import Box, Label, Tag, place_labels
+from robolayout.render._style import LABELS, PLAN
 from robolayout.render.contents import Shown, cord, display_name, front, has_arrow
 from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import INK, NARROW, PAPER, QUIET, REACH, ROUTE, TIGHT, TURN
 from robolayout.scene import Pose, Scene, Wall, vertical_span
-
-ARROW = 1.8  # length of an arrow's head, millimetres
-WIDTH_TEXT = 2.1  # font size of the width of a passage, millimetres
 
 
 @dataclass(frozen=True)
@@ -28,7 +26,7 @@ class Naming:
     box: Box  # left, upper, right and lower edge that they keep within, millimetres
     # for each asset that is named, what is written, and what where that finds no place; None is the names of all
     texts: Mapping[str, tuple[str, str]] | None = None
-    sizes: tuple[float, ...] = SIZES  # font sizes that are tried, millimetres
+    sizes: tuple[float, ...] = LABELS.sizes  # font sizes that are tried, millimetres
     obstacles: tuple[tuple[Point, ...], ...] = ()  # outlines that names keep off, besides things and walls
     # lines in metres that names and widths keep off if they can: doors and how they swing
     lines: tuple[tuple[Point, ...], ...] = ()
@@ -72,7 +70,7 @@ def _draw_changes(sheet: Drawing, marks: PlanMarks, place: Place) -> None:
     for start, end in marks.arrows:
         (ax, ay), (bx, by) = place(*start), place(*end)
         length = math.dist((ax, ay), (bx, by))
-        head = min(ARROW, 0.6 * length)
+        head = min(PLAN.arrow, 0.6 * length)
         ux, uy = (bx - ax) / length, (by - ay) / length
         neck = (bx - head * ux, by - head * uy)
         sides = [(neck[0] - 0.4 * head * s * uy, neck[1] + 0.4 * head * s * ux) for s in (1, -1)]
@@ -95,7 +93,7 @@ def _draw_passages(sheet: Drawing, shown: Shown, at: Sequence[Point]) -> None:
             sheet.line([(ax, ay), (bx, by)], color_, width=width)
             for x, y in ((ax, ay), (bx, by)):
                 sheet.line([(x - tick[0], y - tick[1]), (x + tick[0], y + tick[1])], color_, width=width)
-        sheet.words(spot, f"{metres:.2f} m", WIDTH_TEXT, color=color, halo=PAPER)
+        sheet.words(spot, f"{metres:.2f} m", PLAN.width_text, color=color, halo=PAPER)
 
 
 def passage_spots(
@@ -114,7 +112,7 @@ def passage_spots(
         (ax, ay), (bx, by) = place(*a), place(*b)
         length = max(math.dist((ax, ay), (bx, by)), 1e-6)
         nx, ny = (by - ay) / length, (ax - bx) / length
-        half = (text_width(f"{metres:.2f} m", WIDTH_TEXT) / 2, 0.45 * WIDTH_TEXT)
+        half = (text_width(f"{metres:.2f} m", PLAN.width_text) / 2, 0.45 * PLAN.width_text)
         away = 0.7 + abs(nx) * half[0] + abs(ny) * half[1]
         others = np.delete(paths, len(lines) + number)
         solid = np.array(blocks, dtype=object)
@@ -137,7 +135,7 @@ def draw_labels(sheet: Drawing, shown: Shown, naming: Naming) -> frozenset[str]:
     solid = [n for n in layout if not scene.by_name[n].is_flat and not scene.by_name[n].on_ceiling]
     obstacles = [outlines[n] for n in solid] + list(naming.obstacles)
     for wall in scene.room.walls:
-        corners = [(0.0, 0.0), (wall.length, 0.0), (wall.length, -THICKNESS), (0.0, -THICKNESS)]
+        corners = [(0.0, 0.0), (wall.length, 0.0), (wall.length, -PLAN.wall), (0.0, -PLAN.wall)]
         obstacles.append(tuple(place(*wall.point(s, d)) for s, d in corners))
     k = millimetres(place)
     lines = [[place(*p) for p in line] for line in marks.routes.values() if len(line) > 1]
@@ -146,7 +144,7 @@ def draw_labels(sheet: Drawing, shown: Shown, naming: Naming) -> frozenset[str]:
     spots = passage_spots(marks, place, lines, obstacles)
     _draw_passages(sheet, shown, spots)
     for (a, b, metres), (x, y) in zip(sorted(marks.passages), spots, strict=True):
-        half = text_width(f"{metres:.2f} m", WIDTH_TEXT) / 2 + 0.5
+        half = text_width(f"{metres:.2f} m", PLAN.width_text) / 2 + 0.5
         obstacles.append(((x - half, y - 1.4), (x + half, y - 1.4), (x + half, y + 1.4), (x - half, y + 1.4)))
         lines.append([place(*a), place(*b)])
     lines += [[place(*p) for p in arc[1:]] for arc in marks.arcs]
@@ -206,7 +204,7 @@ def _draw_label(sheet: Drawing, label: Label) -> None:
     """Write one name."""
     if label.leader is not None:
         sheet.line([label.leader, label.at], QUIET, width=0.1)
-    pitch = label.size * LINE
+    pitch = label.size * LABELS.line
     for number, line in enumerate(label.lines):
         at = label.point(0.0, (number - (len(label.lines) - 1) / 2) * pitch)
         color = QUIET if label.quiet else INK

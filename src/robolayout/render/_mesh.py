@@ -11,10 +11,9 @@ from numpy.typing import NDArray
 from robolayout._color import linear
 from robolayout.assets import Part, parts, room_parts
 from robolayout.assets.textures import coordinates, mean
+from robolayout.render._style import LIGHT
 from robolayout.scene import Layout, Pose, Room, Scene
 
-CREASE = 0.80  # cosine of the angle (37 degrees) below which neighbouring faces are shaded as one smooth surface
-SLIVER = 0.1  # area, in squares of the longest edge allowed, below which a triangle is not refined
 ROOM = 0  # id of floor and walls; asset k of the scene has id k + 1. The background has id -1.
 ROWS = ("corners", "normals", "colors", "gloss", "glow", "uvs", "layers", "ids", "groups")
 """The fields of a mesh that have a row for each triangle."""
@@ -130,7 +129,7 @@ def refined(mesh: Mesh, longest: float, most: int = 120_000) -> Mesh:
     for _ in range(40):
         edges = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
         area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
-        split = (edges.max(axis=1, initial=0) > longest) & (area > SLIVER * longest**2)
+        split = (edges.max(axis=1, initial=0) > longest) & (area > LIGHT.sliver * longest**2)
         if not split.any() or len(corners) + split.sum() > most:
             break
         turn = (np.argmax(edges[split], axis=1)[:, None] + np.arange(3)) % 3
@@ -219,7 +218,7 @@ def _normals(corners: NDArray[np.float64], of: NDArray[np.int32]) -> NDArray[np.
         same = group[shift:] == group[:-shift]
         if not same.any():
             break
-        near = same & ((own[shift:] * own[:-shift]).sum(axis=-1) > CREASE)
+        near = same & ((own[shift:] * own[:-shift]).sum(axis=-1) > LIGHT.crease)
         total[shift:][near] += weighted[:-shift][near]
         total[:-shift][near] += weighted[shift:][near]
     smooth = np.empty_like(total)

@@ -17,7 +17,8 @@ from robolayout._color import linear
 from robolayout.assets.textures import pixels
 from robolayout.render import _light
 from robolayout.render._mesh import Mesh, refined, welded
-from robolayout.render.camera import NEAR, Camera
+from robolayout.render._style import VIEW
+from robolayout.render.camera import Camera
 
 Floats = NDArray[np.float32]
 
@@ -209,9 +210,9 @@ def _hits(scene: Any, camera: Camera, rays: NDArray[np.float64]) -> tuple[NDArra
     if scene is None or not n:
         nothing = np.zeros(n, np.float32)
         return np.full(n, -1), nothing, nothing, nothing
-    start = (np.asarray(camera.position) + rays * NEAR).astype(np.float32)
+    start = (np.asarray(camera.position) + rays * VIEW.near).astype(np.float32)
     answer = scene.run(start, rays.astype(np.float32), query="INTERSECT", output=True)
-    return answer["primID"].astype(np.intp), answer["u"], answer["v"], answer["tfar"] + np.float32(NEAR)
+    return answer["primID"].astype(np.intp), answer["u"], answer["v"], answer["tfar"] + np.float32(VIEW.near)
 
 
 def _visible(scene: Any, points: Floats, direction: Floats, which: NDArray[np.bool_]) -> Floats:

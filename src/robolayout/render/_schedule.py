@@ -8,12 +8,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from robolayout.render._drawing import Drawing, Point, text_width
+from robolayout.render._style import SHEET
 from robolayout.render.palette import INK, QUIET
-
-LINE = 1.42  # distance of two lines of a list, in font sizes
-GAP = 5.0  # millimetres between two columns
-SHORTEST = 4  # lines that a column holds at least
-HEAD = 1.22  # font size of a heading, in sizes of the text below it
 
 
 @dataclass(frozen=True)
@@ -47,11 +43,11 @@ class Line:
 
 def columns(blocks: Sequence[Block], size: float, width: float, count: int, height: float) -> list[list[Line]] | None:
     """Return the lines of columns as low as may be; None if `count` of this width and height do not hold the blocks."""
-    most = int(height / (size * LINE) + 1e-6)
+    most = int(height / (size * SHEET.line) + 1e-6)
     found = _filled(blocks, size, width, most)
-    if most < SHORTEST or len(found) > count:
+    if most < SHEET.shortest or len(found) > count:
         return None
-    while most > SHORTEST and len(lower := _filled(blocks, size, width, most - 1)) <= count:
+    while most > SHEET.shortest and len(lower := _filled(blocks, size, width, most - 1)) <= count:
         found, most = lower, most - 1
     return found
 
@@ -74,7 +70,7 @@ def _filled(blocks: Sequence[Block], size: float, width: float, most: int) -> li
 
 def shortened(blocks: Sequence[Block], size: float, width: float, count: int, height: float) -> list[list[Line]]:
     """Return the lines that find a place in so many columns; the last one says how many do not."""
-    every = _filled(blocks, size, width, max(int(height / (size * LINE)), SHORTEST))
+    every = _filled(blocks, size, width, max(int(height / (size * SHEET.line)), SHEET.shortest))
     kept = every[:count]
     lost = sum(len(column) for column in every[count:])
     if lost and kept:
@@ -85,12 +81,12 @@ def shortened(blocks: Sequence[Block], size: float, width: float, count: int, he
 def draw_columns(sheet: Drawing, lines: Sequence[Sequence[Line]], corner: Point, size: float, width: float) -> None:
     """Write columns side by side from a left upper corner on, in millimetres."""
     for number, column in enumerate(lines):
-        x, y = corner[0] + number * (width + GAP), corner[1]
+        x, y = corner[0] + number * (width + SHEET.gap), corner[1]
         for line in column:
-            y += size * LINE
-            middle = y - size * LINE / 2
+            y += size * SHEET.line
+            middle = y - size * SHEET.line / 2
             if line.heading:
-                sheet.words((x, middle), line.words, size * HEAD, anchor="start", color=INK)
+                sheet.words((x, middle), line.words, size * SHEET.head, anchor="start", color=INK)
                 sheet.line([(x, y - 0.1), (x + width, y - 0.1)], QUIET, width=0.15)
                 continue
             if line.mark:

@@ -14,13 +14,9 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from robolayout.render._style import FILM
 from robolayout.render.marks import Rings
 
-TOGETHER = 0.3  # metres: assets whose ways end as close as this are visited at once
-SPACING = 0.15  # metres between the points of a way at which the agent may leave it
-SLACK = 1e-3  # metres by which a straight way may leave the free space, for rounding
-NEAREST = 3  # stops, as the crow flies, of which that with the shortest way is the next
-TURN = 0.3  # metres of way that take as long as a turn by a radian
 Line = NDArray[np.float64]  # (n, 3): x and y in metres and heading in radians; 0 where the agent just looks ahead
 
 
@@ -45,13 +41,13 @@ def tour(ways: Mapping[str, Sequence[tuple[float, ...]]], free: Sequence[Rings])
         free: Polygons of the free space of the agent's centre, as rings; without them it only goes along ways.
     """
     space = shapely.union_all([shapely.Polygon(rings[0], rings[1:]) for rings in free if rings])
-    space = shapely.buffer(space, SLACK)
+    space = shapely.buffer(space, FILM.slack)
     shapely.prepare(space)
     lines = {names: _dense(np.array(ways[names[0]], dtype=np.float64)) for names in _stops(ways)}
     legs: list[Leg] = []
     before = next(iter(lines.values()))[:1]
     while lines:
-        near = sorted(lines, key=lambda names: math.dist(lines[names][-1, :2], before[-1, :2]))[:NEAREST]
+        near = sorted(lines, key=lambda names: math.dist(lines[names][-1, :2], before[-1, :2]))[: FILM.nearest]
         legs.append(min((Leg(n, _between(before, lines[n], space)) for n in near), key=lambda leg: leg.length))
         before = lines.pop(legs[-1].names)
     return (*legs, Leg((), before[::-1]))
@@ -61,7 +57,7 @@ def _stops(ways: Mapping[str, Sequence[tuple[float, ...]]]) -> list[tuple[str, .
     """Return the names of the assets in groups that are visited at once."""
     groups: list[list[str]] = []
     for name, line in sorted(ways.items()):
-        near = [g for g in groups if math.dist(ways[g[0]][-1][:2], line[-1][:2]) <= TOGETHER]
+        near = [g for g in groups if math.dist(ways[g[0]][-1][:2], line[-1][:2]) <= FILM.together]
         if near:
             near[0].append(name)
         else:
@@ -72,15 +68,15 @@ def _stops(ways: Mapping[str, Sequence[tuple[float, ...]]]) -> list[tuple[str, .
 def spent(line: Line) -> NDArray[np.float64]:
     """Return the way from a line's start to each of its points, metres, turns counted."""
     moved = np.abs(np.diff(line, axis=0))
-    return np.concatenate([[0.0], np.cumsum(np.hypot(moved[:, 0], moved[:, 1]) + TURN * moved[:, 2])])
+    return np.concatenate([[0.0], np.cumsum(np.hypot(moved[:, 0], moved[:, 1]) + FILM.turn * moved[:, 2])])
 
 
 def _dense(line: Line) -> Line:
-    """Return a line with a point at least every `SPACING` metres, from one without headings one with none."""
+    """Return a line with a point at least every `FILM.spacing` metres, from one without headings one with none."""
     line = np.pad(line, ((0, 0), (0, 3 - line.shape[1])))
     pieces = [line[:1]]
     for a, b, far in zip(line, line[1:], np.diff(spent(line)), strict=False):
-        count = max(1, math.ceil(far / SPACING))
+        count = max(1, math.ceil(far / FILM.spacing))
         pieces.append(a + (b - a) * (np.arange(1, count + 1) / count)[:, None])
     return np.concatenate(pieces)
 
@@ -94,7 +90,7 @@ def _between(one: Line, other: Line, space: shapely.Geometry) -> Line:
     for some in np.array_split(order, max(1, len(order) // 24)):
         i, j = np.unravel_index(some, total.shape)
         chords = shapely.linestrings(np.stack([one[i, :2], other[j, :2]], axis=1))
-        fits = shapely.covers(space, chords) | (across[i, j] < SLACK)
+        fits = shapely.covers(space, chords) | (across[i, j] < FILM.slack)
         if fits.any():
             k = int(np.argmax(fits))
             return np.concatenate([one[i[k] :][::-1], other[j[k] :]])

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from robolayout._errors import InputError
-from robolayout.render._architecture import THICKNESS, draw_floor, draw_walls, placing
+from robolayout.render._architecture import draw_floor, draw_walls, placing
 from robolayout.render._drawing import Drawing, Item, Text, paint, text_width
+from robolayout.render._style import FILM, PLAN
 from robolayout.render.contents import LEVELS, display_name, draw_footprint, level
 from robolayout.render.curves import NO_SEARCH, TOTAL, Frame, draw_panel, is_still, loss_terms
 from robolayout.render.palette import INK, QUIET, ROUTE
@@ -19,12 +20,6 @@ from robolayout.scene import Asset, Layout, Pose, Room, Scene, Snapshot, Trace
 
 if TYPE_CHECKING:
     from PIL.Image import Image
-
-SAMPLES = 2  # supersampling along each side of a frame
-SHEET = 120.0  # width of a frame's drawing, millimetres
-STRIP = 26.0  # height of the loss strip below the plan, millimetres
-HOLD = 2500  # milliseconds for which the last frame stays
-PALETTE = 96  # colours of an animation
 
 
 def progress_gif(
@@ -47,16 +42,16 @@ def progress_gif(
         chosen.append(Snapshot(last, "result", {name: (p.x, p.y, p.yaw) for name, p in layout.items()}))
     if not chosen:
         raise InputError("progress_gif has nothing to show: the trace has no snapshots and no layout was given.")
-    stage = Stage(scene.room, STRIP if trace.losses else 8.0)
-    frame = Frame(13.0, stage.sheet.height - STRIP + 5.0, SHEET - 4.0, stage.sheet.height - 6.5)
+    stage = Stage(scene.room, FILM.strip if trace.losses else 8.0)
+    frame = Frame(13.0, stage.sheet.height - FILM.strip + 5.0, FILM.sheet - 4.0, stage.sheet.height - 6.5)
     if still:
-        stage.sheet.words((SHEET / 2, (frame.top + frame.bottom) / 2), NO_SEARCH, 3.2, color=INK)
+        stage.sheet.words((FILM.sheet / 2, (frame.top + frame.bottom) / 2), NO_SEARCH, 3.2, color=INK)
     elif trace.losses:
         _draw_curve(stage.sheet, frame, trace)
     order = sorted(scene.assets, key=lambda asset: LEVELS.index(level(asset)))
     curve = (frame, 0 if still else len(trace.losses))
     painted = [_progress_items(scene, order, snapshot, stage, curve) for snapshot in chosen]
-    return _gif(stage.sheet, painted, size, [*[pause] * (len(chosen) - 1), HOLD])
+    return _gif(stage.sheet, painted, size, [*[pause] * (len(chosen) - 1), FILM.hold])
 
 
 class Stage:
@@ -64,10 +59,10 @@ class Stage:
 
     def __init__(self, room: Room, strip: float) -> None:
         x0, y0, x1, y1 = room.bounds
-        self.scale = min((SHEET - 8.0) / (x1 - x0 + 2 * THICKNESS), 140.0 / (y1 - y0 + 2 * THICKNESS))
-        top = 4.0 + THICKNESS * self.scale
-        self.place = placing(room, self.scale, (SHEET - (x1 - x0) * self.scale) / 2, top)
-        self.sheet = Drawing(SHEET, round(2 * top + (y1 - y0) * self.scale + strip))
+        self.scale = min((FILM.sheet - 8.0) / (x1 - x0 + 2 * PLAN.wall), 140.0 / (y1 - y0 + 2 * PLAN.wall))
+        top = 4.0 + PLAN.wall * self.scale
+        self.place = placing(room, self.scale, (FILM.sheet - (x1 - x0) * self.scale) / 2, top)
+        self.sheet = Drawing(FILM.sheet, round(2 * top + (y1 - y0) * self.scale + strip))
         draw_floor(self.sheet, room, self.place)
         draw_walls(self.sheet, room, self.place)
 
@@ -93,7 +88,7 @@ def _progress_items(
     scene: Scene, order: Sequence[Asset], snapshot: Snapshot, stage: Stage, curve: tuple[Frame, int]
 ) -> list[Item]:
     """Return what one frame adds: footprints, names, and the place on the curve."""
-    sheet = Drawing(SHEET, stage.sheet.height)
+    sheet = Drawing(FILM.sheet, stage.sheet.height)
     for asset in order:
         if asset.name in snapshot.poses:
             x, y, yaw = snapshot.poses[asset.name]
@@ -134,15 +129,15 @@ def _gif(sheet: Drawing, painted: Sequence[Sequence[Item]], size: int, pauses: S
 
     scale = size / max(sheet.width, sheet.height)
     width, height = round(sheet.width * scale), round(sheet.height * scale)
-    back = images.new("RGB", (width * SAMPLES, height * SAMPLES), sheet.background)
-    paint(back, sheet.items, scale * SAMPLES)
+    back = images.new("RGB", (width * FILM.samples, height * FILM.samples), sheet.background)
+    paint(back, sheet.items, scale * FILM.samples)
 
     def frame(items: Sequence[Item]) -> Image:
         big = back.copy()
-        paint(big, items, scale * SAMPLES)
-        return big.reduce(SAMPLES)
+        paint(big, items, scale * FILM.samples)
+        return big.reduce(FILM.samples)
 
-    palette = frame(painted[-1]).quantize(PALETTE, images.Quantize.MEDIANCUT)
+    palette = frame(painted[-1]).quantize(FILM.search_colors, images.Quantize.MEDIANCUT)
     return save_gif([frame(items).quantize(palette=palette, dither=images.Dither.NONE) for items in painted], pauses)
 
 

@@ -18,29 +18,21 @@ from numpy.typing import NDArray
 
 from robolayout._errors import UnknownNameError
 from robolayout.render._drawing import Drawing, Point, Text, circle, paint, text_width
-from robolayout.render.camera import SIDE_POLAR, Camera, spherical_camera
-from robolayout.render.view import TOP_AZIMUTH, Renderer, Studio, picture_size
+from robolayout.render._style import MARKS, VIEW
+from robolayout.render.camera import Camera, spherical_camera
+from robolayout.render.view import Renderer, Studio, picture_size
 from robolayout.scene import Layout, Room, Scene
 
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-ARROW = 0.75  # length of the arrow along an asset's front in metres (the paper's l)
-WALL_OFFSET = 0.2  # metres from a wall's middle to its label, away from the room (the paper's beta)
-GRID_STEP = 1.0  # smallest grid spacing in metres (the paper's Delta_0)
-SIDE_AZIMUTH = math.radians(-60.0)
-"""Azimuth of the annotated side view, radians; always the same, so that pictures of one room compare."""
 
-ENOUGH = 46.0  # pixels between grid points below which only every second, third... one is labelled.
-NUMBER = 9.5  # height of the coordinates in a picture of 768 pixels
 GRID_COLOR = "#0072b2"
 FRONT_COLOR = "#d55e00"
 WALL_COLOR = "#a3006b"
 DOOR_COLOR = "#006b4f"
 WHITE = "#ffffff"
 
-COMPASS = ((0, -1), (0, 1), (1, 0), (-1, 0), (1, -1), (-1, -1), (1, 1), (-1, 1))
-"""Sides of a mark on which its text may stand, best first."""
 
 Box = tuple[float, float, float, float]
 
@@ -83,9 +75,9 @@ def annotate(
 def annotation_camera(room: Room, view: str, size: tuple[int, int]) -> Camera:
     """Return the paper's camera for the "top" or the "side" view; `size` is (width, height) in pixels."""
     if view == "top":
-        return spherical_camera(room, 0.0, TOP_AZIMUTH, size)
+        return spherical_camera(room, 0.0, VIEW.top_azimuth, size)
     if view == "side":
-        return spherical_camera(room, SIDE_POLAR, SIDE_AZIMUTH, size)
+        return spherical_camera(room, VIEW.side_polar, MARKS.azimuth, size)
     raise UnknownNameError("annotated view", view, ["top", "side"])
 
 
@@ -96,10 +88,10 @@ def annotation_marks(scene: Scene, layout: Layout) -> tuple[Mark, ...]:
     for name, pose in layout.items():
         asset = scene.by_name[name]
         c, s = pose.forward
-        tip = (pose.x + ARROW * c, pose.y + ARROW * s, pose.z)
+        tip = (pose.x + MARKS.arrow * c, pose.y + MARKS.arrow * s, pose.z)
         marks.append(Mark("front", scene.expressions[name], (pose.x, pose.y, pose.z), tip, max(asset.size[:2]) < 0.4))
     for wall in room.walls:
-        marks.append(Mark("wall", f"walls[{wall.index}]", (*wall.point(wall.length / 2, -WALL_OFFSET), 0.0)))
+        marks.append(Mark("wall", f"walls[{wall.index}]", (*wall.point(wall.length / 2, -MARKS.wall_offset), 0.0)))
     for door in room.doors:
         marks.append(Mark("door", "door", (*room.walls[door.wall].point(door.center), 0.0)))
     for window in room.windows:
@@ -111,7 +103,7 @@ def annotation_marks(scene: Scene, layout: Layout) -> tuple[Mark, ...]:
 def grid_spacing(room: Room) -> float:
     """Return the paper's grid spacing max(Delta_0, ceil(W / 500)) in metres: 1 m up to a room of 500 m."""
     x0, y0, x1, y1 = room.bounds
-    return max(GRID_STEP, float(math.ceil(max(x1 - x0, y1 - y0) / 500)))
+    return max(MARKS.grid_step, float(math.ceil(max(x1 - x0, y1 - y0) / 500)))
 
 
 def grid_points(room: Room) -> list[Point]:
@@ -163,8 +155,8 @@ def _draw_grid(
         return []
     numbers: list[Text] = []
     pixels, depths = camera.project([mark.place for mark in grid])
-    gap = min((math.dist(pixels[0], p) for p in pixels[1:]), default=ENOUGH)
-    every = max(1, math.ceil(ENOUGH * unit / max(gap, 1e-6)))
+    gap = min((math.dist(pixels[0], p) for p in pixels[1:]), default=MARKS.enough)
+    every = max(1, math.ceil(MARKS.enough * unit / max(gap, 1e-6)))
     corner = np.array(grid[0].place[:2])
     step = min((abs(m.place[0] - corner[0]) for m in grid if abs(m.place[0] - corner[0]) > 1e-6), default=1.0)
     for mark, (u, v), far in zip(grid, pixels, depths, strict=True):
@@ -177,7 +169,7 @@ def _draw_grid(
         sheet.polygon([circle((u, v), 3.0 * unit, 20)], GRID_COLOR, stroke=WHITE, width=0.8 * unit)
         column, row = np.round((np.array(mark.place[:2]) - corner) / step).astype(int)
         if column % every == 0 and row % every == 0:
-            numbers.append(Text((u, v + 9 * unit), mark.text, NUMBER * unit, color=GRID_COLOR, halo=WHITE))
+            numbers.append(Text((u, v + 9 * unit), mark.text, MARKS.number * unit, color=GRID_COLOR, halo=WHITE))
     return numbers
 
 
@@ -218,7 +210,7 @@ def _draw_tag(sheet: Drawing, mark: Mark, camera: Camera, taken: list[Box], unit
         sheet.polygon([circle((u, v), 3.6 * unit, 20)], color, stroke=WHITE, width=0.8 * unit)
     reach = 6 * unit
     options: list[tuple[Box, float]] = []
-    for ring, (dx, dy) in product((0.0, 14.0, 30.0, 50.0, 75.0), COMPASS):
+    for ring, (dx, dy) in product((0.0, 14.0, 30.0, 50.0, 75.0), MARKS.compass):
         x = min(max(u + dx * (w / 2 + reach + ring * unit), w / 2 + 1), camera.width - w / 2 - 1)
         y = min(max(v + dy * (h / 2 + reach + ring * unit), h / 2 + 1), camera.height - h / 2 - 1)
         box = (x - w / 2, y - h / 2, x + w / 2, y + h / 2)

@@ -17,17 +17,13 @@ from robolayout.assets.textures import pixels
 from robolayout.render import _light
 from robolayout.render._mesh import CEILING, Mesh
 from robolayout.render._rays import surfaces
+from robolayout.render._style import LIGHT
 from robolayout.render.camera import Camera
 from robolayout.render.view import Studio, picture_size
 from robolayout.scene import Agent, Layout, Scene
 
 if TYPE_CHECKING:
     from PIL.Image import Image
-
-SUN_DISTANCE = 60.0
-SUN_RADIUS = 2.6  # metres; together they make the sun's disc, wider than the real one so that shadows are soft
-INDOORS = 1.6  # radiance of the ceiling in a view from inside the room, which neither sun nor sky would light
-EXPOSURE = 0.74  # factor on the radiance before the tone curve
 
 
 def render_beauty(  # noqa: PLR0913 - what `render_view` takes, and the paths of light
@@ -77,7 +73,7 @@ def _trace(mi: Any, denoise: Any, mesh: Mesh, camera: Camera, samples: int, seed
     albedo, normal = surfaces(mesh, camera)
     clean = denoise(color, albedo=albedo, normal=normal, hdr=True)
     alpha = np.clip(denoise(np.repeat(alpha, 3, axis=2))[..., :1], 0, 1)
-    shown = _light.encode(np.asarray(clean, np.float32) / np.maximum(alpha, 0.05) * EXPOSURE)
+    shown = _light.encode(np.asarray(clean, np.float32) / np.maximum(alpha, 0.05) * LIGHT.exposure)
     picture = shown * alpha + np.array(_light.BACKGROUND, np.float32) * (1 - alpha)
     return Image.fromarray(np.round(np.clip(picture, 0, 1) * 255).astype(np.uint8))
 
@@ -87,8 +83,8 @@ def _world(mi: Any, mesh: Mesh, camera: Camera, samples: int) -> dict[str, Any]:
     transform = mi.ScalarTransform4f
     toward = _light.sun_directions(camera).mean(axis=0)
     middle = mesh.corners.reshape(-1, 3).mean(axis=0) if len(mesh) else np.zeros(3)
-    sun = middle + toward * SUN_DISTANCE
-    power = _light.SUN * np.pi / (np.pi * (SUN_RADIUS / SUN_DISTANCE) ** 2)
+    sun = middle + toward * LIGHT.sun_distance
+    power = _light.SUN * np.pi / (np.pi * (LIGHT.sun_radius / LIGHT.sun_distance) ** 2)
     world: dict[str, Any] = {
         "type": "scene",
         "integrator": {"type": "path", "max_depth": 6, "rr_depth": 4, "hide_emitters": True},
@@ -111,14 +107,16 @@ def _world(mi: Any, mesh: Mesh, camera: Camera, samples: int) -> dict[str, Any]:
         "sun": {
             "type": "disk",
             "to_world": transform().look_at(origin=sun.tolist(), target=middle.tolist(), up=[0, 0.3, 1])
-            @ transform().scale(SUN_RADIUS),
+            @ transform().scale(LIGHT.sun_radius),
             "emitter": {"type": "area", "radiance": {"type": "rgb", "value": power.tolist()}},
         },
     }
     above = mesh.named({CEILING})
     if above.any():
         world["integrator"]["hide_emitters"] = False
-        world["ceiling"] = _shape(mi, mesh.take(above), np.array([0.8, 0.8, 0.8, 1.0, 0.0, -1.0]), "ceiling", INDOORS)
+        world["ceiling"] = _shape(
+            mi, mesh.take(above), np.array([0.8, 0.8, 0.8, 1.0, 0.0, -1.0]), "ceiling", LIGHT.indoors
+        )
         mesh = mesh.take(~above)
     looks, of = np.unique(np.column_stack([mesh.colors, mesh.gloss, mesh.layers]).round(4), axis=0, return_inverse=True)
     for number, look in enumerate(looks):

@@ -6,31 +6,25 @@ import math
 from dataclasses import replace
 
 from robolayout.render._drawing import Drawing, Point, Shape, circle, paint
+from robolayout.render._style import BODY
 from robolayout.render.palette import FREE, INK, NARROW, QUIET, REACH, ROUTE, TURN
 from robolayout.scene import Agent
 from robolayout.scene.agent import horizontal_reach
-
-SCALES = (5, 10, 20, 25, 50, 100)  # scales that a drawing may have
-SPACE = 62.0  # millimetres that each of the two views may take
-SIZE = 2.3  # millimetres of the letters
-EDGE, HEAD, FOOT, BETWEEN = 15.0, 12.0, 14.0, 22.0  # millimetres left of the views, above, below and between them
-LABELS = 36.0  # millimetres for the words beside the heights
-DOOR = (0.9, 2.05)  # width and height in metres of the doorway that is drawn for comparison
 
 
 def draw_body(agent: Agent) -> Drawing:
     """Return the drawing of a body in paper millimetres."""
     around = 2 * max(agent.reach if _has_arm(agent) else 0.0, agent.circumradius, agent.radius, _turning(agent) / 2)
-    tall = max(agent.height, DOOR[1], agent.reach_high if _has_arm(agent) else 0.0)
-    scale = next((s for s in SCALES if max(around, tall) * 1000 / s <= SPACE), SCALES[-1])
+    tall = max(agent.height, BODY.door[1], agent.reach_high if _has_arm(agent) else 0.0)
+    scale = next((s for s in BODY.scales if max(around, tall) * 1000 / s <= BODY.space), BODY.scales[-1])
     k = 1000 / scale
-    broad = max(around, 2 * DOOR[0])
+    broad = max(around, 2 * BODY.door[0])
     high = max(around, tall) * k
-    sheet = Drawing(2 * EDGE + around * k + BETWEEN + broad * k, HEAD + high + FOOT)
-    sheet.words((EDGE, 6.0), agent.title or agent.name, 3.2, anchor="start", color=INK)
-    _draw_above(sheet, agent, (EDGE + around * k / 2, HEAD + high / 2), k)
-    _draw_side(sheet, agent, (EDGE + around * k + BETWEEN + broad * k / 2, HEAD + high), k, broad)
-    _draw_legend(sheet, agent, (EDGE, sheet.height - 4.0), scale)
+    sheet = Drawing(2 * BODY.edge + around * k + BODY.between + broad * k, BODY.head + high + BODY.foot)
+    sheet.words((BODY.edge, 6.0), agent.title or agent.name, 3.2, anchor="start", color=INK)
+    _draw_above(sheet, agent, (BODY.edge + around * k / 2, BODY.head + high / 2), k)
+    _draw_side(sheet, agent, (BODY.edge + around * k + BODY.between + broad * k / 2, BODY.head + high), k, broad)
+    _draw_legend(sheet, agent, (BODY.edge, sheet.height - 4.0), scale)
     return sheet
 
 
@@ -41,8 +35,8 @@ def body_text(agent: Agent, *, columns: int = 76) -> str:
 
     full = draw_body(agent)
     outlines = [replace(i, fill=None, dash=None, width=0.2) for i in full.items if isinstance(i, Shape) and i.stroke]
-    top, bottom = HEAD - 1.0, full.height - FOOT + 1.0
-    scale = 2 * columns / (full.width - LABELS)
+    top, bottom = BODY.head - 1.0, full.height - BODY.foot + 1.0
+    scale = 2 * columns / (full.width - BODY.labels)
     picture = Image.new("RGB", (2 * columns, 4 * math.ceil((bottom - top) * scale / 4)), "#ffffff")
     sheet = Drawing(full.width, full.height, list(outlines))
     paint(picture, sheet.moved(0.0, -top), scale)
@@ -87,7 +81,7 @@ def _draw_above(sheet: Drawing, agent: Agent, middle: Point, k: float) -> None:
     outer = max(agent.reach if _has_arm(agent) else 0.0, agent.radius, _turning(agent) / 2) * k
     across = "" if agent.length is None else f" x {_metres(width / k)}"
     words = f"{_metres(length / k)}{across}" if across else f"{_metres(length / k)} across"
-    sheet.words((x, y + outer + 2.6), words, SIZE, color=ROUTE)
+    sheet.words((x, y + outer + 2.6), words, BODY.size, color=ROUTE)
 
 
 def _draw_side(sheet: Drawing, agent: Agent, floor: Point, k: float, broad: float) -> None:
@@ -95,8 +89,12 @@ def _draw_side(sheet: Drawing, agent: Agent, floor: Point, k: float, broad: floa
     x, y = floor
     half = _size(agent)[0] / 2 * k
     left, right = x - broad * k / 2, x + broad * k / 2
-    door = [(x - DOOR[0] / 2 * k, y), (x - DOOR[0] / 2 * k, y - DOOR[1] * k), (x + DOOR[0] / 2 * k, y - DOOR[1] * k)]
-    sheet.line([*door, (x + DOOR[0] / 2 * k, y)], QUIET, width=0.15, dash=(0.8, 0.8))
+    door = [
+        (x - BODY.door[0] / 2 * k, y),
+        (x - BODY.door[0] / 2 * k, y - BODY.door[1] * k),
+        (x + BODY.door[0] / 2 * k, y - BODY.door[1] * k),
+    ]
+    sheet.line([*door, (x + BODY.door[0] / 2 * k, y)], QUIET, width=0.15, dash=(0.8, 0.8))
     if _has_arm(agent):
         sheet.polygon([_reached(agent, floor, k)], REACH, opacity=0.12, stroke=REACH, width=0.2)
     top = y - agent.height * k
@@ -116,10 +114,10 @@ def _draw_side(sheet: Drawing, agent: Agent, floor: Point, k: float, broad: floa
         marks.append((agent.shoulder_height, "shoulder", QUIET))
     at = math.inf
     for level, words, color in sorted(marks):
-        at = min(at - SIZE - 0.7, y - level * k)
+        at = min(at - BODY.size - 0.7, y - level * k)
         sheet.line([(right, y - level * k), (right + 2.0, at)], color, width=0.2)
-        sheet.words((right + 2.6, at), f"{words} {_metres(level)}", SIZE, color=color, anchor="start")
-    sheet.width = max(sheet.width, right + LABELS)
+        sheet.words((right + 2.6, at), f"{words} {_metres(level)}", BODY.size, color=color, anchor="start")
+    sheet.width = max(sheet.width, right + BODY.labels)
 
 
 def _reached(agent: Agent, floor: Point, k: float) -> list[Point]:
@@ -140,13 +138,13 @@ def _draw_legend(sheet: Drawing, agent: Agent, at: Point, scale: int) -> None:
         rows.append((TURN, (1.1, 0.6), f"turning circle {_metres(_turning(agent))}"))
     if _has_arm(agent):
         rows.append((REACH, None, f"reach {_metres(agent.reach)} from its centre"))
-    rows.append((QUIET, (0.8, 0.8), f"door {DOOR[0]:.2f} x {_metres(DOOR[1])}"))
+    rows.append((QUIET, (0.8, 0.8), f"door {BODY.door[0]:.2f} x {_metres(BODY.door[1])}"))
     for color, dash, words in rows:
         sheet.line([(x, y), (x + 3.0, y)], color, width=0.35, dash=dash)
-        sheet.words((x + 3.8, y), words, SIZE, anchor="start", color=INK)
-        x += 6.8 + 0.55 * SIZE * len(words)
+        sheet.words((x + 3.8, y), words, BODY.size, anchor="start", color=INK)
+        x += 6.8 + 0.55 * BODY.size * len(words)
     sheet.width = max(sheet.width, x + 10.0)
-    sheet.words((sheet.width - 4.0, 6.0), f"1 : {scale}", SIZE, color=QUIET, anchor="end")
+    sheet.words((sheet.width - 4.0, 6.0), f"1 : {scale}", BODY.size, color=QUIET, anchor="end")
 
 
 def _metres(value: float) -> str:

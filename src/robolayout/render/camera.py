@@ -14,11 +14,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from robolayout.render._style import VIEW
 from robolayout.scene import Agent, Pose, Room
 
-ALPHA = 1.5  # the paper's camera distance, as a multiple of the room's larger side
-SIDE_POLAR = math.radians(45.0)  # angle from the vertical of the side view, radians
-NEAR = 0.05  # nearest depth in metres that is drawn
 Vector = tuple[float, float, float]
 
 
@@ -65,7 +63,7 @@ class Camera:
         local = np.concatenate([plane, np.ones((*plane.shape[:-1], 1))], axis=-1)
         return local @ self.axes
 
-    def matrix(self, far: float, near: float = NEAR) -> NDArray[np.float32]:
+    def matrix(self, far: float, near: float = VIEW.near) -> NDArray[np.float32]:
         """Return the (4, 4) world-to-clip matrix of OpenGL, row-major, for depths from `near` to `far`."""
         view = np.eye(4)
         view[:3, :3] = self.axes * [[1], [-1], [-1]]
@@ -86,7 +84,7 @@ def spherical_camera(room: Room, polar: float, azimuth: float, size: tuple[int, 
     """
     x0, y0, x1, y1 = room.bounds
     target = np.array([(x0 + x1) / 2, (y0 + y1) / 2, 0.0])
-    reach = ALPHA * max(x1 - x0, y1 - y0)
+    reach = VIEW.alpha * max(x1 - x0, y1 - y0)
     reach = max(reach, (room.wall_height + 0.5) / max(math.cos(polar), 0.5))
     position = target + reach * _direction(polar, azimuth)
     camera = _look(position, target, azimuth, math.radians(60), size)
@@ -116,7 +114,7 @@ def fitted_camera(
     tan_x = tan_y * size[0] / size[1]
     spans = [((a - t * z).max(), (a + t * z).min(), t) for a, t in ((x, tan_x), (y, tan_y))]
     distance = max((low - high) / (2 * t) for low, high, t in spans)
-    distance = max(distance, float(-z.min()) + 2 * NEAR)
+    distance = max(distance, float(-z.min()) + 2 * VIEW.near)
     eye = np.array([(low + high) / 2 for low, high, _ in spans] + [-distance]) @ probe.axes
     middle = float(np.median(z)) + distance
     return _look(eye, eye + probe.axes[2] * middle, azimuth, fov, size)

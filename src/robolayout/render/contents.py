@@ -6,11 +6,10 @@ from dataclasses import dataclass
 
 from robolayout.render._architecture import Place
 from robolayout.render._drawing import Drawing, Point
+from robolayout.render._style import PLAN
 from robolayout.render.marks import PlanMarks, Rings
 from robolayout.render.palette import BLOCKED, FREE, ISLAND, QUIET, asset_colors
 from robolayout.scene import Agent, Asset, Layout, Pose, Scene, split_name, vertical_span
-
-CORD = 0.9  # half the sides of the cross that shows where the cord of what hangs from the ceiling is fixed, millimetres
 
 
 @dataclass(frozen=True)
@@ -82,7 +81,12 @@ def draw_footprint(sheet: Drawing, asset: Asset, pose: Pose, place: Place, *, bl
 def cord(pose: Pose, place: Place) -> tuple[Point, Point, Point, Point]:
     """Return the corners of the cross where the cord of what hangs from the ceiling is fixed, millimetres."""
     x, y = place(pose.x, pose.y)
-    return ((x - CORD, y - CORD), (x + CORD, y - CORD), (x + CORD, y + CORD), (x - CORD, y + CORD))
+    return (
+        (x - PLAN.cord, y - PLAN.cord),
+        (x + PLAN.cord, y - PLAN.cord),
+        (x + PLAN.cord, y + PLAN.cord),
+        (x - PLAN.cord, y + PLAN.cord),
+    )
 
 
 LEVELS = ("flat", "floor", "object", "wall", "ceiling")  # where things are held, from below

@@ -11,9 +11,10 @@ import shapely
 from shapely.affinity import rotate, translate
 
 from robolayout.assets import sweeps_of
-from robolayout.render._architecture import THICKNESS, Place, draw_floor, draw_walls, placing, swings
+from robolayout.render._architecture import Place, draw_floor, draw_walls, placing, swings
 from robolayout.render._drawing import Drawing, Point, text_width
 from robolayout.render._marked import Naming, draw_labels, draw_marks, millimetres
+from robolayout.render._style import MODEL_PLAN, PLAN
 from robolayout.render.annotation import DOOR_COLOR, GRID_COLOR, WALL_COLOR, WHITE
 from robolayout.render.contents import Shown, draw_contents
 from robolayout.render.marks import PlanMarks
@@ -23,16 +24,6 @@ from robolayout.scene import Agent, Layout, Room, Scene, Wall
 
 if TYPE_CHECKING:
     from PIL.Image import Image
-
-LONGEST = 150.0  # millimetres that the longer side of the room takes
-EDGE = 12.0  # millimetres around the walls, for ticks and the names of walls, doors and windows
-NAMED_AT = 8.5  # millimetres from the outside of a wall to its name: farther out than the numbers of the ticks
-SIZES = (3.4, 3.0, 2.6, 2.2)
-"""Font sizes that are tried for a name, millimetres: the smallest has 12 pixels in a picture of 1,024."""
-
-TEXT = 2.6  # font size of ticks, walls, openings and the key, millimetres
-TICKS = 25  # most ticks with a number along one side; where whole metres are more, every second, fifth ... is written.
-HATCH = 2.2  # millimetres between the lines that cross out what must stay free
 
 
 def model_plan(
@@ -52,9 +43,9 @@ def model_plan(
 def _sheet(scene: Scene, layout: Layout, marks: PlanMarks, agent: Agent | None) -> Drawing:
     """Return the drawing, with a key below it for the things whose names find no place."""
     x0, y0, x1, y1 = scene.room.bounds
-    k = LONGEST / max(x1 - x0, y1 - y0)
-    edge = EDGE + THICKNESS * k
-    width, height = max((x1 - x0) * k + 2 * edge, 0.6 * LONGEST), (y1 - y0) * k + 2 * edge
+    k = MODEL_PLAN.longest / max(x1 - x0, y1 - y0)
+    edge = MODEL_PLAN.edge + PLAN.wall * k
+    width, height = max((x1 - x0) * k + 2 * edge, 0.6 * MODEL_PLAN.longest), (y1 - y0) * k + 2 * edge
     left = (width - (x1 - x0) * k) / 2
     sheet = Drawing(width, height)
 
@@ -71,10 +62,10 @@ def _sheet(scene: Scene, layout: Layout, marks: PlanMarks, agent: Agent | None) 
     numbers = {asset.name: f"#{i}" for i, asset in enumerate(scene.assets, 1)}
     texts = {name: (scene.expressions[name], numbers[name]) for name in layout}
     box = (left - 1, edge - 1, width - left + 1, height - edge + 1)
-    written = draw_labels(sheet, shown, Naming(box, texts, SIZES, lines=swings(room)))
+    written = draw_labels(sheet, shown, Naming(box, texts, MODEL_PLAN.sizes, lines=swings(room)))
     _draw_key(sheet, scene, {name: numbers[name] for name in layout if texts[name][0] not in written})
-    sheet.height += 2 * TEXT
-    draw_legend(sheet, shown.marks, (4.0, sheet.height - TEXT), width - 8.0)
+    sheet.height += 2 * MODEL_PLAN.text
+    draw_legend(sheet, shown.marks, (4.0, sheet.height - MODEL_PLAN.text), width - 8.0)
     return sheet
 
 
@@ -92,8 +83,8 @@ def _draw_hatched(sheet: Drawing, corners: Sequence[Point]) -> None:
     area = shapely.Polygon(corners)
     low_x, low_y, high_x, high_y = area.bounds
     drop = high_y - low_y
-    for i in range(math.ceil((high_x - low_x + drop) / HATCH)):
-        x = low_x - drop + i * HATCH
+    for i in range(math.ceil((high_x - low_x + drop) / MODEL_PLAN.hatch)):
+        x = low_x - drop + i * MODEL_PLAN.hatch
         crossed = shapely.intersection(area, shapely.LineString([(x, high_y), (x + drop, low_y)]))
         if crossed.geom_type == "LineString" and not crossed.is_empty:
             sheet.line([(p[0], p[1]) for p in crossed.coords], TIGHT, width=0.15)
@@ -103,8 +94,8 @@ def _draw_hatched(sheet: Drawing, corners: Sequence[Point]) -> None:
 def _draw_ticks(sheet: Drawing, room: Room, place: Place) -> None:
     """Draw a line for every metre and its number at both ends."""
     x0, y0, x1, y1 = room.bounds
-    step = next(s for s in (1, 2, 5, 10, 20, 50, 100, 1000) if max(x1 - x0, y1 - y0) / s <= TICKS)
-    out = THICKNESS * millimetres(place) + 0.5
+    step = next(s for s in (1, 2, 5, 10, 20, 50, 100, 1000) if max(x1 - x0, y1 - y0) / s <= MODEL_PLAN.ticks)
+    out = PLAN.wall * millimetres(place) + 0.5
     for low, high, across in ((x0, x1, (y0, y1)), (y0, y1, (x0, x1))):
         upright = across == (y0, y1) and low == x0 and high == x1
         for number in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1):
@@ -115,7 +106,7 @@ def _draw_ticks(sheet: Drawing, room: Room, place: Place) -> None:
                 dx, dy = (0.0, sign) if upright else (-sign, 0.0)
                 start = (x + dx * out, y + dy * out)
                 sheet.line([start, (start[0] + 1.5 * dx, start[1] + 1.5 * dy)], GRID_COLOR, width=0.3)
-                sheet.words((start[0] + 3.6 * dx, start[1] + 3.2 * dy), f"{value:g}", TEXT, color=GRID_COLOR)
+                sheet.words((start[0] + 3.6 * dx, start[1] + 3.2 * dy), f"{value:g}", MODEL_PLAN.text, color=GRID_COLOR)
 
 
 def _draw_names(sheet: Drawing, room: Room, place: Place) -> None:
@@ -126,13 +117,13 @@ def _draw_names(sheet: Drawing, room: Room, place: Place) -> None:
     taken: dict[int, list[tuple[float, float]]] = {}
     for what, number, opening in named:
         wall, text = room.walls[opening.wall], f"{what} {number}"
-        taken.setdefault(wall.index, []).append((opening.center, text_width(text, TEXT) / k))
+        taken.setdefault(wall.index, []).append((opening.center, text_width(text, MODEL_PLAN.text) / k))
         ends = [place(*wall.point(s)) for s in (opening.offset, opening.offset + opening.width)]
         sheet.line(ends, DOOR_COLOR, width=0.8)
         _write(sheet, wall, opening.center, text, DOOR_COLOR, place)
     for wall in room.walls:
         text = f"walls[{wall.index}]"
-        half, others = text_width(text, TEXT) / k, taken.get(wall.index, ())
+        half, others = text_width(text, MODEL_PLAN.text) / k, taken.get(wall.index, ())
         spots = (wall.length * share for share in (0.5, 0.3, 0.7, 0.15, 0.85))
         clear = (s for s in spots if all(abs(s - at) > (half + other) / 2 for at, other in others))
         spot = next(clear, wall.length / 2)
@@ -143,21 +134,21 @@ def _write(sheet: Drawing, wall: Wall, along: float, text: str, color: str, plac
     """Write a name outside a wall, upright where the wall is upright on the sheet."""
     (x, y), (ox, oy) = place(*wall.point(along)), place(*wall.point(along, -1.0))
     k = math.dist((x, y), (ox, oy))
-    ux, uy, away = (ox - x) / k, (oy - y) / k, THICKNESS * k + NAMED_AT
+    ux, uy, away = (ox - x) / k, (oy - y) / k, PLAN.wall * k + MODEL_PLAN.named_at
     angle = 90.0 if abs(ux) > abs(uy) else 0.0
-    sheet.words((x + ux * away, y + uy * away), text, TEXT, color=color, angle=angle, halo=WHITE)
+    sheet.words((x + ux * away, y + uy * away), text, MODEL_PLAN.text, color=color, angle=angle, halo=WHITE)
 
 
 def _draw_key(sheet: Drawing, scene: Scene, numbers: Mapping[str, str]) -> None:
     """Write below the plan which names the numbers stand for."""
-    x, y = 4.0, sheet.height + 0.5 * TEXT
+    x, y = 4.0, sheet.height + 0.5 * MODEL_PLAN.text
     for name, number in numbers.items():
         text = f"{number} {scene.expressions[name]}"
-        needed = text_width(text, TEXT) + 3.0
+        needed = text_width(text, MODEL_PLAN.text) + 3.0
         if x + needed > sheet.width:
-            x, y = 4.0, y + 1.5 * TEXT
-        sheet.words((x, y), text, TEXT, color=INK, anchor="start")
+            x, y = 4.0, y + 1.5 * MODEL_PLAN.text
+        sheet.words((x, y), text, MODEL_PLAN.text, color=INK, anchor="start")
         x += needed
     if numbers:
-        sheet.height = y + TEXT
+        sheet.height = y + MODEL_PLAN.text
         sheet.line([(4.0, sheet.height), (sheet.width - 4.0, sheet.height)], QUIET, width=0.1)

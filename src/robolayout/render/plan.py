@@ -8,16 +8,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from robolayout._errors import InputError
-from robolayout.render._architecture import THICKNESS, draw_floor, draw_walls, placing
+from robolayout.render._architecture import draw_floor, draw_walls, placing
 from robolayout.render._drawing import Drawing, Point, text_width
 from robolayout.render._marked import Naming, draw_labels, draw_marks
+from robolayout.render._style import PLAN
 from robolayout.render.contents import Shown, draw_contents
 from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import BLOCKED, FREE, INK, ISLAND, NARROW, PAPER, QUIET, REACH, ROUTE, TIGHT, TURN
 from robolayout.scene import Agent, Layout, Scene
 
-SCALES = (25, 50, 100, 200, 500)  # scales that a plan may have
-LONGEST = 180.0  # millimetres that the room may take; the first scale that fits is used
 LEGEND = (
     ("free", "area", FREE, "free to move"),
     ("islands", "area", ISLAND, "cut off"),
@@ -39,7 +38,6 @@ LINES: dict[str, tuple[float, tuple[float, float] | None]] = {
 }
 """Width, dash and gap of the lines in the legend, millimetres."""
 
-MARGIN = 6.0  # millimetres around the room's walls
 Panel = tuple[str, Scene, Layout, PlanMarks | None]
 """Title, scene (its first agent is the panel's body), layout and marks of one plan."""
 
@@ -81,7 +79,7 @@ def draw_plan(
     k = 1000 / scale
     head = 5.0 if title else 0.0
     foot = 15.0 if agent is not None or navigation is not None else 9.0
-    border = MARGIN + THICKNESS * k
+    border = PLAN.margin + PLAN.wall * k
     width = max((x1 - x0) * k + 2 * border, 46.0)
     left = (width - (x1 - x0) * k) / 2
     sheet = Drawing(width, (y1 - y0) * k + 2 * border + head + foot)
@@ -126,7 +124,8 @@ def plan_scale(scene: Scene) -> int:
     x0, y0, x1, y1 = scene.room.bounds
     longest = max(x1 - x0, y1 - y0) * 1000
     return next(
-        (s for s in SCALES if longest / s <= LONGEST and longest / s > 0 and (s > 25 or longest < 2500)), SCALES[-1]
+        (s for s in PLAN.scales if longest / s <= PLAN.longest and longest / s > 0 and (s > 25 or longest < 2500)),
+        PLAN.scales[-1],
     )
 
 

@@ -11,13 +11,14 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from robolayout.render._architecture import THICKNESS, Place, placing, swings
+from robolayout.render._architecture import Place, placing, swings
 from robolayout.render._dimensions import Outline, draw_chains, margin, upright
 from robolayout.render._drawing import Drawing, Point, text_width
 from robolayout.render._furniture import Furniture, furniture
 from robolayout.render._labels import Label
 from robolayout.render._marked import Naming
-from robolayout.render._schedule import GAP, Block, Line, Row, columns, draw_columns, shortened, wrapped
+from robolayout.render._schedule import Block, Line, Row, columns, draw_columns, shortened, wrapped
+from robolayout.render._style import PLAN, SHEET
 from robolayout.render.contents import Shown
 from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import INK, QUIET
@@ -25,13 +26,6 @@ from robolayout.render.plan import draw_legend, draw_room, draw_scale_bar
 from robolayout.scene import Agent, Layout, Opening, Scene, Wall
 
 PAPERS = {"A4": (210.0, 297.0), "A3": (297.0, 420.0)}  # width and height of the papers, millimetres
-EDGE = 8.0  # millimetres at the paper's edges that stay white: printers do not reach them
-INSET = 5.0  # millimetres between the frame and what is drawn in it
-TITLE = 22.0  # height of the title block, millimetres
-LEGEND = 6.0  # height of the legend below the plan, millimetres
-NAMES = (2.4, 2.1, 1.8, 1.6)  # font sizes of names and numbers in the room, millimetres
-TEXTS = (2.5, 2.25, 2.0, 1.8)  # font sizes of the lists, millimetres
-COLUMN, WIDEST = 30.0, 36.0  # least and largest width of a column, in font sizes
 SCALES = (
     *(("A4", scale) for scale in (20, 25, 50)),
     *(("A3", scale) for scale in (20, 25, 50)),
@@ -106,12 +100,14 @@ def draw_sheet(scene: Scene, layout: Layout, notes: SheetNotes, *, marks: PlanMa
 def _arranged(scene: Scene, blocks: Sequence[Block]) -> _Arranged:
     """Return the first arrangement that holds the plan and the lists; if none does, the lists are cut."""
     for paper, scale in SCALES:
-        for text in TEXTS:
+        for text in SHEET.texts:
             for found, count, height in _places(scene, paper, scale, text):
                 lines = columns(blocks, text, found.width, count, height)
                 if lines is not None:
                     return replace(found, lines=lines)
-    fallbacks = (place for paper, scale in SCALES for place in _places(scene, paper, scale, TEXTS[-1]) if paper == "A3")
+    fallbacks = (
+        place for paper, scale in SCALES for place in _places(scene, paper, scale, SHEET.texts[-1]) if paper == "A3"
+    )
     found, count, height = next(fallbacks)
     return replace(found, lines=shortened(blocks, found.text, found.width, count, height))
 
@@ -121,24 +117,24 @@ def _places(scene: Scene, paper: str, scale: int, text: float) -> Iterator[tuple
     width, height = _plan_size(scene, scale)
     short, long = PAPERS[paper]
     for size in ((long, short), (short, long)):
-        inner = (size[0] - 2 * (EDGE + INSET), size[1] - 2 * EDGE - TITLE - 2 * INSET)
-        if width > inner[0] or height + LEGEND > inner[1]:
+        inner = (size[0] - 2 * (SHEET.edge + SHEET.inset), size[1] - 2 * SHEET.edge - SHEET.title - 2 * SHEET.inset)
+        if width > inner[0] or height + SHEET.legend > inner[1]:
             continue
-        corner = EDGE + INSET
-        right = inner[0] - width - GAP
-        if (count := int((right + GAP) / (COLUMN * text + GAP))) > 0:
-            column = min((right - (count - 1) * GAP) / count, WIDEST * text)
-            taken = count * (column + GAP)
+        corner = SHEET.edge + SHEET.inset
+        right = inner[0] - width - SHEET.gap
+        if (count := int((right + SHEET.gap) / (SHEET.column * text + SHEET.gap))) > 0:
+            column = min((right - (count - 1) * SHEET.gap) / count, SHEET.widest * text)
+            taken = count * (column + SHEET.gap)
             left = (inner[0] - taken - width) / 2
-            plan = (corner + left, corner + (inner[1] - height - LEGEND) / 2)
-            lists = (corner + inner[0] - taken + GAP, corner)
+            plan = (corner + left, corner + (inner[1] - height - SHEET.legend) / 2)
+            lists = (corner + inner[0] - taken + SHEET.gap, corner)
             yield _Arranged(paper, size, scale, plan, lists, text, column, []), count, inner[1]
-        below = inner[1] - height - LEGEND - GAP
-        count = max(1, int((inner[0] + GAP) / (COLUMN * text + GAP)))
+        below = inner[1] - height - SHEET.legend - SHEET.gap
+        count = max(1, int((inner[0] + SHEET.gap) / (SHEET.column * text + SHEET.gap)))
         if below > 10 * text:
-            column = (inner[0] - (count - 1) * GAP) / count
+            column = (inner[0] - (count - 1) * SHEET.gap) / count
             plan = (corner + (inner[0] - width) / 2, corner)
-            lists = (corner, corner + height + LEGEND + GAP)
+            lists = (corner, corner + height + SHEET.legend + SHEET.gap)
             yield _Arranged(paper, size, scale, plan, lists, text, column, []), count, below
 
 
@@ -146,21 +142,26 @@ def _plan_size(scene: Scene, scale: int) -> Point:
     """Return width and height of the plan with its dimension lines, millimetres."""
     x0, y0, x1, y1 = scene.room.bounds
     k = 1000 / scale
-    around = 2 * (THICKNESS * k + margin(scene.room))
+    around = 2 * (PLAN.wall * k + margin(scene.room))
     return ((x1 - x0) * k + around, (y1 - y0) * k + around)
 
 
 def _draw_frame(sheet: Drawing) -> None:
-    right, bottom = sheet.width - EDGE, sheet.height - EDGE
-    sheet.polygon([[(EDGE, EDGE), (right, EDGE), (right, bottom), (EDGE, bottom)]], None, stroke=INK, width=0.4)
-    sheet.line([(EDGE, bottom - TITLE), (right, bottom - TITLE)], INK, width=0.4)
+    right, bottom = sheet.width - SHEET.edge, sheet.height - SHEET.edge
+    sheet.polygon(
+        [[(SHEET.edge, SHEET.edge), (right, SHEET.edge), (right, bottom), (SHEET.edge, bottom)]],
+        None,
+        stroke=INK,
+        width=0.4,
+    )
+    sheet.line([(SHEET.edge, bottom - SHEET.title), (right, bottom - SHEET.title)], INK, width=0.4)
 
 
 def _draw_plan(sheet: Drawing, given: _Given, at: _Arranged) -> None:
     """Draw room, dimension lines, numbers and legend."""
     scene = given.scene
     k = 1000 / at.scale
-    around = THICKNESS * k + margin(scene.room)
+    around = PLAN.wall * k + margin(scene.room)
 
     place = placing(scene.room, k, at.plan[0] + around, at.plan[1] + around)
     width, height = _plan_size(scene, at.scale)
@@ -168,9 +169,9 @@ def _draw_plan(sheet: Drawing, given: _Given, at: _Arranged) -> None:
     numbers = given.things.numbers.items()
     texts = {name: (f"{number} {scene.by_name[name].category}".strip(), str(number)) for name, number in numbers}
     box = (at.plan[0], at.plan[1], at.plan[0] + width, at.plan[1] + height)
-    naming = Naming(box, texts, NAMES, tuple(written), swings(scene.room))
+    naming = Naming(box, texts, SHEET.names, tuple(written), swings(scene.room))
     draw_room(sheet, Shown(scene, given.layout, given.marks, given.agent, place), naming)
-    draw_legend(sheet, given.marks, (at.plan[0] + around, at.plan[1] + height + LEGEND / 2), width - 2 * around)
+    draw_legend(sheet, given.marks, (at.plan[0] + around, at.plan[1] + height + SHEET.legend / 2), width - 2 * around)
 
 
 def _named_openings(scene: Scene) -> list[tuple[str, Opening]]:
@@ -187,7 +188,7 @@ def _draw_names(sheet: Drawing, given: _Given, place: Place, k: float) -> list[O
     named += [(f"wall {i}", walls[i], _bare_middle(scene, walls[i])) for i in spoken if i < len(walls)]
     outlines: list[Outline] = []
     for name, wall, along in named:
-        at = place(*wall.point(along, -THICKNESS - 2.2 / k))
+        at = place(*wall.point(along, -PLAN.wall - 2.2 / k))
         quiet = name.startswith("wall")
         (ax, ay), (bx, by) = place(*wall.start), place(*wall.end)
         angle = upright(math.degrees(math.atan2(ay - by, bx - ax))) if quiet else 0.0
@@ -250,8 +251,8 @@ def _numbered(sentence: str, scene: Scene, things: Furniture) -> str:
 def _draw_title(sheet: Drawing, given: _Given, at: _Arranged) -> None:
     """Draw the title block: what it is, for whom, at what scale, and when."""
     scene, notes, agent = given.scene, given.notes, given.agent
-    top, bottom = sheet.height - EDGE - TITLE, sheet.height - EDGE
-    right = sheet.width - EDGE
+    top, bottom = sheet.height - SHEET.edge - SHEET.title, sheet.height - SHEET.edge
+    right = sheet.width - SHEET.edge
     cells = [("Date", 30.0)] if notes.date else []
     cells = [*cells, ("Scale", 44.0), ("For", 46.0)]
     left = {}
@@ -270,12 +271,12 @@ def _draw_title(sheet: Drawing, given: _Given, at: _Arranged) -> None:
     needs = f"needs {2 * agent.radius:.2f} m to pass"
     turns = f", {agent.turning_diameter:.2f} m to turn" if agent.turning_diameter else ""
     _write(sheet, (left["For"] + 2.0, top + 13.0), needs + turns, 1.8, 42.0, QUIET)
-    room = left["For"] - EDGE - 4.0
-    _write(sheet, (EDGE + 2.0, top + 5.5), scene.name.replace("_", " "), 5.0, room)
+    room = left["For"] - SHEET.edge - 4.0
+    _write(sheet, (SHEET.edge + 2.0, top + 5.5), scene.name.replace("_", " "), 5.0, room)
     lines = wrapped(scene.task_description, 2.2, room)
     kept = lines if len(lines) <= 3 else (*lines[:2], f"{lines[2]} ...")
     for number, line in enumerate(kept):
-        _write(sheet, (EDGE + 2.0, top + 11.5 + 3.4 * number), line, 2.2, room, QUIET)
+        _write(sheet, (SHEET.edge + 2.0, top + 11.5 + 3.4 * number), line, 2.2, room, QUIET)
 
 
 def _write(sheet: Drawing, at: Point, words: str, size: float, width: float, color: str = INK) -> None:

@@ -28,7 +28,8 @@ from robolayout.render._mesh import (
     parts_mesh,
     scene_mesh,
 )
-from robolayout.render.camera import SIDE_POLAR, Camera, eye_camera, fitted_camera, room_points
+from robolayout.render._style import VIEW
+from robolayout.render.camera import Camera, eye_camera, fitted_camera, room_points
 from robolayout.scene import Agent, Asset, Layout, Pose, Room, Scene
 
 if TYPE_CHECKING:
@@ -36,23 +37,14 @@ if TYPE_CHECKING:
 
 Renderer = Literal["auto", "gl", "rays"]
 
-TOP_AZIMUTH = -math.pi / 2  # azimuth of the view from above, radians: +x is right, +y is up
 SIDE_AZIMUTHS = tuple(math.radians(a) for a in (-60, -120, -30, -150, 30, 150, 60, 120))
 """Azimuths the side view chooses from, radians; the first wins a tie."""
 
-CLOSE, CLOSE_LEAST = 0.75, 0.6
-"""A close-up shows so many times an asset's longest side to each side of its middle, and at least so many metres."""
 
 CLOSE_TURNS = tuple(math.radians(a) for a in (-30, 30, -55, 55, 0))
-CLOSE_POLARS = (math.radians(58), math.radians(40))
-"""Directions that a close-up chooses from, from the asset's front and from the vertical; the first wins a tie."""
 
 GHOST = "/ghost "
 """Before the name of what hangs from the ceiling where it is drawn as a ghost; no asset's name has a slash."""
-
-GHOSTLY = 0.35  # opacity of a ghost
-STEEP = 0.9  # a view that looks down by more than this (sine of the angle) shows what hangs from the ceiling as ghosts
-LARGEST = 8192  # most pixels along a side of a picture
 
 
 class _Draws(Protocol):
@@ -100,9 +92,9 @@ class Studio:
         """Return the camera of a view (see `render_view`)."""
         room = self.scene.room
         if view == "top":
-            return fitted_camera(room_points(room), 0.0, TOP_AZIMUTH, size)
+            return fitted_camera(room_points(room), 0.0, VIEW.top_azimuth, size)
         if view == "side":
-            return fitted_camera(room_points(room), SIDE_POLAR, self.side_azimuth, size)
+            return fitted_camera(room_points(room), VIEW.side_polar, self.side_azimuth, size)
         name = view.removeprefix("eye:")
         if name not in self.layout:
             known = ["top", "side", *self.layout, *(f"eye:{n}" for n in self.layout)]
@@ -110,13 +102,13 @@ class Studio:
         pose, asset = self.layout[name], self.scene.by_name[name]
         if name != view:
             return eye_camera(agent or self.scene.agent, stand or _entrance(room), pose, size)
-        reach = max(CLOSE_LEAST, CLOSE * max(asset.size))
+        reach = max(VIEW.close_least, VIEW.close * max(asset.size))
         around = np.array([(pose.x, pose.y, pose.z)]) + reach * np.array(
             [(a, b, c) for a in (-1, 1) for b in (-1, 1) for c in (-0.5, 0.5)]
         )
         cameras = [
             fitted_camera(around, polar, pose.yaw + turn, size, fov=math.radians(32), margin=0.02)
-            for polar in CLOSE_POLARS
+            for polar in VIEW.close_polars
             for turn in CLOSE_TURNS
         ]
         return min(cameras, key=lambda camera: self._hidden_share(camera, name))
@@ -168,14 +160,14 @@ class Studio:
         names = [asset.name for asset in self.scene.assets if asset.on_ceiling]
         ghosts = self._mesh.take(self._mesh.named(names) & (self._mesh.ids != ROOM))
         colors = ghosts.colors.copy()
-        colors[:, 3] *= GHOSTLY
+        colors[:, 3] *= VIEW.ghostly
         return replace(ghosts, colors=colors, names=tuple(f"{GHOST}{name}" for name in ghosts.names))
 
     def _keep(self, camera: Camera, inside: bool) -> NDArray[np.bool_]:
         """Return which parts are drawn."""
         hidden = set[str]() if inside else hidden_parts(self.scene, self.layout, camera)
         unseen = [FLOOR_STRIP if inside else CEILING]
-        if camera.axes[2][2] < -STEEP:
+        if camera.axes[2][2] < -VIEW.steep:
             hidden |= {asset.name for asset in self.scene.assets if asset.on_ceiling}
         else:
             unseen.append(GHOST)
@@ -196,7 +188,7 @@ class Studio:
     def _side_score(self, azimuth: float) -> float:
         """Return how much of the room a side view from there would show, in square metres of fronts."""
         room, assets = self.scene.room, self.scene.by_name
-        camera = fitted_camera(room_points(room), SIDE_POLAR, azimuth, (64, 64))
+        camera = fitted_camera(room_points(room), VIEW.side_polar, azimuth, (64, 64))
         cut = near_walls(room, camera)
         windows = sum(o.width * o.height for o in (*room.windows, *room.doors) if o.wall not in cut)
         toward = np.array([math.cos(azimuth), math.sin(azimuth)])
@@ -271,8 +263,10 @@ def make_renderer(mesh: Mesh, sky: NDArray[np.bool_], sun: NDArray[np.bool_], re
 def picture_size(size: int | tuple[int, int]) -> tuple[int, int]:
     """Return (width, height) in pixels, each 16 to 8192; an int is a square."""
     width, height = (size, size) if isinstance(size, int) else size
-    if not (16 <= width <= LARGEST and 16 <= height <= LARGEST):
-        raise InputError(f"picture size {width} x {height} is not possible: each side must be 16 to {LARGEST} pixels.")
+    if not (16 <= width <= VIEW.largest and 16 <= height <= VIEW.largest):
+        raise InputError(
+            f"picture size {width} x {height} is not possible: each side must be 16 to {VIEW.largest} pixels."
+        )
     return width, height
 
 

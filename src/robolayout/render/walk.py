@@ -11,8 +11,9 @@ import numpy as np
 
 from robolayout._errors import InputError
 from robolayout.render._drawing import Drawing, Item, circle, paint
+from robolayout.render._style import FILM
 from robolayout.render._tour import Leg, Line, spent, tour
-from robolayout.render.animation import HOLD, SHEET, Stage, draw_names, save_gif, spread
+from robolayout.render.animation import Stage, draw_names, save_gif, spread
 from robolayout.render.contents import Shown, display_name, draw_contents
 from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import INK, PAPER, ROUTE
@@ -20,13 +21,6 @@ from robolayout.scene import Agent, Layout, Point, Pose, Scene
 
 if TYPE_CHECKING:
     from PIL.Image import Image
-
-SAMPLES = 2  # supersampling along each side of a frame
-SLOW = 0.25  # metres that the body moves from frame to frame, if there are frames enough
-PAUSE = 70  # milliseconds per frame
-PAUSE_AT_STOP = 9  # frames' time for which the body stays at a stop
-PALETTE = 128  # colours of the animation
-FOOT = 9.0  # millimetres below the plan, for the words
 
 
 def walk_gif(
@@ -62,8 +56,8 @@ def walk_gif(
     film = _Film(scene, layout, marks, body, size)
     poses = [Pose(x, y, 0.0, yaw) for (x, y), yaw in zip(places[:, :2].tolist(), yaws.tolist(), strict=True)]
     shown = [film.frame(legs[step.leg], pose) for step, pose in zip(steps, poses, strict=True)]
-    waits = [PAUSE * (PAUSE_AT_STOP if step.stop else 1) for step in steps]
-    return save_gif(shown, [*waits[:-1], HOLD // 2])
+    waits = [FILM.pause * (FILM.stop if step.stop else 1) for step in steps]
+    return save_gif(shown, [*waits[:-1], FILM.hold // 2])
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +72,7 @@ class _Step:
 def _steps(legs: Sequence[Leg], frames: int) -> list[_Step]:
     """Return the body's places, one per frame, so that it moves at one speed and is seen at every stop."""
     total = sum(leg.length for leg in legs)
-    pace = max(SLOW, total / max(frames - len(legs) - 1, 1))
+    pace = max(FILM.slow, total / max(frames - len(legs) - 1, 1))
     steps = [_Step(legs[0].line[0], 0, stop=False)]
     for number, leg in enumerate(legs):
         count, far = max(1, round(leg.length / pace)), spent(leg.line)
@@ -103,15 +97,15 @@ class _Film:
     def __init__(self, scene: Scene, layout: Layout, marks: PlanMarks, body: Agent, size: int) -> None:
         from PIL import Image as images
 
-        self._stage = Stage(scene.room, FOOT)
+        self._stage = Stage(scene.room, FILM.foot)
         sheet = self._stage.sheet
-        below = Drawing(SHEET, sheet.height)
+        below = Drawing(FILM.sheet, sheet.height)
         draw_contents(below, Shown(scene, layout, marks, body, self._stage.place))
         sheet.items[1:1] = below.items
         poses = {name: (pose.x, pose.y, pose.yaw) for name, pose in layout.items()}
         sheet.items += draw_names(scene, list(scene.assets), poses, self._stage)
-        self._scale = SAMPLES * size / max(sheet.width, sheet.height)
-        width, height = (SAMPLES * round(v * self._scale / SAMPLES) for v in (sheet.width, sheet.height))
+        self._scale = FILM.samples * size / max(sheet.width, sheet.height)
+        width, height = (FILM.samples * round(v * self._scale / FILM.samples) for v in (sheet.width, sheet.height))
         self._plan = images.new("RGB", (width, height), sheet.background)
         paint(self._plan, sheet.items, self._scale)
         self._palette = self._colours()
@@ -124,15 +118,17 @@ class _Film:
             self._leg, self._back = leg, self._plan.copy()
             paint(self._back, self._leg_items(leg), self._scale)
             self._small = self._quantized(self._back)
-        k = self._scale / SAMPLES
-        sheet = Drawing(SHEET, self._stage.sheet.height)
+        k = self._scale / FILM.samples
+        sheet = Drawing(FILM.sheet, self._stage.sheet.height)
         outline = [self._stage.place(*corner) for corner in _outline(self._body, pose)]
         sheet.polygon([outline], ROUTE, opacity=0.45, stroke=ROUTE, width=0.4)
         sheet.polygon([[self._stage.place(*corner) for corner in _arrow(self._body, pose)]], PAPER)
         left, top = (max(0, math.floor(min(v) * k) - 3) for v in zip(*outline, strict=True))
         right, bottom = (math.ceil(max(v) * k) + 3 for v in zip(*outline, strict=True))
         box = (left, top, min(right, self._small.width), min(bottom, self._small.height))
-        patch = self._back.crop((SAMPLES * box[0], SAMPLES * box[1], SAMPLES * box[2], SAMPLES * box[3]))
+        patch = self._back.crop(
+            (FILM.samples * box[0], FILM.samples * box[1], FILM.samples * box[2], FILM.samples * box[3])
+        )
         paint(patch, sheet.moved(-left / k, -top / k), self._scale)
         picture = self._small.copy()
         picture.paste(self._quantized(patch), box[:2])
@@ -140,7 +136,7 @@ class _Film:
 
     def _leg_items(self, leg: Leg) -> list[Item]:
         """Return what a leg adds to the plan: its way, its goals, and where it leads in words."""
-        place, sheet = self._stage.place, Drawing(SHEET, self._stage.sheet.height)
+        place, sheet = self._stage.place, Drawing(FILM.sheet, self._stage.sheet.height)
         for name in leg.names:
             if name in self._layout:
                 corners = self._layout[name].corners(self._scene.by_name[name].size)
@@ -149,7 +145,7 @@ class _Film:
         sheet.line(line, PAPER, width=1.1)
         sheet.line(line, ROUTE, width=0.5)
         words = self._words(leg)
-        sheet.words((SHEET / 2, sheet.height - 5.0), words, min(3.6, 3.6 * 52 / max(len(words), 1)), color=INK)
+        sheet.words((FILM.sheet / 2, sheet.height - 5.0), words, min(3.6, 3.6 * 52 / max(len(words), 1)), color=INK)
         return sheet.items
 
     def _words(self, leg: Leg) -> str:
@@ -161,16 +157,16 @@ class _Film:
 
     def _colours(self) -> Image:
         """Return a picture whose palette serves every frame."""
-        sample = self._plan.reduce(SAMPLES)
+        sample = self._plan.reduce(FILM.samples)
         spot = (4, 4, sample.width // 6, sample.height // 6)
         for k, mix in enumerate((ROUTE, "#3a8fc4", "#8dbddb", PAPER, "#5aa3cf", INK, "#6e6e6e", "#b0b0b0")):
             sample.paste(mix, (spot[0] + 9 * k, spot[1], spot[0] + 9 * k + 9, spot[1] + 60))
-        return sample.quantize(PALETTE, kmeans=2)
+        return sample.quantize(FILM.walk_colors, kmeans=2)
 
     def _quantized(self, picture: Image) -> Image:
         from PIL import Image as images
 
-        return picture.reduce(SAMPLES).quantize(palette=self._palette, dither=images.Dither.NONE)
+        return picture.reduce(FILM.samples).quantize(palette=self._palette, dither=images.Dither.NONE)
 
 
 def _outline(body: Agent, pose: Pose) -> list[Point]:
