@@ -10,7 +10,7 @@ import trimesh
 
 from robolayout._errors import AssetError
 from robolayout._reading import LIMITS
-from robolayout.assets import CATALOGUE, import_folder, load_mesh_parts, own, parts
+from robolayout.assets import CATALOGUE, import_folder, load_mesh_parts, parts
 from robolayout.scene import Asset
 
 SIZE = (0.6, 0.9, 0.8)
@@ -80,7 +80,7 @@ def test_a_million_triangles_are_thinned(tmp_path: Path) -> None:
     assert len(faces) > 1_000_000
     trimesh.Trimesh(points, faces, process=False).export(path)
     built = load_mesh_parts(path, SIZE)
-    assert 1000 < sum(len(part.faces) for part in built) <= own.MAX_TRIANGLES
+    assert 1000 < sum(len(part.faces) for part in built) <= LIMITS.drawn_triangles
     assert np.abs(_bounds(built)[1] - np.array(SIZE) / 2).max() < 1e-9
 
 

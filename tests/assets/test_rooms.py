@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from shapely import Point, Polygon
 
 from robolayout.assets import Part, room_parts, room_style
-from robolayout.assets.rooms import FLOORS, STYLES, THICKNESS
+from robolayout.assets.rooms import FLOORS, SHELL, STYLES
 from robolayout.scene import Opening, Room
 
 RECTANGLE = Room(
@@ -110,7 +110,7 @@ def test_openings_past_the_wall_or_on_top_of_each_other_do_no_harm() -> None:
         (Opening(0, 3.9, 1.0, 1.0, 0.5),),
     )
     built = room_parts(room)
-    assert bounds(part for part in built if part.name.startswith("wall")).max() < 5 + 3 * THICKNESS
+    assert bounds(part for part in built if part.name.startswith("wall")).max() < 5 + 3 * SHELL.thickness
 
 
 @settings(max_examples=25, deadline=None)
@@ -142,4 +142,4 @@ def test_curtains_hang_in_the_reveal_of_windows_whose_style_has_them() -> None:
         for part in cloth:
             wall = RECTANGLE.walls[RECTANGLE.windows[int(part.name.removeprefix("window-"))].wall]
             depths = (part.vertices[:, :2] - wall.start) @ wall.normal
-            assert depths.max() < 0.0 and depths.min() > -THICKNESS
+            assert depths.max() < 0.0 and depths.min() > -SHELL.thickness

@@ -9,7 +9,7 @@ import shapely
 from robolayout.assets import CATALOGUE, parts
 from robolayout.assets.mass import part_masses
 from robolayout.export import settle
-from robolayout.export._bodies import FOOT
+from robolayout.export._bodies import BODIES
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
 EACH = 24
@@ -34,7 +34,7 @@ def test_the_middle_of_every_mass_is_over_what_stands_on_the_floor(name: str) ->
         asset = Asset("thing-0", name, scaled(CATALOGUE[name].size, factor))
         made, bottom = parts(asset), -asset.size[2] / 2
         low = [part.vertices for part in made if part.vertices[:, 2].min() < bottom + LEVEL]
-        feet = [v[v[:, 2] < bottom + LEVEL + FOOT * np.ptp(v[:, 2]), :2] for v in low]
+        feet = [v[v[:, 2] < bottom + LEVEL + BODIES.foot * np.ptp(v[:, 2]), :2] for v in low]
         weights, middles = part_masses(made)
         x, y, z = weights @ middles / weights.sum()
         hull = shapely.MultiPoint(np.concatenate(feet)).convex_hull

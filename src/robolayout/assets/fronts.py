@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -14,21 +14,38 @@ from robolayout.assets.shapes import Range, box, cylinder
 
 Box = NDArray[np.float64]
 Face = tuple[Range, Range]  # where fronts lie: ends along y and z
-GAP = 0.004  # metres between neighbouring fronts
-DOOR = 0.018  # thickness of a front in metres
-KNOB = 0.022  # how far handles stand out, metres
-KNOB_RADII = ((0.008, 0.008), (0.013, 0.013))  # half-axes of a knob at its front and at its end
+
+
+@dataclass(frozen=True)
+class FrontConfig:
+    """Doors and drawers of furniture, in metres unless said otherwise."""
+
+    gap: float = 0.004  # metres between neighbouring fronts
+    door: float = 0.018  # thickness of a front in metres
+    knob: float = 0.022  # how far handles stand out, metres
+    knob_radii: tuple[tuple[float, float], tuple[float, float]] = (
+        (0.008, 0.008),
+        (0.013, 0.013),
+    )  # half-axes of a knob, front and end
+    board: float = 0.016  # thickness of boards between drawers
+    thin: float = 0.008  # thickness of the boards that drawers are made of
+    ease: float = 0.002  # how loosely drawers run
+    raised: float = 0.75  # share of its height to which a drawer's sides and back reach
+    pitch: float = 0.34  # between shelves behind doors, about
+    recess: float = 0.02  # how far back these lie
+    shallow: float = 0.06  # no drawer is lower
+    behind: float = 0.05  # what stands so far behind a front is its body
+
+
+FRONTS = FrontConfig()
+
+
 TRAY = "drawer floor"  # name of the part on which lies what is in a drawer
-BOARD, THIN, EASE = 0.016, 0.008, 0.002
-"""Metres: thickness of boards between drawers, of the boards that drawers are made of, and how loosely these run."""
-RAISED = 0.75  # share of its height to which a drawer's sides and back reach
 OPEN = (("drawer", 1.0, 0.0), ("door", 0.0, 0.0))
 """Names of fronts that have an inside, each with the x and y of the axis on which it moves: pulled out, or hung at its side."""
-PITCH, RECESS = 0.34, 0.02  # metres between shelves behind doors, about, and how far back these lie
-SHALLOW, BEHIND = 0.06, 0.05  # metres: no drawer is lower, and what stands so far behind a front is its body
 
 
-def spread(span: Range, count: int, gap: float = GAP) -> list[Range]:
+def spread(span: Range, count: int, gap: float = FRONTS.gap) -> list[Range]:
     """Return `count` equal ranges inside `span`, `gap` apart and from the ends."""
     step = (span[1] - span[0] - gap) / count
     return [(span[0] + gap + i * step, span[0] + (i + 1) * step) for i in range(count)]
@@ -36,9 +53,9 @@ def spread(span: Range, count: int, gap: float = GAP) -> list[Range]:
 
 def doors(front: Material, metal: Material, ahead: float, face: Face, *, count: int) -> Iterator[Part]:
     """Yield a row of doors with bar handles; the handles end at x = `ahead`."""
-    (y, z), front_x = face, ahead - KNOB
+    (y, z), front_x = face, ahead - FRONTS.knob
     for i, (y0, y1) in enumerate(spread(y, count)):
-        yield box("door", front, (front_x - DOOR, front_x), (y0, y1), (z[0] + GAP, z[1] - GAP))
+        yield box("door", front, (front_x - FRONTS.door, front_x), (y0, y1), (z[0] + FRONTS.gap, z[1] - FRONTS.gap))
         at = y1 - 0.045 if i % 2 == 0 and count > 1 else y0 + 0.045
         middle, half = (z[0] + z[1]) / 2, min(0.12, 0.2 * (z[1] - z[0]))
         yield box("handle", metal, (front_x, ahead), (at - 0.007, at + 0.007), (middle - half, middle + half))
@@ -48,13 +65,13 @@ def drawers(
     front: Material, metal: Material, ahead: float, face: Face, *, rows: int, columns: int = 1, knobs: int = 0
 ) -> Iterator[Part]:
     """Yield a grid of drawer fronts with handles or knobs that end at x = `ahead`."""
-    (y, z), front_x = face, ahead - KNOB
+    (y, z), front_x = face, ahead - FRONTS.knob
     for y0, y1 in spread(y, columns):
         for z0, z1 in spread(z, rows):
-            yield box("drawer", front, (front_x - DOOR, front_x), (y0, y1), (z0, z1))
+            yield box("drawer", front, (front_x - FRONTS.door, front_x), (y0, y1), (z0, z1))
             middle, level, half = (y0 + y1) / 2, (z0 + z1) / 2, min(0.07, 0.2 * (y1 - y0))
             if knobs:
-                yield cylinder("knob", metal, (middle, level), KNOB_RADII, (front_x, ahead), axis="x", sides=8)
+                yield cylinder("knob", metal, (middle, level), FRONTS.knob_radii, (front_x, ahead), axis="x", sides=8)
             else:
                 handle = ((middle - half, middle + half), (level - 0.006, level + 0.006))
                 yield box("handle", metal, (front_x, ahead), *handle)
@@ -71,12 +88,16 @@ def hollowed(made: Sequence[Part]) -> tuple[Part, ...]:
     out = list(made)
     for front in (part for part in made if part.joint is not None and (part.name, *part.joint.axis[:2]) in OPEN):
         low, high = ends(front)
-        behind = [part for part in made if part.joint is None and _meets(part, low - (BEHIND, 0.0, 0.0), high)]
-        back = min((part.vertices[:, 0].min() for part in behind), default=low[0]) + BOARD
-        inset = BOARD / 2 if front.name == "drawer" else BOARD
+        behind = [part for part in made if part.joint is None and _meets(part, low - (FRONTS.behind, 0.0, 0.0), high)]
+        back = min((part.vertices[:, 0].min() for part in behind), default=low[0]) + FRONTS.board
+        inset = FRONTS.board / 2 if front.name == "drawer" else FRONTS.board
         hole = np.array([(back, *(low[1:] + inset)), (low[0], *(high[1:] - inset))])
         bodies = [part for part in out if _meets(part, *hole)]
-        if bodies and (hole[1] - hole[0]).min() > SHALLOW and all(_is_block(part) for part in (*behind, *bodies)):
+        if (
+            bodies
+            and (hole[1] - hole[0]).min() > FRONTS.shallow
+            and all(_is_block(part) for part in (*behind, *bodies))
+        ):
             out = [piece for part in out for piece in (_cut(part, hole) if part in bodies else (part,))]
             within = _tray(front.material, hole) if front.name == "drawer" else _shelves(bodies[0].material, hole)
             out += [replace(part, joint=front.joint if front.name == "drawer" else None) for part in within]
@@ -114,17 +135,21 @@ def _cut(part: Part, hole: Box) -> Iterator[Part]:
 
 def _tray(material: Material, hole: Box) -> Iterator[Part]:
     """Yield floor, back and sides of the drawer in a hole, whose front is there already."""
-    (x0, y0, z0), (x1, y1, z1) = (hole + np.array([[EASE, EASE, EASE], [0.0, -EASE, -EASE]])).tolist()
-    top = z0 + RAISED * (z1 - z0)
-    yield box(TRAY, material, (x0, x1), (y0, y1), (z0, z0 + THIN))
-    yield box("drawer back", material, (x0, x0 + THIN), (y0, y1), (z0 + THIN, top))
-    for side in ((y0, y0 + THIN), (y1 - THIN, y1)):
-        yield box("drawer side", material, (x0 + THIN, x1), side, (z0 + THIN, top))
+    (x0, y0, z0), (x1, y1, z1) = (
+        hole + np.array([[FRONTS.ease, FRONTS.ease, FRONTS.ease], [0.0, -FRONTS.ease, -FRONTS.ease]])
+    ).tolist()
+    top = z0 + FRONTS.raised * (z1 - z0)
+    yield box(TRAY, material, (x0, x1), (y0, y1), (z0, z0 + FRONTS.thin))
+    yield box("drawer back", material, (x0, x0 + FRONTS.thin), (y0, y1), (z0 + FRONTS.thin, top))
+    for side in ((y0, y0 + FRONTS.thin), (y1 - FRONTS.thin, y1)):
+        yield box("drawer side", material, (x0 + FRONTS.thin, x1), side, (z0 + FRONTS.thin, top))
 
 
 def _shelves(material: Material, hole: Box) -> Iterator[Part]:
     """Yield shelves at even heights in a hole."""
     (x0, y0, z0), (x1, y1, z1) = hole.tolist()
-    count = round((z1 - z0) / PITCH)
+    count = round((z1 - z0) / FRONTS.pitch)
     for level in np.linspace(z0, z1, max(count, 1) + 1)[1:-1].tolist():
-        yield box("shelf", material, (x0, x1 - RECESS), (y0, y1), (level - BOARD / 2, level + BOARD / 2))
+        yield box(
+            "shelf", material, (x0, x1 - FRONTS.recess), (y0, y1), (level - FRONTS.board / 2, level + FRONTS.board / 2)
+        )

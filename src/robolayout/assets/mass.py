@@ -11,7 +11,7 @@ from robolayout._errors import AssetError
 from robolayout.assets.category import CATALOGUE, read_data
 from robolayout.assets.lexicon import category_of
 from robolayout.assets.part import Part
-from robolayout.assets.prisms import SMALL
+from robolayout.assets.prisms import PRISMS
 from robolayout.scene import Asset
 
 LOW = (0.2, 0.06)  # share of a thing's height, and metres, below both of which a foot ends that is weighted
@@ -27,7 +27,7 @@ def centre_of_mass(asset: Asset) -> tuple[float, float, float]:
 
     kind = category_of(asset)
     if (
-        max(asset.size) < SMALL
+        max(asset.size) < PRISMS.small
         and asset.size != kind.size
         and kind.name in CATALOGUE
         and not (asset.path or asset.parts)

@@ -22,18 +22,32 @@ from robolayout.assets.lexicon import category_of
 from robolayout.assets.part import Part
 from robolayout.scene import Asset
 
-MOST = 8  # prisms of one thing (DESIGN section 6)
-SMALL = 0.35  # metres below which all edges of a thing lie whose shape is its box
-SPARE = 0.02  # share of a thing's box that two prisms may waste when they become one although there are few enough
-FLOORWARD = (0.3, 6.0)
-"""Metres of height below which room counts so many times: feet and low bodies pass there, between legs."""
-SLICES = 16  # slices that a user's own mesh is looked at in, beside those between its level tops
-CELLS = 24  # cells along an edge of a slice of a user's own mesh
-RECTANGLES = 6  # rectangles by which a slice of a user's own mesh is covered
-FLAT = 0.99  # least cosine between up and the normal of a face of a user's own mesh that lies level
-TOP = (0.01, 0.01)
-"""Metres of height within which faces of a user's own mesh are one top, and square metres from which on it ends a slice."""
-LEAST_CUT = 0.05  # share of the shorter half side below which a corner is not cut off
+
+@dataclass(frozen=True)
+class PrismConfig:
+    """How the shape of a thing becomes few upright prisms."""
+
+    most: int = 8  # prisms of one thing (DESIGN section 6)
+    small: float = 0.35  # metres below which all edges of a thing lie whose shape is its box
+    spare: float = 0.02  # share of a thing's box that two prisms may waste when they needlessly become one
+    floorward: tuple[float, float] = (
+        0.3,
+        6.0,
+    )  # metres of height below which room counts so many times: feet pass there
+    slices: int = 16  # slices that a user's own mesh is looked at in, beside those between its level tops
+    cells: int = 24  # cells along an edge of a slice of a user's own mesh
+    rectangles: int = 6  # rectangles by which a slice of a user's own mesh is covered
+    flat: float = 0.99  # least cosine between up and the normal of a face of a user's own mesh that lies level
+    top: tuple[float, float] = (
+        0.01,
+        0.01,
+    )  # metres within which faces of a mesh are one top, and m2 from which on it ends a slice
+    least_cut: float = 0.05  # share of the shorter half side below which a corner is not cut off
+
+
+PRISMS = PrismConfig()
+
+
 Array = NDArray[np.float64]
 Spans = NDArray[np.float64]
 """(n, 10): least and greatest x, y, z, x + y and x - y of the points of a piece; metres, z from the bottom of the thing."""
@@ -76,7 +90,7 @@ def prisms_of(asset: Asset) -> tuple[Prism, ...]:
     box = (Prism(0.0, 0.0, depth / 2, width / 2, 0.0, 0.0, height),)
     if (
         asset.is_flat
-        or max(asset.size) < SMALL
+        or max(asset.size) < PRISMS.small
         or (asset.path is None and not asset.parts and category_of(asset).group == "unknown")
     ):
         return box
@@ -84,7 +98,7 @@ def prisms_of(asset: Asset) -> tuple[Prism, ...]:
         spans = piece_spans(asset, shut=True) if asset.path is None else piece_spans(asset)
     except AssetError:
         return box
-    merged = _merged(spans, SPARE * depth * width * height)
+    merged = _merged(spans, PRISMS.spare * depth * width * height)
     found = sorted((_prism(span) for span in merged.tolist()), key=lambda p: (p.low, p.high, p.x, p.y, p.hx, p.hy))
     return tuple(found) or box
 
@@ -120,7 +134,7 @@ def level_tops(part: Part, thick: float) -> Iterator[tuple[float, Any]]:
         return
     corners = part.vertices[part.faces]
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    up = normal[:, 2] > FLAT * np.maximum(np.linalg.norm(normal, axis=1), 1e-12)
+    up = normal[:, 2] > PRISMS.flat * np.maximum(np.linalg.norm(normal, axis=1), 1e-12)
     bins = np.round(corners[up][:, :, 2].mean(axis=1) / thick)
     for number in np.unique(bins):
         some = corners[up][bins == number]
@@ -141,7 +155,7 @@ def _volumes(spans: Spans) -> Array:
 
 def _raised(z: Array) -> Array:
     """Return heights where those below `FLOORWARD[0]` are stretched."""
-    return z + (FLOORWARD[1] - 1.0) * np.minimum(z, FLOORWARD[0])
+    return z + (PRISMS.floorward[1] - 1.0) * np.minimum(z, PRISMS.floorward[0])
 
 
 def _halves(spans: Spans) -> tuple[Array, Array, Array]:
@@ -150,7 +164,7 @@ def _halves(spans: Spans) -> tuple[Array, Array, Array]:
     x, y = (spans[..., 1] + spans[..., 0]) / 2, (spans[..., 3] + spans[..., 2]) / 2
     far = [spans[..., 7] - x - y, x + y - spans[..., 6], spans[..., 9] - x + y, x - y - spans[..., 8]]
     cut = np.clip(hx + hy - np.max(far, axis=0), 0.0, np.minimum(hx, hy))
-    return hx, hy, np.where(cut < LEAST_CUT * np.minimum(hx, hy), 0.0, cut)
+    return hx, hy, np.where(cut < PRISMS.least_cut * np.minimum(hx, hy), 0.0, cut)
 
 
 def _joined(first: Spans, second: Spans) -> Spans:
@@ -159,7 +173,7 @@ def _joined(first: Spans, second: Spans) -> Spans:
 
 
 def _merged(spans: Spans, spare: float) -> Spans:
-    """Return at most `MOST` spans that hold all of them, made one where that wastes the least, or less than `spare` m3."""
+    """Return at most `PRISMS.most` spans that hold all of them, made one where that wastes the least, or less than `spare` m3."""
     spans = np.unique(np.round(spans, 6), axis=0)
     volumes = _volumes(spans)
     waste = np.full((len(spans), len(spans)), np.inf)
@@ -178,7 +192,7 @@ def _merged(spans: Spans, spare: float) -> Spans:
         update(i)
     while (count := int(alive.sum())) > 1:
         i, j = divmod(int(np.argmin(waste)), len(spans))
-        if count <= MOST and waste[i, j] > spare:
+        if count <= PRISMS.most and waste[i, j] > spare:
             break
         spans[i] = _joined(spans[i], spans[j])
         volumes[i] = _volumes(spans[i])
@@ -196,12 +210,12 @@ def _prism(span: list[float]) -> Prism:
 def _slices(part: Part) -> Iterator[Array]:
     """Yield what rectangles span that cover a mesh, slice by slice; its level tops end slices."""
     z = part.vertices[:, 2]
-    tops = [height for height, area in level_tops(part, TOP[0]) if area.area > TOP[1]]
-    edges = np.unique(np.round([*np.linspace(z.min(), z.max(), SLICES + 1), *tops[:SLICES]], 4))
+    tops = [height for height, area in level_tops(part, PRISMS.top[0]) if area.area > PRISMS.top[1]]
+    edges = np.unique(np.round([*np.linspace(z.min(), z.max(), PRISMS.slices + 1), *tops[: PRISMS.slices]], 4))
     edges = edges[np.concatenate([[True], np.diff(edges) > 1e-3])]
     edges[-1] = max(edges[-1], z.max())
     triangles = part.vertices[part.faces]
-    step = max(np.ptp(part.vertices[:, :2], axis=0).max() / CELLS, 1e-3)
+    step = max(np.ptp(part.vertices[:, :2], axis=0).max() / PRISMS.cells, 1e-3)
     for low, high in pairwise(edges.tolist()):
         met = triangles[(triangles[:, :, 2].max(axis=1) > low + 1e-6) & (triangles[:, :, 2].min(axis=1) < high - 1e-6)]
         if len(met):
@@ -241,14 +255,16 @@ def _covers(points: Array, step: float) -> Iterator[Array]:
     mask[cells[:, 0], cells[:, 1]] = True
     full = np.asarray(binary_fill_holes(mask))
     left = mask.copy()
-    for number in range(RECTANGLES):
+    for number in range(PRISMS.rectangles):
         if not left.any():
             return
         i, j, k, m = (
-            largest_block(full, left.astype(float)) if number < RECTANGLES - 1 else (0, full.shape[0], 0, full.shape[1])
+            largest_block(full, left.astype(float))
+            if number < PRISMS.rectangles - 1
+            else (0, full.shape[0], 0, full.shape[1])
         )
         inside = (cells[:, 0] >= i) & (cells[:, 0] < j) & (cells[:, 1] >= k) & (cells[:, 1] < m)
-        inside &= left[cells[:, 0], cells[:, 1]] | (number < RECTANGLES - 1)
+        inside &= left[cells[:, 0], cells[:, 1]] | (number < PRISMS.rectangles - 1)
         yield _span(points[inside])
         left[i:j, k:m] = False
 

@@ -1,6 +1,6 @@
 """The room's own parts: floor, walls with holes, doors, windows, skirting; in the world frame, ready to draw.
 
-Walls stand outside the floor polygon, `THICKNESS` thick, and are cut into convex blocks around their openings. Names
+Walls stand outside the floor polygon, `SHELL.thickness` thick, and are cut into convex blocks around their openings. Names
 say what a part belongs to: "floor", "wall-2", "door-0", "window-1", "skirting-3"; several parts may share a name.
 """
 
@@ -26,16 +26,25 @@ from robolayout.assets.part import Joint, Material, Part
 from robolayout.assets.shapes import prism
 from robolayout.scene import Opening, Point, Room, Wall
 
-THICKNESS = 0.1  # thickness of walls in metres, outside the room
-SLAB = 0.06  # thickness of the floor below z = 0 in metres
-FRAME = 0.05  # width of door and window frames in metres
-LEAF = (-0.075, -0.035)  # between which depths into the room a shut leaf hangs, in metres
-SKIRTING = (0.008, 0.07)  # depth into the room and height of the skirting board in metres
-GATHERED, FOLDS, WIDEST = 0.17, 6, 2.6
-"""Share of a window's width that a curtain drawn aside takes, its folds, and metres beyond which a window has none (a shop's)."""
-MAX_STRIPS = 60
-MAX_TILES = 110
-SHORTEST = 1e-6
+
+@dataclass(frozen=True)
+class ShellConfig:
+    """Walls, openings, skirting and curtains of a room, in metres unless said otherwise."""
+
+    thickness: float = 0.1  # thickness of walls in metres, outside the room
+    slab: float = 0.06  # thickness of the floor below z = 0 in metres
+    frame: float = 0.05  # width of door and window frames in metres
+    leaf: tuple[float, float] = (-0.075, -0.035)  # between which depths into the room a shut leaf hangs, in metres
+    skirting: tuple[float, float] = (0.008, 0.07)  # depth into the room and height of the skirting board in metres
+    gathered: float = 0.17  # share of a window's width that a curtain drawn aside takes
+    folds: int = 6  # folds of a curtain
+    widest: float = 2.6  # width beyond which a window has no curtain (a shop's)
+    strips: int = 60  # most strips of a floor of boards
+    tiles: int = 110  # most tiles of a floor
+    shortest: float = 1e-6  # length below which a piece is left out
+
+
+SHELL = ShellConfig()
 
 
 @dataclass(frozen=True)
@@ -88,7 +97,7 @@ def _floor(room: Room, look: RoomStyle) -> Iterator[Part]:
     """Yield the slab below the floor and the sheets that lie on it."""
     outline = Polygon(room.vertices)
     base = look.tones[-1] if look.floor == "tiles" else look.tones[0]
-    yield extruded("floor", base, outline, (-SLAB, -0.001))
+    yield extruded("floor", base, outline, (-SHELL.slab, -0.001))
     for tone, pieces in zip(look.tones, _sheets(outline, look), strict=False):
         corners = _triangles(pieces).reshape(-1, 2)
         if len(corners):
@@ -100,13 +109,13 @@ def _sheets(outline: Polygon, look: RoomStyle) -> list[list[BaseGeometry]]:
     """Return the visible pieces of the floor, one list for each tone: planks along its longer side, tiles, or all of it."""
     x0, y0, x1, y1 = outline.bounds
     if look.floor == "planks":
-        count = max(1, min(MAX_STRIPS, round(min(x1 - x0, y1 - y0) / 0.16)))
+        count = max(1, min(SHELL.strips, round(min(x1 - x0, y1 - y0) / 0.16)))
         grid = (1, count) if x1 - x0 >= y1 - y0 else (count, 1)
         planks = _cells(outline, ((x1 - x0) / grid[0], (y1 - y0) / grid[1]), grid, 0.0015)
         tones = len(look.tones)
         return [[plank for i, plank in enumerate(planks) if (i * 7 + i // 3) % tones == tone] for tone in range(tones)]
     if look.floor == "tiles":
-        side = max(0.6, math.sqrt((x1 - x0) * (y1 - y0) / MAX_TILES))
+        side = max(0.6, math.sqrt((x1 - x0) * (y1 - y0) / SHELL.tiles))
         grid = (max(1, math.ceil((x1 - x0) / side)), max(1, math.ceil((y1 - y0) / side)))
         return [_cells(outline, (side, side), grid, 0.004)]
     return [[outline]]
@@ -123,7 +132,7 @@ def _cells(outline: Polygon, edges: Point, grid: tuple[int, int], joint: float) 
 def _triangles(shapes: Sequence[BaseGeometry]) -> NDArray[np.float64]:
     """Return counter-clockwise triangles (n, 3, 2) of the polygons, which may be concave, among shapes and their pieces."""
     pieces = shapely.get_parts(shapes)
-    made = shapely.get_parts(shapely.constrained_delaunay_triangles(pieces[shapely.area(pieces) > SHORTEST]))
+    made = shapely.get_parts(shapely.constrained_delaunay_triangles(pieces[shapely.area(pieces) > SHELL.shortest]))
     return shapely.get_coordinates(shapely.orient_polygons(made)).reshape(-1, 4, 2)[:, :3]
 
 
@@ -147,16 +156,16 @@ def extruded(name: str, tone: Material, outline: Polygon, span: tuple[float, flo
 def _walls(room: Room, look: RoomStyle) -> Iterator[Part]:
     """Yield the convex blocks of every wall, and boards along its foot, left out at doors."""
     for name, tone, openings, outwards, height in (
-        ("wall", look.wall, (*room.doors, *room.windows), THICKNESS, room.wall_height),
-        ("skirting", look.trim, room.doors, -SKIRTING[0], SKIRTING[1]),
+        ("wall", look.wall, (*room.doors, *room.windows), SHELL.thickness, room.wall_height),
+        ("skirting", look.trim, room.doors, -SHELL.skirting[0], SHELL.skirting[1]),
     ):
         corners = _offset_corners(room, outwards)
         for wall in room.walls:
             ends = (corners[wall.index], corners[(wall.index + 1) % len(corners)])
             holes = [hole for hole in openings if hole.wall == wall.index]
             for near, far, low, high in _blocks(wall.length, height, holes):
-                second = ends[0] if near <= SHORTEST else wall.point(near, -outwards)
-                third = ends[1] if far >= wall.length - SHORTEST else wall.point(far, -outwards)
+                second = ends[0] if near <= SHELL.shortest else wall.point(near, -outwards)
+                third = ends[1] if far >= wall.length - SHELL.shortest else wall.point(far, -outwards)
                 outline = (wall.point(near), second, third, wall.point(far))
                 yield prism(f"{name}-{wall.index}", tone, outline if outwards > 0 else outline[::-1], (low, high))
 
@@ -169,7 +178,7 @@ def _offset_corners(room: Room, outwards: float) -> list[Point]:
         (ax, ay), (bx, by) = walls[i - 1].normal, wall.normal
         sx, sy = ax + bx, ay + by
         length = math.hypot(sx, sy)
-        if length < SHORTEST:
+        if length < SHELL.shortest:
             corners.append(wall.point(0.0, -outwards))
             continue
         reach = outwards * min(2 / length, 3.0) / length
@@ -184,12 +193,12 @@ def _blocks(length: float, height: float, openings: Sequence[Opening]) -> Iterat
         cuts |= {min(max(x, 0.0), length) for x in (opening.offset, opening.offset + opening.width)}
     marks = sorted(cuts)
     for near, far in pairwise(marks):
-        if far - near < SHORTEST:
+        if far - near < SHELL.shortest:
             continue
         middle, level = (near + far) / 2, 0.0
         holes = sorted((o.sill, o.sill + o.height) for o in openings if o.offset < middle < o.offset + o.width)
         for low, high in [*holes, (height, height)]:
-            if min(low, height) - level > SHORTEST:
+            if min(low, height) - level > SHELL.shortest:
                 yield near, far, level, min(low, height)
             level = max(level, high)
 
@@ -206,7 +215,7 @@ def _bar(name: str, tone: Material, wall: Wall, along: Point, depth: Point, z: P
 def _frame(wall: Wall, hole: Opening, name: str, tone: Material, *, depth: Point) -> Iterator[Part]:
     """Yield the jambs and the head that line an opening."""
     near, far, top = hole.offset, hole.offset + hole.width, hole.sill + hole.height
-    t = min(FRAME, 0.15 * hole.width, 0.15 * hole.height)
+    t = min(SHELL.frame, 0.15 * hole.width, 0.15 * hole.height)
     yield _bar(name, tone, wall, (near, near + t), depth, (hole.sill, top))
     yield _bar(name, tone, wall, (far - t, far), depth, (hole.sill, top))
     yield _bar(name, tone, wall, (near + t, far - t), depth, (top - t, top))
@@ -214,8 +223,8 @@ def _frame(wall: Wall, hole: Opening, name: str, tone: Material, *, depth: Point
 
 def _door(wall: Wall, door: Opening, name: str, look: RoomStyle) -> Iterator[Part]:
     """Yield a door: the frame, and its leaves as they stand."""
-    yield from _frame(wall, door, name, look.trim, depth=(-THICKNESS + 0.004, -0.002))
-    t = min(FRAME, 0.15 * door.width, 0.15 * door.height)
+    yield from _frame(wall, door, name, look.trim, depth=(-SHELL.thickness + 0.004, -0.002))
+    t = min(SHELL.frame, 0.15 * door.width, 0.15 * door.height)
     near, far, top = door.offset + t + 0.003, door.offset + door.width - t - 0.003, door.height - t - 0.003
     if door.leaves == 1:
         yield from _hung(wall, door, name, look, (near, far, top), left=door.hinge == "left")
@@ -232,11 +241,11 @@ def _hung(
     inset = 0.14 * (far - near)
     grip = near + 0.06 if left else far - 0.18
     built = (
-        _bar(name, look.door, wall, (near, far), LEAF, (0.004, top)),
+        _bar(name, look.door, wall, (near, far), SHELL.leaf, (0.004, top)),
         _bar(name, look.trim, wall, (near + inset, far - inset), (-0.034, -0.029), (0.55 * top, top - inset)),
         _bar(name, PLAIN["steel"], wall, (grip, grip + 0.12), (-0.033, -0.012), (1.0, 1.02)),
     )
-    x, y = wall.point(far if left else near, LEAF[1] if door.swing == "in" else LEAF[0])
+    x, y = wall.point(far if left else near, SHELL.leaf[1] if door.swing == "in" else SHELL.leaf[0])
     up = 1.0 if left == (door.swing == "out") else -1.0
     hand = (*wall.point(grip + 0.06), 1.01)
     wide = (-math.pi / 2, 0.0) if door.open else (0.0, math.pi / 2)
@@ -250,7 +259,7 @@ def _window(wall: Wall, window: Opening, name: str, look: RoomStyle) -> Iterator
     """Yield a window: frame, sill board, a bar in the middle, glass."""
     depth = (-0.08, -0.02)
     yield from _frame(wall, window, name, look.trim, depth=depth)
-    t = min(FRAME, 0.15 * window.width, 0.15 * window.height)
+    t = min(SHELL.frame, 0.15 * window.width, 0.15 * window.height)
     near, far = window.offset + t, window.offset + window.width - t
     low, top = window.sill + t, window.sill + window.height - t
     yield _bar(name, look.trim, wall, (near, far), depth, (window.sill, low))
@@ -264,7 +273,7 @@ def _window(wall: Wall, window: Opening, name: str, look: RoomStyle) -> Iterator
     if panes > 1:
         yield _bar(name, PLAIN["black"], wall, (near + (far - near) / panes - 0.01, near + (far - near) / panes + 0.01),
                    (-0.03, -0.01), (low + 0.3 * (top - low), low + 0.3 * (top - low) + 0.1))  # fmt: skip
-    if look.curtain is not None and window.width <= WIDEST:
+    if look.curtain is not None and window.width <= SHELL.widest:
         yield from _curtains(wall, window, name, look.curtain)
 
 
@@ -272,8 +281,8 @@ def _curtains(wall: Wall, window: Opening, name: str, cloth: Material) -> Iterat
     """Yield curtains drawn aside, in folds, on a rod in the reveal of a window."""
     near, far, top = window.offset, window.offset + window.width, window.sill + window.height
     yield _bar(name, PLAIN["steel"], wall, (near, far), (-0.018, -0.008), (top - 0.03, top - 0.02))
-    fold = GATHERED * window.width / FOLDS
-    for i in range(FOLDS):
+    fold = SHELL.gathered * window.width / SHELL.folds
+    for i in range(SHELL.folds):
         depth = ((-0.019, -0.009), (-0.012, -0.002))[i % 2]
         for at in (near + i * fold, far - (i + 1) * fold):
             yield _bar(name, cloth, wall, (at, at + fold), depth, (window.sill + 0.022, top - 0.018))

@@ -25,27 +25,40 @@ from robolayout.assets.part import Part
 from robolayout.assets.prisms import largest_block, level_tops, piece_spans
 from robolayout.scene import Asset
 
-LEVEL = 0.012  # metres of height within which tops are one surface: seams of a seat, a duvet's edge
-SEAM = 0.015
-"""Metres between tops at one height that are one surface all the same; half of it is closed from either side."""
-RISES = 0.06  # metres above a surface below which a part over it stands on it; what begins higher covers it
-LEAST_AREA = 0.0025  # square metres below which a top holds nothing
-LEAST_SIDE = 0.03  # metres across below which a top holds nothing
-LEAST_SHELF, LEAST_FREE = 0.01, (0.1, 0.04)
-"""Square metres, and metres of free height, on a shelf and in a drawer, below which what is covered holds nothing."""
-LEDGE = 0.03  # share of the largest surface of a thing below which another one is a ledge that nobody puts things on
+
+@dataclass(frozen=True)
+class SurfaceConfig:
+    """What of a thing holds others, in metres unless said otherwise."""
+
+    level: float = 0.012  # metres of height within which tops are one surface: seams of a seat, a duvet's edge
+    seam: float = 0.015  # metres between tops at one height that are one surface all the same
+    rises: float = 0.06  # metres above a surface below which a part over it stands on it; what begins higher covers it
+    least_area: float = 0.0025  # square metres below which a top holds nothing
+    least_side: float = 0.03  # metres across below which a top holds nothing
+    least_shelf: float = 0.01  # square metres below which what is covered holds nothing
+    least_free: tuple[float, float] = (
+        0.1,
+        0.04,
+    )  # free height on a shelf, and in a drawer, below which it does not either
+    ledge: float = 0.03  # share of the largest surface of a thing below which another one holds nothing
+    simple: float = 0.004  # metres by which a surface's outline may be straightened
+    corners: int = 10  # coordinates of corners between which the largest rectangle of a region is looked for
+    evenly: int = 8  # even steps between which it is looked for in a region with more coordinates than a slanted one
+    square: int = 2  # coordinates along an axis of the corners of an upright rectangle
+    slim: float = 0.04  # hooks are longer than that, and no wider
+    held: float = 0.035  # how far from the end of a hook hangs what it holds
+    rim: float = 0.8  # share of its height below which an open surface lies in a thing
+    ease: float = 0.005  # metres of height that a thing needs more than its own to be put into a shelf
+
+
+SURFACES = SurfaceConfig()
+
+
 PLAN = [0, 2, 1, 3]  # columns of a span that are its rectangle in plan: least x and y, greatest x and y
-SIMPLE = 0.004  # metres by which a surface's outline may be straightened
 SOFT = ("seat", "cushion", "mattress", "duvet", "quilt", "blanket", "bed")
 """Words in names of parts that people sit or lie on."""
-CORNERS, EVENLY, SQUARE = 10, 8, 2
-"""Coordinates of corners, and of even steps, between which the largest rectangle of a region is looked for; the latter only
-where the corners have more coordinates along an axis than those of an upright rectangle."""
 HOOKS = ("hook", "peg")  # names of parts that things hang from
-SLIM, HELD = 0.04, 0.035  # metres: hooks are longer than that, and no wider; and so far from its end hangs what does
 COUNTED = ("shelf", "drawer")  # words that a number follows, however few there are
-RIM = 0.8  # share of its height below which an open surface lies in a thing
-EASE = 0.005  # metres of height that a thing needs more than its own to be put into a shelf
 
 
 @dataclass(frozen=True)
@@ -84,14 +97,18 @@ class Surface:
     def is_wide(self) -> bool:
         """Whether something that is no thread lies on it."""
         x0, y0, x1, y1 = self.rectangle
-        return min(x1 - x0, y1 - y0) >= LEAST_SIDE / 2
+        return min(x1 - x0, y1 - y0) >= SURFACES.least_side / 2
 
     def holds(self, size: tuple[float, float, float]) -> bool:
         """Return whether a thing of that depth, width and height lies wholly on it, one way round or the other."""
         x0, y0, x1, y1 = self.rectangle
         small, large = sorted(size[:2])
         least, most = sorted((x1 - x0, y1 - y0))
-        return small <= least + SIMPLE and large <= most + SIMPLE and size[2] + EASE <= self.free
+        return (
+            small <= least + SURFACES.simple
+            and large <= most + SURFACES.simple
+            and size[2] + SURFACES.ease <= self.free
+        )
 
 
 @lru_cache(maxsize=1024)
@@ -104,10 +121,10 @@ def surfaces_of(asset: Asset) -> tuple[Surface, ...]:
     except AssetError:
         return (_box_top(asset),)
     level = asset.size[2] / 2
-    tops = [(z + level, area, part.name) for part in made for z, area in level_tops(part, LEVEL)]
+    tops = [(z + level, area, part.name) for part in made for z, area in level_tops(part, SURFACES.level)]
     spans = piece_spans(asset)
     found = [piece for group in _levels(sorted(tops, key=lambda top: top[0])) for piece in _pieces(group, spans)]
-    least = LEDGE * max((surface.region.area for surface, _ in found), default=0.0)
+    least = SURFACES.ledge * max((surface.region.area for surface, _ in found), default=0.0)
     wide = tuple(_named(item for item in found if item[0].region.area >= least and item[0].is_wide))
     return (*wide, *_hooks(made, level))
 
@@ -129,7 +146,7 @@ def inner_surfaces(asset: Asset) -> tuple[Surface, ...]:
     every = tuple(s for s in surfaces_of(asset) if not s.is_hook)
     inside = [s for s in every if s.covered]
     shelves = [s for s in inside if not s.name.startswith("drawer")]
-    return tuple(shelves or inside or [s for s in every if s.height < RIM * asset.size[2]])
+    return tuple(shelves or inside or [s for s in every if s.height < SURFACES.rim * asset.size[2]])
 
 
 def named_surfaces(asset: Asset, name: str) -> tuple[Surface, ...]:
@@ -153,7 +170,7 @@ def resting_place(lower: Asset, upper: Asset, among: tuple[Surface, ...] | None 
         return hung_from(hooks[0], upper)
     meant = outer_surfaces(lower) if among is None else among
     fit = [s for s in meant if s.holds(upper.size)]
-    high = [s for s in meant if upper.size[2] + EASE <= s.free]
+    high = [s for s in meant if upper.size[2] + SURFACES.ease <= s.free]
     widest = max((s.region.area for s in high), default=0.0)
     broad = [s for s in high if s.region.area >= widest / 2]
     return max(fit or broad or [_box_top(lower)], key=lambda s: s.height)
@@ -169,8 +186,8 @@ def hung_from(hook: Surface, thing: Asset) -> Surface:
         return hook
     (x, y), (u, v) = hook.region.centroid.coords[0], hook.out
     points = shapely.get_coordinates(hook.region) @ hook.out
-    far = max(points.min() + thing.size[0] / 2 + EASE / 2, points.max() - HELD) - (x * u + y * v)
-    spot = shapely.Point(x + far * u, y + far * v).buffer(EASE)
+    far = max(points.min() + thing.size[0] / 2 + SURFACES.ease / 2, points.max() - SURFACES.held) - (x * u + y * v)
+    spot = shapely.Point(x + far * u, y + far * v).buffer(SURFACES.ease)
     return replace(hook, region=spot, height=hook.height - thing.size[2] + drop)
 
 
@@ -182,10 +199,10 @@ def _hooks(made: tuple[Part, ...], level: float) -> Iterator[Surface]:
     for bar in bars:
         low, high = ends(bar)
         middle = (low + high) / 2
-        near = [np.clip(middle, a, b) for a, b in boxes if (np.maximum(a - high, low - b) < EASE).all()]
-        ways = [way[:2] / np.linalg.norm(way[:2]) for way in middle - near if np.linalg.norm(way[:2]) > EASE]
+        near = [np.clip(middle, a, b) for a, b in boxes if (np.maximum(a - high, low - b) < SURFACES.ease).all()]
+        ways = [way[:2] / np.linalg.norm(way[:2]) for way in middle - near if np.linalg.norm(way[:2]) > SURFACES.ease]
         sides = sorted((high - low)[:2])
-        if ways and sides[0] <= SLIM <= sides[1]:
+        if ways and sides[0] <= SURFACES.slim <= sides[1]:
             number += 1
             u, v = ways[0].tolist()
             yield Surface(f"hook {number}", shapely.box(*low[:2], *high[:2]), float(high[2]) + level, np.inf, (u, v))
@@ -195,7 +212,7 @@ def _levels(tops: list[tuple[float, Any, str]]) -> Iterator[list[tuple[float, An
     """Yield tops of one height together; those that hold nothing by themselves may do so together."""
     group: list[tuple[float, Any, str]] = []
     for top in tops:
-        if group and top[0] - group[0][0] > LEVEL:
+        if group and top[0] - group[0][0] > SURFACES.level:
             yield group
             group = []
         group.append(top)
@@ -206,7 +223,7 @@ def _levels(tops: list[tuple[float, Any, str]]) -> Iterator[list[tuple[float, An
 def _pieces(group: list[tuple[float, Any, str]], spans: NDArray[np.float64]) -> Iterator[tuple[Surface, str]]:
     """Yield what is left of the tops at one height, open and covered, with the name of the part that gives most of it."""
     areas = np.array([area for _, area, _ in group])
-    if shapely.area(areas).sum() < LEAST_AREA:
+    if shapely.area(areas).sum() < SURFACES.least_area:
         return
     height = group[-1][0]
 
@@ -214,12 +231,16 @@ def _pieces(group: list[tuple[float, Any, str]], spans: NDArray[np.float64]) -> 
         given = np.round(shapely.area(shapely.intersection(areas, piece)), 4).tolist()
         most = max(zip(given, group, strict=True), key=lambda item: (item[0], item[1][0]))
         return max(
-            top[0] for area, top in zip(given, group, strict=True) if area >= min(LEAST_AREA / 10, most[0])
+            top[0] for area, top in zip(given, group, strict=True) if area >= min(SURFACES.least_area / 10, most[0])
         ), most[1][2]
 
-    whole = shapely.union_all(areas).buffer(SEAM / 2, join_style="mitre").buffer(-SEAM / 2, join_style="mitre")
-    over = (spans[:, 5] > height + LEVEL) & (spans[:, 0] < whole.bounds[2]) & (spans[:, 1] > whole.bounds[0])
-    rising = over & (spans[:, 4] < height + RISES)
+    whole = (
+        shapely.union_all(areas)
+        .buffer(SURFACES.seam / 2, join_style="mitre")
+        .buffer(-SURFACES.seam / 2, join_style="mitre")
+    )
+    over = (spans[:, 5] > height + SURFACES.level) & (spans[:, 0] < whole.bounds[2]) & (spans[:, 1] > whole.bounds[0])
+    rising = over & (spans[:, 4] < height + SURFACES.rises)
     clear = whole.difference(_boxes(spans[rising]))
     above = spans[over & ~rising]
     cover = _boxes(above)
@@ -229,8 +250,8 @@ def _pieces(group: list[tuple[float, Any, str]], spans: NDArray[np.float64]) -> 
     for piece in _worth(clear.intersection(cover)):
         level, word = own(piece)
         met = shapely.area(shapely.intersection(shapely.box(*above[:, PLAN].T), piece))
-        free = float(above[met > LEAST_AREA / 10, 4].min(initial=np.inf)) - level
-        if free >= LEAST_FREE[word == TRAY] and piece.area >= LEAST_SHELF:
+        free = float(above[met > SURFACES.least_area / 10, 4].min(initial=np.inf)) - level
+        if free >= SURFACES.least_free[word == TRAY] and piece.area >= SURFACES.least_shelf:
             yield Surface("", piece, level, free), word
 
 
@@ -241,9 +262,11 @@ def _boxes(spans: NDArray[np.float64]) -> Any:
 
 def _worth(region: Any) -> Iterator[Polygon]:
     """Yield the pieces of a region that can hold something."""
-    opened = region.buffer(-LEAST_SIDE / 2, join_style="mitre").buffer(LEAST_SIDE / 2, join_style="mitre")
-    for piece in shapely.get_parts(opened.simplify(SIMPLE)):
-        if piece.geom_type == "Polygon" and piece.area >= LEAST_AREA:
+    opened = region.buffer(-SURFACES.least_side / 2, join_style="mitre").buffer(
+        SURFACES.least_side / 2, join_style="mitre"
+    )
+    for piece in shapely.get_parts(opened.simplify(SURFACES.simple)):
+        if piece.geom_type == "Polygon" and piece.area >= SURFACES.least_area:
             yield piece
 
 
@@ -279,7 +302,7 @@ def _largest_rectangle(region: Polygon) -> tuple[float, float, float, float]:
     xs, ys = (_thinned(points[:, i]) for i in (0, 1))
     cells = shapely.box(*np.array([(a, c, b, d) for (a, b), (c, d) in product(pairwise(xs), pairwise(ys))]).T)
     shapely.prepare(region)
-    grown = region.buffer(SIMPLE / 2)
+    grown = region.buffer(SURFACES.simple / 2)
     inside = shapely.covers(grown, cells).reshape(len(xs) - 1, len(ys) - 1)
     i, j, k, m = largest_block(inside, np.outer(np.diff(xs), np.diff(ys)))
     return xs[i], ys[k], xs[j], ys[m]
@@ -288,6 +311,8 @@ def _largest_rectangle(region: Polygon) -> tuple[float, float, float, float]:
 def _thinned(values: NDArray[np.float64]) -> list[float]:
     """Return coordinates in order: some of the corners', and some evenly between their ends."""
     distinct = np.unique(np.round(values, 6))
-    kept = np.linspace(0, len(distinct) - 1, min(len(distinct), CORNERS)).round().astype(int)
-    between = np.linspace(distinct[0], distinct[-1], EVENLY) if len(distinct) > SQUARE else distinct[:0]
+    kept = np.linspace(0, len(distinct) - 1, min(len(distinct), SURFACES.corners)).round().astype(int)
+    between = (
+        np.linspace(distinct[0], distinct[-1], SURFACES.evenly) if len(distinct) > SURFACES.square else distinct[:0]
+    )
     return np.unique(np.concatenate([distinct[kept], between])).tolist()

@@ -25,19 +25,22 @@ from robolayout.scene import Asset, Layout, Pose, Room, Scene, vertical_span
 THINNEST = 5e-4
 """Half thickness in metres that a collider has at least; thinner parts become boxes of that thickness."""
 
-FOOT = 0.08
-"""Share of a mesh's height that is pressed flat where it stands, so that pots and cushions with round bottoms stand."""
 
-SMALLEST_VOLUME = 1e-8  # volume in cubic metres below which a part collides as its box
+@dataclass(frozen=True)
+class BodyConfig:
+    """What simulators need beside the shapes."""
 
-SMALLEST_MOMENT = 1e-7
-"""Moment of inertia in kg m2 that is added to every link's, so that forks and leaves do not tremble."""
+    foot: float = 0.08  # share of a mesh's height that is pressed flat where it stands: pots have round bottoms
+    smallest_volume: float = 1e-8  # volume in cubic metres below which a part collides as its box
+    smallest_moment: float = 1e-7  # kg m2 that are added to every link's inertia, so that forks do not tremble
+    leaf_mass: float = 600.0  # kilograms per cubic metre of the leaf of a door: wood
+    slab: float = 0.1  # thickness of the floor that is stood on in metres, and how far it reaches beyond the room
+    floor_friction: float = 0.6  # friction of the floor
+    on_rug: float = 0.003  # largest gap in metres between a rug's top and what stands on it
 
-LEAF_MASS = 600.0  # kilograms per cubic metre of the leaf of a door: wood
-SLAB = 0.1  # thickness of the floor that is stood on in metres, and how far it reaches beyond the room
 
-FLOOR_FRICTION = 0.6
-ON_RUG = 0.003  # largest gap in metres between a rug's top and what stands on it
+BODIES = BodyConfig()
+
 
 STICTION = {"hinge": 1.0, "slide": 5.0}
 """Friction of a joint of furniture in N m or N: what it takes to move a cabinet's door or drawer (judgement); a flap stays shut."""
@@ -112,7 +115,7 @@ class Link:
         solids = [(shape.mass, *shape.inertia()) for shape in self.shapes if shape.mass]
         total = sum(weight for weight, _, _ in solids)
         middle = sum((weight * at for weight, at, _ in solids), np.zeros(3)) / max(total, 1e-12)
-        moments = SMALLEST_MOMENT * np.eye(3)
+        moments = BODIES.smallest_moment * np.eye(3)
         for weight, at, own in solids:
             apart = at - middle
             moments = moments + own + weight * (apart @ apart * np.eye(3) - np.outer(apart, apart))
@@ -126,7 +129,7 @@ class Thing:
     name: str  # that of the asset, or one for the room
     pose: Pose  # where its frame is
     links: tuple[Link, ...]  # what of it stays, then what moves
-    friction: float = FLOOR_FRICTION  # coefficient of all that it touches with
+    friction: float = BODIES.floor_friction  # coefficient of all that it touches with
     free: bool = False  # whether it may move as a whole; else it is welded to the world
     asset: Asset | None = None  # None for the room
 
@@ -161,7 +164,7 @@ def things(scene: Scene, layout: Layout, options: Options, *, free: Free | None 
         _shape(number, _stood(part, options.leaves), touched=not is_trim(part) and part.name != "floor")
         for number, part in enumerate(shown)
     ]
-    leaves = (replace(s, mass=LEAF_MASS * volume(s.part)) if s.part.joint is not None else s for s in shapes)
+    leaves = (replace(s, mass=BODIES.leaf_mass * volume(s.part)) if s.part.joint is not None else s for s in shapes)
     ground = Shape("floor", shown[0], _ground(scene.room), seen=False)
     yield Thing(free_name("room", scene), Pose(0.0, 0.0, 0.0, 0.0), _links((ground, *leaves)))
     for asset, pose in placed(scene, layout):
@@ -213,7 +216,7 @@ def _moved(shape: Shape, at: FloatArray) -> Shape:
 def _shape(number: int, part: Part, *, touched: bool) -> Shape:
     """Return a part as a box if it is one or is too thin for a hull, else as its hull."""
     box = as_box(part)
-    if box is None and (volume(part) < SMALLEST_VOLUME or np.ptp(part.vertices, axis=0).min() < 2 * THINNEST):
+    if box is None and (volume(part) < BODIES.smallest_volume or np.ptp(part.vertices, axis=0).min() < 2 * THINNEST):
         box = _around(part.vertices.min(axis=0), part.vertices.max(axis=0))
     if box is not None:
         box = replace(box, half=np.maximum(box.half, THINNEST))
@@ -228,7 +231,10 @@ def _around(low: FloatArray, high: FloatArray) -> Box:
 def _ground(room: Room) -> Box:
     """Return what everything stands on: a slab under the whole room, its top at zero."""
     low_x, low_y, high_x, high_y = room.bounds
-    return _around(np.array([low_x - SLAB, low_y - SLAB, -SLAB]), np.array([high_x + SLAB, high_y + SLAB, 0.0]))
+    return _around(
+        np.array([low_x - BODIES.slab, low_y - BODIES.slab, -BODIES.slab]),
+        np.array([high_x + BODIES.slab, high_y + BODIES.slab, 0.0]),
+    )
 
 
 def _stood(part: Part, leaves: str) -> Part:
@@ -244,7 +250,7 @@ def _footed(part: Part, bottom: float) -> Part:
     heights = part.vertices[:, 2]
     if heights.min() > bottom + THINNEST:
         return part
-    low = heights < heights.min() + FOOT * np.ptp(heights)
+    low = heights < heights.min() + BODIES.foot * np.ptp(heights)
     vertices = part.vertices.copy()
     vertices[low, 2] = heights.min()
     return replace(part, vertices=vertices)
@@ -256,7 +262,7 @@ def _patches(rug: Asset, scene: Scene, layout: Layout) -> Iterator[Box]:
     (cosine, sine), top = place.forward, vertical_span(rug, place)[1]
     for asset, pose in placed(scene, layout):
         gap = abs(vertical_span(asset, pose)[0] - top)
-        if not asset.is_flat and gap < ON_RUG and covers(place, rug, pose):
+        if not asset.is_flat and gap < BODIES.on_rug and covers(place, rug, pose):
             dx, dy, turn = pose.x - place.x, pose.y - place.y, pose.yaw - place.yaw
             half = np.array([asset.size[0] / 2, asset.size[1] / 2, max(rug.size[2] / 2, THINNEST)])
             a, b = math.cos(turn), math.sin(turn)

@@ -52,15 +52,15 @@ def why_unavailable() -> str | None:
 def _programs(context: Any) -> dict[str, Any]:
     """Return the compiled shaders of a context."""
     words = {
-        "bias": _light.BIAS,
-        "shoulder": _light.SHOULDER,
-        "level": _light.BOUNCE_LEVEL,
-        "tilt": _light.BOUNCE_TILT,
+        "bias": LIGHT.bias,
+        "shoulder": LIGHT.shoulder,
+        "level": LIGHT.bounce,
+        "tilt": LIGHT.bounce_tilt,
         "sun": _text(_light.SUN),
         "sky": _text(_light.SKY),
         "bounce": _text(_light.BOUNCE),
     }
-    suns = {"count": _light.SUN_COUNT, "columns": LIGHT.sun_columns, "half": 0.5 / LIGHT.sun_tile}
+    suns = {"count": LIGHT.sun, "columns": LIGHT.sun_columns, "half": 0.5 / LIGHT.sun_tile}
     vertex = _shader("shade.vert")
     return {
         "shade": context.program(vertex, _shader("lookup.frag") % suns + _shader("shade.frag") % words),
@@ -108,7 +108,7 @@ class GLRenderer:
         )
         canvas = context.framebuffer([colors], depths)
         canvas.use()
-        canvas.clear(*_light.BACKGROUND, 1.0)
+        canvas.clear(*LIGHT.background, 1.0)
         context.enable(gl.DEPTH_TEST)
         program = self._program["shade"]
         atlas.use(0)

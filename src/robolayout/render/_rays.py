@@ -17,7 +17,7 @@ from robolayout._color import linear
 from robolayout.assets.textures import pixels
 from robolayout.render import _light
 from robolayout.render._mesh import Mesh, refined, welded
-from robolayout.render._style import VIEW
+from robolayout.render._style import LIGHT, VIEW
 from robolayout.render.camera import Camera
 
 Floats = NDArray[np.float32]
@@ -84,7 +84,7 @@ class RayRenderer:
     ) -> tuple[Floats, Floats]:
         """Return display colours (n, 3) at pixels (n, 2), and what was hit there: part, normal (n, 4)."""
         rays = camera.rays(pixels)
-        colors = np.tile(np.array(_light.BACKGROUND, np.float32), (len(pixels), 1))
+        colors = np.tile(np.array(LIGHT.background, np.float32), (len(pixels), 1))
         surface = np.full((len(pixels), 4), -1, np.float32)
         nearest = np.full(len(pixels), np.inf, np.float32)
         for (scene, which), glass in zip(scenes, (False, True), strict=True):
@@ -114,7 +114,7 @@ class RayRenderer:
         look /= np.linalg.norm(look, axis=1, keepdims=True)
         gloss = self._fine.gloss[face]
         toward = _light.sun_directions(camera)
-        lifted = points + normals * np.float32(_light.BIAS)
+        lifted = points + normals * np.float32(LIGHT.bias)
         sun, seen = np.zeros(len(points), np.float32), np.zeros(len(points), np.float32)
         for direction in toward:
             slope = np.maximum(normals @ direction, 0)
@@ -125,7 +125,7 @@ class RayRenderer:
         half = middle / np.linalg.norm(middle) + look
         half /= np.linalg.norm(half, axis=1, keepdims=True)
         shine = seen * np.maximum((normals * half).sum(axis=1), 0) ** (8 + 56 * gloss)
-        bounce = (_light.BOUNCE_LEVEL - _light.BOUNCE_TILT * normals[:, 2])[:, None] * _light.BOUNCE
+        bounce = (LIGHT.bounce - LIGHT.bounce_tilt * normals[:, 2])[:, None] * _light.BOUNCE
         light = _light.SUN * (sun / len(toward))[:, None] + _light.SKY * sky[:, None] + bounce
         away = np.linalg.norm(np.array(camera.position, np.float32) - points, axis=1)
         tint = textured(self._fine, self._textures, face, weights, away * 2 * np.tan(camera.fov / 2) / camera.height)
@@ -229,7 +229,7 @@ def _sky(points: Floats, normals: Floats, scene: Any) -> Floats:
     """Return the irradiance (n,) of the sky at points (n, 3) with unit normals (n, 3); 1 under an open sky."""
     total = np.zeros(len(points), np.float32)
     directions = _light.sky_directions()
-    lifted = (points + normals * _light.BIAS).astype(np.float32)
+    lifted = (points + normals * LIGHT.bias).astype(np.float32)
     for direction in directions:
         slope = np.maximum(normals @ direction, 0).astype(np.float32)
         total += slope * _visible(scene, lifted, direction, slope > 0)

@@ -74,7 +74,7 @@ def _trace(mi: Any, denoise: Any, mesh: Mesh, camera: Camera, samples: int, seed
     clean = denoise(color, albedo=albedo, normal=normal, hdr=True)
     alpha = np.clip(denoise(np.repeat(alpha, 3, axis=2))[..., :1], 0, 1)
     shown = _light.encode(np.asarray(clean, np.float32) / np.maximum(alpha, 0.05) * LIGHT.exposure)
-    picture = shown * alpha + np.array(_light.BACKGROUND, np.float32) * (1 - alpha)
+    picture = shown * alpha + np.array(LIGHT.background, np.float32) * (1 - alpha)
     return Image.fromarray(np.round(np.clip(picture, 0, 1) * 255).astype(np.uint8))
 
 

@@ -35,22 +35,23 @@ from robolayout.words import Wishes, read_words
 
 AgentSpec = Agent | str | Path | Mapping[str, Any]
 
-AHEAD = 3  # rooms that are looked at before one is searched that is not right as it is built or guessed
 
-NEARLY = 4.0
-"""Up to how much (`Verdict.promise`) is amiss in a room that is mended before others are looked at: two things out of reach."""
+@dataclass(frozen=True)
+class FlowConfig:
+    """How many rooms are looked at, and how long one is tried."""
 
-FORLORN = 0.25
-"""Share of the assets in wrong places or out of reach, after so many programs are solved, from which on no other is asked for."""
+    ahead: int = 3  # rooms that are looked at before one is searched that is not right as it is built or guessed
+    nearly: float = (
+        4.0  # `Verdict.promise` up to which a room is mended before others are looked at: two things out of reach
+    )
+    forlorn: float = 0.25  # share of assets amiss after all these programs from which on no other is asked for
+    coarse: float = 0.25  # metres of a cell of the search's floor from which on the report says so
+    most_ways: int = 6  # ways of open statements (the corners of a room) that are tried where one is not met
+    solved_ways: int = 3  # how many of them, nearest to right as built, are searched
+    attempt_stride: int = 1000  # added to the planner's seed for each further attempt
 
-COARSE = 0.25
-"""Metres of a cell of the search's floor from which on the report says so: half a person is told apart below it."""
 
-MOST_WAYS = 6
-"""Ways of open statements (the corners of a room) that are tried by themselves where a statement is not met."""
-
-SOLVED_WAYS = 3  # how many of them, those whose rooms are nearest to right as built, are searched
-ATTEMPT_STRIDE = 1000  # added to the planner's seed for each further attempt
+FLOW = FlowConfig()
 
 
 def as_scene(
@@ -166,10 +167,10 @@ class Run:
         texts = self._texts(planner, program, attempts, lambda: best)
         waiting: list[_Try] = []
         for number in range(attempts):
-            ahead = AHEAD if best is None and attempts > 1 else 1
+            ahead = FLOW.ahead if best is None and attempts > 1 else 1
             while len(waiting) < ahead and (found := next(texts, None)) is not None:
                 waiting.append(self._tried(*found, judged=ahead > 1))
-                if waiting[-1].amiss <= NEARLY:
+                if waiting[-1].amiss <= FLOW.nearly:
                     break
             if not waiting:
                 break
@@ -188,7 +189,7 @@ class Run:
             if served or (verdict.ok and any(one.impossible for one in report.agents)):
                 break
             lost = best.solution.verdict.hard + best.solution.verdict.access
-            if number + 1 >= AHEAD and lost > FORLORN * len(self.scene.assets):
+            if number + 1 >= FLOW.ahead and lost > FLOW.forlorn * len(self.scene.assets):
                 break
         assert best is not None
         if attempts == 1 or self.solver != "default":
@@ -212,7 +213,7 @@ class Run:
         """Yield programs with seeds: what a planner answers to the same question, as long as there is anything new in it."""
         known = set[str]()
         for number in range(attempts):
-            seed, text = self.seed + ATTEMPT_STRIDE * number, program
+            seed, text = self.seed + FLOW.attempt_stride * number, program
             if text is None:
                 with self.clock.station("plan"):
                     before = best()
@@ -274,7 +275,7 @@ class Run:
         walked = report.agents[0].navigation.main
         report = report.with_asked(self.wishes.judged(self.scene, layout, walked, lost))
         cell = cell_size(self.scene.room, (self.config or SolverConfig()).cell, FLOOR.route_cells)
-        if cell > COARSE:
+        if cell > FLOW.coarse:
             note = f"The room is so large that the search looks for ways on cells of {cell:.2f} m: it may miss narrower gaps."
             report = report.with_notes((f"{note} This report measures exactly.",))
         return report.with_timing(self.clock.seconds)
@@ -361,9 +362,9 @@ def _opened(
     if best.verdict.soft == 0.0:
         return best
     judge, brief = make_judge(scene, program), (config or SolverConfig()).at("quick")
-    ways = islice(_ways(scene, program, best), MOST_WAYS)
+    ways = islice(_ways(scene, program, best), FLOW.most_ways)
     problems = [compile_problem(scene, way, seed=seed, pinned=pinned) for way in ways]
-    for problem in sorted(problems, key=lambda one: judge(one.guess).promise)[:SOLVED_WAYS]:
+    for problem in sorted(problems, key=lambda one: judge(one.guess).promise)[: FLOW.solved_ways]:
         found = solve_with("default", problem, judge, seed=seed, config=brief, progress=progress)
         best = min(best, found, key=lambda one: one.verdict.merit)
         if best.verdict.soft == 0.0:

@@ -23,17 +23,27 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Kind = Literal["fixed", "revolute", "prismatic"]
 
-GROUND = 0.03  # metres above the lowest point up to which a link stands on the ground
-VALUES, ROUNDS, STARTS = 7, 3, 3
-"""Values of a joint that are tried, passes over all joints, and poses from which folding begins."""
 
-DEPTH = 0.01  # metres that two links may be inside each other: hulls are larger than links
-LEVEL = 0.9  # cosine of the angle to the vertical above which an axis is upright; what is below one minus that is level
-ASKEW = 0.25  # share of its radius by which the middle of a wheel may lie beside its axis
-SIDES = 60  # directions in which the farthest corners of a hull stand for it while folding
-HEIGHT = 0.05  # square metres of floor that a metre of height is worth when folding
-POSES = 4000  # random poses of an arm for which it is found out where the hand is
-BAND = 0.1  # metres of height of the bands of a reach map
+@dataclass(frozen=True)
+class FoldConfig:
+    """How a robot is folded, and how its reach is found out."""
+
+    ground: float = 0.03  # metres above the lowest point up to which a link stands on the ground
+    values: int = 7  # values of a joint that are tried
+    rounds: int = 3  # passes over all joints
+    starts: int = 3  # poses from which folding begins
+    depth: float = 0.01  # metres that two links may be inside each other: hulls are larger than links
+    level: float = 0.9  # cosine to the vertical above which an axis is upright; one minus it is level
+    askew: float = 0.25  # share of its radius by which the middle of a wheel may lie beside its axis
+    sides: int = 60  # directions in which the farthest corners of a hull stand for it while folding
+    height: float = 0.05  # square metres of floor that a metre of height is worth when folding
+    poses: int = 4000  # random poses of an arm for which it is found out where the hand is
+    band: float = 0.1  # metres of height of the bands of a reach map
+
+
+FOLDING = FoldConfig()
+
+
 HANDS = ("gripper", "grasp", "finger", "hand", "tool", "palm", "suction")
 """Words in the names of links that say where an arm ends."""
 
@@ -110,7 +120,7 @@ class Robot:
 
     @cached_property
     def _coarse(self) -> dict[str, Array]:
-        ways = spread(SIDES)
+        ways = spread(FOLDING.sides)
         return {link: hull[np.unique((hull @ ways.T).argmax(axis=0))] for link, hull in self.hulls.items()}
 
     def beyond(self, joint: Joint) -> set[str]:
@@ -130,7 +140,7 @@ class Robot:
                 hull = self.hulls[joint.child]
                 across = hull - (hull @ joint.axis)[:, None] * joint.axis
                 middle = (across.min(axis=0) + across.max(axis=0)) / 2
-                if np.linalg.norm(middle) < ASKEW * np.linalg.norm(across, axis=1).max():
+                if np.linalg.norm(middle) < FOLDING.askew * np.linalg.norm(across, axis=1).max():
                     found.append(joint)
         return tuple(found)
 
@@ -143,7 +153,7 @@ class Robot:
             for link, hull in self.hulls.items()
         }
         floor = min(lowest.values(), default=0.0)
-        low = {link for link, height in lowest.items() if height < floor + GROUND}
+        low = {link for link, height in lowest.items() if height < floor + FOLDING.ground}
         rolling = {link for joint in self._wheels for link in self.beyond(joint)}
         standing = low & rolling or low
         free = (
@@ -171,19 +181,19 @@ class Robot:
         rng = np.random.default_rng(seed)
         starts = [
             self.rest,
-            *({j.name: float(rng.uniform(j.low, j.high)) for j in self.arms} for _ in range(STARTS - 1)),
+            *({j.name: float(rng.uniform(j.low, j.high)) for j in self.arms} for _ in range(FOLDING.starts - 1)),
         ]
         found = [self._descended(start) for start in starts if start is self.rest or not self.meets(start)]
         return min(found, key=lambda values: round(float(self._size(_column(values))[0]), 4))
 
     def _descended(self, start: Mapping[str, float]) -> dict[str, float]:
         best, worth = dict(start), float(self._size(_column(start))[0])
-        for _ in range(ROUNDS):
+        for _ in range(FOLDING.rounds):
             before = worth
             for joint in self.arms:
-                tried = np.linspace(joint.low, joint.high, VALUES)
-                batch = {name: np.full(VALUES, value) for name, value in best.items()} | {joint.name: tried}
-                sizes = self._size(batch, VALUES)
+                tried = np.linspace(joint.low, joint.high, FOLDING.values)
+                batch = {name: np.full(FOLDING.values, value) for name, value in best.items()} | {joint.name: tried}
+                sizes = self._size(batch, FOLDING.values)
                 for k in np.argsort(sizes, kind="stable"):
                     if sizes[k] >= worth - 1e-6:
                         break
@@ -198,7 +208,7 @@ class Robot:
         """Return the floor (count,) in square metres that the robot takes turning on the spot, and a little for its height."""
         points = self.points(values, count, coarse=True)
         reach = np.hypot(points[..., 0], points[..., 1]).max(axis=1)
-        return math.pi * reach**2 + HEIGHT * np.ptp(points[..., 2], axis=1)
+        return math.pi * reach**2 + FOLDING.height * np.ptp(points[..., 2], axis=1)
 
     @cached_property
     def _solids(self) -> dict[str, ConvexHull]:
@@ -231,7 +241,7 @@ class Robot:
         world = {link: self._coarse[link] @ poses[link][:3, :3].T + poses[link][:3, 3] for link in self._solids}
         links = list(world)
         low, high = (np.array([bound(points, axis=0) for points in world.values()]) for bound in (np.min, np.max))
-        near = (low[:, None] < high[None] - DEPTH).all(axis=2)
+        near = (low[:, None] < high[None] - FOLDING.depth).all(axis=2)
         for i, j in np.argwhere(near & near.T):
             a, b = links[i], links[j]
             if (a, b) in pairs and any(self._inside(world[p], poses[q], q) for p, q in ((a, b), (b, a))):
@@ -241,7 +251,7 @@ class Robot:
         """Return whether one of some points (n, 3) is deeper than DEPTH in a link's hull."""
         local = (points - pose[:3, 3]) @ pose[:3, :3]
         planes = self._solids[link].equations
-        return bool((local @ planes[:, :3].T + planes[:, 3] < -DEPTH).all(axis=1).any())
+        return bool((local @ planes[:, :3].T + planes[:, 3] < -FOLDING.depth).all(axis=1).any())
 
     def turning(self) -> float | None:
         """Return the radius in metres of the tightest arc that it drives on: 0 on the spot, None where wheels do not say or slide.
@@ -254,11 +264,11 @@ class Robot:
         ways = {j.name: poses[j.child][:3, :3] @ j.axis for j in self.joints if j.kind == "revolute"}
         arms = {joint.name for joint in self.arms}
         turning = [j for j in self.joints if j.kind == "revolute" and j.low < j.high and j.name not in arms]
-        swung = {link: j for j in turning if abs(ways[j.name][2]) > LEVEL for link in self.beyond(j)}
-        level = [j for j in self._wheels if j in turning and abs(ways[j.name][2]) < 1 - LEVEL]
+        swung = {link: j for j in turning if abs(ways[j.name][2]) > FOLDING.level for link in self.beyond(j)}
+        level = [j for j in self._wheels if j in turning and abs(ways[j.name][2]) < 1 - FOLDING.level]
         steered = [j for j in level if j.child in swung and swung[j.child].high - swung[j.child].low < math.pi]
         fixed = [j for j in level if j.child not in swung]
-        if not fixed or any(abs(ways[j.name] @ ways[fixed[0].name]) < LEVEL for j in fixed):
+        if not fixed or any(abs(ways[j.name] @ ways[fixed[0].name]) < FOLDING.level for j in fixed):
             return None
         if not steered:
             return 0.0 if len(fixed) > 1 else None
@@ -287,12 +297,12 @@ class Robot:
         if self.hand is None:
             return []
         rng = np.random.default_rng(seed)
-        values = {joint.name: rng.uniform(joint.low, joint.high, POSES) for joint in self.arms}
-        at = self.poses(values, POSES)[self.hand][:, :3, 3]
-        band = np.floor((at[:, 2] - floor) / BAND).astype(int)
+        values = {joint.name: rng.uniform(joint.low, joint.high, FOLDING.poses) for joint in self.arms}
+        at = self.poses(values, FOLDING.poses)[self.hand][:, :3, 3]
+        band = np.floor((at[:, 2] - floor) / FOLDING.band).astype(int)
         away = np.hypot(at[:, 0], at[:, 1])
         ends = ((int(k), float(away[band == k].max())) for k in np.unique(band) if k >= 0)
-        return [(round(k * BAND, 2), round((k + 1) * BAND, 2), far) for k, far in ends]
+        return [(round(k * FOLDING.band, 2), round((k + 1) * FOLDING.band, 2), far) for k, far in ends]
 
 
 def _hull(points: Array) -> Array:

@@ -19,7 +19,7 @@ from robolayout._errors import UnknownNameError
 from robolayout._reading import show
 from robolayout.scene._model import CHECK, Matrix, Model
 from robolayout.scene.agent import CLEARANCE, Agent, Figure, Source
-from robolayout.scene.kinematics import POSES, Robot
+from robolayout.scene.kinematics import FOLDING, Robot
 from robolayout.scene.mjcf import read_mjcf
 from robolayout.scene.urdf import read_urdf
 
@@ -68,7 +68,7 @@ def _reach(body: Robot, floor: float, within: float, about: str) -> dict[str, An
     bands = [band for band in body.reach(floor) if band[2] > within]
     if not bands:
         return {}
-    source = Source(f"{POSES} random poses of the arm to {body.hand}, {about}", verified=True)
+    source = Source(f"{FOLDING.poses} random poses of the arm to {body.hand}, {about}", verified=True)
     bands = tuple((low, high, math.floor(far * 1e3) / 1e3) for low, high, far in bands)
     figures = {
         "reach_distance": max(far for _, _, far in bands),

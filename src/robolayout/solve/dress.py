@@ -25,7 +25,7 @@ from robolayout._text import utf8
 from robolayout.assets import CATALOGUE, Surface, category_of, surfaces_of
 from robolayout.assets.category import read_data
 from robolayout.assets.prisms import piece_spans, prisms_of
-from robolayout.assets.surfaces import LEVEL, hung_from
+from robolayout.assets.surfaces import SURFACES, hung_from
 from robolayout.scene import DRESSINGS, Asset, Layout, Pose, Scene, variable_name
 from robolayout.scene.asset import LIES_ABOUT
 
@@ -360,7 +360,7 @@ class _Dresser:
         spans = piece_spans(place.carrier)
         top, least, most = spans[:, 5], spans[:, [0, 2, 6, 8]], spans[:, [1, 3, 7, 9]]
         tops = (top <= place.surface.height + self.config.level) & (
-            top > place.surface.height - LEVEL - self.config.level
+            top > place.surface.height - SURFACES.level - self.config.level
         )
         under = tops & (least < high).all(axis=1) & (most > low).all(axis=1)
         if not under.any():

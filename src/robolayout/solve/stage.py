@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout.assets import Prism
-from robolayout.assets.prisms import MOST
+from robolayout.assets.prisms import PRISMS
 from robolayout.constraints import (
     AssetRef,
     ClearTerm,
@@ -309,8 +309,8 @@ class _Rows:
         """Return the prisms that pairs are made of; one that fills the table lies far away."""
         rows = [[p.x, p.y, p.hx, p.hy, p.cut] for _, p in self.prism]
         return {
-            "prism_slot": _padded([[slot] for slot, _ in self.prism], MOST * size, [0], np.int32)[:, 0],
-            "prism": _padded(rows, MOST * size, [FAR_AWAY, FAR_AWAY, 0.0, 0.0, 0.0]),
+            "prism_slot": _padded([[slot] for slot, _ in self.prism], PRISMS.most * size, [0], np.int32)[:, 0],
+            "prism": _padded(rows, PRISMS.most * size, [FAR_AWAY, FAR_AWAY, 0.0, 0.0, 0.0]),
         }
 
     def frames(self, size: int) -> dict[str, Floats]:

@@ -8,13 +8,8 @@ import numpy as np
 
 from robolayout.assets import Prism, category_of, prisms_of
 from robolayout.scene import Asset
+from robolayout.verify._ada import ADA
 
-KNEE_HEIGHT, KNEE_WIDTH = 0.685, 0.76  # metres of height and width of room for knees (306.3.3, 306.3.5)
-TOE_HEIGHT, TOE_DEPTH = 0.23, 0.43
-"""Metres of height up to which room is for toes, and how deep it is (306.2.1, 306.2.3)."""
-DEEP, SHALLOW = 0.28, 0.205
-"""Metres of depth of room for knees at `TOE_HEIGHT` and at `KNEE_HEIGHT`; between them it shrinks evenly (306.3.3, 306.3.4)."""
-CONTACT = 1e-3  # metres by which room is measured more kindly, so that rounding decides nothing
 SAT_AT = ("table", "desk", "workbench", "counter", "basin", "washbasin", "sink", "vanity", "island")
 """Last words of the kinds of things that one sits at."""
 LOW_TABLES = ("coffee", "side", "console", "bedside", "overbed", "changing")  # first words of those that one does not
@@ -42,7 +37,7 @@ def knee_width(asset: Asset, side: str) -> float:
         middle, reach = ((prism.x, prism.hx), (prism.y, prism.hy))[axis]
         across, wide = ((prism.y, prism.hy), (prism.x, prism.hx))[axis]
         inwards = float(half[axis]) - sign * middle - reach
-        if inwards < min(_needed(prism), 2 * float(half[axis])) - CONTACT:
+        if inwards < min(_needed(prism), 2 * float(half[axis])) - ADA.contact:
             spans.append((across - wide, across + wide))
     widest, at, end = 0.0, -float(half[1 - axis]), float(half[1 - axis])
     for low, high in (*sorted(spans), (end, end)):
@@ -52,13 +47,13 @@ def knee_width(asset: Asset, side: str) -> float:
 
 def frontal(asset: Asset, side: str) -> bool:
     """Return whether knees and toes have room below a side."""
-    return knee_width(asset, side) >= KNEE_WIDTH - CONTACT
+    return knee_width(asset, side) >= ADA.knee_width - ADA.contact
 
 
 def _needed(prism: Prism) -> float:
     """Return how many metres inwards of the edge a prism must begin to leave room for knees and toes."""
-    if prism.low >= KNEE_HEIGHT - CONTACT:
+    if prism.low >= ADA.knee_height - ADA.contact:
         return 0.0
-    if prism.low < TOE_HEIGHT and prism.high > CONTACT:
-        return TOE_DEPTH
-    return DEEP - (DEEP - SHALLOW) * (prism.low - TOE_HEIGHT) / (KNEE_HEIGHT - TOE_HEIGHT)
+    if prism.low < ADA.toe_height and prism.high > ADA.contact:
+        return ADA.toe_depth
+    return ADA.deep - (ADA.deep - ADA.shallow) * (prism.low - ADA.toe_height) / (ADA.knee_height - ADA.toe_height)

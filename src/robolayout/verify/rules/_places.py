@@ -11,25 +11,14 @@ from shapely import LineString
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import category_of
+from robolayout.verify._ada import ADA
 from robolayout.verify._approaches import needs_no_use, use_sides
 from robolayout.verify._boxes import corners
-from robolayout.verify._knees import KNEE_WIDTH, is_sat_at, knee_width
+from robolayout.verify._knees import is_sat_at, knee_width
 from robolayout.verify._sides import SIDES, side_edge, strip
 from robolayout.verify.agent_report import AgentReport
 from robolayout.verify.heading import convex_places
 from robolayout.verify.rules._rule import Measured
-
-FLOOR = (0.76, 1.22)  # metres of width and length of a clear floor space (305.3)
-LOW, HIGH = 0.38, 1.22
-"""Metres of height between which an unobstructed reach ends, forwards and sideways (308.2.1, 308.3.1)."""
-OVER_HEIGHT, OVER_DEPTH = 0.865, 0.61
-"""Metres of height and depth of what one may have to reach over sideways (308.3.2)."""
-SHALLOW, HIGH_OVER = 0.255, 1.17
-"""Metres of depth up to which the reach ends at full height, and of height where it ends beyond that (308.3.2)."""
-BETWEEN = 2.0
-"""Metres from a bed's side within which another bed makes the floor between them serve both; a choice of ours."""
-CONTACT = 1e-3  # metres by which a clear floor space is drawn smaller, so that what it adjoins does not stand in it
-NAMED = 5  # things that a measurement names
 
 
 def _asked(body: AgentReport) -> Iterator[int]:
@@ -45,7 +34,7 @@ def _all(count: int) -> str:
 
 
 def _listed(names: list[str]) -> str:
-    return ", ".join(names[:NAMED]) + (f" and {len(names) - NAMED} more" if len(names) > NAMED else "")
+    return ", ".join(names[: ADA.named]) + (f" and {len(names) - ADA.named} more" if len(names) > ADA.named else "")
 
 
 def floor_space(body: AgentReport) -> Measured | None:
@@ -72,18 +61,20 @@ def _has_floor(body: AgentReport, row: int, side: str, ways: tuple[int, ...]) ->
     away = nav.blocking.moved_for(nav.boxes, row)
     rest = nav.blocking.of(set(nav.blocking.rows.tolist()) - away)
     edge = side_edge(nav.boxes.footprints[row], side)
-    near = rest.shapes[shapely.dwithin(rest.shapes, edge, sum(FLOOR))]
+    near = rest.shapes[shapely.dwithin(rest.shapes, edge, sum(ADA.floor))]
     (ax, ay), (bx, by) = edge.coords
     length = math.hypot(bx - ax, by - ay)
     out = np.array([by - ay, ax - bx]) / length
     heading = math.atan2(out[1], out[0])
     for way in ways:
-        depth, width = FLOOR[way], FLOOR[1 - way]
-        body_corners = corners(np.array([[0.0, 0.0, 0.0, heading]]), np.array([[depth - CONTACT, width - CONTACT]]))[0]
+        depth, width = ADA.floor[way], ADA.floor[1 - way]
+        body_corners = corners(
+            np.array([[0.0, 0.0, 0.0, heading]]), np.array([[depth - ADA.contact, width - ADA.contact]])
+        )[0]
         middle = LineString(np.array([[ax, ay], [bx, by]]) + out * depth / 2)
         for place in convex_places(nav.scene.room, near, body_corners):
-            there: BaseGeometry = middle.intersection(place.buffer(CONTACT))
-            if not there.is_empty and there.distance(nav.main) <= FLOOR[1] / 2 + nav.space.radius:
+            there: BaseGeometry = middle.intersection(place.buffer(ADA.contact))
+            if not there.is_empty and there.distance(nav.main) <= ADA.floor[1] / 2 + nav.space.radius:
                 return True
     return False
 
@@ -113,17 +104,17 @@ def _is_bed(body: AgentReport, row: int) -> bool:
 
 def _another_bed(body: AgentReport, row: int, side: str, beds: list[int]) -> bool:
     feet = body.navigation.boxes.footprints
-    beside = strip(side_edge(feet[row], side), BETWEEN)
+    beside = strip(side_edge(feet[row], side), ADA.between)
     return any(other != row and feet[other].intersects(beside) for other in beds)
 
 
 def reach_range(body: AgentReport) -> Measured | None:
     """Measure by how much the things to use end below or begin above the reach of somebody who sits."""
     found = body.navigation.boxes
-    beyond = {found.names[row]: max(LOW - found.top[row], found.bottom[row] - HIGH) for row in _asked(body)}
+    beyond = {found.names[row]: max(ADA.low - found.top[row], found.bottom[row] - ADA.high) for row in _asked(body)}
     if not beyond:
         return None
-    out = [name for name, metres in beyond.items() if metres > CONTACT]
+    out = [name for name, metres in beyond.items() if metres > ADA.contact]
     worst = max(0.0, *beyond.values()) if out else 0.0
     text = f"beyond it by up to {worst:.2f} m: {_listed(out)}" if out else _all(len(beyond))
     return Measured(not out, float(worst), text)
@@ -140,9 +131,13 @@ def reach_over(body: AgentReport) -> Measured | None:
     for row in rows:
         carrier = int(found.carriers[row])
         depth = float(found.footprints[row].distance(found.footprints[carrier].exterior))
-        high = HIGH if depth <= SHALLOW else HIGH_OVER
+        high = ADA.high if depth <= ADA.full_depth else ADA.high_over
         deepest = max(deepest, depth)
-        if depth > OVER_DEPTH or found.top[carrier] > OVER_HEIGHT + CONTACT or found.bottom[row] > high + CONTACT:
+        if (
+            depth > ADA.over_depth
+            or found.top[carrier] > ADA.over_height + ADA.contact
+            or found.bottom[row] > high + ADA.contact
+        ):
             out.append(found.names[row])
     text = f"too far or too high: {_listed(out)}" if out else f"{_all(len(rows))} on tops"
     return Measured(not out, deepest, text)
@@ -155,4 +150,4 @@ def knee_room(body: AgentReport) -> Measured | None:
     if not rows:
         return None
     width, name = max((max(knee_width(found.assets[row], side) for side in SIDES), found.names[row]) for row in rows)
-    return Measured(width >= KNEE_WIDTH - CONTACT, width, f"{width:.2f} m wide under {name}, by its shape")
+    return Measured(width >= ADA.knee_width - ADA.contact, width, f"{width:.2f} m wide under {name}, by its shape")

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from shapely import LineString
 from shapely.geometry.base import BaseGeometry
 
+from robolayout.verify._ada import ADA
 from robolayout.verify._boxes import corners, room_polygon
 from robolayout.verify._space import Space, disc_space, plan_distances, reached_rows
 from robolayout.verify.agent_report import AgentReport
@@ -21,17 +22,6 @@ from robolayout.verify.proofs import exempt_from_reach
 from robolayout.verify.routes import Mesh, find_routes
 from robolayout.verify.rules._rule import Measured
 
-ROUTE, PINCH = 0.915, 0.815
-"""Metres of clear width of a route, and down to which it may narrow for a short way (403.5.1)."""
-PINCH_LENGTH, PINCH_APART = 0.61, 1.22  # metres that such a way may be long, and that two of them are apart (403.5.1)
-CIRCLE = 1.525  # metres of diameter of a turning circle, and of the square around a T-shaped turning space (304.3)
-ARM, BASE = 0.915, 0.61
-"""Metres of width of arms and base of a T-shaped turning space, and of length of its base (304.3.2)."""
-INTERVAL = 61.0  # metres of route after which a passing space is asked for (403.5.3)
-TURNS = 16  # headings at which a T-shaped turning space is looked for
-CLOSE = 1e-3  # metres of a way that are nothing
-FINE = 0.005  # metres to which the largest turning circle is measured
-
 
 def route_width(body: AgentReport) -> Measured | None:
     """Measure the clear width of the way to everything that the body is asked to reach."""
@@ -40,14 +30,14 @@ def route_width(body: AgentReport) -> Measured | None:
     if not passages:
         return None
     names = {passage.asset for passage in passages}
-    narrow = names - _reached_by(nav, ROUTE)
+    narrow = names - _reached_by(nav, ADA.route)
     worst = min(passages, key=lambda passage: passage.width)
     if not narrow:
-        return Measured(True, max(worst.width, ROUTE), f"{max(worst.width, ROUTE):.2f} m or more to everything")
+        return Measured(True, max(worst.width, ADA.route), f"{max(worst.width, ADA.route):.2f} m or more to everything")
     pinches = _pinches(nav, narrow)
     where = f", between {worst.sides}" if worst.sides else ""
-    if pinches is None or not all(length <= PINCH_LENGTH for length in pinches):
-        longest = "" if pinches is None else f", less than {ROUTE} m over {max(pinches):.2f} m"
+    if pinches is None or not all(length <= ADA.pinch_length for length in pinches):
+        longest = "" if pinches is None else f", less than {ADA.route} m over {max(pinches):.2f} m"
         return Measured(False, worst.width, f"{_shown(worst)} to {worst.asset}{where}{longest}")
     return Measured(True, worst.width, f"{_shown(worst)} to {worst.asset}{where}, over {max(pinches):.2f} m only")
 
@@ -68,12 +58,12 @@ def _reached_by(nav: Navigation, width: float) -> set[str]:
 
 def _pinches(nav: Navigation, names: Iterable[str]) -> list[float] | None:
     """Return the lengths of the narrow parts of the ways to some things; None where even the exception is too wide."""
-    slim, wide = _space(nav, PINCH), _space(nav, ROUTE)
+    slim, wide = _space(nav, ADA.pinch), _space(nav, ADA.route)
     goals = {name: nav.boxes.footprints[nav.boxes.names.index(name)] for name in sorted(names)}
-    if not set(goals) <= _reached_by(nav, PINCH):
+    if not set(goals) <= _reached_by(nav, ADA.pinch):
         return None
     # Where the slim disc lies within a wide one that is free.
-    covered = shapely.get_parts(wide.free.buffer((ROUTE - PINCH) / 2))
+    covered = shapely.get_parts(wide.free.buffer((ADA.route - ADA.pinch) / 2))
     mesh, solid = Mesh(slim.main), _solid(nav)
     found: list[float] = []
     for route in find_routes(nav.scene.room, slim, goals).values():
@@ -93,11 +83,11 @@ def _narrow(line: LineString, covered: NDArray[np.object_], mesh: Mesh, solid: B
     for part in (part for part in rest if isinstance(part, LineString)):
         middle = line.project(part.interpolate(0.5, normalized=True))
         half = _length(_through(part, covered, mesh), solid) / 2
-        if half > CLOSE:
+        if half > ADA.close:
             stretches.append((middle - half, middle + half))
     joined: list[tuple[float, float]] = []
     for start, end in sorted(stretches):
-        if joined and start - joined[-1][1] < PINCH_APART:
+        if joined and start - joined[-1][1] < ADA.pinch_apart:
             start = joined.pop()[0]
         joined.append((start, end))
     return [end - start for start, end in joined]
@@ -109,22 +99,22 @@ def _through(part: LineString, covered: NDArray[np.object_], mesh: Mesh) -> Line
     if first == last:
         return part
     start, end = shapely.shortest_line(covered[first], covered[last]).coords
-    points = mesh.route(mesh.search((start[0], start[1])), shapely.Point(end).buffer(CLOSE))
+    points = mesh.route(mesh.search((start[0], start[1])), shapely.Point(end).buffer(ADA.close))
     return LineString(points) if len(points) > 1 else part
 
 
 def _length(line: LineString, solid: BaseGeometry) -> float:
     """Return on how much of a way walls or obstacles on its left and right leave less than the clear width between them."""
-    at = np.arange(FINE / 2, line.length, FINE)
+    at = np.arange(ADA.fine / 2, line.length, ADA.fine)
     points = shapely.get_coordinates(shapely.line_interpolate_point(line, at))
-    ahead = shapely.get_coordinates(shapely.line_interpolate_point(line, at + CLOSE)) - points
-    across = ROUTE * np.stack([-ahead[:, 1], ahead[:, 0]], axis=1) / np.hypot(*ahead.T)[:, None]
+    ahead = shapely.get_coordinates(shapely.line_interpolate_point(line, at + ADA.close)) - points
+    across = ADA.route * np.stack([-ahead[:, 1], ahead[:, 0]], axis=1) / np.hypot(*ahead.T)[:, None]
     width = np.zeros(len(points))
     for side in (across, -across):
         hit = shapely.intersection(shapely.linestrings(np.stack([points, points + side], axis=1)), solid)
         away = shapely.distance(shapely.points(points), hit)
-        width += np.where(np.isnan(away), ROUTE, away)
-    return float((width < ROUTE - CLOSE).sum()) * FINE
+        width += np.where(np.isnan(away), ADA.route, away)
+    return float((width < ADA.route - ADA.close).sum()) * ADA.fine
 
 
 def door_width(body: AgentReport) -> Measured | None:
@@ -134,7 +124,7 @@ def door_width(body: AgentReport) -> Measured | None:
         return None
     number = min(range(len(doors)), key=lambda i: doors[i].width)
     width = doors[number].width
-    return Measured(width >= PINCH - 1e-9, width, f"door {number} is {width:.2f} m wide")
+    return Measured(width >= ADA.pinch - 1e-9, width, f"door {number} is {width:.2f} m wide")
 
 
 def door_width_iso(body: AgentReport) -> Measured | None:
@@ -146,11 +136,13 @@ def door_width_iso(body: AgentReport) -> Measured | None:
 def turning_space(body: AgentReport) -> Measured:
     """Measure the largest circle to turn in that the body gets to, and whether a T will do instead."""
     largest = _largest_circle(body.navigation)
-    if largest >= CIRCLE:
-        return Measured(True, largest, f"a circle of {CIRCLE} m is free")
+    if largest >= ADA.circle:
+        return Measured(True, largest, f"a circle of {ADA.circle} m is free")
     if _has_t(body.navigation):
         return Measured(
-            True, CIRCLE, f"a T-shaped space in a square of {CIRCLE} m is free; the largest circle is {largest:.2f} m"
+            True,
+            ADA.circle,
+            f"a T-shaped space in a square of {ADA.circle} m is free; the largest circle is {largest:.2f} m",
         )
     return Measured(False, largest, f"the largest free circle is {largest:.2f} m, and there is no T-shaped space")
 
@@ -158,8 +150,12 @@ def turning_space(body: AgentReport) -> Measured:
 def turning_space_iso(body: AgentReport) -> Measured:
     """Measure the largest circle to turn in against 1.50 m."""
     largest = _largest_circle(body.navigation)
-    text = f"a circle of {CIRCLE} m is free" if largest >= CIRCLE else f"the largest free circle is {largest:.2f} m"
-    return Measured(largest >= 1.5 - FINE, largest, text)
+    text = (
+        f"a circle of {ADA.circle} m is free"
+        if largest >= ADA.circle
+        else f"the largest free circle is {largest:.2f} m"
+    )
+    return Measured(largest >= 1.5 - ADA.fine, largest, text)
 
 
 def _largest_circle(nav: Navigation) -> float:
@@ -170,7 +166,7 @@ def _largest_circle(nav: Navigation) -> float:
 
     if nav.main.is_empty:
         return 0.0
-    return FINE * largest(lambda step: free(step * FINE), round(CIRCLE / FINE))
+    return ADA.fine * largest(lambda step: free(step * ADA.fine), round(ADA.circle / ADA.fine))
 
 
 def _has_t(nav: Navigation) -> bool:
@@ -178,12 +174,12 @@ def _has_t(nav: Navigation) -> bool:
     room, shapes = nav.scene.room, nav.blocking.shapes
     wall = room.walls[0].direction
     first = math.atan2(wall[1], wall[0])
-    for turn in range(TURNS):
-        heading = first + turn * 2 * math.pi / TURNS
-        bar = corners(np.array([[0.0, 0.0, 0.0, heading]]), np.array([[ARM, CIRCLE]]))[0]
-        depth = ARM / 2 + BASE
+    for turn in range(ADA.turns):
+        heading = first + turn * 2 * math.pi / ADA.turns
+        bar = corners(np.array([[0.0, 0.0, 0.0, heading]]), np.array([[ADA.arm, ADA.circle]]))[0]
+        depth = ADA.arm / 2 + ADA.base
         ahead = depth / 2 * np.array([math.cos(heading), math.sin(heading)])
-        base = corners(np.array([[*ahead, 0.0, heading]]), np.array([[depth, ARM]]))[0]
+        base = corners(np.array([[*ahead, 0.0, heading]]), np.array([[depth, ADA.arm]]))[0]
         places = shapely.union_all(convex_places(room, shapes, bar))
         places = places.intersection(shapely.union_all(convex_places(room, shapes, -base)))
         if places.intersects(nav.main):
@@ -197,5 +193,5 @@ def passing_space(body: AgentReport) -> Measured | None:
     if not routes:
         return None
     longest = max(route.length for route in routes.values())
-    wide = longest <= INTERVAL or set(routes) <= _reached_by(body.navigation, CIRCLE)
+    wide = longest <= ADA.interval or set(routes) <= _reached_by(body.navigation, ADA.circle)
     return Measured(wide, longest, f"the longest way is {longest:.1f} m")
