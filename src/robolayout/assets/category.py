@@ -57,11 +57,7 @@ class Category:
 
 
 def read_categories(path: Path) -> tuple[Category, ...]:
-    """Read the records of one data file; its stem is the functional group.
-
-    Raises:
-        AssetError: A record lacks something, or says what cannot be; the message names group, record and field.
-    """
+    """Read the records of one data file; its stem is the functional group."""
     return _categories(_data(path), path.stem)
 
 
@@ -115,11 +111,7 @@ def built_in_data() -> Mapping[str, Mapping[str, Any]]:
 
 @cache
 def built_in_categories() -> Mapping[str, Category]:
-    """Return all built-in categories by name, in the order of the files and their records.
-
-    Raises:
-        AssetError: Two records have one name.
-    """
+    """Return all built-in categories by name, in the order of the files and their records."""
     found: dict[str, Category] = {}
     for group, data in built_in_data().items():
         for category in _categories(data, group):

@@ -164,11 +164,7 @@ def _entry(
 
 
 def _corrected(guess: Guess, said: Mapping[str, Any], where: str) -> Guess:
-    """Return a guess with what the user says instead.
-
-    Raises:
-        AssetError: It says what cannot be; the message names file, field and what may stand there.
-    """
+    """Return a guess with what the user says instead."""
     known = ("category", "description", "unit", "up", "front", "size", *FLAGS)
     for key in said:
         if key not in known:

@@ -81,9 +81,6 @@ def hollowed(made: Sequence[Part]) -> tuple[Part, ...]:
     """Return the parts of a thing that has insides: the plain box behind each front is cut out, for a tray or for shelves.
 
     Where what lies behind a front is no plain box, or something else stands there, the front stays a front.
-
-    Args:
-        made: All parts, with their joints.
     """
     out = list(made)
     for front in (part for part in made if part.joint is not None and (part.name, *part.joint.axis[:2]) in OPEN):

@@ -60,9 +60,6 @@ def read_joints(text: str, where: str) -> tuple[Rule, ...]:
     Args:
         text: Its rows; empty for what is usual.
         where: Whose they are, for messages ("chest in storage.toml").
-
-    Raises:
-        AssetError: A row cannot be read; the message names the record, the joint, the word and what is allowed.
     """
     if text.strip() == NOTHING:
         return ()
@@ -94,11 +91,7 @@ def _rule(line: str, where: str) -> Rule:
 
 
 def jointed(built: tuple[Part, ...], rules: tuple[Rule, ...], size: tuple[float, float, float]) -> tuple[Part, ...]:
-    """Return parts that know with what joint they move.
-
-    Args:
-        built: The parts of a thing, in its frame.
-    """
+    """Return parts that know with what joint they move."""
     out = list(built)
     for rule, group in _groups(built, rules):
         joint = _joint(rule, [built[i] for i in group], size)

@@ -21,9 +21,6 @@ def parts(asset: Asset, seed: int = 0, *, shut: bool = False) -> tuple[Part, ...
 
     Args:
         shut: Whether bodies are solid behind drawers, as whoever cannot open them meets them.
-
-    Raises:
-        AssetError: The mesh file is missing, too large or broken, or the parts cannot be read.
     """
     if asset.path is not None:
         from robolayout.assets.own import load_mesh_parts

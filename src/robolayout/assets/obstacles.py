@@ -40,11 +40,7 @@ def blocks(asset: Asset, z: float, agent: Agent) -> bool:
 
 
 def pieces(asset: Asset, z: float, agent: Agent) -> tuple[Pieces, bool]:
-    """Return what of an asset stands in a body's way, and whether the body may come under or into its box.
-
-    Args:
-        z: Height of its box's centre in metres.
-    """
+    """Return what of an asset stands in a body's way, and whether the body may come under or into its box."""
     whole = np.array([[0.0, 0.0, asset.size[0] / 2, asset.size[1] / 2]])
     if not blocks(asset, z, agent):
         return whole[:0], False

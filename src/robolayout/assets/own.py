@@ -45,9 +45,6 @@ def load_mesh_parts(path: Path, size: Size, *, up: str | None = None, front: str
         size: Depth, width and height of the box in metres.
         up: The file's axis that points up ("+y"); None follows the format, or the shape where the format has no rule.
         front: The file's axis that points forward ("+z"); None follows the format.
-
-    Raises:
-        AssetError: The file is missing, too large, of an unknown format, broken or empty.
     """
     edges, pieces = _thin_pieces(path)
     matrix = orientation(path, edges, size, up=up, front=front)
@@ -84,11 +81,7 @@ def extent(pieces: Iterable[Part]) -> Size:
 
 
 def read_pieces(path: Path) -> tuple[Part, ...]:
-    """Read a mesh file into its pieces, in the file's axes and units.
-
-    Raises:
-        AssetError: The file is missing, too large, of an unknown format, broken or empty.
-    """
+    """Read a mesh file into its pieces, in the file's axes and units."""
     from robolayout._reading.mesh import mesh_pieces
 
     suffix = path.suffix.lower()
@@ -106,11 +99,7 @@ def _material(look: Look | None) -> Material:
 
 
 def check_meshes(scene: Scene) -> None:
-    """Read the mesh file and the parts of every asset that has them, so that what is broken is known before any work.
-
-    Raises:
-        AssetError: Parts cannot be read, or a file is missing, too large, broken or empty; the message names the asset.
-    """
+    """Read the mesh file and the parts of every asset that has them, so that what is broken is known before any work."""
     for asset in scene.assets:
         if asset.parts:
             check_rows(asset.parts, f"asset {asset.name!r}", asset.size)

@@ -105,14 +105,7 @@ def prisms_of(asset: Asset) -> tuple[Prism, ...]:
 
 @lru_cache(maxsize=256)
 def piece_spans(asset: Asset, *, shut: bool = False) -> Spans:
-    """Return what the pieces of a thing span: one row a convex part, some rows a slice of a user's own mesh.
-
-    Args:
-        shut: Whether bodies are solid behind drawers.
-
-    Raises:
-        AssetError: The thing's mesh or rows cannot be read.
-    """
+    """Return what the pieces of a thing span: one row a convex part, some rows a slice of a user's own mesh."""
     from robolayout.assets.meshes import parts
 
     level = asset.size[2] / 2

@@ -80,9 +80,7 @@ def room_parts(room: Room, *, style: RoomStyle | None = None, seed: int = 0) -> 
     """Return everything of the room that can be seen, in the world frame.
 
     Args:
-        room: The room; it may be concave.
         style: How it looks; None takes the style that the room's floor names, else that of `seed`.
-        seed: Picks a style where none is given.
     """
     look = style or room_style(seed, room.floor)
     built = [*_floor(room, look), *_walls(room, look)]

@@ -50,9 +50,6 @@ def read_rows(text: str, where: str) -> Drawing:
 
     Args:
         where: Whose they are, for messages ("night stand in sleeping.toml").
-
-    Raises:
-        AssetError: A row cannot be read; the message names the record, the part, the field and what is allowed.
     """
     reading = _Reading(where)
     lines = [line for raw in text.splitlines() if (line := raw.split("#")[0].strip())]
@@ -65,11 +62,7 @@ def read_rows(text: str, where: str) -> Drawing:
 
 
 def check_rows(text: str, where: str, size: tuple[float, float, float]) -> None:
-    """Refuse rows that cannot be read, or by which a part lies far outside the thing's box.
-
-    Raises:
-        AssetError: The message names the record, the part, and the field or the edge.
-    """
+    """Refuse rows that cannot be read, or by which a part lies far outside the thing's box."""
     low = np.array([-size[0] / 2, -size[1] / 2, 0.0])
     for part in read_rows(text, where)(make_piece(where, where, where, size, 0)):
         over = np.maximum(low - part.vertices.min(axis=0), part.vertices.max(axis=0) - low - size)

@@ -43,9 +43,6 @@ def register_file(path: str | Path) -> tuple[type[Relation], ...]:
     """Run a Python file of your own and register every relation that it defines.
 
     The file runs with all your rights: load only what you wrote or read.
-
-    Raises:
-        InputError: If it cannot be read or defines no relation.
     """
     path = Path(path)
     name = f"robolayout_relations_{path.stem}"

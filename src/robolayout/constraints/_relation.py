@@ -38,7 +38,6 @@ def argument(*takes: str, many: bool = False, unit: str = "", choices: tuple[str
         many: Whether it is a list of those.
         unit: Unit of a number as it is written in programs ("m", "deg").
         choices: Allowed texts.
-        options: `default=` as for `dataclasses.field`.
     """
     return dataclasses.field(metadata={"takes": takes, "many": many, "unit": unit, "choices": choices}, **options)
 

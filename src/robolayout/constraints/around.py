@@ -25,14 +25,7 @@ SPARE = 0.02  # metres that stay free above and beside a seat that is left under
 
 
 def left_gap(scene: Scene, items: Sequence[AssetRef], b: AssetRef, slots: Callable[[float], Sequence[Slot]]) -> float:
-    """Return the gap at which people leave seats at a table: less than 0 where they go under, `USUAL` where they do not.
-
-    Args:
-        scene: The scene.
-        items: The seats.
-        b: The table.
-        slots: Places of the seats for a gap in metres.
-    """
+    """Return the gap at which people leave seats at a table: less than 0 where they go under, `USUAL` where they do not."""
     return _left_gap(tuple(scene.by_name[item.name] for item in items), scene.by_name[b.name], slots)
 
 

@@ -90,11 +90,7 @@ def exporters() -> Mapping[str, Exporter]:
 
 
 def find_exporter(target: str | Path) -> Exporter:
-    """Return the format of a name ("glb") or of a file's suffix ("out/room.glb"); the longest suffix that fits wins.
-
-    Raises:
-        UnknownNameError: Neither is known; the message lists all.
-    """
+    """Return the format of a name ("glb") or of a file's suffix ("out/room.glb"); the longest suffix that fits wins."""
     text = str(target)
     if text in EXPORTERS:  # without a look at what else is installed, which takes time
         return EXPORTERS[text]
@@ -128,15 +124,8 @@ def export(
     """Write a layout in the format that the target names.
 
     Args:
-        scene: The scene.
-        layout: Where everything stands.
         target: A format ("glb"), written as `<scene name><suffix>`; or a file, whose suffix says the format.
-        folder: Where a relative target goes.
-        options: Agent, routes and seed; none, none and 0 by default.
         partial: Whether assets without a pose may be left out; otherwise they are an error.
-
-    Returns:
-        The file written.
 
     Raises:
         UnknownNameError: The format is not known.

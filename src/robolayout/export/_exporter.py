@@ -85,12 +85,7 @@ def placed(scene: Scene, layout: Layout) -> tuple[tuple[Asset, Pose], ...]:
 
 
 def check_layout(scene: Scene, layout: Layout, *, partial: bool = False) -> None:
-    """Check that a layout fits its scene before anything is written.
-
-    Raises:
-        LayoutError: It names an asset that the scene does not have, lacks one (unless `partial`), or holds a pose
-            that is no finite number.
-    """
+    """Check that a layout fits its scene before anything is written."""
     unknown = sorted(set(layout) - set(scene.by_name))
     if unknown:
         known = ", ".join(sorted(scene.by_name)) or "none"

@@ -29,11 +29,7 @@ def check_simulator() -> None:
 
 
 def simulator() -> Any:
-    """Return MuJoCo's module, which has no types.
-
-    Raises:
-        MissingExtraError: It is not installed.
-    """
+    """Return MuJoCo's module, which has no types."""
     if find_spec("mujoco") is None:
         raise MissingExtraError("the physics check", "sim")
     return import_module("mujoco")

@@ -23,12 +23,6 @@ def laid_parts(asset: Asset, scene: Scene, layout: Layout, *, seed: int = 0) -> 
     """Return the parts of a thing as they lie in a room: those of a rug have holes where others stand through it.
 
     A rug of which nothing would be left stays whole.
-
-    Args:
-        asset: The thing.
-        scene: The scene.
-        layout: Where everything is; what is not placed stands on no rug.
-        seed: Picks the palette.
     """
     made = parts(asset, seed=seed)
     if not asset.is_flat or asset.name not in layout:

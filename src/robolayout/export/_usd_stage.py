@@ -397,11 +397,7 @@ def _routes(stage: Any, options: Options) -> None:
 
 
 def assets_of(path: Path) -> Rows:
-    """Yield what a stage on disk says about its assets.
-
-    Raises:
-        RuntimeError: The stage cannot be opened, or holds no `/World/Assets`.
-    """
+    """Yield what a stage on disk says about its assets."""
     stage = Usd.Stage.Open(str(path), Usd.Stage.LoadNone)
     folder = stage.GetPrimAtPath(ASSETS) if stage else None
     if not folder:

@@ -50,12 +50,7 @@ class Whole:
 
 
 def whole(agent: Agent, figure: Figure, own: str) -> Whole:
-    """Return the model of a robot whose names begin with `own`.
-
-    Raises:
-        MissingExtraError: MuJoCo is not installed.
-        AgentError: A file that the model names is missing or outside its folder, or MuJoCo refuses it.
-    """
+    """Return the model of a robot whose names begin with `own`."""
     mujoco, model = simulator(), Model(figure.path)
     files: dict[str, bytes] = {}
     try:

@@ -66,11 +66,7 @@ def dump_xml(root: ET.Element) -> bytes:
 
 
 def parse_xml(data: bytes, root: str) -> ET.Element:
-    """Return the root element of XML text that declares no document type (and so no entities).
-
-    Raises:
-        Unreadable: It does, or it is no such XML.
-    """
+    """Return the root element of XML text that declares no document type (and so no entities)."""
     element = xml_root(decoded(data))
     if element.tag != root:
         raise Unreadable(f"must start with <{root}>, not <{element.tag[:60]}>")

@@ -200,11 +200,7 @@ def _door(room: Room, door: Opening) -> list[Group]:
 
 @reader("DXF file")
 def read(data: bytes) -> Rows:
-    """Yield the names, poses and sizes of the inserts in a plan that this package wrote.
-
-    Raises:
-        LayoutError: The bytes are no DXF text.
-    """
+    """Yield the names, poses and sizes of the inserts in a plan that this package wrote."""
     lines = data.decode("ascii", errors="replace").splitlines()
     if len(lines) < 4 or lines[0].strip() != "0" or lines[-1].strip() != "EOF":
         raise LayoutError("this is no DXF text: it must begin with a section and end with EOF.")

@@ -235,11 +235,7 @@ def _packed(document: Json, blob: bytes) -> bytes:
 
 
 def document(data: bytes) -> Json:
-    """Return the JSON chunk of a GLB file.
-
-    Raises:
-        Unreadable: The bytes are no GLB file.
-    """
+    """Return the JSON chunk of a GLB file."""
     if len(data) < 20 or data[:4] != MAGIC or data[16:20] != b"JSON":
         raise Unreadable("is no GLB: it must start with the four letters glTF and a JSON chunk")
     (length,) = struct.unpack("<I", data[12:16])

@@ -236,11 +236,7 @@ def _shape(body: ET.Element, own: str, agent: Agent) -> None:
 
 @reader("MJCF file")
 def read(data: bytes) -> Rows:
-    """Yield the names, poses and sizes in a model that this package wrote.
-
-    Raises:
-        LayoutError: The bytes are no MJCF, or declare entities.
-    """
+    """Yield the names, poses and sizes in a model that this package wrote."""
     root = parse_xml(data, "mujoco")
     kept = ((*entry.get("name", "").partition("/"), entry.get("data", "")) for entry in root.iter("numeric"))
     sizes = {name: size for kind, _, name, size in kept if kind == "size"}

@@ -214,11 +214,7 @@ def _parameters(scene: Scene, layout: Layout) -> Json:
 
 @reader("house")
 def read(data: bytes) -> Rows:
-    """Yield our names, poses and sizes in a house that this package wrote.
-
-    Raises:
-        LayoutError: The house carries no `metadata.robolayout`.
-    """
+    """Yield our names, poses and sizes in a house that this package wrote."""
     house = cast(Json, json_value(decoded(data)))
     notes = cast(Json, cast(Json, house.get("metadata", {})).get("robolayout", {}))
     if "assets" not in notes:

@@ -62,11 +62,7 @@ def write_package(scene: Scene, layout: Layout, options: Options) -> bytes:
 
 @reader("USD file")
 def read(data: bytes) -> Rows:
-    """Yield the names, poses and sizes in USD text or a USDZ package that this package wrote.
-
-    Raises:
-        LayoutError: USD's own library cannot open the bytes.
-    """
+    """Yield the names, poses and sizes in USD text or a USDZ package that this package wrote."""
     _require()
     from robolayout.export._usd_stage import assets_of
 

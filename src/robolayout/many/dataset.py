@@ -97,7 +97,6 @@ def batch(
         out: Folder of the data set; empty, missing, or one of the same SPEC.
         workers: Processes, or tasks of a cluster, that make rooms at the same time.
         cluster: Address of a Ray cluster ("local" starts one); None uses processes of this machine.
-        progress: Told how far it is after each room.
 
     Raises:
         InputError: The SPEC cannot be read, or the folder holds something else.

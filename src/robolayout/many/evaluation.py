@@ -95,14 +95,11 @@ def evaluate(  # noqa: PLR0913 - the public page of everything that can be chose
     """Measure every room of a folder, whoever made it.
 
     Args:
-        folder: Folder of rooms; what is found in it is on the page docs/many.md.
         against: Another folder, whose rooms are paired with these by name.
         agent: The body or bodies to judge for; each room's own if None.
         by: Columns by which rooms are grouped ("solver", "reach").
         scenes: Folder of the scene files, where they are not beside the layouts.
         asset_dir: Folder of assets that scenes refer to.
-        workers: Processes.
-        progress: Told the name of each room.
 
     Raises:
         InputError: A folder holds no room, or no room has a column of `by`.

@@ -307,10 +307,6 @@ class Rooms(Sequence[Result]):
 def rooms(spec: str | Path | Mapping[str, Any], seed: int | None = None) -> Rooms:
     """Return the rooms of a SPEC as a sequence that makes each one when it is asked for.
 
-    Args:
-        spec: A TOML file, its content as a dictionary, or one room: a type, a sentence or a scene file.
-        seed: Settles every choice; the SPEC's own if None.
-
     Raises:
         InputError: The SPEC cannot be read.
     """

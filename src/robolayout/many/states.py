@@ -26,9 +26,6 @@ def read_state(data: Json, name: str, asset_dir: Path | None = None) -> tuple[Sc
 
     Args:
         asset_dir: Folder in which the sizes of things are looked up that the file gives none for (`<id>/data.json`).
-
-    Raises:
-        InputError: It has another form, several floors, or a thing without a size.
     """
     try:
         return _read(data, name, asset_dir)

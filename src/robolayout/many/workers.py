@@ -151,9 +151,6 @@ class Ray:
     Args:
         address: Of the cluster; "local" starts one on this machine that ends with it.
         most: Most tasks under way; as many as the cluster has processors if None.
-
-    Raises:
-        InputError: There is no cluster at that address.
     """
 
     def __init__(self, ready: Ready, address: str, most: int | None = None) -> None:

@@ -32,8 +32,6 @@ def sealed(template: str, script: str, style: str, data: object, *, images: str 
 
     Args:
         template: HTML with {{policy}}, {{style}}, {{script}}, {{data}} and the names of further parts.
-        images: Where pictures may come from, as the policy says it.
-        parts: Further parts, already harmless.
     """
     found = {
         **parts,

@@ -25,13 +25,7 @@ if TYPE_CHECKING:
 def progress_gif(
     scene: Scene, trace: Trace, *, layout: Layout | None = None, size: int = 600, frames: int = 28, pause: int = 130
 ) -> bytes:
-    """Return the optimisation as a GIF: the plan step by step above the curve of the total loss.
-
-    Args:
-        trace: Losses and snapshots of the run; one in which nothing moved shows the final layout alone and says so.
-        layout: The final layout, added as the last frame and held.
-        size: Pixels of the longer side.
-    """
+    """Return the optimisation as a GIF: the plan step by step above the curve of the total loss."""
     still = bool(trace.losses) and is_still(trace)
     if still and layout is not None:
         trace = Trace(trace.losses)

@@ -59,13 +59,7 @@ def annotate(
     """Return an annotated view of the room, taken by the paper's camera.
 
     Args:
-        layout: Poses of what is placed so far; it may be empty.
         view: "top" or "side" (45 degrees).
-        size: Pixels: a side of a square, or (width, height).
-        renderer: "auto", "gl" or "rays".
-
-    Raises:
-        UnknownNameError: The view is neither "top" nor "side".
     """
     studio = Studio(scene, layout, renderer=renderer)
     buffers = studio.buffers(annotation_camera(scene.room, view, picture_size(size)))

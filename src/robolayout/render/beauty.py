@@ -41,9 +41,6 @@ def render_beauty(  # noqa: PLR0913 - what `render_view` takes, and the paths of
 
     Args:
         samples: Light paths per pixel.
-
-    Raises:
-        MissingExtraError: The extra `beauty` is not installed.
     """
     mitsuba, denoise = _load()
     studio = Studio(scene, layout, renderer="rays")

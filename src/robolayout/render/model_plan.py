@@ -33,8 +33,6 @@ def model_plan(
 
     Args:
         marks: What the body can do there; where things were meant to stand, as ghosts.
-        agent: The body, drawn to scale at the entrance.
-        size: Pixels of the picture's longer side.
     """
     sheet = _sheet(scene, layout, marks or PlanMarks(), agent)
     return sheet.image(round(size * sheet.width / max(sheet.width, sheet.height)))

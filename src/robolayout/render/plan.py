@@ -67,9 +67,7 @@ def draw_plan(
     """Return the plan of a room as a drawing in paper millimetres.
 
     Args:
-        layout: Poses; assets without one are not drawn.
         navigation: What the agent can do: free space, routes, passages, blocked assets.
-        agent: The agent, for the legend; None leaves it out.
         names: Whether things are named; finding places for names takes most of the time.
         scale: Denominator of the scale (50 is 1:50); None chooses.
     """

@@ -74,12 +74,7 @@ class _Arranged:
 
 
 def draw_sheet(scene: Scene, layout: Layout, notes: SheetNotes, *, marks: PlanMarks, agent: Agent) -> Drawing:
-    """Return the sheet as a drawing in paper millimetres.
-
-    Args:
-        layout: Poses; assets without one are listed as not placed.
-        marks: What the agent can do; the free space, passages and turning circles are drawn.
-    """
+    """Return the sheet as a drawing in paper millimetres."""
     given = _Given(
         scene,
         layout,

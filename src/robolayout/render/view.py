@@ -67,11 +67,7 @@ class Studio:
     """One scene and layout, ready to be drawn from anywhere.
 
     Args:
-        layout: Poses; assets without one are not drawn.
         renderer: "gl" for OpenGL on EGL, "rays" for ray casting, "auto" for the first that works here.
-
-    Raises:
-        LayoutError: The layout has a pose for an asset that is not in the scene, or a pose that is not finite.
     """
 
     def __init__(self, scene: Scene, layout: Layout, *, renderer: Renderer = "auto", seed: int = 0) -> None:
@@ -209,16 +205,10 @@ def render_view(
     """Return a picture of the room.
 
     Args:
-        layout: Poses; assets without one are not drawn.
         view: "top", "side" (45 degrees, from where most is seen), an asset's name (close up, from its front), or
             "eye:ASSET": what the agent sees when it looks at that asset.
-        size: Pixels: a side of a square, or (width, height).
         agent: Whose eyes an "eye:" view uses; None takes the scene's first agent.
         stand: Where it stands, metres in plan; None is the landing of the first door, or the middle of the room.
-
-    Raises:
-        LayoutError: The layout names an unknown asset or holds a pose that is not finite.
-        UnknownNameError: There is no such view.
     """
     return Studio(scene, layout, renderer=renderer).view(view, size=size, agent=agent, stand=stand)
 

@@ -38,11 +38,6 @@ def walk_gif(
     Args:
         ways: The ways that it takes, by asset (`AgentReport.ways`): x, y and, of a body that is no disc, its heading, which it
             then keeps; None takes the routes of the marks.
-        agent: The body; None takes the scene's first agent.
-        size: Pixels of the longer side.
-
-    Raises:
-        InputError: There is no route.
     """
     ways = marks.routes if ways is None else ways
     ways = {name: way for name, way in ways.items() if len(way) > 1 and name in scene.by_name}

@@ -21,12 +21,7 @@ def as_start(scene: Scene, start: Layout | Mapping[str, Any] | str | Path) -> La
 
 
 def pinned_poses(scene: Scene, start: Layout | None, keep: Sequence[str], free: Sequence[str]) -> dict[str, Pose]:
-    """Return the poses that stay, of what is to be kept or of all that is not free.
-
-    Raises:
-        InputError: Both are given, or there is no layout to start from, or it does not place what is to be kept.
-        UnknownNameError: A name is not in the scene.
-    """
+    """Return the poses that stay, of what is to be kept or of all that is not free."""
     for name in (*keep, *free):
         if name not in scene.by_name:
             raise UnknownNameError("asset", name, scene.by_name)

@@ -85,7 +85,6 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     """Lay out a scene and verify the result.
 
     Args:
-        scene: A scene, its dictionary or its file.
         program: Text of a constraint program to use instead of planning.
         planner: Who writes the program; the offline planner if None.
         agent: The body or bodies to lay out for; the scene's own if None.
@@ -98,9 +97,6 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
         keep: With `start`: names of assets that do not move at all.
         free: With `start`: names of the only ones that do, in place of `keep`.
         dress: How much lies about in the end: "none", "some" or "full"; what the scene says if None.
-
-    Returns:
-        The layout with its program, decisions and report. No file is written.
 
     Raises:
         SceneError: What must stand on the floor covers more than the floor; nothing is searched for.
@@ -332,10 +328,7 @@ def solve(  # noqa: PLR0913 - as `generate`
     """Solve a program, selecting by exact verification.
 
     Args:
-        program: A program, or its text (read and filtered first).
         solver: Name of a solver: "default", "paper", "paper-unrefined", "trust-constr" or "dual-annealing".
-        pinned: Poses that must stay.
-        built: Poses of what no program places, where they are known.
         ways: Whether the ways of statements that leave one open are tried by themselves where one is not met.
     """
     if isinstance(program, str):

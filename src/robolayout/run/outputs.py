@@ -42,10 +42,6 @@ def write_result(
 
     Args:
         formats: Export formats beside GLB ("usda", "mjcf"); see `robolayout.export.EXPORTERS`.
-        date: What the sheet to print gives as the date; nothing leaves it out.
-
-    Returns:
-        The files, in the order of writing.
 
     Raises:
         UnknownNameError: A format is not known (before anything is written).

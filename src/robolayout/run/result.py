@@ -59,11 +59,7 @@ class Result:
 
 
 def judge(scene: Scene, layout: Layout, program: str | Path | None = None) -> Result:
-    """Judge a layout, whoever made it.
-
-    Args:
-        program: File of the program whose statements are measured as well.
-    """
+    """Judge a layout, whoever made it."""
     wishes, said = read_words(scene), Program()
     if program is not None:
         from robolayout.planners import FilePlanner, PlanRequest
@@ -81,11 +77,7 @@ def load_judged(
 
     Args:
         path: A folder with `scene.json` and `layout.json`, or a layout file.
-        scene: The scene of the layout; None takes the folder's own.
         program: File of the program whose statements are measured; None takes the folder's own, if there is one.
-
-    Raises:
-        InputError: There is no layout, or nothing says which scene it belongs to.
     """
     folder = path if path.is_dir() else None
     if scene is None:

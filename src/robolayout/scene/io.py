@@ -45,7 +45,6 @@ def scene_from_dict(
 
     Args:
         base: Folder in which the meshes of assets may lie; None allows none but those in `asset_dir`.
-        asset_dir: As in `load_scene`.
     """
     content = _SCENE.mapping(data, "the scene")
     warnings = misspelt(content, _KEYS, "the scene")
@@ -74,11 +73,7 @@ def scene_from_dict(
 
 
 def check_dress(value: object) -> str:
-    """Return how much is to lie about, if it is known.
-
-    Raises:
-        SceneError: It is not.
-    """
+    """Return how much is to lie about, if it is known."""
     if value not in DRESSINGS:
         raise SceneError(f"dress must be {', '.join(map(repr, DRESSINGS))}, but is {value!r:.60}.")
     return str(value)
@@ -112,7 +107,6 @@ def layout_from_dict(data: object, scene: Scene | None = None) -> Layout:
 
     Args:
         data: The content of a layout file: position in metres, rotation in degrees, by asset name.
-        scene: The scene that it belongs to; names unknown to it are refused, assets without a pose stay unplaced.
     """
     content = _LAYOUT.mapping(data, "the layout")
     if len(content) > LIMITS.assets:

@@ -58,9 +58,6 @@ class Layout(Mapping[str, Pose]):
         Args:
             by: Metres along x and y.
             turn: Degrees counter-clockwise.
-
-        Raises:
-            UnknownNameError: The layout does not place an asset of that name.
         """
         if name not in self.poses:
             raise UnknownNameError("asset in the layout", name, self.poses)

@@ -20,11 +20,7 @@ _COPIED = ("description", "onFloor", "onWall", "onCeiling", "onObject", "frontVi
 
 
 def look_up(keys: Iterable[str], asset_dir: Path) -> dict[str, tuple[str, Entry]]:
-    """Return for each key `<uid>-<n>` its name in the scene and its entry in the format of DESIGN section 3.
-
-    Args:
-        asset_dir: The folder with one folder a uid.
-    """
+    """Return for each key `<uid>-<n>` its name in the scene and its entry in the format of DESIGN section 3."""
     if not asset_dir.is_dir():
         raise AssetError(f"asset folder {asset_dir} does not exist; check --asset-dir.")
     uids: dict[str, list[str]] = {}

@@ -24,11 +24,7 @@ def is_sat_at(asset: Asset) -> bool:
 
 @lru_cache(maxsize=4096)
 def knee_width(asset: Asset, side: str) -> float:
-    """Return how many metres wide the widest free strip under the edge of a side is, as high and deep as knees and toes need.
-
-    Args:
-        side: "front", "back", "left" or "right".
-    """
+    """Return how many metres wide the widest free strip under the edge of a side is, as high and deep as knees and toes need."""
     half = np.array(asset.size[:2]) / 2
     axis = 0 if side in ("front", "back") else 1  # the axis that leads inwards
     sign = 1.0 if side in ("front", "left") else -1.0

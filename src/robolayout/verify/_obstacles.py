@@ -94,12 +94,7 @@ def _placed(poses: NDArray[np.float64], rectangles: Rectangles) -> NDArray[np.ob
 
 @lru_cache(maxsize=8192)
 def part_rectangles(asset: Asset, low: float, high: float) -> Rectangles | None:
-    """Return the rectangles around an asset's prisms between two heights; None where they make up its whole box.
-
-    Args:
-        low: Metres above its own bottom.
-        high: Metres above its own bottom.
-    """
+    """Return the rectangles around an asset's prisms between two heights; None where they make up its whole box."""
     met = [p for p in prisms_of(asset) if p.high > low + ROUNDING and p.low < high - ROUNDING]
     kept = _outermost([(p.x - p.hx, p.y - p.hy, p.x + p.hx, p.y + p.hy) for p in met])
     covered = shapely.union_all(shapely.box(*kept.T)).area

@@ -48,11 +48,7 @@ class Drive:
 
 
 def find_drives(room: Room, space: HeadingSpace, stands: Mapping[str, Point]) -> dict[str, Drive]:
-    """Return a drive from the door to each of these places to stand; none where the body does not get there.
-
-    Args:
-        stands: Where its centre stands to use a thing, by the thing's name, metres.
-    """
+    """Return a drive from the door to each of these places to stand; none where the body does not get there."""
     if space.start is None:
         return {}
     planner = _Planner(space, entry(room, space.pieces[space.start]))

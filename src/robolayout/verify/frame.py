@@ -18,11 +18,7 @@ CHECKS = ("placed", "collision_free", "in_boundary", "supported")  # the physica
 
 
 def report_frame(report: Report) -> Any:
-    """Return a DataFrame with one row per asset: pose, box, verdicts, and what each agent can do with it.
-
-    Raises:
-        MissingExtraError: pandas is not installed.
-    """
+    """Return a DataFrame with one row per asset: pose, box, verdicts, and what each agent can do with it."""
     if find_spec("pandas") is None:
         raise MissingExtraError("to_frame()", "pandas", package=True)
     pandas: Any = import_module("pandas")

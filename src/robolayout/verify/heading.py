@@ -51,11 +51,7 @@ def heading_space(scene: Scene, layout: Layout, agent: Agent) -> HeadingSpace:
 
 
 class Headings:
-    """The free space of a rectangular body by heading, each worked out when first asked for.
-
-    Args:
-        agent: The body; with length and width.
-    """
+    """The free space of a rectangular body by heading, each worked out when first asked for."""
 
     def __init__(self, room: Room, blocking: Obstacles, agent: Agent) -> None:
         self._room, self._blocking, self._agent = room, blocking, agent

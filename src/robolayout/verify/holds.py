@@ -34,16 +34,7 @@ Stands = Iterable[tuple[float, BaseGeometry, tuple[str, ...]]]
 
 
 def find_hold(found: Boxes, agent: Agent, row: int, joint: Joint, reach: float, stands: Stands) -> Hold:
-    """Return how a body opens something.
-
-    Args:
-        found: The boxes.
-        agent: The body.
-        row: The asset.
-        joint: What of it moves.
-        reach: How far the body reaches at the height of its handle, metres.
-        stands: Where the body can be.
-    """
+    """Return how a body opens something."""
     asset, place = found.where(row)
     far = np.linspace(0.0, joint.span[1], STEPS + 1).tolist()
     hands = [shapely.Point(turned(joint, np.array([joint.handle]), step)[0, :2]) for step in far]

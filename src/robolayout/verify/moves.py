@@ -49,9 +49,6 @@ def moves(scene: Scene, layout: Layout, program: Program | None, agents: tuple[A
     """Return what was moved from a program's guess, the farthest first.
 
     Each thing is put back alone, with what stands on it, and the layout is judged again, exactly.
-
-    Args:
-        program: Its guesses and statements; None has neither.
     """
     found = [] if program is None else [move for move in _off(layout, program) if move.asset in scene.by_name]
     if not found:

@@ -238,11 +238,7 @@ class Report:
         return markdown(self)
 
     def to_frame(self) -> Any:
-        """Return a pandas DataFrame with one row per asset: pose, box, verdicts, and what each agent can do with it.
-
-        Raises:
-            MissingExtraError: pandas is not installed.
-        """
+        """Return a pandas DataFrame with one row per asset: pose, box, verdicts, and what each agent can do with it."""
         from robolayout.verify.frame import report_frame
 
         return report_frame(self)

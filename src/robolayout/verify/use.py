@@ -106,12 +106,7 @@ class Usage:
 
 
 def usage(scene: Scene, layout: Layout, agent: Agent | None = None, *, nav: Navigation | None = None) -> Usage:
-    """Judge what an agent can use.
-
-    Args:
-        agent: The body; the scene's first one if None.
-        nav: Where it can go, if that has been worked out already.
-    """
+    """Judge what an agent can use."""
     judge = _Judge(nav or navigation(scene, layout, agent))
     return Usage(judge.agent, dict(zip(judge.found.names, judge.verdicts().tolist(), strict=True)), judge)
 
