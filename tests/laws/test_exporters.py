@@ -209,7 +209,7 @@ def test_export_writes_what_write_returns(exporter: Exporter, tmp_path: Path) ->
     path = export(SCENE, LAYOUT, exporter.name, folder=tmp_path / "new", options=OPTIONS)
     assert path == tmp_path / "new" / f"study{exporter.suffix}"
     assert path.read_bytes() == exporter.write(SCENE, LAYOUT, OPTIONS)
-    beside = exporter.beside(SCENE, LAYOUT, OPTIONS) if exporter.beside else {}
+    beside = exporter.files(SCENE, LAYOUT, OPTIONS)[1]
     found = {file.relative_to(path.parent).as_posix(): file for file in path.parent.rglob("*") if file.is_file()}
     assert set(found) == {path.name, *beside}
     assert all(found[name].read_bytes() == data for name, data in beside.items())

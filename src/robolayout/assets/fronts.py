@@ -23,10 +23,8 @@ class FrontConfig:
     gap: float = 0.004  # metres between neighbouring fronts
     door: float = 0.018  # thickness of a front in metres
     knob: float = 0.022  # how far handles stand out, metres
-    knob_radii: tuple[tuple[float, float], tuple[float, float]] = (
-        (0.008, 0.008),
-        (0.013, 0.013),
-    )  # half-axes of a knob, front and end
+    # half-axes of a knob at its front and at its end
+    knob_radii: tuple[tuple[float, float], tuple[float, float]] = ((0.008, 0.008), (0.013, 0.013))
     board: float = 0.016  # thickness of boards between drawers
     thin: float = 0.008  # thickness of the boards that drawers are made of
     ease: float = 0.002  # how loosely drawers run

@@ -30,18 +30,12 @@ class PrismConfig:
     most: int = 8  # prisms of one thing (DESIGN section 6)
     small: float = 0.35  # metres below which all edges of a thing lie whose shape is its box
     spare: float = 0.02  # share of a thing's box that two prisms may waste when they needlessly become one
-    floorward: tuple[float, float] = (
-        0.3,
-        6.0,
-    )  # metres of height below which room counts so many times: feet pass there
+    floorward: tuple[float, float] = (0.3, 6.0)  # metres of height below which room counts so many times
     slices: int = 16  # slices that a user's own mesh is looked at in, beside those between its level tops
     cells: int = 24  # cells along an edge of a slice of a user's own mesh
     rectangles: int = 6  # rectangles by which a slice of a user's own mesh is covered
     flat: float = 0.99  # least cosine between up and the normal of a face of a user's own mesh that lies level
-    top: tuple[float, float] = (
-        0.01,
-        0.01,
-    )  # metres within which faces of a mesh are one top, and m2 from which on it ends a slice
+    top: tuple[float, float] = (0.01, 0.01)  # metres within which faces are one top, and m2 of one that ends a slice
     least_cut: float = 0.05  # share of the shorter half side below which a corner is not cut off
 
 

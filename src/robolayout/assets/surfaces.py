@@ -36,10 +36,7 @@ class SurfaceConfig:
     least_area: float = 0.0025  # square metres below which a top holds nothing
     least_side: float = 0.03  # metres across below which a top holds nothing
     least_shelf: float = 0.01  # square metres below which what is covered holds nothing
-    least_free: tuple[float, float] = (
-        0.1,
-        0.04,
-    )  # free height on a shelf, and in a drawer, below which it does not either
+    least_free: tuple[float, float] = (0.1, 0.04)  # free height on a shelf, in a drawer, below which it does not
     ledge: float = 0.03  # share of the largest surface of a thing below which another one holds nothing
     simple: float = 0.004  # metres by which a surface's outline may be straightened
     corners: int = 10  # coordinates of corners between which the largest rectangle of a region is looked for

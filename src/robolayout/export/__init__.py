@@ -150,11 +150,10 @@ def export_all(
     further: dict[Path, bytes] = {}
     for target in targets:
         exporter = find_exporter(target)
-        data = to_bytes(scene, layout, exporter.name, options=options, partial=partial)
+        check_layout(scene, layout, partial=partial)
+        data, beside = exporter.files(scene, layout, options or Options())
         path = Path(folder) / (f"{file_name(scene.name)}{exporter.suffix}" if str(target) in exporters() else target)
         made[path] = data
-        if exporter.beside is not None:
-            beside = exporter.beside(scene, layout, options or Options())
-            further |= {path.parent / name: content for name, content in beside.items()}
+        further |= {path.parent / name: content for name, content in beside.items()}
     write_together({**further, **made})
     return list(made)

@@ -23,6 +23,7 @@ Routes = Mapping[str, Sequence[Point]]
 """The polyline in metres that the agent's centre follows to each asset, by asset name."""
 
 Json = dict[str, object]
+Bundle = tuple[bytes, Mapping[str, bytes]]
 
 STANDING = 0.02  # largest gap in metres between a thing and what it stands on (DESIGN section 4)
 
@@ -71,12 +72,20 @@ class Exporter:
     suffix: str  # end of the file's name, by which the format is recognised (".glb")
     summary: str  # one line for the table of formats
     extra: str | None  # the optional dependency it needs; None for none
-    write: Callable[[Scene, Layout, Options], bytes]  # the file's content for a scene, a layout and options
+    # the file's content for a scene, a layout and options; with the files that it refers to, by their paths from its folder
+    make: Callable[[Scene, Layout, Options], bytes | Bundle]
     read: Read | None = None  # reads such content back; None where the format cannot say where things are
-    # the files that it refers to, by their paths from its folder; None where it stands alone
-    beside: Callable[[Scene, Layout, Options], Mapping[str, bytes]] | None = None
     # The room with the things that its readers have; the command line solves that again. None where ours are theirs.
     fit: Callable[[Scene, Layout], tuple[Scene, Layout]] | None = None
+
+    def files(self, scene: Scene, layout: Layout, options: Options) -> Bundle:
+        """Return the file's content, and the files that it refers to."""
+        made = self.make(scene, layout, options)
+        return made if isinstance(made, tuple) else (made, {})
+
+    def write(self, scene: Scene, layout: Layout, options: Options) -> bytes:
+        """Return the file's content alone."""
+        return self.files(scene, layout, options)[0]
 
 
 def placed(scene: Scene, layout: Layout) -> tuple[tuple[Asset, Pose], ...]:

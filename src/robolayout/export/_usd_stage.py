@@ -10,7 +10,6 @@ from __future__ import annotations
 import hashlib
 import math
 import tempfile
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -36,27 +35,23 @@ LIGHTEST = 1e-4  # kilograms of a link of which nothing has a mass, as in MJCF
 DOORS = "doors"  # variant set of what has joints: "shut", "open", and "drawn" where it is drawn half-open
 
 
-def _things(scene: Scene, layout: Layout, options: Options) -> Iterator[tuple[Thing, str]]:
-    """Yield the room and every placed asset with the path of its layer beside that of the room; variants say how doors stand."""
-    for thing in things(scene, layout, replace(options, leaves="swinging")):
-        yield thing, f"things/{thing.kind}.usdc"
-
-
-def room_stage(scene: Scene, layout: Layout, options: Options) -> Any:
-    """Return a stage in memory, nothing loaded, with the places of the room and of all placed assets, gravity, a camera and routes."""
+def room_stage(scene: Scene, layout: Layout, options: Options) -> tuple[Any, dict[str, bytes]]:
+    """Return a stage in memory, nothing loaded, with the places of the room and of all placed assets, gravity, a camera and
+    routes; and the layers that it refers to with their textures, by their paths from its folder."""
     stage = _stage(WORLD, Kind.Tokens.assembly)
     physics = UsdPhysics.Scene.Define(stage, f"{WORLD}/Physics")
     physics.CreateGravityDirectionAttr(Gf.Vec3f(0, 0, -1))
     physics.CreateGravityMagnitudeAttr(9.81)
-    rows = _things(scene, layout, options)
-    room = _payload(stage, ROOM, *next(rows))
+    rows = things(scene, layout, replace(options, leaves="swinging"))  # variants say how doors stand
+    files: dict[str, bytes] = {}
+    room = _payload(stage, ROOM, next(rows), files)
     if scene.room.doors and options.leaves != "swinging":
         room.GetVariantSets().GetVariantSet(DOORS).SetVariantSelection(options.leaves)
     group = UsdGeom.Xform.Define(stage, ASSETS).GetPrim()
     Usd.ModelAPI(group).SetKind(Kind.Tokens.group)
     taken: set[str] = set()
-    for thing, file in rows:
-        prim = _payload(stage, _free(ASSETS, xml(thing.name), taken), thing, file)
+    for thing in rows:
+        prim = _payload(stage, _free(ASSETS, xml(thing.name), taken), thing, files)
         form = UsdGeom.Xformable(prim)
         form.AddTranslateOp().Set(Gf.Vec3d(thing.pose.x, thing.pose.y, thing.pose.z))
         form.AddRotateZOp(UsdGeom.XformOp.PrecisionDouble).Set(math.degrees(thing.pose.yaw))
@@ -65,7 +60,7 @@ def room_stage(scene: Scene, layout: Layout, options: Options) -> Any:
             _described(prim, thing.asset, movable=thing.free)
     _camera(stage, scene.room)
     _routes(stage, options)
-    return stage
+    return stage, files
 
 
 def _described(prim: Any, asset: Asset, *, movable: bool) -> None:
@@ -78,15 +73,6 @@ def _described(prim: Any, asset: Asset, *, movable: bool) -> None:
     _custom(prim, "size", Sdf.ValueTypeNames.Double3, Gf.Vec3d(*asset.size))
     _custom(prim, "movable", Sdf.ValueTypeNames.Bool, movable)
     UsdSemantics.LabelsAPI.Apply(prim, "instance").CreateLabelsAttr([name])
-
-
-def kind_layers(scene: Scene, layout: Layout, options: Options) -> dict[str, bytes]:
-    """Return the layers that the room's refers to and their textures, by their paths from its folder."""
-    files: dict[str, bytes] = {}
-    for thing, file in _things(scene, layout, options):
-        if file not in files:
-            files[file] = binary(_KindLayer(thing, files).stage)
-    return files
 
 
 def binary(stage: Any) -> bytes:
@@ -109,8 +95,11 @@ def _stage(root: str, kind: str) -> Any:
     return stage
 
 
-def _payload(stage: Any, path: str, thing: Thing, file: str) -> Any:
-    """Return a new prim whose content is the layer of a kind, with its bounds while that is not loaded."""
+def _payload(stage: Any, path: str, thing: Thing, files: dict[str, bytes]) -> Any:
+    """Return a new prim whose content is the layer of a kind, which joins the files, with its bounds while that is not loaded."""
+    file = f"things/{thing.kind}.usdc"
+    if file not in files:
+        files[file] = binary(_KindLayer(thing, files).stage)
     prim = UsdGeom.Xform.Define(stage, path).GetPrim()
     prim.GetPayloads().AddPayload(f"./{file}")
     Usd.ModelAPI(prim).SetKind(Kind.Tokens.component)

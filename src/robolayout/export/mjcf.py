@@ -47,17 +47,9 @@ class _Model:
     )  # path and content by name
 
 
-def write(scene: Scene, layout: Layout, options: Options) -> bytes:
-    """Return the model with movable assets free."""
-    return build(scene, layout, options, free=is_movable)[0]
-
-
-def beside(scene: Scene, layout: Layout, options: Options) -> dict[str, bytes]:
-    """Return its meshes by path."""
-    return build(scene, layout, options, free=is_movable)[1]
-
-
-def build(scene: Scene, layout: Layout, options: Options, *, free: Free | None) -> tuple[bytes, dict[str, bytes]]:
+def build(
+    scene: Scene, layout: Layout, options: Options, *, free: Free | None = is_movable
+) -> tuple[bytes, dict[str, bytes]]:
     """Return the model as XML, with free joints for the assets that `free` says yes to, and its meshes by path.
 
     Where it is None all furniture holds still, and is one body with the world: MuJoCo takes a tenth of the time for that.
@@ -253,7 +245,6 @@ MJCF = Exporter(
     ".xml",
     "MuJoCo's XML: colliders, free joints, masses, the agent as a planar base",
     None,
-    write,
+    build,
     read,
-    beside,
 )

@@ -17,6 +17,7 @@ from robolayout._errors import LayoutError
 from robolayout._reading.syntax import decoded, json_value
 from robolayout.assets import Part
 from robolayout.export._exporter import (
+    Bundle,
     Exporter,
     Json,
     Options,
@@ -40,41 +41,32 @@ FOLDER = "sceneeval"  # folder of the meshes, beside the scene state
 THICKNESS = 0.1  # thickness of walls in metres, as in the files that SceneEval ships
 
 
-def write(scene: Scene, layout: Layout, options: Options) -> bytes:
-    """Return the scene state of a layout."""
+def make(scene: Scene, layout: Layout, options: Options) -> Bundle:
+    """Return the scene state of a layout, and mesh and description of every kind of thing, below a data set's root."""
     rows = sorted(placed(scene, layout), key=lambda row: not row[0].is_flat)
     index = {asset.name: i for i, (asset, _) in enumerate(rows)}
     objects: list[Json] = []
+    files: dict[str, bytes] = {}
     for asset, pose in rows:
+        pieces = laid_parts(asset, scene, layout, seed=options.seed)
+        kind = kind_name(asset.category, pieces, asset.description, asset.size)  # without a dot in it
+        files |= {} if f"{FOLDER}/{kind}/data.json" in files else _described(asset, kind, pieces)
         parent = supporter(asset, scene, layout)
         held = _held(asset, pose, scene.room) if parent is None and hangs(asset, scene, layout) else ""
         objects.append(
             {
                 "id": asset.name,
                 "index": index[asset.name],
-                "modelId": f"{PREFIX}.{_kind(asset, scene, layout, options.seed)[0]}",
+                "modelId": f"{PREFIX}.{kind}",
                 "parentId": parent or held,
                 "parentIndex": -1 if parent is None else index[parent],
                 "transform": {"rows": 4, "cols": 4, "data": _matrix(pose)},
                 "metadata": facts(asset, movable=is_movable(asset, scene, layout)),
             }
         )
-    return dump_json(
-        {
-            "format": "sceneState",
-            "scene": {
-                "version": "scene@1.0.2",
-                "id": scene.name,
-                "up": [0, 0, 1],
-                "front": [0, 1, 0],
-                "unit": 1.0,
-                "assetSource": [PREFIX],
-                "arch": _architecture(scene.room),
-                "object": objects,
-            },
-            "selected": [],
-        }
-    )
+    state: Json = {"version": "scene@1.0.2", "id": scene.name, "up": [0, 0, 1], "front": [0, 1, 0], "unit": 1.0}
+    state |= {"assetSource": [PREFIX], "arch": _architecture(scene.room), "object": objects}
+    return dump_json({"format": "sceneState", "scene": state, "selected": []}), files
 
 
 def _held(asset: Asset, pose: Pose, room: Room) -> str:
@@ -133,26 +125,15 @@ def _hole(kind: str, number: int, opening: Opening) -> Json:
     return {"id": f"{kind.lower()}-{opening.wall}-{number}", "type": kind, "box": {"min": low, "max": high}}
 
 
-def _kind(asset: Asset, scene: Scene, layout: Layout, seed: int) -> tuple[str, tuple[Part, ...]]:
-    """Return the model id of an asset's kind, without a dot in it, and its parts."""
-    pieces = laid_parts(asset, scene, layout, seed=seed)
-    return kind_name(asset.category, pieces, asset.description, asset.size), pieces
-
-
-def _beside(scene: Scene, layout: Layout, options: Options) -> dict[str, bytes]:
-    """Return the mesh and the description of every kind of thing, as SceneEval looks for them below a data set's root."""
-    found: dict[str, bytes] = {}
-    for asset, _ in placed(scene, layout):
-        name, pieces = _kind(asset, scene, layout, options.seed)
-        depth, width, height = asset.size
-        notes: Json = {"category": asset.category, "description": asset.description, "materials": []}
-        notes |= {"onFloor": asset.on_floor, "onWall": asset.on_wall, "onCeiling": asset.on_ceiling}
-        box: Json = {"boundingBox": {"x": width, "y": depth, "z": height}}
-        content: Json = {"annotations": {**notes, "onObject": asset.on_object}, "assetMetadata": box}
-        if f"{FOLDER}/{name}/data.json" not in found:
-            found[f"{FOLDER}/{name}/{name}.glb"] = asset_glb(replace(asset, name=name), pieces)
-            found[f"{FOLDER}/{name}/data.json"] = dump_json(content)
-    return found
+def _described(asset: Asset, kind: str, pieces: tuple[Part, ...]) -> dict[str, bytes]:
+    """Return the mesh and the description of a kind of thing, as SceneEval looks for them."""
+    depth, width, height = asset.size
+    notes: Json = {"category": asset.category, "description": asset.description, "materials": []}
+    notes |= {"onFloor": asset.on_floor, "onWall": asset.on_wall, "onCeiling": asset.on_ceiling}
+    box: Json = {"boundingBox": {"x": width, "y": depth, "z": height}}
+    content: Json = {"annotations": {**notes, "onObject": asset.on_object}, "assetMetadata": box}
+    mesh = asset_glb(replace(asset, name=kind), pieces)
+    return {f"{FOLDER}/{kind}/{kind}.glb": mesh, f"{FOLDER}/{kind}/data.json": dump_json(content)}
 
 
 @reader("scene state")
@@ -168,5 +149,5 @@ def read(data: bytes) -> Rows:
 
 
 SCENEEVAL = Exporter(
-    "sceneeval", ".sceneeval.json", "scene state JSON and meshes, which SceneEval loads", None, write, read, _beside
+    "sceneeval", ".sceneeval.json", "scene state JSON and meshes, which SceneEval loads", None, make, read
 )

@@ -11,7 +11,7 @@ import xml.etree.ElementTree as ET
 
 from robolayout._text import xml
 from robolayout.export._bodies import DRAG, STICTION, Link, Shape, Thing, things
-from robolayout.export._exporter import Exporter, Options, Rows, reader, unique
+from robolayout.export._exporter import Bundle, Exporter, Options, Rows, reader, unique
 from robolayout.export._mesh import numbers
 from robolayout.export._xml import DRAKE, STIFF, Tree, dump_xml, facts, moments, parse_xml, pose_of, put, rgba
 from robolayout.scene import Layout, Scene
@@ -21,33 +21,25 @@ OURS = "https://robolayout.invalid/sdf"  # XML namespace of what only we read
 BASE = "body"  # name of the link that stays
 
 
-def write(scene: Scene, layout: Layout, options: Options) -> bytes:
-    """Return the world."""
-    root, taken = _root(), {"world"}
+def make(scene: Scene, layout: Layout, options: Options) -> Bundle:
+    """Return the world, and the model folders by path."""
+    root, taken, files = _root(), {"world"}, dict[str, bytes]()
     world = put(root, "world", {"@name": _legal(scene.name, set())})
     for thing in things(scene, layout, options):
-        pose, name = thing.pose, _legal(thing.name, taken)
+        pose, name, folder = thing.pose, _legal(thing.name, taken), thing.folder
         place = f"{pose.x!r} {pose.y!r} {pose.z!r} 0 0 {pose.yaw!r}"
         kept = {} if thing.asset is None else {"robolayout:thing": facts(thing.asset)}
-        put(world, "include", {"uri": f"model://{thing.folder}", "name": name, "pose": place, **kept})
+        put(world, "include", {"uri": f"model://{folder}", "name": name, "pose": place, **kept})
         if not thing.free and len(thing.links) > 1:
             _joint(world, f"{name}::{BASE}", "world", {"@type": "fixed"})
-    put(world, "light", {"@name": "sun", "@type": "directional", "pose": "0 0 6 0 0 0", "direction": "0.35 -0.25 -1"})
-    return dump_xml(root)
-
-
-def beside(scene: Scene, layout: Layout, options: Options) -> dict[str, bytes]:
-    """Return the model folders by path."""
-    files: dict[str, bytes] = {}
-    for thing in things(scene, layout, options):
-        folder = thing.folder
         if f"{folder}/model.sdf" not in files:
             config = ET.Element("model")
             put(config, "name", folder.rpartition("/")[2])
             put(config, "sdf", "model.sdf").set("version", VERSION)
             files |= {f"{folder}/{path}": data for path, data in thing.meshes().items()}
             files |= {f"{folder}/model.config": dump_xml(config), f"{folder}/model.sdf": _model(thing, folder)}
-    return files
+    put(world, "light", {"@name": "sun", "@type": "directional", "pose": "0 0 6 0 0 0", "direction": "0.35 -0.25 -1"})
+    return dump_xml(root), files
 
 
 def _root() -> ET.Element:
@@ -120,4 +112,4 @@ def read(data: bytes) -> Rows:
             yield thing.attrib["name"], pose_of(include.findtext("pose", "")), map(float, thing.attrib["size"].split())
 
 
-SDF = Exporter("sdf", ".sdf", "SDF world with a model folder for each kind of thing", None, write, read, beside)
+SDF = Exporter("sdf", ".sdf", "SDF world with a model folder for each kind of thing", None, make, read)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import xml.etree.ElementTree as ET
 
 from robolayout.export._bodies import DRAG, STICTION, Link, Shape, Thing, things
-from robolayout.export._exporter import Exporter, Options, Rows, free_name, reader
+from robolayout.export._exporter import Bundle, Exporter, Options, Rows, free_name, reader
 from robolayout.export._mesh import numbers
 from robolayout.export._xml import DRAKE, STIFF, Tree, dump_xml, facts, moments, parse_xml, pose_of, put, rgba
 from robolayout.scene import Layout, Scene
@@ -21,9 +21,9 @@ MUJOCO = {"@discardvisual": "false", "@strippath": "false", "@balanceinertia": "
 """What MuJoCo is told: to look for meshes where they are, and to keep every link."""
 
 
-def write(scene: Scene, layout: Layout, options: Options) -> bytes:
-    """Return the room with all that is fixed to it, and where the files of the other things belong."""
-    robot, world = _robot(scene.name), free_name("world", scene)
+def make(scene: Scene, layout: Layout, options: Options) -> Bundle:
+    """Return the room with all that is fixed to it, and by path the meshes of all things and the robots of those that are free."""
+    robot, world, files = _robot(scene.name), free_name("world", scene), dict[str, bytes]()
     put(robot, "link", {"@name": world})
     for thing in things(scene, layout, options):
         pose, folder = thing.pose, thing.folder
@@ -31,23 +31,15 @@ def write(scene: Scene, layout: Layout, options: Options) -> bytes:
         if thing.asset is not None:
             file = {"@file": f"{folder}/model.urdf"} if thing.free else {}
             put(robot, "place", {**facts(thing.asset), **origin, **file})
-        if not thing.free:
-            _links(robot, thing, thing.name, f"{folder}/")
-            _joint(robot, thing.name, world, {"@type": "fixed", "origin": origin})
-    return dump_xml(robot)
-
-
-def beside(scene: Scene, layout: Layout, options: Options) -> dict[str, bytes]:
-    """Return the meshes of all things and the robots of those that are free, by path."""
-    files: dict[str, bytes] = {}
-    for thing in things(scene, layout, options):
-        folder = thing.folder
         files |= {f"{folder}/{path}": data for path, data in thing.meshes().items()}
         if thing.free:
-            robot = _robot(folder.rpartition("/")[2])
-            _links(robot, thing, "body", "")
-            files[f"{folder}/model.urdf"] = dump_xml(robot)
-    return files
+            own = _robot(folder.rpartition("/")[2])
+            _links(own, thing, "body", "")
+            files[f"{folder}/model.urdf"] = dump_xml(own)
+        else:
+            _links(robot, thing, thing.name, f"{folder}/")
+            _joint(robot, thing.name, world, {"@type": "fixed", "origin": origin})
+    return dump_xml(robot), files
 
 
 def _robot(name: str) -> ET.Element:
@@ -120,6 +112,4 @@ def read(data: bytes) -> Rows:
         yield row["name"], pose_of(f"{row['xyz']} {row['rpy']}"), map(float, row["size"].split())
 
 
-URDF = Exporter(
-    "urdf", ".urdf", "robots: the room with what is fixed, and each movable thing", None, write, read, beside
-)
+URDF = Exporter("urdf", ".urdf", "robots: the room with what is fixed, and each movable thing", None, make, read)

@@ -13,7 +13,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from robolayout._errors import LayoutError, MissingExtraError
-from robolayout.export._exporter import Exporter, Options, Rows, reader
+from robolayout.export._exporter import Bundle, Exporter, Options, Rows, reader
 from robolayout.scene import Layout, Scene
 
 EXTRA = "usd"
@@ -26,21 +26,13 @@ def _require() -> None:
         raise MissingExtraError("reading and writing USD", EXTRA)
 
 
-def write_text(scene: Scene, layout: Layout, options: Options) -> bytes:
-    """Return the layer of the room as USD text."""
+def make_text(scene: Scene, layout: Layout, options: Options) -> Bundle:
+    """Return the layer of the room as USD text, and those of each kind of thing and their textures, by path."""
     _require()
     from robolayout.export._usd_stage import room_stage
 
-    stage = room_stage(scene, layout, options)  # its layers live as long as it
-    return stage.GetRootLayer().ExportToString().encode()
-
-
-def beside(scene: Scene, layout: Layout, options: Options) -> dict[str, bytes]:
-    """Return the layers of the room and of each kind of thing and their textures, by path."""
-    _require()
-    from robolayout.export._usd_stage import kind_layers
-
-    return kind_layers(scene, layout, options)
+    stage, files = room_stage(scene, layout, options)  # its layers live as long as it
+    return stage.GetRootLayer().ExportToString().encode(), files
 
 
 def write_package(scene: Scene, layout: Layout, options: Options) -> bytes:
@@ -48,7 +40,8 @@ def write_package(scene: Scene, layout: Layout, options: Options) -> bytes:
     _require()
     from robolayout.export._usd_stage import binary, room_stage
 
-    files = {"scene.usdc": binary(room_stage(scene, layout, options)), **beside(scene, layout, options)}
+    stage, layers = room_stage(scene, layout, options)
+    files = {"scene.usdc": binary(stage), **layers}
     package = io.BytesIO()
     with zipfile.ZipFile(package, "w", zipfile.ZIP_STORED) as archive:
         for name, data in files.items():
@@ -77,5 +70,5 @@ def read(data: bytes) -> Rows:
 
 
 SUMMARY = "USD with one file per kind of thing: instances, joints, rigid bodies, labels"
-USDA = Exporter("usd", ".usda", SUMMARY, EXTRA, write_text, read, beside)
+USDA = Exporter("usd", ".usda", SUMMARY, EXTRA, make_text, read)
 USDZ = Exporter("usdz", ".usdz", "the same USD scene as one package", EXTRA, write_package, read)

@@ -28,9 +28,7 @@ class LabelStyle:
     """Where names go, and how large they are."""
 
     line: float = 1.12  # distance of two lines of text, in font sizes
-    squarish: float = (
-        1.6  # ratio of a footprint's sides below which its name stands level aside, not turned in the middle
-    )
+    squarish: float = 1.6  # ratio of a footprint's sides below which its name stands level aside, not turned
     sizes: tuple[float, ...] = (2.3, 2.0, 1.7, 1.4, 1.15)  # font sizes that are tried for a name, millimetres
     margin: float = 0.25  # millimetres between a name and the edge of the footprint that it stands in
     eager: int = 3  # font sizes that are tried for a place where no line is crossed, before the name may cross one
@@ -150,10 +148,8 @@ class ViewStyle:
     top_azimuth: float = -math.pi / 2  # azimuth of the view from above, radians: +x is right, +y is up
     close: float = 0.75  # sides of an asset, the longest, that a close-up shows to each side of its middle ...
     close_least: float = 0.6  # ... and the least metres
-    close_polars: tuple[float, float] = (
-        math.radians(58),
-        math.radians(40),
-    )  # directions of close-ups from the asset's front and from the vertical
+    # directions of close-ups from the asset's front and from the vertical
+    close_polars: tuple[float, float] = (math.radians(58), math.radians(40))
     ghostly: float = 0.35  # opacity of a ghost
     steep: float = 0.9  # sine of the angle looking down above which what hangs from the ceiling is a ghost
     largest: int = 8192  # most pixels along a side of a picture

@@ -41,9 +41,7 @@ class FlowConfig:
     """How many rooms are looked at, and how long one is tried."""
 
     ahead: int = 3  # rooms that are looked at before one is searched that is not right as it is built or guessed
-    nearly: float = (
-        4.0  # `Verdict.promise` up to which a room is mended before others are looked at: two things out of reach
-    )
+    nearly: float = 4.0  # `Verdict.promise` up to which a room is mended at once: two things out of reach
     forlorn: float = 0.25  # share of assets amiss after all these programs from which on no other is asked for
     coarse: float = 0.25  # metres of a cell of the search's floor from which on the report says so
     most_ways: int = 6  # ways of open statements (the corners of a room) that are tried where one is not met

@@ -15,9 +15,7 @@ class Ada:
     toe_depth: float = 0.43  # how deep it is (306.2.3)
     deep: float = 0.28  # depth of room for knees at `toe_height` (306.3.3)
     shallow: float = 0.205  # its depth at `knee_height`; between them it shrinks evenly (306.3.4)
-    contact: float = (
-        1e-3  # by which room is measured more kindly, and a floor space drawn smaller: rounding decides nothing
-    )
+    contact: float = 1e-3  # by which room is measured more kindly: rounding decides nothing
     floor: tuple[float, float] = (0.76, 1.22)  # width and length of a clear floor space (305.3)
     low: float = 0.38  # height from which on an unobstructed reach goes, forwards and sideways (308.2.1)
     high: float = 1.22  # height where it ends (308.3.1)
@@ -31,9 +29,7 @@ class Ada:
     pinch: float = 0.815  # down to which it may narrow for a short way (403.5.1)
     pinch_length: float = 0.61  # length of such a way (403.5.1)
     pinch_apart: float = 1.22  # between two of them (403.5.1)
-    circle: float = (
-        1.525  # diameter of a turning circle, and side of the square around a T-shaped turning space (304.3)
-    )
+    circle: float = 1.525  # diameter of a turning circle, and side of the square around a T-shaped space (304.3)
     arm: float = 0.915  # width of arms and base of that (304.3.2)
     base: float = 0.61  # length of its base (304.3.2)
     interval: float = 61.0  # length of route after which a passing space is asked for (403.5.3)
