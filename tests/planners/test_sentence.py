@@ -156,7 +156,7 @@ def test_variants_differ_and_repeat() -> None:
         ("a bedroom of 0.5 x 3 m", "cannot be furnished"),
         ("a warehouse of 500 x 300 m", "give 1 to 100 m"),
         ("a game room 2.2 x 2.2 m with a pool table", "does not fit|need"),
-        ("a bedroom 1 m high", "outside 1.8 to 20 m"),
+        ("a bedroom 1 m high", "too high; give 1.8 to 20 m"),
         ("1000 beds in a bedroom", "1000 x bed is more than one room is for; ask for at most 200"),
     ],
 )

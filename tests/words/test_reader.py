@@ -85,6 +85,14 @@ def links(text: str) -> set[tuple[str, ...]]:
         ),
         ("a bed in the middle of the wall and a window on each side of it", {"bed": 1}),
         ("six tables for two near the window", {"dining table": 6}),
+        ("a bed and two nightstands. Both nightstands have a lamp.", {"bed": 1, "night stand": 2, "table lamp": 2}),
+        ("four tables. Each table has a board on it and two chairs.", {"dining table": 4, "board": 4, "chair": 8}),
+        ("chairs (4), lamps: 2, a 2 x 3 m rug and sofas x 2", {"chair": 4, "table lamp": 2, "rug": 1, "sofa": 2}),
+        (
+            "two dressers. Both dressers have a lamp. It should have two sofas.",
+            {"dresser": 2, "table lamp": 2, "sofa": 2},
+        ),
+        ("two desks, each one with a lamp, along with a sofa", {"desk": 2, "table lamp": 2, "sofa": 1}),
         ("five tables. Three of them are square and seat four, the remaining two are round.", {"dining table": 5}),
     ],
 )
@@ -212,7 +220,10 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
             "a TV stand with a TV on it. The sofa is 2.5 m from the TV, facing it.",
             {("on", "television", "tv stand"), ("apart", "sofa", "television"), ("facing", "sofa", "television")},
         ),
-        ("four stools on one side of the island, on the other is the stove.", {("next", "bar stool", "kitchen island")}),
+        (
+            "four stools on one side of the island, on the other is the stove.",
+            {("oneside", "bar stool", "kitchen island"), ("otherside", "stove", "kitchen island"), ("otherside", "stove", "bar stool")},
+        ),
         ("ten chairs lined up along two opposite walls", {("wall", "chair", "wall")}),
         ("On the desk in the corner stands a lamp.", {("in", "desk", "corner"), ("on", "table lamp", "desk")}),
         ("The stove has a hood above it and the sink is under the window.", {("above", "hood", "stove"), ("under", "washbasin", "window")}),
@@ -227,6 +238,33 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("a rug beneath the sofa and coffee table", {("under", "rug", "sofa"), ("under", "rug", "coffee table")}),
         ("There must be at least 1 m between the bed and the wardrobe.", {("apart", "bed", "wardrobe")}),
         ("three desks, each with a chair, in a row", {("with", "chair", "desk"), ("row", "desk", "")}),
+        (
+            "A table. A bench on one side and three chairs on the other, with two lamps above it.",
+            {
+                ("around", "bench", "dining table"),
+                ("around", "chair", "dining table"),
+                ("above", "pendant lamp", "dining table"),
+                ("with", "pendant lamp", "chair"),
+            },
+        ),
+        (
+            "A sofa and a lamp. The sofa and the lamp are by the window and the door respectively.",
+            {("by", "sofa", "window"), ("by", "floor lamp", "door")},
+        ),
+        (
+            "A sofa and an armchair. The former is by the window, the latter is in the corner.",
+            {("by", "sofa", "window"), ("in", "armchair", "corner")},
+        ),
+        (
+            "On the left of the bench stands a table, on the right a lamp.",
+            {("left", "dining table", "bench"), ("right", "floor lamp", "bench")},
+        ),
+        ("A desk is near the door, on which sits a lamp.", {("near", "desk", "door"), ("on", "table lamp", "desk")}),
+        (
+            "There is a sofa and a bench with a table between them.",
+            {("amid", "dining table", "sofa"), ("amid", "dining table", "bench")},
+        ),
+        ("Between the sofa and the plant stands a desk.", {("amid", "desk", "sofa"), ("amid", "desk", "plant")}),
         ("Every table has a candle in its center.", {("middle", "candle", "dining table")}),
     ],
 )  # fmt: skip
@@ -300,6 +338,26 @@ def test_a_body_is_who_the_room_is_for_and_a_thing_is_what_stands_there() -> Non
     hospital = read("a hospital room with a wheelchair")
     assert hospital.agent is None
     assert [thing.noun.words for thing in hospital.parsed.things] == ["wheelchair"]
+
+
+def test_pets_of_somebody_live_there_too() -> None:
+    assert read("a living room for a researcher who has a cat").agent is None
+    assert read("a living room for two cats").agent == "cat"
+
+
+@pytest.mark.parametrize(
+    ("text", "sizes"),
+    [
+        ("a 2.2 m wide sofa", [("wide", (2.2,))]),
+        ("a room of 5 x 4 m with a desk (160 x 80 cm)", [("size", (1.6, 0.8))]),
+        ("a wooden 6-foot table", [("length", (1.829,))]),
+        ("a wardrobe that is 1 m wide and 2.2 m tall", [("wide", (1.0,)), ("height", (2.2,))]),
+        ("a 55-inch TV in a room 2.8 m high", [("diagonal", (1.397,))]),
+        ("a bedroom with a bed, 4 x 5 m", []),
+    ],
+)
+def test_figures_are_of_the_thing_that_they_stand_at(text: str, sizes: list[tuple[str, tuple[float, ...]]]) -> None:
+    assert [(said.kind, said.values) for thing in read(text).parsed.things for said in thing.sizes] == sizes
 
 
 def test_a_room_is_known_in_spite_of_a_slip() -> None:

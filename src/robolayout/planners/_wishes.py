@@ -14,6 +14,7 @@ from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import (
     Lexicon,
     Link,
+    Measure,
     Mention,
     Place,
     Reading,
@@ -57,6 +58,7 @@ class Wishes:
     # kinds that are not in the catalogue as they were asked for: other words, other sizes
     named: Mapping[str, Category]
     looks: Mapping[str, str]  # what is said of the looks of things, by category
+    sizes: Mapping[str, Sequence[Measure]]  # what is said of their sizes in figures
     guesses: tuple[str, ...]  # what was guessed, one sentence each
 
     @property
@@ -113,8 +115,10 @@ def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wish
         if thing.noun.guessed and not thing.noun.kind.startswith("unknown")
     ]
     links = reading.parsed.links
-    looks = {_shown(thing, room, lexicon, links): ", ".join(thing.look) for thing in said if thing.look}
-    return Wishes(reading, room, things, named, looks, tuple(guesses))
+    shown = {thing: _shown(thing, room, lexicon, links) for thing in said}
+    looks = {shown[thing]: ", ".join(thing.look) for thing in said if thing.look}
+    sizes = {shown[thing]: thing.sizes for thing in said if thing.sizes}
+    return Wishes(reading, room, things, named, looks, sizes, tuple(guesses))
 
 
 def _room(reading: Reading, rooms: Rooms) -> tuple[RoomType, list[str]]:
@@ -156,7 +160,7 @@ def _things(
         name, shown = usual_there(thing, room, links) or thing.noun.kind, _shown(thing, room, lexicon, links)
         kind = lexicon.kinds[name]
         like = kind.like or (name if shown != name else "")
-        size = _large_enough(thing, sized(kind, thing.adjectives), links, lexicon)
+        size = _large_enough(thing, sized(kind, thing.adjectives, thing.sizes), links, lexicon)
         kind = _as_placed(thing, replace(kind, name=shown, like=like, size=size), links, lexicon)
         if kind != lexicon.kinds[name] and wished.get(shown, 0) == 0:
             named[shown] = kind

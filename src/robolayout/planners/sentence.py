@@ -302,9 +302,7 @@ def _scene(
         "boundary": {"floor_vertices": [[x, y, 0.0] for x, y in outline], "wall_height": found.height, "floor": floor},
         "doors": doors,
         "windows": windows,
-        "assets": _assets(
-            [(kinds[name], count) for name, count in things.items()], found.height, style, wishes.looks, rng
-        ),
+        "assets": _assets([(kinds[name], count) for name, count in things.items()], found.height, style, wishes, rng),
     }
     if found.agent is not None:
         scene["agent"] = found.agent
@@ -315,16 +313,18 @@ def _assets(
     things: Iterable[tuple[Category, int]],
     height: float,
     style: str,
-    looks: Mapping[str, str],
+    wishes: Wishes,
     rng: np.random.Generator,
 ) -> dict[str, dict[str, object]]:
-    """Return the asset list; equal things have equal sizes, within 6 % of typical ones, and look alike."""
+    """Return the asset list; equal things have equal sizes, as said or within 6 % of typical ones, and look alike."""
     assets: dict[str, dict[str, object]] = {}
     for kind, count in things:
         scale = 1.0 + 0.06 * float(rng.uniform(-1, 1))
-        size = [round(max(0.01, value * (scale if kind.on_floor else 1.0)), 3) for value in kind.size]
-        size[2] = min(size[2], round(height - SPARE, 3))
-        look = ", ".join(filter(None, (style, looks.get(kind.name, ""))))
+        d, w, h = (round(max(0.01, value * (scale if kind.on_floor else 1.0)), 3) for value in kind.size)
+        for measure in wishes.sizes.get(kind.name, ()):
+            d, w, h = measure.on((d, w, h))
+        size = (d, w, min(h, round(height - SPARE, 3)))
+        look = ", ".join(filter(None, (style, wishes.looks.get(kind.name, ""))))
         for index in range(count):
             assets[f"{variable_name(kind.name)}-{index}"] = asset_entry(kind, size) | {"look": look}
     return assets

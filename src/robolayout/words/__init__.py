@@ -4,6 +4,7 @@ from robolayout.words._lexicon import Lexicon, dressing, grammar
 from robolayout.words._match import KIN
 from robolayout.words._places import COMPASS
 from robolayout.words._said import Link, Mention, Place, Thing
+from robolayout.words._tokens import Measure
 from robolayout.words._traits import WantedOpening, sized, wanted_openings
 from robolayout.words.demands import Demand
 from robolayout.words.ledger import AskedRow, Wishes, read_words, share_met
@@ -17,6 +18,7 @@ __all__ = [
     "Demand",
     "Lexicon",
     "Link",
+    "Measure",
     "Mention",
     "Place",
     "Reading",

@@ -16,9 +16,12 @@ MARKS = {":": "colon", **dict.fromkeys(".;!?\n", "stop"), **dict.fromkeys(",()",
 REST = ("other", "others", "remaining", "rest")
 """Words for those that were not yet said."""
 
+LATTER = ("former", "latter")
+"""Words for the first and the second of the two things that were named last."""
+
 WITHOUT_NOUN = re.compile(
-    r"(?:(?:the )?\b(another|(?<=the )(?:others?|remaining|rest|first|second|third|last))(?: (two|three|four|five|six|[2-9]))?( ones?)?"
-    r"|(?:the|an?) (?:(?!other)(\w+) )?ones?) "
+    r"(?:(?:the )?\b(another|(?<=the )(?:others?|remaining|rest|first|second|third|last|former|latter))"
+    r"(?: (two|three|four|five|six|[2-9]))?( ones?)?|(?:the|an?) (?:(?!other)(\w+) )?ones?) "
 )
 """Phrases that leave out their noun: what picks, how many, whether "one" stands for the noun, an adjective."""
 
@@ -41,6 +44,7 @@ class Chunk:
     adjectives: tuple[str, ...] = ()  # the words before the noun
     rows: int = 0  # rows that it stands in ("three rows of four"), 0 if none are said
     measure: Measure | None = None  # A measure of the room
+    sizes: tuple[Measure, ...] = ()  # measures of the thing
 
 
 def without_noun(
@@ -61,6 +65,9 @@ def without_noun(
     end = at + len(match.group().split())
     if (picks and not one and run(end)) or (told and told not in grammar().adjectives):
         return None
+    if picks in LATTER:
+        two = [c for c in found if c.kind == "thing" and not {*words[c.start : c.end]} & {*LATTER}][-2:]
+        return replace(two[LATTER.index(picks) - 2], start=at, end=end, det="the", adjectives=()) if two[1:] else None
     new = words[at] in ("a", "an", "another")
     nouns = [c for c in found if c.kind in ("thing", "part") and (new or _of_several(c))]
     led = [c for before, c in pairwise(found) if before.kind == "rel" and c in nouns]
@@ -71,8 +78,14 @@ def without_noun(
     det = "other" if picks in REST else DETERMINERS.get(picks or "", "new" if new else "the")
     side = words[end + 2] if words[end : end + 2] == ["on", "the"] and end + 2 < len(words) else ""
     told, end = (side, end + 3) if one is None and not picks and side in ("left", "right") else (told, end)
-    if last is None or (leads and picks == "other" and any("side" in c.adjectives for c in found if c.kind == "rel")):
-        return None  # "stools on one side, the stove on the other"
+    if (
+        leads
+        and picks == "other"
+        and any({"side", "left", "right"} & {*c.adjectives} for c in found if c.kind == "rel")
+    ):
+        return Chunk("part", at, end, "side", det="other")  # "stools on one side, the stove on the other"
+    if last is None:
+        return None
     chunk = replace(last, start=at, end=end, det=det, number=count_of(number or ""), bound="", plural=many, rows=0)
     return replace(chunk, adjectives=(told,) if told else last.adjectives if last.kind == "part" else ())
 

@@ -79,11 +79,14 @@ class Chunker:
 
     def _next(self, at: int) -> Chunk:
         if at in self.measured:
+            thing = self._noun_phrase(at)  # "2.2 m wide sofa"
+            if thing is not None and thing.kind == "thing":
+                return thing
             measure, end = self.measured[at], max(self.after[at], at + 1)
             gap = measure.kind in ("apart", "between")
             return Chunk("rel" if gap else "measure", at, end, measure.kind if gap else "", measure=measure)
         if self.words[at] in MARKS:
-            return Chunk(MARKS[self.words[at]], at, at + 1)
+            return Chunk(MARKS[self.words[at]], at, at + 1, self.words[at])
         return self._role(at) or self._fixed(at) or self._noun_phrase(at) or self._single(at)
 
     def _role(self, at: int) -> Chunk | None:
@@ -107,14 +110,23 @@ class Chunker:
                 rows = next((number for word in words if (number := count_of(word))), 0)
                 each = rows > 1 and self.words[at + size : at + size + 1] == ["of"]  # "in three rows of four"
                 size += 2 * bool(each and count_of(*self.words[at + size + 1 : at + size + 2] or [""]))
-                its = "its" if " its " in phrase and value != "wall" else ""
+                of_it = words[-1] in ("left", "right") and phrase != words[-1] and self._clause(at, at + size)
+                its = "its" if (" its " in phrase and value != "wall") or of_it else ""
                 return Chunk("rel", at, at + size, value, det=its, rows=rows, adjectives=tuple(words))
+            if kind == "and" or (kind == "pron" and size > 1 and phrase != "the two"):
+                return Chunk(kind, at, at + size, phrase)
         word = self.words[at]
         if word in REFUSING and not self._bound(at)[0]:
             return Chunk("not", at, at + 1, word)
         if word in WITH:
             return Chunk("with", at, at + 1)
         return Chunk("and", at, at + 1, word) if word in JOINING else None
+
+    def _clause(self, at: int, end: int) -> bool:
+        """Return whether words begin a clause and what they are about follows: "..., on the right a desk"."""
+        before, following = (["", *self.words, ""][i] for i in (at, end + 1))
+        starts = not before or before in MARKS or before in JOINING
+        return starts and (following in DETERMINERS or bool(count_of(following)))
 
     def _overlaid(self, at: int, size: int) -> bool:
         """Return whether a relation that begins within this one goes on beyond it: "placed on either side of"."""
@@ -128,7 +140,8 @@ class Chunker:
             return False
         sided = phrase.endswith(("left", "right", "middle", "center", "centre")) and " its " not in phrase
         if sided and following and following not in MARKS:
-            return following in (*JOINING, "there", "is", "stands", "with", "sits", "are", "stand", "hangs")
+            leads = following in DETERMINERS or count_of(following) is not None
+            return leads or following in (*JOINING, "there", "is", "stands", "with", "sits", "are", "stand", "hangs")
         if phrase in ("line", "lines"):
             return following in DETERMINERS or count_of(following) is not None
         if phrase in ("nearest", "flank", "block", "blocks"):
@@ -153,7 +166,13 @@ class Chunker:
         bound, skip = self._bound(at)
         i = at + skip
         det, number, rows = "", None, 0
-        while i < len(self.words) and (step := self._before_noun(i, det, number)):
+        sized: list[int] = []
+        while i < len(self.words):
+            sized += range(i, i + self._sizes(i))
+            i = sized[-1] + 1 if sized and sized[-1] >= i else i
+            step = self._before_noun(i, det, number) if i < len(self.words) else None
+            if step is None:
+                break
             det, number, bound, rows = (
                 det if det in ("each", "one") else step[0] or det,
                 step[1] if step[1] is not None else number,
@@ -165,7 +184,24 @@ class Chunker:
         if not run:
             return Chunk("pron", at, i, "the two") if det == "the" and (number or 0) > 1 else None
         told = bool(det or number is not None or bound)
-        return self._named(at, i, run, told, (det, number, bound, rows))
+        chunk = self._named(at, i, run, told, (det, number, bound, rows))
+        if not sized or chunk is None:
+            return chunk
+        inner = {k for j in sized if j in self.measured for k in range(j, self.after[j])}
+        adjectives = tuple(self.words[j] for j in sized if j not in inner)
+        sizes = tuple(self.measured[j] for j in sized if j in self.measured)
+        same = replace(chunk, sizes=sizes, adjectives=(*adjectives, *chunk.adjectives))
+        return same if chunk.kind == "thing" else None
+
+    def _sizes(self, i: int) -> int:
+        """Return how many words from here on say how large what follows is: "wooden 6-foot", "1 m wide, 2 m high"."""
+        first = i
+        while self.words[i : i + 1] and (self.words[i] in self.grammar.styles or self.words[i] in self.grammar.sizes):
+            i += 1
+        while i in self.measured and self.measured[i].kind not in ("apart", "between", "grid", "area"):
+            i = max(self.after[i], i + 1)
+            i += self.words[i : i + 1] in ([","], ["and"]) and i + 1 in self.measured
+        return i - first if any(j in self.measured for j in range(first, i)) else 0
 
     def _before_noun(self, i: int, det: str, number: int | None) -> tuple[str, int | None, str, int, int] | None:
         """Return (article, number, bound, rows, length) of what stands before a noun here."""
@@ -191,7 +227,7 @@ class Chunker:
             return ("", None, "", 0, 1) if self._run(i + 1) or count_of(rest[0] if rest else "") else None
         count = None if self._seats(i) or (rest[:1] and rest[0] in SCALES) else count_of(word)
         if count and number is None and word not in ("a", "an", "twin", "couple"):
-            return ("", count, "vague" if word in VAGUE else "", 0, 1 + ("of" in rest[:1]))
+            return ("", count, "vague" if word in VAGUE else "", 0, 1 + (rest[:1] in (["of"], ["x"])))
         return None
 
     def _run(self, i: int, *, many: bool = False) -> list[str]:
@@ -243,18 +279,21 @@ class Chunker:
         if self.lexicon.noun(self.words[i : i + 2]) is not None and self._continues(i):
             return False
         known = bool(run) and self.lexicon.noun([run[-1], word]) is not None
-        ends = (*self.words[i + 1 : i + 2], ".")[0] in MARKS
+        following = (*self.words[i + 1 : i + 2], ".")[0]
+        leads = following in DETERMINERS or count_of(following) is not None  # "before the plant stand two chairs"
         return (
             not known
-            or (word == "stands" and ends and self.words[i - len(run) - 1] in ("a", "an"))
+            or (word == "stands" and following in MARKS and self.words[i - len(run) - 1] in ("a", "an"))
             or (word == "stands" and not many and self._begins_relation(i + 1))
+            or (word in ("stand", "stands") and leads)
             or (word == "stand" and run[-1].endswith("s"))
         )
 
     def _begins_relation(self, i: int) -> bool:
         for size in range(min(LONGEST, len(self.words) - i), 0, -1):
             phrase = " ".join(self.words[i : i + size])
-            if self.grammar.phrases.get(phrase, ("", ""))[0] == "rel" and self._is_relation(phrase, i + size):
+            kind = self.grammar.phrases.get(phrase, ("", ""))[0]
+            if kind == "and" or (kind == "rel" and self._is_relation(phrase, i + size)):
                 return True
         return False
 
@@ -280,9 +319,11 @@ class Chunker:
                     owner = self.lexicon.noun(run[:start][-2:]) or self.lexicon.noun(run[:start][-1:])
                     if value == "side" and owner is not None:  # "the bed's headboard"
                         return Chunk("thing", at, i + end, "", owner, det, number, bound)
+                    after, number = self._counted_after(i + end, number) if kind == "thing" else (0, number)
                     plural = kind in ("thing", "part") and _plural(tail[-3 if "of" in tail else -1], noun)
                     adjectives = (*run[:start], *(HEAPED[:1] if set(HEAPS) & set(self.words[at:i]) else ()))
                     adjectives += tuple(tail[-1:]) if value == "side" and tail[-1] in HALVES else ()  # "at the back"
+                    end += after
                     return Chunk(kind, at, i + end, value, noun, det, number, bound, plural, adjectives, rows=rows)
             if not told or self._does(run):
                 break
@@ -292,6 +333,13 @@ class Chunker:
                 noun = self.lexicon.guess(run)
                 return Chunk("thing", at, i + end, "", noun, det, number, bound, _plural(run[-1], noun), (), rows=rows)
         return self._inside(at, i, run, before)
+
+    def _counted_after(self, end: int, number: int | None) -> tuple[int, int | None]:
+        """Return how many words after a noun say its number, and that: "chairs (4)", "chairs: 4", "chairs x 4"."""
+        mark, count, ends = (*self.words[end : end + 3], "", "", ".")[:3] if end < len(self.words) else ("", "", "")
+        if number is not None or mark not in ("(", ":", "x") or not count.isdecimal() or ends not in MARKS:
+            return 0, number
+        return 2 + (ends == ")"), int(count)
 
     def _does(self, run: list[str]) -> bool:
         """Return whether the last word of a run is what the thing before it does: "the armchair makes", "armchairs join"."""
@@ -362,7 +410,7 @@ class Chunker:
         if kind in ("verb", "pron"):
             return Chunk(kind, at, at + 1, value)
         if word in self.grammar.fillers or word in DETERMINERS or count_of(word) is not None or word in BREAKING:
-            return Chunk("each" if word == "each" else "filler", at, at + 1, word)
+            return Chunk("filler", at, at + 1, word)
         return Chunk("other", at, at + 1, word)
 
 

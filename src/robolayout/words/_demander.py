@@ -6,14 +6,14 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
-from robolayout.constraints import RELATIONS, AssetRef, PointRef, Relation, WallRef
+from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Asset, Opening, Scene, Wall
 from robolayout.words import _ways as ways_of
 from robolayout.words._places import centre, corners_meant, halves_meant, rectangle, turned, wall_pairs, walls_meant
 from robolayout.words._rows import alike, in_rows, lines
 from robolayout.words._said import Link, Mention, Place, Thing
-from robolayout.words.demands import Demand, Way
+from robolayout.words.demands import Demand, Way, by_ways, single, stated
 
 
 class Demander:
@@ -64,14 +64,15 @@ class Demander:
         on, share = link.relation in ("on", "wall"), len(subjects) > 1 and link.relation != "flank"
         at_place = self._at_place(subjects, place, on=on, share=share) if place is not None else ()
         if link.relation in ways_of.TO_ANOTHER:
-            twos = self._matched(subjects, link.objects)
-            return (*at_place, *(_way(ways_of.TO_ANOTHER[link.relation], a, b) for a, b in twos))
+            ahead = self._of_rows(subjects, link.objects) if link.relation in ways_of.ENDS else []
+            twos = self._matched(ahead or subjects, link.objects)
+            return (*at_place, *(by_ways(ways_of.TO_ANOTHER[link.relation], a, b) for a, b in twos))
         if link.relation in ways_of.IN_A_CHAIN:
-            return tuple(_way(ways_of.IN_A_CHAIN[link.relation], b, a) for a, b in pairwise(subjects))
+            return tuple(by_ways(ways_of.IN_A_CHAIN[link.relation], b, a) for a, b in pairwise(subjects))
         if link.relation in ways_of.BY_TWOS:
             twos = zip(subjects[::2], subjects[1::2], strict=False)
             desks = link.relation == "mutual" and self._is(subjects[0], ("desk",))  # who sits there looks over its back
-            return tuple(_way(ways_of.BY_TWOS["mutual desks" if desks else link.relation], b, a) for a, b in twos)
+            return tuple(by_ways(ways_of.BY_TWOS["mutual desks" if desks else link.relation], b, a) for a, b in twos)
         if link.relation in ("rows", "columns"):
             return tuple(self._rows(subjects, link))
         make = getattr(self, f"_{link.relation}", None)
@@ -96,6 +97,11 @@ class Demander:
                 if other != name:
                     yield name, other
 
+    def _of_rows(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> list[str]:
+        """Return the middle one of straight rows that all look at one thing, or stand before it."""
+        rows = len(subjects) > 2 and {*subjects} <= {*self.abreast} and len(self._others(objects)) < 2
+        return [subjects[self.abreast[subjects[0]] // 2]] if rows else []
+
     def _place(self, objects: Sequence[Mention | Place]) -> Place | None:
         return next((item for item in objects if isinstance(item, Place)), None)
 
@@ -110,10 +116,10 @@ class Demander:
     def _resting(self, a: str, b: str) -> Demand:
         """Return that a thing rests on another: a rug lies below what stands on it."""
         if self._asset(b).is_flat:
-            return _one(_say("under", AssetRef(b), (AssetRef(a),)))
-        on = (_say("on_top_of", AssetRef(a), AssetRef(b)),)
+            return single(stated("under", AssetRef(b), (AssetRef(a),)))
+        on = (stated("on_top_of", AssetRef(a), AssetRef(b)),)
         hung = self._asset(a).on_wall and not self._asset(a).on_object
-        return _one(_say("above", AssetRef(a), AssetRef(b))) if hung else Demand((on,))
+        return single(stated("above", AssetRef(a), AssetRef(b))) if hung else Demand((on,))
 
     def _with(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """What a thing has: on it, if it can stand nowhere else, else at it."""
@@ -124,23 +130,21 @@ class Demander:
                 yield self._resting(a, b)
             elif self._is(a, ways_of.SEATS) and self._is(b, ("desk", "counter", "island")):
                 ahead = (
-                    _say(side, AssetRef(a), AssetRef(b), -ways_of.BESIDE, ways_of.BESIDE)
+                    stated(side, AssetRef(a), AssetRef(b), -ways_of.BESIDE, ways_of.BESIDE)
                     for side in ("in_front_of", "behind")
                 )
                 yield Demand(tuple((way,) for way in ahead))
             elif beside:
-                yield _one(_say("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
+                yield single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
 
     def _far(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         x0, y0, x1, y1 = self.room.bounds
         least = round(max(ways_of.LEAST_FAR, ways_of.FAR_SHARE * max(x1 - x0, y1 - y0)), 2)
         place = self._place(objects)
         points = self._points(place) if place is not None else []
-        for a in subjects:
-            for point in points:
-                yield _one(_say("distance_constraint", AssetRef(a), point, least))
-        for a, b in self._matched(subjects, objects):
-            yield _one(_say("distance_constraint", AssetRef(a), AssetRef(b), least))
+        to = [(a, point) for a in subjects for point in points]
+        for a, b in (*to, *((a, AssetRef(b)) for a, b in self._matched(subjects, objects))):
+            yield single(stated("distance_constraint", AssetRef(a), b, least))
 
     def _apart(
         self, subjects: Sequence[str], objects: Sequence[Mention | Place], metres: tuple[float, float]
@@ -149,7 +153,7 @@ class Demander:
         place = self._place(objects)
         twos = list(self._matched(subjects, objects)) if objects else list(pairwise(subjects))
         for a, b in twos:
-            yield _one(self._gap(a, AssetRef(b), *metres))
+            yield single(self._gap(a, AssetRef(b), *metres))
         if place is None:
             return
         for a in subjects:
@@ -157,7 +161,7 @@ class Demander:
             points = [WallRef(wall.index) for wall in walls_meant(self.scene, place)] if walls else self._points(place)
             gaps = [self._gap(a, point, *metres) for point in points]
             if metres[1] == math.inf:
-                yield from map(_one, gaps)
+                yield from map(single, gaps)
             elif gaps:
                 yield Demand(tuple((gap,) for gap in gaps))
 
@@ -166,9 +170,9 @@ class Demander:
         sides = [self._asset(ref.name).size[:2] for ref in (AssetRef(a), b) if isinstance(ref, AssetRef)]
         short, long = (sum(pick(side) for side in sides) / 2 for pick in (min, max))
         if low == 0 and not isinstance(b, WallRef):
-            return _say("near", AssetRef(a), b, high)
+            return stated("near", AssetRef(a), b, high)
         bounds = (low + long, None) if high == math.inf else (low + short, high + long)
-        return _say("distance_constraint", AssetRef(a), b, *bounds)
+        return stated("distance_constraint", AssetRef(a), b, *bounds)
 
     def _flank(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Left and right of a thing, in turn; of a door or window: close to it."""
@@ -186,47 +190,57 @@ class Demander:
             gap = ways_of.BESIDE if len(items) < 3 else ways_of.BESIDE * len(items)
             yield Demand(
                 tuple(
-                    tuple(_say("next_to", AssetRef(a), AssetRef(b), s, gap) for a, s in zip(items, way, strict=True))
+                    tuple(stated("next_to", AssetRef(a), AssetRef(b), s, gap) for a, s in zip(items, way, strict=True))
                     for way in ways
                 )
             )
+
+    def _otherside(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        """On the other side of the first of some things than the rest of them."""
+        b, *there = self._others(objects)
+        sides = ("left_of", "right_of"), ("in_front_of", "behind")
+        ways = [
+            tuple(stated(side, AssetRef(a), AssetRef(b), 0.0, ways_of.NEAR) for side, a in both)
+            for one, other in (*sides, *(pair[::-1] for pair in sides))
+            for both in [[*((one, a) for a in subjects), *((other, a) for a in there)]]
+        ]
+        yield Demand(tuple(ways))
 
     def _behind(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Behind a thing; who sits behind a desk sits at the side from which it is used."""
         for a, b in self._matched(subjects, objects):
             gap = ways_of.BACK_WALL if self._only_wall(a) else ways_of.BACK  # "on the wall behind the counter"
-            ways = [(_say("behind", AssetRef(a), AssetRef(b), 0.0, gap),)]
+            ways = [(stated("behind", AssetRef(a), AssetRef(b), 0.0, gap),)]
             if self._is(a, ways_of.SEATS) and self._is(b, ("desk", "counter")):
-                ways.insert(0, (_say("in_front_of", AssetRef(a), AssetRef(b), 0.0, ways_of.BACK),))
+                ways.insert(0, (stated("in_front_of", AssetRef(a), AssetRef(b), 0.0, ways_of.BACK),))
             yield Demand(tuple(ways))
 
     def _around(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         for a, b in self._matched(subjects, objects):
-            near = _say(
+            near = stated(
                 "near",
                 AssetRef(a),
                 AssetRef(b),
                 ways_of.NEAR if self._is(a, ("armchair", "sofa", "bag")) else ways_of.BESIDE,
             )
             turns = not self._asset(a).is_flat and self._is(a, ways_of.SEATS)
-            yield Demand(((near, _say("point_towards", AssetRef(a), AssetRef(b))) if turns else (near,),))
+            yield Demand(((near, stated("point_towards", AssetRef(a), AssetRef(b))) if turns else (near,),))
 
     def _opposite(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         place = self._place(objects)
         if place is not None:
             for a in subjects:
-                ways = [(_say("point_towards", AssetRef(a), point),) for point in self._points(place)]
+                ways = [(stated("point_towards", AssetRef(a), point),) for point in self._points(place)]
                 yield from [Demand(tuple(ways))] if ways else []
         for a, b in self._matched(subjects, objects):
-            yield _one(_say("in_front_of", AssetRef(a), AssetRef(b), 0.0, ways_of.ACROSS))
+            yield single(stated("in_front_of", AssetRef(a), AssetRef(b), 0.0, ways_of.ACROSS))
 
     def _facing(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Looking at a thing, a door or a window; a desk faces what one sees who sits at it."""
         place = self._place(objects)
-        if len(subjects) > 2 and {*subjects} <= {*self.abreast} and len(self._others(objects)) < 2:
-            one = subjects[self.abreast[subjects[0]] // 2]  # of straight rows one faces it, the others look as it does
-            yield Demand((tuple(_say("align_with", AssetRef(a), AssetRef(one)) for a in subjects if a != one),))
-            subjects = [one]
+        if one := self._of_rows(subjects, objects):  # the others look as it does
+            yield Demand((tuple(stated("align_with", AssetRef(a), AssetRef(*one)) for a in subjects if a not in one),))
+            subjects = one
         for i, a in enumerate(subjects):
             others = self._others(objects)
             targets = (
@@ -235,9 +249,9 @@ class Demander:
             if len(others) == len(subjects):
                 targets = [AssetRef(others[i])]
             angles = (180.0, 0.0) if self._is(a, ways_of.TOPS) else (0.0,)
-            ways = [(_say("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles]
+            ways = [(stated("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles]
             if len(others) == len(subjects) > 1 and self._is(a, ways_of.SEATS) and self._is(others[i], ("mirror",)):
-                ways = [(*way, _say("in_front_of", AssetRef(a), AssetRef(others[i]), *ways_of.INTO)) for way in ways]
+                ways = [(*way, stated("in_front_of", AssetRef(a), AssetRef(others[i]), *ways_of.INTO)) for way in ways]
             if ways:
                 yield Demand(tuple(ways))
 
@@ -245,17 +259,17 @@ class Demander:
         """Turned by an eighth or three eighths from a wall."""
         for a in subjects:
             angles = (45.0, 135.0, 225.0, 315.0)
-            yield Demand(tuple((_say("align_with", AssetRef(a), WallRef(0), angle),) for angle in angles))
+            yield Demand(tuple((stated("align_with", AssetRef(a), WallRef(0), angle),) for angle in angles))
 
     def _mirrored(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         others = self._others(objects)
         for a, b in zip(subjects[::2], subjects[1::2], strict=False):
-            yield from [_one(_say("symmetric_pair", AssetRef(a), AssetRef(b), AssetRef(c))) for c in others[:1]]
+            yield from [single(stated("symmetric_pair", AssetRef(a), AssetRef(b), AssetRef(c))) for c in others[:1]]
 
     def _lit(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """In daylight: not far from a window."""
         for a in subjects:
-            ways = [(_say("near", AssetRef(a), point, ways_of.DAYLIGHT),) for point in self._points(Place("window"))]
+            ways = [(stated("near", AssetRef(a), point, ways_of.DAYLIGHT),) for point in self._points(Place("window"))]
             yield from [Demand(tuple(ways))] if ways else []
 
     def _open(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
@@ -265,7 +279,7 @@ class Demander:
         half = max(ways_of.LEAST_MIDDLE, ways_of.OPEN_SHARE * min(x1 - x0, y1 - y0))
         strips = ((x0, y0, x - half, y1), (x + half, y0, x1, y1), (x0, y0, x1, y - half), (x0, y + half, x1, y1))
         for a in subjects:
-            yield Demand(tuple((_say("zone", AssetRef(a), rectangle(*strip)),) for strip in strips))
+            yield Demand(tuple((stated("zone", AssetRef(a), rectangle(*strip)),) for strip in strips))
 
     def _row(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Side by side: alike things in one line, others each at a side of the one before, turned the same way."""
@@ -274,7 +288,7 @@ class Demander:
             return
         for before, a in pairwise(subjects):
             if self._asset(a).on_floor:
-                yield _way(((("next_to", "beside", ways_of.BACK), ("align_with",)),), a, before)
+                yield by_ways(((("next_to", "beside", ways_of.BACK), ("align_with",)),), a, before)
 
     def _rows(self, subjects: Sequence[str], link: Link) -> Iterator[Demand]:
         """Like things stand in a block, in so many rows if that is said; others near each other."""
@@ -288,30 +302,30 @@ class Demander:
         for number, a in enumerate(subjects[1:], 1):
             beside = [*reversed(subjects[:number]), *subjects[number + 1 :]]
             if self._asset(a).on_floor:
-                yield Demand(tuple((_say("near", AssetRef(a), AssetRef(b), ways_of.BACK),) for b in beside))
+                yield Demand(tuple((stated("near", AssetRef(a), AssetRef(b), ways_of.BACK),) for b in beside))
 
     def _seen(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         for a, b in self._matched(subjects, objects):
-            yield _one(_say("point_towards", AssetRef(b), AssetRef(a)))
+            yield single(stated("point_towards", AssetRef(b), AssetRef(a)))
 
     def _under(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """A rug below others; furniture below a window, a picture, a lamp; what stands on the floor cannot stand inside another."""
         others = self._others(objects)
         for a in subjects:
             if self._asset(a).is_flat and others:
-                yield _one(_say("under", AssetRef(a), tuple(AssetRef(b) for b in others if b != a)))
+                yield single(stated("under", AssetRef(a), tuple(AssetRef(b) for b in others if b != a)))
         for a, b in self._matched(subjects, objects):
             below = self._asset(b).on_wall or self._asset(b).on_ceiling
             if below and not self._asset(b).on_floor:
-                yield _one(_say("above", AssetRef(b), AssetRef(a)))
+                yield single(stated("above", AssetRef(b), AssetRef(a)))
             elif not self._asset(a).is_flat:
-                yield _one(_say("near", AssetRef(a), AssetRef(b), ways_of.AT_TABLE))
+                yield single(stated("near", AssetRef(a), AssetRef(b), ways_of.AT_TABLE))
 
     def _above(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         for a, b in self._matched(subjects, objects):
-            ways = [(_say("above", AssetRef(a), AssetRef(b)),)]
+            ways = [(stated("above", AssetRef(a), AssetRef(b)),)]
             if self._asset(a).on_object:
-                ways.append((_say("on_top_of", AssetRef(a), AssetRef(b)),))
+                ways.append((stated("on_top_of", AssetRef(a), AssetRef(b)),))
             yield Demand(tuple(ways))
 
     def _amid(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
@@ -322,7 +336,7 @@ class Demander:
         for a in subjects if len(ends) > 1 else ():
             pairs = [(ends[0], ends[1])] if len(ends) == 2 else list(pairwise(ends))
             one, two = pairs[subjects.index(a) % len(pairs)]
-            near = tuple(_say("near", AssetRef(a), end, self._within(a, end)) for end in (one, two))
+            near = tuple(stated("near", AssetRef(a), end, self._within(a, end)) for end in (one, two))
             yield Demand((near,), BetweenTwo(AssetRef(a), one, two))
 
     def _within(self, a: str, end: AssetRef | PointRef) -> float:
@@ -331,10 +345,6 @@ class Demander:
         return ways_of.BESIDE if flanked else ways_of.AHEAD
 
     # what stands at a place of the room
-
-    def _wall(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        for a, b in self._matched(subjects, objects):
-            yield _one(_say("near", AssetRef(a), AssetRef(b), ways_of.BESIDE / 2))
 
     def _corner(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         yield from self._at_place(subjects, Place("corner"))
@@ -351,7 +361,7 @@ class Demander:
                 hangs = "mounted_on" if self._only_wall(a) else "against_wall"
                 walls = [wall for wall in walls_meant(self.scene, place) if self._fits(a, wall)]
                 ways = [
-                    (_say(hangs, AssetRef(a), WallRef(w.index)), _say("centered_on", AssetRef(a), WallRef(w.index)))
+                    (stated(hangs, AssetRef(a), WallRef(w.index)), stated("centered_on", AssetRef(a), WallRef(w.index)))
                     for w in walls
                 ]
                 yield from [Demand(tuple(ways))] if ways else []
@@ -360,7 +370,7 @@ class Demander:
             yield (
                 self._resting(a, b)
                 if self._asset(a).on_object or self._asset(b).is_flat
-                else _one(_say("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
+                else single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
             )
         if not others:
             yield from self._at_place(subjects, Place("middle"), share=len(subjects) > 1)
@@ -383,7 +393,7 @@ class Demander:
         half = (len(subjects) + 1) // 2
         for walls in wall_pairs(self.scene, same="same" in place.words):
             yield tuple(
-                _say(self._held(a, on), AssetRef(a), WallRef(walls[i >= half].index)) for i, a in enumerate(subjects)
+                stated(self._held(a, on), AssetRef(a), WallRef(walls[i >= half].index)) for i, a in enumerate(subjects)
             )
 
     def _held(self, name: str, on: bool) -> str:
@@ -400,19 +410,19 @@ class Demander:
             hangs = self._held(a, on)
             walls = [w for w in walls_meant(self.scene, place) if self._fits(a, w)]
             free = len(walls) == len(self.room.walls)
-            yield from [(_say(hangs, ref),)] if free else ((_say(hangs, ref, WallRef(w.index)),) for w in walls)
+            yield from [(stated(hangs, ref),)] if free else ((stated(hangs, ref, WallRef(w.index)),) for w in walls)
         elif place.name == "corner":
-            yield from ((_say("corner", ref, vertex),) for vertex in corners_meant(self.scene, place))
+            yield from ((stated("corner", ref, vertex),) for vertex in corners_meant(self.scene, place))
         elif place.name in ("window", "door"):
             gap = (ways_of.AT_WINDOW if place.name == "window" else ways_of.AT_DOOR) * (1.5 if share else 1.0)
-            yield from ((_say("near", ref, point, gap),) for point in self._points(place))
+            yield from ((stated("near", ref, point, gap),) for point in self._points(place))
         elif place.name == "middle":
             x0, y0, x1, y1 = self.room.bounds
             most = max(ways_of.LEAST_MIDDLE, ways_of.MIDDLE_SHARE * min(x1 - x0, y1 - y0)) * (1.5 if share else 1.0)
             x, y = centre(self.scene)
-            yield (_say("distance_constraint", ref, PointRef(x, y), None, round(most, 2)),)
+            yield (stated("distance_constraint", ref, PointRef(x, y), None, round(most, 2)),)
         elif place.name == "side":
-            yield from ((_say("zone", ref, half),) for half in halves_meant(self.scene, place))
+            yield from ((stated("zone", ref, half),) for half in halves_meant(self.scene, place))
 
     def _fits(self, name: str, wall: Wall) -> bool:
         return self._asset(name).size[1] <= wall.length
@@ -435,16 +445,3 @@ class Demander:
     def _is(self, name: str, words: Sequence[str]) -> bool:
         asset = self._asset(name)
         return any(text.endswith(word) for text in (asset.category, asset.like) for word in words)
-
-
-def _say(relation: str, *arguments: object) -> Relation:
-    return RELATIONS[relation](*arguments)
-
-
-def _way(ways: ways_of.Ways, a: str, b: str) -> Demand:
-    """Return a demand on two things from its ways."""
-    return Demand(tuple(tuple(_say(str(name), AssetRef(a), AssetRef(b), *more) for name, *more in way) for way in ways))
-
-
-def _one(relation: Relation) -> Demand:
-    return Demand(((relation,),))

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from robolayout.assets import CATALOGUE
 from robolayout.words._said import Link, Mention, Parsed, Place
-from robolayout.words._ways import TOPS
+from robolayout.words._ways import SEATS, TOPS
 
 STANDING = frozenset(("next", "flank", "behind", "front", "corner", "left", "right", "near", "far", "by", "foot"))
 """Relations of what stands on the floor."""
@@ -21,6 +21,9 @@ ROUND = frozenset(("round", "circular"))
 LOUNGE = frozenset(("armchair", "sofa", "recliner", "chaise", "lounger"))
 """Seats between which a table is a low one, and no table to eat at."""
 
+
+LOOKED_AT = "projection screen"
+"""What a screen before seats is."""
 
 HIGH = ("counter", "island", "bar table")
 """Last words of what one sits at on a high stool."""
@@ -40,6 +43,7 @@ def settle_kinds(parsed: Parsed) -> None:
     for link in parsed.links:
         _settle_low_table(link)
         _settle_high_stool(link)
+        _settle_screen(link)
         place = _where(link)
         for mention in link.subjects:
             noun = mention.thing.noun
@@ -76,6 +80,14 @@ def _settle_high_stool(link: Link) -> None:
     if any(isinstance(item, Mention) and item.thing.noun.kind.endswith(HIGH) for item in link.objects):
         for thing in (mention.thing for mention in link.subjects if mention.thing.noun.words == "stool"):
             thing.noun = replace(thing.noun, words="bar stool", kind="bar stool", others=())
+
+
+def _settle_screen(link: Link) -> None:
+    """Take a screen that seats stand before for one that is looked at."""
+    sat = any(mention.thing.noun.kind.split()[-1] in SEATS for mention in link.subjects)
+    for item in link.objects if sat and link.relation in ("front", "facing", "opposite", "around") else ():
+        if isinstance(item, Mention) and item.thing.noun.said == "screen":
+            item.thing.noun = replace(item.thing.noun, words=LOOKED_AT, kind=LOOKED_AT, others=())
 
 
 def _settle_low_table(link: Link) -> None:

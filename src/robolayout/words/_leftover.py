@@ -13,7 +13,7 @@ from robolayout.words._tokens import count_of
 PICKING = frozenset(["left", "right", "own", "same", "middle", "other", "front", "back"])
 """Words before a noun that tell one thing from others of its kind."""
 
-SILENT = ("comma", "stop", "colon", "and", "with", "verb", "pron", "filler", "each")
+SILENT = ("comma", "stop", "colon", "and", "with", "verb", "pron", "filler")
 """Kinds of chunks that ask for nothing by themselves."""
 
 

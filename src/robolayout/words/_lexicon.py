@@ -14,6 +14,7 @@ from robolayout.assets import CATALOGUE, Category, category_of, find_category
 from robolayout.assets.lexicon import phrase_index, singular
 from robolayout.assets.palette import LOOKS
 from robolayout.scene import Scene
+from robolayout.words._function_words import JOINED
 from robolayout.words.rooms import Rooms
 
 BEFORE_NOUNS = ("stacked", "piled", "diagonal", "angled", "left", "right", "poster", "drawer", "door", "tier", "person")
@@ -63,6 +64,7 @@ def grammar() -> Grammar:
     data = tomllib.loads((files("robolayout.words") / "grammar.toml").read_text("utf-8"))
     phrases = {plain(word): ("verb", word) for word in data["verbs"]["words"]}
     phrases |= {word: ("pron", word) for word in data["pronouns"]["words"]}
+    phrases |= {phrase: ("and", phrase) for phrase in JOINED}
     phrases |= {phrase: ("rel", name) for name, given in data["relations"].items() for phrase in given}
     short = {
         phrase.replace(" the ", " "): named for phrase, named in phrases.items() if " the " in phrase

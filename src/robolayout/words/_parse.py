@@ -14,7 +14,7 @@ from robolayout.assets import CATALOGUE
 from robolayout.words._chunk import Chunk
 from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
-from robolayout.words._relations import AIDS, Relating
+from robolayout.words._relations import AIDS, PETS, Relating
 from robolayout.words._said import (
     Link,
     Mention,
@@ -37,6 +37,9 @@ FREE = ("free", "clear", "empty", "bare", "uncluttered")
 SEATED = ("seating", "sitting", "eating", "dining", "seats")
 """What a room is for that takes a seat for each."""
 
+EVERY = ("each", "each one", "each of them", "each one of them", "all of them", "both", "both of them")
+"""Words for every one of several things."""
+
 ALONE_DOES = frozenset(["is", "stands", "sits", "hangs", "lies", "rests", "goes", "belongs"])
 """Verbs of one thing."""
 
@@ -54,7 +57,7 @@ class Parser(Relating):
                 handler(chunk)
             elif chunk.kind == "other":
                 self.said.missed.append(chunk)
-            elif chunk.kind in ("room", "body", "people", "measure", "style", "function", "corner"):
+            elif chunk.kind in ("room", "people", "style", "function", "corner"):
                 self._fact(chunk)
         self._on_stop(None)
         self.said.missed = leftover(self.chunks, self.said)
@@ -98,6 +101,23 @@ class Parser(Relating):
         if share and leads and self._deal(share, index):
             self.at = index
 
+    def _on_measure(self, chunk: Chunk) -> None:
+        """A measure of the thing before it, where it can be one ("a desk that is 1.6 m wide"); else of the room."""
+        assert chunk.measure is not None
+        before = self.chunks[: self.at - 1]
+        while before and (before[-1].kind in ("filler", "verb", "pron", "and", "measure") or before[-1].value == "("):
+            before.pop()
+        spans = [(before[-1].start, before[-1].end)] if before and before[-1].kind == "thing" else []
+        thing = next((thing for thing in self.said.things if thing.spans[-1:] == spans), None)
+        if thing is not None and chunk.measure.fits(CATALOGUE[thing.noun.kind].size):
+            thing.sizes.append(chunk.measure)
+            self._understood(chunk)
+        elif chunk.measure.kind in ("size", "area", "height", "grid"):
+            chunk.measure.of_a_room()
+            self._fact(chunk)
+        else:
+            self.said.missed.append(chunk)
+
     def _for_people(self, chunk: Chunk) -> None:
         """Note for how many the thing before is, or the room: "a table for six"."""
         seated = self._previous(self.chunks[self.at - 1]) in SEATED
@@ -124,35 +144,30 @@ class Parser(Relating):
         self.verb = False
         return True
 
-    def _on_each(self, chunk: Chunk) -> None:
-        """After a thing it multiplies ("four chairs each"); before "with" it says that each one has them."""
-        if self.at < len(self.chunks) and self.chunks[self.at].kind == "with":
-            self.at += 1
-            holder = [Mention(mention.thing, None, "each") for mention in self.group[-1:] or self.subject[-1:]]
-            self.holder = holder
-            self._each_has(holder, holder[0].thing.count if holder else 1)
-        elif self.group and self.holder and self.group[-1].thing is not self.holder[0].thing:
-            self.group[-1].thing.times = self.holder[0].thing.count
+    def _on_body(self, chunk: Chunk) -> None:
+        """Who the room is laid out for; pets of somebody who was named live there, too."""
+        people = [c for c in self.said.facts if c.kind == "people" and c.start >= self.began]
+        self._fact(replace(chunk, kind="users") if people and chunk.value in PETS else chunk)
 
     def _on_pron(self, chunk: Chunk) -> None:
+        """What was named before; "each" multiplies what it follows ("four chairs each"), or says what each one has."""
         if chunk.value in ("that", "which"):
             self.relative = True
             return
-        if chunk.value in ("each", "each of them", "all of them", "both"):
-            following = self.chunks[self.at].kind if self.at < len(self.chunks) else "stop"
-            if chunk.value.startswith("each") and following == "with":
-                self._on_each(chunk)
-                return
-            if chunk.value == "each" and self.group and self.holder:
-                self._on_each(chunk)
-                return
-        if self.before and not self.group:
-            self.subject = list(self.before)
-            self.group = list(self.before)
+        room = chunk.value == "it" and self.before[:1] and self.before[0].det in ("both", "all")
+        if self.before and not self.group and not room:
+            self.subject, self.group = list(self.before), list(self.before)
+        has = [following.kind for following in self.chunks[self.at : self.at + 1]] == ["with"]
+        if has and self.group and chunk.value in EVERY:
+            self.at += 1
+            self.holder = [Mention(self.group[-1].thing, None, "each" if chunk.value.startswith("each") else "all")]
+            self._each_has(self.holder, self.holder[0].thing.count)
+        elif chunk.value == "each" and self.group and self.holder and self.group[-1].thing is not self.holder[0].thing:
+            self.group[-1].thing.times = self.holder[0].thing.count
 
     def _on_thing(self, chunk: Chunk) -> None:
         chunk = self._none_of(chunk)
-        if self._no_thing(chunk):
+        if self._no_thing(chunk) or self._also_each(chunk):
             return
         mention = self._mention(chunk)
         self.recent.append(mention)
@@ -214,6 +229,17 @@ class Parser(Relating):
             self._fact(replace(chunk, kind="function"))  # "a rack for shoes"
         else:
             return False
+        return True
+
+    def _also_each(self, chunk: Chunk) -> bool:
+        """Read what else each has, after what stands at it: "each table has a board on it and two chairs"."""
+        follows = [c.kind for c in self.chunks[self.at : self.at + 2]]
+        joined = self.chunks[self.at - 2].kind == "and" and chunk.det != "the"
+        own = joined and self.acted and (follows[:1] != ["rel"] or follows[1:] == ["pron"])
+        if not (own and self.every and all(mention.thing.times == self.every[1] > 1 for mention in self.acted)):
+            return False
+        self.at -= 1
+        self._each_has(*self.every)
         return True
 
     def _elsewhere(self) -> bool:

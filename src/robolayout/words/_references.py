@@ -16,6 +16,10 @@ CLOSE = frozenset(("next", "near", "by", "in", "on", "ontop", ""))
 """Relations by which things follow each other, so that "it" is the last one."""
 
 
+SEVERAL = ("them", "they", "both", "the two", "these", "those")
+"""Words for several things that were named."""
+
+
 class References:
     """What was named so far in a text, and in its last sentence.
 
@@ -39,10 +43,12 @@ class References:
         self._new_sentence()
 
     def _new_sentence(self) -> None:
+        self.began = self.chunks[self.at - 1].start if self.at else 0
         self.group: list[Mention] = []
         self.subject: list[Mention] = []
         self.acted: list[Mention] = []
         self.holder: list[Mention] = []
+        self.joint: list[Mention] = []  # what is named together with the holder, and the holder
         self.fronted: tuple[Chunk, list[Mention | Place]] | None = None
         self.refusing = self.negated = False
         self.verb = False
@@ -51,6 +57,7 @@ class References:
         self.recent: list[Mention] = []
         self.targets: list[Mention] = []
         self.target: Mention | None = None
+        self.every: tuple[list[Mention], int] | None = None  # what each has that is spoken of, and how many there are
 
     def _new_zone(self) -> None:
         """Forget what was spoken of: what a part of the room has belongs to no thing before it."""
@@ -120,6 +127,9 @@ class References:
             if following.kind != "people":
                 self.said.facts.append(following)
             return Place("room")
+        if following.value == "which" and [c.kind for c in self.chunks[self.at + 1 : self.at + 2]] == ["verb"]:
+            self.at += 1
+            return (self.acted or self.group or [None])[-1]  # "a desk by the door, on which sits a lamp"
         if following.kind == "pron" and following.value not in ("that", "which", "both"):
             self.at += 1
             meant = self._meant(following.value, chunk.value)
@@ -171,11 +181,13 @@ class References:
         """
         own = {m.thing for m in self.about}
         holder = self.holder[0] if self.holder else None
+        if word in SEVERAL and self.joint[1:] and self.joint[-1:] == self.holder and self.joint[-1].thing.count == 1:
+            return self.joint  # "a sofa and a bench with a table between them"
         one = word != "it" or holder is None or holder.thing.count == 1 or holder.det == "each"
         if holder is not None and holder.thing not in own and one:
             return self.holder
         earlier, to = ([m for m in given if m.thing not in own] for given in (self.recent, self.targets))
-        if word in ("them", "they", "both", "the two", "these", "those"):
+        if word in SEVERAL:
             return self._several_meant(earlier, to)
         kept = self.kept if self._keeps(relation) and {m.thing for m in self.other} <= own else []
         if kept and kept[0].thing not in own:
@@ -228,6 +240,7 @@ class References:
         definite = chunk.det in ("the", "each", "all")
         made = Thing(chunk.noun, number, chunk.bound, chunk.plural, chunk.adjectives, [(chunk.start, chunk.end)])
         made.rows, made.definite = chunk.rows, definite
+        made.sizes += chunk.sizes
         self.said.things.append(made)
         return Mention(made, None, chunk.det)
 
@@ -311,7 +324,9 @@ class References:
     def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
         """Note a relation; what stands at each of several things is as many times there."""
         led = objects or (
-            self.holder if chunk.value in ("next", "flank", "left", "right", "front", "near", "under") else []
+            self.holder or (self._meant("it") if chunk.value == "oneside" else [])
+            if chunk.value in ("next", "oneside", "flank", "left", "right", "front", "near", "under")
+            else []
         )
         if any(
             a.thing is b.thing and a.pick in (None, b.pick) for a in subjects for b in led if isinstance(b, Mention)

@@ -18,6 +18,9 @@ from robolayout.words._ways import SEATS, TOPS
 REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on", "separated": "amid"}
 """Relations that are said from the other side."""
 
+PETS = ("cat", "dog_medium")
+"""Bodies of animals that live with people."""
+
 AIDS = {"wheelchair": "wheelchair", "walker": "elder_walker"}
 """Bodies by what they use; what a room is to contain is a thing."""
 
@@ -33,7 +36,7 @@ ZONES = ("room", "corner", "function", "part")
 OF_THE_ROOM = ("measure", "style", "body", "corner")
 """Kinds of chunks that "in" leads to where they say how the room is: "in a 5 m by 6 m dining room"."""
 
-OTHER_SIDE = {"left": "right", "right": "left", "front": "behind", "behind": "front"}
+OTHER_SIDE = {"left": "right", "right": "left", "front": "behind", "behind": "front", "oneside": "otherside"}
 """The relation of what is at the other side."""
 
 _FINITE = "is are be was were been being stands stand sits sit lies lie hangs hang rests rest goes go should must will"
@@ -44,7 +47,7 @@ KEPT_OFF = 0.6
 """Metres between a thing and what it must not be near."""
 
 _ORDERS = "row rows columns huddle pairs backs stacked diagonal parallel crossed mutual abreast apart"
-ALONE = frozenset(f"{_ORDERS} next lit middle flank left right front near under".split())
+ALONE = frozenset(f"{_ORDERS} next oneside lit middle flank left right front near under".split())
 """Relations that may stand without an object."""
 
 
@@ -52,6 +55,10 @@ class Relating(References):
     """Reads relations; the parser reads the rest."""
 
     def _fact(self, chunk: Chunk) -> None:
+        if chunk.measure is not None and chunk.measure.kind == "size" and chunk.measure.values[2:]:
+            *sides, height = chunk.measure.values  # "4 x 5 x 2.7 m"
+            self._fact(replace(chunk, measure=replace(chunk.measure, kind="height", values=(height,))))
+            chunk = replace(chunk, measure=replace(chunk.measure, values=tuple(sides)))
         self.said.facts.append(chunk)
         if chunk.kind in ("room", "corner"):
             self._new_zone()
@@ -84,39 +91,42 @@ class Relating(References):
             self.holder = self.acted
         elif self.group:
             clause = who.kind == "comma" and self.acted and len(self.subject) == 1
-            self.holder = [self.subject[0] if clause else self.group[-1]]
+            self.holder, self.joint = [self.subject[0] if clause else self.group[-1]], self.group
         self.having = True
         self.verb = self.listed = False
         self.broken = True
-        if self.holder and self.holder[0].det == "each" and self.holder[0].thing.count > 1:
+        if self.holder and self.holder[0].det in ("each", "both", "all") and self.holder[0].thing.count > 1:
             self._each_has(self.holder, self.holder[0].thing.count)
 
     def _each_has(self, holder: list[Mention], times: int) -> None:
         """Read what each of some things or people has, up to the end of the clause."""
-        first = len(self.said.things)
+        self.every = (holder, times)
+        first, had = len(self.said.things), 0
         while self.at < len(self.chunks) and self.chunks[self.at].kind in ("thing", "and", "comma", "filler", "style"):
             chunk = self.chunks[self.at]
             following = self.chunks[self.at + 1 : self.at + 2]
-            if chunk.kind == "comma" and first < len(self.said.things) and not self._list_goes_on():
+            if chunk.kind == "comma" and first < len(self.said.things) and not self._list_goes_on(had):
                 break
             if chunk.kind == "and" and following and following[0].kind != "thing":
                 break
-            self.at += 1
+            self.at, had = self.at + 1, had + (chunk.kind == "thing")
             own = holder and chunk.noun is not None and chunk.noun.kind == holder[0].thing.noun.kind
             self._understood(*[chunk] * bool(own))  # "six workstations, each consisting of a desk and a chair"
             if chunk.kind == "thing" and not own:
                 mention = self._mention(chunk)
                 if mention.thing in self.said.things[first:]:
-                    mention.thing.times = times
+                    one = holder and holder[0].det != "each" and mention.thing.number is None  # "both have lamps"
+                    mention.thing.times, mention.thing.number = times, 1 if one else mention.thing.number
                     self.group = [mention]
                 if holder and mention.thing in self.said.things[first:]:
                     self.said.links.append(Link("with", (mention,), tuple(holder), chunk.start, chunk.end))
 
-    def _list_goes_on(self) -> bool:
+    def _list_goes_on(self, had: int) -> bool:
         """Return whether from a comma here a plain list goes on to the end of the sentence: ", a keyboard and a chair." """
         rest = list(takewhile(lambda kind: kind != "stop", (chunk.kind for chunk in self.chunks[self.at :])))
         return (
             rest[-2:] == ["and", "thing"]
+            and (had > 1 or rest[1:2] != ["and"])  # "each with a lamp, and a sofa"
             and re.fullmatch("(comma thing )*(comma )?and thing", " ".join(rest)) is not None
         )
 
@@ -161,11 +171,18 @@ class Relating(References):
         self.about = [] if self._turned_round(first, self.at + (not its)) else subjects
         objects = list[Mention | Place](self._meant("it", chunk.value)) if its else self._objects(chunk)
         self._keep(chunk.value, objects, pronoun=its or self.chunks[self.at - 1].kind == "pron", fronted=not subjects)
+        if not self._in_turn(chunk, objects):
+            self._relate_to(chunk, subjects, objects, first, every=every)
+
+    def _relate_to(
+        self, chunk: Chunk, subjects: list[Mention], objects: list[Mention | Place], first: int, *, every: bool
+    ) -> None:
+        """Settle what a relation is about and leads to, and note what it says."""
         if chunk.value == "ontop":
             chunk, objects = replace(chunk, value="on"), objects or list(self.holder or self.subject)
         chunk, objects = self._other_side(chunk, objects)
         place = objects[0] if objects and isinstance(objects[0], Place) else None
-        sides = place.name == "side" if place else chunk.value == "flank" and not objects
+        sides = place.name == "side" if place else chunk.value in ("flank", "oneside") and not objects
         sides = sides and (place is not None or not self.holder or any(m.thing in self.dealt for m in subjects))
         if sides and self._at_sides(chunk, subjects):
             self._understood(chunk)
@@ -181,14 +198,36 @@ class Relating(References):
                 item.thing.times = subjects[0].thing.count  # "each facing a mirror"
         self._relate(chunk, subjects, objects, first)
 
+    def _in_turn(self, chunk: Chunk, objects: list[Mention | Place]) -> bool:
+        """Link each of several things to its own: "next to the window and the door, respectively"."""
+        rest = takewhile(lambda other: other.kind != "stop", self.chunks[self.at :])
+        if all(other.value != "respectively" for other in rest):
+            return False
+        own = self.subject if len(self.subject) > 1 else self.group
+        own = own if len(own) > 1 else [Mention(m.thing, slice(i, i + 1)) for m in own for i in range(m.thing.count)]
+        to: list[tuple[Chunk, Mention | Place]] = []
+        for item in objects:
+            walls = item.words if isinstance(item, Place) and "and" in item.words else ()
+            to += [(chunk, replace(item, words=(word,))) for word in walls if word != "and"] or [(chunk, item)]
+        while len(to) < len(own) and self.chunks[self.at].kind in ("and", "comma", "rel"):
+            chunk = self.chunks[self.at] if self.chunks[self.at].kind == "rel" else chunk
+            self.at += 1
+            to += [(chunk, item) for item in [self._object(chunk)] if item is not None]
+        for one, (how, item) in zip(own, to, strict=False):
+            self._link(how, [one], [item])
+        self.acted = own
+        return len(own) == len(to)
+
     def _other_side(self, chunk: Chunk, objects: list[Mention | Place]) -> tuple[Chunk, list[Mention | Place]]:
         """Return a relation and what it leads to, where "on the other side" is the other side of what was spoken of."""
-        if not objects or not isinstance(objects[0], Place) or (objects[0].name, objects[0].det) != ("side", "other"):
-            return chunk, objects
+        place = objects[0] if objects and isinstance(objects[0], Place) else None
+        if place is not None and (chunk.value, place.name) == ("oneside", "room"):
+            return replace(chunk, value="on"), [Place("side", det="one")]
         sided = [link for link in self.said.links if link.relation in OTHER_SIDE and link.objects][-1:]
-        return (
-            (replace(chunk, value=OTHER_SIDE[sided[0].relation]), list(sided[0].objects)) if sided else (chunk, objects)
-        )
+        if place is None or not sided or (place.name, place.det) != ("side", "other"):
+            return chunk, objects
+        there = sided[0].subjects if sided[0].relation == "oneside" else ()
+        return replace(chunk, value=OTHER_SIDE[sided[0].relation]), [*sided[0].objects, *there]
 
     def _held_by(
         self, chunk: Chunk, subjects: list[Mention], objects: list[Mention | Place]
@@ -304,6 +343,7 @@ class Relating(References):
         )
         if not known:
             self._link(Chunk("rel", chunk.start, chunk.end, "around"), seats, [Mention(tables[-1])])
+            self.targets.append(Mention(tables[-1]))
         return True
 
     def _is_room(self, chunk: Chunk, objects: Sequence[Mention | Place]) -> bool:
@@ -322,7 +362,7 @@ class Relating(References):
         if index >= len(self.chunks) or self.chunks[index].kind != "thing":
             return False
         starts = self.chunks[first - 2].kind in ("and", "comma", "stop", "colon") if first >= 2 else True
-        return starts and (verb or index == end) and self.chunks[index].det != "the"
+        return starts and (verb or (index == end and self.chunks[index].det != "the"))
 
     def _reversed(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
         """Link what is said from the other side: "flanked by two lamps"."""
@@ -340,9 +380,9 @@ class Relating(References):
             self.group, self.acted = moved, moved
 
     def _another(self) -> bool:
-        kinds = [chunk.kind for chunk in self.chunks[self.at : self.at + 2]]
-        noun = self.chunks[self.at + 1].noun if kinds == ["and", "thing"] else None
-        return noun is not None and CATALOGUE[noun.kind].on_object
+        kinds = [chunk.kind for chunk in self.chunks[self.at : self.at + 3]]
+        noun = self.chunks[self.at + 1].noun if kinds[:2] == ["and", "thing"] else None
+        return noun is not None and (CATALOGUE[noun.kind].on_object or kinds[2:] in ([], ["stop"]))
 
     def _nearest(self, relation: str) -> list[Mention]:
         """Return what a relation right after a noun is about: small things "on" something all together, else the noun."""

@@ -9,6 +9,7 @@ from robolayout.assets.palette import LOOKS
 from robolayout.words._chunk import Chunk
 from robolayout.words._function_words import YOUNG
 from robolayout.words._lexicon import Noun
+from robolayout.words._tokens import Measure
 
 IN_PAIRS = ("curtain", "blinds")
 """What is one thing in the plural."""
@@ -28,6 +29,7 @@ class Thing:
     rows: int = 0  # rows that it stands in, 0 if none are said
     definite: bool = False  # whether it was first named with "the"
     people: int = 0  # seats that its words promise ("for six")
+    sizes: list[Measure] = field(default_factory=list[Measure])  # what is said of its size in figures
     told: list[str] = field(default_factory=list[str])  # words of taste that were said of it later ("the bed is brown")
 
     @property

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from robolayout._errors import SceneError
 
-UNITS = {"": 1.0, "m": 1.0, "cm": 0.01, "ft": 0.3048, "in": 0.0254}
+UNITS = {"": 1.0, "m": 1.0, "cm": 0.01, "ce": 0.01, "mm": 0.001, "ft": 0.3048, "in": 0.0254}
 _NUMBER_WORDS = (
     "no zero, a an one, two both couple pair twin, three, four, five, six, seven, eight, nine, ten, eleven, twelve dozen, "
     "thirteen, fourteen, fifteen, sixteen, seventeen, eighteen, nineteen, twenty"
@@ -31,8 +31,10 @@ VAGUE = frozenset(("some", "few", "several", "lots", "many"))
 
 _WORDS = "|".join(word for word in NUMBERS if word not in ("a", "an", "no", *VAGUE))
 _N = rf"(\d+(?:[.,]\d+)?|\b(?:{_WORDS})\b)"
-_U = r"\s*(metres?|meters?|m\b|cm\b|centimet(?:re|er)s?|feet|foot|ft\b|inches|inch|in\b|['\"])?"
-_SIZE = re.compile(rf"{_N}{_U}\s*(?:x|\u00d7|by|\*)\s*{_N}{_U}(?![\w\u00b2]|\s*grid)", re.IGNORECASE)
+_LENGTHS = r"metres?|meters?|m\b|cm\b|mm\b|centimet(?:re|er)s?|feet|foot|ft\b|inches|inch|['\"]"
+_U = rf"[\s-]*({_LENGTHS}|in\b)?"
+_BY = r"\s*(?:x|\u00d7|by|\*)\s*"
+_SIZE = re.compile(rf"{_N}{_U}{_BY}{_N}{_U}(?:{_BY}{_N}{_U})?(?![\w\u00b2]|\s*grid)", re.IGNORECASE)
 _SIDES = re.compile(
     rf"{_N}{_U}\s*(?:long|wide|deep)\s*(?:,|and|x|by)+\s*{_N}{_U}\s*(?:wide|long|deep)\b", re.IGNORECASE
 )
@@ -43,12 +45,23 @@ _AREA = re.compile(
     rf"{_N}\s*(m2|m\u00b2|sqm|square met(?:re|er)s?|sq\.? ?m|square (?:feet|foot)|sq\.? ?ft|ft\u00b2|ft2)",
     re.IGNORECASE,
 )
-_HEIGHT = re.compile(rf"{_N}{_U}\s*(?:high|tall|ceilings?)\b|ceilings?\s*(?:of|at)?\s*{_N}{_U}", re.IGNORECASE)
+_HEIGHT = re.compile(
+    rf"{_N}{_U}[\s-]*(?:high|tall|in height|ceilings?)\b|ceilings?\s*(?:of|at)?\s*{_N}{_U}", re.IGNORECASE
+)
+_HOW = r"[\s-]*(?:in\s+)?(long|wide|deep|across|diameter)\b"
+_FLAT = r"(?=\s+(?:\w+\s+)?(?:tv|television|monitor|screen))"
+_LENGTH = re.compile(rf"{_N}[\s-]*(?:({_LENGTHS}|in(?={_HOW}|{_FLAT}))(?:{_HOW}|({_FLAT}))?)", re.IGNORECASE)
 _APART = re.compile(
     rf"(?:\b(?:(at least|no less than|more than|(?:no|not) (?:closer|nearer) than)|(at most|no more than|up to|less than|within))\s+)?"
     rf"{_N}{_U}\s*(?:apart|(?:away )?from|of|to|(?:of )?(?:(?:free|clear|empty) )?(?:space |distance )?between)\b",
     re.IGNORECASE,
 )
+Size = tuple[float, float, float]
+"""Depth, width and height in metres."""
+
+USUAL = (0.25, 4.0)
+"""Least and most by which a thing may be larger than usual."""
+
 APART = 0.3
 """Metres by which what lies between two things may differ from what is said."""
 
@@ -57,12 +70,58 @@ _TOKEN = re.compile(r"[a-z]+-(?:in|mounted|hung)\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^
 
 @dataclass(frozen=True)
 class Measure:
-    """A measure of the room."""
+    """A measure of the room or of a thing."""
 
-    kind: str  # "size", "area", "height", "grid" of things, "apart" or "between": what lies between two
+    # "size", "area", "height"; of a thing "long", "wide", "deep", "across", "diagonal" or "length", where nothing says which;
+    # "grid" of things; "apart" or "between": what lies between two
+    kind: str
     values: tuple[float, ...]  # metres, square metres, rows and columns, or the least and the most that lies between
     start: int  # first character
     end: int  # character after the last one
+
+    @property
+    def shown(self) -> str:
+        """The values with their unit."""
+        return " x ".join(f"{v:g}" for v in self.values) + {"area": " m2", "grid": ""}.get(self.kind, " m")
+
+    def on(self, size: Size) -> Size:
+        """Return the size of a thing with this: along its longest side where nothing says along which.
+
+        >>> Measure("size", (1.6, 0.8), 0, 0).on((0.9, 2.1, 0.8))
+        (0.8, 1.6, 0.8)
+        """
+        depth, width, height = size
+        if self.kind == "size":
+            low, high = sorted(self.values[:2])
+            return (*((high, low) if depth > width else (low, high)), (*self.values, height)[2])
+        if self.kind == "diagonal":  # of a screen of 16 to 9
+            return depth, round(0.87 * self.values[0], 3), round(0.49 * self.values[0], 3)
+        longest = size.index(max(size[:2] if self.kind == "long" else size))
+        axes = {"deep": (0,), "wide": (1,), "height": (2,), "across": (0, 1)}.get(self.kind, (longest,))
+        d, w, h = (self.values[0] if axis in axes else side for axis, side in enumerate(size))
+        return d, w, h
+
+    def fits(self, size: Size) -> bool:
+        """Return whether a thing of a usual size may be so large."""
+        return all(USUAL[0] <= new / old <= USUAL[1] for new, old in zip(self.on(size), size, strict=True))
+
+    def of_a_room(self) -> None:
+        """Refuse what no room has.
+
+        Raises:
+            SceneError: A room of that size cannot be furnished.
+        """
+        least, most, what, allowed = ROOMS.get(self.kind, (0.0, math.inf, "", ""))
+        if not least <= min(self.values) <= max(self.values) <= most:
+            raise SceneError(f"{what} {self.shown} {allowed}.")
+
+
+ROOMS = {
+    "size": (1.0, 100.0, "a room of", "cannot be furnished; give 1 to 100 m on each side, for example 4 x 5 m or 13 x 16 ft"),
+    "area": (2.0, 5000.0, "a floor of", "cannot be furnished; give 2 to 5000 m2"),
+    "height": (1.8, 20.0, "a ceiling at", "is too low or too high; give 1.8 to 20 m"),
+}  # fmt: skip
+"""Least and most that a measure of a room may be, and what is said of others."""
 
 
 @dataclass(frozen=True)
@@ -84,13 +143,9 @@ def tokens(text: str) -> list[Token]:
 
 
 def measures(text: str) -> list[Measure]:
-    """Return the measures in a text.
-
-    Raises:
-        SceneError: A room of that size cannot be furnished.
-    """
+    """Return the measures in a text."""
     found: list[Measure] = []
-    for read in (_grids, _sizes, _areas, _heights, _gaps):
+    for read in (_grids, _sizes, _areas, _heights, _gaps, _lengths):
         for measure in read(text):
             if not any(measure.start < other.end and other.start < measure.end for other in found):
                 found.append(measure)
@@ -105,35 +160,31 @@ def _grids(text: str) -> Iterator[Measure]:
 
 def _sizes(text: str) -> Iterator[Measure]:
     for match in (*_SIZE.finditer(text), *_SIDES.finditer(text)):
-        a, unit_a, b, unit_b = match.groups()
-        if not (unit_a or unit_b or a[0].isdecimal()):
-            continue  # "two by two" says how things stand
-        size = (round(metres(a, unit_a, unit_b), 2), round(metres(b, unit_b, unit_a), 2))
-        if min(size) < 1.0 or max(size) > 100.0:
-            raise SceneError(
-                f"a room of {size[0]:g} x {size[1]:g} m (from {match.group().strip()!r}) cannot be furnished; "
-                "give 1 to 100 m on each side, for example 4 x 5 m or 13 x 16 ft."
-            )
-        yield Measure("size", size, match.start(), match.end())
+        said = [(match.group(i), match.group(i + 1)) for i in range(1, len(match.groups()), 2) if match.group(i)]
+        unit = next((unit for _, unit in reversed(said) if unit), None)
+        if unit or said[0][0][0].isdecimal():  # "two by two" says how things stand
+            values = tuple(round(metres(number, own, unit), 2) for number, own in said)
+            yield Measure("size", values, match.start(), match.end())
 
 
 def _areas(text: str) -> Iterator[Measure]:
     for match in _AREA.finditer(text):
         area = _number(match.group(1)) * (0.3048**2 if "f" in match.group(2).lower() else 1.0)
-        if not 2.0 <= area <= 5000.0:
-            raise SceneError(f"a floor of {area:g} m2 cannot be furnished; give 2 to 5000 m2.")
         yield Measure("area", (area,), match.start(), match.end())
 
 
 def _heights(text: str) -> Iterator[Measure]:
     for match in _HEIGHT.finditer(text):
         number, unit = (match.group(1), match.group(2)) if match.group(1) else (match.group(3), match.group(4))
-        if not unit and match.group(1):
-            continue  # "two high tables"
-        height = round(metres(number, unit), 2)
-        if not 1.8 <= height <= 20.0:
-            raise SceneError(f"a ceiling at {height:g} m (from {match.group().strip()!r}) is outside 1.8 to 20 m.")
-        yield Measure("height", (height,), match.start(), match.end())
+        if unit or not match.group(1):  # not "two high tables"
+            yield Measure("height", (round(metres(number, unit), 2),), match.start(), match.end())
+
+
+def _lengths(text: str) -> Iterator[Measure]:
+    for match in _LENGTH.finditer(text):
+        number, unit, _, how, flat = match.groups()
+        kind = "diagonal" if flat is not None else "across" if how == "diameter" else (how or "length").lower()
+        yield Measure(kind, (round(metres(number, unit), 3),), match.start(), match.end())
 
 
 def _gaps(text: str) -> Iterator[Measure]:
@@ -151,7 +202,7 @@ def metres(number: str, unit: str | None, fallback: str | None = None) -> float:
     """Return a length in metres; without a unit that of `fallback` counts, then metres."""
     word = (unit or fallback or "").lower()
     short = "ft" if word[:1] == "f" or word == "'" else "in" if word in ('"', "in", "inch", "inches") else word[:1]
-    short = "cm" if word.startswith("c") else short
+    short = word[:2] if word.startswith(("c", "mm")) else short
     return _number(number) * UNITS.get(short, 1.0)
 
 

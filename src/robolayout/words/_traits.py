@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from robolayout.assets import Category
 from robolayout.words._lexicon import grammar
+from robolayout.words._tokens import Measure, Size
 from robolayout.words.reading import Reading
 
 
@@ -20,8 +21,8 @@ class WantedOpening:
     large: bool = False  # whether large ones are asked for
 
 
-def sized(kind: Category, adjectives: Sequence[str]) -> tuple[float, float, float]:
-    """Return depth, width and height in metres of a kind of thing with such adjectives.
+def sized(kind: Category, adjectives: Sequence[str], measures: Sequence[Measure] = ()) -> Size:
+    """Return depth, width and height in metres of a kind of thing with such adjectives and measures.
 
     >>> from robolayout.assets import CATALOGUE
     >>> sized(CATALOGUE["bed"], ("king", "size"))
@@ -29,14 +30,14 @@ def sized(kind: Category, adjectives: Sequence[str]) -> tuple[float, float, floa
     """
     lists = grammar()
     said = " ".join(word for word in adjectives if word not in ("size", "sized"))
-    model = lists.models.get(f"{said} {kind.name}")
-    if model is not None:
-        return model
-    depth, width, height = kind.size
-    for word in dict.fromkeys(adjectives):
+    depth, width, height = lists.models.get(f"{said} {kind.name}") or kind.size
+    for word in dict.fromkeys(adjectives) if (depth, width, height) == kind.size else ():
         d, w, h = lists.sizes.get(word, (1.0, 1.0, 1.0))
         depth, width, height = depth * d, width * w, height * h
-    return (round(depth, 3), round(width, 3), round(height, 3))
+    size = (round(depth, 3), round(width, 3), round(height, 3))
+    for measure in measures:
+        size = measure.on(size)
+    return size
 
 
 def wanted_openings(reading: Reading) -> tuple[WantedOpening, ...]:

@@ -48,7 +48,9 @@ Ways = tuple[tuple[tuple[str | float, ...], ...], ...]
 
 TO_ANOTHER: Mapping[str, Ways] = {
     "next": ((("near", BESIDE),),),
+    "oneside": ((("near", BESIDE),),),
     "near": ((("near", NEAR),),),
+    "wall": ((("near", BESIDE / 2),),),
     "by": ((("near", AT_TABLE),),),
     "left": ((("left_of", 0.0, NEAR),),),
     "right": ((("right_of", 0.0, NEAR),),),
@@ -60,13 +62,13 @@ TO_ANOTHER: Mapping[str, Ways] = {
 }
 """What a thing is asked to be to another one, or to a place of the room, by the word of the list."""
 
-AT_PLACES = frozenset((*TO_ANOTHER, "on", "in", "flank", "under", "above", "wall"))
+AT_PLACES = frozenset((*TO_ANOTHER, "on", "in", "flank", "under", "above"))
 """Relations that lead to a place of the room as well as to things."""
 
 OFF_A_WALL = (0.3, math.inf)
 """Metres between things and a wall that stays free, least and most."""
 
-AT_SIDES = frozenset(("flank", "left", "right", "next"))
+AT_SIDES = frozenset(("flank", "left", "right", "next", "oneside"))
 """Relations that put a thing at a side of another one."""
 
 IN_A_CHAIN: Mapping[str, Ways] = {

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from robolayout.constraints import Outcome, Relation
+from robolayout.constraints import RELATIONS, AssetRef, Outcome, Relation
 from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Layout, Scene
+from robolayout.words._ways import Ways
 
 Way = tuple[Relation, ...]
 """Statements that meet a demand together."""
@@ -35,3 +36,20 @@ class Demand:
 
 def _worst(outcomes: Sequence[Outcome]) -> Outcome:
     return max(outcomes, key=lambda outcome: (not outcome.met, outcome.value - outcome.limit))
+
+
+def stated(relation: str, *arguments: object) -> Relation:
+    """Return a statement by its name."""
+    return RELATIONS[relation](*arguments)
+
+
+def by_ways(ways: Ways, a: str, b: str) -> Demand:
+    """Return a demand on two things from its ways."""
+    return Demand(
+        tuple(tuple(stated(str(name), AssetRef(a), AssetRef(b), *more) for name, *more in way) for way in ways)
+    )
+
+
+def single(relation: Relation) -> Demand:
+    """Return a demand that only one statement meets."""
+    return Demand(((relation,),))

@@ -19,6 +19,7 @@ from robolayout.words._demander import Demander
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._match import fits, stand_ins
 from robolayout.words._said import Link, Mention, Place, Thing
+from robolayout.words._tokens import Measure
 from robolayout.words._ways import SEATS
 from robolayout.words.demands import Demand
 from robolayout.words.reading import Reading, read_text
@@ -158,6 +159,7 @@ class _Rows:
             yield from [self._look(thing)] if thing.look else []
         for thing in parsed.things:
             yield from self._contradiction(thing)
+            yield from (self._size(thing, measure) for measure in thing.sizes)
         for place, span in parsed.openings:
             yield self._opening(place, self.reading.span(*span))
         for thing in parsed.things:
@@ -189,7 +191,7 @@ class _Rows:
                 )
                 yield _Row(words, "room type", f"a {nearest}" if nearest == chunk.value else nearest, _as_given)
             elif chunk.measure is not None:
-                yield _measured(words, chunk.measure.kind, chunk.measure.values)
+                yield _of_the_room(words, chunk.measure)
             elif chunk.kind == "body":
                 yield _Row(words, "body", f"for {chunk.value}", _for_body(chunk.value))
             elif chunk.kind == "seats":
@@ -222,6 +224,18 @@ class _Rows:
             return _found(alike, "; ".join(dict.fromkeys(said)))
 
         return _Row(f"{' '.join(thing.look)} {thing.noun.words}", "style", "how it looks", judge)
+
+    def _size(self, thing: Thing, measure: Measure) -> _Row:
+        """Return the row of what is said of a thing's size in figures."""
+
+        def judge(room: _Furnished) -> Finding:
+            sizes = [room.scene.by_name[name].size for name in self.names.get(thing, ())]
+            off = [abs(a - b) for size in sizes for a, b in zip(size, measure.on(size), strict=True)]
+            shown = "; ".join(dict.fromkeys(" x ".join(f"{side:.2f}" for side in size) for size in sizes))
+            return ("met" if off and max(off) <= SIZE_OFF else "unmet"), f"{shown} m"
+
+        words = f"{thing.noun.words} {self.reading.text[measure.start : measure.end]}"
+        return _Row(words, "attribute", f"{measure.kind} {measure.shown}", judge, self.names.get(thing, ()))
 
     def _contradiction(self, thing: Thing) -> Iterator[_Row]:
         """Yield a row that cannot be met where two attributes of a thing exclude each other."""
@@ -412,27 +426,22 @@ def _for_body(name: str) -> Callable[[_Furnished], Finding]:
     return judge
 
 
-def _measured(words: str, kind: str, values: tuple[float, ...]) -> _Row:
+def _of_the_room(words: str, measure: Measure) -> _Row:
     """Return the row of a measure of the room."""
-    shown = " x ".join(f"{value:g}" for value in values)
+    kind, values = measure.kind, measure.values
 
     def judge(room: _Furnished) -> Finding:
         given = room.scene.room
         x0, y0, x1, y1 = given.bounds
-        if kind == "size":
-            sides = sorted((x1 - x0, y1 - y0))
-            off = max(abs(a - b) for a, b in zip(sides, sorted(values), strict=True))
-            return ("met" if off <= SIZE_OFF else "unmet"), f"{x1 - x0:.2f} x {y1 - y0:.2f} m"
-        if kind == "area":
-            off = abs(given.area - values[0]) / values[0]
-            return ("met" if off <= AREA_OFF else "unmet"), f"{given.area:.1f} m2"
-        if kind == "height":
-            off = abs(given.wall_height - values[0])
-            return ("met" if off <= SIZE_OFF else "unmet"), f"{given.wall_height:.2f} m"
-        return "not judged", ""
+        there = {"size": sorted((x1 - x0, y1 - y0)), "area": [given.area], "height": [given.wall_height]}.get(kind)
+        if there is None:
+            return "not judged", ""
+        off = max(abs(a - b) for a, b in zip(there, sorted(values), strict=True))
+        good = off <= (AREA_OFF * values[0] if kind == "area" else SIZE_OFF)
+        shown = " x ".join(f"{value:.2f}" for value in there)
+        return ("met" if good else "unmet"), f"{shown} {'m2' if kind == 'area' else 'm'}"
 
-    units = {"area": " m2", "grid": ""}.get(kind, " m")
-    return _Row(words, f"room {kind}" if kind != "grid" else "style", f"{kind} {shown}{units}", judge)
+    return _Row(words, f"room {kind}" if kind != "grid" else "style", f"{kind} {measure.shown}", judge)
 
 
 def share_met(rows: tuple[AskedRow, ...]) -> float:
