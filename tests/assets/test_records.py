@@ -118,6 +118,10 @@ def test_doors_and_drawers_have_handles() -> None:
         part.name for part in _drawn("a: doors front y 0:1 z 0:1 count 2\nb: drawers front y 0:1 z 0:1 rows 2 knobs 1")
     ]
     assert names == ["door", "handle"] * 2 + ["drawer", "knob"] * 2
+    high, low = (_drawn(f"a: doors front y 0:1 z 0:1 count 1{option}")[1] for option in ("", " low 1"))
+    assert low.vertices[:, 2].min() < high.vertices[:, 2].min() - 0.2 and np.ptp(low.vertices, axis=0) == pytest.approx(
+        np.ptp(high.vertices, axis=0)
+    )
 
 
 def test_style_and_size_choose_rows_and_materials_take_turns() -> None:

@@ -13,7 +13,7 @@ import pytest
 from robolayout.planners import OfflinePlanner, PlanRequest, scene_from_sentence
 from robolayout.program import read_program, reconcile
 from robolayout.run.verdict import make_judge
-from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene, load_scene
+from robolayout.scene import Asset, Layout, Opening, Pose, Room, Scene, load_agent, load_scene
 from robolayout.solve import Verdict, compile_problem
 from robolayout.solve.build.attempt import Attempt
 from robolayout.solve.build.cluster import Cluster
@@ -148,3 +148,30 @@ def test_rows_of_four_and_two_are_no_two_rows_of_three() -> None:
     assert asked.relation.check(scene, even).met
     assert not asked.relation.check(scene, uneven).met
     assert asked.relation.check(scene, uneven).text.startswith("2 rows of at most 4")
+
+
+COUNTER = Asset("counter-0", "service counter", (0.8, 1.8, 1.0))
+BACK = Asset("back_counter-0", "back counter", (0.6, 1.8, 0.9))
+
+
+@pytest.mark.parametrize("body", ["child_6", "stretch3"])
+def test_before_what_opens_there_is_room_for_its_drawers_and_the_body(body: str) -> None:
+    agent = load_agent(body)
+    scene = Scene(replace(ROOM, vertices=((0, 0), (6, 0), (6, 6), (0, 6))), (COUNTER, BACK)).with_agents(agent)
+    program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene)), scene), scene).program
+    layout = compile_problem(scene, program).guess
+    far = max(abs(getattr(layout[BACK.name], axis) - getattr(layout[COUNTER.name], axis)) for axis in "xy")
+    assert far >= 0.7 + 0.6 * BACK.size[0] + 2 * agent.radius - 1e-6
+
+
+@pytest.mark.parametrize(("body", "reaches"), [("wheelchair", True), ("unitree_g1", True), ("stretch3", False)])
+def test_cabinets_hang_where_the_body_reaches_them_over_a_counter_that_stays_a_place_to_work(
+    body: str, reaches: bool
+) -> None:
+    counter = Asset("kitchen_counter-0", "kitchen counter", (0.6, 2.4, 0.9))
+    cabinet = Asset("wall_cabinet-0", "wall cabinet", (0.35, 0.8, 0.7), on_floor=False, on_wall=True)
+    scene = Scene(ROOM, (counter, cabinet)).with_agents(load_agent(body))
+    program = reconcile(read_program(OfflinePlanner().plan(PlanRequest(scene)), scene), scene).program
+    layout = compile_problem(scene, program).guess
+    assert layout[cabinet.name].z - 0.35 >= 0.9 + 0.25 - 1e-6
+    assert verify(scene, layout).agents[0].usage.usable[cabinet.name] == reaches

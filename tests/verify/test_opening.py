@@ -102,3 +102,25 @@ def test_what_people_move_is_moved_out_of_the_way_of_a_leaf() -> None:
     wardrobe, spot = (WARDROBE, on_floor(WARDROBE, 0.3, 2.5)), on_floor(lamp, 0.85, 2.2)
     scene, layout = furnished(square(5.0), wardrobe, (lamp, spot))
     assert {hold.moved for hold in usage(scene, layout, ARM).holds} == {("lamp-0",), ()}
+
+
+def test_what_no_place_lets_a_body_open_is_not_usable() -> None:
+    """Its drawers come out by 0.36 m: a body 0.6 m wide needs 0.96 m before them, whatever it reaches from nearer."""
+    chest, wall = thing("chest-0", (0.6, 1.2, 0.9), "dresser"), thing("wall-0", (0.1, 5.0, 2.0), "bookshelf")
+    short = replace(ARM, radius=0.3, reach_distance=0.5)
+    for gap, opens in ((0.8, False), (1.0, True)):
+        scene, layout = furnished(
+            square(5.0), (chest, on_floor(chest, 0.3, 2.5)), (wall, on_floor(wall, 0.65 + gap, 2.5))
+        )
+        found = usage(scene, layout, short)
+        assert found.standing["chest-0"] and found.usable["chest-0"] == opens == bool(found.holds)
+        assert "no place from which it could hold any" in found.uses["chest-0"].reason or opens
+        assert found.shutting("chest-0") == (() if opens else ("wall-0",))
+
+
+def test_a_handle_within_its_own_footprint_is_out_of_reach() -> None:
+    """Its shoulder is at 1.5 m: at the lower drawers its hand does not get beyond the 0.3 m of its disc."""
+    chest = thing("chest-0", (0.5, 0.8, 1.2), "dresser")
+    body = replace(ARM, radius=0.3, reach_distance=0.8, shoulder_height=1.5)
+    scene, layout = furnished(square(5.0), (chest, on_floor(chest, 0.25, 2.5)))
+    assert 0 < len(usage(scene, layout, body).holds) < len(usage(scene, layout, ARM).holds)

@@ -172,7 +172,7 @@ def _made(p: Piece, row: Row, material: Material, place: Place) -> Iterable[Part
     """Return the parts of one place."""
     if row.shape in FRONTS:
         (y0, y1), (z0, z1) = place["y"], place["z"]
-        numbers = {key: round(place[key][0]) for key in ("count", "rows", "columns", "knobs") if key in place}
+        numbers = {key: round(place[key][0]) for key in ("count", "low", "rows", "columns", "knobs") if key in place}
         ahead = place["x"][0] if "x" in place else p.x[1]
         return FRONTS[row.shape](material, p.palette.metal, ahead, ((y0, y1), (z0, z1)), **numbers)
     part = _one(row, material, place)

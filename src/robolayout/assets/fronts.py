@@ -23,6 +23,7 @@ class FrontConfig:
     gap: float = 0.004  # metres between neighbouring fronts
     door: float = 0.018  # thickness of a front in metres
     knob: float = 0.022  # how far handles stand out, metres
+    low: float = 0.03  # between a door's lower edge and a handle at its lower end
     # half-axes of a knob at its front and at its end
     knob_radii: tuple[tuple[float, float], tuple[float, float]] = ((0.008, 0.008), (0.013, 0.013))
     board: float = 0.016  # thickness of boards between drawers
@@ -49,13 +50,14 @@ def spread(span: Range, count: int, gap: float = FRONTS.gap) -> list[Range]:
     return [(span[0] + gap + i * step, span[0] + (i + 1) * step) for i in range(count)]
 
 
-def doors(front: Material, metal: Material, ahead: float, face: Face, *, count: int) -> Iterator[Part]:
-    """Yield a row of doors with bar handles; the handles end at x = `ahead`."""
+def doors(front: Material, metal: Material, ahead: float, face: Face, *, count: int, low: int = 0) -> Iterator[Part]:
+    """Yield a row of doors with bar handles, half way up or at their lower ends; the handles end at x = `ahead`."""
     (y, z), front_x = face, ahead - FRONTS.knob
     for i, (y0, y1) in enumerate(spread(y, count)):
         yield box("door", front, (front_x - FRONTS.door, front_x), (y0, y1), (z[0] + FRONTS.gap, z[1] - FRONTS.gap))
         at = y1 - 0.045 if i % 2 == 0 and count > 1 else y0 + 0.045
-        middle, half = (z[0] + z[1]) / 2, min(0.12, 0.2 * (z[1] - z[0]))
+        half = min(0.12, 0.2 * (z[1] - z[0]))
+        middle = z[0] + FRONTS.low + half if low else (z[0] + z[1]) / 2
         yield box("handle", metal, (front_x, ahead), (at - 0.007, at + 0.007), (middle - half, middle + half))
 
 

@@ -32,7 +32,7 @@ FIELDS: dict[str, tuple[tuple[str, ...], tuple[str, ...], int]] = {
     "ball": (("x", "y", "z"), ("rings", "sides"), 3),
     "cylinder": (("x", "y", "z", "r"), ("sides",), 1),
     "prism": (("at",), ("x", "y", "z"), 1),
-    "doors": (("y", "z", "count"), ("x",), 2),
+    "doors": (("y", "z", "count"), ("x", "low"), 2),
     "drawers": (("y", "z", "rows"), ("x", "columns", "knobs"), 2),
 }
 """What each shape must say, what it may say, and along how many axes it has two ends."""

@@ -7,12 +7,15 @@ from dataclasses import dataclass, field, replace
 
 from robolayout.constraints import Relation
 from robolayout.program import Program
-from robolayout.scene import Agent, Layout, Pose, Scene
+from robolayout.scene import Layout, Pose, Scene
 from robolayout.solve import Enough, Judge, Verdict, never
-from robolayout.verify import judge_agent, kept_out, physics
+from robolayout.verify import AgentReport, judge_agent, kept_out, physics
 
 WALKABLE = 0.98
 """Share of the free space that the solver wants connected to the door; the report demands 0.95."""
+
+SHUT = 0.25
+"""Weight of a door or drawer of a usable thing that no place lets a body open, in statements."""
 
 
 def make_judge(scene: Scene, program: Program) -> Judge:
@@ -38,10 +41,14 @@ def make_judge(scene: Scene, program: Program) -> Judge:
         for agent in bodies:
             if enough(replace(found, access=access, soft=soft)):
                 break
-            missing, to_move = _access(scene, layout, replace(agent, turning_radius=None))
-            if agent.turning_radius is not None and not enough(replace(found, access=access + missing, soft=soft)):
-                # how it drives there is dear, and only ever makes it worse
-                missing, to_move = _access(scene, layout, agent)
+            report = judge_agent(scene, layout, agent)
+            missing, to_move = _access(report, report.usage.standing, layout)
+            if not enough(replace(found, access=access + missing, soft=soft)):
+                # how it drives there and opens what it uses is dear, and only ever makes it worse
+                missing, to_move = _access(report, report.usage.usable, layout)
+                shut = [hold.asset for hold in report.usage.holds if not hold.poses]
+                to_move += [name for one in dict.fromkeys(shut) for name in (one, *report.usage.shutting(one))]
+                soft += SHUT * len(shut)
             access += missing
             blamed += to_move
         return Verdict(found.hard, access, soft, tuple(dict.fromkeys([*failing, *blamed, *unmet])))
@@ -82,11 +89,10 @@ class _Asked:
         return self._met
 
 
-def _access(scene: Scene, layout: Layout, agent: Agent) -> tuple[float, list[str]]:
-    """Return how much an agent cannot get to (in assets; a door counts as one) and which assets to move for it."""
-    found = judge_agent(scene, layout, agent)
+def _access(found: AgentReport, usable: Mapping[str, bool], layout: Layout) -> tuple[float, list[str]]:
+    """Return how much an agent cannot get to or use (in assets; a door counts as one) and which assets to move for it."""
     nav = found.navigation
-    short = [name for name in found.short if name in layout]
+    short = [name for name in found.lacking(usable) if name in layout]
     fixable = [name for name in short if not nav.reached[name] or not found.usage.too_high(name)]
     unreached = sum(not nav.reached[name] for name in fixable)
     cut_off = max(0.0, WALKABLE - nav.walkable_ratio) if nav.free.area > 0 else 0.0

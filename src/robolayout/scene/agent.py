@@ -60,6 +60,11 @@ class Agent:
         return max(self.reach_distance or 0.0, self.radius + TOUCH)
 
     @property
+    def inradius(self) -> float:
+        """Metres from its centre to the nearest that it gets to a thing."""
+        return self.radius if self.length is None or self.width is None else min(self.length, self.width) / 2
+
+    @property
     def circumradius(self) -> float:
         """Radius in metres of the disc that holds the whole footprint."""
         if self.length is None or self.width is None:

@@ -113,7 +113,7 @@ class Boxes:
         """Return the prisms of a placed asset: outlines in plan, and between which heights each stands, metres."""
         if row not in self._shapes:
             ring, low, high = _prism_table(self.assets[row])
-            outlines = np.asarray(shapely.polygons(_in_plan(ring, self.where(row)[1])), dtype=object)
+            outlines = np.asarray(shapely.polygons(in_plan(ring, self.where(row)[1])), dtype=object)
             self._shapes[row] = (outlines, low + self.bottom[row], high + self.bottom[row])
         return self._shapes[row]
 
@@ -153,11 +153,11 @@ def _base(asset: Asset, place: Place) -> Any:
     the same again and again."""
     ring, low, _ = _prism_table(asset)
     if category_of(asset).hangs:
-        return shapely.polygons(_in_plan(np.array(LOOP), place))
-    return shapely.union_all(shapely.polygons(_in_plan(ring[low <= low.min() + CARRIED], place))).convex_hull
+        return shapely.polygons(in_plan(np.array(LOOP), place))
+    return shapely.union_all(shapely.polygons(in_plan(ring[low <= low.min() + CARRIED], place))).convex_hull
 
 
-def _in_plan(points: NDArray[np.float64], place: Place) -> NDArray[np.float64]:
+def in_plan(points: NDArray[np.float64], place: Place) -> NDArray[np.float64]:
     """Return points (..., 2) of an asset's frame where they are in the room."""
     x, y, _, yaw = place
     return points @ np.array([[math.cos(yaw), math.sin(yaw)], [-math.sin(yaw), math.cos(yaw)]]) + (x, y)
@@ -168,6 +168,13 @@ def in_room(shape: Any, place: Place) -> Any:
     x, y, _, yaw = place
     c, s = math.cos(yaw), math.sin(yaw)
     return affine_transform(shape, [c, -s, s, c, x, y])
+
+
+def out_of_room(shape: Any, place: Place) -> Any:
+    """Return a shape of the room as it lies in an asset's frame."""
+    x, y, _, yaw = place
+    c, s = math.cos(yaw), math.sin(yaw)
+    return affine_transform(shape, [c, s, -s, c, -c * x - s * y, s * x - c * y])
 
 
 @lru_cache(maxsize=4096)

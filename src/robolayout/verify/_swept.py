@@ -80,8 +80,10 @@ def handle_reach(found: Boxes, agent: Agent, row: int) -> float | None:
 
 
 def _reach(found: Boxes, agent: Agent, row: int, joint: Joint) -> float | None:
+    """Return how far a body reaches at the height of a handle, metres; None where that is not beyond its own footprint."""
     low, high = joint.hold
-    return horizontal_reach(agent, float(found.poses[row, 2]) + low, float(found.poses[row, 2]) + high)
+    far = horizontal_reach(agent, float(found.poses[row, 2]) + low, float(found.poses[row, 2]) + high)
+    return far if far is not None and far > agent.inradius else None
 
 
 def opening_zone(found: Boxes, agent: Agent, row: int) -> BaseGeometry:

@@ -40,7 +40,11 @@ class AgentReport:
     @cached_property
     def short(self) -> tuple[str, ...]:
         """Names of assets that it is asked to reach and use and does not, in the order of the scene."""
-        scene, reached, usable = self.navigation.scene, self.navigation.reached, self.usage.usable
+        return self.lacking(self.usage.usable)
+
+    def lacking(self, usable: Mapping[str, bool]) -> tuple[str, ...]:
+        """Return the names of assets that it is asked to reach and use and does not, if it uses these."""
+        scene, reached = self.navigation.scene, self.navigation.reached
         reach, use = exempt_from_reach(scene, self.agent), self.exempt
         return tuple(n for n in reached if not (reached[n] or n in reach) or not (usable[n] or n in use))
 

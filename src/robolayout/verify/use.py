@@ -22,14 +22,15 @@ from numpy.typing import NDArray
 from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
+from robolayout.assets import sweeps_of
 from robolayout.scene import Agent, Hold, Layout, Point, Scene
 from robolayout.scene.agent import TOUCH, horizontal_reach
 from robolayout.verify._approaches import approaches, needs_no_use
-from robolayout.verify._boxes import room_polygon, share, shared_area
+from robolayout.verify._boxes import in_room, out_of_room, room_polygon, share, shared_area
 from robolayout.verify._knees import frontal, is_sat_at
 from robolayout.verify._sides import side_edge
 from robolayout.verify._stances import Stances
-from robolayout.verify._swept import Swept, by_hand, handle_heights, handle_near
+from robolayout.verify._swept import Swept, by_hand, handle_heights, handle_near, opens
 from robolayout.verify.drives import Drive, entry
 from robolayout.verify.heading import HeadingSpace, rectangle
 from robolayout.verify.holds import find_hold
@@ -59,8 +60,14 @@ class Usage:
     """Which assets an agent can use; details are worked out when first asked for."""
 
     agent: Agent  # the body
-    usable: Mapping[str, bool]  # verdict per asset
+    # by asset, whether it could stand where it uses it, however it drives there and whatever it opens
+    standing: Mapping[str, bool]
     _judge: _Judge = field(repr=False)
+
+    @cached_property
+    def usable(self) -> Mapping[str, bool]:
+        """Verdict per asset."""
+        return dict(zip(self.standing, self._judge.verdicts().tolist(), strict=True))
 
     @property
     def usable_share(self) -> float:
@@ -84,10 +91,10 @@ class Usage:
         return self._judge.stances.space
 
     def shutting(self, name: str) -> tuple[str, ...]:
-        """Return the assets that stand where a placed one needs room to open, or the body room to turn."""
+        """Return the assets that stand where a placed one needs room to open, or the body room to turn or to open it."""
         row = self._judge.found.names.index(name)
-        found = (*self._judge.in_front.get(row, ()), *self._judge.cramping(row))
-        return tuple(blocker for blocker in found if blocker in self.usable)
+        found = (*self._judge.in_front.get(row, ()), *self._judge.cramping(row), *self._judge.crowding(row))
+        return tuple(blocker for blocker in dict.fromkeys(found) if blocker in self.standing)
 
     def too_high(self, name: str) -> bool:
         """Return whether nothing to take hold of is at a height that the agent reaches, wherever in the plan it stands."""
@@ -96,7 +103,9 @@ class Usage:
     @cached_property
     def uses(self) -> Mapping[str, Use]:
         """How each placed asset is used, or why not."""
-        return {name: self._judge.explain(row) for row, name in enumerate(self.usable) if self._judge.found.placed[row]}
+        return {
+            name: self._judge.explain(row) for row, name in enumerate(self.standing) if self._judge.found.placed[row]
+        }
 
     @cached_property
     def holds(self) -> tuple[Hold, ...]:
@@ -108,7 +117,7 @@ class Usage:
 def usage(scene: Scene, layout: Layout, agent: Agent | None = None, *, nav: Navigation | None = None) -> Usage:
     """Judge what an agent can use."""
     judge = _Judge(nav or navigation(scene, layout, agent))
-    return Usage(judge.agent, dict(zip(judge.found.names, judge.verdicts().tolist(), strict=True)), judge)
+    return Usage(judge.agent, dict(zip(judge.found.names, judge.standing.tolist(), strict=True)), judge)
 
 
 class _Judge:
@@ -119,14 +128,48 @@ class _Judge:
         self.ways = approaches(self.found, self.agent)
         self._room = room_polygon(nav.scene.room)
         self._touched: dict[int, NDArray[np.object_]] = {}
+        self._held: dict[int, tuple[Hold, ...]] = {}
         self._touches = self.agent.reach_distance is None and self.stances.rectangular
         self._approach = self._approaches()
 
     def verdicts(self) -> NDArray[np.bool_]:
         """Return (n,) what is usable."""
+        usable = self._plain & self._driven
+        usable |= self.standing if self._driven.all() else self._aside(usable)
+        usable[[row for row in np.flatnonzero(usable).tolist() if self._shut(row)]] = False
+        return usable
+
+    @cached_property
+    def standing(self) -> NDArray[np.bool_]:
+        """(n,) what the body could stand at to use it."""
+        return self._plain | self._aside(self._plain)
+
+    @cached_property
+    def _able(self) -> NDArray[np.bool_]:
+        """(m,) at which approaches nothing stands where something must open."""
+        return np.array([not self.opening_blockers(row, side) for row, side in self._each], dtype=bool)
+
+    def _aside(self, usable: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Return (n,) what a body can use once chairs are moved away, of what it cannot use yet."""
+        found, rows = np.zeros(len(usable), dtype=bool), self.ways.rows
+        for row in sorted(set(rows[self._able & ~usable[rows]].tolist())):
+            of_row = np.flatnonzero(self._able & (rows == row))
+            for number, region in self.stances.opened(row)[1]:
+                here = of_row[self._faces(self.stances.heading(number))[of_row]]
+                found[row] |= bool(shapely.intersects(region, self.ways.zones[here]).any())
+        return found
+
+    def _shut(self, row: int) -> bool:
+        """Return whether an asset is used by opening it, and the body can open nothing of it."""
+        sides = [self.ways.sides[number] for number in self.ways.of(row)]
+        by_hand = bool(sides) and set(sides) == {"front"} and bool(opens(self.found, self.agent, row))
+        return by_hand and not any(hold.poses for hold in self.holds(row))
+
+    @cached_property
+    def _plain(self) -> NDArray[np.bool_]:
+        """(n,) what the body could stand at to use it, no chair moved."""
         rows, zones = self.ways.rows, self.ways.zones
-        usable = self.found.placed & needs_no_use(self.found)
-        able = np.array([not self.opening_blockers(row, side) for row, side in self._each], dtype=bool)
+        usable, able = self.found.placed & needs_no_use(self.found), self._able
 
         def waiting() -> NDArray[np.intp]:
             return np.flatnonzero(able & ~usable[rows])
@@ -144,12 +187,6 @@ class _Judge:
                 stand(number, region, zones)
         for number, region in self.stances.everywhere if self._touches and len(waiting()) else ():
             stand(number, region, self._touching(number))
-        usable &= self._driven
-        for row in sorted(set(rows[waiting()].tolist())):
-            of_row = np.flatnonzero(able & (rows == row))
-            for number, region in self.stances.opened(row)[1]:
-                here = of_row[self._faces(self.stances.heading(number))[of_row]]
-                usable[row] |= bool(shapely.intersects(region, zones[here]).any())
         return usable
 
     def _approaches(self) -> NDArray[np.object_]:
@@ -240,12 +277,11 @@ class _Judge:
 
     def _places(self, heading: float) -> tuple[Sequence[str], NDArray[np.object_]]:
         """Return from where the body uses what at a heading in radians: (m,) names and zones, nothing where it cannot."""
-        able = np.array([not self.opening_blockers(row, side) for row, side in self._each], dtype=bool)
         zones = self.ways.zones
         if self._touches:
             zones = shapely.union(zones, self.ways.touching(rectangle(self.agent, heading)))
         found = zones.copy()
-        found[~(able & self._faces(heading))] = Polygon()
+        found[~(self._able & self._faces(heading))] = Polygon()
         return [self.found.names[row] for row in self.ways.rows.tolist()], found
 
     def opening_blockers(self, row: int, side: str) -> tuple[str, ...]:
@@ -282,7 +318,7 @@ class _Judge:
             return Use(name, True, "", None, "")
         ways = (way for way in self._stands(row) if not way[1].is_empty and (way[2] or self._driven[row]))
         way = next(ways, None)
-        if way is None:
+        if way is None or self._shut(row):
             return Use(name, False, "", None, self._reason(row))
         number, places, chairs = way
         side = self.ways.sides[number]
@@ -295,17 +331,33 @@ class _Judge:
         handle = handle_near(self.found, self.agent, row, place) if side == "front" else ""
         return Use(name, True, side, place, "", names, handle, self._approach[number])
 
-    def holds(self, row: int) -> Iterator[Hold]:
+    def holds(self, row: int) -> tuple[Hold, ...]:
+        """Return how the body opens each door and drawer whose handle is at a height that it reaches."""
+        if row in self._held:
+            return self._held[row]
         moved, beside = self.stances.opened(row)
-        chairs = tuple(self.found.names[i] for i in sorted(moved))
+        chairs, place = tuple(self.found.names[i] for i in sorted(moved)), self.found.where(row)[1]
         before = self.ways.zone(next(i for i in self.ways.of(row) if self.ways.sides[i] == "front"), FAR)
         regions = [
-            (self.stances.heading(number), region & before, aside)
+            (self.stances.heading(number) - place[3], out_of_room(region & before, place), aside)
             for places, aside in ((self.stances.everywhere, ()), (beside, chairs))
             for number, region in places
         ]
-        for joint, reach in by_hand(self.found, self.agent, row):
-            yield find_hold(self.found, self.agent, row, joint, reach + REACH_SLACK, regions)
+        self._held[row] = tuple(
+            find_hold(self.found, self.agent, row, joint, reach + REACH_SLACK, regions)
+            for joint, reach in by_hand(self.found, self.agent, row)
+        )
+        return self._held[row]
+
+    def crowding(self, row: int) -> tuple[str, ...]:
+        """Return what stands where a body would open what of an asset stays shut: as far ahead as that sweeps and it is wide."""
+        if all(hold.poses for hold in self._held.get(row, ())):
+            return ()
+        asset, place = self.found.where(row)
+        deep = max(sweep.region.bounds[2] for sweep in sweeps_of(asset)) + 2 * self.agent.radius
+        strip = in_room(shapely.box(asset.size[0] / 2, -asset.size[1] / 2, deep, asset.size[1] / 2), place)
+        near = self._nav.blocking.rows[shapely.intersects(self._nav.blocking.shapes, strip)]
+        return tuple(self.found.names[other] for other in np.unique(near) if other != row)
 
     def too_high(self, row: int) -> bool:
         height = float(self.found.bottom[row]), float(self.found.top[row])
@@ -327,6 +379,8 @@ class _Judge:
         if self.stranded(row) is not None:
             near = " and ".join(self.cramping(row))
             return f"it could stand at its {sides}, but finds no way to drive there{near and f': {near} leave no room to turn'}"
+        if row in self._held:
+            return "there is no place from which it could hold any of its doors and drawers until that is open"
         away = min((self._nearest(row, i) for i in numbers), default=math.inf)
         if away > FAR:
             return f"there is no place to stand at its {sides}"

@@ -10,7 +10,8 @@ import shapely
 
 from robolayout.assets.obstacles import use_sides
 from robolayout.floor import rect_points
-from robolayout.scene import Wall
+from robolayout.scene import Agent, Wall
+from robolayout.scene.agent import horizontal_reach
 from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.form import corners_of
 from robolayout.solve.build.member import Member
@@ -26,6 +27,9 @@ ASIDE = (0.0, 0.5, -0.5, 1.0, -1.0)
 
 CLEAR_ABOVE = 0.12
 """Metres between a piece of furniture and what hangs over it."""
+
+WORK_ABOVE = 0.25
+"""Metres between a top to work at and what is opened over it: a kettle stands there; 0.5 is usual where everybody reaches that."""
 
 
 def hang(site: Site, name: str, rng: np.random.Generator) -> None:
@@ -114,26 +118,35 @@ def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
     return sorted({round(float(t), 3) for t in marks if low <= t <= high})
 
 
-def _reach_top(site: Site) -> float:
-    """Return the highest lower edge, in metres, of what every agent with an arm can still take hold of."""
-    return min((a.reach_high for a in site.scene.agents if a.reach_distance is not None), default=9.0) - TAKE_HOLD
+def _reach_top(site: Site, ahead: float) -> float:
+    """Return the highest lower edge, in metres, of what every agent with an arm can take hold of over what juts out below."""
+    return min((_highest(a, ahead) for a in site.scene.agents if a.reach_distance is not None), default=9.0) - TAKE_HOLD
+
+
+def _highest(agent: Agent, ahead: float) -> float:
+    """Return how high in metres a body's hand gets that far beyond its footprint; the top of its reach where nowhere."""
+    heights = np.arange(agent.reach_high, agent.reach_low, -TAKE_HOLD / 2).tolist()
+    far = ((height, horizontal_reach(agent, height, height)) for height in heights)
+    return next((height for height, reach in far if reach and reach >= ahead + agent.inradius), agent.reach_high)
 
 
 def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot]:
     want, (depth, width, height) = site.wants[name], site.size(name)
-    owner, bonus, lift = _below(site, name, wall, t)
-    middle = max(want.height or max(EYE, 0.4 + height / 2), lift + CLEAR_ABOVE + height / 2)
+    owner, bonus, lift, ahead = _below(site, name, wall, t)
     used = bool(use_sides(site.scene.by_name[name]))
+    above = (WORK_ABOVE if used and ahead > 0 else CLEAR_ABOVE) + height / 2
+    middle = max(want.height or max(EYE, 0.4 + height / 2), lift + above)
+    top = _reach_top(site, ahead)
     if used:
-        middle = min(middle, _reach_top(site) + height / 2)
-    middle = min(max(middle, lift + CLEAR_ABOVE + height / 2), site.room.wall_height - height / 2 - 0.03)
+        middle = min(middle, top + height / 2)
+    middle = min(max(middle, lift + above), site.room.wall_height - height / 2 - 0.03)
     takers = site.wall_takers(wall)
     rect = (t - width / 2, middle - height / 2, t + width / 2, middle + height / 2)
     yaw = wall_yaw(wall)
     member = Member(name, *wall.point(t, depth / 2 + WALL_GAP / 2), yaw, middle - height / 2)
     covered = site.wall_conflict(rect, takers, APART)
     cost = COVERED * (covered > 0.0) + 20.0 * covered
-    cost += OUT_OF_REACH * (used and middle - height / 2 > _reach_top(site) + TAKE_HOLD)
+    cost += OUT_OF_REACH * (used and middle - height / 2 > top + TAKE_HOLD)
     cost += 1.2 * site.wall_conflict((rect[0] - 0.4, rect[1], rect[2] + 0.4, rect[3]), takers)
     cost += 0.8 * abs(t - wall.length / 2) / wall.length * (1 + want.weights.get("mid_wall", 0.0)) - bonus
     cost += max(want.walls.values(), default=0.0) - want.walls.get(wall.index, 0.0)
@@ -154,18 +167,20 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     return cost, Spot(member, "hang", wall.index, owner)
 
 
-def _below(site: Site, name: str, wall: Wall, t: float) -> tuple[str | None, float, float]:
-    """Return what stands below that place and the thing belongs over, what that is worth, and the height it reaches."""
-    over, width = site.wants[name].over, site.size(name)[1]
+def _below(site: Site, name: str, wall: Wall, t: float) -> tuple[str | None, float, float, float]:
+    """Return what stands below that place and the thing belongs over, what that is worth, its height, and how far it juts out."""
+    over, (depth, width, _) = site.wants[name].over, site.size(name)
     here = [s for s in site.spans if s.wall == wall.index and site.spots[s.name].mode != "hang"]
     close = [s for s in here if s.depth <= 0.15 and s.rect[0] < t + width / 2 and s.rect[2] > t - width / 2]
-    top = max((s.rect[3] for s in close if s.rect[3] < 1.6), default=0.0)
+    low = [s for s in close if s.rect[3] < 1.6]
+    top = max((s.rect[3] for s in low), default=0.0)
+    ahead = max((s.depth + site.size(s.name)[0] - depth for s in low), default=0.0)
     hung_over = {s.anchor for s in site.spots.values() if s.mode == "hang"}
     for span in here:
         centred = abs((span.rect[0] + span.rect[2]) / 2 - t) < 0.03
         if span.name in over and centred and site.spots[span.name].wall == wall.index and span.name not in hung_over:
-            return span.name, 6.0 - over.index(span.name), top
-    return None, 0.0, top
+            return span.name, 6.0 - over.index(span.name), top, ahead
+    return None, 0.0, top, ahead
 
 
 def _used_room(site: Site, name: str, member: Member) -> float:

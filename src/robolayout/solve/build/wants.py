@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
-from robolayout.assets import Category, category_of
+from robolayout.assets import Category, category_of, sweeps_of
 from robolayout.assets.obstacles import use_sides
 from robolayout.constraints import AssetRef, Relation, WallRef
 from robolayout.constraints.above import Above
@@ -364,10 +364,18 @@ class _Reading:
         looks = any(one.b == relation.b for one, _ in self._all(PointTowards))
         if side in ("front", "back"):
             facing = math.pi if side == "front" else 0.0
+            if yaw in (None, facing):
+                gap = min(max(gap, self._to_open()), high)
             return Join("front" if side == "front" else "behind", gap, facing if yaw is None else yaw)
         fixed = "" if side == "beside" else side
         across = looks or (yaw is not None and abs(math.sin(yaw)) > math.sqrt(0.5))
         return Join("flank" if across else "beside", gap, yaw, fixed)
+
+    def _to_open(self) -> float:
+        """Return the metres before its front that its doors and drawers sweep, with the widest body behind them; 0 without any."""
+        asset = self.bare.asset
+        swept = [sweep.region.bounds[2] - asset.size[0] / 2 for sweep in sweeps_of(asset) if sweep.joint is not None]
+        return max(swept) + 2 * max(agent.radius for agent in self.scene.agents) if swept else 0.0
 
     def _turned(self, b: AssetRef) -> float | None:
         """Return the angle to a thing's front, in radians, that is said."""
