@@ -20,8 +20,7 @@ if TYPE_CHECKING:
 
 def assets(
     word: Annotated[
-        str | None,
-        typer.Argument(help="Show what this word is understood as, or this group; `import` reads a folder."),
+        str | None, typer.Argument(help="Show what this word is understood as, or this group; `import` reads a folder.")
     ] = None,
     folder: Annotated[Path | None, typer.Argument(help="Folder of meshes, after `import`.")] = None,
     out: Annotated[Path, typer.Option("--out", help="Catalogue file that an import writes.")] = Path("catalogue.json"),

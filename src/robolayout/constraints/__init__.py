@@ -3,25 +3,32 @@
 from importlib import import_module
 from importlib.metadata import entry_points
 
-from robolayout.constraints._exact import ANGLE_TOLERANCE
-from robolayout.constraints._refs import AssetRef, PointRef, Ref, WallRef
-from robolayout.constraints._registry import RELATIONS, own_relations, register, register_file
-from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
-from robolayout.constraints._terms import (
-    FAR,
-    ClearTerm,
-    FrameTerm,
-    InsideTerm,
-    Interval,
-    MirrorTerm,
-    OverlapTerm,
-    PairwiseTerm,
-    Term,
-)
+from robolayout.constraints._exact import ANGLE_TOLERANCE as ANGLE_TOLERANCE
+from robolayout.constraints._refs import AssetRef as AssetRef
+from robolayout.constraints._refs import PointRef as PointRef
+from robolayout.constraints._refs import Ref as Ref
+from robolayout.constraints._refs import WallRef as WallRef
+from robolayout.constraints._registry import RELATIONS as RELATIONS
+from robolayout.constraints._registry import own_relations
+from robolayout.constraints._registry import register as register
+from robolayout.constraints._registry import register_file as register_file
+from robolayout.constraints._relation import Outcome as Outcome
+from robolayout.constraints._relation import Relation as Relation
+from robolayout.constraints._relation import Way as Way
+from robolayout.constraints._relation import argument as argument
+from robolayout.constraints._terms import FAR as FAR
+from robolayout.constraints._terms import ClearTerm as ClearTerm
+from robolayout.constraints._terms import FrameTerm as FrameTerm
+from robolayout.constraints._terms import InsideTerm as InsideTerm
+from robolayout.constraints._terms import Interval as Interval
+from robolayout.constraints._terms import MirrorTerm as MirrorTerm
+from robolayout.constraints._terms import OverlapTerm as OverlapTerm
+from robolayout.constraints._terms import PairwiseTerm as PairwiseTerm
+from robolayout.constraints._terms import Term as Term
 from robolayout.constraints.door_clear import DoorClear
 from robolayout.constraints.inside_room import InsideRoom
 from robolayout.constraints.no_overlap import NoOverlap
-from robolayout.constraints.reachable_pairwise import ReachablePairwise
+from robolayout.constraints.reachable_pairwise import ReachablePairwise as ReachablePairwise
 from robolayout.constraints.room_to_open import RoomToOpen
 
 IMPLICIT: tuple[Relation, ...] = (NoOverlap(), InsideRoom(), DoorClear(), RoomToOpen())
@@ -37,30 +44,3 @@ for _word in _BUILT_IN.split():
     register(*own_relations(import_module(f"{__name__}.{_word}")))
 for _point in entry_points(group="robolayout.constraints"):
     register(_point.load())
-
-__all__ = [
-    "ANGLE_TOLERANCE",
-    "FAR",
-    "IMPLICIT",
-    "RELATIONS",
-    "AssetRef",
-    "ClearTerm",
-    "FrameTerm",
-    "InsideTerm",
-    "Interval",
-    "MirrorTerm",
-    "Outcome",
-    "OverlapTerm",
-    "PairwiseTerm",
-    "PointRef",
-    "ReachablePairwise",
-    "Ref",
-    "Relation",
-    "Term",
-    "WallRef",
-    "Way",
-    "argument",
-    "best_way",
-    "register",
-    "register_file",
-]

@@ -25,10 +25,7 @@ class FacingPair(Relation):
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row for each direction to look."""
-        return (
-            FrameTerm(self.a, self.b, look=0.0, moves="both"),
-            FrameTerm(self.b, self.a, look=0.0, moves="both"),
-        )
+        return (FrameTerm(self.a, self.b, look=0.0, moves="both"), FrameTerm(self.b, self.a, look=0.0, moves="both"))
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """Each front's ray hits the other's footprint, or is within 10 degrees of its centre."""

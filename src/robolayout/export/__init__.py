@@ -19,61 +19,29 @@ from types import MappingProxyType
 from robolayout._errors import UnknownNameError
 from robolayout._files import write_together
 from robolayout._text import file_name
-from robolayout.export._exporter import LEAVES, Contents, Exporter, Options, Routes, check_layout
-from robolayout.export._mujoco import check_simulator
+from robolayout.export._exporter import LEAVES as LEAVES
+from robolayout.export._exporter import Contents as Contents
+from robolayout.export._exporter import Exporter as Exporter
+from robolayout.export._exporter import Options as Options
+from robolayout.export._mujoco import check_simulator as check_simulator
 from robolayout.export.dxf import DXF
 from robolayout.export.glb import GLB
-from robolayout.export.handles import Opened, Pulled, pull_open
+from robolayout.export.handles import pull_open as pull_open
 from robolayout.export.layout_json import LAYOUT_JSON
 from robolayout.export.mjcf import MJCF
-from robolayout.export.physics import Drive, Driven, Motion, Settled, drive, settle
+from robolayout.export.physics import Driven as Driven
+from robolayout.export.physics import Settled as Settled
+from robolayout.export.physics import drive as drive
+from robolayout.export.physics import settle as settle
 from robolayout.export.procthor import PROCTHOR
 from robolayout.export.sceneeval import SCENEEVAL
 from robolayout.export.sdf import SDF
 from robolayout.export.urdf import URDF
 from robolayout.export.usd import USDA, USDZ
-from robolayout.scene import Layout, Scene
-
-__all__ = [
-    "EXPORTERS",
-    "LEAVES",
-    "Contents",
-    "Drive",
-    "Driven",
-    "Exporter",
-    "Motion",
-    "Opened",
-    "Options",
-    "Pulled",
-    "Routes",
-    "Settled",
-    "check_simulator",
-    "drive",
-    "export",
-    "export_all",
-    "exporters",
-    "find_exporter",
-    "pull_open",
-    "settle",
-    "to_bytes",
-]
+from robolayout.scene import Layout, Scene, check_layout
 
 EXPORTERS: Mapping[str, Exporter] = MappingProxyType(
-    {
-        exporter.name: exporter
-        for exporter in (
-            GLB,
-            LAYOUT_JSON,
-            SCENEEVAL,
-            PROCTHOR,
-            DXF,
-            USDA,
-            USDZ,
-            MJCF,
-            SDF,
-            URDF,
-        )
-    }
+    {exporter.name: exporter for exporter in (GLB, LAYOUT_JSON, SCENEEVAL, PROCTHOR, DXF, USDA, USDZ, MJCF, SDF, URDF)}
 )
 """The formats of this package, by name."""
 

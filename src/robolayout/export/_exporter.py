@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import math
 import re
 import struct
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -91,27 +90,6 @@ class Exporter:
 def placed(scene: Scene, layout: Layout) -> tuple[tuple[Asset, Pose], ...]:
     """Return every asset that has a pose, with it, in the order of the scene."""
     return tuple((asset, layout[asset.name]) for asset in scene.assets if asset.name in layout)
-
-
-def check_layout(scene: Scene, layout: Layout, *, partial: bool = False) -> None:
-    """Check that a layout fits its scene before anything is written."""
-    unknown = sorted(set(layout) - set(scene.by_name))
-    if unknown:
-        known = ", ".join(sorted(scene.by_name)) or "none"
-        raise LayoutError(
-            f"the layout places {unknown[0]!r}, which scene {scene.name!r} does not have. Known: {known}."
-        )
-    missing = [asset.name for asset in scene.assets if asset.name not in layout]
-    if missing and not partial:
-        raise LayoutError(
-            f"the layout has no pose for {', '.join(map(repr, missing[:5]))} ({len(missing)} of {len(scene.assets)} "
-            "assets); place them first, or leave them out (--partial, partial=True)."
-        )
-    for name, pose in layout.items():
-        if not all(map(math.isfinite, (pose.x, pose.y, pose.z, pose.yaw))):
-            raise LayoutError(
-                f"the pose of {name!r} is not finite: {pose}; every coordinate must be a number in metres."
-            )
 
 
 def hangs(asset: Asset, scene: Scene, layout: Layout) -> bool:
@@ -214,7 +192,7 @@ def reader(what: str) -> Callable[[Callable[[bytes], Rows]], Read]:
             try:
                 found = _contents(rows(data))
                 poses = found.layout.items()
-                astray = [n for n, p in poses if not all(map(math.isfinite, (p.x, p.y, p.z, p.yaw)))]
+                astray = [n for n, p in poses if not p.is_finite]
             except Unreadable as error:
                 raise LayoutError(f"this {what} {error}. Was the file written to its end?") from error
             except _ASTRAY as error:

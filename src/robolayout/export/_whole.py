@@ -124,10 +124,7 @@ def _read(mujoco: Any, model: Model, files: dict[str, bytes]) -> Any:
     if root.tag == "robot":
         return mujoco.MjSpec.from_string(_urdf(root, model, files), assets=files)
     robot = mujoco.MjSpec.from_file(str(model.path))
-    for things, folder, kinds in (
-        (robot.meshes, robot.meshdir, MESHES),
-        (robot.textures, robot.texturedir, PICTURES),
-    ):
+    for things, folder, kinds in ((robot.meshes, robot.meshdir, MESHES), (robot.textures, robot.texturedir, PICTURES)):
         for number, thing in enumerate(things):
             if thing.file:
                 path = model.find(str(Path(folder) / thing.file), "file", kinds)

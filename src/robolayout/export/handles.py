@@ -12,10 +12,10 @@ from typing import Any
 
 import numpy as np
 
-from robolayout.export._exporter import Options, check_layout, is_movable
+from robolayout.export._exporter import Options, is_movable
 from robolayout.export._mujoco import ROOM_BODY, FloatArray, base, controls, load, simulator, smaller, touched
 from robolayout.export.mjcf import build
-from robolayout.scene import Agent, Hold, Layout, Scene
+from robolayout.scene import Agent, Hold, Layout, Scene, check_layout
 
 PULL = 160.0
 """Newtons at the most: heavy lids are lifted with two hands (judgement)."""

@@ -241,10 +241,5 @@ def read(data: bytes) -> Rows:
 
 
 MJCF = Exporter(
-    "mjcf",
-    ".xml",
-    "MuJoCo's XML: colliders, free joints, masses, the agent as a planar base",
-    None,
-    build,
-    read,
+    "mjcf", ".xml", "MuJoCo's XML: colliders, free joints, masses, the agent as a planar base", None, build, read
 )

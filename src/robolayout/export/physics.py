@@ -13,10 +13,10 @@ from typing import Any
 
 import numpy as np
 
-from robolayout.export._exporter import Options, check_layout, hangs
+from robolayout.export._exporter import Options, hangs
 from robolayout.export._mujoco import FloatArray, base, controls, load, simulator, smaller, touched
 from robolayout.export.mjcf import build
-from robolayout.scene import Agent, Asset, Layout, Scene
+from robolayout.scene import Agent, Asset, Layout, Scene, check_layout
 
 STILL, UPRIGHT = 0.01, math.radians(2.0)
 """A stable asset moves by less than 1 cm and tilts by less than 2 degrees."""

@@ -236,11 +236,5 @@ def _flat(objects: list[Json]) -> list[Json]:
 
 
 PROCTHOR = Exporter(
-    "procthor",
-    ".procthor.json",
-    "AI2-THOR house JSON with the nearest THOR assets",
-    None,
-    write,
-    read,
-    fit=as_in_thor,
+    "procthor", ".procthor.json", "AI2-THOR house JSON with the nearest THOR assets", None, write, read, fit=as_in_thor
 )

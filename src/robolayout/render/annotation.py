@@ -49,12 +49,7 @@ class Mark:
 
 
 def annotate(
-    scene: Scene,
-    layout: Layout,
-    *,
-    view: str = "top",
-    size: int | tuple[int, int] = 768,
-    renderer: Renderer = "auto",
+    scene: Scene, layout: Layout, *, view: str = "top", size: int | tuple[int, int] = 768, renderer: Renderer = "auto"
 ) -> Image:
     """Return an annotated view of the room, taken by the paper's camera.
 

@@ -32,10 +32,7 @@ LEGEND = (
 )
 """Marks of a plan (fields of `PlanMarks`) in the legend: how they are drawn there, and in words."""
 
-LINES: dict[str, tuple[float, tuple[float, float] | None]] = {
-    "line": (0.5, None),
-    "dash": (0.35, (1.1, 0.6)),
-}
+LINES: dict[str, tuple[float, tuple[float, float] | None]] = {"line": (0.5, None), "dash": (0.35, (1.1, 0.6))}
 """Width, dash and gap of the lines in the legend, millimetres."""
 
 Panel = tuple[str, Scene, Layout, PlanMarks | None]

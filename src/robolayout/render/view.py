@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Literal, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from robolayout._errors import InputError, LayoutError, UnknownNameError
+from robolayout._errors import InputError, UnknownNameError
 from robolayout.assets import parts
 from robolayout.render._cutaway import dress, hidden_parts, near_walls
 from robolayout.render._mesh import (
@@ -30,7 +30,7 @@ from robolayout.render._mesh import (
 )
 from robolayout.render._style import VIEW
 from robolayout.render.camera import Camera, eye_camera, fitted_camera, room_points
-from robolayout.scene import Agent, Asset, Layout, Pose, Room, Scene
+from robolayout.scene import Agent, Asset, Layout, Pose, Room, Scene, check_layout
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -71,7 +71,7 @@ class Studio:
     """
 
     def __init__(self, scene: Scene, layout: Layout, *, renderer: Renderer = "auto", seed: int = 0) -> None:
-        check_layout(scene, layout)
+        check_layout(scene, layout, partial=True)
         self.scene, self.layout = scene, layout
         self._mesh = dress(scene_mesh(scene, layout, seed), scene.room)
         self._mesh = merge(merge(self._mesh, ceiling_mesh(scene.room)), self._ghosts())
@@ -258,16 +258,6 @@ def picture_size(size: int | tuple[int, int]) -> tuple[int, int]:
             f"picture size {width} x {height} is not possible: each side must be 16 to {VIEW.largest} pixels."
         )
     return width, height
-
-
-def check_layout(scene: Scene, layout: Layout) -> None:
-    """Raise LayoutError if the layout names an unknown asset or holds a pose that is not finite."""
-    for name, pose in layout.items():
-        if name not in scene.by_name:
-            near = ", ".join(scene.by_name) or "none"
-            raise LayoutError(f"the layout places {name!r}, which is not in the scene. Assets of the scene: {near}.")
-        if not all(math.isfinite(v) for v in (pose.x, pose.y, pose.z, pose.yaw)):
-            raise LayoutError(f"the pose of {name!r} is not finite: {pose}. Give numbers in metres and degrees.")
 
 
 def _turn(pose: Pose) -> NDArray[np.float64]:

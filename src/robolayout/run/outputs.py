@@ -28,12 +28,7 @@ PLAIN = ("scene.json", "layout.json", "report.json")
 
 
 def write_result(
-    result: Result,
-    folder: str | Path,
-    *,
-    pictures: bool = True,
-    formats: Sequence[str] = (),
-    date: str = "",
+    result: Result, folder: str | Path, *, pictures: bool = True, formats: Sequence[str] = (), date: str = ""
 ) -> list[Path]:
     """Write everything that a run made, or all that can be said of a layout that somebody else made.
 

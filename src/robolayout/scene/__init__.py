@@ -4,7 +4,6 @@ from robolayout.scene.agent import DEFAULT_AGENT as DEFAULT_AGENT
 from robolayout.scene.agent import Agent as Agent
 from robolayout.scene.agent import Figure as Figure
 from robolayout.scene.agent import Hold as Hold
-from robolayout.scene.agent import Source as Source
 from robolayout.scene.agents_io import agent_from_dict as agent_from_dict
 from robolayout.scene.agents_io import agent_names as agent_names
 from robolayout.scene.agents_io import agent_to_dict as agent_to_dict
@@ -19,6 +18,7 @@ from robolayout.scene.digest import digest as digest
 from robolayout.scene.digest import layout_digest as layout_digest
 from robolayout.scene.digest import scene_digest as scene_digest
 from robolayout.scene.io import check_dress as check_dress
+from robolayout.scene.io import check_layout as check_layout
 from robolayout.scene.io import layout_from_dict as layout_from_dict
 from robolayout.scene.io import load_layout as load_layout
 from robolayout.scene.io import load_scene as load_scene

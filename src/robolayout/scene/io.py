@@ -111,16 +111,31 @@ def layout_from_dict(data: object, scene: Scene | None = None) -> Layout:
     content = _LAYOUT.mapping(data, "the layout")
     if len(content) > LIMITS.assets:
         raise LayoutError(f"the layout has {len(content)} entries; at most {LIMITS.assets} are allowed.")
-    poses = {name: _pose(entry, name) for name, entry in content.items()}
+    layout = Layout({name: _pose(entry, name) for name, entry in content.items()})
     if scene is None:
-        return Layout(poses)
-    for name in poses:
+        return layout
+    check_layout(scene, layout, partial=True)
+    return Layout({asset.name: layout[asset.name] for asset in scene.assets if asset.name in layout})
+
+
+def check_layout(scene: Scene, layout: Layout, *, partial: bool) -> None:
+    """Refuse a layout with a thing that its scene does not have, a pose that is not finite, or unless `partial` too few poses."""
+    for name, pose in layout.items():
         if name not in scene.by_name:
             near = difflib.get_close_matches(name[:200], scene.by_name, n=1)
             hint = f" Did you mean {near[0]!r}?" if near else ""
-            known = ", ".join(sorted(scene.by_name))
+            known = ", ".join(sorted(scene.by_name)) or "none"
             raise LayoutError(f"the layout places {show(name)}, which is not in the scene.{hint} Known: {known}.")
-    return Layout({asset.name: poses[asset.name] for asset in scene.assets if asset.name in poses})
+        if not pose.is_finite:
+            raise LayoutError(
+                f"the pose of {name!r} is not finite: {pose}; every coordinate must be a number in metres."
+            )
+    missing = [asset.name for asset in scene.assets if asset.name not in layout]
+    if missing and not partial:
+        raise LayoutError(
+            f"the layout has no pose for {', '.join(map(repr, missing[:5]))} ({len(missing)} of {len(scene.assets)} "
+            "assets); place them first, or leave them out (--partial, partial=True)."
+        )
 
 
 def _pose(value: object, name: str) -> Pose:

@@ -20,6 +20,11 @@ class Pose:
     yaw: float  # radians counter-clockwise about z; 0 faces +x
 
     @property
+    def is_finite(self) -> bool:
+        """Whether every coordinate is a number."""
+        return all(map(math.isfinite, (self.x, self.y, self.z, self.yaw)))
+
+    @property
     def forward(self) -> tuple[float, float]:
         """Unit vector of the front, in plan."""
         return (math.cos(self.yaw), math.sin(self.yaw))

@@ -70,11 +70,7 @@ def _reach(body: Robot, floor: float, within: float, about: str) -> dict[str, An
         return {}
     source = Source(f"{FOLDING.poses} random poses of the arm to {body.hand}, {about}", verified=True)
     bands = tuple((low, high, math.floor(far * 1e3) / 1e3) for low, high, far in bands)
-    figures = {
-        "reach_distance": max(far for _, _, far in bands),
-        "reach_low": bands[0][0],
-        "reach_high": bands[-1][1],
-    }
+    figures = {"reach_distance": max(far for _, _, far in bands), "reach_low": bands[0][0], "reach_high": bands[-1][1]}
     return {**figures, "reach_bands": bands, "sources": dict.fromkeys(figures, source)}
 
 

@@ -18,10 +18,7 @@ if TYPE_CHECKING:
 SHOWN = 12  # violations that a notebook shows; the report holds all
 
 
-LABELS = {
-    "reachable_share": "reachable as it stands",
-    "reachable_share_chairs_aside": "reachable with chairs aside",
-}
+LABELS = {"reachable_share": "reachable as it stands", "reachable_share_chairs_aside": "reachable with chairs aside"}
 """Names of figures for people, where they are not the keys."""
 
 

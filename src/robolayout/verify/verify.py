@@ -41,7 +41,7 @@ def verify(
         demands: What the layout must achieve for `Report.ok`.
     """
     wall, cpu = time.perf_counter(), time.process_time()
-    placed = {name for name, pose in layout.items() if all(map(math.isfinite, (pose.x, pose.y, pose.z, pose.yaw)))}
+    placed = {name for name, pose in layout.items() if pose.is_finite}
     demands = demands or Demands()
     reports = tuple(judge_agent(scene, layout, body, demands) for body in _agents(scene, agent))
     statements = () if program is None else tuple(_measure(scene, layout, s, placed) for s in program.statements)

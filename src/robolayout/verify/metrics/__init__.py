@@ -2,11 +2,8 @@
 
 from robolayout.scene import Layout, Scene
 from robolayout.verify.metrics.layoutvlm import layoutvlm as layoutvlm
-from robolayout.verify.metrics.physcene import PhyScene as PhyScene
 from robolayout.verify.metrics.physcene import physcene as physcene
-from robolayout.verify.metrics.sceneeval import SceneEval as SceneEval
 from robolayout.verify.metrics.sceneeval import sceneeval as sceneeval
-from robolayout.verify.metrics.scenesmith import SceneSmith as SceneSmith
 from robolayout.verify.metrics.scenesmith import scenesmith as scenesmith
 
 AS_OBSTACLES = {

@@ -12,7 +12,7 @@ from importlib.resources import files
 
 from robolayout.verify.agent_report import AgentReport
 from robolayout.verify.rules import _places, _ways
-from robolayout.verify.rules._rule import Rule as Rule
+from robolayout.verify.rules._rule import Rule
 from robolayout.verify.rules._rule import RuleResult as RuleResult
 
 _DATA = tomllib.loads((files(__name__) / "rules.toml").read_text(encoding="utf-8"))
