@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 
@@ -141,6 +142,6 @@ def test_what_falls_makes_the_verdict_short() -> None:
         layout = Layout({"stool-0": Pose(2.0, 2.0, height, 0.0)})
         found = settle(scene, layout, 1.0)
         assert settle(scene, layout, 1.0).to_dict() == found.to_dict()
-        report = verify(scene, layout).with_stability(found.to_dict())
+        report = replace(verify(scene, layout), stability=found.to_dict())
         assert ("stable_share" in report.unmet) == short and not (short and report.ok)
         assert any("stool-0 does not stay" in sentence for sentence in report.violations) == short

@@ -193,7 +193,7 @@ def _written(asked: Asked, result: Result, run: RunFolder, tell: Callable[[str],
 
         tell("settle")
         found = settle(result.scene, result.layout).to_dict()
-        result = replace(result, report=result.report.with_stability(found))
+        result = replace(result, report=replace(result.report, stability=found))
     tell("write")
     files = write_files(result, run, pictures=asked.pictures, formats=names(asked.export))
     return result, files + (_walk(result, run.path) if asked.walk else [])

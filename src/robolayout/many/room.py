@@ -172,7 +172,7 @@ def laid_out(drawn: Drawn, effort: str, *, trace: bool = False) -> Result:
     blind = drawn.scene.with_agents(load_agent(NOBODY))
     result = generate(blind, seed=drawn.seed, solver=drawn.solver, config=config)
     scene = result.scene.with_agents(*drawn.scene.agents)
-    report = verify(scene, result.layout, result.program).with_asked(result.report.asked)
+    report = replace(verify(scene, result.layout, result.program), asked=result.report.asked)
     return replace(result, scene=scene, report=report)
 
 

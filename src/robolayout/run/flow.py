@@ -148,7 +148,7 @@ class Run:
         """Return the judged result of what was found, with who planned where that was a model."""
         layout, report = best.solution.layout, self.reported(best)
         if who is not None:
-            report = report.with_planner(who)
+            report = replace(report, planner=who)
         elif forgotten := best.asked.forgotten():
             report = report.with_notes((f"The program says nothing about {', '.join(forgotten)}.",))
         found = Result(self.scene, layout, report, best.asked, best.reconciled, groups, best.solution)
@@ -267,7 +267,7 @@ class Run:
                 report = report.with_conflicts(against)
         lost = {s.relation: against[s.number] for s in best.asked.statements if s.number in against}
         walked = report.agents[0].navigation.main
-        report = report.with_asked(self.wishes.judged(self.scene, layout, walked, lost))
+        report = replace(report, asked=self.wishes.judged(self.scene, layout, walked, lost))
         cell = cell_size(self.scene.room, (self.config or SolverConfig()).cell, FLOOR.route_cells)
         if cell > FLOW.coarse:
             note = f"The room is so large that the search looks for ways on cells of {cell:.2f} m: it may miss narrower gaps."

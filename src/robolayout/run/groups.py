@@ -291,7 +291,7 @@ class GroupedRun:
             if len(layout) < len(self.scene.assets):
                 return report
             rows = self.wishes.judged(self.scene, layout)
-        return report.with_asked(tuple(row for row in rows if row.kind == "relation"))
+        return replace(report, asked=tuple(row for row in rows if row.kind == "relation"))
 
     def _pictures(self, question: Question) -> dict[str, bytes]:
         """Return the room as it stands and one picture per new kind of thing, as the planner sees them."""

@@ -66,7 +66,7 @@ def judge(scene: Scene, layout: Layout, program: str | Path | None = None) -> Re
 
         said = wishes.marked(read_program(FilePlanner(program).plan(PlanRequest(scene)), scene))
     report = verify(scene, layout, None if program is None else said)
-    report = report.with_asked(wishes.judged(scene, layout, report.agents[0].navigation.main))
+    report = replace(report, asked=wishes.judged(scene, layout, report.agents[0].navigation.main))
     return Result(scene, layout, report, said, reconcile(said, scene))
 
 
@@ -102,4 +102,4 @@ def scored(judged: Result, model: ModelJudge) -> Result:
         found = model.opinion(judged.scene, judged.layout, images, valid=valid).to_dict()
     except ModelError as error:
         found = {"sentences": [f"No model scored the room: {error}"]}
-    return replace(judged, report=report.with_opinion(found))
+    return replace(judged, report=replace(report, opinion=found))

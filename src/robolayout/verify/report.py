@@ -182,22 +182,6 @@ class Report:
         told = (s if s.met else replace(s, lost_to=lost_to.get(s.number, "")) for s in self.statements)
         return replace(self, statements=tuple(told))
 
-    def with_asked(self, asked: tuple[AskedRow, ...]) -> Report:
-        """Return the same report with the ledger of the user's words."""
-        return replace(self, asked=asked)
-
-    def with_planner(self, planner: Mapping[str, Any]) -> Report:
-        """Return the same report with who planned and what that took."""
-        return replace(self, planner=planner)
-
-    def with_stability(self, stability: Mapping[str, Any]) -> Report:
-        """Return the same report with what a simulator found; the demands do not change."""
-        return replace(self, stability=stability)
-
-    def with_opinion(self, opinion: Mapping[str, Any]) -> Report:
-        """Return the same report with what a model thinks of the room; the demands do not change."""
-        return replace(self, opinion=opinion)
-
     def with_notes(self, notes: tuple[str, ...]) -> Report:
         """Return the same report with what else a reader should know."""
         return replace(self, notes=(*self.notes, *notes))
