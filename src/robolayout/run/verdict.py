@@ -9,7 +9,7 @@ from robolayout.constraints import Relation
 from robolayout.program import Program
 from robolayout.scene import Layout, Pose, Scene
 from robolayout.solve import Enough, Judge, Verdict, never
-from robolayout.verify import AgentReport, judge_agent, kept_out, physics
+from robolayout.verify import AgentReport, Navigation, judge_agent, kept_out, physics
 
 WALKABLE = 0.98
 """Share of the free space that the solver wants connected to the door; the report demands 0.95."""
@@ -42,15 +42,14 @@ def make_judge(scene: Scene, program: Program) -> Judge:
             if enough(replace(found, access=access, soft=soft)):
                 break
             report = judge_agent(scene, layout, agent)
-            missing, to_move = _access(report, report.usage.standing, layout)
-            if not enough(replace(found, access=access + missing, soft=soft)):
+            fixable = _fixable(report, report.usage.standing, layout)
+            if not enough(replace(found, access=access + _missing(report, fixable), soft=soft)):
                 # how it drives there and opens what it uses is dear, and only ever makes it worse
-                missing, to_move = _access(report, report.usage.usable, layout)
+                fixable = _fixable(report, report.usage.usable, layout)
                 shut = [hold.asset for hold in report.usage.holds if not hold.poses]
-                to_move += [name for one in dict.fromkeys(shut) for name in (one, *report.usage.shutting(one))]
                 soft += SHUT * len(shut)
-            access += missing
-            blamed += to_move
+                blamed += _blamed(report, [*fixable, *dict.fromkeys(shut)])
+            access += _missing(report, fixable)
         return Verdict(found.hard, access, soft, tuple(dict.fromkeys([*failing, *blamed, *unmet])))
 
     return judge
@@ -89,14 +88,29 @@ class _Asked:
         return self._met
 
 
-def _access(found: AgentReport, usable: Mapping[str, bool], layout: Layout) -> tuple[float, list[str]]:
-    """Return how much an agent cannot get to or use (in assets; a door counts as one) and which assets to move for it."""
-    nav = found.navigation
+def _fixable(found: AgentReport, usable: Mapping[str, bool], layout: Layout) -> list[str]:
+    """Return what an agent cannot get to or use, if it uses these, and might in another place."""
+    reached = found.navigation.reached
     short = [name for name in found.lacking(usable) if name in layout]
-    fixable = [name for name in short if not nav.reached[name] or not found.usage.too_high(name)]
+    return [name for name in short if not reached[name] or not found.usage.too_high(name)]
+
+
+def _missing(found: AgentReport, fixable: list[str]) -> float:
+    """Return how much an agent cannot get to or use, in assets; a door counts as one."""
+    nav = found.navigation
     unreached = sum(not nav.reached[name] for name in fixable)
-    cut_off = max(0.0, WALKABLE - nav.walkable_ratio) if nav.free.area > 0 else 0.0
-    blamed = [*fixable, *(other for name in fixable for other in found.usage.shutting(name))]
-    blamed += nav.dividing if cut_off else ()
-    blamed += [name for door in nav.shut_doors for name in nav.shutting(door)]
-    return unreached + 0.5 * (len(fixable) - unreached) + cut_off + len(nav.shut_doors), blamed
+    return unreached + 0.5 * (len(fixable) - unreached) + _cut_off(nav) + len(nav.shut_doors)
+
+
+def _cut_off(nav: Navigation) -> float:
+    """Return the share of free floor that an agent does not get to, as far as it matters."""
+    return max(0.0, WALKABLE - nav.walkable_ratio) if nav.free.area > 0 else 0.0
+
+
+def _blamed(found: AgentReport, names: list[str]) -> Iterator[str]:
+    """Yield which assets to move for an agent that cannot use some."""
+    nav = found.navigation
+    yield from names
+    yield from (other for name in names for other in found.usage.shutting(name))
+    yield from nav.dividing if _cut_off(nav) else ()
+    yield from (name for door in nav.shut_doors for name in nav.shutting(door))

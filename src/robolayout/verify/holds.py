@@ -6,7 +6,7 @@ else it steps back as the leaf comes: a place for each step of the leaf, found f
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
@@ -30,11 +30,22 @@ BERTHS = (0.04, 0.02, 0.0)
 """Metres that it keeps from what it steps past, the first that leave it a way: strides are straight and would cut a corner by as much."""
 GRAZE = 0.005  # metres by which a stride may yet cut a corner
 
-Leaf = tuple[BaseGeometry, float, float]
-"""A convex shape in plan, and between which heights above its thing's middle it lies, metres."""
-
 Stands = Iterable[tuple[float, BaseGeometry, tuple[str, ...]]]
 """Headings in radians, where the centre of a body gets to before a thing at each, and what is moved away for that."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Leaf:
+    """What the parts of a leaf sweep from each step to the next, in the frame of its thing: convex shapes in plan."""
+
+    shapes: NDArray[np.object_]  # (steps, parts)
+    corners: NDArray[np.float64]  # (steps * parts, corners, 2) their corners, the last one repeated
+    low: NDArray[np.float64]  # (steps, parts) metres above the thing's middle
+    high: NDArray[np.float64]  # (steps, parts)
+
+    def meets(self, low: float, high: float) -> NDArray[np.bool_]:
+        """Return (steps, parts) which of them come between two heights above the thing's middle."""
+        return (self.low < high) & (self.high > low)
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,13 +92,12 @@ def _in_room(poses: Iterable[Pose], place: Place) -> tuple[Pose, ...]:
 @lru_cache(maxsize=4096)
 def _opening(asset: Asset, joint: Joint, z: float, agent: Agent, heading: float, reach: float) -> _Opening:
     """Return what opening asks; the same in every layout in which the thing's middle is as high."""
-    leaves = _leaves(asset, joint)
-    met = [_met(step, agent, heading, z) for step in leaves]
+    met = _met(_leaf(asset, joint), agent, heading, z)
     hands = [shapely.Point(turned(joint, np.array([joint.handle]), far)[0, :2]) for far in _steps(joint)]
     near: Any = shapely.buffer(hands, reach, quad_segs=QUAD_SEGS)
     free = [ring.difference(shapely.union_all(met[max(k - 1, 0) : k + 1])) for k, ring in enumerate(near)]
     about = shapely.box(*shapely.total_bounds(near))
-    return _Opening(np.array(met), np.array(free), shapely.intersection_all(free), about)
+    return _Opening(met, np.array(free), shapely.intersection_all(free), about)
 
 
 def _steps(joint: Joint) -> list[float]:
@@ -96,49 +106,46 @@ def _steps(joint: Joint) -> list[float]:
 
 
 @lru_cache(maxsize=2048)
-def _leaves(asset: Asset, joint: Joint) -> list[list[Leaf]]:
-    """Return what the parts of a leaf sweep between each two steps, in the asset's frame."""
+def _leaf(asset: Asset, joint: Joint) -> _Leaf:
+    """Return what the parts of a leaf sweep."""
     moving = [part.vertices for part in parts(asset) if part.joint == joint]
     swept = [
         [np.concatenate([turned(joint, points, end) for end in ends]) for points in moving]
         for ends in pairwise(_steps(joint))
     ]
-    return [
-        [
-            (shapely.MultiPoint(points[:, :2]).convex_hull, float(points[:, 2].min()), float(points[:, 2].max()))
-            for points in step
-        ]
-        for step in swept
-    ]
+    shapes = np.array([[shapely.MultiPoint(points[:, :2]).convex_hull for points in step] for step in swept])
+    low, high = (np.array([[pick(points[:, 2]) for points in step] for step in swept]) for pick in (np.min, np.max))
+    rings = [shapely.get_coordinates(shape) for shape in shapes.ravel()]
+    most = max(map(len, rings))
+    corners = np.array([np.pad(ring, ((0, most - len(ring)), (0, 0)), mode="edge") for ring in rings])
+    return _Leaf(shapes, corners, low, high)
 
 
 def _aside(found: Boxes, row: int, joint: Joint) -> tuple[str, ...]:
     """Return what people move that stands where a leaf comes."""
     (asset, place), rows = found.where(row), np.flatnonzero(found.movable & found.placed & ~found.flat)
     others = [other for other in rows.tolist() if other != row]
-    if not others:
-        return ()
-    leaves = [leaf for step in _leaves(asset, joint) for leaf in step]
-    shapes, low, high = (np.array(column) for column in zip(*leaves, strict=True))
+    leaf = _leaf(asset, joint) if others else None
     met = [
         other
         for other in others
-        if (
-            (low + place[2] < found.top[other])
-            & (high + place[2] > found.bottom[other])
-            & shapely.intersects(shapes, out_of_room(found.footprints[other], place))
+        if leaf is not None
+        and (
+            leaf.meets(found.bottom[other] - place[2], found.top[other] - place[2])
+            & shapely.intersects(leaf.shapes, out_of_room(found.footprints[other], place))
         ).any()
     ]
     return tuple(found.names[other] for other in met)
 
 
-def _met(leaves: Sequence[Leaf], agent: Agent, heading: float, z: float) -> BaseGeometry:
-    """Return where the centre of a body is while it meets what is swept at its heights."""
-    shapes = [shape for shape, low, high in leaves if z + low < agent.height and z + high > agent.step]
+def _met(leaf: _Leaf, agent: Agent, heading: float, z: float) -> NDArray[np.object_]:
+    """Return where the centre of a body is while it meets what is swept at its heights in each step."""
     if agent.length is None or agent.width is None:
-        return shapely.union_all([shape.buffer(agent.radius, quad_segs=QUAD_SEGS) for shape in shapes])
-    body = rectangle(agent, heading)
-    return shapely.union_all([grown(shapely.get_coordinates(shape)[None], body)[0] for shape in shapes])
+        larger = shapely.buffer(leaf.shapes, agent.radius, quad_segs=QUAD_SEGS)
+    else:
+        larger = grown(leaf.corners, rectangle(agent, heading)).reshape(leaf.shapes.shape)
+    larger[~leaf.meets(agent.step - z, agent.height - z)] = shapely.Polygon()
+    return np.asarray(shapely.union_all(larger, axis=1), dtype=object)
 
 
 def _walk(region: BaseGeometry, asked: _Opening) -> list[Point]:
