@@ -148,8 +148,8 @@ class Chunker:
             return following in DETERMINERS
         if phrase in ("at", "around", "over", "about") and (following.isdigit() or following in ("least", "most")):
             return False
-        if phrase in ("face", "before", "row"):
-            return phrase == "face"
+        if phrase in ("before", "row"):
+            return phrase == "before" and (following in DETERMINERS or following in ("it", "them"))
         if phrase in HEAPED or phrase in ("diagonal", "angled"):
             return not self._continues(end - 1) or following in JOINING
         return True
@@ -284,10 +284,14 @@ class Chunker:
         return (
             not known
             or (word == "stands" and following in MARKS and self.words[i - len(run) - 1] in ("a", "an"))
-            or (word == "stands" and not many and self._begins_relation(i + 1))
+            or (word == "stands" and not many and self._begins_relation(i + 1) and self._told(i - len(run) - 1))
             or (word in ("stand", "stands") and leads)
             or (word == "stand" and run[-1].endswith("s"))
         )
+
+    def _told(self, i: int) -> bool:
+        """Return whether a word is an article or a number, or stands before the text."""
+        return i < 0 or self.words[i] in DETERMINERS or count_of(self.words[i]) is not None
 
     def _begins_relation(self, i: int) -> bool:
         for size in range(min(LONGEST, len(self.words) - i), 0, -1):

@@ -24,12 +24,23 @@ ORDINALS = ("first", "second", "third", "last")
 """Words that pick one of several by its number."""
 JOINING = frozenset(["and", "plus", "as", "or", "also", "then", "but", "while", "where", "&"])
 """Words that join phrases."""
-JOINED = ("as well as", "along with", "together with", "in addition to", "accompanied by", "complemented by")
+JOINED = (
+    "in which",
+    "as well as",
+    "along with",
+    "together with",
+    "in addition to",
+    "accompanied by",
+    "complemented by",
+)
 """Phrases that join."""
 _WITH = "with w consisting comprising has have having contains contain containing includes include featuring including"
 WITH = frozenset(_WITH.split())
 """Words after which comes what something has."""
-REFUSING = frozenset(["no", "without", "not", "neither", "nor", "dont", "avoid", "never"])
+_NEGATING = "not dont avoid never doesnt isnt arent shouldnt mustnt cant cannot wont"
+NEGATING = frozenset(_NEGATING.split())
+"""Words that refuse what a clause says."""
+REFUSING = NEGATING | {"no", "without", "neither", "nor"}
 """Words that refuse what follows."""
 BREAKING = frozenset(
     ["for", "of", "to", "from", "that", "which", "who", "so", "than", "when", "whose", "whom", "if", "does", "do", "x"]

@@ -13,6 +13,10 @@ from robolayout.words._tokens import count_of
 PICKING = frozenset(["left", "right", "own", "same", "middle", "other", "front", "back"])
 """Words before a noun that tell one thing from others of its kind."""
 
+_RELATING = "left right between under against above below near inside into onto around sides"
+RELATING = frozenset(_RELATING.split())
+"""Small words that say where a thing stands."""
+
 SILENT = ("comma", "stop", "colon", "and", "with", "verb", "pron", "filler")
 """Kinds of chunks that ask for nothing by themselves."""
 
@@ -53,7 +57,12 @@ def _says(chunk: Chunk, after: Sequence[Chunk]) -> bool:
         return False  # "its headboard touches the wall"
     if chunk.kind == "verb" and chunk.value in LED:
         return not any(other.kind == "rel" for other in after)
-    return chunk.kind not in SILENT or (chunk.kind == "filler" and (count_of(chunk.value) or 0) > 1)
+    where = chunk.value in RELATING and [other.kind for other in after[:1]] not in (
+        ["rel"],
+        ["measure"],
+    )  # "right behind"
+    told = chunk.kind == "filler" and ((count_of(chunk.value) or 0) > 1 or where)
+    return chunk.kind not in SILENT or told
 
 
 def _clauses(chunks: Sequence[Chunk]) -> list[list[Chunk]]:

@@ -12,8 +12,10 @@ from itertools import takewhile
 
 from robolayout.assets import CATALOGUE
 from robolayout.words._chunk import Chunk
+from robolayout.words._function_words import NEGATING
 from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
+from robolayout.words._references import SEVERAL
 from robolayout.words._relations import AIDS, PETS, Relating
 from robolayout.words._said import (
     Link,
@@ -37,7 +39,18 @@ FREE = ("free", "clear", "empty", "bare", "uncluttered")
 SEATED = ("seating", "sitting", "eating", "dining", "seats")
 """What a room is for that takes a seat for each."""
 
-EVERY = ("each", "each one", "each of them", "each one of them", "all of them", "both", "both of them")
+EVERY = (
+    "each",
+    "each one",
+    "each of them",
+    "each one of them",
+    "all of them",
+    "both",
+    "both of them",
+    "each of which",
+    "both of which",
+    "all of which",
+)
 """Words for every one of several things."""
 
 ALONE_DOES = frozenset(["is", "stands", "sits", "hangs", "lies", "rests", "goes", "belongs"])
@@ -88,7 +101,7 @@ class Parser(Relating):
         self.verb = True
 
     def _on_not(self, chunk: Chunk) -> None:
-        self.refusing, self.negated = True, chunk.value in ("not", "dont", "avoid", "never")
+        self.refusing, self.negated = True, chunk.value in NEGATING
 
     def _on_filler(self, chunk: Chunk) -> None:
         following = self.chunks[self.at] if self.at < len(self.chunks) else chunk
@@ -140,7 +153,7 @@ class Parser(Relating):
         each = "each" in self.chunks[index].adjectives  # "two lamps, one on each end"
         each = each or any(chunk.det == "each" for chunk in self.chunks[index + 1 : index + 2])
         self.dealt[last[0].thing] = first + (0 if each else share)
-        self.group = self.acted = [Mention(last[0].thing, None if each else slice(first, first + share))]
+        self.subject = self.group = self.acted = [Mention(last[0].thing, None if each else slice(first, first + share))]
         self.verb = False
         return True
 
@@ -157,6 +170,9 @@ class Parser(Relating):
         room = chunk.value == "it" and self.before[:1] and self.before[0].det in ("both", "all")
         if self.before and not self.group and not room:
             self.subject, self.group = list(self.before), list(self.before)
+        elif chunk.value in SEVERAL and self._previous(chunk) in ("and", ",") and len(self.recent) > 1:
+            self.about = []
+            self.subject, self.group = [self._meant(chunk.value)] * 2  # "..., and both of them face the table"
         has = [following.kind for following in self.chunks[self.at : self.at + 1]] == ["with"]
         if has and self.group and chunk.value in EVERY:
             self.at += 1
@@ -181,13 +197,7 @@ class Parser(Relating):
             self.group[-1].thing.times = 1 if dealt else mention.thing.count
             self._link(Chunk("rel", chunk.start, chunk.end, "with"), self.group[-1:], [mention])
             return
-        if self.fronted is not None and self.acted and (self._elsewhere() or self._alone(mention, joined=True)):
-            self.fronted = None
-        if self.fronted is not None:
-            self._link(self.fronted[0], [mention], self.fronted[1])
-            self.group = [*self.group, mention] if self.group and not self.broken else [mention]
-            self.acted = [mention]
-            self.broken = False
+        if self._led(mention):
             return
         if self.verb and not self.group and not self.subject:
             self.subject = []
@@ -229,6 +239,19 @@ class Parser(Relating):
             self._fact(replace(chunk, kind="function"))  # "a rack for shoes"
         else:
             return False
+        return True
+
+    def _led(self, mention: Mention) -> bool:
+        """Return whether a thing stands where the head of its clause says: "on the desk is a lamp"."""
+        if self.fronted is not None and self.acted and (self._elsewhere() or self._alone(mention, joined=True)):
+            self.fronted = None
+        if self.fronted is None:
+            return False
+        for led in (self.also, self.fronted) if self.also is not None else (self.fronted,):
+            self._link(led[0], [mention], led[1])
+        self.group = [*self.group, mention] if self.group and not self.broken else [mention]
+        self.acted = [mention]
+        self.broken = False
         return True
 
     def _also_each(self, chunk: Chunk) -> bool:
@@ -303,7 +326,9 @@ class Parser(Relating):
             self.said.links.append(Link("bare", (), (place_of(chunk),), chunk.start, free.end))
             return
         wall = self._which_wall(place_of(chunk))
-        follows = [c for c in self.chunks[self.at : self.at + 1] if c.kind == "with" or c.value == "holds"]
+        starts = self._previous(chunk) in ("", ".", ";", "\n")  # "North wall: a sofa"
+        ends = ("with", "colon") if starts else ("with",)
+        follows = [c for c in self.chunks[self.at : self.at + 1] if c.kind in ends or c.value == "holds"]
         if follows:
             self.at += 1
             self.fronted, self.group = (Chunk("rel", chunk.start, follows[0].end, "on"), [wall]), []

@@ -16,7 +16,7 @@ CLOSE = frozenset(("next", "near", "by", "in", "on", "ontop", ""))
 """Relations by which things follow each other, so that "it" is the last one."""
 
 
-SEVERAL = ("them", "they", "both", "the two", "these", "those")
+SEVERAL = ("them", "they", "both", "both of them", "the two", "these", "those")
 """Words for several things that were named."""
 
 
@@ -50,6 +50,7 @@ class References:
         self.holder: list[Mention] = []
         self.joint: list[Mention] = []  # what is named together with the holder, and the holder
         self.fronted: tuple[Chunk, list[Mention | Place]] | None = None
+        self.also: tuple[Chunk, list[Mention | Place]] | None = None  # "in the corner nearest the window stands a lamp"
         self.refusing = self.negated = False
         self.verb = False
         self.relative = False
@@ -82,7 +83,7 @@ class References:
             pronoun = self.chunks[self.at - 1].kind == "pron"
             wants = chunk.value in ("amid", "between") and len(found) < 2 and not several(item) and not pronoun
             both = chunk.value in ("amid", "facing", "under", "around", "near", "next", "on")
-            if not (wants or (both and self._plain_pair(found))):
+            if not (wants or (both and self._plain_pair(found, chunk))):
                 break
             self.at += 1
         if found and isinstance(found[-1], Place) and found[-1].name == "wall":
@@ -90,7 +91,7 @@ class References:
         self.target = found[-1] if found and isinstance(found[-1], Mention) else None
         return found
 
-    def _plain_pair(self, found: Sequence[Mention | Place]) -> bool:
+    def _plain_pair(self, found: Sequence[Mention | Place], chunk: Chunk) -> bool:
         """Return whether "and the ..." goes on with the same relation."""
         following = self.chunks[self.at : self.at + 3]
         kinds = [chunk.kind for chunk in following]
@@ -102,7 +103,8 @@ class References:
         ):  # "the sofa and coffee table"
             return False
         third = following[2].kind if len(following) > 2 else "stop"
-        return third in ("stop", "comma", "with") and isinstance(found[-1], Mention)
+        ends = ("stop", "comma", "with", *(["verb"] if chunk.value == "amid" and len(found) < 2 else []))
+        return third in ends and isinstance(found[-1], Mention)
 
     def _skip(self) -> None:
         while self.at < len(self.chunks) and self.chunks[self.at].kind in ("filler", "style"):
@@ -123,22 +125,37 @@ class References:
             return self._place_of(following)
         if following.kind in ("room", "function", "people"):
             self.at += 1
+            if chunk.value in ("opposite", "facing", "near", "next") and self._of_a_thing(following):
+                return self._object(chunk)
             self._understood(following)
             if following.kind != "people":
                 self.said.facts.append(following)
             return Place("room")
-        if following.value == "which" and [c.kind for c in self.chunks[self.at + 1 : self.at + 2]] == ["verb"]:
-            self.at += 1
-            return (self.acted or self.group or [None])[-1]  # "a desk by the door, on which sits a lamp"
-        if following.kind == "pron" and following.value not in ("that", "which", "both"):
-            self.at += 1
-            meant = self._meant(following.value, chunk.value)
-            if len(meant) > 1:
-                self.pending = meant[1:]
-            if following.value.startswith("each") and meant:
-                return Mention(meant[0].thing, None, "each")
-            return meant[0] if meant else None
-        return None
+        return self._pronoun(following, chunk) if following.kind == "pron" else None
+
+    def _pronoun(self, word: Chunk, chunk: Chunk) -> Mention | None:
+        """Return what a pronoun after a relation stands for; "which" only where a verb follows ("on which sits a lamp")."""
+        which = word.value == "which" and [c.kind for c in self.chunks[self.at + 1 : self.at + 2]] in (
+            ["verb"],
+            ["thing"],
+        )
+        if word.value in ("that", "which", "both") and not which:
+            return None
+        self.at += 1
+        meant = (self.acted or self.group)[-1:] if which else self._meant(word.value, chunk.value)
+        self.pending = meant[1:]
+        if word.value.startswith("each") and meant:
+            return Mention(meant[0].thing, None, "each")
+        return meant[0] if meant else None
+
+    def _of_a_thing(self, part: Chunk) -> bool:
+        """Return whether a part is one of a thing that follows, and go there: "opposite the foot of the bed"."""
+        of = [(c.kind, c.value) for c in self.chunks[self.at : self.at + 2]]
+        if part.kind != "function" or of[:1] != [("filler", "of")] or of[1:] == [] or of[1][0] not in ("thing", "pron"):
+            return False
+        self._understood(part)
+        self.at += 1
+        return True
 
     def _place_of(self, chunk: Chunk) -> Mention | Place:
         """Return a place of the room, or the thing whose side it is ("the foot of the bed")."""

@@ -246,7 +246,7 @@ class Relating(References):
     def _refused(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
         """Note what must not be so: where nearness is refused, a gap is asked for; of what must not be there nothing is."""
         place = bool(objects) and isinstance(objects[0], Place)
-        if self.negated and subjects and (chunk.value in NEARNESS or (chunk.value == "blocks" and place)):
+        if self.negated and subjects and (chunk.value in NEARNESS or (chunk.value in ("blocks", "wall") and place)):
             gap = Measure("apart", (KEPT_OFF, math.inf), 0, 0)
             self._link(replace(chunk, value="apart", measure=gap), subjects, objects)
         elif self.negated:
@@ -274,6 +274,8 @@ class Relating(References):
         elif not subjects and self._of_a_zone(first - 1):
             self.said.missed.append(chunk)
         elif (not subjects and not colon) or (objects and self._turned_round(first, self.at)):
+            place = self.fronted[1][:1] if self.fronted is not None and not self.group else []
+            self.also = self.fronted if place and isinstance(place[0], Place) else None
             self.fronted = (chunk, list(objects))
             self.group = []
         elif subjects:
