@@ -93,6 +93,12 @@ def links(text: str) -> set[tuple[str, ...]]:
             {"dresser": 2, "table lamp": 2, "sofa": 2},
         ),
         ("two desks, each one with a lamp, along with a sofa", {"desk": 2, "table lamp": 2, "sofa": 1}),
+        ("four beds, each of which has a curtain and a cabinet", {"bed": 4, "curtain": 4, "cabinet": 4}),
+        (
+            "a lamp on the left nightstand and a clock on the right nightstand",
+            {"table lamp": 1, "alarm clock": 1, "night stand": 2},
+        ),
+        ("a bed and a TV that I can watch from bed", {"bed": 1, "television": 1}),
         ("five tables. Three of them are square and seat four, the remaining two are round.", {"dining table": 5}),
     ],
 )
@@ -265,6 +271,19 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
             {("amid", "dining table", "sofa"), ("amid", "dining table", "bench")},
         ),
         ("Between the sofa and the plant stands a desk.", {("amid", "desk", "sofa"), ("amid", "desk", "plant")}),
+        ("North wall: a bed. South wall: a desk with a chair.", {("on", "bed", "wall"), ("on", "desk", "wall"), ("with", "chair", "desk")}),
+        ("In the corner nearest the window is a plant.", {("in", "plant", "corner"), ("near", "plant", "window")}),
+        ("The bed doesn't touch any wall.", {("apart", "bed", "wall")}),
+        (
+            "A bed against the wall and a TV on the opposite wall",
+            {("wall", "bed", "wall"), ("atwalls", "television", "wall"), ("atwalls", "television", "bed")},
+        ),
+        ("A crib. A bench along the same wall as the crib", {("atwalls", "bench", "wall"), ("atwalls", "bench", "crib")}),
+        (
+            "A stove stands left of a sink. Both face the door.",
+            {("left", "stove", "washbasin"), ("facing", "stove", "door"), ("facing", "washbasin", "door")},
+        ),
+        ("There's a rug, on which a low coffee table stands.", {("on", "coffee table", "rug")}),
         ("Every table has a candle in its center.", {("middle", "candle", "dining table")}),
     ],
 )  # fmt: skip

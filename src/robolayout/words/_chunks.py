@@ -94,7 +94,7 @@ class Chunker:
         before, word, following = (["", *self.words, "", ""][at + i] for i in range(3))
         if word in ("seat", "seats", "seating") and count_of(following):
             return Chunk("people", at, at + 2, "people", number=count_of(following))
-        role = word == "as" and following in ("a", "an", "the") and before not in ("well", "such", "same")
+        role = word == "as" and following in ("a", "an", "the") and before not in ("well", "such", "same", "wall")
         named = self._noun_phrase(at + 1) if role else None
         return Chunk("filler", at, named.end, word) if named else None
 
@@ -314,10 +314,13 @@ class Chunker:
     def _named(self, at: int, i: int, run: list[str], told: bool, before: Before) -> Chunk | None:
         """Return what a run names; the longest end that is known says what, else what an article promises is a thing."""
         det, number, bound, rows = before
+        whole = told and not self._does(run)
         for end in range(len(run), 0, -1):
             for start in range(end):
                 tail = run[start:end]
                 chunk = self._known(tail)
+                if chunk and end < len(run) and not whole and chunk[0] != "thing":
+                    continue  # "a sofa today"
                 if chunk and not (chunk[0] == "function" and start and self.lexicon.noun(run[start - 1 : start])):
                     kind, value, noun = chunk
                     owner = self.lexicon.noun(run[:start][-2:]) or self.lexicon.noun(run[:start][-1:])
@@ -329,14 +332,12 @@ class Chunker:
                     adjectives += tuple(tail[-1:]) if value == "side" and tail[-1] in HALVES else ()  # "at the back"
                     end += after
                     return Chunk(kind, at, i + end, value, noun, det, number, bound, plural, adjectives, rows=rows)
-            if not told or self._does(run):
-                break
-            if end == len(run) and (room := self.lexicon.room_like(run)):
+            if end == len(run) and whole and (room := self.lexicon.room_like(run)):
                 return Chunk("room", at, i + end, room, None, det, number, bound)
-            if end == len(run) and self._promises(run):
+            if end == len(run) and whole and self._promises(run):
                 noun = self.lexicon.guess(run)
                 return Chunk("thing", at, i + end, "", noun, det, number, bound, _plural(run[-1], noun), (), rows=rows)
-        return self._inside(at, i, run, before)
+        return None
 
     def _counted_after(self, end: int, number: int | None) -> tuple[int, int | None]:
         """Return how many words after a noun say its number, and that: "chairs (4)", "chairs: 4", "chairs x 4"."""
@@ -349,19 +350,6 @@ class Chunker:
         """Return whether the last word of a run is what the thing before it does: "the armchair makes", "armchairs join"."""
         noun = self.lexicon.noun(run[-2:-1]) if len(run) > 1 else None
         return noun is not None and run[-1].endswith("s") != _plural(run[-2], noun)
-
-    def _inside(self, at: int, i: int, run: list[str], before: Before) -> Chunk | None:
-        """Return a thing whose noun is followed by a word that is none ("a sofa today")."""
-        for end in range(len(run) - 1, 0, -1):
-            for start in range(end):
-                noun = self.lexicon.noun(run[start:end])
-                if noun:
-                    det, number, bound, rows = before
-                    many = _plural(run[end - 1], noun)
-                    return Chunk(
-                        "thing", at, i + end, "", noun, det, number, bound, many, tuple(run[:start]), rows=rows
-                    )
-        return None
 
     def _known(self, tail: list[str]) -> tuple[str, str, Noun | None] | None:
         """Return (kind, value, noun) of a phrase that is known as it stands."""

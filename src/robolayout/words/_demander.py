@@ -61,7 +61,7 @@ class Demander:
         if link.relation in ways_of.ENDS and rooms:
             return tuple(self._at_place(subjects, Place("side", (ways_of.ENDS[link.relation],))))
         place = self._place(link.objects) if link.relation in ways_of.AT_PLACES else None
-        on, share = link.relation in ("on", "wall"), len(subjects) > 1 and link.relation != "flank"
+        on, share = link.relation in ("on", "wall", "hanging"), len(subjects) > 1 and link.relation != "flank"
         at_place = self._at_place(subjects, place, on=on, share=share) if place is not None else ()
         if link.relation in ways_of.TO_ANOTHER:
             ahead = self._of_rows(subjects, link.objects) if link.relation in ways_of.ENDS else []
@@ -349,11 +349,6 @@ class Demander:
     def _corner(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         yield from self._at_place(subjects, Place("corner"))
 
-    def _hanging(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        place = self._place(objects)
-        if place is not None and place.name == "wall":
-            yield from self._at_place(subjects, place, on=True)
-
     def _middle(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         place, others = self._place(objects), self._others(objects)
         if place is not None and place.name == "wall":
@@ -391,10 +386,18 @@ class Demander:
     def _ways_at_walls(self, subjects: Sequence[str], place: Place, *, on: bool) -> Iterator[Way]:
         """Yield the ways in which things are at one wall together, or one half at each of two walls that face each other."""
         half = (len(subjects) + 1) // 2
-        for walls in wall_pairs(self.scene, same="same" in place.words):
-            yield tuple(
-                stated(self._held(a, on), AssetRef(a), WallRef(walls[i >= half].index)) for i, a in enumerate(subjects)
-            )
+        yield from self._at_walls(subjects[half:], subjects[:half], place, on=on)
+
+    def _at_walls(self, subjects: Sequence[str], there: Sequence[str], place: Place, *, on: bool) -> Iterator[Way]:
+        """Yield the ways in which things are at the wall where others are, or at the one across from it."""
+        for one, two in wall_pairs(self.scene, same="same" in place.words):
+            both = [*((a, one) for a in there), *((a, two) for a in subjects)]
+            yield tuple(stated(self._held(a, on), AssetRef(a), WallRef(wall.index)) for a, wall in both)
+
+    def _atwalls(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        place = self._place(objects)
+        if place is not None:
+            yield Demand(tuple(self._at_walls(subjects, self._others(objects), place, on=True)))
 
     def _held(self, name: str, on: bool) -> str:
         """Return the statement that says that a thing is at a wall: hung on it, or standing against it."""

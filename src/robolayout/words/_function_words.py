@@ -22,7 +22,7 @@ DETERMINERS = {
 """Articles by word."""
 ORDINALS = ("first", "second", "third", "last")
 """Words that pick one of several by its number."""
-JOINING = frozenset(["and", "plus", "as", "or", "also", "then", "but", "while", "where", "&"])
+JOINING = frozenset(["and", "plus", "as", "or", "also", "then", "but", "while", "whereas", "where", "&", "+"])
 """Words that join phrases."""
 JOINED = (
     "in which",

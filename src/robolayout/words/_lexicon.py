@@ -20,7 +20,7 @@ from robolayout.words.rooms import Rooms
 BEFORE_NOUNS = ("stacked", "piled", "diagonal", "angled", "left", "right", "poster", "drawer", "door", "tier", "person")
 """Words before nouns that say how or where things stand, or of what they have so many."""
 
-LONGEST = 6
+LONGEST = 8
 """Most words of a phrase."""
 
 SIMILAR = 0.86

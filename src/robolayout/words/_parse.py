@@ -79,7 +79,7 @@ class Parser(Relating):
     def _on_stop(self, chunk: Chunk | None) -> None:
         if self.fronted is not None and not self.group:
             self.said.missed.append(self.fronted[0])  # nothing stands there
-        self.before = self.subject or self.group or self.before
+        self.before = self.subject or (self.recent if self.fronted else self.group) or self.before
         self._new_sentence()
 
     def _on_colon(self, chunk: Chunk) -> None:
@@ -150,7 +150,7 @@ class Parser(Relating):
         self._understood(self.chunks[self.at - 1])
         if share == last[0].thing.count:
             return False
-        each = "each" in self.chunks[index].adjectives  # "two lamps, one on each end"
+        each = bool({"each", "either"} & {*self.chunks[index].adjectives})  # "two lamps, one on each end"
         each = each or any(chunk.det == "each" for chunk in self.chunks[index + 1 : index + 2])
         self.dealt[last[0].thing] = first + (0 if each else share)
         self.subject = self.group = self.acted = [Mention(last[0].thing, None if each else slice(first, first + share))]
@@ -168,11 +168,11 @@ class Parser(Relating):
             self.relative = True
             return
         room = chunk.value == "it" and self.before[:1] and self.before[0].det in ("both", "all")
-        if self.before and not self.group and not room:
+        several = chunk.value in SEVERAL and (not self.group or self._previous(chunk) in ("and", ","))
+        if several and (self.before or len(self.recent) > 1):  # "..., and both of them face the table"
+            self.subject = self.group = self._several_meant(self.recent if self.group else [], [])
+        elif self.before and not self.group and not room:
             self.subject, self.group = list(self.before), list(self.before)
-        elif chunk.value in SEVERAL and self._previous(chunk) in ("and", ",") and len(self.recent) > 1:
-            self.about = []
-            self.subject, self.group = [self._meant(chunk.value)] * 2  # "..., and both of them face the table"
         has = [following.kind for following in self.chunks[self.at : self.at + 1]] == ["with"]
         if has and self.group and chunk.value in EVERY:
             self.at += 1

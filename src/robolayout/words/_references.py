@@ -48,7 +48,6 @@ class References:
         self.subject: list[Mention] = []
         self.acted: list[Mention] = []
         self.holder: list[Mention] = []
-        self.joint: list[Mention] = []  # what is named together with the holder, and the holder
         self.fronted: tuple[Chunk, list[Mention | Place]] | None = None
         self.also: tuple[Chunk, list[Mention | Place]] | None = None  # "in the corner nearest the window stands a lamp"
         self.refusing = self.negated = False
@@ -105,6 +104,11 @@ class References:
         third = following[2].kind if len(following) > 2 else "stop"
         ends = ("stop", "comma", "with", *(["verb"] if chunk.value == "amid" and len(found) < 2 else []))
         return third in ends and isinstance(found[-1], Mention)
+
+    def _previous(self, chunk: Chunk) -> str:
+        """Return the value of the chunk before this one."""
+        index = self.chunks.index(chunk)
+        return self.chunks[index - 1].value if index else ""
 
     def _skip(self) -> None:
         while self.at < len(self.chunks) and self.chunks[self.at].kind in ("filler", "style"):
@@ -181,6 +185,8 @@ class References:
     def _which_wall(self, wall: Place) -> Place:
         """Return a wall with the door or window that tells it from the others."""
         following = self.chunks[self.at : self.at + 2]
+        if "same" in wall.words and [c.value for c in following] in (["as", "door"], ["as", "window"]):
+            following[0] = replace(following[0], kind="with")
         if len(following) < 2 or following[1].kind != "part":
             return wall
         how = following[0].value if following[0].kind == "rel" else following[0].kind
@@ -198,12 +204,11 @@ class References:
         """
         own = {m.thing for m in self.about}
         holder = self.holder[0] if self.holder else None
-        if word in SEVERAL and self.joint[1:] and self.joint[-1:] == self.holder and self.joint[-1].thing.count == 1:
-            return self.joint  # "a sofa and a bench with a table between them"
-        one = word != "it" or holder is None or holder.thing.count == 1 or holder.det == "each"
+        earlier, to = ([m for m in given if m.thing not in own] for given in (self.recent, self.targets))
+        many = holder is not None and holder.thing.count > 1 and holder.det != "each"
+        one = not many if word == "it" else many or word not in SEVERAL or len(earlier) < 2
         if holder is not None and holder.thing not in own and one:
             return self.holder
-        earlier, to = ([m for m in given if m.thing not in own] for given in (self.recent, self.targets))
         if word in SEVERAL:
             return self._several_meant(earlier, to)
         kept = self.kept if self._keeps(relation) and {m.thing for m in self.other} <= own else []
@@ -246,6 +251,9 @@ class References:
         assert chunk.noun is not None
         known = self._known(chunk, target=target)
         if known is not None:
+            sides = [{"left", "right"} & {*words} for words in (known.adjectives, chunk.adjectives)]
+            if known.count == 1 and all(sides) and sides[0] != sides[1]:
+                known.number = 2  # "on the left nightstand ... on the right nightstand"
             known.spans.append((chunk.start, chunk.end))
             return Mention(known, self._pick(chunk, known.count, self.dealt.get(known), target=target), chunk.det)
         number = 1 if chunk.number is None and chunk.det in ("a", "new", "one") and not chunk.plural else chunk.number
@@ -259,7 +267,8 @@ class References:
         made.rows, made.definite = chunk.rows, definite
         made.sizes += chunk.sizes
         self.said.things.append(made)
-        return Mention(made, None, chunk.det)
+        first = {"left", "right"} & {*chunk.adjectives} and made.count == 1
+        return Mention(made, slice(0, 1) if first else None, chunk.det)
 
     def _pick(self, chunk: Chunk, count: int, dealt: int | None, *, target: bool) -> slice | None:
         """Return which of several things a noun phrase means, None for all of them."""
@@ -271,13 +280,18 @@ class References:
             return slice(first, count if chunk.plural else first + 1)
         if chunk.det == "one" or (chunk.number == 1 and not chunk.det and not target):
             return slice(first, first + many) if first + many <= count else slice(0, many)
-        sides = (
-            "left" in chunk.adjectives or chunk.det == "first",
-            "right" in chunk.adjectives or chunk.det == "second",
-        )
-        one = chunk.number == 1 and not chunk.plural and target
-        numbers = (sides[0] or one, sides[1], chunk.det == "third", chunk.det == "last")
-        return next((slice(n, n + 1) for n, told in zip((0, 1, 2, count - 1), numbers, strict=True) if told), None)
+        places = {
+            "left": 0,
+            "first": 0,
+            "second": 1,
+            "third": 2,
+            "middle": count // 2,
+            "right": count - 1,
+            "last": count - 1,
+        }
+        told = [places[word] for word in (chunk.det, *chunk.adjectives) if word in places]
+        told += [0] if chunk.number == 1 and not chunk.plural and target else []
+        return slice(told[0], told[0] + 1) if told else None
 
     def _known(self, chunk: Chunk, *, target: bool) -> Thing | None:
         """Return the thing named before that a noun phrase means; the one named last where several fit."""
@@ -308,10 +322,9 @@ class References:
             return fits[-1]
         bare = not chunk.det and chunk.number is None
         if bare and not chunk.plural and not target:
-            follows = [other.kind for other in self.chunks[self.at : self.at + 1]]
-            return (
-                fits[-1] if follows == ["rel"] and same_words(fits[-1], chunk) else None
-            )  # "1 bed, 1 desk: desk near bed"
+            follows = [other.kind for other in self.chunks[self.at : self.at + 1]] == ["rel"]
+            again = follows or self._previous(chunk) == "from"  # "1 bed, 1 desk: desk near bed", "watch it from bed"
+            return fits[-1] if again and same_words(fits[-1], chunk) else None
         if chunk.det == "a" and not target and fits[-1].definite and same_words(fits[-1], chunk):
             fits[-1].definite = False
             return fits[-1]

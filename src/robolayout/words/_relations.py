@@ -10,7 +10,7 @@ from itertools import takewhile
 
 from robolayout.assets import CATALOGUE
 from robolayout.words._chunk import Chunk
-from robolayout.words._references import References
+from robolayout.words._led_to import LedTo
 from robolayout.words._said import Link, Mention, Place, topped
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import SEATS, TOPS
@@ -36,8 +36,6 @@ ZONES = ("room", "corner", "function", "part")
 OF_THE_ROOM = ("measure", "style", "body", "corner")
 """Kinds of chunks that "in" leads to where they say how the room is: "in a 5 m by 6 m dining room"."""
 
-OTHER_SIDE = {"left": "right", "right": "left", "front": "behind", "behind": "front", "oneside": "otherside"}
-"""The relation of what is at the other side."""
 
 _FINITE = "is are be was were been being stands stand sits sit lies lie hangs hang rests rest goes go should must will"
 FINITE = frozenset(_FINITE.split())
@@ -51,7 +49,7 @@ ALONE = frozenset(f"{_ORDERS} next oneside lit middle flank left right front nea
 """Relations that may stand without an object."""
 
 
-class Relating(References):
+class Relating(LedTo):
     """Reads relations; the parser reads the rest."""
 
     def _fact(self, chunk: Chunk) -> None:
@@ -73,11 +71,6 @@ class Relating(References):
                 self.said.facts[-1:] = [chunk, replace(chunk, kind="seats")]
         self.broken = True
 
-    def _previous(self, chunk: Chunk) -> str:
-        """Return the value of the chunk before this one."""
-        index = self.chunks.index(chunk)
-        return self.chunks[index - 1].value if index else ""
-
     def _on_with(self, chunk: Chunk) -> None:
         self.refusing = False
         self.fronted = None if self.acted else self.fronted
@@ -91,7 +84,7 @@ class Relating(References):
             self.holder = self.acted
         elif self.group:
             clause = who.kind == "comma" and self.acted and len(self.subject) == 1
-            self.holder, self.joint = [self.subject[0] if clause else self.group[-1]], self.group
+            self.holder = [self.subject[0] if clause else self.group[-1]]
         self.having = True
         self.verb = self.listed = False
         self.broken = True
@@ -198,37 +191,6 @@ class Relating(References):
                 item.thing.times = subjects[0].thing.count  # "each facing a mirror"
         self._relate(chunk, subjects, objects, first)
 
-    def _in_turn(self, chunk: Chunk, objects: list[Mention | Place]) -> bool:
-        """Link each of several things to its own: "next to the window and the door, respectively"."""
-        rest = takewhile(lambda other: other.kind != "stop", self.chunks[self.at :])
-        if all(other.value != "respectively" for other in rest):
-            return False
-        own = self.subject if len(self.subject) > 1 else self.group
-        own = own if len(own) > 1 else [Mention(m.thing, slice(i, i + 1)) for m in own for i in range(m.thing.count)]
-        to: list[tuple[Chunk, Mention | Place]] = []
-        for item in objects:
-            walls = item.words if isinstance(item, Place) and "and" in item.words else ()
-            to += [(chunk, replace(item, words=(word,))) for word in walls if word != "and"] or [(chunk, item)]
-        while len(to) < len(own) and self.chunks[self.at].kind in ("and", "comma", "rel"):
-            chunk = self.chunks[self.at] if self.chunks[self.at].kind == "rel" else chunk
-            self.at += 1
-            to += [(chunk, item) for item in [self._object(chunk)] if item is not None]
-        for one, (how, item) in zip(own, to, strict=False):
-            self._link(how, [one], [item])
-        self.acted = own
-        return len(own) == len(to)
-
-    def _other_side(self, chunk: Chunk, objects: list[Mention | Place]) -> tuple[Chunk, list[Mention | Place]]:
-        """Return a relation and what it leads to, where "on the other side" is the other side of what was spoken of."""
-        place = objects[0] if objects and isinstance(objects[0], Place) else None
-        if place is not None and (chunk.value, place.name) == ("oneside", "room"):
-            return replace(chunk, value="on"), [Place("side", det="one")]
-        sided = [link for link in self.said.links if link.relation in OTHER_SIDE and link.objects][-1:]
-        if place is None or not sided or (place.name, place.det) != ("side", "other"):
-            return chunk, objects
-        there = sided[0].subjects if sided[0].relation == "oneside" else ()
-        return replace(chunk, value=OTHER_SIDE[sided[0].relation]), [*sided[0].objects, *there]
-
     def _held_by(
         self, chunk: Chunk, subjects: list[Mention], objects: list[Mention | Place]
     ) -> tuple[list[Mention], list[Mention | Place]]:
@@ -261,6 +223,7 @@ class Relating(References):
         if chunk.value == "amid" and not objects:
             objects = self._meant("them", chunk.value)
         colon = self.at < len(self.chunks) and self.chunks[self.at].kind == "colon"
+        colon = colon and not any(isinstance(item, Mention) for item in objects)
         if not objects and chunk.value not in ALONE:
             follows = self.chunks[self.at].kind if self.at < len(self.chunks) else "stop"
             self._understood(*[chunk] * (chunk.value in ("in", "by") and follows in OF_THE_ROOM))
@@ -277,9 +240,10 @@ class Relating(References):
             place = self.fronted[1][:1] if self.fronted is not None and not self.group else []
             self.also = self.fronted if place and isinstance(place[0], Place) else None
             self.fronted = (chunk, list(objects))
-            self.group = []
+            self.group, self.acted = [], []
         elif subjects:
-            self._link(chunk, subjects, objects)
+            there = self._walls(subjects, objects[0]) if objects and isinstance(objects[0], Place) else []
+            self._link(replace(chunk, value="atwalls") if there else chunk, subjects, [*objects, *there])
             self.acted = subjects
             self.verb = False
 
@@ -354,17 +318,6 @@ class Relating(References):
         return isinstance(place, Place) and (
             place.name in ("room", "floor") and chunk.value in ("in", "on", "by", "around")
         )
-
-    def _turned_round(self, first: int, index: int) -> bool:
-        """Return whether what follows the object of a relation is what it is about: "and on it stands a lamp"."""
-        end, verb = index, False
-        while index < len(self.chunks) and self.chunks[index].kind in ("verb", "filler", "style", "pron"):
-            verb = verb or self.chunks[index].kind == "verb"
-            index += 1
-        if index >= len(self.chunks) or self.chunks[index].kind != "thing":
-            return False
-        starts = self.chunks[first - 2].kind in ("and", "comma", "stop", "colon") if first >= 2 else True
-        return starts and (verb or (index == end and self.chunks[index].det != "the"))
 
     def _reversed(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
         """Link what is said from the other side: "flanked by two lamps"."""

@@ -46,7 +46,8 @@ _AREA = re.compile(
     re.IGNORECASE,
 )
 _HEIGHT = re.compile(
-    rf"{_N}{_U}[\s-]*(?:high|tall|in height|ceilings?)\b|ceilings?\s*(?:of|at)?\s*{_N}{_U}", re.IGNORECASE
+    rf"{_N}{_U}[\s-]*(?:high|tall|in height|ceilings?)\b|(?:ceilings?(?: height)?|height)\s*(?:of|at|is|:)?\s*{_N}{_U}",
+    re.IGNORECASE,
 )
 _HOW = r"[\s-]*(?:in\s+)?(long|wide|deep|across|diameter)\b"
 _FLAT = r"(?=\s+(?:\w+\s+)?(?:tv|television|monitor|screen))"
@@ -65,7 +66,7 @@ USUAL = (0.25, 4.0)
 APART = 0.3
 """Metres by which what lies between two things may differ from what is said."""
 
-_TOKEN = re.compile(r"[a-z]+-(?:in|mounted|hung)\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*|[.;!?:\n]|,|[()]")
+_TOKEN = re.compile(r"[a-z]+-(?:in|mounted|hung)\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*|[.;!?:\n]|,|[()&+]")
 
 
 @dataclass(frozen=True)

@@ -62,7 +62,7 @@ TO_ANOTHER: Mapping[str, Ways] = {
 }
 """What a thing is asked to be to another one, or to a place of the room, by the word of the list."""
 
-AT_PLACES = frozenset((*TO_ANOTHER, "on", "in", "flank", "under", "above"))
+AT_PLACES = frozenset((*TO_ANOTHER, "on", "in", "flank", "under", "above", "hanging"))
 """Relations that lead to a place of the room as well as to things."""
 
 OFF_A_WALL = (0.3, math.inf)
