@@ -45,24 +45,7 @@ if TYPE_CHECKING:
     from robolayout.solve import SolverConfig
     from robolayout.verify import Report, verify
 
-__getattr__ = loader(
-    __name__,
-    {
-        "_errors": "InputError RoboLayoutError",
-        "export": "export",
-        "many": "batch evaluate rooms",
-        "planners": "scene_from_sentence",
-        "program": "Program read_program reconcile",
-        "render": "plan_svg render:render_view",
-        "run.diff": "diff",
-        "run.flow": "compare generate solve",
-        "run.outputs": "page_html write_result",
-        "run.result": "Result judge",
-        "scene": "Agent Asset Layout Pose Room Scene load_agent load_layout load_scene scene_from_dict",
-        "solve": "SolverConfig",
-        "verify": "Report verify",
-    },
-)
+__getattr__ = loader(__name__, __file__)
 
 __all__ = [
     "Agent",

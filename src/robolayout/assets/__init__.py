@@ -32,18 +32,5 @@ if TYPE_CHECKING:
     from robolayout.assets.sweeps import Sweep as Sweep
     from robolayout.assets.sweeps import sweeps_of as sweeps_of
 
-__getattr__ = loader(
-    __name__,
-    {
-        "folder": "import_folder",
-        "joints": "turned",
-        "meshes": "parts",
-        "own": "check_meshes load_mesh_parts",
-        "part": "Joint Material Part",
-        "prisms": "Prism prisms_of",
-        "rooms": "RoomStyle room_parts room_style",
-        "surfaces": "Surface resting_place surfaces_of",
-        "sweeps": "Sweep sweeps_of",
-    },
-)
+__getattr__ = loader(__name__, __file__)
 """Loads the names that need array libraries when they are first used."""

@@ -17,19 +17,7 @@ if TYPE_CHECKING:
     from robolayout.planners.offline import OfflinePlanner
     from robolayout.planners.sentence import Understanding, scene_from_sentence
 
-__getattr__ = loader(
-    __name__,
-    {
-        "file": "FilePlanner",
-        "model.feedback": "Feedback",
-        "model.judge": "ModelJudge",
-        "model.planner": "ModelPlanner",
-        "model.prompt": "poses_text",
-        "model.ranking": "Score score_samples",
-        "offline": "OfflinePlanner",
-        "sentence": "Understanding scene_from_sentence",
-    },
-)
+__getattr__ = loader(__name__, __file__)
 
 __all__ = [
     "USELESS",

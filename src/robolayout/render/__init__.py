@@ -58,22 +58,4 @@ if TYPE_CHECKING:
     from robolayout.render.view import render_view as render_view
     from robolayout.render.walk import walk_gif as walk_gif
 
-__getattr__ = loader(
-    __name__,
-    {
-        "_drawing": "Drawing png_bytes",
-        "animation": "progress_gif",
-        "annotation": "Mark annotate annotation_camera annotation_marks",
-        "beauty": "render_beauty",
-        "body": "body_text draw_body",
-        "camera": "Camera eye_camera fitted_camera spherical_camera",
-        "catalogue": "asset_sheet",
-        "curves": "draw_losses",
-        "marks": "PlanMarks",
-        "model_plan": "model_plan",
-        "plan": "draw_comparison draw_plan plan_svg",
-        "sheet": "SheetNotes draw_sheet",
-        "view": "Buffers Studio render_asset render_view",
-        "walk": "walk_gif",
-    },
-)
+__getattr__ = loader(__name__, __file__)
