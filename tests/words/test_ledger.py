@@ -149,6 +149,12 @@ def test_a_place_where_nothing_stands_is_said() -> None:
     assert [row.words for row in rows if row.verdict == "not understood"] == ["On the desk in the middle of the room"]
 
 
+def test_a_corner_is_told_by_the_door() -> None:
+    there = Layout({**PLACED, "desk-0": Pose(4.4, 3.65, 0.375, -1.5708)})
+    assert verdict("The desk is in the corner farthest from the door.", "relation", there) == "met"
+    assert verdict("The desk is in the corner nearest the door.", "relation", there) == "unmet"
+
+
 @pytest.mark.parametrize(("words", "met"), [("opposite walls", (True, False)), ("the same wall", (False, False))])
 def test_two_things_are_at_walls_together(words: str, met: tuple[bool, bool]) -> None:
     text = f"The bed and the desk are against {words}."

@@ -75,6 +75,14 @@ def corners_meant(scene: Scene, place: Place) -> list[int]:
         for vx, vy in [scene.room.vertices[i]]
         if all((vx - x) * nx + (vy - y) * ny < 0 for nx, ny in normals)
     ]
+    if place.by is not None:
+        how, by = place.by
+        walls, openings = scene.room.walls, scene.room.doors if by.name == "door" else scene.room.windows
+        away = {
+            i: min((math.dist(scene.room.vertices[i], walls[o.wall].point(o.center)) for o in openings), default=0.0)
+            for i in meant or found
+        }
+        return [(min if how == "near" else max)(away, key=lambda i: away[i])]
     return meant or found
 
 

@@ -16,6 +16,9 @@ CLOSE = frozenset(("next", "near", "by", "in", "on", "ontop", ""))
 """Relations by which things follow each other, so that "it" is the last one."""
 
 
+MOST = frozenset(["nearest", "closest", "farthest", "furthest", "opposite"])
+"""Words that tell one corner from the others by a door or window."""
+
 SEVERAL = ("them", "they", "both", "both of them", "the two", "these", "those")
 """Words for several things that were named."""
 
@@ -85,7 +88,7 @@ class References:
             if not (wants or (both and self._plain_pair(found, chunk))):
                 break
             self.at += 1
-        if found and isinstance(found[-1], Place) and found[-1].name == "wall":
+        if found and isinstance(found[-1], Place) and found[-1].name in ("wall", "corner"):
             found[-1] = self._which_wall(found[-1])
         self.target = found[-1] if found and isinstance(found[-1], Mention) else None
         return found
@@ -183,14 +186,19 @@ class References:
         return place_of(chunk)
 
     def _which_wall(self, wall: Place) -> Place:
-        """Return a wall with the door or window that tells it from the others."""
+        """Return a wall or corner with the door or window that tells it from the others."""
         following = self.chunks[self.at : self.at + 2]
         if "same" in wall.words and [c.value for c in following] in (["as", "door"], ["as", "window"]):
             following[0] = replace(following[0], kind="with")
         if len(following) < 2 or following[1].kind != "part":
             return wall
         how = following[0].value if following[0].kind == "rel" else following[0].kind
-        if how not in ("opposite", "facing", "behind", "by", "with"):
+        corner = wall.name == "corner" and following[1].value in ("door", "window")
+        most = corner and following[0].kind == "rel" and bool(MOST & {*following[0].adjectives})  # "nearest the window"
+        if most != corner or how not in (
+            "opposite",
+            *(("near", "far") if corner else ("facing", "behind", "by", "with")),
+        ):
             return wall
         self.at += 2
         self._understood(*following)

@@ -353,7 +353,7 @@ def _said(demand: Demand) -> str:
 
 def _shown(item: Mention | Place) -> str:
     if isinstance(item, Place):
-        return " ".join((*item.words, item.name))
+        return " ".join((*item.words, item.name, *((item.by[0], item.by[1].name) if item.by is not None else ())))
     return item.thing.noun.words
 
 
