@@ -12,6 +12,7 @@ from robolayout.solve import Problem
 from robolayout.solve.construct import Builder
 from robolayout.solve.repair import WAYS, Repair
 from robolayout.solve.runner import Run, Runner
+from robolayout.solve.stage import make_stage, stages
 from robolayout.verify import physics
 
 WARDROBE = Asset("wardrobe-0", "wardrobe", (0.6, 1.6, 2.1))
@@ -27,7 +28,12 @@ def taken(**options: object) -> tuple[Problem, np.ndarray]:
 
 
 def mended(problem: Problem, world: np.ndarray, way: int, count: int = 12) -> list[np.ndarray]:
-    repair = Repair(problem, Runner(QUICK), QUICK, Builder(problem, np.random.default_rng(way)))
+    repair = Repair(
+        [make_stage(problem, n, problem.start) for n in stages(problem)],
+        Runner(QUICK),
+        QUICK,
+        Builder(problem, np.random.default_rng(way)),
+    )
     return [repair.mended(world, 0, way) for _ in range(count)]
 
 

@@ -43,6 +43,7 @@ from robolayout.solve.construct import Builder
 from robolayout.solve.refine import _Best
 from robolayout.solve.repair import Repair
 from robolayout.solve.runner import Runner
+from robolayout.solve.stage import make_stage, stages
 from robolayout.verify import physics
 
 BEDROOM = """
@@ -275,7 +276,12 @@ def test_refinement_and_repair_never_end_worse() -> None:
 def test_repair_moves_only_what_is_to_blame_and_what_belongs_to_it() -> None:
     scene = room_of(BED, TABLE, STANDS[0])
     problem = problem_of(scene, "solver.next_to(night_stand[0], table[0])")
-    repair = Repair(problem, Runner(QUICK), QUICK, Builder(problem, np.random.default_rng(0)))
+    repair = Repair(
+        [make_stage(problem, n, problem.start) for n in stages(problem)],
+        Runner(QUICK),
+        QUICK,
+        Builder(problem, np.random.default_rng(0)),
+    )
     world = problem.start.copy()
     for _ in range(20):
         moved = repair.mended(world, 1, 0)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -28,7 +27,6 @@ if TYPE_CHECKING:
 
 DRAWS = 4  # how often a variant is drawn until it is not much like those before it
 KEPT_SHOWN = 5  # names of kept files that are said
-LONGEST_WORD = 45  # letters of the longest word of a dictionary: more of them without a blank are a path
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -62,9 +60,11 @@ class Asked(Body, Who, Told):
 @spread
 def generate(asked: Asked) -> None:
     """Lay out a scene, verify it, and write layout, report, pictures and GLB."""
+    from robolayout.run.given import names_a_file
+
     _check(asked)
     given = None
-    if _names_a_file(asked.scene):
+    if names_a_file(asked.scene):
         given = asked.read(asked.scene, asked.knowledge or (), quiet=asked.quiet)
     whole = asked.out or Path("out") / (file_name(given.name) if given else "scene")
     met = True
@@ -212,14 +212,6 @@ def _walk(result: Result, folder: Path) -> list[Path]:
         warn(f"no walk.gif: {error}")
         return []
     return [write_atomic(folder / "walk.gif", data)]
-
-
-def _names_a_file(text: str) -> bool:
-    """Return whether an argument names a scene file rather than saying what the room should be."""
-    name = text.strip()
-    if " " in name or "\n" in name:
-        return Path(text).suffix == ".json" or os.path.exists(text)
-    return bool(name) and (not name.isalpha() or len(name) > LONGEST_WORD or os.path.exists(text))
 
 
 def _tell(asked: Asked, result: Result, run: RunFolder, files: list[Path]) -> None:

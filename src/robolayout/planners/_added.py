@@ -182,10 +182,14 @@ class Added:
     def _add(self, name: str, most: int) -> None:
         """Add a thing with what it needs, as many times as there is room for."""
         present = {self.known.head(other) for other in (*self.wished, *self.found)}
+        waiting = "chair" in present and not present & {
+            "table",
+            "desk",
+        }  # chairs are there, and nothing that they stand at
         needs = {
             other: each
             for other, each in self.known.rooms.companions.get(name, {}).items()
-            if head(other) == "chair" or (head(other) not in present and other not in self.room.base)
+            if (head(other) == "chair" and not waiting) or (head(other) not in present and other not in self.room.base)
         }
         limit = BASIC if name in self.room.base and self.fill > AIRY else self.fill
         for count in range(most, 0, -1):

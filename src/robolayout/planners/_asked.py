@@ -5,12 +5,18 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence, Set
 from dataclasses import replace
 
-from robolayout.constraints import Relation
+from robolayout.constraints import AssetRef, Relation
 from robolayout.constraints.above import Above
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.any_of import AnyOf
+from robolayout.constraints.between import BetweenTwo
+from robolayout.constraints.corner import Corner
 from robolayout.constraints.in_front_of import InFrontOf
 from robolayout.constraints.in_rows import InRows
+from robolayout.constraints.left_of import LeftOf
+from robolayout.constraints.near import Near
+from robolayout.constraints.next_to import NextTo
+from robolayout.constraints.right_of import RightOf
 from robolayout.planners._knowledge import Join
 from robolayout.planners._roles import Cast, depends
 from robolayout.program import Program
@@ -20,16 +26,23 @@ from robolayout.words import Demand
 SEATED, BEFORE, BACKS = 0.05, 0.4, 0.02
 """Metres between a seat and what it stands at, other things and what they stand before, and things back to back."""
 
-CLOSE = 3.0
-"""Metres up to which what stands before a thing belongs to it."""
+BESIDE = ('next_to({a}, {b}, "beside", {most})', "align_with({a}, {b})")
+LEFT = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b})")
+"""What is said of a thing at either side of another, and at its left."""
+
+IN_THE_LIGHT = -3.0
+"""Weight of the wish of what something hangs above to stand at a window."""
+
+TOUCH, CLOSE = 0.6, 3.0
+"""Metres up to which what stands near a thing stands beside it, and up to which what stands before a thing belongs to it."""
 
 
 def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dict[str, str]:
     """Return what the user's words ask of known things as statements, each with its first subject; all ways that are open.
 
-    What a thing on a wall is to hang above stands at a wall, unless words put it elsewhere.
+    What a thing on a wall is to hang above stands at a wall, and rather beside its windows, unless words put it elsewhere.
     """
-    program, found = Program(expressions=scene.expressions), list[Relation]()
+    program, found, under = Program(expressions=scene.expressions), list[Relation](), list[AssetRef]()
     placed = {name for demand in demands for name in subjects(demand)}
     for demand in demands:
         if not demand.names() <= known:
@@ -37,22 +50,27 @@ def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dic
         found += demand.ways[0] if len(demand.ways) == 1 else [AnyOf(demand.ways)]
         if demand.exact is not None:
             found.append(demand.exact)
-        found += [
-            AgainstWall(relation.b)
+        under += [
+            relation.b
             for relation in demand.ways[0]
             if isinstance(relation, Above) and relation.b.name not in placed
             if scene.by_name[relation.a.name].on_wall and scene.by_name[relation.b.name].on_floor
         ]
-    return {f"solver.{program.call(relation)}": relation.asset_names()[0] for relation in found}
+    lines = {f"solver.{program.call(relation)}": relation.asset_names()[0] for relation in found}
+    lines |= {f"solver.{program.call(AgainstWall(ref))}": ref.name for ref in under}
+    return lines | {
+        f"solver.wish.at_window({scene.expressions[ref.name]}, weight={IN_THE_LIGHT:g})": ref.name for ref in under
+    }
 
 
-def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand]) -> dict[str, Cast]:
+def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: float = 0.0) -> dict[str, Cast]:
     """Return the cast with what is asked to stand on, beside or before something joined to it.
 
-    What is asked to stand elsewhere is not joined to what its kind usually joins.
+    What is asked to stand elsewhere is not joined to what its kind usually joins. What stands between two things keeps a passage
+    of so many metres open.
     """
     found = dict(cast)
-    wanted = {name: join for demand in demands for name, join in _joins(demand, cast)}
+    wanted = {name: join for demand in demands for name, join in _joins(demand, cast, passage)}
     placed = {first for demand in demands for first in subjects(demand)}
     for name in placed - set(wanted):
         item = found[name]
@@ -93,7 +111,17 @@ def subjects(demand: Demand) -> set[str]:
     }
 
 
-def _joins(demand: Demand, cast: Mapping[str, Cast]) -> list[tuple[str, tuple[str, Join]]]:
+def cornered(demand: Demand) -> set[str]:
+    """Return what is asked to be in one corner and no other."""
+    return {
+        relation.a.name
+        for way in demand.ways
+        for relation in way
+        if isinstance(relation, Corner) and len(demand.ways) == 1
+    }
+
+
+def _joins(demand: Demand, cast: Mapping[str, Cast], passage: float) -> list[tuple[str, tuple[str, Join]]]:
     """Return (name, (anchor, join)) for what a demand puts at another thing."""
     found: list[tuple[str, tuple[str, Join]]] = []
     relations = {relation.name: relation for relation in demand.ways[0]}
@@ -104,14 +132,32 @@ def _joins(demand: Demand, cast: Mapping[str, Cast]) -> list[tuple[str, tuple[st
             continue
         a, b = names
         join = _join(
-            relation, cast[a], cast[b], around=around, turned=getattr(relations.get("align_with"), "angle", 0.0)
+            relation,
+            cast[a],
+            cast[b],
+            passage,
+            around=around,
+            turned=getattr(relations.get("align_with"), "angle", 0.0),
         )
         if join is not None:
             found.append((a, (b, join)))
+    names = demand.exact.asset_names() if isinstance(demand.exact, BetweenTwo) else ()
+    if len(names) == 3 and all(name in cast for name in names):
+        found += _side_by_side([cast[name] for name in names], passage)
     return found
 
 
-def _join(relation: Relation, a: Cast, b: Cast, *, around: bool, turned: float) -> Join | None:
+def _side_by_side(three: Sequence[Cast], passage: float) -> list[tuple[str, tuple[str, Join]]]:
+    """Return how all three stand side by side where one is to stand between two of a kind that it usually stands beside."""
+    middle, first, last = three
+    usual = any(join.slot == "beside" and first.role.name in join.of for join in middle.role.joins)
+    if not usual or first.role is not last.role:
+        return []
+    chain, gap = ((middle, first), (last, middle)), max(SEATED, (passage - middle.asset.size[1]) / 2)
+    return [(a.name, (b.name, Join("beside", (b.role.name,), gap=gap, loose=True, say=LEFT))) for a, b in chain]
+
+
+def _join(relation: Relation, a: Cast, b: Cast, passage: float, *, around: bool, turned: float) -> Join | None:
     """Return how a thing joins another, None where it is placed by itself."""
     if relation.name == "on_top_of":
         known = next((join for join in a.role.joins if join.slot in ("on", "setting")), None)
@@ -123,16 +169,36 @@ def _join(relation: Relation, a: Cast, b: Cast, *, around: bool, turned: float) 
         return known or Join("around", (b.role.name,), gap=SEATED, all=("around({items}, {b}, gap={gap})",))
     if relation.name == "near" and known is not None:
         return known
-    if relation.name == "next_to" and getattr(relation, "side", "") in ("left", "right", "beside"):
-        return Join("beside", (b.role.name,), gap=SEATED, loose=True)
+    if (said := _at_its_side(relation, b)) is not None:
+        return Join("beside", (b.role.name,), gap=SEATED, loose=True, say=said)
     if isinstance(relation, InFrontOf) and relation.max_gap < CLOSE:
         if known is not None and known.slot in ("front", "around"):
             return known
         seated = a.role.name == "seat"
         return Join("front", (b.role.name,), gap=SEATED if seated else BEFORE, loose=True, faces="anchor")
+    if relation.name == "behind" and turned == 180.0:
+        return Join(
+            "behind", (b.role.name,), gap=BACKS, loose=True, faces="away", say=('centered_on({a}, {b}, "side")',)
+        )
     if relation.name == "behind":
-        if turned == 180.0:
-            straight = ('centered_on({a}, {b}, "side")',)
-            return Join("behind", (b.role.name,), gap=BACKS, loose=True, faces="away", say=straight)
-        return Join("behind", (b.role.name,), gap=BEFORE, loose=True)
+        gap = (
+            passage if {"wall", "grid"} & {*a.role.stands} else BEFORE
+        )  # who takes something from there stands between
+        return Join(
+            "behind",
+            (b.role.name,),
+            gap=gap,
+            loose=True,
+            say=("behind({a}, {b}, {gap}, {most})", "align_with({a}, {b})"),
+        )
     return None
+
+
+def _at_its_side(relation: Relation, b: Cast) -> tuple[str, ...] | None:
+    """Return what is said of a thing that is asked to be close to another, or at a side of it; None where it is not."""
+    if isinstance(relation, NextTo) and relation.side in ("left", "right", "beside"):
+        return ()
+    if isinstance(relation, LeftOf | RightOf):
+        return BESIDE[1:]
+    close = isinstance(relation, Near) and relation.max_gap <= TOUCH and not b.asset.is_flat
+    return BESIDE if close else None

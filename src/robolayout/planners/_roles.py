@@ -20,6 +20,9 @@ BEYOND = 0.03
 TOP_SHARE = 0.55
 """Share of a top that may be covered."""
 
+NARROWEST = 0.6
+"""Metres that people need to get to a side of a thing."""
+
 
 @dataclass(frozen=True)
 class Cast:
@@ -219,3 +222,8 @@ def depends(name: str, on: str, cast: Mapping[str, Cast]) -> bool:
         seen.add(current)
         current = cast[current].anchor
     return False
+
+
+def passage(scene: Scene) -> float:
+    """Return the metres that the widest body of a scene, and people, need to pass."""
+    return round(max(NARROWEST, 2 * max(agent.radius for agent in scene.agents) + 0.1), 2)

@@ -69,13 +69,9 @@ class Wishes:
 
     @property
     def seats(self) -> int:
-        """Seats at each table, 0 if none are given."""
-        return next((thing.people for thing in self.reading.parsed.things if thing.people), 0)
-
-    @property
-    def seats_each(self) -> bool:
-        """Whether each of several tables has these seats: "five tables for four", not "tables for 14 people"."""
-        return all(thing.number is not None or not thing.plural for thing in self.reading.parsed.things if thing.people)
+        """Seats that are promised: at each of "five tables for four", at all "tables for 14 people" together."""
+        tables = [thing for thing in self.reading.parsed.things if thing.people]
+        return sum(one.people * (1 if one.plural and one.number is None else one.count) for one in tables)
 
     @property
     def ignored(self) -> tuple[str, ...]:

@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from robolayout.planners._roles import Cast
+from robolayout.planners._roles import Cast, passage
 from robolayout.planners.grouping import root
 from robolayout.scene import Scene, Wall
 
@@ -35,9 +35,6 @@ LARGE, ALONG_WALLS = 40.0, 1.6
 SMALL = 44
 """Rank from which on things are placed after those of which the user says where they stand."""
 
-NARROWEST = 0.6
-"""Metres that people need to get to a side of a thing."""
-
 WISHES = {
     "centre": "mid_wall({a})", "corner": "corner({a})", "window": "at_window({a})", "tuck": "snug({a})",
     "middle": "centered_on({a}, room)",
@@ -60,6 +57,9 @@ class Writer:
     scene: Scene
     cast: Mapping[str, Cast]  # its assets in their roles
     asked: frozenset[str] = frozenset()  # things of which the user's words say where they stand: roles only wish then
+    cornered: frozenset[str] = (
+        frozenset()
+    )  # those of them that have a corner of their own, and are placed before it is taken
 
     def order(self) -> list[str]:
         """Return all assets, what is placed first first: low ranks, big things, and what joins a thing right after it."""
@@ -68,7 +68,15 @@ class Writer:
     def _turn(self, name: str) -> tuple[object, ...]:
         top = self.cast[root(self.cast, name)]
         own, late = self.cast[name], top.role.rank >= SMALL and top.name not in self.asked
-        return (late, top.role.rank, -top.asset.size[0] * top.asset.size[1], top.name, name != top.name, own.role.rank)
+        return (
+            top.name not in self.cornered,
+            late,
+            top.role.rank,
+            -top.asset.size[0] * top.asset.size[1],
+            top.name,
+            name != top.name,
+            own.role.rank,
+        )
 
     def lines(self, name: str) -> Iterator[Line]:
         """Yield what is said of one asset; sets of assets speak with their last one."""
@@ -217,9 +225,9 @@ class Writer:
         """Yield that equal things stand in rows, with the last of them."""
         if len(equal) > 1 and equal[-1] == item.name:
             prefer, items = item.role.prefer, "[" + ", ".join(self._name(n) for n in equal) + "]"
-            gap = prefer.get("gap", self._corridor)
+            gap = prefer.get("gap", passage(self.scene))
             backs = ', backs="paired"' if prefer.get("paired", 0) > 0 else ""
-            text = f"in_rows({items}, {prefer.get('aisle', self._corridor):g}, {gap:g}{backs}, weight={FIRST:g})"
+            text = f"in_rows({items}, {prefer.get('aisle', passage(self.scene)):g}, {gap:g}{backs}, weight={FIRST:g})"
             yield Line(f"solver.wish.{text}", tuple(equal))
 
     def _off_the_floor(self, item: Cast, mode: str) -> Iterator[Line]:
@@ -311,7 +319,7 @@ class Writer:
         in_a_block = len(self._equal(item)) >= item.role.prefer.get("block", math.inf)
         for side, depth in item.role.clear.items():
             for one in (("left", "right") if not in_a_block else ()) if side == "side" else (side,):
-                wide = depth if depth > 0 else self._corridor
+                wide = depth if depth > 0 else passage(self.scene)
                 yield _wish(f'keep_clear({self._name(item.name)}, "{one}", {wide:g})', None, item.name)
 
     def _faced(self, item: Cast) -> Iterator[Line]:
@@ -351,11 +359,6 @@ class Writer:
         return round(max(0.0, low - apart), 2), round(max(0.1, high - apart), 2)
 
     # templates
-
-    @property
-    def _corridor(self) -> float:
-        """Metres that the widest body needs to pass."""
-        return round(max(NARROWEST, 2 * max(agent.radius for agent in self.scene.agents) + 0.1), 2)
 
     def _name(self, name: str) -> str:
         return self.scene.expressions[name]

@@ -6,10 +6,10 @@ from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
-from robolayout.planners._asked import asked_lines, join_as_asked, subjects
+from robolayout.planners._asked import asked_lines, cornered, join_as_asked, subjects
 from robolayout.planners._knowledge import Knowledge, load_knowledge
 from robolayout.planners._own import own_sides
-from robolayout.planners._roles import cast_scene
+from robolayout.planners._roles import cast_scene, passage
 from robolayout.planners._types import Group, PlanRequest
 from robolayout.planners._write import Writer, mentioned, wall_words
 from robolayout.planners.grouping import group_cast, root
@@ -47,9 +47,14 @@ class OfflinePlanner:
     def plan(self, request: PlanRequest) -> str:
         """Return program text for the request: statements and wishes; where things stand is left to the solver."""
         scene, known = request.scene, set(request.placed or ())
-        cast = join_as_asked(cast_scene(scene, self.knowledge), request.asked)
+        cast = join_as_asked(cast_scene(scene, self.knowledge), request.asked, passage(scene))
         about = set(request.group.items) if request.group else set(cast)
-        writer = Writer(scene, cast, frozenset(name for demand in request.asked for name in subjects(demand)))
+        writer = Writer(
+            scene,
+            cast,
+            frozenset(name for demand in request.asked for name in subjects(demand)),
+            frozenset(name for demand in request.asked for name in cornered(demand)),
+        )
         text = ["# Walls: " + "; ".join(wall_words(wall, scene) for wall in scene.room.walls)]
         asked = asked_lines(scene, request.asked, about | known)
         label, told, topics = "", set[str](), set(map(_topic, asked))

@@ -179,12 +179,10 @@ def _people(wishes: Wishes, room: RoomType, wished: dict[str, int], known: Known
     """Return for how many the room is: as said, else as many as have a seat, a desk or a bed; seats are wished for."""
     if wishes.seats:
         adults = [name for name in wished if head(name) == "chair" and name not in ("high chair", "kids chair")]
-        several = wishes.seats_each
-        tables = sum(count for name, count in wished.items() if head(name) == "table") if several else 1
         chair = _chair(room)
         desks = sum(count for name, count in wished.items() if head(name) == "desk")
         if sum(wished[name] for name in adults) <= desks:  # what is asked for stands at the desks
-            wished[chair] = max(wished.get(chair, 0), desks) + tables * wishes.seats
+            wished[chair] = max(wished.get(chair, 0), desks) + wishes.seats
     if wishes.reading.people:
         return 0 if room.couple and wishes.reading.people == 2 and not wishes.reading.young else wishes.reading.people
     taken = {head(name) for name in room.person}

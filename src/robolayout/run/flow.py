@@ -16,9 +16,10 @@ from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.run.attempt import Attempt, Clock, Progress
 from robolayout.run.dressing import dressed
 from robolayout.run.edit import as_start, pinned_poses, started
+from robolayout.run.given import AgentSpec, as_scene
 from robolayout.run.result import Result
 from robolayout.run.verdict import make_judge
-from robolayout.scene import Agent, Layout, Pose, Scene, check_dress, load_agents, load_scene, scene_from_dict
+from robolayout.scene import Agent, Layout, Pose, Scene
 from robolayout.solve import (
     PAPER,
     UNREFINED,
@@ -32,8 +33,6 @@ from robolayout.solve import (
 )
 from robolayout.verify import Report, overfull, verify
 from robolayout.words import Wishes, read_words
-
-AgentSpec = Agent | str | Path | Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -50,18 +49,6 @@ class FlowConfig:
 
 
 FLOW = FlowConfig()
-
-
-def as_scene(
-    scene: Scene | Mapping[str, Any] | str | Path, agent: AgentSpec | None = None, dress: str | None = None
-) -> Scene:
-    """Return a scene from itself, its dictionary or its file, for another agent or otherwise dressed if that is said."""
-    if isinstance(scene, str | Path):
-        scene = load_scene(scene)
-    elif not isinstance(scene, Scene):
-        scene = scene_from_dict(scene)
-    scene = scene if dress is None else replace(scene, dress=check_dress(dress))
-    return scene if agent is None else scene.with_agents(*load_agents(agent))
 
 
 def generate(  # noqa: PLR0913 - the public page of everything that can be chosen
@@ -83,6 +70,7 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     """Lay out a scene and verify the result.
 
     Args:
+        scene: A scene, its dictionary, its file, or words that say what the room should be.
         program: Text of a constraint program to use instead of planning.
         planner: Who writes the program; the offline planner if None.
         agent: The body or bodies to lay out for; the scene's own if None.
@@ -101,8 +89,8 @@ def generate(  # noqa: PLR0913 - the public page of everything that can be chose
     """
     clock, say = Clock(), progress or silent
     with clock.station("scene"):
-        scene = as_scene(scene, agent, dress)
         planner = planner or OfflinePlanner()
+        scene = as_scene(scene, planner, agent, seed=seed, dress=dress)
         if isinstance(planner, OfflinePlanner):
             scene = planner.recognised(scene)
         if too_full := overfull(scene):

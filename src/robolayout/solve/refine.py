@@ -79,7 +79,7 @@ class Solver:
             return conclude(Layout({}), Verdict(0.0, 0.0, 0.0), Trace())
         world = self.problem.start.copy()
         best: _Best | None = None
-        for number in stages(self.problem):
+        for number in range(len(self.stages)):
             best = self._stage(number, world)
             world, self.phase = best.world, best.phase
         assert best is not None
@@ -100,6 +100,11 @@ class Solver:
         self.progress(phase)
 
     @cached_property
+    def stages(self) -> list[Stage]:
+        """All stages of the problem."""
+        return [make_stage(self.problem, number, self.problem.start) for number in stages(self.problem)]
+
+    @cached_property
     def builder(self) -> Builder:
         """Builds rooms anew."""
         return Builder(self.problem, self.rng, self.config.weights)
@@ -107,7 +112,7 @@ class Solver:
     @cached_property
     def repairer(self) -> Repair:
         """Makes better candidates."""
-        return Repair(self.problem, self.runner, self.config, self.builder)
+        return Repair(self.stages, self.runner, self.config, self.builder)
 
     @cached_property
     def grounds(self) -> list[tuple[Ground, Obstacles]]:
@@ -139,7 +144,7 @@ class Solver:
     def _stage(self, number: int, world: Floats) -> _Best:
         """Place what belongs to a stage."""
         self.judgements, self.gained = 0, 0
-        stage = make_stage(self.problem, number, world)
+        stage = self.stages[number].at(world)
         best = self._judged(stage.world, number)
         if not stage.moving or best.verdict.ok:
             if stage.moving:
@@ -155,8 +160,8 @@ class Solver:
         if number == 0 and self.config.route_rounds and best.verdict.barred and not self.blind:
             best, run = self._opened(stage, run, best)
             best = self._route(stage, run, best)
-        self.blind |= self._amiss(stage, best) > self.effort.blind
         best = best if self.blind and not number else self._near(number, best)  # on a top a few centimetres are enough
+        self.blind |= self._amiss(stage, best) > self.effort.blind
         self.blind |= best.verdict.soft > self.effort.blind * len(self.problem.relations)
         if not self.config.starts or not (self.blind or best.verdict.broken):
             return best
@@ -360,7 +365,7 @@ class Solver:
         """Place what is to blame anew for longer, whatever stage it is of."""
         self._say("repair")
         self.gained = self.judgements
-        return self._mended(best, max(stages(self.problem)), 4 * self.effort.mendings)
+        return self._mended(best, len(self.stages) - 1, 4 * self.effort.mendings)
 
 
 def _different(worlds: Iterable[Floats]) -> Floats:

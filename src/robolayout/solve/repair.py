@@ -20,7 +20,7 @@ from robolayout.solve.push import nearest
 from robolayout.solve.routes import pack
 from robolayout.solve.runner import BATCH, Runner
 from robolayout.solve.score import Score
-from robolayout.solve.stage import make_stage
+from robolayout.solve.stage import Stage
 
 WAYS = 4
 """Ways to place one thing anew: where there is room; where it wants to be, others making way; once what nothing holds is out;
@@ -49,20 +49,20 @@ class Repair:
     """Makes better candidates of one problem's layouts.
 
     Args:
-        problem: The problem.
+        stages: The stages of the problem.
         runner: Runs the compiled search.
         config: Constants.
         builder: Builds the room anew.
     """
 
-    def __init__(self, problem: Problem, runner: Runner, config: SolverConfig, builder: Builder) -> None:
-        self.problem = problem
+    def __init__(self, stages: Sequence[Stage], runner: Runner, config: SolverConfig, builder: Builder) -> None:
+        self.stages, self.problem = stages, builder.problem
         self.runner = runner
         self.config = config
         self.builder = builder
         self.rng = builder.rng
         self.proposals = builder.proposals
-        self.groups = _groups(problem)
+        self.groups = _groups(self.problem)
 
     def near(self, world: Floats, slot: int, plan_for: Callable[[Floats], Plan]) -> Iterator[Floats]:
         """Yield layouts in which one thing is elsewhere, as near to its guess as can be, the others making way.
@@ -72,7 +72,7 @@ class Repair:
             slot: The thing; what is placed in its stage makes way.
             plan_for: Plans routes in a layout.
         """
-        stage, plan = make_stage(self.problem, self.problem.stage[slot], world), plan_for(world)
+        stage, plan = self.stages[self.problem.stage[slot]].at(world), plan_for(world)
         score, group = Score(stage, self.config.weights), frozenset(self.groups[slot])
         found = [self._elsewhere(score, world, slot, plan, along) for along in dict.fromkeys((frozenset[int](), group))]
         tries, costs = (np.concatenate(parts) for parts in zip(*found, strict=True))

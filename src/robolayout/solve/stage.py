@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,6 +55,7 @@ class Stage:
     """One stage: its arrays and which slots it moves."""
 
     problem: Problem
+    number: int  # 0 for what stands in the room, 1 for what stands on that, and so on
     arrays: Arrays  # padded arrays
     world: Floats  # (n, 4) poses in the room that everything outside the stage has
     moving: tuple[int, ...]  # slots that move
@@ -63,6 +64,11 @@ class Stage:
     def slots(self) -> int:
         """Number of slots, padding included."""
         return self.arrays.half.shape[0]
+
+    def at(self, world: Floats) -> Stage:
+        """Return the same stage where everything outside it has other poses (n, 4)."""
+        anchor, carrier, limit = (_typed(field) for field in _frames(self.problem, self.number, world, self.slots))
+        return replace(self, arrays=self.arrays._replace(anchor=anchor, carrier=carrier, limit=limit), world=world)
 
     def local(self, world: Floats) -> Floats:
         """Return world poses (..., n, 4) as padded variables (..., A, 4)."""
@@ -139,7 +145,7 @@ def make_stage(problem: Problem, number: int, world: Floats) -> Stage:
         inside=inside,
         **tables,
     )
-    return Stage(problem, Arrays(*(_typed(field) for field in arrays)), world, moving)
+    return Stage(problem, number, Arrays(*(_typed(field) for field in arrays)), world, moving)
 
 
 def sizes_of(scene: Scene) -> Stage:

@@ -228,27 +228,27 @@ class Demander:
 
     def _opposite(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         place = self._place(objects)
-        if place is not None:
-            for a in subjects:
-                ways = [(stated("point_towards", AssetRef(a), point),) for point in self._points(place)]
-                yield from [Demand(tuple(ways))] if ways else []
+        if place is not None and place.name == "room":
+            yield from self._at_place(subjects, Place("side", ("far",)))
+        elif place is not None:
+            yield from self._facing(subjects, [place])
         for a, b in self._matched(subjects, objects):
             yield single(stated("in_front_of", AssetRef(a), AssetRef(b), 0.0, ways_of.ACROSS))
 
     def _facing(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Looking at a thing, a door or a window; a desk faces what one sees who sits at it."""
         place = self._place(objects)
+        others = self._others(objects)
         if one := self._of_rows(subjects, objects):  # the others look as it does
             yield Demand((tuple(stated("align_with", AssetRef(a), AssetRef(*one)) for a in subjects if a not in one),))
             subjects = one
         for i, a in enumerate(subjects):
-            others = self._others(objects)
             targets = (
                 [AssetRef(b) for b in others if b != a] if others else self._points(place) if place is not None else []
             )
             if len(others) == len(subjects):
                 targets = [AssetRef(others[i])]
-            angles = (180.0, 0.0) if self._is(a, ways_of.TOPS) else (0.0,)
+            angles = (180.0, 0.0) if self._is(a, ("desk", "table")) else (0.0,)
             ways = [(stated("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles]
             if len(others) == len(subjects) > 1 and self._is(a, ways_of.SEATS) and self._is(others[i], ("mirror",)):
                 ways = [(*way, stated("in_front_of", AssetRef(a), AssetRef(others[i]), *ways_of.INTO)) for way in ways]
@@ -379,6 +379,10 @@ class Demander:
             yield from self._middle(subjects, [place])
         elif place.name == "wall" and together and len(subjects) > 1:
             yield Demand(tuple(self._ways_at_walls(subjects, place, on=on)))
+        elif place.name == "corner" and len(corners := corners_meant(self.scene, place)) == len(subjects) > 1:
+            yield from (
+                single(stated("corner", AssetRef(a), vertex)) for a, vertex in zip(subjects, corners, strict=True)
+            )
         else:
             found = (tuple(self._ways_at(a, place, on=on, share=share)) for a in subjects)
             yield from (Demand(ways) for ways in found if ways)
@@ -401,10 +405,8 @@ class Demander:
 
     def _held(self, name: str, on: bool) -> str:
         """Return the statement that says that a thing is at a wall: hung on it, or standing against it."""
-        asset = self._asset(name)
-        return (
-            "mounted_on" if self._only_wall(name) or (on and asset.on_wall and not asset.on_floor) else "against_wall"
-        )
+        hung = on and self._asset(name).on_wall and not self._asset(name).on_floor
+        return "mounted_on" if hung or self._only_wall(name) else "against_wall"
 
     def _ways_at(self, a: str, place: Place, *, on: bool, share: bool) -> Iterator[Way]:
         """Yield the ways in which one thing can be at a place of the room."""

@@ -98,6 +98,9 @@ def halves_meant(scene: Scene, place: Place) -> Iterator[tuple[PointRef, ...]]:
         "rear": back,
         "front": (x0, y0, x1, y),
     }
+    if scene.room.doors:  # what is across the room from who comes in
+        nx, ny = scene.room.walls[scene.room.doors[0].wall].normal
+        halves["far"] = halves[("left", "right")[nx > 0] if abs(nx) > abs(ny) else ("front", "back")[ny > 0]]
     ends = ("left", "right") if x1 - x0 >= y1 - y0 else ("front", "back")
     told = (ends[place.det == "other"],) if place.det in ("one", "other") or place.number == 1 else ()
     for word in place.words or told:

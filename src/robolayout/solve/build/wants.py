@@ -346,7 +346,9 @@ class _Reading:
             if self.bare.asset.is_flat and isinstance(relation, NextTo | Toward):
                 return None, Join("beside" if isinstance(relation, NextTo) else "on"), False
             if isinstance(relation, Beside) and self._joins(relation):
-                return relation.b.name, self._beside(relation), demanded
+                same = [other for other, _ in self._all(type(relation)) if other.b == relation.b]
+                apart = max(same, key=lambda other: getattr(other, "min_gap", 0.0))  # a wish may leave more room
+                return relation.b.name, self._beside(apart), demanded
         return None, None, False
 
     def _joins(self, relation: Beside) -> bool:
