@@ -150,6 +150,8 @@ def _joins(demand: Demand, cast: Mapping[str, Cast], passage: float) -> list[tup
 def _side_by_side(three: Sequence[Cast], passage: float) -> list[tuple[str, tuple[str, Join]]]:
     """Return how all three stand side by side where one is to stand between two of a kind that it usually stands beside."""
     middle, first, last = three
+    if first.anchor == last.name:
+        first, last = last, first
     usual = any(join.slot == "beside" and first.role.name in join.of for join in middle.role.joins)
     if not usual or first.role is not last.role:
         return []
