@@ -27,9 +27,8 @@ from robolayout.words import RoomType, dressing, read_rooms, wanted_openings
 FULLEST = 0.55
 """Share of the floor that wished things may take before the wish is called impossible."""
 
-ROOMY = 0.22
-"""Share of the floor that wished things take where no size is given."""
-
+ROOMY, AISLED = 0.22, 0.18
+"""Share of the floor that wished things take where no size is given, and where some are told to stand in so many rows."""
 
 STRETCH = 0.25
 """Logarithm of the factor by which variants of a room are longer or shorter than usual at the most."""
@@ -208,7 +207,8 @@ def _room_size(
     longest = max((max(known.kinds[name].size[:2]) for name in wished if known.kinds[name].on_floor), default=0.0)
     given = wishes.reading.measure("area")
     usual = width * depth * wishes.reading.scale
-    area = given[0] if given else max(usual, known.floor_area({**room.base, **wished}) / ROOMY)
+    share = AISLED if any(link.rows for link in wishes.reading.parsed.links) else ROOMY
+    area = given[0] if given else max(usual, known.floor_area({**room.base, **wished}) / share)
     if wishes.reading.shape == "L-shaped":
         area *= 1.2
     ratio = 1.0 if wishes.reading.square else stretch * width / depth
