@@ -26,7 +26,7 @@ from robolayout.words import (
     sized,
 )
 
-GENERAL = ("desk", "bed", "table", "chair", "shelf", "sink", "counter", "mat", "monitor", "scale")
+GENERAL = ("desk", "bed", "table", "chair", "seat", "shelf", "sink", "counter", "mat", "monitor", "scale")
 """Nouns that mean what is usual in a room: a desk of a classroom is a student desk."""
 
 LACKING, LIKELY = 0.4, 1.0
@@ -43,6 +43,9 @@ SIZE_WORDS = {"small", "large", "big", "little"}
 
 APART = 0.25
 """Metres between things that lie on a rug or sit in a line."""
+
+ELBOWS = 0.6
+"""Metres of a table's edge for who sits there."""
 
 SEATS, AT_A_LINE = ("stool", "chair"), ("front", "by", "with", "wall", "next", "around")
 """Last words of what sits before a counter, and relations that say so."""
@@ -210,7 +213,27 @@ def _large_enough(
                 and mention.thing.noun.kind.endswith(SEATS)
             ):
                 width = round(max(width, each * (own[1] + APART)), 2)
+    seats = 0 if thing.sizes else math.ceil(_seats(thing, links))
+    if seats and thing.noun.kind.endswith("table"):
+        if depth == width and "oval" not in thing.noun.said:
+            depth = width = max(depth, round(seats * ELBOWS / math.pi, 2))
+        while 2 * int(width / ELBOWS) + 2 * int(depth / ELBOWS) < seats:
+            width = round(width + ELBOWS / 2, 2)
     return depth, width, height
+
+
+def _seats(thing: Thing, links: Sequence[Link]) -> float:
+    """Return the seats that each of a thing is said to have: "for ten", "with six chairs", "ten chairs around it"."""
+    if thing.people:
+        return thing.people / (thing.count if thing.plural and thing.number is None else 1)
+    chairs = [
+        mention.thing.count
+        for link in links
+        if link.relation in ("with", "around") and thing in [m.thing for m in link.objects if isinstance(m, Mention)]
+        for mention in link.subjects
+        if mention.thing.noun.kind.endswith(SEATS)
+    ]
+    return sum(chairs) / thing.count
 
 
 def _shown(thing: Thing, room: RoomType, lexicon: Lexicon, links: Sequence[Link]) -> str:

@@ -33,7 +33,7 @@ ROOMY, AISLED = 0.22, 0.18
 STRETCH = 0.25
 """Logarithm of the factor by which variants of a room are longer or shorter than usual at the most."""
 
-LOUNGE = {"sofa", "armchair", "bench", "stool", "booth", "pew"}
+LOUNGE = {"sofa", "armchair", "bench", "stool", "booth", "pew", "recliner"}
 """Last words of what people sit on where there is no table for chairs."""
 
 FOR_TWO = 1.2
@@ -149,10 +149,10 @@ def _wished(wishes: Wishes, room: RoomType, known: Known) -> dict[str, int]:
     in_rows = {
         m.thing.noun.kind for link in wishes.reading.parsed.links if link.relation == "rows" for m in link.subjects
     }
-    audience = (
-        any(head(kind) == "chair" for kind in in_rows) and "desk" not in heads
-    )  # it sits before a board, at no desks
-    heads |= {"desk"} if audience else set()
+    heads |= {"seat"} if heads & (LOUNGE | {"chair"}) else set()
+    rows = {head(kind) for kind in in_rows} | ({"seat"} & {head(name) for name in wished})
+    audience = bool(rows & {"chair", "seat", "pew"}) and "desk" not in heads  # it sits before a board, at no desks
+    heads |= {"desk", "chair"} if audience else set()
     seated = "table" in heads if room.tables else heads & LOUNGE
     if seated and not wishes.reading.people and known.useless("chair", {**wished, **room.base}):
         heads.add("chair")  # who is here sits elsewhere: on sofas, or on stools at high tables
@@ -185,6 +185,7 @@ def _people(wishes: Wishes, room: RoomType, wished: dict[str, int], known: Known
     if wishes.reading.people:
         return 0 if room.couple and wishes.reading.people == 2 and not wishes.reading.young else wishes.reading.people
     taken = {head(name) for name in room.person}
+    taken |= {"computer"} if "desk" in taken else set()
     if "desk" in taken and wishes.seats:
         taken = {"desk"}  # who sits at the table also has a desk
     tables = {name: count for name, count in wished.items() if room.tables and head(name) == "table"}

@@ -36,7 +36,7 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
         for wider, closer in ((1.0, 1.0), (1.0, 0.1), (1.35, 1.0), (1.35, 0.1), (1.8, 1.8)):
             if closer < 1.0 and gap0 > TIGHTEST:
                 continue
-            aisle = round(between[0] + aisle0 * wider, 2)
+            aisle = round(between[0] * (2 if paired else 1) + aisle0 * wider, 2)  # chairs of both rows stand in it
             gap = round(between[1] + gap0 * (closer if gap0 > 0.3 else 1.0), 2)
             plan = GridPlan(names, count, columns, aisle, gap, paired, closer < 1.0)
             cluster = _cluster(clusters, plan, size)
