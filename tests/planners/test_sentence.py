@@ -115,7 +115,7 @@ def test_people_seats_and_general_words_mean_what_is_usual_there(text: str, wish
         ("4 chairs, 1 dining table, 1 sideboard", "dining room"),
         ("a juice bar with a counter", "bar"),
         ("a pharmacy with three shelves", "shop"),
-        ("a stage and a lectern", "room"),
+        ("a stage and a lectern", "lecture hall"),
     ],
 )
 def test_a_room_that_is_not_named_or_not_known_is_the_nearest_one_and_that_is_said(text: str, room: str) -> None:
