@@ -117,9 +117,8 @@ class Demander:
         """Return that a thing rests on another: a rug lies below what stands on it."""
         if self._asset(b).is_flat:
             return single(stated("under", AssetRef(b), (AssetRef(a),)))
-        on = (stated("on_top_of", AssetRef(a), AssetRef(b)),)
         hung = self._asset(a).on_wall and not self._asset(a).on_object
-        return single(stated("above", AssetRef(a), AssetRef(b))) if hung else Demand((on,))
+        return single(stated("above" if hung else "on_top_of", AssetRef(a), AssetRef(b)))
 
     def _with(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """What a thing has: on it, if it can stand nowhere else, else at it."""
@@ -305,8 +304,9 @@ class Demander:
                 yield Demand(tuple((stated("near", AssetRef(a), AssetRef(b), ways_of.BACK),) for b in beside))
 
     def _seen(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        for a, b in self._matched(subjects, objects):
-            yield single(stated("point_towards", AssetRef(b), AssetRef(a)))
+        yield from (
+            single(stated("point_towards", AssetRef(b), AssetRef(a))) for a, b in self._matched(subjects, objects)
+        )
 
     def _under(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """A rug below others; furniture below a window, a picture, a lamp; what stands on the floor cannot stand inside another."""
