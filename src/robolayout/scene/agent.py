@@ -99,6 +99,7 @@ def horizontal_reach(agent: Agent, bottom: float, top: float) -> float | None:
 
     An agent without a reach distance only gets to things, whatever their height. The reach is what its bands say; without
     them, a sphere around the shoulder, and without its height a cylinder between the lowest and the highest height it reaches.
+    Where its hand gets no farther than its own footprint it reaches nothing.
     """
     if agent.reach_distance is None:
         return agent.reach
@@ -106,10 +107,11 @@ def horizontal_reach(agent: Agent, bottom: float, top: float) -> float | None:
     if low > high + SLACK:
         return None
     if agent.reach_bands:
-        return max(
-            (far for begin, end, far in agent.reach_bands if begin <= high + SLACK and end >= low - SLACK), default=None
-        )
-    if agent.shoulder_height is None:
+        found = (far for begin, end, far in agent.reach_bands if begin <= high + SLACK and end >= low - SLACK)
+        far = max(found, default=0.0)
+    elif agent.shoulder_height is None:
         return agent.reach
-    height = abs(min(max(agent.shoulder_height, low), high) - agent.shoulder_height)
-    return math.sqrt(agent.reach**2 - height**2) if height <= agent.reach else None
+    else:
+        height = abs(min(max(agent.shoulder_height, low), high) - agent.shoulder_height)
+        far = math.sqrt(max(agent.reach**2 - height**2, 0.0))
+    return far if far > agent.inradius else None

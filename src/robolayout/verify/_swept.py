@@ -80,10 +80,8 @@ def handle_reach(found: Boxes, agent: Agent, row: int) -> float | None:
 
 
 def _reach(found: Boxes, agent: Agent, row: int, joint: Joint) -> float | None:
-    """Return how far a body reaches at the height of a handle, metres; None where that is not beyond its own footprint."""
     low, high = joint.hold
-    far = horizontal_reach(agent, float(found.poses[row, 2]) + low, float(found.poses[row, 2]) + high)
-    return far if far is not None and far > agent.inradius else None
+    return horizontal_reach(agent, float(found.poses[row, 2]) + low, float(found.poses[row, 2]) + high)
 
 
 def opening_zone(found: Boxes, agent: Agent, row: int) -> BaseGeometry:

@@ -411,10 +411,10 @@ def _height_reason(agent: Agent, bottom: float, top: float) -> str:
         return (
             f"it ends {top:.2f} m high, reach begins at {agent.reach_low:.2f} m: {agent.reach_low - top:.2f} m too low"
         )
-    if agent.reach_bands:
-        return f"its hand gets to nothing {bottom:.2f} to {top:.2f} m high"
     shoulder = agent.shoulder_height or 0.0
     away = bottom - shoulder if bottom > shoulder else shoulder - top
+    if agent.reach_bands or away <= agent.reach:
+        return f"its hand gets to nothing {bottom:.2f} to {top:.2f} m high beyond its own footprint"
     return (
         f"it is {away:.2f} m {'above' if bottom > shoulder else 'below'} the shoulder at {shoulder:.2f} m, reach is "
         f"{agent.reach:.2f} m: {away - agent.reach:.2f} m too {'high' if bottom > shoulder else 'low'}"
