@@ -26,13 +26,12 @@ class Demander:
     """
 
     def __init__(self, scene: Scene, names: Mapping[Thing, tuple[str, ...]], links: Sequence[Link]) -> None:
-        self.scene, self.names = scene, names
+        self.scene, self.room, self.names = scene, scene.room, names
         # of these only the first stands where they are put
         self.stacked = {mention.thing for link in links if link.relation == "stacked" for mention in link.subjects}
         # beside these others stand, so that they are no unbroken row
         to = [item for link in links if link.relation in ways_of.AT_SIDES for item in link.objects]
         self.flanked = {name for item in to if isinstance(item, Mention) for name in names.get(item.thing, ())}
-        self.room = scene.room
         # how many stand side by side in the straight rows that are told
         self.abreast = {
             name: math.ceil(len(named) / (lines(self.scene, link, named) or 1))
@@ -54,9 +53,8 @@ class Demander:
         if not subjects:
             return ()
         if link.relation in ("apart", "bare"):
-            return tuple(
-                self._apart(subjects, link.objects, link.metres if link.relation == "apart" else ways_of.OFF_A_WALL)
-            )
+            metres = link.metres if link.relation == "apart" else ways_of.OFF_A_WALL
+            return tuple(self._apart(subjects, link.objects, metres))
         rooms = [item for item in link.objects if isinstance(item, Place) and item.name == "room"]
         if link.relation in ways_of.ENDS and rooms:
             return tuple(self._at_place(subjects, Place("side", (ways_of.ENDS[link.relation],))))
@@ -304,9 +302,8 @@ class Demander:
                 yield Demand(tuple((stated("near", AssetRef(a), AssetRef(b), ways_of.BACK),) for b in beside))
 
     def _seen(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        yield from (
-            single(stated("point_towards", AssetRef(b), AssetRef(a))) for a, b in self._matched(subjects, objects)
-        )
+        for a, b in self._matched(subjects, objects):
+            yield single(stated("point_towards", AssetRef(b), AssetRef(a)))
 
     def _under(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """A rug below others; furniture below a window, a picture, a lamp; what stands on the floor cannot stand inside another."""
