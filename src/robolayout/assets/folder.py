@@ -201,10 +201,7 @@ def _completed(guess: Guess, path: Path, pieces: Sequence[Part], category: Categ
 
 
 def _unit(edges: Size, category: Category) -> tuple[str, float]:
-    """Return the unit in which the mesh's size is most plausible for its category, and how sure that is.
-
-    It is metres unless another one fits clearly better, and none where none fits.
-    """
+    """Return the unit in which the mesh's size is most plausible for its category, and how sure that is."""
     longest = max(edges)
     if longest <= 0.0:
         raise AssetError("the mesh has no extent; export it again.")

@@ -78,10 +78,7 @@ def drawers(
 
 
 def hollowed(made: Sequence[Part]) -> tuple[Part, ...]:
-    """Return the parts of a thing that has insides: the plain box behind each front is cut out, for a tray or for shelves.
-
-    Where what lies behind a front is no plain box, or something else stands there, the front stays a front.
-    """
+    """Return the parts of a thing that has insides: the plain box behind each front is cut out, for a tray or for shelves."""
     out = list(made)
     for front in (part for part in made if part.joint is not None and (part.name, *part.joint.axis[:2]) in OPEN):
         low, high = ends(front)

@@ -19,10 +19,7 @@ LOW = (0.2, 0.06)  # share of a thing's height, and metres, below both of which 
 
 @lru_cache(maxsize=2048)
 def centre_of_mass(asset: Asset) -> tuple[float, float, float]:
-    """Return the centre of mass of a thing in its own frame, metres; the middle of its box where it cannot be drawn.
-
-    That of a small thing is that of its kind, scaled.
-    """
+    """Return the centre of mass of a thing in its own frame, metres; the middle of its box where it cannot be drawn."""
     from robolayout.assets.meshes import parts
 
     kind = category_of(asset)

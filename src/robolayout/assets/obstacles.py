@@ -31,10 +31,7 @@ def use_sides(asset: Asset) -> tuple[str, ...]:
 
 
 def blocks(asset: Asset, z: float, agent: Agent) -> bool:
-    """Return whether an asset whose box centre is `z` metres high intersects what the agent sweeps, [step, height].
-
-    Flat rugs never do (DESIGN section 7).
-    """
+    """Return whether an asset whose box centre is `z` metres high intersects what the agent sweeps, [step, height]."""
     low, high = z - asset.size[2] / 2, z + asset.size[2] / 2
     return not asset.is_flat and low < agent.height and high > agent.step
 

@@ -52,10 +52,7 @@ def load_mesh_parts(path: Path, size: Size, *, up: str | None = None, front: str
 
 
 def orientation(path: Path, edges: Size, size: Size, *, up: str | None, front: str | None) -> Array:
-    """Return the rotation from the file's axes to depth, width, height.
-
-    A GLB is y-up; for other formats the axis whose edge fits the box's height better is taken, z where both fit.
-    """
+    """Return the rotation from the file's axes to depth, width, height."""
     for axis in (up, front):
         if axis is not None and axis not in AXES:
             raise AssetError(f"mesh {path.name}: {axis!r} is no axis; use one of {', '.join(sorted(AXES))}.")

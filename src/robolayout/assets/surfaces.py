@@ -174,10 +174,7 @@ def resting_place(lower: Asset, upper: Asset, among: tuple[Surface, ...] | None 
 
 
 def hung_from(hook: Surface, thing: Asset) -> Surface:
-    """Return where the middle of a thing's bottom is that hangs from a hook, as a surface; other surfaces are as they are.
-
-    It hangs with its back towards what holds the hook, as near to the hook's end as that lets it.
-    """
+    """Return where the middle of a thing's bottom is that hangs from a hook, as a surface; other surfaces are as they are."""
     drop = category_of(thing).hangs
     if not (hook.is_hook and drop):
         return hook

@@ -61,10 +61,7 @@ def strip_outcome(
     place: tuple[tuple[float, float], tuple[float, float]],
     exempt: Collection[str] = (),
 ) -> Outcome:
-    """Return how much of a strip, given by centre and half size in its owner's frame, is taken by the worst thing.
-
-    Rugs and what is exempt may lie there.
-    """
+    """Return how much of a strip, given by centre and half size in its owner's frame, is taken by the worst thing."""
     (x, y), (hx, hy) = place
     return region_outcome(
         scene, layout, owner, box(x - hx, y - hy, x + hx, y + hy), strip_span(scene, layout, owner), exempt

@@ -38,10 +38,7 @@ def meeting_prisms(a: Asset, b: Asset, layout: Layout) -> tuple[tuple[Prism, Pri
 
 @lru_cache(maxsize=1 << 14)
 def _meeting(a: Asset, b: Asset, apart: float) -> tuple[tuple[Prism, Prism], ...]:
-    """Return the pairs of prisms of one height where b stands `apart` metres higher than a.
-
-    A pair within another one in plan says nothing that the other does not say.
-    """
+    """Return the pairs of prisms of one height where b stands `apart` metres higher than a."""
     pairs = [
         (p, q)
         for p in prisms_of(a)

@@ -177,10 +177,7 @@ def dump_json(content: object) -> bytes:
 
 
 def reader(what: str) -> Callable[[Callable[[bytes], Rows]], Read]:
-    """Return a decorator for what yields the rows of a format: whatever it cannot read is one sentence about `what`.
-
-    It may raise `Unreadable`, or trip over what is missing in the bytes; poses must be finite.
-    """
+    """Return a decorator for what yields the rows of a format: whatever it cannot read is one sentence about `what`."""
 
     def decorate(rows: Callable[[bytes], Rows]) -> Read:
         @wraps(rows)

@@ -42,10 +42,7 @@ class Box:
 
 
 def welded(part: Part) -> Surface:
-    """Return a part's triangles with equal corners joined; normals are (3 m, 3), one for each corner of each face.
-
-    Normals are smooth across shallow edges and sharp across those above 40 degrees.
-    """
+    """Return a part's triangles with equal corners joined; normals are (3 m, 3), one for each corner of each face."""
     positions, inverse = _unique_rows(np.asarray(part.vertices, np.float64))
     faces = inverse[np.asarray(part.faces, np.int64)]
     cross = np.cross(positions[faces[:, 1]] - positions[faces[:, 0]], positions[faces[:, 2]] - positions[faces[:, 0]])
@@ -103,10 +100,7 @@ def _angles(positions: FloatArray, faces: IntArray) -> FloatArray:
 
 
 def merged(parts: tuple[Part, ...]) -> tuple[tuple[Material, bool, Surface], ...]:
-    """Return one surface per material, in the order in which the materials first appear.
-
-    The flag says whether every part is closed and convex, so that its inside is never seen.
-    """
+    """Return one surface per material, in order of appearance, and whether all its parts are closed and convex."""
     groups: dict[Material, list[Part]] = {}
     for part in parts:
         groups.setdefault(part.material, []).append(part)
@@ -128,11 +122,7 @@ def _joined(surfaces: list[Surface]) -> Surface:
 
 
 def as_box(part: Part, tolerance: float = 1e-6) -> Box | None:
-    """Return the oriented box that a part is, or None if it is no box.
-
-    A box has eight distinct corners; the three edges at one corner are at right angles, and the corners that they
-    span are exactly the part's.
-    """
+    """Return the oriented box that a part is, or None if it is no box."""
     corners, _ = _unique_rows(np.round(np.asarray(part.vertices, np.float64), 9))
     if len(corners) != 8:
         return None

@@ -20,10 +20,7 @@ CLEAR = 0.001  # metres between a rug and what stands in its holes
 
 
 def laid_parts(asset: Asset, scene: Scene, layout: Layout, *, seed: int = 0) -> tuple[Part, ...]:
-    """Return the parts of a thing as they lie in a room: those of a rug have holes where others stand through it.
-
-    A rug of which nothing would be left stays whole.
-    """
+    """Return the parts of a thing as they lie in a room: those of a rug have holes where others stand through it."""
     made = parts(asset, seed=seed)
     if not asset.is_flat or asset.name not in layout:
         return made

@@ -62,10 +62,7 @@ def thor_type(category: str) -> str | None:
 
 
 def nearest(asset: Asset) -> ThorAsset | None:
-    """Return the THOR asset that stands for one of ours, the nearest in size of the same type; None where there is none.
-
-    THOR has no rugs and nothing that hangs from a ceiling.
-    """
+    """Return the THOR asset that stands for one of ours, the nearest in size of the same type; None where there is none."""
     kind = thor_type(asset.category)
     if kind is None or asset.is_flat or (asset.on_ceiling and not (asset.on_floor or asset.on_object)):
         return None

@@ -275,10 +275,7 @@ def _spent(clock: Clock) -> dict[str, float]:
 
 
 class Rooms(Sequence[Result]):
-    """The rooms of a SPEC, made when they are asked for; the same number is the same room.
-
-    A room that does not meet its demands is drawn again, as in a batch; that no two are much alike is looked at there only.
-    """
+    """The rooms of a SPEC, made when they are asked for; the same number is the same room."""
 
     def __init__(self, ready: Ready, meshes: Path | None = None) -> None:
         self.ready, self.meshes = ready, meshes

@@ -77,10 +77,7 @@ def _circles(report: AgentReport) -> tuple[tuple[Point, float], ...]:
 
 
 def _arcs(report: AgentReport) -> tuple[tuple[Point, ...], ...]:
-    """Return where the body stands to use things and how far its arm reaches there: a short arc towards each.
-
-    Of places close together one is taken, and what lies behind a wall is cut off.
-    """
+    """Return where the body stands to use things and how far its arm reaches there: a short arc towards each."""
     from shapely import LineString, Polygon
 
     from robolayout.verify import horizontal_reach

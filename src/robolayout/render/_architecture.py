@@ -68,10 +68,7 @@ def _draw_window(sheet: Drawing, room: Room, window: Opening, place: Place) -> N
 
 
 def _draw_door(sheet: Drawing, room: Room, door: Opening, place: Place) -> None:
-    """Draw the threshold, the open leaf and its swing into the room; the hinge is nearer to the wall's end.
-
-    A door wider than 1.2 m has two leaves.
-    """
+    """Draw the threshold, the open leaf and its swing into the room; the hinge is nearer to the wall's end."""
     wall = room.walls[door.wall]
     start, end = door.offset, door.offset + door.width
     for depth in (0.0, -PLAN.wall):

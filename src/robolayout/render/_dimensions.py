@@ -103,10 +103,7 @@ def _along(point: Point, direction: Point) -> float:
 
 
 def draw_chains(sheet: Drawing, room: Room, place: Place, k: float, names: Sequence[Outline]) -> list[Outline]:
-    """Draw the dimension lines of a room, `k` millimetres to a metre; return the outlines of their lengths and of `names`.
-
-    The lengths keep off `names`, the outlines of what is written beside the walls.
-    """
+    """Draw the dimension lines of a room, `k` millimetres to a metre; return the outlines of their lengths and of `names`."""
     lengths: list[tuple[Point, Point, str]] = []
     for chain in chains(room):
         off = (SHEET.beside + SHEET.step * chain.level) / k + PLAN.wall

@@ -74,10 +74,7 @@ def _shader(name: str) -> str:
 
 
 class GLRenderer:
-    """Draws one mesh from any camera with OpenGL, in the thread that made it.
-
-    Raises what moderngl raises when there is no EGL (see `available`).
-    """
+    """Draws one mesh from any camera with OpenGL, in the thread that made it."""
 
     def __init__(self, mesh: Mesh, sky_blockers: NDArray[np.bool_], sun_blockers: NDArray[np.bool_]) -> None:
         """Upload `mesh`; the masks say which of its triangles take the sky's and the sun's light away."""
@@ -201,10 +198,7 @@ class GLRenderer:
         order.release()
 
     def _depths(self, camera: Camera) -> tuple[float, float]:
-        """Return metres to a plane behind everything and to one before it, close together: layers of a rug lie 1 mm apart.
-
-        Depth is linear, so the corners of the bounds say it.
-        """
+        """Return metres to a plane behind everything and to one before it, close together: layers of a rug lie 1 mm apart."""
         low, high = self._bounds
         _, depth = camera.project(np.array(list(product(*zip(low, high, strict=True)))))
         return max(float(depth.max()) * 1.01, 1.0), max(float(depth.min()) * 0.99, VIEW.near)

@@ -36,11 +36,7 @@ class Frame:
 
 
 def draw_losses(trace: Trace) -> Drawing:
-    """Return two panels side by side, 240 x 92 mm: the terms of the loss, linear, and log10 of their absolute values.
-
-    Terms may be absent from any step; a line has a gap there. An empty trace gives empty axes that say so, and one in which
-    nothing moved a sentence instead of axes.
-    """
+    """Return two panels side by side, 240 x 92 mm: the terms of the loss, linear, and log10 of their absolute values."""
     sheet = Drawing(240.0, 92.0)
     terms = loss_terms(trace)
     if terms and is_still(trace):

@@ -148,10 +148,7 @@ class GroupedRun:
         )
 
     def _once_more(self, last: Attempt, traces: list[Trace], *, alone: bool) -> Attempt:
-        """Return the same program solved once more by itself, if that is better.
-
-        From where its things are, with all free to move; one that is `alone`, first as it would be without other samples.
-        """
+        """Return the same program solved once more by itself, if that is better."""
         there = replace(last.asked, guesses=guesses_of(last.solution.layout))
         for asked in (last.asked, there) if alone else (there,):
             (again,) = self.whole.finished([asked], self.scene, {})

@@ -19,10 +19,7 @@ SHUT = 0.25
 
 
 def make_judge(scene: Scene, program: Program) -> Judge:
-    """Return the exact verifier as an order on (partial) layouts: what is not placed yet is not counted.
-
-    A body that cannot come in whatever is done has no say. What is cheap is looked at first.
-    """
+    """Return the exact verifier as an order on (partial) layouts: what is not placed yet is not counted."""
     statements = [_Asked(s.relation, frozenset(s.relation.asset_names())) for s in program.statements]
     bodies = [agent for agent in scene.agents if not kept_out(scene, agent)]
 

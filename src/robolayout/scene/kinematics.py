@@ -172,10 +172,7 @@ class Robot:
         return {joint.name: min(max(0.0, joint.low), joint.high) for joint in self.arms}
 
     def folded(self, seed: int = 0) -> dict[str, float]:
-        """Return the values of the arms' joints at which the robot takes least floor, then least height.
-
-        Joint after joint takes the best of several values at which no two links meet that do not at rest, from several poses.
-        """
+        """Return the values of the arms' joints at which the robot takes least floor, then least height."""
         if not self.arms:
             return {}
         rng = np.random.default_rng(seed)

@@ -12,10 +12,7 @@ SPARE = 1.0  # metres that the empty room is wider than the thing with the body 
 
 
 def unusable_alone(asset: Asset, agent: Agent) -> str:
-    """Return why a body cannot use a thing that stands on the floor, with nothing around it; empty where it can.
-
-    In the open it drives to wherever it can stand.
-    """
+    """Return why a body cannot use a thing that stands on the floor, with nothing around it; empty where it can."""
     return _reason(replace(asset, name="it", description=""), replace(agent, turning_radius=None))
 
 

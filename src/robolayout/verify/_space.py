@@ -178,10 +178,7 @@ def standing_distances(found: Boxes, space: Space) -> NDArray[np.float64]:
 
 
 def plan_distances(found: Boxes, space: Space, reach: float) -> NDArray[np.float64]:
-    """Return metres from each footprint to where a disc can be; infinite if it cannot come in, NaN where unplaced.
-
-    That is the main component; for what is out of reach from there also what it gets to once it has moved chairs away.
-    """
+    """Return metres from each footprint to where a disc can be; infinite if it cannot come in, NaN where unplaced."""
     distances = standing_distances(found, space)
     if space.blocking.movables and not space.main.is_empty:
         asked = found.placed & ~(found.flat | found.ceiling)

@@ -46,10 +46,7 @@ class Move:
 
 
 def moves(scene: Scene, layout: Layout, program: Program | None, agents: tuple[Agent, ...]) -> tuple[Move, ...]:
-    """Return what was moved from a program's guess, the farthest first.
-
-    Each thing is put back alone, with what stands on it, and the layout is judged again, exactly.
-    """
+    """Return what was moved from a program's guess, the farthest first."""
     found = [] if program is None else [move for move in _off(layout, program) if move.asset in scene.by_name]
     if not found:
         return ()

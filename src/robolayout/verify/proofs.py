@@ -194,10 +194,7 @@ def body_misfits(scene: Scene, agent: Agent) -> Iterator[str]:
 
 
 def remedies(nav: Navigation) -> Remedies:
-    """Return the smallest changes to this layout that would let an agent reach what it does not reach.
-
-    None for a body that cannot come in even if the room is empty.
-    """
+    """Return the smallest changes to this layout that would let an agent reach what it does not reach."""
     aside = exempt_from_reach(nav.scene, nav.agent)
     trials = _Trials(nav)
     largest = min((p.width for name, p in nav.passages.items() if name not in aside), default=0.0)
