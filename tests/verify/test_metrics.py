@@ -117,18 +117,17 @@ def test_sceneeval_sup_at_walls_and_ceilings_needs_one_contact():
 
 def test_physcene_walkable_starts_at_each_door():
     """Robot 0.3 m: lower part y from 0.15 to 0.85, upper part 1.55 to 3.85."""
-    assert physcene(*divided(y=1.2)).r_walkable == pytest.approx(0.7 / 3.0, abs=0.01)
+    assert physcene(*divided(y=1.2))["R_walkable"] == pytest.approx(0.7 / 3.0, abs=0.01)
     upper = Opening(2, 1.0, 0.9, 2.05)
     both = replace(square(), doors=(DOOR, upper))
-    assert physcene(*divided(y=1.2, room=both)).r_walkable == pytest.approx(0.5, abs=0.01)
+    assert physcene(*divided(y=1.2, room=both))["R_walkable"] == pytest.approx(0.5, abs=0.01)
     blocked = thing("block-0", (1.6, 1.4, 1.0))
-    assert physcene(*furnished(square(), (blocked, on_floor(blocked, 1.45, 0.7)))).r_walkable == 0.0
+    assert physcene(*furnished(square(), (blocked, on_floor(blocked, 1.45, 0.7))))["R_walkable"] == 0.0
 
 
-def test_physcene_walkable_without_doors_takes_the_largest_and_the_quirk_the_first():
+def test_physcene_walkable_without_doors_takes_the_largest():
     scene, layout = divided(y=1.2, room=square(doors=()))
-    assert physcene(scene, layout).r_walkable == pytest.approx(2.3 / 3.0, abs=0.01)
-    assert physcene(scene, layout, first_label=True).r_walkable == pytest.approx(0.7 / 3.0, abs=0.01)
+    assert physcene(scene, layout)["R_walkable"] == pytest.approx(2.3 / 3.0, abs=0.01)
 
 
 def test_physcene_reach_weighs_components():
@@ -136,22 +135,22 @@ def test_physcene_reach_weighs_components():
     shelf = thing("shelf-0", (4.0, 0.4, 1.0))
     scene, layout = furnished(square(), (shelf, on_floor(shelf, 2, 1.2)), (BOX, on_floor(BOX, 2, 3)))
     measured = physcene(scene, layout)
-    assert measured.r_reach == pytest.approx(1 - 0.5 * measured.r_walkable)
-    assert physcene(*divided()).r_reach == pytest.approx(1.0)
+    assert measured["R_reach"] == pytest.approx(1 - 0.5 * measured["R_walkable"])
+    assert physcene(*divided())["R_reach"] == pytest.approx(1.0)
 
 
 def test_physcene_counts_any_overlap_and_any_pixel():
     other = replace(BOX, name="box-1")
     far = replace(BOX, name="box-2")
     apart = furnished(square(), (BOX, on_floor(BOX, 1, 2)), (other, on_floor(other, 1.5, 2)))
-    assert (physcene(*apart).col_obj, physcene(*apart).col_scene) == (0.0, 0.0)
+    assert (physcene(*apart)["Col_obj"], physcene(*apart)["Col_scene"]) == (0.0, 0.0)
     touching = furnished(
         square(), (BOX, on_floor(BOX, 1, 2)), (other, on_floor(other, 1.499, 2)), (far, on_floor(far, 3.8, 3))
     )
     measured = physcene(*touching)
-    assert measured.col_obj == pytest.approx(2 / 3)
-    assert measured.col_scene == 1.0
-    assert measured.r_out == pytest.approx(1 / 3)
+    assert measured["Col_obj"] == pytest.approx(2 / 3)
+    assert measured["Col_scene"] == 1.0
+    assert measured["R_out"] == pytest.approx(1 / 3)
 
 
 def test_layoutvlm_counts_in_percent():
@@ -165,8 +164,8 @@ def test_layoutvlm_counts_in_percent():
 @pytest.mark.parametrize(("gap", "regions", "ratio"), [(0.0, 2, 0.5), (0.25, 2, 0.5), (0.35, 1, 1.0)])
 def test_scenesmith_counts_regions_for_a_disc_of_30_cm(gap: float, regions: int, ratio: float):
     measured = scenesmith(*divided(gap))
-    assert (measured.regions, measured.reachability_ratio) == (regions, pytest.approx(ratio))
-    assert measured.blocking == (("shelf-0",) if regions == 2 else ())
+    assert (measured["regions"], measured["reachability_ratio"]) == (regions, pytest.approx(ratio))
+    assert measured["blocking"] == (["shelf-0"] if regions == 2 else [])
 
 
 def test_only_what_is_placed_is_seen():

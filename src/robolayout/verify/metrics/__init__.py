@@ -21,14 +21,14 @@ def published_metrics(scene: Scene, layout: Layout) -> dict[str, dict[str, objec
     """
     found: dict[str, dict[str, object]] = {
         "SceneEval": dict(sceneeval(scene, layout).to_dict()),
-        "PhyScene": dict(physcene(scene, layout).to_dict()),
+        "PhyScene": dict[str, object](physcene(scene, layout)),
         "LayoutVLM": dict(layoutvlm(scene, layout)),
-        "SceneSmith": scenesmith(scene, layout).to_dict(),
+        "SceneSmith": scenesmith(scene, layout),
     }
     rugs = {asset.name for asset in scene.assets if asset.is_flat} & set(layout)
     if rugs:
         bare = Layout({name: pose for name, pose in layout.items() if name not in rugs})
-        again = {"SceneEval": sceneeval(scene, bare).to_dict(), "PhyScene": physcene(scene, bare).to_dict()}
+        again = {"SceneEval": sceneeval(scene, bare).to_dict(), "PhyScene": physcene(scene, bare)}
         for benchmark, names in AS_OBSTACLES.items():
             found[benchmark]["rugs"] = f"count as obstacles in {', '.join(names)}, as published"
             found[f"{benchmark}_without_rugs"] = {name: again[benchmark][name] for name in names}

@@ -6,8 +6,6 @@ wide, blocks every pixel within half that width of the box.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import shapely
 from numpy.typing import NDArray
@@ -23,33 +21,12 @@ MARGIN = 0.2  # metres around the room in the picture
 ROUNDING = 1e-9  # metres and square metres that boxes may share by rounding: what stands on something only touches it
 
 
-@dataclass(frozen=True)
-class PhyScene:
-    """PhyScene's figures of one layout."""
-
-    col_obj: float  # share of objects whose box overlaps any other
-    col_scene: float  # 1 if there is any, else 0; its mean over scenes is the published rate
-    r_out: float  # share of objects with any pixel off the floor
-    r_walkable: float  # free pixels of the component at the doors (no door: of the largest) over all free pixels
-    r_reach: float  # share of objects next to a component, weighted by the component's share of the free floor
-
-    def to_dict(self) -> dict[str, float]:
-        """Return the figures under PhyScene's names."""
-        return {
-            "Col_obj": self.col_obj,
-            "Col_scene": self.col_scene,
-            "R_out": self.r_out,
-            "R_walkable": self.r_walkable,
-            "R_reach": self.r_reach,
-        }
-
-
-def physcene(scene: Scene, layout: Layout, *, first_label: bool = False) -> PhyScene:
+def physcene(scene: Scene, layout: Layout) -> dict[str, float]:
     """Measure a layout by PhyScene's rules.
 
-    Args:
-        first_label: Take the first component found instead of the largest where there is no door, as the published code
-            does by returning inside its loop.
+    Col_obj and R_out are shares of objects, Col_scene is 1 if any box overlaps another (its mean over scenes is the published
+    rate), R_walkable the share of free pixels in the component at the doors (without a door in the largest), R_reach that of
+    the objects next to a component, weighted by the component's share of the free floor.
     """
     found = boxes(scene, layout)
     rows = np.flatnonzero(found.placed)
@@ -60,13 +37,13 @@ def physcene(scene: Scene, layout: Layout, *, first_label: bool = False) -> PhyS
     masks = [picture.mask(found.footprints[row].buffer(ROBOT_WIDTH / 2)) for row in blocking]
     free = picture.eroded_floor(ROBOT_WIDTH) & ~np.logical_or.reduce([np.zeros_like(picture.floor), *masks])
     numbered, counts = components(free)
-    return PhyScene(
-        col_obj=float(hit.mean()) if len(hit) else 0.0,
-        col_scene=float(hit.any()),
-        r_out=float(np.mean(outside)) if outside else 0.0,
-        r_walkable=_walkable(scene.room, picture, numbered, counts, first_label=first_label),
-        r_reach=_reach(masks, numbered, counts),
-    )
+    return {
+        "Col_obj": float(hit.mean()) if len(hit) else 0.0,
+        "Col_scene": float(hit.any()),
+        "R_out": float(np.mean(outside)) if outside else 0.0,
+        "R_walkable": _walkable(scene.room, picture, numbered, counts),
+        "R_reach": _reach(masks, numbered, counts),
+    }
 
 
 def _overlapping(found: Boxes, rows: NDArray[np.intp]) -> NDArray[np.bool_]:
@@ -82,13 +59,11 @@ def _overlapping(found: Boxes, rows: NDArray[np.intp]) -> NDArray[np.bool_]:
     return hit
 
 
-def _walkable(
-    room: Room, picture: Raster, numbered: NDArray[np.int32], counts: NDArray[np.intp], *, first_label: bool
-) -> float:
+def _walkable(room: Room, picture: Raster, numbered: NDArray[np.int32], counts: NDArray[np.intp]) -> float:
     if not len(counts):
         return 0.0
     if not room.doors:
-        return float((counts[0] if first_label else counts.max()) / counts.sum())
+        return float(counts.max() / counts.sum())
     ys, xs = np.nonzero(numbered)
     shares: list[float] = []
     for door in room.doors:

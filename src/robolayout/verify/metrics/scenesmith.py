@@ -6,8 +6,6 @@ stands on the floor, rugs aside.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import shapely
 from numpy.typing import NDArray
@@ -20,21 +18,8 @@ from robolayout.verify._space import components
 WIDTH = 0.3  # metres
 
 
-@dataclass(frozen=True)
-class SceneSmith:
-    """SceneSmith's figures of one layout."""
-
-    regions: int  # number of separate pieces of free floor
-    reachability_ratio: float  # area of the largest piece over all free area; 0 if there is none
-    blocking: tuple[str, ...]  # furniture without which there would be fewer pieces
-
-    def to_dict(self) -> dict[str, object]:
-        """Return the figures by name."""
-        return {"regions": self.regions, "reachability_ratio": self.reachability_ratio, "blocking": list(self.blocking)}
-
-
-def scenesmith(scene: Scene, layout: Layout) -> SceneSmith:
-    """Measure a layout by SceneSmith's rule."""
+def scenesmith(scene: Scene, layout: Layout) -> dict[str, object]:
+    """Return pieces of free floor, the area of the largest over all (0 if there is none), and furniture without which there are fewer."""
     found = boxes(scene, layout)
     rows = np.flatnonzero(found.placed & ~found.flat & (found.bottom <= 0.02))
     floor = shapely.box(*scene.room.bounds).buffer(-WIDTH / 2)
@@ -46,7 +31,8 @@ def scenesmith(scene: Scene, layout: Layout) -> SceneSmith:
         blocking = [
             found.names[row] for i, row in enumerate(rows) if len(_pieces(floor, np.delete(grown, i))) < len(pieces)
         ]
-    return SceneSmith(len(pieces), float(areas.max() / areas.sum()) if len(areas) else 0.0, tuple(blocking))
+    ratio = float(areas.max() / areas.sum()) if len(areas) else 0.0
+    return {"regions": len(pieces), "reachability_ratio": ratio, "blocking": blocking}
 
 
 def _pieces(floor: BaseGeometry, grown: NDArray[np.object_]) -> NDArray[np.object_]:
