@@ -99,6 +99,8 @@ def links(text: str) -> set[tuple[str, ...]]:
             {"table lamp": 1, "alarm clock": 1, "night stand": 2},
         ),
         ("a bed and a TV that I can watch from bed", {"bed": 1, "television": 1}),
+        ("a desk with two chairs in front of it and one behind it", {"desk": 1, "chair": 3}),
+        ("an arcade cabinet in each of the back corners", {"arcade machine": 2}),
         ("five tables. Three of them are square and seat four, the remaining two are round.", {"dining table": 5}),
     ],
 )
@@ -284,6 +286,10 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
             {("left", "stove", "washbasin"), ("facing", "stove", "door"), ("facing", "washbasin", "door")},
         ),
         ("There's a rug, on which a low coffee table stands.", {("on", "coffee table", "rug")}),
+        (
+            "On the left side of the bed is a desk. On the other side of the bed there is a plant.",
+            {("left", "desk", "bed"), ("right", "plant", "bed")},
+        ),
         ("Every table has a candle in its center.", {("middle", "candle", "dining table")}),
     ],
 )  # fmt: skip

@@ -43,7 +43,25 @@ NEGATING = frozenset(_NEGATING.split())
 REFUSING = NEGATING | {"no", "without", "neither", "nor"}
 """Words that refuse what follows."""
 BREAKING = frozenset(
-    ["for", "of", "to", "from", "that", "which", "who", "so", "than", "when", "whose", "whom", "if", "does", "do", "x"]
+    [
+        "for",
+        "of",
+        "to",
+        "from",
+        "that",
+        "which",
+        "who",
+        "so",
+        "than",
+        "when",
+        "whose",
+        "whom",
+        "if",
+        "does",
+        "do",
+        "x",
+        "except",
+    ]
 )
 """Words that end a noun phrase."""
 _PEOPLE = """

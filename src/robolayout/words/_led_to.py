@@ -39,6 +39,11 @@ class LedTo(References):
     def _other_side(self, chunk: Chunk, objects: list[Mention | Place]) -> tuple[Chunk, list[Mention | Place]]:
         """Return a relation and what it leads to, where "on the other side" is the other side of what was spoken of."""
         place = objects[0] if objects and isinstance(objects[0], Place) else None
+        if chunk.value == "opposite" and "other" in chunk.adjectives:  # "on the other side of the bed"
+            to = {item.thing for item in objects if isinstance(item, Mention)}
+            said = [k for k in self.said.links if to & {m.thing for m in k.objects if isinstance(m, Mention)}]
+            sides = [k.relation for k in said if k.relation in ("left", "right")]
+            return (replace(chunk, value=OTHER_SIDE[sides[-1]]) if sides else chunk), objects
         if place is not None and (chunk.value, place.name) == ("oneside", "room"):
             return replace(chunk, value="on"), [Place("side", det="one")]
         sided = [link for link in self.said.links if link.relation in OTHER_SIDE and link.objects][-1:]

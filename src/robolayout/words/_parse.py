@@ -144,6 +144,15 @@ class Parser(Relating):
     def _deal(self, share: int, index: int) -> bool:
         """Let so many of the things named last be what the relation there is about: "two at one wall and two at the other"."""
         last = (self.group or self.subject or self.before)[-1:]
+        more = self.chunks[self.at - 2].kind == "and" and last == self.acted and last[:1] and last[0].pick is None
+        if (
+            more and last[0].thing.number and last[0].thing not in self.dealt
+        ):  # "two chairs before it and one behind it"
+            k = self.said.links[-1]
+            self.dealt[last[0].thing] = last[0].thing.number
+            own = Mention(last[0].thing, slice(0, last[0].thing.number))
+            self.said.links[-1] = replace(k, subjects=(own,)) if k.subjects == tuple(last) else k
+            last[0].thing.number += share
         first = self.dealt.get(last[0].thing, 0) if last else 0
         if not last or first + share > last[0].thing.count:
             return False

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from robolayout.words._chunk import Chunk
 from robolayout.words._function_words import ORDINALS, PEOPLE
+from robolayout.words._lexicon import grammar
 from robolayout.words._said import Link, Mention, Parsed, Place, Thing, place_of, same, same_words, several, topped
 
 AXES = {"left": "across", "right": "across", "front": "along", "behind": "along", "foot": "along"}
@@ -357,7 +358,9 @@ class References:
         if isinstance(item, Mention):
             return item.thing.count
         asked = sum(place.number or 0 for place, _ in self.said.openings if place.name == item.name)
-        return item.number or (4 if item.name in ("corner", "wall") else asked or 1)
+        sides = len({*item.words} & {*grammar().walls})  # "in each of the back corners"
+        corners = 4 if not sides or item.name == "wall" else 2 // sides
+        return item.number or (corners if item.name in ("corner", "wall") else asked or 1)
 
     def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
         """Note a relation; what stands at each of several things is as many times there."""

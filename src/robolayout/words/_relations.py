@@ -342,7 +342,8 @@ class Relating(LedTo):
     def _nearest(self, relation: str) -> list[Mention]:
         """Return what a relation right after a noun is about: small things "on" something all together, else the noun."""
         following = self.chunks[self.at].value if self.at < len(self.chunks) else ""
-        hung = self.target is not None and "wall" in CATALOGUE[self.target.thing.noun.kind].places
+        noun = self.target.thing.noun if self.target is not None else None
+        hung = noun is not None and any("wall" in CATALOGUE[kind].places for kind in (noun.kind, *noun.others))
         told = relation in ("by", "next", "near", "holds") or (
             following == "wall" and hung and relation in ("on", "wall")
         )
