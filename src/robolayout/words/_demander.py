@@ -10,7 +10,7 @@ from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Asset, Opening, Scene, Wall
 from robolayout.words import _ways as ways_of
-from robolayout.words._places import centre, corners_meant, halves_meant, rectangle, turned, wall_pairs, walls_meant
+from robolayout.words._places import centre, corners_meant, halves_meant, rectangle, wall_pairs, walls_meant
 from robolayout.words._rows import alike, in_rows, lines
 from robolayout.words._said import Link, Mention, Place, Thing
 from robolayout.words.demands import Demand, Way, by_ways, single, stated
@@ -180,10 +180,7 @@ class Demander:
             else:
                 by.setdefault(b, []).append(a)
         for b, items in by.items():
-            sides = [("left", "right")[i % 2] for i in range(len(items))]
-            ways = (
-                [sides, sides[::-1]] if len(items) > 1 and len(items) % 2 == 0 else [sides, [turned(s) for s in sides]]
-            )
+            ways = [[("left", "right")[(i + first) % 2] for i in range(len(items))] for first in (0, 1)]
             gap = ways_of.BESIDE if len(items) < 3 else ways_of.BESIDE * len(items)
             yield Demand(
                 tuple(

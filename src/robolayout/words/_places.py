@@ -114,11 +114,6 @@ def rectangle(x0: float, y0: float, x1: float, y1: float) -> tuple[PointRef, ...
     return tuple(PointRef(round(x, 3), round(y, 3)) for x, y in corners)
 
 
-def turned(side: str) -> str:
-    """Return the other one of left and right."""
-    return {"left": "right", "right": "left"}[side]
-
-
 def centre(scene: Scene) -> tuple[float, float]:
     """Return the middle of the room's bounds in metres."""
     x0, y0, x1, y1 = scene.room.bounds
