@@ -15,7 +15,7 @@ from robolayout.scene import Layout, Room, Scene, Wall
 
 
 def near_walls(room: Room, camera: Camera) -> set[int]:
-    """Return the indices of the walls that hide more than HIDES of the floor from the camera."""
+    """Return the indices of the walls that hide more than `VIEW.hides` of the floor from the camera."""
     floor = _floor_points(room)
     eye = np.asarray(camera.position)
     return {wall.index for wall in room.walls if _hidden_share(wall, room.wall_height, eye, floor) > VIEW.hides}

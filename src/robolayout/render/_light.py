@@ -1,7 +1,7 @@
 """The light of every picture: a soft sun, a sky, and what floor and walls throw back. Both renderers share it.
 
 Radiance of a surface with linear colour a and normal n:
-    a (SUN mean_i[visible_i max(0, n . sun_i)] + SKY s + BOUNCE (BOUNCE_LEVEL - BOUNCE_TILT n_z)),
+    a (SUN mean_i[visible_i max(0, n . sun_i)] + SKY s + BOUNCE (LIGHT.bounce - LIGHT.bounce_tilt n_z)),
     s = (2 / K) sum_k[visible_k max(0, n . sky_k)], computed at the corners of a refined mesh and interpolated,
 plus a small highlight of the sun for glossy surfaces; then exposure, a soft shoulder above 0.75, and sRGB.
 """
@@ -26,7 +26,7 @@ BOUNCE = np.array([0.36, 0.345, 0.32])  # linear irradiance over pi of sun, open
 
 @lru_cache(maxsize=1)
 def sky_directions() -> NDArray[np.float32]:
-    """Return (SKY_COUNT, 3) unit vectors spread evenly over the upper hemisphere (golden spiral)."""
+    """Return (`LIGHT.sky`, 3) unit vectors spread evenly over the upper hemisphere (golden spiral)."""
     k = np.arange(LIGHT.sky)
     z = 0.06 + 0.94 * (k + 0.5) / LIGHT.sky
     angle = k * math.pi * (3 - math.sqrt(5)) + 0.4
@@ -35,7 +35,7 @@ def sky_directions() -> NDArray[np.float32]:
 
 
 def sun_directions(camera: Camera) -> NDArray[np.float32]:
-    """Return (SUN_COUNT, 3) unit vectors to the sun: over the viewer's left shoulder; upper left when seen from above."""
+    """Return (`LIGHT.sun`, 3) unit vectors to the sun: over the viewer's left shoulder; upper left when seen from above."""
     right, down, forward = camera.axes
     from_above = abs(forward[2]) > 0.9
     behind = _unit(-down[:2] if from_above else -forward[:2])

@@ -203,7 +203,7 @@ def _soup(pieces: Sequence[tuple[Part, str, Pose | None, int]]) -> Mesh:
 
 
 def _normals(corners: NDArray[np.float64], of: NDArray[np.int32]) -> NDArray[np.float64]:
-    """Return shading normals (n, 3, 3): the mean over faces of the same part that share the corner within CREASE.
+    """Return shading normals (n, 3, 3): the mean over faces of the same part that share the corner within `LIGHT.crease`.
 
     Corners are matched by position (0.1 mm); at most 16 faces around a corner are looked at.
     """

@@ -245,7 +245,7 @@ class Robot:
                 yield a, b
 
     def _inside(self, points: Array, pose: Array, link: str) -> bool:
-        """Return whether one of some points (n, 3) is deeper than DEPTH in a link's hull."""
+        """Return whether one of some points (n, 3) is deeper than `FOLDING.depth` in a link's hull."""
         local = (points - pose[:3, 3]) @ pose[:3, :3]
         planes = self._solids[link].equations
         return bool((local @ planes[:, :3].T + planes[:, 3] < -FOLDING.depth).all(axis=1).any())
