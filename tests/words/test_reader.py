@@ -101,6 +101,14 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("a bed and a TV that I can watch from bed", {"bed": 1, "television": 1}),
         ("a desk with two chairs in front of it and one behind it", {"desk": 1, "chair": 3}),
         ("an arcade cabinet in each of the back corners", {"arcade machine": 2}),
+        (
+            "two nightstands, each of them holding a lamp and a clock",
+            {"night stand": 2, "table lamp": 2, "alarm clock": 2},
+        ),
+        (
+            "four armchairs; each armchair faces the table. A rug lies underneath all of them.",
+            {"armchair": 4, "dining table": 1, "rug": 1},
+        ),
         ("five tables. Three of them are square and seat four, the remaining two are round.", {"dining table": 5}),
     ],
 )
@@ -290,6 +298,16 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
             "On the left side of the bed is a desk. On the other side of the bed there is a plant.",
             {("left", "desk", "bed"), ("right", "plant", "bed")},
         ),
+        ("a globe on the corner of the desk", {("on", "globe", "desk")}),
+        (
+            "A mannequin stands to the left of the table; to the right of it is a shelf.",
+            {("left", "mannequin", "dining table"), ("right", "shelving unit", "dining table")},
+        ),
+        (
+            "A bed with a lamp on the nightstand to its right",
+            {("on", "table lamp", "night stand"), ("right", "night stand", "bed")},
+        ),
+        ("a sofa with the TV on the wall in front of it", {("on", "television", "wall"), ("front", "television", "sofa")}),
         ("Every table has a candle in its center.", {("middle", "candle", "dining table")}),
     ],
 )  # fmt: skip

@@ -280,13 +280,16 @@ class Chunker:
             return False
         known = bool(run) and self.lexicon.noun([run[-1], word]) is not None
         following = (*self.words[i + 1 : i + 2], ".")[0]
+        mutual = bool(
+            {"each", "another"} & {*self.words[i + 1 : i + 5]}
+        )  # "a lamp and a plant stand next to each other"
         leads = following in DETERMINERS or count_of(following) is not None  # "before the plant stand two chairs"
         return (
             not known
             or (word == "stands" and following in MARKS and self.words[i - len(run) - 1] in ("a", "an"))
             or (word == "stands" and not many and self._begins_relation(i + 1) and self._told(i - len(run) - 1))
             or (word in ("stand", "stands") and leads)
-            or (word == "stand" and run[-1].endswith("s"))
+            or (word == "stand" and (run[-1].endswith("s") or (mutual and self._begins_relation(i + 1))))
         )
 
     def _told(self, i: int) -> bool:

@@ -8,9 +8,7 @@ from itertools import takewhile
 from robolayout.words._chunk import Chunk
 from robolayout.words._references import References
 from robolayout.words._said import Mention, Place
-
-OTHER_SIDE = {"left": "right", "right": "left", "front": "behind", "behind": "front", "oneside": "otherside"}
-"""The relation of what is at the other side."""
+from robolayout.words._ways import OTHER_SIDE
 
 
 class LedTo(References):

@@ -15,7 +15,7 @@ from robolayout.words._chunk import Chunk
 from robolayout.words._function_words import NEGATING
 from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
-from robolayout.words._references import SEVERAL
+from robolayout.words._references import EVERY, SEVERAL
 from robolayout.words._relations import AIDS, PETS, Relating
 from robolayout.words._said import (
     Link,
@@ -38,20 +38,6 @@ FREE = ("free", "clear", "empty", "bare", "uncluttered")
 
 SEATED = ("seating", "sitting", "eating", "dining", "seats")
 """What a room is for that takes a seat for each."""
-
-EVERY = (
-    "each",
-    "each one",
-    "each of them",
-    "each one of them",
-    "all of them",
-    "both",
-    "both of them",
-    "each of which",
-    "both of which",
-    "all of which",
-)
-"""Words for every one of several things."""
 
 ALONE_DOES = frozenset(["is", "stands", "sits", "hangs", "lies", "rests", "goes", "belongs"])
 """Verbs of one thing."""
@@ -307,7 +293,8 @@ class Parser(Relating):
         elif chunk.value == "side" and chunk.det == "each" and self.group and self._previous(chunk) == "for":
             self._link(Chunk("rel", chunk.start, chunk.end, "flank"), self.group, self._meant("it"))
         elif chunk.value == "ceiling" and self.group and self._previous(chunk) == "from":
-            self._link(Chunk("rel", chunk.start, chunk.end, "hanging"), self.group[-1:], [place_of(chunk)])
+            self.acted, self.verb = self.group[-1:], False
+            self._link(Chunk("rel", chunk.start, chunk.end, "hanging"), self.acted, [place_of(chunk)])
         elif chunk.value in ("floor", "wall"):
             self._on_surface(chunk)
         self.broken = True

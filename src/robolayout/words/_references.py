@@ -9,6 +9,7 @@ from robolayout.words._chunk import Chunk
 from robolayout.words._function_words import ORDINALS, PEOPLE
 from robolayout.words._lexicon import grammar
 from robolayout.words._said import Link, Mention, Parsed, Place, Thing, place_of, same, same_words, several, topped
+from robolayout.words._ways import OTHER_SIDE
 
 AXES = {"left": "across", "right": "across", "front": "along", "behind": "along", "foot": "along"}
 """Lines through a thing by the relations that say on which side of it another one stands."""
@@ -20,7 +21,21 @@ CLOSE = frozenset(("next", "near", "by", "in", "on", "ontop", ""))
 MOST = frozenset(["nearest", "closest", "farthest", "furthest", "opposite"])
 """Words that tell one corner from the others by a door or window."""
 
-SEVERAL = ("them", "they", "both", "both of them", "the two", "these", "those")
+EVERY = (
+    "each",
+    "each one",
+    "each of them",
+    "each one of them",
+    "all of them",
+    "both",
+    "both of them",
+    "each of which",
+    "both of which",
+    "all of which",
+)
+"""Words for every one of several things."""
+
+SEVERAL = ("them", "they", "both", "both of them", "all of them", "the two", "these", "those")
 """Words for several things that were named."""
 
 
@@ -42,6 +57,7 @@ class References:
         self.dealt: dict[Thing, int] = {}
         self.about: list[Mention] = []  # what the relation that is being read is about
         self.kept: list[Mention] = []  # what the last "it" stood for, or the head of the sentence led to
+        self.contrast: tuple[str, list[Mention]] = ("", [])  # the other side than the last one, and of what
         self.axis = ""  # along which line of it, where no "it" was said
         self.other: list[Mention] = []  # what was said since, by a noun
         self._new_sentence()
@@ -151,6 +167,8 @@ class References:
             return None
         self.at += 1
         meant = (self.acted or self.group)[-1:] if which else self._meant(word.value, chunk.value)
+        if word.value in SEVERAL:
+            meant = [Mention(mention.thing, mention.pick) for mention in meant]
         self.pending = meant[1:]
         if word.value.startswith("each") and meant:
             return Mention(meant[0].thing, None, "each")
@@ -173,7 +191,7 @@ class References:
             told = any((place.name, place.number) == (chunk.value, chunk.number) for place, _ in self.said.openings)
             if chunk.number > 1 and not told:
                 self.said.openings.append((place_of(chunk), (chunk.start, chunk.end)))
-        if chunk.value in ("side", "middle") and len(following) == 2 and following[0].value == "of":
+        if chunk.value in ("side", "middle", "corner") and len(following) == 2 and following[0].value == "of":
             if following[1].kind in ("thing", "pron"):
                 self.at += 1
                 return self._object(chunk) or place_of(chunk)
@@ -182,6 +200,8 @@ class References:
                 self._understood(*following)
                 if following[1].kind == "room":
                     self.said.facts.append(following[1])
+                if chunk.value == "corner":  # "in the left corner of the back wall"
+                    return replace(place_of(chunk), words=(*chunk.adjectives, *following[1].adjectives))
                 if (chunk.value, following[1].value) == ("middle", "wall"):  # "against the center of the far wall"
                     return replace(place_of(following[1]), words=(*following[1].adjectives, "middle"))
         return place_of(chunk)
@@ -220,6 +240,8 @@ class References:
             return self.holder
         if word in SEVERAL:
             return self._several_meant(earlier, to)
+        if word == "it" and relation == self.contrast[0] and self.contrast[1] and self.contrast[1][0].thing not in own:
+            return self.contrast[1]  # "a lamp to the left of the sofa; to the right of it a plant"
         kept = self.kept if self._keeps(relation) and {m.thing for m in self.other} <= own else []
         if kept and kept[0].thing not in own:
             return kept
@@ -230,6 +252,15 @@ class References:
 
     def _several_meant(self, earlier: list[Mention], to: list[Mention]) -> list[Mention]:
         """Return what "them" stands for: several things named at once, or the last two."""
+        own = {m.thing for m in self.about}
+        on = {
+            m.thing
+            for k in self.said.links
+            for m in k.subjects
+            for o in k.objects
+            if isinstance(o, Mention) and o.thing in own
+        }
+        earlier = [m for m in earlier if m.thing not in on or not topped(m)]
         several = [m for m in earlier if m.thing.count > 1]
         if several and earlier[-1:] == several[-1:]:
             return several[-1:]
@@ -249,6 +280,8 @@ class References:
     def _keep(self, relation: str, objects: Sequence[Mention | Place], *, pronoun: bool, fronted: bool) -> None:
         """Note what a relation led to, so that a later "it" can mean the same."""
         things = [item for item in objects if isinstance(item, Mention) and item.thing.count == 1]
+        if not pronoun:
+            self.contrast = (OTHER_SIDE[relation], things[:1]) if relation in ("left", "right") else ("", [])
         if things and (pronoun or (fronted and relation in AXES)):
             self.kept, self.axis, self.other = things[:1], "" if pronoun else AXES[relation], []
         elif not pronoun:

@@ -11,6 +11,7 @@ from itertools import takewhile
 from robolayout.assets import CATALOGUE
 from robolayout.words._chunk import Chunk
 from robolayout.words._led_to import LedTo
+from robolayout.words._references import EVERY
 from robolayout.words._said import Link, Mention, Place, topped
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import SEATS, TOPS
@@ -154,8 +155,10 @@ class Relating(LedTo):
             self._objects(chunk)
             self.said.missed.append(chunk)
             return
-        every = self.chunks[self.at - 2].value == "each" if self.at > 1 else False
+        every = self.at > 1 and self.chunks[self.at - 2].value in EVERY
         subjects = self._subjects(chunk.value)
+        if every and chunk.value == "holds":
+            subjects = [Mention(mention.thing, mention.pick, "each") for mention in subjects]
         if chunk.value == "holds" and not subjects:
             self._understood(chunk)
             self._on_with(chunk)
@@ -198,11 +201,17 @@ class Relating(LedTo):
         held = self.having and self.holder and not self.listed
         place = isinstance(objects[0], Place) if objects else chunk.value == "middle"
         laid = chunk.value in LAID and held and topped(self.group[-1]) and not topped(self.holder[0])
+        if laid and chunk.det == "its" and self.target is not None:
+            return [self.target], list(self.holder)  # "a bed with a lamp on the nightstand to its right"
         if laid and chunk.det == "its":  # "an armchair by the window, a table with a cup to its right"
             before = list[Mention | Place](m for m in self.targets if m.thing is not self.holder[0].thing)
             objects = before[-1:] or objects
             laid = objects != self.holder
-        swapped = (place or laid) and held and subjects == self.group[-1:]  # "a table with a vase near the door"
+        hung = place and chunk.value in ("on", "hanging")  # "a sofa with the TV on the wall"
+        low = held and not topped(self.group[-1]) and not CATALOGUE[self.holder[0].thing.noun.kind].on_floor
+        swapped = (
+            (place or laid) and held and not (hung or low) and subjects == self.group[-1:]
+        )  # "a table with a vase near the door"
         return (self.holder if swapped else subjects), objects
 
     def _refused(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:

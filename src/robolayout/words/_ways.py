@@ -68,6 +68,9 @@ AT_PLACES = frozenset((*TO_ANOTHER, "on", "in", "flank", "under", "above", "hang
 OFF_A_WALL = (0.3, math.inf)
 """Metres between things and a wall that stays free, least and most."""
 
+OTHER_SIDE = {"left": "right", "right": "left", "front": "behind", "behind": "front", "oneside": "otherside"}
+"""The relation of what is at the other side."""
+
 AT_SIDES = frozenset(("flank", "left", "right", "next", "oneside"))
 """Relations that put a thing at a side of another one."""
 
