@@ -11,6 +11,7 @@ from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.any_of import AnyOf
 from robolayout.constraints.between import BetweenTwo
 from robolayout.constraints.corner import Corner
+from robolayout.constraints.facing_pair import FacingPair
 from robolayout.constraints.in_front_of import InFrontOf
 from robolayout.constraints.in_rows import InRows
 from robolayout.constraints.left_of import LeftOf
@@ -23,12 +24,13 @@ from robolayout.program import Program
 from robolayout.scene import Scene
 from robolayout.words import Demand
 
-SEATED, BEFORE, BACKS = 0.05, 0.4, 0.02
-"""Metres between a seat and what it stands at, other things and what they stand before, and things back to back."""
+SEATED, BEFORE, BACKS, ACROSS = 0.05, 0.4, 0.02, 1.0
+"""Metres between a seat and what it stands at, other things and what they stand before, things back to back, and face to face."""
 
 BESIDE = ('next_to({a}, {b}, "beside", {most})', "align_with({a}, {b})")
+OPPOSITE = ("in_front_of({a}, {b}, {least}, {most})", "align_with({a}, {b}, {angle})")
 LEFT = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b})")
-"""What is said of a thing at either side of another, and at its left."""
+"""What is said of a thing at either side of another, opposite to it, and at its left."""
 
 IN_THE_LIGHT = -3.0
 """Weight of the wish of what something hangs above to stand at a window."""
@@ -71,6 +73,7 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     """
     found = dict(cast)
     wanted = {name: join for demand in demands for name, join in _joins(demand, cast, passage)}
+    wanted |= _chains(cast, demands, passage)
     placed = {first for demand in demands for first in subjects(demand)}
     for name in placed - set(wanted):
         item = found[name]
@@ -141,9 +144,24 @@ def _joins(demand: Demand, cast: Mapping[str, Cast], passage: float) -> list[tup
         )
         if join is not None:
             found.append((a, (b, join)))
-    names = demand.exact.asset_names() if isinstance(demand.exact, BetweenTwo) else ()
-    if len(names) == 3 and all(name in cast for name in names):
-        found += _side_by_side([cast[name] for name in names], passage)
+    return found
+
+
+def _chains(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: float) -> dict[str, tuple[str, Join]]:
+    """Return the joins of two things that face each other, and of what is between two of which nothing else is asked together."""
+    found: dict[str, tuple[str, Join]] = {}
+    between = [demand.exact.asset_names() for demand in demands if isinstance(demand.exact, BetweenTwo)]
+    between = [names for names in between if len(names) == 3 and cast.keys() >= {*names}]
+    pairs = [one.asset_names() for demand in demands for one in demand.ways[0] if isinstance(one, FacingPair)]
+    for names in between:
+        others = [demand.names() for demand in demands if {*names} != demand.names()]
+        if not any(them >= {*names[1:]} for them in others):
+            found |= _side_by_side([cast[name] for name in names], passage)
+    for a, b in pairs:
+        depth = next((cast[middle].asset.size[0] for middle, *ends in between if {*ends} == {a, b}), 0.0)
+        gap = max(ACROSS, depth + 2 * BEFORE)
+        if cast.keys() >= {a, b}:
+            found[a] = (b, Join("front", (cast[b].role.name,), gap=gap, loose=True, faces="anchor", say=OPPOSITE))
     return found
 
 

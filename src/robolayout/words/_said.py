@@ -11,6 +11,9 @@ from robolayout.words._function_words import YOUNG
 from robolayout.words._lexicon import Noun
 from robolayout.words._tokens import Measure
 
+LONG = 3
+"""Things of a row of which no number is said."""
+
 IN_PAIRS = ("curtain", "blinds")
 """What is one thing in the plural."""
 
@@ -39,8 +42,8 @@ class Thing:
 
     @property
     def count(self) -> int:
-        """How many are asked for: as said, else two for a plural, else one; twice "each with two" is four."""
-        usual = max(2, self.rows) if self.plural and self.noun.kind not in IN_PAIRS else 1
+        """How many are asked for: as said, else two for a plural, `LONG` for each row that is told, else one; so many times over."""
+        usual = max(2, LONG * self.rows) if self.plural and self.noun.kind not in IN_PAIRS else 1
         one = usual if self.number is None else self.number + (self.bound == "more")
         return one * self.times
 
