@@ -63,7 +63,7 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("a theater with 30 seats in 5 rows of 6", {"seat": 30}),
         ("three chairs. The second chair is red. The third one is blue.", {"chair": 3}),
         ("four tables, each surrounded by six chairs", {"dining table": 4, "chair": 24}),
-        ("four rows of racks and two pairs of armchairs", {"shelving unit": 4, "armchair": 4}),
+        ("four rows of racks and two pairs of armchairs", {"shelving unit": 12, "armchair": 4}),
         ("a slide in one corner and a bed in another", {"slide": 1, "bed": 1}),
         (
             "four square tables and four round tables; the round ones stand at the window",
