@@ -8,7 +8,9 @@ from robolayout.assets import CATALOGUE
 from robolayout.words._said import Link, Mention, Parsed, Place
 from robolayout.words._ways import SEATS, TOPS
 
-STANDING = frozenset(("next", "flank", "behind", "front", "corner", "left", "right", "near", "far", "by", "foot"))
+STANDING = frozenset(
+    ("next", "oneside", "otherside", "flank", "behind", "front", "corner", "left", "right", "near", "far", "by", "foot")
+)
 """Relations of what stands on the floor."""
 
 
