@@ -52,9 +52,7 @@ class RoomEnv:
         self.goal = sorted(routes)[int(self.rng.integers(len(routes)))]
         self.route, self.reach = routes[self.goal], body.agent.reach
         self.radius = body.agent.radius
-        mjcf = EXPORTERS["mjcf"]
-        files = mjcf.beside(room.scene, room.layout, Options()) if mjcf.beside else {}
-        xml = mjcf.write(room.scene, room.layout, Options())
+        xml, files = EXPORTERS["mjcf"].files(room.scene, room.layout, Options())
         self.model = mujoco.MjModel.from_xml_string(xml.decode(), files)
         self.data = mujoco.MjData(self.model)
         mujoco.mj_forward(self.model, self.data)
