@@ -28,8 +28,8 @@ ASIDE = (0.0, 0.5, -0.5, 1.0, -1.0)
 CLEAR_ABOVE = 0.12
 """Metres between a piece of furniture and what hangs over it."""
 
-WORK_ABOVE = 0.25
-"""Metres between a top to work at and what is opened over it: a kettle stands there; 0.5 is usual where everybody reaches that."""
+WORK_ABOVE = 0.2
+"""Metres between a top to work at and what is opened over it at the least; 0.5 is usual where everybody reaches that."""
 
 
 def hang(site: Site, name: str, rng: np.random.Generator) -> None:
