@@ -10,7 +10,7 @@ from robolayout.run.flow import solve
 from robolayout.scene import Asset, Pose
 from robolayout.solve import Problem
 from robolayout.solve.construct import Builder
-from robolayout.solve.repair import WAYS, Repair
+from robolayout.solve.repair import MENDING, Repair
 from robolayout.solve.runner import Run, Runner
 from robolayout.solve.stage import make_stage, stages
 from robolayout.verify import physics
@@ -45,7 +45,7 @@ def overlapping(problem: Problem, world: np.ndarray) -> bool:
     return "wardrobe-0" in physics(problem.scene, problem.layout(world)).failing
 
 
-@pytest.mark.parametrize("way", range(WAYS))
+@pytest.mark.parametrize("way", range(MENDING.ways))
 def test_a_wardrobe_gets_its_wall_only_if_boxes_make_way(way: int) -> None:
     problem, world = taken()
     found = mended(problem, world, way)
@@ -60,7 +60,7 @@ def test_a_wardrobe_gets_its_wall_only_if_boxes_make_way(way: int) -> None:
 def test_what_is_pinned_makes_no_way() -> None:
     pinned = {f"storage_box-{i}": Pose(0.5 + i, 3.72, 0.2, -np.pi / 2) for i in range(4)}
     problem, world = taken(pinned=pinned)
-    for way in range(WAYS):
+    for way in range(MENDING.ways):
         assert all((one[2:] == world[2:]).all() for one in mended(problem, world, way))
 
 

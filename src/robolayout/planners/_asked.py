@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence, Set
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from robolayout.constraints import AssetRef, Relation
 from robolayout.constraints.above import Above
@@ -24,8 +24,23 @@ from robolayout.program import Program
 from robolayout.scene import Scene
 from robolayout.words import Demand
 
-SEATED, BEFORE, BACKS, ACROSS = 0.05, 0.4, 0.02, 1.0
-"""Metres between a seat and what it stands at, other things and what they stand before, things back to back, and face to face."""
+
+@dataclass(frozen=True)
+class Gaps:
+    """Metres between what words put together."""
+
+    seated: float = 0.05
+    before: float = 0.4
+    backs: float = 0.02
+    across: float = 1.0
+    """Metres between a seat and what it stands at, other things and what they stand before, things back to back, and face to face."""
+    touch: float = 0.6
+    close: float = 3.0
+    """Metres up to which what stands near a thing stands beside it, and up to which what stands before a thing belongs to it."""
+
+
+GAPS = Gaps()
+
 
 BESIDE = ('next_to({a}, {b}, "beside", {most})', "align_with({a}, {b})")
 OPPOSITE = ("in_front_of({a}, {b}, {least}, {most})", "align_with({a}, {b}, {angle})")
@@ -34,9 +49,6 @@ LEFT = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b})")
 
 IN_THE_LIGHT = -3.0
 """Weight of the wish of what something hangs above to stand at a window."""
-
-TOUCH, CLOSE = 0.6, 3.0
-"""Metres up to which what stands near a thing stands beside it, and up to which what stands before a thing belongs to it."""
 
 
 def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dict[str, str]:
@@ -154,12 +166,12 @@ def _chains(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: float)
     between = [names for names in between if len(names) == 3 and cast.keys() >= {*names}]
     pairs = [one.asset_names() for demand in demands for one in demand.ways[0] if isinstance(one, FacingPair)]
     for names in between:
-        others = [demand.names() for demand in demands if {*names} != demand.names()]
+        others = [demand.names() for demand in demands if demand.names() != frozenset(names)]
         if not any(them >= {*names[1:]} for them in others):
             found |= _side_by_side([cast[name] for name in names], passage)
     for a, b in pairs:
         depth = next((cast[middle].asset.size[0] for middle, *ends in between if {*ends} == {a, b}), 0.0)
-        gap = max(ACROSS, depth + 2 * BEFORE)
+        gap = max(GAPS.across, depth + 2 * GAPS.before)
         if cast.keys() >= {a, b}:
             found[a] = (b, Join("front", (cast[b].role.name,), gap=gap, loose=True, faces="anchor", say=OPPOSITE))
     return found
@@ -173,7 +185,7 @@ def _side_by_side(three: Sequence[Cast], passage: float) -> list[tuple[str, tupl
     usual = any(join.slot == "beside" and first.role.name in join.of for join in middle.role.joins)
     if not usual or first.role is not last.role:
         return []
-    chain, gap = ((middle, first), (last, middle)), max(SEATED, (passage - middle.asset.size[1]) / 2)
+    chain, gap = ((middle, first), (last, middle)), max(GAPS.seated, (passage - middle.asset.size[1]) / 2)
     return [(a.name, (b.name, Join("beside", (b.role.name,), gap=gap, loose=True, say=LEFT))) for a, b in chain]
 
 
@@ -186,23 +198,23 @@ def _join(relation: Relation, a: Cast, b: Cast, passage: float, *, around: bool,
         return None
     known = next((join for join in a.role.joins if b.role.name in join.of), None)
     if relation.name == "near" and around:
-        return known or Join("around", (b.role.name,), gap=SEATED, all=("around({items}, {b}, gap={gap})",))
+        return known or Join("around", (b.role.name,), gap=GAPS.seated, all=("around({items}, {b}, gap={gap})",))
     if relation.name == "near" and known is not None:
         return known
     if (said := _at_its_side(relation, b)) is not None:
-        return Join("beside", (b.role.name,), gap=SEATED, loose=True, say=said)
-    if isinstance(relation, InFrontOf) and relation.max_gap < CLOSE:
+        return Join("beside", (b.role.name,), gap=GAPS.seated, loose=True, say=said)
+    if isinstance(relation, InFrontOf) and relation.max_gap < GAPS.close:
         if known is not None and known.slot in ("front", "around"):
             return known
         seated = a.role.name == "seat"
-        return Join("front", (b.role.name,), gap=SEATED if seated else BEFORE, loose=True, faces="anchor")
+        return Join("front", (b.role.name,), gap=GAPS.seated if seated else GAPS.before, loose=True, faces="anchor")
     if relation.name == "behind" and turned == 180.0:
         return Join(
-            "behind", (b.role.name,), gap=BACKS, loose=True, faces="away", say=('centered_on({a}, {b}, "side")',)
+            "behind", (b.role.name,), gap=GAPS.backs, loose=True, faces="away", say=('centered_on({a}, {b}, "side")',)
         )
     if relation.name == "behind":
         gap = (
-            passage if {"wall", "grid"} & {*a.role.stands} else BEFORE
+            passage if {"wall", "grid"} & {*a.role.stands} else GAPS.before
         )  # who takes something from there stands between
         return Join(
             "behind",
@@ -220,5 +232,5 @@ def _at_its_side(relation: Relation, b: Cast) -> tuple[str, ...] | None:
         return ()
     if isinstance(relation, LeftOf | RightOf):
         return BESIDE[1:]
-    close = isinstance(relation, Near) and relation.max_gap <= TOUCH and not b.asset.is_flat
+    close = isinstance(relation, Near) and relation.max_gap <= GAPS.touch and not b.asset.is_flat
     return BESIDE if close else None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -12,23 +13,29 @@ from robolayout.words import COMPASS, WantedOpening
 
 Outline = list[tuple[float, float]]
 
-ASIDE, FLANKED = 0.3, 0.9
-"""Metres between a door and the nearer end of its wall: usually, and where things are to stand on both sides of it."""
 
-LARGE, USUAL = (2.2, 1.5), (1.8, 1.3)
-"""Width and height in metres of a large window and of a usual one."""
+@dataclass(frozen=True)
+class Openings:
+    """How doors and windows are made."""
 
-WINDOW_EACH, DOOR_EACH = 12.0, 90.0
-"""Square metres of floor for each window and door of a room of which neither is said: the usual one aside, so many more."""
+    aside: float = 0.3
+    flanked: float = 0.9
+    """Metres between a door and the nearer end of its wall: usually, and where things are to stand on both sides of it."""
+    large: tuple[float, float] = (2.2, 1.5)
+    usual: tuple[float, float] = (1.8, 1.3)
+    """Width and height in metres of a large window and of a usual one."""
+    window_each: float = 12.0
+    door_each: float = 90.0
+    """Square metres of floor for each window and door of a room of which neither is said: the usual one aside, so many more."""
+    most_windows: int = 6
+    most_doors: int = 2
+    """How many windows and doors there are at the most where nothing is said."""
+    lintel: float = 0.05  # metres at the least between the top of a door or window and the ceiling
+    most_of_a_wall: float = 0.45  # share of its wall that one window takes at the most
 
-MOST_WINDOWS, MOST_DOORS = 6, 2
-"""How many windows and doors there are at the most where nothing is said."""
 
-LINTEL = 0.05
-"""Metres at the least between the top of a door or window and the ceiling."""
+OPENINGS = Openings()
 
-MOST_OF_A_WALL = 0.45
-"""Share of its wall that one window takes at the most."""
 
 Opening = dict[str, float]
 
@@ -61,23 +68,23 @@ def openings(
     corners = [*outline, outline[0]]
     area = abs(sum(ax * by - bx * ay for (ax, ay), (bx, by) in pairwise(corners))) / 2
     asked = [item for item in wanted if item.kind == "door"]
-    asked = asked or [WantedOpening("door", min(MOST_DOORS, 1 + int(area / DOOR_EACH)))]
+    asked = asked or [WantedOpening("door", min(OPENINGS.most_doors, 1 + int(area / OPENINGS.door_each)))]
     doors: list[Opening] = []
     for number, item in enumerate(i for i in asked for _ in range(i.count)):
         fits = [i for i in order if lengths[i] > wide and i not in {d["wall"] for d in doors}] or order
         start = fits.index(usual) if usual in fits and not number else 0
         wall = _wall(outline, item.wall, fits[start:] + fits[:start])
-        first = min(FLANKED if flanked else ASIDE, (lengths[wall] - wide) / 2)
+        first = min(OPENINGS.flanked if flanked else OPENINGS.aside, (lengths[wall] - wide) / 2)
         offset = first + (1.0 - along) * (lengths[wall] - wide - 2 * first)
         doors.append(
             {
                 "wall": wall,
                 "offset": round(max(offset, 0.0), 2),
                 "width": min(wide, lengths[wall]),
-                "height": min(2.05, height - LINTEL),
+                "height": min(2.05, height - OPENINGS.lintel),
             }
         )
-    more = min(MOST_WINDOWS, max(1 + int(rng.integers(0, 2)), int(area / WINDOW_EACH)))
+    more = min(OPENINGS.most_windows, max(1 + int(rng.integers(0, 2)), int(area / OPENINGS.window_each)))
     windows = [item for item in wanted if item.kind == "window"] or [WantedOpening("window", more)]
     return doors, _windows(outline, lengths, {int(d["wall"]) for d in doors}, windows, rng, height)
 
@@ -102,10 +109,10 @@ def _windows(
         share = lengths[wall] / len(items)
         middle = float(rng.choice([0.35, 0.5, 0.65])) if len(items) == 1 and not items[0].wall else 0.5
         for number, item in enumerate(items):
-            width, height = LARGE if item.large else USUAL
-            sill = min(0.9, ceiling - height - LINTEL) if ceiling - height > LINTEL else 0.0
-            height = round(min(height, ceiling - sill - LINTEL), 2)
-            width = round(min(width, share * MOST_OF_A_WALL if len(items) == 1 else share * 0.7), 2)
+            width, height = OPENINGS.large if item.large else OPENINGS.usual
+            sill = min(0.9, ceiling - height - OPENINGS.lintel) if ceiling - height > OPENINGS.lintel else 0.0
+            height = round(min(height, ceiling - sill - OPENINGS.lintel), 2)
+            width = round(min(width, share * OPENINGS.most_of_a_wall if len(items) == 1 else share * 0.7), 2)
             start = round(number * share + (share - width) * middle, 2)
             found.append({"wall": wall, "offset": start, "width": width, "height": height, "sill": sill})
     return found

@@ -14,26 +14,28 @@ from robolayout.planners._roles import Cast, passage
 from robolayout.planners.grouping import root
 from robolayout.scene import Scene, Wall
 
-FIRST, ONLY = 0.6, 8.0
-"""Weights of the first of several ways of standing, where the middle of the room is as good and where it is a last resort."""
 
-JOINED = 1.0
-"""Weight of standing at what a thing joins, where it may stand elsewhere."""
+@dataclass(frozen=True)
+class Saying:
+    """What is demanded and what is wished, and how much."""
 
-WITHIN, BEYOND = 0.06, 0.15
-"""Metres by which a gap may be smaller and larger than what is usual."""
+    first: float = 0.6
+    only: float = 8.0
+    """Weights of the first of several ways of standing, where the middle of the room is as good and where it is a last resort."""
+    joined: float = 1.0  # weight of standing at what a thing joins, where it may stand elsewhere
+    within: float = 0.06
+    beyond: float = 0.15
+    """Metres by which a gap may be smaller and larger than what is usual."""
+    walls: float = 0.45  # share of the length of all walls up to which places at them are demanded; what comes later only wishes for one
+    under: float = 0.2  # metres by which a seat may be left under what it stands at
+    large: float = 40.0
+    along_walls: float = 1.6
+    """Square metres from which on a room is furnished through its middle, and metres along its walls that are not its middle."""
+    small: int = 44  # rank from which on things are placed after those of which the user says where they stand
 
-WALLS = 0.45
-"""Share of the length of all walls up to which places at them are demanded; what comes later only wishes for one."""
 
-UNDER = 0.2
-"""Metres by which a seat may be left under what it stands at."""
+SAYING = Saying()
 
-LARGE, ALONG_WALLS = 40.0, 1.6
-"""Square metres from which on a room is furnished through its middle, and metres along its walls that are not its middle."""
-
-SMALL = 44
-"""Rank from which on things are placed after those of which the user says where they stand."""
 
 WISHES = {
     "centre": "mid_wall({a})", "corner": "corner({a})", "window": "at_window({a})", "tuck": "snug({a})",
@@ -67,7 +69,7 @@ class Writer:
 
     def _turn(self, name: str) -> tuple[object, ...]:
         top = self.cast[root(self.cast, name)]
-        own, late = self.cast[name], top.role.rank >= SMALL and top.name not in self.asked
+        own, late = self.cast[name], top.role.rank >= SAYING.small and top.name not in self.asked
         return (
             top.name not in self.cornered,
             late,
@@ -93,7 +95,7 @@ class Writer:
     # at something else
 
     def _joined(self, item: Cast) -> Iterator[Line]:
-        join, weight = item.joined, JOINED if item.joined.loose else None
+        join, weight = item.joined, SAYING.joined if item.joined.loose else None
         values = self._values(item) | self._about(item)
         yield from self._fill(join.say, values, weight, item.name)
         yield from self._on_top(item)
@@ -144,8 +146,8 @@ class Writer:
             "b name": anchor.name,
             "side": '"beside"',
             "gap": f"{join.gap:g}",
-            "least": f"{-UNDER if tucked else max(0.0, join.gap - WITHIN):g}",
-            "most": f"{join.gap + BEYOND + before:.2f}",
+            "least": f"{-SAYING.under if tucked else max(0.0, join.gap - SAYING.within):g}",
+            "most": f"{join.gap + SAYING.beyond + before:.2f}",
         }
         turned = {"front": 180.0, "behind": 0.0, "beside": 0.0}.get(join.slot)
         if turned is not None:
@@ -173,18 +175,18 @@ class Writer:
         """Yield how a thing stands by itself: demanded where its role leaves no other way, else wished."""
         modes, name = _modes(item), item.name
         values, say = self._values(item), item.role.say
-        bound = JOINED if item.join or name in self.asked else None
+        bound = SAYING.joined if item.join or name in self.asked else None
         if modes[0] in ("hang", "ceiling", "rug"):
             yield from self._off_the_floor(item, modes[0])
         elif modes == ["corner"]:
             yield from self._fill(say["corner"], values, bound, name)
         elif set(modes) <= {"wall", "corner"}:
             held = name in self._held and bound is None
-            yield from self._fill(say["wall"], values, None if held else ONLY, name)
+            yield from self._fill(say["wall"], values, None if held else SAYING.only, name)
         else:
             yield from self._fill(say["middle"], values, bound, name)
             open_floor = {"middle", "facing"} & set(modes) and "grid" not in modes
-            weight = (FIRST if open_floor else ONLY) + item.role.prefer.get("first", 0.0)
+            weight = (SAYING.first if open_floor else SAYING.only) + item.role.prefer.get("first", 0.0)
             equal = self._in_the_middle(item) if "grid" in modes else []
             if "wall" in modes:
                 at_walls = name not in equal or len(equal) == len(self._equal(item)) < item.role.prefer.get(
@@ -197,7 +199,7 @@ class Writer:
     @cached_property
     def _held(self) -> frozenset[str]:
         """What the walls hold for certain, in the order of placing."""
-        left = WALLS * sum(wall.length for wall in self.scene.room.walls)
+        left = SAYING.walls * sum(wall.length for wall in self.scene.room.walls)
         found = list[str]()
         for name in self.order():
             item = self.cast[name]
@@ -216,9 +218,11 @@ class Writer:
         if len(equal) >= item.role.prefer.get("block", math.inf):
             return equal
         x0, y0, x1, y1 = self.scene.room.bounds
-        inner = (x1 - x0 - 2 * ALONG_WALLS) * (y1 - y0 - 2 * ALONG_WALLS) / ((x1 - x0) * (y1 - y0))
+        inner = (x1 - x0 - 2 * SAYING.along_walls) * (y1 - y0 - 2 * SAYING.along_walls) / ((x1 - x0) * (y1 - y0))
         count = 2 * round(len(equal) * inner / 2)
-        split = _modes(item)[0] == "wall" and self.scene.room.area >= LARGE and min(count, len(equal) - count) > 3
+        split = (
+            _modes(item)[0] == "wall" and self.scene.room.area >= SAYING.large and min(count, len(equal) - count) > 3
+        )
         return equal[-count:] if split else equal
 
     def _in_rows(self, item: Cast, equal: Sequence[str]) -> Iterator[Line]:
@@ -227,7 +231,7 @@ class Writer:
             prefer, items = item.role.prefer, "[" + ", ".join(self._name(n) for n in equal) + "]"
             gap = prefer.get("gap", passage(self.scene))
             backs = ', backs="paired"' if prefer.get("paired", 0) > 0 else ""
-            text = f"in_rows({items}, {prefer.get('aisle', passage(self.scene)):g}, {gap:g}{backs}, weight={FIRST:g})"
+            text = f"in_rows({items}, {prefer.get('aisle', passage(self.scene)):g}, {gap:g}{backs}, weight={SAYING.first:g})"
             yield Line(f"solver.wish.{text}", tuple(equal))
 
     def _off_the_floor(self, item: Cast, mode: str) -> Iterator[Line]:
@@ -283,7 +287,7 @@ class Writer:
         a = self._name(item.name)
         prefer = dict(item.role.prefer)
         if _modes(item)[0] == "corner":
-            prefer["corner"] = prefer.get("corner", 0.0) + FIRST
+            prefer["corner"] = prefer.get("corner", 0.0) + SAYING.first
         for key, weight in prefer.items():
             if key.startswith(("near ", "far ")):
                 yield from self._grouped(item, key, weight)

@@ -24,23 +24,27 @@ from robolayout.planners._wishes import Wishes, read_wishes
 from robolayout.scene import Agent, Scene, load_agent, scene_from_dict, variable_name
 from robolayout.words import RoomType, dressing, read_rooms, wanted_openings
 
-FULLEST = 0.55
-"""Share of the floor that wished things may take before the wish is called impossible."""
 
-ROOMY, AISLED = 0.22, 0.18
-"""Share of the floor that wished things take where no size is given, and where some are told to stand in so many rows."""
+@dataclass(frozen=True)
+class Sizes:
+    """How large a room is made, and how full."""
 
-STRETCH = 0.25
-"""Logarithm of the factor by which variants of a room are longer or shorter than usual at the most."""
+    fullest: float = 0.55  # share of the floor that wished things may take before the wish is called impossible
+    roomy: float = 0.22
+    aisled: float = 0.18
+    """Share of the floor that wished things take where no size is given, and where some are told to stand in so many rows."""
+    stretch: float = 0.25
+    """Logarithm of the factor by which variants of a room are longer or shorter than usual at the most."""
+    for_two: float = 1.2  # metres of a table's longer side up to which two sit at it, if nobody says how many
+    walkway: float = 0.6
+    """Metres by which a room is longer and wider than the longest thing in it, where no size is given."""
+
+
+SIZES = Sizes()
+
 
 LOUNGE = {"sofa", "armchair", "bench", "stool", "booth", "pew", "recliner"}
 """Last words of what people sit on where there is no table for chairs."""
-
-FOR_TWO = 1.2
-"""Metres of a table's longer side up to which two sit at it, if nobody says how many."""
-
-WALKWAY = 0.6
-"""Metres by which a room is longer and wider than the longest thing in it, where no size is given."""
 
 
 @dataclass(frozen=True)
@@ -117,7 +121,7 @@ def scene_from_sentence(
     known = Known({**CATALOGUE, **{thing.name: thing for thing in own.things}, **wishes.named}, rooms, roles)
     room = wishes.room
     wished = _wished(wishes, room, known)
-    stretch = float(np.exp(rng.uniform(-STRETCH, STRETCH))) if variant else 1.0
+    stretch = float(np.exp(rng.uniform(-SIZES.stretch, SIZES.stretch))) if variant else 1.0
     size = _room_size(wishes, room, wished, known, stretch)
     _possible(wishes.reading.shape, wished, size, known)
     agent = wishes.reading.agent or room.agent
@@ -189,7 +193,9 @@ def _people(wishes: Wishes, room: RoomType, wished: dict[str, int], known: Known
     if "desk" in taken and wishes.seats:
         taken = {"desk"}  # who sits at the table also has a desk
     tables = {name: count for name, count in wished.items() if room.tables and head(name) == "table"}
-    seats = sum(count * (2 if max(known.kinds[name].size[:2]) <= FOR_TWO else 4) for name, count in tables.items())
+    seats = sum(
+        count * (2 if max(known.kinds[name].size[:2]) <= SIZES.for_two else 4) for name, count in tables.items()
+    )
     return max((count for name, count in wished.items() if head(name) in taken), default=seats or _usual_people(wishes))
 
 
@@ -208,13 +214,13 @@ def _room_size(
     longest = max((max(known.kinds[name].size[:2]) for name in wished if known.kinds[name].on_floor), default=0.0)
     given = wishes.reading.measure("area")
     usual = width * depth * wishes.reading.scale
-    share = AISLED if any(link.rows for link in wishes.reading.parsed.links) else ROOMY
+    share = SIZES.aisled if any(link.rows for link in wishes.reading.parsed.links) else SIZES.roomy
     area = given[0] if given else max(usual, known.floor_area({**room.base, **wished}) / share)
     if wishes.reading.shape == "L-shaped":
         area *= 1.2
     ratio = 1.0 if wishes.reading.square else stretch * width / depth
-    width = max(math.sqrt(area * ratio), longest + WALKWAY)
-    depth = max(area / width, longest + WALKWAY) if given is None else area / width
+    width = max(math.sqrt(area * ratio), longest + SIZES.walkway)
+    depth = max(area / width, longest + SIZES.walkway) if given is None else area / width
     return (round(width, 2), round(depth, 2))
 
 
@@ -222,11 +228,11 @@ def _possible(shape: str, wished: Mapping[str, int], size: tuple[float, float], 
     """Refuse wishes that no arrangement can meet."""
     floor = size[0] * size[1] * (0.75 if shape == "L-shaped" else 1.0)
     need = known.floor_area(wished)
-    if need > FULLEST * floor:
+    if need > SIZES.fullest * floor:
         things = ", ".join(f"{count} x {name}" for name, count in wished.items())
         raise SceneError(
             f"{things} need {need:.1f} m2 of floor, and a room of {size[0]:g} x {size[1]:g} m has {floor:.1f} m2, of which "
-            f"{FULLEST:.0%} can be furnished; ask for a room of at least {math.ceil(need / FULLEST)} m2 or for fewer things."
+            f"{SIZES.fullest:.0%} can be furnished; ask for a room of at least {math.ceil(need / SIZES.fullest)} m2 or for fewer things."
         )
     for name in wished:
         kind = known.kinds[name]

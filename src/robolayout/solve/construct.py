@@ -25,35 +25,32 @@ from robolayout.solve.push import nearest
 from robolayout.solve.score import Score
 from robolayout.solve.stage import make_stage
 
-CANDIDATES, PUT = 64, 32
-"""Places looked at for each thing, and how many of them are put where all of its statements hold."""
 
-LOOKS, AGAIN = 4, 1
-"""Most times that it looks at so many, and in a room in which only some things are placed anew."""
+@dataclass(frozen=True)
+class Building:
+    """How places are looked for and weighed where a room is built."""
 
-GOOD = 1.0
-"""Cost of a place at which it looks no further."""
+    candidates: int = 64
+    put: int = 32
+    """Places looked at for each thing, and how many of them are put where all of its statements hold."""
+    looks: int = 4
+    again: int = 1
+    """Most times that it looks at so many, and in a room in which only some things are placed anew."""
+    good: float = 1.0  # cost of a place at which it looks no further
+    closest: float = 0.02  # metres between a thing and the wall behind it
+    broken: float = 100.0
+    said: float = 4.0
+    """Cost of each hard demand that is not met: no statement outweighs it; and factor on the statements against the floor."""
+    away: float = 0.02
+    tight: float = 0.1
+    """Cost of a metre from where it was, and of a metre left empty beside a thing at a wall."""
+    cramped: float = 4.0  # cost of a place that leaves no room to what goes by it
+    walked: float = 1.0  # cost of taking only floor that people could walk on until then
+    needs: int = 6  # places looked at for each thing that is yet to come and goes by the one that is placed
+    grain: float = 0.002  # metres between things that stand side by side
 
-CLOSEST = 0.02
-"""Metres between a thing and the wall behind it."""
 
-BROKEN, SAID = 100.0, 4.0
-"""Cost of each hard demand that is not met: no statement outweighs it; and factor on the statements against the floor."""
-
-AWAY, TIGHT = 0.02, 0.1
-"""Cost of a metre from where it was, and of a metre left empty beside a thing at a wall."""
-
-CRAMPED = 4.0
-"""Cost of a place that leaves no room to what goes by it."""
-
-WALKED = 1.0
-"""Cost of taking only floor that people could walk on until then."""
-
-NEEDS = 6
-"""Places looked at for each thing that is yet to come and goes by the one that is placed."""
-
-GRAIN = 0.002
-"""Metres between things that stand side by side."""
+BUILDING = Building()
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +87,7 @@ class Builder:
     def build(self, world: Floats, slots: Collection[int] | None = None) -> Floats:
         """Return one start (n, 4) with some slots placed anew, all that move by default; the others stay as in `world`."""
         slots = self.moving if slots is None else slots
-        looks = LOOKS if len(slots) == len(self.moving) else AGAIN
+        looks = BUILDING.looks if len(slots) == len(self.moving) else BUILDING.again
         world = world.copy()
         size = self.problem.half.prod(axis=1) * self.rng.uniform(0.7, 1.4, len(world))
         site = self._site(world, slots)
@@ -136,13 +133,13 @@ class Builder:
         for _ in range(looks):
             places, gaps = self._places(slot, world, site)
             bodies = self.zones.bodies(slot, places)
-            cost = self._cost(slot, places, world, site) + TIGHT * gaps
+            cost = self._cost(slot, places, world, site) + BUILDING.tight * gaps
             blocks = self.zones.blocks[slot]
             k = self._cheapest(slot, places, bodies, cost, site, least) if blocks else int(cost.argmin())
             if cost[k] < least:
                 best, least = places[k], float(cost[k])
                 site.bodies[slot] = bodies[k]
-            if least < GOOD:
+            if least < BUILDING.good:
                 break
         site.stands[slot] = site.walked.cells(self.zones.stands([slot], best[None]))[0]
         if self.zones.blocks[slot]:
@@ -153,7 +150,7 @@ class Builder:
         """Return the cheapest place (m, 4) of a slot by what it does to those who walk, too, which `cost` then tells."""
         walked, cells = site.walked, site.walked.taken(bodies)
         own = walked.cells(self.zones.stands(slot, places))
-        cost += WALKED * walked.share(cells) + FLOOR.lost * (walked.left(own, cells) == 0)
+        cost += BUILDING.walked * walked.share(cells) + FLOOR.lost * (walked.left(own, cells) == 0)
         return walked.cheapest(cells, cost, site.stands[site.settled], limit)
 
     def _followers(self) -> dict[int, list[tuple[int, Floats]]]:
@@ -164,7 +161,7 @@ class Builder:
             for term in terms:
                 if self.problem.parent[slot] >= 0 or not isinstance(term.b, AssetRef) or not placing(term):
                     continue
-                places = self.proposals.placed(slot, term, origin, NEEDS, self.rng)
+                places = self.proposals.placed(slot, term, origin, BUILDING.needs, self.rng)
                 needs.setdefault(self.problem.slot[term.b.name], []).append((slot, places))
                 for mirror in self.proposals.mirrors.get(slot, []):
                     if mirror.ref == term.b:
@@ -189,12 +186,12 @@ class Builder:
         They are drawn from the slot's statements, half of them then put where all of these hold, and along the walls if nothing
         says where it goes.
         """
-        places = self.proposals.draw(slot, world, CANDIDATES, self.rng)
+        places = self.proposals.draw(slot, world, BUILDING.candidates, self.rng)
         for term in self.proposals.rows(slot) * 2:
             if not isinstance(term.b, AssetRef) or site.settled[self.problem.slot[term.b.name]]:
-                places[:PUT] = nearest(self.problem, term, slot, places[:PUT], world)
+                places[: BUILDING.put] = nearest(self.problem, term, slot, places[: BUILDING.put], world)
         if self._free[slot] and self.zones.fronts[slot]:
-            places = np.concatenate([places[: CANDIDATES // 4], self._along_walls(slot, CANDIDATES)])
+            places = np.concatenate([places[: BUILDING.candidates // 4], self._along_walls(slot, BUILDING.candidates)])
         return self._push(slot, places, site) if self._pushed[slot] else (places, 0.0)
 
     def _push(self, slot: int, places: Floats, site: _Site) -> tuple[Floats, Floats]:
@@ -204,8 +201,8 @@ class Builder:
         bodies = self.zones.bodies(slot, places)
         low, high = bodies[rows, side, None], bodies[rows, side + 2, None]
         others = np.concatenate([self.zones.landings, site.bodies[self._beside(slot, site)]]).T
-        meets = (others[1 - side] < bodies[rows, 3 - side, None] - GRAIN) & (
-            others[3 - side] > bodies[rows, 1 - side, None] + GRAIN
+        meets = (others[1 - side] < bodies[rows, 3 - side, None] - BUILDING.grain) & (
+            others[3 - side] > bodies[rows, 1 - side, None] + BUILDING.grain
         )
         before = others[side] + others[side + 2] < low + high
         x0, y0, x1, y1 = self.problem.scene.room.bounds
@@ -213,8 +210,8 @@ class Builder:
         right = np.where(meets & ~before, others[side], np.inf).min(axis=1, initial=np.inf)
         left = low[:, 0] - np.maximum(left, np.array((x0, y0))[side])
         right = np.minimum(right, np.array((x1, y1))[side]) - high[:, 0]
-        push = np.where(left < right, GRAIN - left, right - GRAIN)
-        push[(rows % 2 == 0) | (left + right < 2 * GRAIN)] = 0.0
+        push = np.where(left < right, BUILDING.grain - left, right - BUILDING.grain)
+        push[(rows % 2 == 0) | (left + right < 2 * BUILDING.grain)] = 0.0
         places[rows, side] += push
         return places, np.clip(np.minimum(left + push, right - push), 0.0, 1.0)
 
@@ -227,22 +224,22 @@ class Builder:
         lengths = np.array([wall.length for wall in walls])
         which = self.rng.choice(len(walls), count, p=lengths / lengths.sum())
         along = hy + self.rng.random(count) * (lengths[which] - 2 * hy)
-        along = np.where(self.rng.random(count) < 0.3, hy + CLOSEST, along)
+        along = np.where(self.rng.random(count) < 0.3, hy + BUILDING.closest, along)
         starts, ways, normals = (
             np.array([getattr(w, name) for w in walls])[which] for name in ("start", "direction", "normal")
         )
-        return np.concatenate([starts + along[:, None] * ways + (hx + CLOSEST) * normals, normals], axis=1)
+        return np.concatenate([starts + along[:, None] * ways + (hx + BUILDING.closest) * normals, normals], axis=1)
 
     def _cost(self, slot: int, places: Floats, world: Floats, site: _Site) -> Floats:
         """Return what each place (m, 4) of a slot costs, given what is settled."""
         cost = self._priced(slot, places, world, site.settled) + self.rng.random(len(places)) * 0.01
-        cost += AWAY * np.hypot(*(places[:, :2] - world[slot, :2]).T)
-        return cost + CRAMPED * self._cramped(slot, places, world, site)
+        cost += BUILDING.away * np.hypot(*(places[:, :2] - world[slot, :2]).T)
+        return cost + BUILDING.cramped * self._cramped(slot, places, world, site)
 
     def _priced(self, slot: int, places: Floats, world: Floats, settled: NDArray[np.bool_]) -> Floats:
         """Return the objective of places (m, 4) of a slot, given what is settled."""
         cost, broken = self.score.hard(slot, places, world, settled)
-        return cost + BROKEN * broken + SAID * self.score.statements(slot, places, world, settled)
+        return cost + BUILDING.broken * broken + BUILDING.said * self.score.statements(slot, places, world, settled)
 
     def _beside(self, slot: int, site: _Site) -> NDArray[np.bool_]:
         """Return with which of the settled slots (n,) a slot could collide."""

@@ -22,7 +22,7 @@ from robolayout.solve.config import SolverConfig
 from robolayout.solve.construct import Builder
 from robolayout.solve.judge import Judge, Verdict
 from robolayout.solve.push import pushed
-from robolayout.solve.repair import WAYS, Repair
+from robolayout.solve.repair import MENDING, Repair
 from robolayout.solve.restore import restored, squared
 from robolayout.solve.routes import pack
 from robolayout.solve.runner import BATCH, STILL, Run, Runner
@@ -354,7 +354,7 @@ class Solver:
             slots = [slot for slot in slots if slot in self.builder.moving]
             if best.verdict.ok or not slots or self.spent:
                 break
-            world = self.repairer.mended(best.world, slots[turn // WAYS % len(slots)], turn % WAYS)
+            world = self.repairer.mended(best.world, slots[turn // MENDING.ways % len(slots)], turn % MENDING.ways)
             found = self._judged(world, number, best)
             turn += 1
             if found.verdict.worth < best.verdict.worth:

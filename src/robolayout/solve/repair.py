@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -22,27 +23,26 @@ from robolayout.solve.runner import BATCH, Runner
 from robolayout.solve.score import Score
 from robolayout.solve.stage import Stage
 
-WAYS = 4
-"""Ways to place one thing anew: where there is room; where it wants to be, others making way; once what nothing holds is out;
-together with what stands around it."""
 
-PLACES = 24
-"""Places of a thing about which others are taken out."""
+@dataclass(frozen=True)
+class Mending:
+    """Where a thing to blame is tried."""
 
-RINGS = (0.1, 0.25, 0.45, 0.8, 1.4, 2.2)
-"""Metres from where a thing was or should be at which it is tried."""
+    ways: int = 4
+    """Ways to place one thing anew: where there is room; where it wants to be, others making way; once what nothing holds is
+    out; together with what stands around it."""
+    places: int = 24  # places of a thing about which others are taken out
+    rings: tuple[float, float, float, float, float, float] = (0.1, 0.25, 0.45, 0.8, 1.4, 2.2)
+    """Metres from where a thing was or should be at which it is tried."""
+    turning: int = 2  # of these, so many where it is also turned by quarters, if nothing says where it faces
+    same: float = 0.04
+    """Metres, or parts of a unit heading vector, to which tries are rounded to find those that are there twice."""
+    alike: float = 0.15  # metres, or parts of a unit heading, below which two poses are the same try
+    few: tuple[int, int] = (3, 9)
+    """How many of the things around one are placed anew with it: at least so many, fewer than so many."""
 
-TURNING = 2
-"""Of these, so many where it is also turned by quarters, if nothing says where it faces."""
 
-SAME = 0.04
-"""Metres, or parts of a unit heading vector, to which tries are rounded to find those that are there twice."""
-
-ALIKE = 0.15
-"""Metres, or parts of a unit heading, below which two poses are the same try."""
-
-FEW = (3, 9)
-"""How many of the things around one are placed anew with it: at least so many, fewer than so many."""
+MENDING = Mending()
 
 
 class Repair:
@@ -106,7 +106,7 @@ class Repair:
     def _around(self, slot: int, world: Floats) -> Floats:
         """Return poses (m, 4) around the guess of a slot and around where it is: where its rows hold, its walls, or free."""
         rows = self.proposals.rows(slot)
-        free = [_rings(self.problem.start[slot], RINGS), _rings(world[slot], RINGS[:TURNING])]
+        free = [_rings(self.problem.start[slot], MENDING.rings), _rings(world[slot], MENDING.rings[: MENDING.turning])]
         walls, whole = np.concatenate(free), np.concatenate(free)
         for term in rows:
             walls = nearest(self.problem, term, slot, walls, world) if isinstance(term.b, WallRef) else walls
@@ -114,11 +114,11 @@ class Repair:
             whole = nearest(self.problem, term, slot, whole, world)
         found = [whole, walls, *free]
         poses = np.concatenate(found)
-        _, first = np.unique(np.round(poses / SAME), axis=0, return_index=True)
+        _, first = np.unique(np.round(poses / MENDING.same), axis=0, return_index=True)
         return poses[np.sort(first)]
 
     def mended(self, world: Floats, slot: int, way: int) -> Floats:
-        """Return a layout (n, 4) with one thing to blame placed anew, and what goes by it, in one of `WAYS`."""
+        """Return a layout (n, 4) with one thing to blame placed anew, and what goes by it, in one of `MENDING.ways`."""
         if way == 1:
             world = world.copy()
             self._eject(world, slot)
@@ -140,7 +140,7 @@ class Repair:
     def _loose_about(self, slot: int, world: Floats) -> set[int]:
         """Return what no statement holds and what stands where those of a slot would have it."""
         rows = [term for term in self.proposals.frames.get(slot, []) if placing(term)]
-        places = [self.proposals.placed(slot, term, world, PLACES, self.rng) for term in rows]
+        places = [self.proposals.placed(slot, term, world, MENDING.places, self.rng) for term in rows]
         there = self.builder.score.touched(slot, np.concatenate(places), world) if places else set[int]()
         return {other for other in there if other not in self.proposals.frames and not self.groups[other]}
 
@@ -148,7 +148,7 @@ class Repair:
         """Return the things that stand nearest to a slot, a few of them, with what goes by them."""
         moving = np.array(self.builder.moving)
         away = np.hypot(*(world[moving, :2] - world[slot, :2]).T)
-        near = moving[np.argsort(away, kind="stable")[: int(self.rng.integers(*FEW))]].tolist()
+        near = moving[np.argsort(away, kind="stable")[: int(self.rng.integers(*MENDING.few))]].tolist()
         return set(near).union(*(self.groups[other] for other in near))
 
 
@@ -165,7 +165,7 @@ def _unlike(poses: Floats, cost: Floats, first: Sequence[int], most: int) -> lis
     for k in np.argsort(cost, kind="stable").tolist():
         if len(chosen) == len(first) + most:
             break
-        if not chosen or np.abs(poses[chosen] - poses[k]).max(axis=1).min() > ALIKE:
+        if not chosen or np.abs(poses[chosen] - poses[k]).max(axis=1).min() > MENDING.alike:
             chosen.append(k)
     return chosen
 

@@ -18,7 +18,7 @@ from string import Template
 from robolayout.assets.obstacles import use_sides
 from robolayout.planners._types import Group, PlanRequest
 from robolayout.planners.model.vocabulary import vocabulary
-from robolayout.planners.sentence import FULLEST
+from robolayout.planners.sentence import SIZES
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, agent_names
 
 PROMPT_VERSION = "3"
@@ -32,7 +32,7 @@ LONGEST_DESCRIPTION = 400
 def prompt(name: str) -> str:
     """Return the text of one prompt file."""
     text = files("robolayout.planners.model").joinpath("prompts", f"{name}.md").read_text(encoding="utf-8")
-    filled = {"bodies": ", ".join(agent_names()), "fullest": f"{FULLEST:.0%}"}
+    filled = {"bodies": ", ".join(agent_names()), "fullest": f"{SIZES.fullest:.0%}"}
     if "$vocabulary" in text:
         filled["vocabulary"] = vocabulary()
     return Template(text).safe_substitute(filled)

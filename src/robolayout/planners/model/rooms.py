@@ -13,7 +13,7 @@ from pydantic import BaseModel, Field
 from robolayout._errors import SceneError
 from robolayout._reading import Checker
 from robolayout.assets import CATALOGUE, find_category
-from robolayout.planners.sentence import FULLEST, Understanding, asset_entry
+from robolayout.planners.sentence import SIZES, Understanding, asset_entry
 from robolayout.scene import Layout, Pose, Scene, agent_names, scene_from_dict, variable_name
 from robolayout.words import read_words
 
@@ -106,9 +106,9 @@ class Furnisher:
             return f"The room cannot be read: {error}"
         wrong = list(self._unmet(scene))
         taken = sum(a.size[0] * a.size[1] for a in scene.assets if a.on_floor and not a.is_flat)
-        if taken > FULLEST * scene.room.area:
+        if taken > SIZES.fullest * scene.room.area:
             wrong.append(
-                f"what stands on the floor covers {taken:.1f} m2 of {scene.room.area:.1f} m2, at most {FULLEST:.0%} may be"
+                f"what stands on the floor covers {taken:.1f} m2 of {scene.room.area:.1f} m2, at most {SIZES.fullest:.0%} may be"
             )
         return f"The words are not met: {'; '.join(wrong)}. Answer again." if wrong else None
 

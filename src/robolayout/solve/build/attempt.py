@@ -21,71 +21,44 @@ from robolayout.solve.build.sorts import alike, given_up, told_rows, uncommon
 from robolayout.solve.build.taste import keep_sight, looks, taste
 from robolayout.solve.build.wants import Want
 
-UNREACHED = 8.0
-"""Cost of an asset that the agent cannot get to."""
 
-CUT_OFF = 40.0
-"""Cost of all of the free floor being out of the agent's way."""
+@dataclass(frozen=True)
+class Costs:
+    """What a furnished room may cost, and how long it is tried."""
 
-INEXACT = 30.0
-"""Cost of a place where something touches, by the exact check."""
+    unreached: float = 8.0  # cost of an asset that the agent cannot get to
+    cut_off: float = 40.0  # cost of all of the free floor being out of the agent's way
+    inexact: float = 30.0  # cost of a place where something touches, by the exact check
+    shut: float = 18.0  # cost of a place where a door or drawer does not open
+    checked: int = 300  # best places that are checked exactly before one is taken
+    trials: int = 8  # places for which it is found out what they cut off
+    close: float = 0.3
+    widen: float = 0.04
+    """Metres between places of which both are tried, and how much more for each one that did harm."""
+    harmless: float = 0.8  # cost of what a place cuts off below which it is taken at once
+    hopeless: float = 6.0  # cost for each thing of a grid above which they are rather placed one by one
+    moves: int = 3  # most times in one attempt that things are moved once more
+    singles: int = 3
+    """Most single things that are tried in another place, and most unreached things that are given room."""
+    around: tuple[int, int] = (3, 6)  # how many things around one that is not reached are placed anew together
+    nowhere: float = 50.0  # cost of a cluster for which there is no place at all
+    bad: float = 2.5  # cost above which a place counts as bad enough to try something else
+    shares: tuple[float, float, float, float] = (1.0, 0.85, 0.7, 0.5)
+    """Shares of a set of equal things for which a grid is tried; the rest stands where it can."""
+    tight: float = 1.2
+    ragged: float = 1.0
+    """Cost of a grid whose neighbours touch, and of each place that its last row leaves empty."""
+    much: float = 10.0  # cost of a place above which a cluster rather comes apart
+    stray: float = 2.0
+    """Cost of each thing that is left over from its grid; rows are worth more than each thing's own best place."""
+    shuffle: float = 0.35  # standard deviation of the turns of kinds from one attempt to the next, in places
+    noise: float = 0.1  # cost by which places vary from one attempt to the next
+    mood: float = 0.5  # standard deviation of the logarithm by which wishes vary from one attempt to the next
+    otherwise: float = 0.6  # cost of standing in a way that nothing says
 
-SHUT = 18.0
-"""Cost of a place where a door or drawer does not open."""
 
-CHECKED = 300
-"""Best places that are checked exactly before one is taken."""
+COSTS = Costs()
 
-TRIALS = 8
-"""Places for which it is found out what they cut off."""
-
-CLOSE, WIDEN = 0.3, 0.04
-"""Metres between places of which both are tried, and how much more for each one that did harm."""
-
-HARMLESS = 0.8
-"""Cost of what a place cuts off below which it is taken at once."""
-
-HOPELESS = 6.0
-"""Cost for each thing of a grid above which they are rather placed one by one."""
-
-MOVES = 3
-"""Most times in one attempt that things are moved once more."""
-
-SINGLES = 3
-"""Most single things that are tried in another place, and most unreached things that are given room."""
-
-AROUND = (3, 6)
-"""How many things around one that is not reached are placed anew together."""
-
-NOWHERE = 50.0
-"""Cost of a cluster for which there is no place at all."""
-
-BAD = 2.5
-"""Cost above which a place counts as bad enough to try something else."""
-
-SHARES = (1.0, 0.85, 0.7, 0.5)
-"""Shares of a set of equal things for which a grid is tried; the rest stands where it can."""
-
-TIGHT, RAGGED = 1.2, 1.0
-"""Cost of a grid whose neighbours touch, and of each place that its last row leaves empty."""
-
-MUCH = 10.0
-"""Cost of a place above which a cluster rather comes apart."""
-
-STRAY = 2.0
-"""Cost of each thing that is left over from its grid; rows are worth more than each thing's own best place."""
-
-SHUFFLE = 0.35
-"""Standard deviation of the turns of kinds from one attempt to the next, in places."""
-
-NOISE = 0.1
-"""Cost by which places vary from one attempt to the next."""
-
-MOOD = 0.5
-"""Standard deviation of the logarithm by which wishes vary from one attempt to the next."""
-
-OTHERWISE = 0.6
-"""Cost of standing in a way that nothing says."""
 
 Modes = Mapping[str, float]
 """Ways of standing, the best first, with what each costs."""
@@ -127,10 +100,10 @@ class Attempt:
         self.site = site
         self.rng = rng
         self.calm = calm
-        self.noise = 0.0 if calm else NOISE
+        self.noise = 0.0 if calm else COSTS.noise
         self.steps: list[_Step] = []
         self.lost: list[str] = self.site.unreached() if self.site.spots else []
-        self.trials = TRIALS
+        self.trials = COSTS.trials
 
     def furnish_floor(self) -> float:
         """Place what stands on the floor, and boards that the rest looks at; return the total cost."""
@@ -140,7 +113,7 @@ class Attempt:
 
     def rearrange(self) -> float:
         """Move single things once more while something is out of the way; return the total cost."""
-        for _ in range(MOVES):
+        for _ in range(COSTS.moves):
             if not self._move_some():
                 break
         return self.total()
@@ -152,21 +125,21 @@ class Attempt:
     @property
     def serves(self) -> bool:
         """Whether everything is reached and used, and every door and drawer opens."""
-        return _harm(self.site) < UNREACHED and all(step.cost < SHUT for step in self.steps)
+        return _harm(self.site) < COSTS.unreached and all(step.cost < COSTS.shut for step in self.steps)
 
     def _move_some(self) -> bool:
         """Take some clusters out and put each where it is less in the way; False if nothing gets better."""
         before, steps, site = _harm(self.site), self.steps, self.site
-        if before < UNREACHED:
+        if before < COSTS.unreached:
             return False
-        self.trials = 2 * TRIALS
+        self.trials = 2 * COSTS.trials
         for out in self._in_the_way(before):
             self.site, self.steps = self._without(out), [step for step in steps if step not in out]
             self.lost = self.site.unreached()
             for step in out:
                 if step.cluster is not None:
                     self._place(step.cluster, step.modes, step.weights)
-            if _harm(self.site) < before - UNREACHED / 2:
+            if _harm(self.site) < before - COSTS.unreached / 2:
                 return True
             self.site, self.steps = site, steps
         return False
@@ -175,11 +148,11 @@ class Attempt:
         """Yield what to move: single things without which more is reached, then what stands around the unreached."""
         movable = [step for step in self.steps if step.cluster is not None]
         left = [(_harm(self._without([step], trial=True)), i) for i, step in enumerate(movable)]
-        yield from ([movable[i]] for value, i in sorted(left)[:SINGLES] if value < harm - UNREACHED / 2)
-        for name in self.site.unreached()[:SINGLES]:
+        yield from ([movable[i]] for value, i in sorted(left)[: COSTS.singles] if value < harm - COSTS.unreached / 2)
+        for name in self.site.unreached()[: COSTS.singles]:
             here = self.site.spots[name].member
             near = sorted(range(len(movable)), key=lambda i: self._apart(movable[i], here))
-            yield from ([movable[i] for i in sorted(near[:count])] for count in AROUND)
+            yield from ([movable[i] for i in sorted(near[:count])] for count in COSTS.around)
 
     def _apart(self, step: _Step, here: Member) -> float:
         """Return metres between a place and the nearest thing of a step's cluster."""
@@ -211,7 +184,7 @@ class Attempt:
             alone = item.anchor is None or (item.anchor in self.base.spots and item.asset.on_floor)
             if alone and item.name not in self.site.spots and (item.name in self.site.late) == last:
                 by_kind.setdefault(item.kind, []).append(item)
-        nudge = 0.0 if self.calm else SHUFFLE
+        nudge = 0.0 if self.calm else COSTS.shuffle
         turns = [(turn + nudge * self.rng.normal(), turn, items) for turn, items in enumerate(by_kind.values())]
         for *_, items in turns:
             items.sort(key=lambda item: -item.asset.size[0] * item.asset.size[1])
@@ -245,12 +218,12 @@ class Attempt:
         own = batches(self.site, cluster, modes)
         if any(float(self.site.missed(batch.cluster, batch.poses).min()) < MISSED for batch in own):
             return modes
-        return dict.fromkeys(("wall", "corner", "middle"), OTHERWISE) | dict(modes)
+        return dict.fromkeys(("wall", "corner", "middle"), COSTS.otherwise) | dict(modes)
 
     def _weights(self, wishes: Mapping[str, float]) -> dict[str, float]:
         if self.calm:
             return dict(wishes)
-        return {key: value * float(np.exp(self.rng.normal(0.0, MOOD))) for key, value in wishes.items()}
+        return {key: value * float(np.exp(self.rng.normal(0.0, COSTS.mood))) for key, value in wishes.items()}
 
     def _in_rows(self, clusters: Sequence[Cluster], modes: Modes, weights: Mapping[str, float]) -> list[Cluster]:
         """Place what fits well along the walls, put the rest into a grid, and return what fits nowhere."""
@@ -261,9 +234,11 @@ class Attempt:
                 self._place_alone(out)
                 return []
         elif next(iter(modes)) == "wall":
-            left = [cluster for cluster in clusters if not self._place(cluster, {"wall": 0.0}, weights, limit=BAD)]
+            left = [
+                cluster for cluster in clusters if not self._place(cluster, {"wall": 0.0}, weights, limit=COSTS.bad)
+            ]
         for equal in alike(self.site, left):
-            for count in sorted({max(2, round(len(equal) * share)) for share in SHARES}, reverse=True):
+            for count in sorted({max(2, round(len(equal) * share)) for share in COSTS.shares}, reverse=True):
                 if count <= len(equal) and self._place_grid(equal[:count], weights, len(equal) - count):
                     left = [cluster for cluster in left if cluster not in equal[:count]]
                     break
@@ -279,9 +254,9 @@ class Attempt:
         if limit is not None and cost > limit:
             self.lost = before
             return False
-        if cost > MUCH and limit is None and len(cluster.members) > 1 and self._split(cluster, modes, weights):
+        if cost > COSTS.much and limit is None and len(cluster.members) > 1 and self._split(cluster, modes, weights):
             return True
-        if cost > MUCH and limit is None and "middle" not in modes:
+        if cost > COSTS.much and limit is None and "middle" not in modes:
             self.lost = before
             return self._place(cluster, {**modes, "middle": MISSED}, weights)
         step = _Step(partial(_put, batch=batch, row=row), cost, cluster, modes, weights)
@@ -290,16 +265,16 @@ class Attempt:
         return True
 
     def _ranked(self, found: Sequence[Batch], weights: Mapping[str, float], modes: Modes) -> list[Choice]:
-        """Return the `CHECKED` best places of all batches, best first."""
+        """Return the `COSTS.checked` best places of all batches, best first."""
         choices: list[Choice] = []
         for batch in found:
             cost = self.site.base_cost(batch.cluster, batch.poses) + taste(self.site, batch, weights)
             cost += self.site.missed(batch.cluster, batch.poses)
             cost += modes[batch.mode]
             cost += self.rng.random(len(cost)) * self.noise
-            best = np.argsort(cost, kind="stable")[:CHECKED]
+            best = np.argsort(cost, kind="stable")[: COSTS.checked]
             choices += [(float(cost[row]), batch, int(row)) for row in best]
-        return sorted(choices, key=lambda choice: choice[0])[:CHECKED]
+        return sorted(choices, key=lambda choice: choice[0])[: COSTS.checked]
 
     def _choose(self, ranked: Sequence[Choice]) -> Choice:
         """Return the first place that is exactly free and cuts nothing off, or else the one that does least harm."""
@@ -307,21 +282,23 @@ class Attempt:
         for cost, batch, row in ranked:
             if best is not None and cost > best[0]:
                 break
-            if any(_close(batch, row, other, at, CLOSE + WIDEN * len(rejected)) for _, other, at in rejected):
+            if any(
+                _close(batch, row, other, at, COSTS.close + COSTS.widen * len(rejected)) for _, other, at in rejected
+            ):
                 continue
             fault = self.site.fault(batch.cluster, batch.poses[row])
             if fault:
-                wrong = cost + (INEXACT if fault == "touches" else SHUT)
+                wrong = cost + (COSTS.inexact if fault == "touches" else COSTS.shut)
                 best = min((c for c in (best, (wrong, batch, row)) if c), key=lambda choice: choice[0])
                 continue
             trial = self.site.copy(trial=True)
             _put(trial, batch, row)
             lost = trial.unreached(self.lost)
-            harm = UNREACHED * (len(lost) - len(self.lost)) + CUT_OFF * trial.cut_off
+            harm = COSTS.unreached * (len(lost) - len(self.lost)) + COSTS.cut_off * trial.cut_off
             left[cost + harm] = lost
             best = min((c for c in (best, (cost + harm, batch, row)) if c), key=lambda choice: choice[0])
             rejected.append((cost, batch, row))
-            if harm < HARMLESS or len(rejected) >= self.trials:
+            if harm < COSTS.harmless or len(rejected) >= self.trials:
                 break
         chosen = best or ranked[0]
         self.lost = left.get(chosen[0], self.lost)
@@ -335,7 +312,7 @@ class Attempt:
             rest = self._without_own(cluster, out)
             if len(out) < len(loose):
                 found = self._ranked(batches(self.site, rest, modes), weights, modes)
-                if found and found[0][0] <= MUCH:
+                if found and found[0][0] <= COSTS.much:
                     break
         if not out:
             return False
@@ -363,7 +340,7 @@ class Attempt:
     def _anywhere(self, cluster: Cluster) -> bool:
         """Put a cluster for which no place was found into the middle; the solver has to see."""
         pose = np.array([*centroid(self.site), 0.0])
-        self.steps.append(_Step(lambda site: site.put(cluster, pose, "middle", None, None), NOWHERE))
+        self.steps.append(_Step(lambda site: site.put(cluster, pose, "middle", None, None), COSTS.nowhere))
         self.steps[-1].put(self.site)
         return True
 
@@ -383,28 +360,30 @@ class Attempt:
             cost += sum(taste(self.site, one, weights) for one in (batch, middle, last)) / 3
             unmet = self.site.missed(batch.cluster, batch.poses)
             missed = min(missed, float(unmet.min()))
-            cost += unmet + TIGHT * plan.tight + RAGGED * (plan.rows * plan.columns - len(plan.names))
+            cost += unmet + COSTS.tight * plan.tight + COSTS.ragged * (plan.rows * plan.columns - len(plan.names))
             cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5
             ranked += [(float(cost[row]), plan, batch, int(row)) for row in np.argsort(cost, kind="stable")[:4]]
         best: tuple[float, GridPlan, Batch, int] | None = None
         before, tried = self.site.unreached(), 0
         told = told_rows(self.site.wants[clusters[0].anchor])
-        limit = HOPELESS + (missed if told else 0.0)  # what no place of a demanded block meets speaks against none
+        limit = COSTS.hopeless + (
+            missed if told else 0.0
+        )  # what no place of a demanded block meets speaks against none
         for cost, plan, batch, row in sorted(ranked, key=lambda entry: entry[0]):
-            if cost > limit or tried >= 3 * TRIALS or (best is not None and cost > best[0]):
+            if cost > limit or tried >= 3 * COSTS.trials or (best is not None and cost > best[0]):
                 break
             if not self.site.fault(batch.cluster, batch.poses[row]):
                 tried += 1
                 trial = self.site.copy(trial=True)
                 put_grid(trial, clusters, plan, batch.poses[row])
-                harm = UNREACHED * (len(trial.unreached(before)) - len(before)) + CUT_OFF * trial.cut_off
+                harm = COSTS.unreached * (len(trial.unreached(before)) - len(before)) + COSTS.cut_off * trial.cut_off
                 harm /= len(clusters) ** 0.5
                 if best is None or cost + harm < best[0]:
                     best = (cost + harm, plan, batch, row)
         if best is None or best[0] > limit:
             return False
         put = partial(put_grid, clusters=clusters, plan=best[1], frame=best[2].poses[best[3]])
-        self.steps.append(_Step(put, best[0] * len(clusters) ** 0.5 + STRAY * strays))
+        self.steps.append(_Step(put, best[0] * len(clusters) ** 0.5 + COSTS.stray * strays))
         put(self.site)
         return True
 
@@ -413,13 +392,13 @@ def _modes(item: Want) -> Modes:
     """Return the ways of standing of a thing, at what it joins if it joins anything."""
     if item.anchor is None:
         return item.stands
-    alone = {mode: cost + OTHERWISE for mode, cost in item.stands.items()} if item.loose else {}
+    alone = {mode: cost + COSTS.otherwise for mode, cost in item.stands.items()} if item.loose else {}
     return {"join": 0.0} | alone
 
 
 def _harm(site: Site) -> float:
     """Return the cost of what the agents do not get to or cannot use, and of the floor that is cut off."""
-    return UNREACHED * len(site.unreached()) + CUT_OFF * site.cut_off
+    return COSTS.unreached * len(site.unreached()) + COSTS.cut_off * site.cut_off
 
 
 def lay_on(site: Site, name: str) -> list[str]:

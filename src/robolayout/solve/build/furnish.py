@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -15,21 +16,22 @@ from robolayout.solve.build.member import Member
 from robolayout.solve.build.site import Site
 from robolayout.solve.build.wants import wants_of
 
-PATIENCE = 2
-"""Attempts without a clearly better room after which the search ends."""
 
-HOPE = 4
-"""The same while something is out of the way or does not open."""
+@dataclass(frozen=True)
+class Attempts:
+    """How many times a room is furnished."""
 
-ENOUGH, FORLORN = 2, 0.5
-"""Attempts after which the search ends if more than this share of the things is out of reach in all of them: such a room is
-built anew by the solver."""
+    patience: int = 2  # attempts without a clearly better room after which the search ends
+    hope: int = 4  # the same while something is out of the way or does not open
+    enough: int = 2
+    forlorn: float = 0.5
+    """Attempts after which the search ends if more than this share of the things is out of reach in all
+    of them: such a room is built anew by the solver."""
+    lifted: float = 0.01  # metres above the floor from which on a thing stands on another
+    worth: float = 1.0  # cost by which a room is clearly better
 
-LIFTED = 0.01
-"""Metres above the floor from which on a thing stands on another."""
 
-WORTH = 1.0
-"""Cost by which a room is clearly better."""
+ATTEMPTS = Attempts()
 
 
 def furnished(scene: Scene, program: Program, given: Mapping[str, Pose], seed: int) -> Layout:
@@ -52,9 +54,9 @@ def furnished(scene: Scene, program: Program, given: Mapping[str, Pose], seed: i
 def _furnish(empty: Site, given: Mapping[str, Pose], seed: int) -> Site:
     """Return the best of several attempts; the very first one follows the wishes to the letter.
 
-    The floor is furnished in every attempt, walls and ceiling only in the best one. It is good enough after `PATIENCE`
-    attempts without one that is better by `WORTH`, or `HOPE` where it does not serve. Where something is out of the way,
-    single things are moved once more; a room that serves then is good enough at once. A hopeless room gets `ENOUGH` attempts.
+    The floor is furnished in every attempt, walls and ceiling only in the best one. It is good enough after `ATTEMPTS.patience`
+    attempts without one that is better by `ATTEMPTS.worth`, or `ATTEMPTS.hope` where it does not serve. Where something is out of the way,
+    single things are moved once more; a room that serves then is good enough at once. A hopeless room gets `ATTEMPTS.enough` attempts.
     """
     count = len(empty.scene.assets)
     best: tuple[float, Attempt] | None = None
@@ -66,16 +68,16 @@ def _furnish(empty: Site, given: Mapping[str, Pose], seed: int) -> Site:
         cost = attempt.furnish_floor()
         if best is None or cost < best[0]:
             best = (cost, attempt)
-        forlorn = forlorn and len(attempt.site.unreached()) > FORLORN * count
-        if forlorn and number + 1 >= ENOUGH:
+        forlorn = forlorn and len(attempt.site.unreached()) > ATTEMPTS.forlorn * count
+        if forlorn and number + 1 >= ATTEMPTS.enough:
             break
-        if number >= PATIENCE and not best[1].serves and (number == PATIENCE or best[1] is attempt):
+        if number >= ATTEMPTS.patience and not best[1].serves and (number == ATTEMPTS.patience or best[1] is attempt):
             best = (best[1].rearrange(), best[1])
             if best[1].serves:
                 break
-        if best[0] < leap[0] - WORTH:
+        if best[0] < leap[0] - ATTEMPTS.worth:
             leap = (best[0], number)
-        if number - leap[1] >= (PATIENCE if best[1].serves else HOPE):
+        if number - leap[1] >= (ATTEMPTS.patience if best[1].serves else ATTEMPTS.hope):
             break
     assert best is not None
     best[1].furnish_walls()
@@ -94,7 +96,7 @@ def _keep(site: Site, placed: Mapping[str, Pose]) -> None:
         want, pose = site.wants[name], placed[name]
         member = Member(name, 0.0, 0.0, 0.0, pose.z - site.size(name)[2] / 2)
         mode = "hang" if want.hung else "ceiling" if want.overhead else "rug" if want.asset.is_flat else "given"
-        mode = "join" if want.anchor is not None and member.bottom > LIFTED else mode
+        mode = "join" if want.anchor is not None and member.bottom > ATTEMPTS.lifted else mode
         site.put(Cluster(name, (member,)), np.array([pose.x, pose.y, pose.yaw]), mode, None, want.anchor)
     for name in given:
         lay_on(site, name)

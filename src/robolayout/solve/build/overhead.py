@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 import shapely
@@ -19,17 +20,33 @@ from robolayout.solve.build.places import WALL_GAP, targets, wall_yaw
 from robolayout.solve.build.site import Site, Spot
 from robolayout.solve.build.taste import nearness
 
-EYE = 1.5
-"""Metres at which the middle of a picture hangs."""
 
-ASIDE = (0.0, 0.5, -0.5, 1.0, -1.0)
-"""Metres by which a ceiling thing moves aside for another."""
+@dataclass(frozen=True)
+class Hanging:
+    """Where things hang, and what a place to hang costs."""
 
-CLEAR_ABOVE = 0.12
-"""Metres between a piece of furniture and what hangs over it."""
+    eye: float = 1.5  # metres at which the middle of a picture hangs
+    aside: tuple[float, float, float, float, float] = (0.0, 0.5, -0.5, 1.0, -1.0)
+    """Metres by which a ceiling thing moves aside for another."""
+    clear_above: float = 0.12  # metres between a piece of furniture and what hangs over it
+    work_above: float = 0.2
+    """Metres between a top to work at and what is opened over it at the least; 0.5 is usual where everybody reaches that."""
+    making_way: int = 3
+    places: int = 6
+    apart_by: float = 0.25
+    """Hung things that are asked to make way for another, places that are tried for it each time, and metres between these."""
+    covered: float = 80.0
+    """Cost of hanging where another thing already is; more than of all that a body may miss together."""
+    out_of_reach: float = 10.0
+    """Cost of hanging what is used higher than the shortest arm gets, or where a door or drawer opens."""
+    apart: float = 0.01  # metres that a hung thing keeps from what stands or hangs beside it at the least
+    crowded: float = 8.0  # cost of hanging where all of the floor that it is used from is taken
+    juts_out: float = 12.0  # cost of hanging in the way of a body
+    thin: float = 0.1  # metres that a thing may stand out from its wall without being in the way
+    take_hold: float = 0.05  # metres that a thing begins below the top of the reach
 
-WORK_ABOVE = 0.2
-"""Metres between a top to work at and what is opened over it at the least; 0.5 is usual where everybody reaches that."""
+
+HANGING = Hanging()
 
 
 def hang(site: Site, name: str, rng: np.random.Generator) -> None:
@@ -38,7 +55,7 @@ def hang(site: Site, name: str, rng: np.random.Generator) -> None:
     Where that is out of reach, another hung thing makes way if both hang within reach then.
     """
     places = _hung_places(site, name, rng)
-    if not places or (places[0][0] >= OUT_OF_REACH and site.standings and _with_another(site, name, rng)):
+    if not places or (places[0][0] >= HANGING.out_of_reach and site.standings and _with_another(site, name, rng)):
         return
     spot = places[0][1]
     site.settle(name, spot)
@@ -60,19 +77,19 @@ def _hung_places(site: Site, name: str, rng: np.random.Generator) -> list[tuple[
 def _with_another(site: Site, name: str, rng: np.random.Generator) -> bool:
     """Hang a thing together with another that hangs already and makes way for it, both within reach; False if none does."""
     hung = [n for n, s in site.spots.items() if s.mode == "hang" and n in site.late]
-    for other in [n for n in hung if site.size(n)[0] <= THIN][:MAKING_WAY]:
+    for other in [n for n in hung if site.size(n)[0] <= HANGING.thin][: HANGING.making_way]:
         before = site.spots[other]
         site.lift(other)
         tried: list[Spot] = []
         for cost, spot in _hung_places(site, name, rng):
-            if cost >= OUT_OF_REACH or len(tried) == PLACES:
+            if cost >= HANGING.out_of_reach or len(tried) == HANGING.places:
                 break
             if any(_near(spot, known) for known in tried):
                 continue
             tried.append(spot)
             site.settle(name, spot)
             places = _hung_places(site, other, rng)
-            if places and places[0][0] < OUT_OF_REACH:
+            if places and places[0][0] < HANGING.out_of_reach:
                 site.settle(other, places[0][1])
                 return True
             site.lift(name)
@@ -82,32 +99,7 @@ def _with_another(site: Site, name: str, rng: np.random.Generator) -> bool:
 
 def _near(spot: Spot, other: Spot) -> bool:
     """Whether two places are all but the same."""
-    return math.dist((spot.member.x, spot.member.y), (other.member.x, other.member.y)) < APART_BY
-
-
-MAKING_WAY, PLACES, APART_BY = 3, 6, 0.25
-"""Hung things that are asked to make way for another, places that are tried for it each time, and metres between these."""
-
-COVERED = 80.0
-"""Cost of hanging where another thing already is; more than of all that a body may miss together."""
-
-OUT_OF_REACH = 10.0
-"""Cost of hanging what is used higher than the shortest arm gets, or where a door or drawer opens."""
-
-APART = 0.01
-"""Metres that a hung thing keeps from what stands or hangs beside it at the least."""
-
-CROWDED = 8.0
-"""Cost of hanging where all of the floor that it is used from is taken."""
-
-JUTS_OUT = 12.0
-"""Cost of hanging in the way of a body."""
-
-THIN = 0.1
-"""Metres that a thing may stand out from its wall without being in the way."""
-
-TAKE_HOLD = 0.05
-"""Metres that a thing begins below the top of the reach."""
+    return math.dist((spot.member.x, spot.member.y), (other.member.x, other.member.y)) < HANGING.apart_by
 
 
 def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
@@ -120,12 +112,15 @@ def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
 
 def _reach_top(site: Site, ahead: float) -> float:
     """Return the highest lower edge, in metres, of what every agent with an arm can take hold of over what juts out below."""
-    return min((_highest(a, ahead) for a in site.scene.agents if a.reach_distance is not None), default=9.0) - TAKE_HOLD
+    return (
+        min((_highest(a, ahead) for a in site.scene.agents if a.reach_distance is not None), default=9.0)
+        - HANGING.take_hold
+    )
 
 
 def _highest(agent: Agent, ahead: float) -> float:
     """Return how high in metres a body's hand gets that far beyond its footprint; the top of its reach where nowhere."""
-    heights = np.arange(agent.reach_high, agent.reach_low, -TAKE_HOLD / 2).tolist()
+    heights = np.arange(agent.reach_high, agent.reach_low, -HANGING.take_hold / 2).tolist()
     far = ((height, horizontal_reach(agent, height, height)) for height in heights)
     return next((height for height, reach in far if reach and reach >= ahead + agent.inradius), agent.reach_high)
 
@@ -134,8 +129,8 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     want, (depth, width, height) = site.wants[name], site.size(name)
     owner, bonus, lift, ahead = _below(site, name, wall, t)
     used = bool(use_sides(site.scene.by_name[name]))
-    above = (WORK_ABOVE if used and ahead > 0 else CLEAR_ABOVE) + height / 2
-    middle = max(want.height or max(EYE, 0.4 + height / 2), lift + above)
+    above = (HANGING.work_above if used and ahead > 0 else HANGING.clear_above) + height / 2
+    middle = max(want.height or max(HANGING.eye, 0.4 + height / 2), lift + above)
     top = _reach_top(site, ahead)
     if used:
         middle = min(middle, top + height / 2)
@@ -144,19 +139,19 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     rect = (t - width / 2, middle - height / 2, t + width / 2, middle + height / 2)
     yaw = wall_yaw(wall)
     member = Member(name, *wall.point(t, depth / 2 + WALL_GAP / 2), yaw, middle - height / 2)
-    covered = site.wall_conflict(rect, takers, APART)
-    cost = COVERED * (covered > 0.0) + 20.0 * covered
-    cost += OUT_OF_REACH * (used and middle - height / 2 > top + TAKE_HOLD)
+    covered = site.wall_conflict(rect, takers, HANGING.apart)
+    cost = HANGING.covered * (covered > 0.0) + 20.0 * covered
+    cost += HANGING.out_of_reach * (used and middle - height / 2 > top + HANGING.take_hold)
     cost += 1.2 * site.wall_conflict((rect[0] - 0.4, rect[1], rect[2] + 0.4, rect[3]), takers)
     cost += 0.8 * abs(t - wall.length / 2) / wall.length * (1 + want.weights.get("mid_wall", 0.0)) - bonus
     cost += max(want.walls.values(), default=0.0) - want.walls.get(wall.index, 0.0)
     if member.bottom < 2.0 and _in_landing(site, member):
         cost += 30.0
-    cost += JUTS_OUT * _juts_out(site, member)
+    cost += HANGING.juts_out * _juts_out(site, member)
     outline = shapely.Polygon(corners_of(member, site.size(name)))
-    cost += OUT_OF_REACH * bool(shapely.intersects(outline, site.openings).any())
+    cost += HANGING.out_of_reach * bool(shapely.intersects(outline, site.openings).any())
     cost += _crowding(site, name, member) + _sight(site, name, member) + _far(site, name, member)
-    cost += CROWDED * _used_room(site, name, member)
+    cost += HANGING.crowded * _used_room(site, name, member)
     cost += float(
         site.missed(Cluster(name, (Member(name, 0.0, 0.0, 0.0),)), np.array([[member.x, member.y, member.yaw]]))[0]
     )
@@ -209,7 +204,7 @@ def _in_landing(site: Site, member: Member) -> bool:
 def _juts_out(site: Site, member: Member) -> float:
     """Return the share of a hung thing that is in the way of a body over free floor; what is thin is not."""
     depth, width, _ = site.size(member.name)
-    if depth <= THIN or member.bottom >= max(agent.height for agent in site.scene.agents):
+    if depth <= HANGING.thin or member.bottom >= max(agent.height for agent in site.scene.agents):
         return 0.0
     points = rect_points((-depth / 2, -width / 2, depth / 2, width / 2), 0.02)
     pose = np.array([[member.x, member.y, member.yaw]])
@@ -272,7 +267,7 @@ def _over(site: Site, owner: str, lamps: Sequence[str]) -> None:
 
 def _hang_from_ceiling(site: Site, name: str, point: tuple[float, float], yaw: float, owner: str | None) -> None:
     bottom = site.room.wall_height - site.size(name)[2]
-    apart = [point, *((point[0] + dx, point[1] + dy) for dx in ASIDE for dy in ASIDE)]
+    apart = [point, *((point[0] + dx, point[1] + dy) for dx in HANGING.aside for dy in HANGING.aside)]
     if owner is None:
         point = next((p for p in apart if _is_free_above(site, name, p)), point)
     site.settle(name, Spot(Member(name, *point, yaw, bottom), "ceiling", None, owner))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -19,23 +19,20 @@ from robolayout.solve.build.site import Poses, Site, Spot
 
 Pose = tuple[float, float, float]
 
-UNDER_BED = 0.25
-"""Metres by which a rug beside a narrow bed lies under it."""
 
-FOOT = 0.3
-"""Part of a thing's depth by which a rug lies before its middle, if it is to lie toward its front."""
+@dataclass(frozen=True)
+class Laying:
+    """How rugs and mats lie."""
 
-LEAST_UNDER = 0.01
-"""Square metres of a rug that lie under its owner at the least."""
+    under_bed: float = 0.25  # metres by which a rug beside a narrow bed lies under it
+    foot: float = 0.3  # part of a thing's depth by which a rug lies before its middle, if it is to lie toward its front
+    least_under: float = 0.01  # square metres of a rug that lie under its owner at the least
+    between: float = 0.4  # metres between two mats
+    wanted: float = 0.3  # weight of floor that others are used from, against that of floor which is covered
+    most_covered: float = 0.02  # share of a block of mats that may lie under things before they are laid one by one
 
-BETWEEN = 0.4
-"""Metres between two mats."""
 
-WANTED = 0.3
-"""Weight of floor that others are used from, against that of floor which is covered."""
-
-MOST_COVERED = 0.02
-"""Share of a block of mats that may lie under things before they are laid one by one."""
+LAYING = Laying()
 
 
 def lay_rugs(site: Site, names: Sequence[str]) -> None:
@@ -55,10 +52,10 @@ def _at_owner(site: Site, name: str, owner: str) -> Pose:
     """Return where a rug belongs: under a thing, toward the side that is said, or beside it."""
     there, (depth, width, _), join = site.spots[owner].member, site.size(owner), site.wants[name].join
     if join is None or join.slot != "beside":
-        ahead = FOOT * depth if join is not None else 0.0
+        ahead = LAYING.foot * depth if join is not None else 0.0
         return _pose(Member(name, ahead, 0.0, 0.0).moved(there.x, there.y, there.yaw))
     rug, short = site.size(name), min(site.size(name)[:2])
-    aside = width / 2 + short / 2 - UNDER_BED
+    aside = width / 2 + short / 2 - LAYING.under_bed
     turn = 0.0 if rug[1] == short else math.pi / 2
     sides = [Member(name, 0.0, y, turn).moved(there.x, there.y, there.yaw) for y in (aside, -aside)]
     covered = _covered(site, rug, np.array([_pose(side) for side in sides]))
@@ -81,10 +78,13 @@ def _lay_free(site: Site, names: Sequence[str]) -> None:
     count = len(names)
     asked = site.wants[names[0]].rows
     rows = [k for k in range(1, count + 1) if count % k == 0 and (asked is None or asked.rows in (None, k))] or [count]
-    plans = [GridPlan(tuple(names), k, count // k, BETWEEN, BETWEEN, paired=False) for k in rows]
+    plans = [GridPlan(tuple(names), k, count // k, LAYING.between, LAYING.between, paired=False) for k in rows]
     (_, pose), plan = min(((_free_floor(site, plan), plan) for plan in plans), key=lambda entry: entry[0][0])
     cells = [Member(n, *c).moved(*pose) for n, c in zip(names, cell_poses(plan, site.size(names[0])), strict=True)]
-    if max(_covered(site, site.size(names[0]), np.array([_pose(cell) for cell in cells]))) > MOST_COVERED and count > 1:
+    if (
+        max(_covered(site, site.size(names[0]), np.array([_pose(cell) for cell in cells]))) > LAYING.most_covered
+        and count > 1
+    ):
         for name in names:
             _lay_free(site, [name])
         return
@@ -107,7 +107,7 @@ def _free_floor(site: Site, plan: GridPlan) -> tuple[float, Pose]:
     others = [spot.member for spot in site.spots.values() if spot.mode == "rug"]
     for cell in cells:
         x, y = poses[:, 0] + c * cell.x - s * cell.y, poses[:, 1] + s * cell.x + c * cell.y
-        cost += 6.0 * _covered(site, size, np.stack([x, y, poses[:, 2]], axis=1), WANTED)
+        cost += 6.0 * _covered(site, size, np.stack([x, y, poses[:, 2]], axis=1), LAYING.wanted)
         for other in others:
             away = np.hypot(x - other.x, y - other.y) / ((size[0] + size[1]) / 2)
             cost += 4.0 * np.maximum(0.0, 1.0 - away)
@@ -135,7 +135,7 @@ def _fitted(site: Site, name: str, pose: Pose, owner: str | None = None) -> Memb
     cost = np.round(shapely.area(shapely.difference(outlines, room)), 4)
     if owner is not None:
         shared = shapely.area(shapely.intersection(outlines, site.foot(owner)))
-        cost += shapely.area(outlines) * (shared < LEAST_UNDER)
+        cost += shapely.area(outlines) * (shared < LAYING.least_under)
     best = int(np.argmin(cost))
     x, y, yaw = poses[best].tolist()
     return Member(name, x, y, yaw)
