@@ -59,9 +59,7 @@ class Writer:
     scene: Scene
     cast: Mapping[str, Cast]  # its assets in their roles
     asked: frozenset[str] = frozenset()  # things of which the user's words say where they stand: roles only wish then
-    cornered: frozenset[str] = (
-        frozenset()
-    )  # those of them that have a corner of their own, and are placed before it is taken
+    cornered: frozenset[str] = frozenset()  # those of them with a corner of their own: placed before it is taken
 
     def order(self) -> list[str]:
         """Return all assets, what is placed first first: low ranks, big things, and what joins a thing right after it."""
@@ -189,10 +187,8 @@ class Writer:
             weight = (SAYING.first if open_floor else SAYING.only) + item.role.prefer.get("first", 0.0)
             equal = self._in_the_middle(item) if "grid" in modes else []
             if "wall" in modes:
-                at_walls = name not in equal or len(equal) == len(self._equal(item)) < item.role.prefer.get(
-                    "block", math.inf
-                )
-                first = modes[0] == "wall" and at_walls
+                few = len(self._equal(item)) < item.role.prefer.get("block", math.inf)
+                first = modes[0] == "wall" and (name not in equal or (few and len(equal) == len(self._equal(item))))
                 yield from self._fill(say["wall"], values, weight if first else -weight, name)
             yield from self._in_rows(item, equal)
 
