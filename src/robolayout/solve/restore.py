@@ -32,13 +32,13 @@ def restored(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool]
 
     Everything that moved is put back at once, else half of it, and so on down to single things with what stands on them
     and what goes by them (a desk with its chair), so that a row that had to give way in one place stays a row elsewhere. Then
-    single things go back, the farthest first: whole, else along one of their axes, else half of the way.
+    single things go back, the farthest first: whole, else along one of their axes, else a part of the way.
 
     Args:
         problem: The problem.
         world: (n, 4) poses.
         no_worse: Whether other poses are no worse than those kept so far.
-        trials: Most layouts that are asked about while groups are put back; each thing alone takes six more at most.
+        trials: Most layouts that are asked about while groups are put back; each thing alone takes seven more at most.
     """
     target = problem.start
     moved = np.abs(world - target).max(axis=1) > SAME
@@ -127,7 +127,8 @@ def _nearer(problem: Problem, world: Floats, slot: int, no_worse: Callable[[Floa
         (1.0, 1.0, here),
         (1.0, 0.0, here),
         (0.0, 1.0, here),
-        (0.5, 0.5, here),
+        (0.7, 0.7, here),
+        (0.4, 0.4, here),
         (0.0, 0.0, there),
     )
     least = problem.moved(world) - GAIN
