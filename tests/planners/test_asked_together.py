@@ -1,0 +1,87 @@
+"""What words put close together is joined: the program says how, and the layout has it so."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import robolayout as rl
+from robolayout.planners import OfflinePlanner, PlanRequest, scene_from_sentence
+from robolayout.words import read_words
+
+
+def program(text: str) -> str:
+    scene, _ = scene_from_sentence(text)
+    return OfflinePlanner().plan(PlanRequest(scene, asked=read_words(scene).demands))
+
+
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        (
+            "a hotel room with two queen beds and a nightstand between them",
+            ("wish.left_of(night_stand[0], bed[0]", "wish.left_of(bed[1], night_stand[0]"),
+        ),
+        (
+            "a laundry room with a washer and a dryer side by side",
+            ('wish.next_to(clothes_dryer[0], washing_machine[0], "beside"',),
+        ),
+        (
+            "a living room with two armchairs facing each other and a small table between them",
+            ("wish.in_front_of(armchair[1], armchair[0]", "wish.align_with(armchair[1], armchair[0], 180)"),
+        ),
+        ("a bakery with a counter and a shelf behind it", ("wish.behind(", ", 0.7, 0.85)")),
+        (
+            "a bathroom with a shelf above the washing machine",
+            ("against_wall(washing_machine[0])", "wish.at_window(washing_machine[0], weight=-3)"),
+        ),
+        (
+            "a waiting room with a plant in each corner",
+            tuple(f"solver.corner(plant[{i}], vertex={i})" for i in range(4)),
+        ),
+    ],
+)
+def test_the_program_joins_what_words_put_together(text: str, lines: tuple[str, ...]) -> None:
+    said = program(text)
+    for line in lines:
+        assert line in said, said
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "count"),
+    [
+        ("a dining room with a sofa, a coffee table and a dining table for six", "chair", 6),
+        ("a dining room for six", "chair", 6),
+        ("a meeting room for ten", "office chair", 10),
+        ("a lecture hall with 60 seats", "theater seat", 60),
+        ("a computer lab with 24 computers", "desk", 24),
+        ("a shop with five rows of shelves", "shop shelf", 15),
+    ],
+)
+def test_so_many_and_no_more_are_there(text: str, kind: str, count: int) -> None:
+    scene, _ = scene_from_sentence(text)
+    assert sum(asset.category == kind for asset in scene.assets) == count
+
+
+@pytest.mark.parametrize(
+    ("text", "least"), [("a dining room with a round table for eight", 1.5), ("an office with a table for two", 0.5)]
+)
+def test_a_table_is_as_large_as_its_seats_need(text: str, least: float) -> None:
+    scene, _ = scene_from_sentence(text)
+    table = next(asset for asset in scene.assets if asset.category.endswith("table"))
+    assert least <= max(table.size[:2]) < least + 2.0
+
+
+def test_generate_takes_words() -> None:
+    result = rl.generate("a hotel room with two queen beds and a nightstand between them")
+    assert result.report.ok
+    first, last = result.layout["bed-0"], result.layout["bed-1"]
+    assert math.cos(first.yaw - last.yaw) > 0.99
+    across = (last.x - first.x) * -math.sin(first.yaw) + (last.y - first.y) * math.cos(first.yaw)
+    assert abs(across) == pytest.approx(math.dist((first.x, first.y), (last.x, last.y)), abs=0.05)
+
+
+def test_what_looks_like_a_file_is_no_sentence() -> None:
+    with pytest.raises(rl.InputError, match="does not exist"):
+        rl.generate("a bedrom.json")
