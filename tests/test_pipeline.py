@@ -11,7 +11,6 @@ import pytest
 
 import robolayout as rl
 from robolayout.planners import OfflinePlanner, PlanRequest
-from robolayout.run.flow import as_scene
 from robolayout.scene import layout_from_dict
 from running import ROOT, Furnished
 
@@ -171,7 +170,7 @@ def test_a_second_door_that_a_guess_leaves_no_room_at_is_opened() -> None:
     guess = [f"shelf[{i}].position = [{x}, {y}, 0.9]\nshelf[{i}].rotation = [270]" for i, (x, y) in enumerate(places)]
     program = "\n".join([*guess, *(f"solver.against_wall(shelf[{i}], walls[2])" for i in range(2))])
     poses = {f"shelf-{i}": {"position": [x, y, 0.9], "rotation": [0, 0, 270]} for i, (x, y) in enumerate(places)}
-    before = rl.verify(as_scene(scene, "wheelchair"), layout_from_dict(poses))
+    before = rl.verify(rl.scene_from_dict(scene), layout_from_dict(poses), agent="wheelchair")
     assert before.unmet == ("doors_reached",)
     result = rl.generate(scene, agent="wheelchair", program=program)
     assert result.report.ok, result.report.violations

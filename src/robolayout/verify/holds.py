@@ -77,7 +77,8 @@ def find_hold(found: Boxes, agent: Agent, row: int, joint: Joint, reach: float, 
         still: Any = region & asked.still
         moved = tuple(dict.fromkeys(chairs + aside))
         if still.area > 0:
-            x, y = shapely.get_coordinates(shapely.maximum_inscribed_circle(still))[0].tolist()
+            areas = [part for part in shapely.get_parts(still) if part.area > 0]  # where it only touches are lines, too
+            x, y = shapely.get_coordinates(shapely.maximum_inscribed_circle(shapely.MultiPolygon(areas)))[0].tolist()
             return Hold(asset.name, joint.name, _in_room([(x, y, heading)], place), moved)
         if not walk.poses and (places := _walk(region, asked)):
             walk = Hold(asset.name, joint.name, _in_room([(x, y, heading) for x, y in places], place), moved)
