@@ -73,6 +73,14 @@ def test_a_table_is_as_large_as_its_seats_need(text: str, least: float) -> None:
     assert least <= max(table.size[:2]) < least + 2.0
 
 
+@pytest.mark.parametrize("text", ["a 0 m wide sofa", "an office with a 1000 m desk", "a dining table for 100000"])
+def test_a_thing_of_no_size_that_can_be_is_refused_by_its_name(text: str) -> None:
+    with pytest.raises(
+        rl.InputError, match=r"(sofa|desk|table) of .* m cannot be placed; give it sides above 0 and at most 50 m"
+    ):
+        scene_from_sentence(text)
+
+
 def test_generate_takes_words() -> None:
     result = rl.generate("a hotel room with two queen beds and a nightstand between them")
     assert result.report.ok

@@ -44,6 +44,9 @@ SIZE_WORDS = {"small", "large", "big", "little"}
 APART = 0.25
 """Metres between things that lie on a rug or sit in a line."""
 
+LONGEST = 50.0
+"""Metres of the longest thing that a room is furnished with."""
+
 ELBOWS = 0.6
 """Metres of a table's edge for who sits there."""
 
@@ -160,6 +163,11 @@ def _things(
         kind = lexicon.kinds[name]
         like = kind.like or (name if shown != name else "")
         size = _large_enough(thing, sized(kind, thing.adjectives, thing.sizes), links, lexicon)
+        if not all(0.0 < side <= LONGEST for side in size):
+            shape = " x ".join(f"{side:g}" for side in size)
+            raise SceneError(
+                f"a {shown} of {shape} m cannot be placed; give it sides above 0 and at most {LONGEST:g} m."
+            )
         kind = _as_placed(thing, replace(kind, name=shown, like=like, size=size), links, lexicon)
         if kind != lexicon.kinds[name] and wished.get(shown, 0) == 0:
             named[shown] = kind
