@@ -11,6 +11,7 @@ from solve_rooms import BED, STANDS, TABLE, problem_of, room_of
 from robolayout.scene import Asset, Opening, Room
 from robolayout.solve import Problem
 from robolayout.solve.construct import Builder
+from robolayout.solve.stage import make_stage
 from robolayout.verify import navigation, physics
 
 SHELVES = tuple(Asset(f"bookshelf-{i}", "bookshelf", (0.35, 1.0, 1.9)) for i in range(8))
@@ -29,7 +30,7 @@ def crowded() -> Problem:
 
 def test_built_rooms_overlap_far_less_than_blind_ones() -> None:
     problem = crowded()
-    builder = Builder(problem, np.random.default_rng(0))
+    builder = Builder(make_stage(problem, 0, problem.start), np.random.default_rng(0))
     heap = problem.start.copy()
     heap[:, :2] = np.random.default_rng(1).uniform((0.5, 0.5), (4.5, 3.5), (len(heap), 2))
     built = [shared(problem, builder.build(heap)) for _ in range(8)]
@@ -38,7 +39,7 @@ def test_built_rooms_overlap_far_less_than_blind_ones() -> None:
 
 def test_what_is_not_asked_for_stays_bit_for_bit() -> None:
     problem = crowded()
-    built = Builder(problem, np.random.default_rng(0)).build(problem.start, {3, 4})
+    built = Builder(make_stage(problem, 0, problem.start), np.random.default_rng(0)).build(problem.start, {3, 4})
     same = (built == problem.start).all(axis=1)
     assert same[[0, 1, 2, 5, 6, 7, 8, 9]].all()
     assert not same[[3, 4]].all()
@@ -49,13 +50,13 @@ def test_what_stands_on_a_thing_moves_with_it() -> None:
     problem = problem_of(room_of(STANDS[0], lamp), "solver.on_top_of(lamp[0], night_stand[0])")
     world = problem.start.copy()
     world[1, :2] = world[0, :2]
-    built = Builder(problem, np.random.default_rng(0)).build(world)
+    built = Builder(make_stage(problem, 0, problem.start), np.random.default_rng(0)).build(world)
     assert np.allclose(built[0, :2], built[1, :2])
 
 
 def test_things_used_from_the_front_stand_with_their_backs_to_walls() -> None:
     problem = problem_of(room_of(*SHELVES[:2]), seed=1)
-    built = Builder(problem, np.random.default_rng(0)).build(problem.start)
+    built = Builder(make_stage(problem, 0, problem.start), np.random.default_rng(0)).build(problem.start)
     layout = problem.layout(built)
     outline = Polygon(problem.scene.room.vertices).exterior
     for asset in problem.scene.assets:
@@ -71,7 +72,7 @@ solver.symmetric_pair(night_stand[0], night_stand[1], bed[0])
 solver.next_to(night_stand[0], bed[0], "left")
 """
     problem = problem_of(room_of(BED, *STANDS), text, seed=6)
-    builder = Builder(problem, np.random.default_rng(0))
+    builder = Builder(make_stage(problem, 0, problem.start), np.random.default_rng(0))
     layouts = [problem.layout(builder.build(problem.start)) for _ in range(8)]
     beside = [problem.relations[2].check(problem.scene, layout).met for layout in layouts]
     assert sum(beside) >= 7, "the bed stands where its night stand finds a place"
@@ -81,14 +82,17 @@ solver.next_to(night_stand[0], bed[0], "left")
 
 def test_the_same_seed_builds_the_same_room() -> None:
     problem = crowded()
-    first, second = (Builder(problem, np.random.default_rng(7)).build(problem.start) for _ in "ab")
+    first, second = (
+        Builder(make_stage(problem, 0, problem.start), np.random.default_rng(7)).build(problem.start) for _ in "ab"
+    )
     assert first.tobytes() == second.tobytes()
 
 
 def test_what_goes_by_a_thing_is_placed_right_after_it() -> None:
     text = "solver.distance_constraint(chair[0], table[0], 0.6, 0.9)\nsolver.against_wall(wardrobe[0], walls[1])\n"
     chair, wardrobe = Asset("chair-0", "chair", (0.5, 0.5, 0.9)), Asset("wardrobe-0", "wardrobe", (0.6, 1.6, 2.1))
-    builder = Builder(problem_of(room_of(BED, TABLE, chair, wardrobe), text), np.random.default_rng(0))
+    problem = problem_of(room_of(BED, TABLE, chair, wardrobe), text)
+    builder = Builder(make_stage(problem, 0, problem.start), np.random.default_rng(0))
     assert builder._in_turn([3, 0, 1, 2]) == [3, 0, 1, 2]
     assert builder._in_turn([1, 0, 3, 2]) == [1, 2, 0, 3], "the chair gets its place before the bed takes it"
     assert builder._in_turn([2, 3]) == [2, 3], "nobody waits for what stays where it is"
@@ -117,5 +121,5 @@ def half_full(seed: int) -> Problem:
 
 
 def builds(problem: Problem, count: int) -> list[np.ndarray]:
-    builder = Builder(problem, np.random.default_rng(1))
+    builder = Builder(make_stage(problem, 0, problem.start), np.random.default_rng(1))
     return [builder.build(problem.start) for _ in range(count)]

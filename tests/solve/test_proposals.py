@@ -14,7 +14,7 @@ from robolayout.scene import Asset, Room
 from robolayout.solve import Problem
 from robolayout.solve.construct import Builder
 from robolayout.solve.proposals import Proposals, frame_of
-from robolayout.solve.stage import relative
+from robolayout.solve.stage import make_stage, relative
 from robolayout.solve.starts import bring_in, near
 
 ROOMS = pytest.mark.parametrize("room", [SQUARE, L_SHAPED, TRIANGLE], ids=["square", "L", "triangle"])
@@ -43,7 +43,7 @@ STATEMENTS = [
 
 def every_kind(problem: Problem, world: np.ndarray, moving: tuple[int, ...], count: int) -> np.ndarray:
     """Return starts: half of them near the guess, half built."""
-    builder = Builder(problem, np.random.default_rng(0))
+    builder = Builder(make_stage(problem, 0, problem.start), np.random.default_rng(0))
     built = np.array([builder.build(world, moving) for _ in range(count // 2)])
     bring_in(problem, built, moving)
     return np.concatenate([near(problem, world, moving, count // 2, builder.rng), built])

@@ -32,7 +32,7 @@ def mended(problem: Problem, world: np.ndarray, way: int, count: int = 12) -> li
         [make_stage(problem, n, problem.start) for n in stages(problem)],
         Runner(QUICK),
         QUICK,
-        Builder(problem, np.random.default_rng(way)),
+        Builder(make_stage(problem, 0, problem.start), np.random.default_rng(way)),
     )
     return [repair.mended(world, 0, way) for _ in range(count)]
 

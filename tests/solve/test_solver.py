@@ -280,7 +280,7 @@ def test_repair_moves_only_what_is_to_blame_and_what_belongs_to_it() -> None:
         [make_stage(problem, n, problem.start) for n in stages(problem)],
         Runner(QUICK),
         QUICK,
-        Builder(problem, np.random.default_rng(0)),
+        Builder(make_stage(problem, 0, problem.start), np.random.default_rng(0)),
     )
     world = problem.start.copy()
     for _ in range(20):

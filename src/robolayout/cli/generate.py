@@ -138,14 +138,17 @@ def _output(folder: Path) -> Generator[RunFolder]:
 
 def _furnished(asked: Asked, planner: Planner, variant: int) -> tuple[Scene, Understanding]:
     """Return the scene of a sentence, and what was understood: by the model that plans, else by rules."""
-    from robolayout.planners import ModelPlanner, scene_from_sentence
+    from robolayout.run.given import furnished
 
-    if isinstance(planner, ModelPlanner):
-        scene, understood = planner.furnish(asked.scene, assets=asked.asset_dir)
-    else:
-        scene, understood = scene_from_sentence(
-            asked.scene, seed=asked.seed, variant=variant, knowledge=asked.knowledge or (), agents=asked.agents
-        )
+    scene, understood = furnished(
+        asked.scene,
+        planner,
+        seed=asked.seed,
+        variant=variant,
+        agents=asked.agents,
+        knowledge=asked.knowledge or (),
+        assets=asked.asset_dir,
+    )
     return asked.of(scene), understood
 
 

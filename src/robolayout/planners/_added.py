@@ -182,10 +182,8 @@ class Added:
     def _add(self, name: str, most: int) -> None:
         """Add a thing with what it needs, as many times as there is room for."""
         present = {self.known.head(other) for other in (*self.wished, *self.found)}
-        waiting = "chair" in present and not present & {
-            "table",
-            "desk",
-        }  # chairs are there, and nothing that they stand at
+        # chairs are there, and nothing that they stand at
+        waiting = "chair" in present and not {"table", "desk"} & present
         needs = {
             other: each
             for other, each in self.known.rooms.companions.get(name, {}).items()

@@ -18,7 +18,7 @@ from robolayout.constraints.left_of import LeftOf
 from robolayout.constraints.near import Near
 from robolayout.constraints.next_to import NextTo
 from robolayout.constraints.right_of import RightOf
-from robolayout.planners._knowledge import Join
+from robolayout.planners._knowledge import Join, usual_say
 from robolayout.planners._roles import Cast, depends
 from robolayout.program import Program
 from robolayout.scene import Scene
@@ -42,10 +42,10 @@ class Gaps:
 GAPS = Gaps()
 
 
-BESIDE = ('next_to({a}, {b}, "beside", {most})', "align_with({a}, {b})")
-OPPOSITE = ("in_front_of({a}, {b}, {least}, {most})", "align_with({a}, {b}, {angle})")
 LEFT = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b})")
-"""What is said of a thing at either side of another, opposite to it, and at its left."""
+BEHIND = ("behind({a}, {b}, {gap}, {most})", "align_with({a}, {b})")
+BACK_TO_BACK = ('centered_on({a}, {b}, "side")',)
+"""What is said of a thing at the left of another and behind it, no nearer than its gap, and back to back with it."""
 
 IN_THE_LIGHT = -3.0
 """Weight of the wish of what something hangs above to stand at a window."""
@@ -64,17 +64,17 @@ def asked_lines(scene: Scene, demands: Sequence[Demand], known: set[str]) -> dic
         found += demand.ways[0] if len(demand.ways) == 1 else [AnyOf(demand.ways)]
         if demand.exact is not None:
             found.append(demand.exact)
-        under += [
-            relation.b
-            for relation in demand.ways[0]
-            if isinstance(relation, Above) and relation.b.name not in placed
-            if scene.by_name[relation.a.name].on_wall and scene.by_name[relation.b.name].on_floor
-        ]
+        under += [ref for ref in _hung_over(demand, scene) if ref.name not in placed]
+    found += [AgainstWall(ref) for ref in under]
     lines = {f"solver.{program.call(relation)}": relation.asset_names()[0] for relation in found}
-    lines |= {f"solver.{program.call(AgainstWall(ref))}": ref.name for ref in under}
-    return lines | {
-        f"solver.wish.at_window({scene.expressions[ref.name]}, weight={IN_THE_LIGHT:g})": ref.name for ref in under
-    }
+    aside = f"weight={IN_THE_LIGHT:g}"
+    return lines | {f"solver.wish.at_window({scene.expressions[ref.name]}, {aside})": ref.name for ref in under}
+
+
+def _hung_over(demand: Demand, scene: Scene) -> list[AssetRef]:
+    """Return what stands on the floor and is asked to be below something that hangs on a wall."""
+    above = [relation for relation in demand.ways[0] if isinstance(relation, Above)]
+    return [one.b for one in above if scene.by_name[one.a.name].on_wall and scene.by_name[one.b.name].on_floor]
 
 
 def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: float = 0.0) -> dict[str, Cast]:
@@ -128,12 +128,8 @@ def subjects(demand: Demand) -> set[str]:
 
 def cornered(demand: Demand) -> set[str]:
     """Return what is asked to be in one corner and no other."""
-    return {
-        relation.a.name
-        for way in demand.ways
-        for relation in way
-        if isinstance(relation, Corner) and len(demand.ways) == 1
-    }
+    only = demand.ways[0] if len(demand.ways) == 1 else ()
+    return {relation.a.name for relation in only if isinstance(relation, Corner)}
 
 
 def _joins(demand: Demand, cast: Mapping[str, Cast], passage: float) -> list[tuple[str, tuple[str, Join]]]:
@@ -173,7 +169,10 @@ def _chains(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: float)
         depth = next((cast[middle].asset.size[0] for middle, *ends in between if {*ends} == {a, b}), 0.0)
         gap = max(GAPS.across, depth + 2 * GAPS.before)
         if cast.keys() >= {a, b}:
-            found[a] = (b, Join("front", (cast[b].role.name,), gap=gap, loose=True, faces="anchor", say=OPPOSITE))
+            found[a] = (
+                b,
+                Join("front", (cast[b].role.name,), gap=gap, loose=True, faces="anchor", say=usual_say("front")),
+            )
     return found
 
 
@@ -209,20 +208,11 @@ def _join(relation: Relation, a: Cast, b: Cast, passage: float, *, around: bool,
         seated = a.role.name == "seat"
         return Join("front", (b.role.name,), gap=GAPS.seated if seated else GAPS.before, loose=True, faces="anchor")
     if relation.name == "behind" and turned == 180.0:
-        return Join(
-            "behind", (b.role.name,), gap=GAPS.backs, loose=True, faces="away", say=('centered_on({a}, {b}, "side")',)
-        )
+        return Join("behind", (b.role.name,), gap=GAPS.backs, loose=True, faces="away", say=BACK_TO_BACK)
     if relation.name == "behind":
-        gap = (
-            passage if {"wall", "grid"} & {*a.role.stands} else GAPS.before
-        )  # who takes something from there stands between
-        return Join(
-            "behind",
-            (b.role.name,),
-            gap=gap,
-            loose=True,
-            say=("behind({a}, {b}, {gap}, {most})", "align_with({a}, {b})"),
-        )
+        # who takes something from a shelf or cabinet stands between
+        gap = passage if {"wall", "grid"} & {*a.role.stands} else GAPS.before
+        return Join("behind", (b.role.name,), gap=gap, loose=True, say=BEHIND)
     return None
 
 
@@ -231,6 +221,6 @@ def _at_its_side(relation: Relation, b: Cast) -> tuple[str, ...] | None:
     if isinstance(relation, NextTo) and relation.side in ("left", "right", "beside"):
         return ()
     if isinstance(relation, LeftOf | RightOf):
-        return BESIDE[1:]
+        return usual_say("beside")[1:]
     close = isinstance(relation, Near) and relation.max_gap <= GAPS.touch and not b.asset.is_flat
-    return BESIDE if close else None
+    return usual_say("beside") if close else None

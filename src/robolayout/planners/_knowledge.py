@@ -143,10 +143,20 @@ def _read(path: Path) -> str:
     return _CHECK.read_text(path, "the knowledge file", MAX_BYTES)
 
 
+def usual_say(slot: str) -> tuple[str, ...]:
+    """Return what is said of a thing by its slot at another, where its role says nothing else."""
+    return tuple(_slots()[slot]["say"])
+
+
+@cache
+def _slots() -> Mapping[str, Any]:
+    text = (files("robolayout.planners") / "knowledge" / "_slots.toml").read_text("utf-8")
+    return tomllib.loads(text)["slots"]
+
+
 @cache
 def _parse(texts: tuple[tuple[str, str], ...]) -> Knowledge:
-    slots = (files("robolayout.planners") / "knowledge" / "_slots.toml").read_text("utf-8")
-    reading = _Reading(tomllib.loads(slots)["slots"])
+    reading = _Reading(_slots())
     for data in built_in_data().values():
         if "group" in data:
             reading.add({key: data[key] for key in HEADS if key in data})

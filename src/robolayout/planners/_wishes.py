@@ -76,8 +76,7 @@ class Wishes:
     @property
     def seats(self) -> int:
         """Seats that are promised: at each of "five tables for four", at all "tables for 14 people" together."""
-        tables = [thing for thing in self.reading.parsed.things if thing.people]
-        return sum(one.people * (1 if one.plural and one.number is None else one.count) for one in tables)
+        return round(sum(_promised(thing) * thing.count for thing in self.reading.parsed.things))
 
     @property
     def ignored(self) -> tuple[str, ...]:
@@ -233,7 +232,7 @@ def _large_enough(
 def _seats(thing: Thing, links: Sequence[Link]) -> float:
     """Return the seats that each of a thing is said to have: "for ten", "with six chairs", "ten chairs around it"."""
     if thing.people:
-        return thing.people / (thing.count if thing.plural and thing.number is None else 1)
+        return _promised(thing)
     chairs = [
         mention.thing.count
         for link in links
@@ -242,6 +241,11 @@ def _seats(thing: Thing, links: Sequence[Link]) -> float:
         if mention.thing.noun.kind.endswith(SEATS)
     ]
     return sum(chairs) / thing.count
+
+
+def _promised(thing: Thing) -> float:
+    """Return the seats at each of a thing that "for ten" promises; tables of which no number is said share them."""
+    return thing.people / (thing.count if thing.plural and thing.number is None else 1)
 
 
 def _shown(thing: Thing, room: RoomType, lexicon: Lexicon, links: Sequence[Link]) -> str:

@@ -16,7 +16,7 @@ from robolayout.program import Program, Reconciled, read_program, reconcile
 from robolayout.run.attempt import Attempt, Clock, Progress
 from robolayout.run.dressing import dressed
 from robolayout.run.edit import as_start, pinned_poses, started
-from robolayout.run.given import AgentSpec, as_scene
+from robolayout.run.given import as_scene
 from robolayout.run.result import Result
 from robolayout.run.verdict import make_judge
 from robolayout.scene import Agent, Layout, Pose, Scene
@@ -31,7 +31,7 @@ from robolayout.solve import (
     solve_with,
     warm_up,
 )
-from robolayout.verify import Report, overfull, verify
+from robolayout.verify import AgentSpec, Report, overfull, verify
 from robolayout.words import Wishes, read_words
 
 

@@ -18,12 +18,12 @@ from robolayout._geometry import compose
 from robolayout.constraints import AssetRef, WallRef
 from robolayout.floor import FLOOR, Blocks, Walked
 from robolayout.solve._zones import Rects, Zones
-from robolayout.solve.compile import Floats, Problem
+from robolayout.solve.compile import Floats
 from robolayout.solve.config import Weights
 from robolayout.solve.proposals import Proposals, carry, placing
 from robolayout.solve.push import nearest
 from robolayout.solve.score import Score
-from robolayout.solve.stage import make_stage
+from robolayout.solve.stage import Stage
 
 
 @dataclass(frozen=True)
@@ -67,14 +67,15 @@ class Builder:
     """Builds starts for the things of the first stage of a problem.
 
     Args:
-        problem: The problem.
+        stage: The first stage of the problem.
         rng: Source of randomness.
         weights: Factors of the terms of the objective.
     """
 
-    def __init__(self, problem: Problem, rng: np.random.Generator, weights: Weights | None = None) -> None:
+    def __init__(self, stage: Stage, rng: np.random.Generator, weights: Weights | None = None) -> None:
+        problem = stage.problem
         self.problem, self.moving, self.rng = problem, problem.movable(0), rng
-        self.score = Score(make_stage(problem, 0, problem.start), weights or Weights())
+        self.score = Score(stage, weights or Weights())
         self.proposals = Proposals.of(problem)
         widest = max(problem.scene.agents, key=lambda agent: agent.radius)
         self.zones = Zones(problem, widest)

@@ -107,7 +107,7 @@ class Solver:
     @cached_property
     def builder(self) -> Builder:
         """Builds rooms anew."""
-        return Builder(self.problem, self.rng, self.config.weights)
+        return Builder(self.stages[0], self.rng, self.config.weights)
 
     @cached_property
     def repairer(self) -> Repair:

@@ -15,5 +15,6 @@ from robolayout.verify.report import Report as Report
 from robolayout.verify.rules import RULES as RULES
 from robolayout.verify.use import horizontal_reach as horizontal_reach
 from robolayout.verify.use import usage as usage
+from robolayout.verify.verify import AgentSpec as AgentSpec
 from robolayout.verify.verify import judge_agent as judge_agent
 from robolayout.verify.verify import verify as verify

@@ -280,9 +280,8 @@ class Chunker:
             return False
         known = bool(run) and self.lexicon.noun([run[-1], word]) is not None
         following = (*self.words[i + 1 : i + 2], ".")[0]
-        mutual = bool(
-            {"each", "another"} & {*self.words[i + 1 : i + 5]}
-        )  # "a lamp and a plant stand next to each other"
+        # "a lamp and a plant stand next to each other"
+        mutual = bool({"each", "another"} & {*self.words[i + 1 : i + 5]})
         leads = following in DETERMINERS or count_of(following) is not None  # "before the plant stand two chairs"
         return (
             not known
