@@ -39,7 +39,6 @@ class Boxes:
     ceiling: NDArray[np.bool_]  # (n,) whether it hangs from the ceiling
     movable: NDArray[np.bool_]  # (n,) whether a person moves it in daily use, as a chair
     _chairs_at: dict[int, frozenset[int]] = field(default_factory=dict[int, frozenset[int]], repr=False)
-    _shapes: dict[int, Any] = field(default_factory=dict[int, Any], repr=False)
 
     def meeting(self, step: float, height: float) -> NDArray[np.intp]:
         """Return the rows whose boxes meet the heights [step, height] and that are no rugs."""
@@ -77,7 +76,7 @@ class Boxes:
         result = np.full(len(self.names), -1, dtype=np.intp)
         for row, contacts in self.contacts.items():
             kept = {lower: area for lower, area in contacts.items() if among[lower]}
-            if kept and self.overhang(row, kept.values()) <= 0.0:
+            if kept and self.overhang(row, kept) <= 0.0:
                 result[row] = max(kept, key=lambda lower: (kept[lower].area, -lower))
         return result
 
@@ -95,14 +94,9 @@ class Boxes:
             found[row] = {lower: area for lower, area in touched.items() if area.area > 0.0}
         return found
 
-    def overhang(self, row: int, contacts: Iterable[Any]) -> float:
+    def overhang(self, row: int, carriers: Iterable[int]) -> float:
         """Return by how many metres an asset's centre of mass lies too far out over what it lies on; 0 or less where it stands."""
-        hull = shapely.union_all(list(contacts)).convex_hull
-        (u, v, _), (x, y, _, yaw) = centre_of_mass(self.assets[row]), self.poses[row]
-        c, s = math.cos(yaw), math.sin(yaw)
-        middle, depth = shapely.Point(x + c * u - s * v, y + s * u + c * v), min(self.assets[row].size[:2])
-        inward = hull.boundary.distance(middle) if hull.covers(middle) else -hull.distance(middle)
-        return min(STEADY[0], STEADY[1] * depth) - inward
+        return _overhang(*self.where(row), tuple(map(self.where, carriers)))
 
     def where(self, row: int) -> tuple[Asset, Place]:
         """Return an asset and where it stands."""
@@ -111,11 +105,7 @@ class Boxes:
 
     def shape(self, row: int) -> tuple[NDArray[np.object_], NDArray[np.float64], NDArray[np.float64]]:
         """Return the prisms of a placed asset: outlines in plan, and between which heights each stands, metres."""
-        if row not in self._shapes:
-            ring, low, high = _prism_table(self.assets[row])
-            outlines = np.asarray(shapely.polygons(in_plan(ring, self.where(row)[1])), dtype=object)
-            self._shapes[row] = (outlines, low + self.bottom[row], high + self.bottom[row])
-        return self._shapes[row]
+        return prisms_at(*self.where(row))
 
     def lies_in(self, row: int, lower: int, sunk: float) -> bool:
         """Return whether an asset hangs from another, or is wholly in the room over a surface of it, `sunk` metres in it at most,
@@ -147,10 +137,20 @@ def _lift(asset: Asset) -> float:
     return asset.size[2] - drop if drop else 0.0
 
 
+# Whoever judges many layouts asks for the same again and again: most things stand where they stood in the one before.
+
+
+@lru_cache(maxsize=4096)
+def prisms_at(asset: Asset, place: Place) -> tuple[NDArray[np.object_], NDArray[np.float64], NDArray[np.float64]]:
+    """Return the prisms of a placed asset; see `Boxes.shape`."""
+    ring, low, high = _prism_table(asset)
+    bottom = place[2] - asset.size[2] / 2
+    return np.asarray(shapely.polygons(in_plan(ring, place)), dtype=object), low + bottom, high + bottom
+
+
 @lru_cache(maxsize=4096)
 def _base(asset: Asset, place: Place) -> Any:
-    """Return the hull of a placed asset's lowest prisms, or of the loop that it hangs by; whoever judges many layouts asks for
-    the same again and again."""
+    """Return the hull of a placed asset's lowest prisms, or of the loop that it hangs by."""
     ring, low, _ = _prism_table(asset)
     if category_of(asset).hangs:
         return shapely.polygons(in_plan(np.array(LOOP), place))
@@ -175,6 +175,16 @@ def out_of_room(shape: Any, place: Place) -> Any:
     x, y, _, yaw = place
     c, s = math.cos(yaw), math.sin(yaw)
     return affine_transform(shape, [c, s, -s, c, -c * x - s * y, s * x - c * y])
+
+
+@lru_cache(maxsize=4096)
+def _overhang(upper: Asset, place: Place, carriers: tuple[tuple[Asset, Place], ...]) -> float:
+    """Return by how many metres a placed asset's centre of mass lies too far out over what carries it."""
+    hull = shapely.union_all([_shared_base(upper, place, *carrier) for carrier in carriers]).convex_hull
+    u, v, _ = centre_of_mass(upper)
+    middle, depth = shapely.Point(in_plan(np.array([u, v]), place)), min(upper.size[:2])
+    inward = hull.boundary.distance(middle) if hull.covers(middle) else -hull.distance(middle)
+    return min(STEADY[0], STEADY[1] * depth) - inward
 
 
 @lru_cache(maxsize=4096)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any
 
@@ -42,6 +42,11 @@ class _Leaf:
     corners: NDArray[np.float64]  # (steps * parts, corners, 2) their corners, the last one repeated
     low: NDArray[np.float64]  # (steps, parts) metres above the thing's middle
     high: NDArray[np.float64]  # (steps, parts)
+
+    @cached_property
+    def far(self) -> float:
+        """Metres from the thing's middle to the farthest that is swept."""
+        return float(np.hypot(*np.moveaxis(self.corners, -1, 0)).max())
 
     def meets(self, low: float, high: float) -> NDArray[np.bool_]:
         """Return (steps, parts) which of them come between two heights above the thing's middle."""
@@ -124,18 +129,19 @@ def _leaf(asset: Asset, joint: Joint) -> _Leaf:
 
 def _aside(found: Boxes, row: int, joint: Joint) -> tuple[str, ...]:
     """Return what people move that stands where a leaf comes."""
-    (asset, place), rows = found.where(row), np.flatnonzero(found.movable & found.placed & ~found.flat)
-    others = [other for other in rows.tolist() if other != row]
-    leaf = _leaf(asset, joint) if others else None
-    met = [
+    asset, place = found.where(row)
+    leaf = _leaf(asset, joint)
+    others = np.flatnonzero(found.movable & found.placed & ~found.flat)
+    near = shapely.dwithin(found.footprints[others], shapely.Point(place[:2]), leaf.far)
+    met = (
         other
-        for other in others
-        if leaf is not None
+        for other in others[near].tolist()
+        if other != row
         and (
-            leaf.meets(found.bottom[other] - place[2], found.top[other] - place[2])
+            leaf.meets(float(found.bottom[other]) - place[2], float(found.top[other]) - place[2])
             & shapely.intersects(leaf.shapes, out_of_room(found.footprints[other], place))
         ).any()
-    ]
+    )
     return tuple(found.names[other] for other in met)
 
 

@@ -7,17 +7,17 @@ What stands on a thing lies on one of its surfaces with its centre of mass over 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 from shapely import Polygon, STRtree
 
-from robolayout.scene import Layout, Scene
-from robolayout.verify._boxes import Boxes, boxes, landings, room_polygon, share, shared_area
+from robolayout.scene import Asset, Layout, Scene
+from robolayout.verify._boxes import Boxes, Place, boxes, landings, prisms_at, room_polygon, share, shared_area
 from robolayout.verify.limits import PhysicsLimits
 
 
@@ -89,9 +89,10 @@ def physics(scene: Scene, layout: Layout, limits: PhysicsLimits | None = None) -
     """Check a layout's physics; about 2 ms for 40 assets."""
     limits = limits or PhysicsLimits()
     found = boxes(scene, layout)
-    pairs = collisions(found, limits)
+    meeting = _box_pairs(found, limits)
+    pairs = collisions(found, limits, meeting)
     hit = {name for pair in pairs for name in (pair.a, pair.b)}
-    near = {row for pair in _box_pairs(found, limits) for row in pair}
+    near = {row for pair in meeting for row in pair}
     inside = _inside(scene, found, limits)
     held = _held(scene, found, limits)
     blocked = obstructions(scene, found, limits)
@@ -116,9 +117,12 @@ def physics(scene: Scene, layout: Layout, limits: PhysicsLimits | None = None) -
     )
 
 
-def collisions(found: Boxes, limits: PhysicsLimits) -> tuple[Collision, ...]:
-    """Return all pairs whose prisms share more plan and height than allowed; rugs, and what lies in another thing, aside."""
-    hits = ((pair, _deepest(found, *pair, limits)) for pair in _box_pairs(found, limits))
+def collisions(found: Boxes, limits: PhysicsLimits, meeting: Sequence[tuple[int, int]]) -> tuple[Collision, ...]:
+    """Return which pairs, of those whose boxes meet, share more of plan and height by their prisms than allowed.
+
+    Rugs, and what lies in another thing, aside.
+    """
+    hits = ((pair, _deepest(*map(found.where, pair), limits.height)) for pair in meeting)
     return tuple(
         Collision(found.names[a], found.names[b], *deepest)
         for (a, b), deepest in hits
@@ -141,11 +145,15 @@ def _box_pairs(found: Boxes, limits: PhysicsLimits) -> list[tuple[int, int]]:
     return list(zip(a[hit].tolist(), b[hit].tolist(), strict=True))
 
 
-def _deepest(found: Boxes, a: int, b: int, limits: PhysicsLimits) -> tuple[float, float]:
-    """Return the largest area in m2 that a prism of one asset shares with one of another, and the height that these share."""
-    (outlines, low, high), (others, bottom, top) = found.shape(a), found.shape(b)
+@lru_cache(maxsize=4096)
+def _deepest(a: tuple[Asset, Place], b: tuple[Asset, Place], least: float) -> tuple[float, float]:
+    """Return the largest area in m2 that a prism of one placed asset shares with one of another, and the height that these share.
+
+    Only what shares more than the least height counts; see `prisms_at` for why it is kept.
+    """
+    (outlines, low, high), (others, bottom, top) = prisms_at(*a), prisms_at(*b)
     height = np.minimum(high[:, None], top) - np.maximum(low[:, None], bottom)
-    i, j = np.nonzero(height > limits.height + 1e-9)
+    i, j = np.nonzero(height > least + 1e-9)
     area = shared_area(outlines[i], others[j])
     worst = int(np.argmax(area)) if len(area) else -1
     return (float(area[worst]), float(height[i[worst], j[worst]])) if worst >= 0 else (0.0, 0.0)
@@ -215,7 +223,7 @@ def _floating_sentence(scene: Scene, found: Boxes, row: int, limits: PhysicsLimi
         return f"{name} should hang on a wall but is {gap:.2f} m from the nearest one."
     contacts = found.contacts.get(row, {})
     under = " and ".join(found.names[lower] for lower in contacts)
-    over = found.overhang(row, contacts.values()) if contacts else 0.0
+    over = found.overhang(row, contacts) if contacts else 0.0
     if over > 0.0:
         return f"{name} is not supported: its centre of mass lies {over:.3f} m too far out over {under}."
     if contacts:

@@ -103,15 +103,14 @@ class Usage:
     @cached_property
     def uses(self) -> Mapping[str, Use]:
         """How each placed asset is used, or why not."""
-        return {
-            name: self._judge.explain(row) for row, name in enumerate(self.standing) if self._judge.found.placed[row]
-        }
+        return {name: self._judge.use(row) for row, name in enumerate(self.standing) if self._judge.found.placed[row]}
 
     @cached_property
     def holds(self) -> tuple[Hold, ...]:
         """How the body opens each door and drawer, of what it uses from the front, whose handle is at a height that it reaches."""
         judge = self._judge
-        return tuple(h for n, use in self.uses.items() if use.opens for h in judge.holds(judge.found.names.index(n)))
+        rows = (row for row in np.flatnonzero(judge.found.placed).tolist() if by_hand(judge.found, self.agent, row))
+        return tuple(hold for row in rows if judge.use(row).opens for hold in judge.holds(row))
 
 
 def usage(scene: Scene, layout: Layout, agent: Agent | None = None, *, nav: Navigation | None = None) -> Usage:
@@ -129,6 +128,7 @@ class _Judge:
         self._room = room_polygon(nav.scene.room)
         self._touched: dict[int, NDArray[np.object_]] = {}
         self._held: dict[int, tuple[Hold, ...]] = {}
+        self._used: dict[int, Use] = {}
         self._touches = self.agent.reach_distance is None and self.stances.rectangular
         self._approach = self._approaches()
 
@@ -312,7 +312,13 @@ class _Judge:
             blockers[int(rows[k])].append(found.names[other])
         return {row: tuple(dict.fromkeys(names)) for row, names in blockers.items()}
 
-    def explain(self, row: int) -> Use:
+    def use(self, row: int) -> Use:
+        """Return how an asset is used, or why not."""
+        if row not in self._used:
+            self._used[row] = self._explained(row)
+        return self._used[row]
+
+    def _explained(self, row: int) -> Use:
         name = self.found.names[row]
         if needs_no_use(self.found)[row]:
             return Use(name, True, "", None, "")
