@@ -3,7 +3,7 @@
 from importlib import import_module
 from importlib.metadata import entry_points
 
-from robolayout.constraints._exact import ANGLE_TOLERANCE as ANGLE_TOLERANCE
+from robolayout.constraints._exact import TOLERANCE as TOLERANCE
 from robolayout.constraints._refs import AssetRef as AssetRef
 from robolayout.constraints._refs import PointRef as PointRef
 from robolayout.constraints._refs import Ref as Ref

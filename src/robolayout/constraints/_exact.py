@@ -12,8 +12,28 @@ from shapely.geometry.base import BaseGeometry
 from robolayout.constraints._refs import AssetRef, PointRef, Ref, WallRef
 from robolayout.scene import Layout, Scene
 
-ANGLE_TOLERANCE = 10.0  # degrees by which a heading may be off (DESIGN section 4)
-GAP_TOLERANCE = 0.05  # metres by which a distance or gap may be off (DESIGN section 4)
+
+@dataclass(frozen=True)
+class Tolerances:
+    """By how much a finished layout may miss what a statement says, and still meet it (DESIGN section 4)."""
+
+    angle: float = 10.0  # degrees by which a heading may be off
+    gap: float = 0.05  # metres by which a distance or gap may be off
+    area: float = 1e-4  # square metres of common plan from which on two prisms collide
+    height: float = 0.01  # metres of common height from which on two prisms collide
+    outside: float = 0.01  # metres by which the room is grown
+    support: float = 0.02  # metres between a thing's bottom and the surface that carries it
+    mirror: float = 0.10  # metres between a thing and the mirror image of its twin
+    center: float = 0.10  # metres by which a centre may be off
+    hanging: float = 0.15  # metres in plan by which a hanging thing may be off
+    behind: float = 0.3  # metres behind b's back at which a may still hang: on the wall that b stands before
+    corner: float = 0.15  # metres that may stay free between a thing and each wall of its corner
+    window: float = 0.3  # metres that may lie between a thing and the wall of its window
+    aside: float = 0.5  # metres that may lie between a thing and the line from one of the others to the other
+    strip: float = 0.01  # square metres by which things may reach into the strip
+
+
+TOLERANCE = Tolerances()
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from robolayout.constraints._exact import ANGLE_TOLERANCE, GAP_TOLERANCE, angle_between, frame
+from robolayout.constraints._exact import TOLERANCE, angle_between, frame
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome
 from robolayout.constraints._terms import FrameTerm, Interval
@@ -27,5 +27,5 @@ def links_outcome(links: list[Link], scene: Scene, layout: Layout) -> Outcome:
         u, v = seen.point(layout[a.name].x, layout[a.name].y)
         off = max(off, abs(u - x), abs(v - y))
         turned = max(turned, angle_between(layout[a.name].yaw, seen.yaw))
-    met = off <= GAP_TOLERANCE and turned <= ANGLE_TOLERANCE
-    return Outcome(met, off, GAP_TOLERANCE, "m", f"up to {off:.2f} m off its place, {turned:.0f} deg off its heading")
+    met = off <= TOLERANCE.gap and turned <= TOLERANCE.angle
+    return Outcome(met, off, TOLERANCE.gap, "m", f"up to {off:.2f} m off its place, {turned:.0f} deg off its heading")

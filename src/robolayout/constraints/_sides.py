@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from robolayout.constraints._exact import GAP_TOLERANCE, footprint, frame, half_size
+from robolayout.constraints._exact import TOLERANCE, footprint, frame, half_size
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FAR, FrameTerm, Interval, Term
@@ -46,10 +46,10 @@ class BySide(Relation):
         gaps = {"front": left - bhx, "back": -bhx - right, "left": bottom - bhy, "right": -bhy - top}
         gaps["beside"] = max(gaps["left"], gaps["right"])
         slip = max(0.0, abs(v) - bhy if side in ("front", "back") else abs(u) - bhx)
-        met = low - GAP_TOLERANCE <= gaps[side] <= high + GAP_TOLERANCE and slip <= GAP_TOLERANCE
+        met = low - TOLERANCE.gap <= gaps[side] <= high + TOLERANCE.gap and slip <= TOLERANCE.gap
         where = "at the side" if side == "beside" else f"on the {side} side"
         text = f"{gaps[side]:.2f} m {where} of {self.b}"
-        text += f", {slip:.2f} m past its end" if slip > GAP_TOLERANCE else ""
+        text += f", {slip:.2f} m past its end" if slip > TOLERANCE.gap else ""
         return Outcome(met, gaps[side], low if gaps[side] < low else high, "m", text)
 
 

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from robolayout.constraints._exact import GAP_TOLERANCE, frame, half_size
+from robolayout.constraints._exact import TOLERANCE, frame, half_size
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
 from robolayout.scene import Layout, Scene
-
-BEHIND = 0.3  # metres behind b's back at which a may still hang: on the wall that b stands before
 
 
 @dataclass(frozen=True)
@@ -26,12 +24,12 @@ class Above(Relation):
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
         """Return one row in b's frame."""
         hx, hy = half_size(scene, self.b)
-        return (FrameTerm(self.a, self.b, along=Interval(-hx - BEHIND, hx), across=Interval(-hy, hy)),)
+        return (FrameTerm(self.a, self.b, along=Interval(-hx - TOLERANCE.behind, hx), across=Interval(-hy, hy)),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """The centre within b's footprint, or at most 0.3 m behind its back, with 5 cm of tolerance."""
         hx, hy = half_size(scene, self.b)
         pose = layout[self.a.name]
         u, v = frame(scene, layout, self.b).point(pose.x, pose.y)
-        off = max(0.0, u - hx, -hx - BEHIND - u, abs(v) - hy)
-        return Outcome(off <= GAP_TOLERANCE, off, GAP_TOLERANCE, "m", f"{off:.2f} m beside the place over {self.b}")
+        off = max(0.0, u - hx, -hx - TOLERANCE.behind - u, abs(v) - hy)
+        return Outcome(off <= TOLERANCE.gap, off, TOLERANCE.gap, "m", f"{off:.2f} m beside the place over {self.b}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from robolayout.constraints._exact import ANGLE_TOLERANCE, GAP_TOLERANCE, angle_between, footprint, frame
+from robolayout.constraints._exact import TOLERANCE, angle_between, footprint, frame
 from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
 from robolayout.constraints._terms import FrameTerm, Interval, Term
@@ -35,9 +35,9 @@ def wall_outcome(a: AssetRef, wall: WallRef, scene: Scene, layout: Layout) -> Ou
     turned = angle_between(pose.yaw, math.atan2(segment.normal[1], segment.normal[0]))
     left, _, right, _ = frame(scene, layout, wall).local(footprint(scene, layout, a)).bounds
     overlaps = left < segment.length / 2 and right > -segment.length / 2
-    met = gap <= GAP_TOLERANCE and turned <= ANGLE_TOLERANCE and overlaps
+    met = gap <= TOLERANCE.gap and turned <= TOLERANCE.angle and overlaps
     text = f"back edge {gap:.2f} m from {wall}, front {turned:.0f} deg off" + ("" if overlaps else ", beside the wall")
-    return Outcome(met, gap, GAP_TOLERANCE, "m", text)
+    return Outcome(met, gap, TOLERANCE.gap, "m", text)
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from robolayout.constraints._exact import ANGLE_TOLERANCE, angle_between, frame
+from robolayout.constraints._exact import TOLERANCE, angle_between, frame
 from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
 from robolayout.constraints._terms import FrameTerm, Term
@@ -47,4 +47,4 @@ class AlignWith(Relation):
             return best_way(self.ways(scene), scene, layout)[1]
         wanted = frame(scene, layout, self.b).yaw + math.radians(self.angle)
         off = angle_between(layout[self.a.name].yaw, wanted)
-        return Outcome(off <= ANGLE_TOLERANCE, off, ANGLE_TOLERANCE, "deg", f"heading {off:.0f} deg off")
+        return Outcome(off <= TOLERANCE.angle, off, TOLERANCE.angle, "deg", f"heading {off:.0f} deg off")

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from robolayout.constraints._assignment import assignment
-from robolayout.constraints._exact import ANGLE_TOLERANCE, GAP_TOLERANCE, facing_error, footprint, frame, half_size
+from robolayout.constraints._exact import TOLERANCE, facing_error, footprint, frame, half_size
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
@@ -18,14 +18,23 @@ from robolayout.scene import Asset, Layout, Pose, Scene
 Slot = tuple[float, float, float]
 """Place of a seat's centre in the table's frame (metres) and its heading there (radians)."""
 
-SLACK = 0.03  # metres by which a seat may stand beside its slot
-USUAL = 0.05  # metres from the edge at which a seat stands that does not go under
-TUCKED = (0.18, 0.12, 0.06)  # metres by which people leave a seat under a table, the first that is free
-SPARE = 0.02  # metres that stay free above and beside a seat that is left under a table
+
+@dataclass(frozen=True)
+class Seating:
+    """Where people leave seats at a table, in metres."""
+
+    slack: float = 0.03  # metres by which a seat may stand beside its slot
+    usual: float = 0.05  # metres from the edge at which a seat stands that does not go under
+    # metres by which people leave a seat under a table, the first that is free
+    tucked: tuple[float, float, float] = (0.18, 0.12, 0.06)
+    spare: float = 0.02  # metres that stay free above and beside a seat that is left under a table
+
+
+SEATING = Seating()
 
 
 def left_gap(scene: Scene, items: Sequence[AssetRef], b: AssetRef, slots: Callable[[float], Sequence[Slot]]) -> float:
-    """Return the gap at which people leave seats at a table: less than 0 where they go under, `USUAL` where they do not."""
+    """Return the gap at which people leave seats at a table: less than 0 where they go under, `SEATING.usual` where they do not."""
     return _left_gap(tuple(scene.by_name[item.name] for item in items), scene.by_name[b.name], slots)
 
 
@@ -33,16 +42,16 @@ def _meeting(table: Asset, places: Sequence[tuple[Asset, Slot]], lift: float) ->
     """Whether seats that are lifted by so many metres, so that room is left above them, meet the table or each other."""
     there = [(table, Pose(0.0, 0.0, table.size[2] / 2, 0.0))]
     there += [(seat, Pose(x, y, seat.size[2] / 2 + lift, yaw)) for seat, (x, y, yaw) in places]
-    return any(prisms_meet(one, other, SPARE) for one, other in combinations(there, 2))
+    return any(prisms_meet(one, other, SEATING.spare) for one, other in combinations(there, 2))
 
 
 def _left_gap(seats: tuple[Asset, ...], table: Asset, slots: Callable[[float], Sequence[Slot]]) -> float:
     """Return the first gap at which no seat meets the table or another seat."""
-    for tuck in TUCKED:
+    for tuck in SEATING.tucked:
         places = list(zip(seats, slots(-tuck), strict=False))
-        if not any(_meeting(table, places, lift) for lift in (0.0, SPARE)):
+        if not any(_meeting(table, places, lift) for lift in (0.0, SEATING.spare)):
             return -tuck
-    return USUAL
+    return SEATING.usual
 
 
 def _side_slots(count: int, side: str, table: tuple[float, float], depth: float, gap: float) -> list[Slot]:
@@ -112,18 +121,18 @@ class Around(Relation):
             FrameTerm(
                 item,
                 self.b,
-                along=Interval(slots[k][0] - SLACK, slots[k][0] + SLACK),
-                across=Interval(slots[k][1] - SLACK, slots[k][1] + SLACK),
-                heading=slots[k][2],
+                along=Interval(x - SEATING.slack, x + SEATING.slack),
+                across=Interval(y - SEATING.slack, y + SEATING.slack),
+                heading=yaw,
             )
-            for item, k in zip(self.items, chosen, strict=True)
+            for item, (x, y, yaw) in zip(self.items, (slots[k] for k in chosen), strict=True)
         )
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """Each item faces b and stands at most gap (0.05 if None) + 0.35 m from its edge."""
         table = footprint(scene, layout, self.b)
-        limit = (USUAL if self.gap is None else self.gap) + 0.30
+        limit = (SEATING.usual if self.gap is None else self.gap) + 0.30
         gaps = [table.distance(footprint(scene, layout, item)) for item in self.items]
         turned = max(facing_error(scene, layout, item, self.b) for item in self.items)
-        met = max(gaps) <= limit + GAP_TOLERANCE and turned <= ANGLE_TOLERANCE
+        met = max(gaps) <= limit + TOLERANCE.gap and turned <= TOLERANCE.angle
         return Outcome(met, max(gaps), limit, "m", f"up to {max(gaps):.2f} m from {self.b}, up to {turned:.0f} deg off")

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from robolayout.constraints._exact import GAP_TOLERANCE, footprint, frame
+from robolayout.constraints._exact import TOLERANCE, footprint, frame
 from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import Outcome, Relation, Way, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
 from robolayout.scene import Layout, Opening, Scene
-
-CLOSE = 0.3  # metres that may lie between a thing and the wall of its window
 
 
 @dataclass(frozen=True)
@@ -41,14 +39,14 @@ class AtWindow(Relation):
                 self.a,
                 WallRef(window.wall),
                 along=Interval(low, high),
-                across=Interval(-GAP_TOLERANCE, CLOSE, 1.0, -1.0),
+                across=Interval(-TOLERANCE.gap, TOLERANCE.window, 1.0, -1.0),
             ),
         )
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """The centre before a window and the near side at most 0.3 m from its wall, with 5 cm of tolerance."""
         missed = min(self._missed(window, scene, layout) for window in self._windows(scene))
-        return Outcome(missed <= GAP_TOLERANCE, missed, GAP_TOLERANCE, "m", f"{missed:.2f} m off the nearest window")
+        return Outcome(missed <= TOLERANCE.gap, missed, TOLERANCE.gap, "m", f"{missed:.2f} m off the nearest window")
 
     def _windows(self, scene: Scene) -> tuple[Opening, ...]:
         return scene.room.windows if self.window is None else (scene.room.windows[self.window],)
@@ -59,7 +57,7 @@ class AtWindow(Relation):
         low, high = _span(window, scene)
         u, _ = seen.point(pose.x, pose.y)
         gap = seen.local(footprint(scene, layout, self.a)).bounds[1]
-        return max(0.0, low - u, u - high, gap - CLOSE, -gap)
+        return max(0.0, low - u, u - high, gap - TOLERANCE.window, -gap)
 
 
 def _span(window: Opening, scene: Scene) -> tuple[float, float]:

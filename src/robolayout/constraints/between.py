@@ -7,13 +7,12 @@ from dataclasses import dataclass
 
 from shapely import LineString
 
-from robolayout.constraints._exact import footprint, frame
+from robolayout.constraints._exact import TOLERANCE, footprint, frame
 from robolayout.constraints._refs import AssetRef, PointRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
 from robolayout.scene import Layout, Scene
 
-SLACK = 0.5  # metres that may lie between a thing and the line from one of the others to the other
 ENDS = 0.2  # part of that line, at either end, that the search keeps clear of
 
 
@@ -39,7 +38,8 @@ class BetweenTwo(Relation):
         one, two = (frame(scene, near, ref) for ref in (self.b, self.c))
         middle = PointRef((one.x + two.x) / 2, (one.y + two.y) / 2, yaw=math.atan2(two.y - one.y, two.x - one.x))
         most = math.dist((one.x, one.y), (two.x, two.y)) * (0.5 - ENDS)
-        return (FrameTerm(self.a, middle, along=Interval(-most, most), across=Interval(-SLACK / 2, SLACK / 2)),)
+        half = TOLERANCE.aside / 2
+        return (FrameTerm(self.a, middle, along=Interval(-most, most), across=Interval(-half, half)),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """Within 0.5 m of the line between the centres, and between them along it."""
@@ -49,5 +49,5 @@ class BetweenTwo(Relation):
         length = math.hypot(dx, dy) or 1.0
         along = ((here.x - one.x) * dx + (here.y - one.y) * dy) / length
         aside = footprint(scene, layout, self.a).distance(LineString([(one.x, one.y), (two.x, two.y)]))
-        met = 0.0 < along < length and aside <= SLACK
-        return Outcome(met, aside, SLACK, "m", f"{aside:.2f} m off the line between {self.b} and {self.c}")
+        met = 0.0 < along < length and aside <= TOLERANCE.aside
+        return Outcome(met, aside, TOLERANCE.aside, "m", f"{aside:.2f} m off the line between {self.b} and {self.c}")

@@ -5,13 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from robolayout.constraints._exact import frame, point_ref
+from robolayout.constraints._exact import TOLERANCE, frame, point_ref
 from robolayout.constraints._refs import AssetRef, Ref
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Term
 from robolayout.scene import Layout, Scene
-
-ABOVE_TOLERANCE = 0.15  # metres in plan by which a hanging thing may be off
 
 
 @dataclass(frozen=True)
@@ -33,4 +31,6 @@ class CeilingAbove(Relation):
         target = frame(scene, layout, point_ref(self.b, scene))
         off = math.hypot(layout[self.a.name].x - target.x, layout[self.a.name].y - target.y)
         where = "the middle of the room" if self.b is None else str(self.b)
-        return Outcome(off <= ABOVE_TOLERANCE, off, ABOVE_TOLERANCE, "m", f"{off:.2f} m off the place above {where}")
+        return Outcome(
+            off <= TOLERANCE.hanging, off, TOLERANCE.hanging, "m", f"{off:.2f} m off the place above {where}"
+        )

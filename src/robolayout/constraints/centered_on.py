@@ -5,13 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from robolayout.constraints._exact import frame, point_ref
+from robolayout.constraints._exact import TOLERANCE, frame, point_ref
 from robolayout.constraints._refs import AssetRef, PointRef, Ref, WallRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
 from robolayout.scene import Layout, Scene
-
-CENTER_TOLERANCE = 0.10  # metres by which a centre may be off
 
 MIDDLE = Interval(0.0, 0.0)
 
@@ -43,7 +41,7 @@ class CenteredOn(Relation):
         along, across = self._bound(scene)
         off = math.hypot(u, v) if isinstance(target, PointRef) else max(abs(u) * along, abs(v) * across)
         where = "the middle of the room" if self.b is None else f"the middle of {self.b}"
-        return Outcome(off <= CENTER_TOLERANCE, off, CENTER_TOLERANCE, "m", f"{off:.2f} m off {where}")
+        return Outcome(off <= TOLERANCE.center, off, TOLERANCE.center, "m", f"{off:.2f} m off {where}")
 
     def _bound(self, scene: Scene) -> tuple[bool, bool]:
         """Return which axes of the frame of an asset or wall are bound: along, across."""

@@ -5,13 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from robolayout.constraints._exact import GAP_TOLERANCE, footprint, frame, shape
+from robolayout.constraints._exact import TOLERANCE, footprint, frame, shape
 from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import Outcome, Relation, Way, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
 from robolayout.scene import Layout, Room, Scene
-
-CORNER_GAP = 0.15  # metres that may stay free between a thing and each wall of its corner
 
 
 def convex_corners(room: Room) -> tuple[int, ...]:
@@ -51,7 +49,7 @@ class Corner(Relation):
         if vertex is None:
             pose = near[self.a.name]
             vertex = min(convex_corners(scene.room), key=lambda i: math.dist(scene.room.vertices[i], (pose.x, pose.y)))
-        close = Interval(0.0, CORNER_GAP / 3, 1.0, -1.0)
+        close = Interval(0.0, TOLERANCE.corner / 3, 1.0, -1.0)
         half = [scene.room.walls[i].length / 2 for i in (vertex - 1, vertex)]
         count = len(scene.room.walls)
         return tuple(
@@ -64,9 +62,9 @@ class Corner(Relation):
         vertices = convex_corners(scene.room) if self.vertex is None else (self.vertex,)
         gap, depth = min(self._measured(vertex, scene, layout) for vertex in vertices)
         text = f"{gap:.2f} m from the walls of its corner" + (f", {depth:.2f} m into them" if depth > 0.0 else "")
-        if depth > GAP_TOLERANCE:
-            return Outcome(False, depth, GAP_TOLERANCE, "m", text)
-        return Outcome(gap <= CORNER_GAP, gap, CORNER_GAP, "m", text)
+        if depth > TOLERANCE.gap:
+            return Outcome(False, depth, TOLERANCE.gap, "m", text)
+        return Outcome(gap <= TOLERANCE.corner, gap, TOLERANCE.corner, "m", text)
 
     def _measured(self, vertex: int, scene: Scene, layout: Layout) -> tuple[float, float]:
         """Return how far it is from the farther wall of a corner, and how far it reaches through one of them, in metres."""

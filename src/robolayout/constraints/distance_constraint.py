@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from shapely import Point
 
-from robolayout.constraints._exact import GAP_TOLERANCE, frame, shape
+from robolayout.constraints._exact import TOLERANCE, frame, shape
 from robolayout.constraints._refs import AssetRef, Ref, WallRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FAR, FrameTerm, Term
@@ -40,7 +40,7 @@ class DistanceConstraint(Relation):
         else:
             other = frame(scene, layout, self.b)
             distance = math.hypot(pose.x - other.x, pose.y - other.y)
-        met = low - GAP_TOLERANCE <= distance <= high + GAP_TOLERANCE
+        met = low - TOLERANCE.gap <= distance <= high + TOLERANCE.gap
         limit = low if distance < low else high
         wanted = f"{low:g} to {high:g} m" if high < FAR else f"at least {low:g} m"
         return Outcome(met, distance, limit, "m", f"{distance:.2f} m apart, asked {wanted}")

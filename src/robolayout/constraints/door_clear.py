@@ -7,11 +7,10 @@ from dataclasses import dataclass
 
 from shapely import Polygon
 
-from robolayout.constraints._exact import common_area, footprint
+from robolayout.constraints._exact import TOLERANCE, common_area, footprint
 from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import Outcome, Relation
 from robolayout.constraints._terms import ClearTerm, Term
-from robolayout.constraints.no_overlap import OVERLAP_AREA
 from robolayout.scene import Layout, Opening, Room, Scene, vertical_span
 
 CLEAR_HEIGHT = 2.0  # metres above the floor up to which a door's landing stays free (DESIGN section 4)
@@ -48,9 +47,9 @@ class DoorClear(Relation):
                 if asset.is_flat or vertical_span(asset, pose)[0] >= CLEAR_HEIGHT:
                     continue
                 area = common_area(landing, footprint(scene, layout, AssetRef(name)))
-                if area > max(worst, OVERLAP_AREA):
+                if area > max(worst, TOLERANCE.area):
                     worst, text = area, f"{name} takes {area:.3f} m2 of the landing of door {number}"
-        return Outcome(worst <= OVERLAP_AREA, worst, OVERLAP_AREA, "m2", text)
+        return Outcome(worst <= TOLERANCE.area, worst, TOLERANCE.area, "m2", text)
 
 
 def _depth(room: Room, door: Opening) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from robolayout.constraints._exact import ANGLE_TOLERANCE, facing_error
+from robolayout.constraints._exact import TOLERANCE, facing_error
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Term
@@ -31,5 +31,5 @@ class FacingPair(Relation):
         """Each front's ray hits the other's footprint, or is within 10 degrees of its centre."""
         off = max(facing_error(scene, layout, self.a, self.b), facing_error(scene, layout, self.b, self.a))
         return Outcome(
-            off <= ANGLE_TOLERANCE, off, ANGLE_TOLERANCE, "deg", f"fronts up to {off:.0f} deg off each other"
+            off <= TOLERANCE.angle, off, TOLERANCE.angle, "deg", f"fronts up to {off:.0f} deg off each other"
         )

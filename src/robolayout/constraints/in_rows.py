@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from robolayout.constraints._exact import ANGLE_TOLERANCE, GAP_TOLERANCE, Frame, angle_between, frame
+from robolayout.constraints._exact import TOLERANCE, Frame, angle_between, frame
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
@@ -62,9 +62,9 @@ class InRows(Relation):
         off = max(max(line) - min(line) for line in lines)
         longest = max(map(len, lines))
         even = self.rows is None or (len(lines) == self.rows and longest <= math.ceil(len(self.items) / self.rows))
-        met = off <= 2 * GAP_TOLERANCE and turned <= ANGLE_TOLERANCE and even
+        met = off <= 2 * TOLERANCE.gap and turned <= TOLERANCE.angle and even
         text = f"{len(lines)} rows of at most {longest}, up to {off:.2f} m out of line, {turned:.0f} deg off"
-        return Outcome(met, off, 2 * GAP_TOLERANCE, "m", text)
+        return Outcome(met, off, 2 * TOLERANCE.gap, "m", text)
 
     def _beside(self, seen: Frame, layout: Layout, item: AssetRef) -> tuple[float, float]:
         return seen.point(layout[item.name].x, layout[item.name].y)

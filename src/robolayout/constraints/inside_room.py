@@ -6,13 +6,11 @@ from dataclasses import dataclass
 
 from shapely import Polygon
 
-from robolayout.constraints._exact import footprint
+from robolayout.constraints._exact import TOLERANCE, footprint
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation
 from robolayout.constraints._terms import InsideTerm, Term
 from robolayout.scene import Layout, Scene
-
-INSIDE_TOLERANCE = 0.01  # metres by which the room is grown (DESIGN section 4)
 
 
 @dataclass(frozen=True)
@@ -30,7 +28,7 @@ class InsideRoom(Relation):
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """Every footprint inside the room polygon grown by 1 cm."""
-        room = Polygon(scene.room.vertices).buffer(INSIDE_TOLERANCE, join_style="mitre")
+        room = Polygon(scene.room.vertices).buffer(TOLERANCE.outside, join_style="mitre")
         worst, text = 0.0, "everything is inside"
         for name in layout:
             area = footprint(scene, layout, AssetRef(name)).difference(room).area

@@ -10,13 +10,11 @@ from shapely import box
 from shapely.affinity import rotate, translate
 from shapely.geometry.base import BaseGeometry
 
-from robolayout.constraints._exact import common_area, footprint, half_size
+from robolayout.constraints._exact import TOLERANCE, common_area, footprint, half_size
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import ClearTerm, Term
 from robolayout.scene import Layout, Scene, vertical_span
-
-CLEAR_TOLERANCE = 0.01  # square metres by which things may reach into the strip
 
 
 def side_box(half: tuple[float, float], side: str, depth: float) -> tuple[tuple[float, float], tuple[float, float]]:
@@ -88,5 +86,5 @@ def region_outcome(
         area = common_area(strip, footprint(scene, layout, AssetRef(asset.name)))
         if area > taken and bottom < high and top > low:
             taken, culprit = area, asset.name
-    text = f"{taken:.2f} m2 of {culprit} in the strip" if taken > CLEAR_TOLERANCE else "free"
-    return Outcome(taken <= CLEAR_TOLERANCE, taken, CLEAR_TOLERANCE, "m2", text)
+    text = f"{taken:.2f} m2 of {culprit} in the strip" if taken > TOLERANCE.strip else "free"
+    return Outcome(taken <= TOLERANCE.strip, taken, TOLERANCE.strip, "m2", text)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from robolayout.constraints._exact import GAP_TOLERANCE
+from robolayout.constraints._exact import TOLERANCE
 from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import Outcome, Relation, Way, argument
 from robolayout.constraints._terms import Term
@@ -38,5 +38,5 @@ class MountedOn(Relation):
         """At the wall as `against_wall`, and its centre within 5 cm of the height."""
         outcome = AgainstWall(self.a, self.wall).check(scene, layout)
         off = 0.0 if self.height is None else abs(layout[self.a.name].z - self.height)
-        text = outcome.text + (f", {off:.2f} m off its height" if off > GAP_TOLERANCE else "")
-        return Outcome(outcome.met and off <= GAP_TOLERANCE, max(outcome.value, off), GAP_TOLERANCE, "m", text)
+        text = outcome.text + (f", {off:.2f} m off its height" if off > TOLERANCE.gap else "")
+        return Outcome(outcome.met and off <= TOLERANCE.gap, max(outcome.value, off), TOLERANCE.gap, "m", text)

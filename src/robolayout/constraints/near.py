@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from robolayout.constraints._exact import GAP_TOLERANCE, footprint, half_size, shape
+from robolayout.constraints._exact import TOLERANCE, footprint, half_size, shape
 from robolayout.constraints._refs import AssetRef, PointRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
@@ -36,4 +36,4 @@ class Near(Relation):
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """Footprints at most max_gap + 0.05 m apart."""
         gap = footprint(scene, layout, self.a).distance(shape(scene, layout, self.b))
-        return Outcome(gap <= self.max_gap + GAP_TOLERANCE, gap, self.max_gap, "m", f"{gap:.2f} m from {self.b}")
+        return Outcome(gap <= self.max_gap + TOLERANCE.gap, gap, self.max_gap, "m", f"{gap:.2f} m from {self.b}")

@@ -10,14 +10,11 @@ import shapely
 from shapely import Polygon
 
 from robolayout.assets import Prism, prisms_of
-from robolayout.constraints._exact import common_area, footprint
+from robolayout.constraints._exact import TOLERANCE, common_area, footprint
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation
 from robolayout.constraints._terms import OverlapTerm, Term
 from robolayout.scene import Asset, Layout, Pose, Scene, vertical_span
-
-OVERLAP_AREA = 1e-4  # square metres of common plan from which on two prisms collide (DESIGN section 4)
-OVERLAP_HEIGHT = 0.01  # metres of common height from which on two prisms collide (DESIGN section 4)
 
 
 def share_height(a: Asset, b: Asset, layout: Layout) -> bool:
@@ -25,7 +22,7 @@ def share_height(a: Asset, b: Asset, layout: Layout) -> bool:
     if a.is_flat or b.is_flat:
         return False
     (low_a, high_a), (low_b, high_b) = vertical_span(a, layout[a.name]), vertical_span(b, layout[b.name])
-    return min(high_a, high_b) - max(low_a, low_b) > OVERLAP_HEIGHT
+    return min(high_a, high_b) - max(low_a, low_b) > TOLERANCE.height
 
 
 def meeting_prisms(a: Asset, b: Asset, layout: Layout) -> tuple[tuple[Prism, Prism], ...]:
@@ -43,7 +40,7 @@ def _meeting(a: Asset, b: Asset, apart: float) -> tuple[tuple[Prism, Prism], ...
         (p, q)
         for p in prisms_of(a)
         for q in prisms_of(b)
-        if min(p.high, q.high + apart) - max(p.low, q.low + apart) > OVERLAP_HEIGHT
+        if min(p.high, q.high + apart) - max(p.low, q.low + apart) > TOLERANCE.height
     ]
     kept: list[tuple[Prism, Prism]] = []
     for pair in sorted(pairs, key=lambda pair: -pair[0].hx * pair[0].hy * pair[1].hx * pair[1].hy):
@@ -85,9 +82,9 @@ class NoOverlap(Relation):
             if shapely.intersects(shapes[a.name], shapes[b.name]):
                 for first, second in meeting_prisms(a, b, layout):
                     area = common_area(_placed(first, layout[a.name]), _placed(second, layout[b.name]))
-                    if area > max(worst, OVERLAP_AREA):
+                    if area > max(worst, TOLERANCE.area):
                         worst, text = area, f"{a.name} and {b.name} overlap by {area:.4f} m2"
-        return Outcome(worst <= OVERLAP_AREA, worst, OVERLAP_AREA, "m2", text)
+        return Outcome(worst <= TOLERANCE.area, worst, TOLERANCE.area, "m2", text)
 
 
 def _placed(prism: Prism, pose: Pose) -> Polygon:

@@ -9,13 +9,11 @@ from shapely import Point
 
 from robolayout.assets import Surface, resting_place, surfaces_of
 from robolayout.assets.surfaces import hung_from, named_surfaces, outer_surfaces
-from robolayout.constraints._exact import frame
+from robolayout.constraints._exact import TOLERANCE, frame
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
 from robolayout.scene import Asset, Layout, Scene, vertical_span
-
-SUPPORT_TOLERANCE = 0.02  # metres between a thing's bottom and the surface that carries it (DESIGN section 4)
 
 
 @dataclass(frozen=True)
@@ -65,7 +63,7 @@ class OnTopOf(Relation):
         ]
         beside, gap, name = min(found)
         text = f"bottom {gap:.3f} m from the {name} of {self.b}" + (", centre not over it" if beside else "")
-        return Outcome(gap <= SUPPORT_TOLERANCE and not beside, gap, SUPPORT_TOLERANCE, "m", text)
+        return Outcome(gap <= TOLERANCE.support and not beside, gap, TOLERANCE.support, "m", text)
 
     def fault(self, scene: Scene) -> str:
         """Return which surfaces there are, where the named one is none of them."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from robolayout.constraints._exact import ANGLE_TOLERANCE, facing_error
+from robolayout.constraints._exact import TOLERANCE, facing_error
 from robolayout.constraints._refs import AssetRef, Ref
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Term
@@ -35,4 +35,4 @@ class PointTowards(Relation):
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """The ray along the front, turned back by `angle`, hits b's footprint, or is within 10 degrees of its centre."""
         off = facing_error(scene, layout, self.a, self.b, -math.radians(self.angle))
-        return Outcome(off <= ANGLE_TOLERANCE, off, ANGLE_TOLERANCE, "deg", f"front {off:.0f} deg off {self.b}")
+        return Outcome(off <= TOLERANCE.angle, off, TOLERANCE.angle, "deg", f"front {off:.0f} deg off {self.b}")

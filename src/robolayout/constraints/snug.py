@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from robolayout.constraints._exact import TOLERANCE
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
 from robolayout.constraints._terms import Term
 from robolayout.constraints.corner import Corner, convex_corners
 from robolayout.constraints.next_to import NextTo
 from robolayout.scene import Layout, Scene
-
-CRACK = 0.15  # metres that may be left
 
 
 @dataclass(frozen=True)
@@ -39,4 +38,4 @@ class Snug(Relation):
             a for a in scene.assets if a.on_floor and not a.is_flat and a.name != self.a.name and a.name in layout
         ]
         corners: list[Way] = [(Corner(self.a, vertex),) for vertex in convex_corners(scene.room)]
-        return corners + [(NextTo(self.a, AssetRef(other.name), "beside", CRACK),) for other in others]
+        return corners + [(NextTo(self.a, AssetRef(other.name), "beside", TOLERANCE.corner),) for other in others]

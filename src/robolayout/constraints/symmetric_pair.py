@@ -5,13 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from robolayout.constraints._exact import frame
+from robolayout.constraints._exact import TOLERANCE, frame
 from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import MirrorTerm, Term
 from robolayout.scene import Layout, Scene
-
-MIRROR_TOLERANCE = 0.10  # metres between a thing and the mirror image of its twin (DESIGN section 4)
 
 
 @dataclass(frozen=True)
@@ -38,9 +36,9 @@ class SymmetricPair(Relation):
         flip = (-1.0, 1.0) if isinstance(self.ref, WallRef) else (1.0, -1.0)
         error = math.dist((first[0] * flip[0], first[1] * flip[1]), second)
         return Outcome(
-            error <= MIRROR_TOLERANCE,
+            error <= TOLERANCE.mirror,
             error,
-            MIRROR_TOLERANCE,
+            TOLERANCE.mirror,
             "m",
             f"{error:.2f} m from the mirror image about {self.ref}",
         )

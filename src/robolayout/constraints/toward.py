@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from robolayout.constraints._exact import GAP_TOLERANCE, frame
+from robolayout.constraints._exact import TOLERANCE, frame
 from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FrameTerm, Interval, Term
@@ -34,4 +34,4 @@ class Toward(Relation):
         pose = layout[self.a.name]
         u, v = frame(scene, layout, self.b).point(pose.x, pose.y)
         off = max(0.0, {"front": -u, "back": u, "left": -v, "right": v}[self.side])
-        return Outcome(off <= GAP_TOLERANCE, off, GAP_TOLERANCE, "m", f"{off:.2f} m past the middle of {self.b}")
+        return Outcome(off <= TOLERANCE.gap, off, TOLERANCE.gap, "m", f"{off:.2f} m past the middle of {self.b}")

@@ -9,7 +9,7 @@ from itertools import pairwise
 from shapely import MultiPoint, Polygon, get_coordinates
 from shapely.geometry.polygon import orient
 
-from robolayout.constraints._exact import GAP_TOLERANCE, footprint
+from robolayout.constraints._exact import TOLERANCE, footprint
 from robolayout.constraints._refs import AssetRef, PointRef
 from robolayout.constraints._relation import Outcome, Relation, argument
 from robolayout.constraints._terms import FAR, FrameTerm, Interval, Term
@@ -46,7 +46,7 @@ class Zone(Relation):
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """The footprint inside the polygon grown by 5 cm."""
-        outside = footprint(scene, layout, self.a).difference(self._hull().buffer(GAP_TOLERANCE)).area
+        outside = footprint(scene, layout, self.a).difference(self._hull().buffer(TOLERANCE.gap)).area
         return Outcome(outside < 1e-6, outside, 0.0, "m2", f"{outside:.2f} m2 outside its zone")
 
     def _hull(self) -> Polygon:

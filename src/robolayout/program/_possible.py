@@ -14,9 +14,8 @@ from collections.abc import Iterable, Mapping
 from shapely import Point, Polygon
 
 from robolayout.assets import resting_place
-from robolayout.constraints import AssetRef, Ref, WallRef
+from robolayout.constraints import TOLERANCE, AssetRef, Ref, WallRef
 from robolayout.constraints.door_clear import CLEAR_HEIGHT
-from robolayout.constraints.no_overlap import OVERLAP_HEIGHT
 from robolayout.scene import Asset, Room, Scene, Wall
 
 EYE_HEIGHT = 1.5
@@ -57,7 +56,7 @@ def height_span(scene: Scene, name: str, parents: Mapping[str, str], mounted: Ma
 
 def share_height(first: Span, second: Span) -> bool:
     """Return whether two things are somewhere at the same height."""
-    return min(first[1], second[1]) - max(first[0], second[0]) > OVERLAP_HEIGHT
+    return min(first[1], second[1]) - max(first[0], second[0]) > TOLERANCE.height
 
 
 def inner_radius(asset: Asset) -> float:

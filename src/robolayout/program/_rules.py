@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from robolayout.constraints import ANGLE_TOLERANCE, AssetRef, PointRef, Relation, WallRef
+from robolayout.constraints import TOLERANCE, AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.align_with import AlignWith
 from robolayout.constraints.any_of import AnyOf
@@ -237,7 +237,7 @@ def one_heading(so_far: Accepted, relation: Relation) -> Answer:
         return Change(change, f"{turned[0]} is already turned by {where(earlier)}, so only {free} turns")
     for name in turned:
         gap = heading_gap(so_far, relation, name)
-        if gap is None or gap > ANGLE_TOLERANCE:
+        if gap is None or gap > TOLERANCE.angle:
             away = "" if gap is None else f", {gap:.0f} degrees away"
             return f"{name} is already turned by {where(so_far.headings[name])}{away}; the first one counts"
     return None
