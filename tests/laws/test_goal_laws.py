@@ -16,7 +16,7 @@ from robolayout._grid import components
 from robolayout.floor.goals import missed
 from robolayout.floor.ground import Ground, clearance, make_ground, obstacles_of
 from robolayout.scene import Agent, Layout, Scene, load_agent, vertical_span
-from robolayout.scene.agent import TOUCH
+from robolayout.scene.agent import BODY
 from robolayout.solve import compile_problem
 from robolayout.verify import navigation, usage
 from robolayout.verify._boxes import boxes
@@ -33,7 +33,7 @@ def disc_of(name: str) -> Agent:
     if agent.reach_distance is None:
         agent = replace(agent, reach_low=-1.0, reach_high=9.0)
     radius = min(agent.radius, 0.5)
-    arm = max(agent.reach_distance or 0.0, radius + TOUCH + 2 * CELL)
+    arm = max(agent.reach_distance or 0.0, radius + BODY.touch + 2 * CELL)
     return replace(agent, length=None, width=None, turning_diameter=None, radius=radius, reach_distance=arm)
 
 
@@ -70,7 +70,7 @@ def shunned(scene: Scene, layout: Layout, agent: Agent) -> set[str]:
         span = vertical_span(scene.by_name[name], pose)
         reach = [horizontal_reach(wider(agent, by), *span) for by in (-CELL, 0.0, CELL)]
         known = [r for r in reach if r is not None]
-        if len(known) not in (0, 3) or any(r < agent.radius + TOUCH + CELL for r in known):
+        if len(known) not in (0, 3) or any(r < agent.radius + BODY.touch + CELL for r in known):
             found.add(name)
     uses = usage(scene, layout, agent).uses.values()
     return found | {use.asset for use in uses if "to open" in use.reason}

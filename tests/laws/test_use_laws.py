@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, load_agent
 from robolayout.verify import judge_agent, navigation, usage
 from robolayout.verify.heading import heading_space
+from robolayout.verify.limits import FINE
 
 SEEDS = st.integers(min_value=0, max_value=10**6)
 BODIES = (
@@ -153,5 +154,5 @@ def test_no_heading_is_worked_out_where_the_first_ones_do(monkeypatch: pytest.Mo
     monkeypatch.setattr(heading, "convex_places", lambda *given: asked.append(1) or whole(*given))
     report = judge_agent(scene, layout, load_agent("wheelchair"))
     assert report.usage.usable["desk-0"] and len(asked) == 2
-    assert report.headings is not None and len(asked) == heading.HEADINGS
+    assert report.headings is not None and len(asked) == FINE.headings
     assert report.headings.standing == heading_space(scene, layout, load_agent("wheelchair")).standing

@@ -10,7 +10,7 @@ import pytest
 
 from robolayout._reading import LIMITS
 from robolayout.scene import layout_from_dict, load_agent, scene_from_dict
-from robolayout.scene._room_io import DOOR_HEIGHT, WINDOW_HEIGHT, WINDOW_SILL
+from robolayout.scene.room import OPENINGS
 
 PAGE = (Path(__file__).parents[2] / "docs" / "conventions.md").read_text(encoding="utf-8")
 
@@ -44,7 +44,7 @@ def test_the_agents_of_the_page(tmp_path: Path) -> None:
     [
         f"3 to {LIMITS.corners} corners",
         f"1 to {LIMITS.assets} assets",
-        f"height ({DOOR_HEIGHT:g} for doors, {WINDOW_HEIGHT:g} for windows) and sill (0, {WINDOW_SILL:g})",
+        f"height ({OPENINGS.door_height:g} for doors, {OPENINGS.window_height:g} for windows) and sill (0, {OPENINGS.window_sill:g})",
     ],
 )
 def test_the_numbers_of_the_page(words: str) -> None:

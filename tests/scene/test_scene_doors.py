@@ -7,7 +7,8 @@ import math
 import pytest
 
 from robolayout._errors import SceneError
-from robolayout.scene import LANDING_DEPTH, Opening, Room, scene_from_dict, scene_to_dict
+from robolayout.scene import Opening, Room, scene_from_dict, scene_to_dict
+from robolayout.scene.room import OPENINGS
 
 SQUARE = {"floor_vertices": [[0, 0, 0], [4, 0, 0], [4, 3, 0], [0, 3, 0]], "wall_height": 2.5}
 
@@ -53,6 +54,6 @@ def test_a_leaf_that_swings_in_needs_its_own_depth_of_landing() -> None:
         near, _, _, beyond = room.landing(Opening(0, 1.0, height=2.0, **leaf))  # type: ignore[arg-type]
         return math.dist(near, beyond)
 
-    assert depth(width=1.2) == LANDING_DEPTH
+    assert depth(width=1.2) == OPENINGS.landing_depth
     assert depth(width=1.2, swing="in") == pytest.approx(1.2)
-    assert depth(width=1.6, swing="in") == pytest.approx(LANDING_DEPTH), "two leaves of 0.8 m"
+    assert depth(width=1.6, swing="in") == pytest.approx(OPENINGS.landing_depth), "two leaves of 0.8 m"

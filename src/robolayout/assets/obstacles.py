@@ -13,10 +13,9 @@ from numpy.typing import NDArray
 
 from robolayout.assets.lexicon import category_of
 from robolayout.assets.prisms import prisms_of
-from robolayout.scene import Agent, Asset
+from robolayout.scene import ROUNDING, Agent, Asset
 
-SOLID = 0.9  # share of a box's floor from which on its prisms stand in the way as the box does
-TOUCHING = 1e-6  # metres of height by which a prism must reach into a body's heights
+SOLID = 0.9  # share of a box's footprint from which on its prisms count as the whole box
 Pieces = NDArray[np.float64]
 """(m, 4): how far a rectangle's middle lies ahead and left of its asset's, half its depth, half its width; metres."""
 
@@ -49,7 +48,7 @@ def pieces(asset: Asset, z: float, agent: Agent) -> tuple[Pieces, bool]:
 @lru_cache(maxsize=4096)
 def _met(asset: Asset, low: float, high: float) -> Pieces | None:
     """Return the prisms of an asset between two heights above its bottom; None where they are as good as its box."""
-    met = [p for p in prisms_of(asset) if p.high - low > TOUCHING and high - p.low > TOUCHING]
+    met = [p for p in prisms_of(asset) if p.high - low > ROUNDING and high - p.low > ROUNDING]
     boxes = shapely.box(*np.unique([(p.x - p.hx, p.y - p.hy, p.x + p.hx, p.y + p.hy) for p in met], axis=0).T)
     kept = boxes[shapely.covers(boxes[:, None], boxes).sum(axis=0) == 1]
     if shapely.union_all(kept).area >= SOLID * asset.size[0] * asset.size[1]:

@@ -12,8 +12,7 @@ from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import Outcome, Relation
 from robolayout.constraints._terms import ClearTerm, Term
 from robolayout.scene import Layout, Opening, Room, Scene, vertical_span
-
-CLEAR_HEIGHT = 2.0  # metres above the floor up to which a door's landing stays free (DESIGN section 4)
+from robolayout.scene.room import OPENINGS
 
 
 @dataclass(frozen=True)
@@ -32,7 +31,7 @@ class DoorClear(Relation):
                 WallRef(door.wall),
                 (door.center - scene.room.walls[door.wall].length / 2, _depth(scene.room, door) / 2),
                 (door.width / 2, _depth(scene.room, door) / 2),
-                (0.0, CLEAR_HEIGHT),
+                (0.0, OPENINGS.landing_height),
             )
             for door in scene.room.doors
         )
@@ -44,7 +43,7 @@ class DoorClear(Relation):
             landing = Polygon(scene.room.landing(door))
             for name, pose in layout.items():
                 asset = scene.by_name[name]
-                if asset.is_flat or vertical_span(asset, pose)[0] >= CLEAR_HEIGHT:
+                if asset.is_flat or vertical_span(asset, pose)[0] >= OPENINGS.landing_height:
                     continue
                 area = common_area(landing, footprint(scene, layout, AssetRef(name)))
                 if area > max(worst, TOLERANCE.area):

@@ -19,7 +19,8 @@ from robolayout.floor.config import FLOOR
 from robolayout.floor.furnished import Floor, Shadow
 from robolayout.floor.ground import patches
 from robolayout.floor.targets import SIDES, use_of
-from robolayout.scene import LANDING_DEPTH, Agent, Asset
+from robolayout.scene import Agent, Asset
+from robolayout.scene.room import OPENINGS
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +97,7 @@ def _turning(floor: Floor, agent: Agent, main: Mask) -> Mask:
 
 def _either_way(floor: Floor, agent: Agent) -> tuple[Mask, Mask]:
     """Return where a rectangular body can stand along and across the door's direction, having come in straight."""
-    room, deep = floor.room, max(LANDING_DEPTH, agent.length or 0.0)
+    room, deep = floor.room, max(OPENINGS.landing_depth, agent.length or 0.0)
     along, across = (components(free) for free in _free(floor, ~floor.inside | (floor.body > 0), agent))
     here = entered(*along, floor.cells(np.array(room.landing(room.doors[0], deep))) if room.doors else None)
     if not here:

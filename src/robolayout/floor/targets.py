@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from robolayout.assets import category_of
 from robolayout.floor.cells import Floats
 from robolayout.scene import Agent, Asset, Scene
-from robolayout.scene.agent import TOUCH, horizontal_reach
+from robolayout.scene.agent import BODY, horizontal_reach
 from robolayout.scene.asset import FLAT_HEIGHT
 
 SIDES = ("front", "left", "back", "right")
@@ -71,7 +71,7 @@ def targets_of(contents: Contents, agent: Agent) -> Targets:
         bottom = float(contents.heights[slot]) - assets[slot].size[2] / 2
         use = use_of(assets[slot], bottom, agent, carried=bool(parent[slot] >= 0))
         if use is not None:
-            reach[row] = max(use[0], agent.radius + TOUCH)  # nearer than that no disc is asked to come
+            reach[row] = max(use[0], agent.radius + BODY.touch)  # nearer than that no disc is asked to come
             sides[row] = [side in use[1] for side in SIDES]
     top = contents.heights + np.array([asset.size[2] for asset in assets]) / 2
     under = parent[slots]

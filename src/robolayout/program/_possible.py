@@ -15,8 +15,8 @@ from shapely import Point, Polygon
 
 from robolayout.assets import resting_place
 from robolayout.constraints import TOLERANCE, AssetRef, Ref, WallRef
-from robolayout.constraints.door_clear import CLEAR_HEIGHT
 from robolayout.scene import Asset, Room, Scene, Wall
+from robolayout.scene.room import OPENINGS
 
 EYE_HEIGHT = 1.5
 """Metres above the floor of the middle of a wall thing that nobody gave a height."""
@@ -69,7 +69,7 @@ def free_intervals(room: Room, wall: Wall, span: Span) -> list[Span]:
     doors = sorted((d.offset, d.offset + d.width) for d in room.doors if d.wall == wall.index)
     free: list[Span] = []
     start = 0.0
-    for near, far in doors if span[0] < CLEAR_HEIGHT else ():
+    for near, far in doors if span[0] < OPENINGS.landing_height else ():
         free.append((start, near))
         start = max(start, far)
     free.append((start, wall.length))

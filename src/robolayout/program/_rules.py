@@ -37,13 +37,10 @@ from robolayout.program._possible import (
     share_height,
 )
 from robolayout.program._program import Program, Statement
-from robolayout.scene import Scene
+from robolayout.scene import ROUNDING, Scene
 
 OVERHANG = 1.5
 """How many times as large as a top a thing on it may be (a lampshade is wider than what it stands on, a bed is not)."""
-SLACK = 1e-6
-"""Metres below which two lengths are equal."""
-
 AtWall = AgainstWall | MountedOn | Row
 """Relations that put something at a wall."""
 
@@ -294,8 +291,8 @@ def _trouble(so_far: Accepted, relation: AtWall, index: int) -> str | None:
     free = free_intervals(so_far.scene.room, wall, (low, high))
     needed = sum(widths[name] for name in names) + getattr(relation, "gap", 0.0) * (len(names) - 1)
     room = longest(free)
-    if needed > room + SLACK:
-        beside = " beside its door" if room < wall.length - SLACK else ""
+    if needed > room + ROUNDING:
+        beside = " beside its door" if room < wall.length - ROUNDING else ""
         return f"walls[{index}] has {room:.2f} m{beside}, {' and '.join(names[:3])} need{'s' * (len(names) == 1)} {needed:.2f} m"
     there = [
         name
@@ -304,7 +301,7 @@ def _trouble(so_far: Accepted, relation: AtWall, index: int) -> str | None:
     ]
     taken = sum(widths[name] for name in there)
     total = sum(far - near for near, far in free)
-    if needed + taken > total + SLACK and not so_far.paper:
+    if needed + taken > total + ROUNDING and not so_far.paper:
         take = "takes" if len(there) == 1 else "take"
         return f"walls[{index}] has {total:.2f} m, of which {', '.join(there)} {take} {taken:.2f} m"
     return None
@@ -332,7 +329,7 @@ def stands(so_far: Accepted, relation: Relation) -> Answer:
             f"{a.name} ({large:.2f} x {small:.2f} m) is too large for the top of {b.name} ({long:.2f} x {short:.2f} m)"
         )
     top = so_far.span(b.name)[1] + a.size[2]
-    if top > so_far.scene.room.wall_height + SLACK:
+    if top > so_far.scene.room.wall_height + ROUNDING:
         return (
             f"on {b.name}, {a.name} would reach {top:.2f} m, above the ceiling at {so_far.scene.room.wall_height:.2f} m"
         )
@@ -347,12 +344,12 @@ def distance(so_far: Accepted, relation: Relation) -> Answer:
     other = relation.b
     collide = isinstance(other, AssetRef) and so_far.collide(asset.name, other.name)
     least, most = distance_range(so_far.scene, asset, other, collide=collide)
-    least, most = math.ceil(least * 100 - SLACK) / 100, math.floor(most * 100 + SLACK) / 100
+    least, most = math.ceil(least * 100 - ROUNDING) / 100, math.floor(most * 100 + ROUNDING) / 100
     low, high, reasons = relation.min_distance, relation.max_distance, list[str]()
-    if high is not None and high < least - SLACK:
+    if high is not None and high < least - ROUNDING:
         reasons.append(f"{_apart(asset.name, other)} are at least {least:.2f} m apart, so max_distance becomes that")
         high = least
-    if low is not None and low > most + SLACK:
+    if low is not None and low > most + ROUNDING:
         reasons.append(f"{_apart(asset.name, other)} are at most {most:.2f} m apart here, so min_distance becomes that")
         low = most
     if low is not None and high is not None and low > high:

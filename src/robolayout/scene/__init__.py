@@ -29,7 +29,8 @@ from robolayout.scene.layout import Pose as Pose
 from robolayout.scene.layout import Snapshot as Snapshot
 from robolayout.scene.layout import Trace as Trace
 from robolayout.scene.layout import vertical_span as vertical_span
-from robolayout.scene.room import LANDING_DEPTH as LANDING_DEPTH
+from robolayout.scene.room import OPENINGS as OPENINGS
+from robolayout.scene.room import ROUNDING as ROUNDING
 from robolayout.scene.room import Opening as Opening
 from robolayout.scene.room import Point as Point
 from robolayout.scene.room import Room as Room

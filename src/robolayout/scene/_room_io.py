@@ -10,12 +10,8 @@ from typing import Any
 
 from robolayout._errors import SceneError
 from robolayout._reading import LIMITS, Checker
-from robolayout.scene.room import Opening, Point, Room, Wall
+from robolayout.scene.room import OPENINGS, ROUNDING, Opening, Point, Room, Wall
 
-TOLERANCE = 1e-6  # metres below which two points are one, and by which an opening may overshoot through rounding
-DOOR_HEIGHT = 2.05  # height in metres of a door that gives none
-WINDOW_HEIGHT, WINDOW_SILL = 1.2, 0.9  # height and sill in metres of a window that gives none
-LOWEST = 0.1  # height in metres that is left to a door or window higher than its wall, or else it is refused
 LEAF = ("hinge", "swing", "open")  # what a door may say of its leaf
 _HANGS = {"hinge": ("left", "right"), "swing": ("in", "out")}
 
@@ -66,10 +62,10 @@ def _vertices(value: object) -> tuple[Point, ...]:
         point = _CHECK.numbers(entry, where, (2, 3))
         if any(abs(number) > LIMITS.length for number in point):
             raise SceneError(f"{where} lies more than {LIMITS.length:g} m from the origin; coordinates are in metres.")
-        if len(point) == 3 and abs(point[2]) > TOLERANCE:
+        if len(point) == 3 and abs(point[2]) > ROUNDING:
             raise SceneError(f"{where} has height {point[2]:g}; the floor lies at z = 0.")
         corners.append((point[0], point[1]))
-    if len(corners) > 1 and math.dist(corners[0], corners[-1]) < TOLERANCE:
+    if len(corners) > 1 and math.dist(corners[0], corners[-1]) < ROUNDING:
         corners.pop()
     if len(corners) < 3:
         raise SceneError(f"boundary.floor_vertices has {len(corners)} different corners; a room needs at least 3.")
@@ -78,11 +74,11 @@ def _vertices(value: object) -> tuple[Point, ...]:
 
 def _check_shape(room: Room) -> None:
     for wall in room.walls:
-        if wall.length < TOLERANCE:
+        if wall.length < ROUNDING:
             following = (wall.index + 1) % len(room.walls)
             raise SceneError(f"boundary.floor_vertices {wall.index} and {following} are the same point; drop one.")
     first = max(room.walls, key=lambda wall: wall.length)
-    if all(abs(_height(first, corner)) < TOLERANCE for corner in room.vertices):
+    if all(abs(_height(first, corner)) < ROUNDING for corner in room.vertices):
         raise SceneError("the room has no area: all its corners lie on one line.")
     for a, b in combinations(room.walls, 2):
         if _touching(a, b, room):
@@ -120,14 +116,14 @@ def _touching(a: Wall, b: Wall, room: Room) -> bool:
     """Return whether two walls cross or touch elsewhere than at the corner they share."""
     count = len(room.walls)
     if b.index - a.index == 1:
-        return a.distance(b.end) < TOLERANCE or b.distance(a.start) < TOLERANCE
+        return a.distance(b.end) < ROUNDING or b.distance(a.start) < ROUNDING
     if (b.index + 1) % count == a.index:
-        return a.distance(b.start) < TOLERANCE or b.distance(a.end) < TOLERANCE
+        return a.distance(b.start) < ROUNDING or b.distance(a.end) < ROUNDING
     ends = [a.distance(b.start), a.distance(b.end), b.distance(a.start), b.distance(a.end)]
     crossing = (_height(a, b.start) > 0) != (_height(a, b.end) > 0) and (_height(b, a.start) > 0) != (
         _height(b, a.end) > 0
     )
-    return crossing or min(ends) < TOLERANCE
+    return crossing or min(ends) < ROUNDING
 
 
 def _openings(data: Mapping[str, object], key: str, room: Room, warnings: list[str]) -> list[tuple[str, Opening]]:
@@ -141,20 +137,25 @@ def _opening(value: object, where: str, room: Room, warnings: list[str]) -> Open
     if isinstance(index, bool) or not isinstance(index, int) or not 0 <= index < count:
         raise SceneError(f"{where}.wall must be a whole number from 0 to {count - 1}, but is {index!r:.60}.")
     window = where.startswith("windows")
-    offset = _CHECK.number(_CHECK.required(data, "offset", where), f"{where}.offset", least=-TOLERANCE)
+    offset = _CHECK.number(_CHECK.required(data, "offset", where), f"{where}.offset", least=-ROUNDING)
     width = _CHECK.number(_CHECK.required(data, "width", where), f"{where}.width", above=0.0)
     height = _CHECK.number(
-        data.get("height", WINDOW_HEIGHT if window else DOOR_HEIGHT), f"{where}.height", above=0.0, most=100.0
+        data.get("height", OPENINGS.window_height if window else OPENINGS.door_height),
+        f"{where}.height",
+        above=0.0,
+        most=100.0,
     )
-    sill = _CHECK.number(data.get("sill", WINDOW_SILL if window else 0.0), f"{where}.sill", least=0.0, most=100.0)
+    sill = _CHECK.number(
+        data.get("sill", OPENINGS.window_sill if window else 0.0), f"{where}.sill", least=0.0, most=100.0
+    )
     length = room.walls[index].length
-    if offset + width > length + TOLERANCE:
+    if offset + width > length + ROUNDING:
         raise SceneError(
             f"{where} ends at {offset + width:.3f} m, past the end of wall {index}, which is {length:.3f} m long."
         )
-    if sill + height > room.wall_height + TOLERANCE:
+    if sill + height > room.wall_height + ROUNDING:
         above = f"{where} ends {sill + height:.3f} m above the floor; the walls are {room.wall_height:g} m high"
-        if room.wall_height - sill < LOWEST:
+        if room.wall_height - sill < OPENINGS.least_height:
             raise SceneError(f"{above}: lower its sill, which is at {sill:g} m, or raise boundary.wall_height.")
         height = room.wall_height - sill
         warnings.append(f"{above}, so it was made {height:.3g} m high.")
@@ -176,7 +177,7 @@ def _check_overlaps(openings: list[tuple[str, Opening]]) -> None:
     for (name_a, a), (name_b, b) in combinations(openings, 2):
         along = min(a.offset + a.width, b.offset + b.width) - max(a.offset, b.offset)
         upwards = min(a.sill + a.height, b.sill + b.height) - max(a.sill, b.sill)
-        if a.wall == b.wall and along > TOLERANCE and upwards > TOLERANCE:
+        if a.wall == b.wall and along > ROUNDING and upwards > ROUNDING:
             raise SceneError(f"{name_a} and {name_b} overlap by {along:.3f} m on wall {a.wall}; move one of them.")
 
 

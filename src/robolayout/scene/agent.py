@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from robolayout.scene.room import ROUNDING
+
 
 @dataclass(frozen=True)
 class Source:
@@ -57,7 +59,7 @@ class Agent:
     @property
     def reach(self) -> float:
         """Horizontal reach in metres from its centre; at least touching distance (radius + 0.10 m)."""
-        return max(self.reach_distance or 0.0, self.radius + TOUCH)
+        return max(self.reach_distance or 0.0, self.radius + BODY.touch)
 
     @property
     def inradius(self) -> float:
@@ -72,8 +74,19 @@ class Agent:
         return math.hypot(self.length, self.width) / 2
 
 
-CLEARANCE = 0.03  # metres kept free on each side of a rectangular body for which no corridor is given (rule of thumb)
-TOUCH = 0.10  # metres beyond its own disc at which every agent counts as having got to a thing
+@dataclass(frozen=True)
+class BodyConfig:
+    """What is taken of every body, and of one whose figures do not say it."""
+
+    # metres kept free on each side of a rectangular body for which no corridor is given (rule of thumb)
+    clearance: float = 0.03
+    touch: float = 0.10  # metres beyond its own disc at which every agent counts as having got to a thing
+    # a model's body is a disc if its farthest point is at most this many times as far as its farthest side
+    round: float = 1.1
+    step: float = 0.03  # metres that the body of a model is taken to drive over; the model does not say
+
+
+BODY = BodyConfig()
 
 
 @dataclass(frozen=True)
@@ -91,8 +104,6 @@ class Hold:
 DEFAULT_AGENT = Agent(name="disc", radius=0.30, height=1.5, reach_distance=0.75, title="disc of radius 0.30 m")
 """The agent of a scene that names none."""
 
-SLACK = 1e-6  # metres of rounding that a height may be beyond the reach
-
 
 def horizontal_reach(agent: Agent, bottom: float, top: float) -> float | None:
     """Return the horizontal reach in metres to something between two heights; None if it is out of reach in height.
@@ -104,10 +115,10 @@ def horizontal_reach(agent: Agent, bottom: float, top: float) -> float | None:
     if agent.reach_distance is None:
         return agent.reach
     low, high = max(bottom, agent.reach_low), min(top, agent.reach_high)
-    if low > high + SLACK:
+    if low > high + ROUNDING:
         return None
     if agent.reach_bands:
-        found = (far for begin, end, far in agent.reach_bands if begin <= high + SLACK and end >= low - SLACK)
+        found = (far for begin, end, far in agent.reach_bands if begin <= high + ROUNDING and end >= low - ROUNDING)
         far = max(found, default=0.0)
     elif agent.shoulder_height is None:
         return agent.reach

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 
 from robolayout._errors import AgentError, UnknownNameError
 from robolayout._reading import LIMITS, Checker, show
-from robolayout.scene.agent import CLEARANCE, Agent, Source
+from robolayout.scene.agent import BODY, Agent, Source
 from robolayout.scene.room import Room
 
 if TYPE_CHECKING:
@@ -263,4 +263,4 @@ def _half_passage(figures: Mapping[str, float], label: str) -> float:
     """Return the radius of a rectangular body without one: half its width and the clearance."""
     if "width" not in figures:
         raise AgentError(f"agent {label!r} has no radius; give it in metres, or length and width for a rectangle.")
-    return figures["width"] / 2 + CLEARANCE
+    return figures["width"] / 2 + BODY.clearance

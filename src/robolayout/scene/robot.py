@@ -18,13 +18,10 @@ import numpy as np
 from robolayout._errors import UnknownNameError
 from robolayout._reading import show
 from robolayout.scene._model import CHECK, Matrix, Model
-from robolayout.scene.agent import CLEARANCE, Agent, Figure, Source
+from robolayout.scene.agent import BODY, Agent, Figure, Source
 from robolayout.scene.kinematics import FOLDING, Robot
 from robolayout.scene.mjcf import read_mjcf
 from robolayout.scene.urdf import read_urdf
-
-ROUND = 1.1  # a body is a disc if its farthest point is at most this many times as far as its farthest side
-STEP = 0.03  # metres that the body is taken to drive over; a model does not say
 
 
 def load_robot(path: Path, pose: Mapping[str, float] | None = None) -> Agent:
@@ -88,8 +85,10 @@ def _agent(points: Matrix, about: str, body: Robot) -> Agent:
         "radius": known,
         "step": Source("not in a robot's model; the general default", verified=False),
     }
-    if farthest <= ROUND * max(abs(low[0]), abs(low[1]), high[0], high[1]) and max(size[:2]) < 1.25 * min(size[:2]):
-        return Agent(name, _round(farthest), height, step=STEP, title=name, sources=sources, **reach)
+    if farthest <= BODY.round * max(abs(low[0]), abs(low[1]), high[0], high[1]) and max(size[:2]) < 1.25 * min(
+        size[:2]
+    ):
+        return Agent(name, _round(farthest), height, step=BODY.step, title=name, sources=sources, **reach)
     length, width = _round(size[0]), _round(size[1])
     arc = body.turning()
     circle = _round(2 * math.hypot(arc + width / 2, length) if arc else 2 * farthest)
@@ -99,16 +98,16 @@ def _agent(points: Matrix, about: str, body: Robot) -> Agent:
         "turning_diameter": known,
         "turning_radius": Source(f"wheels of the model, {about}", verified=True),
     }
-    sources["radius"] = Source(f"half the width and {CLEARANCE} m, {about}", verified=False)
+    sources["radius"] = Source(f"half the width and {BODY.clearance} m, {about}", verified=False)
     return Agent(
         name,
-        radius=_round(width / 2 + CLEARANCE),
+        radius=_round(width / 2 + BODY.clearance),
         height=height,
         length=length,
         width=width,
         turning_diameter=circle if circle > 1.05 * math.hypot(length, width) else None,
         turning_radius=None if arc is None else _round(arc),
-        step=STEP,
+        step=BODY.step,
         title=name,
         sources=sources,
         **reach,

@@ -12,9 +12,24 @@ from dataclasses import dataclass
 from functools import cached_property
 
 Point = tuple[float, float]
+ROUNDING = 1e-6  # metres: lengths that differ by no more are equal, and points no farther apart are one
 
-LANDING_DEPTH = 0.9  # depth in metres of the clear landing inside a door (DESIGN section 4)
-SINGLE = 1.4  # width in metres up to which a door has one leaf
+
+@dataclass(frozen=True)
+class OpeningConfig:
+    """What holds for every door and window, and what is taken where a file does not say."""
+
+    landing_depth: float = 0.9  # metres of depth of the clear landing inside a door (DESIGN section 4)
+    one_leaf: float = 1.4  # metres of width up to which a door has one leaf
+    landing_height: float = 2.0  # metres above the floor up to which that landing stays free (DESIGN section 4)
+    door_height: float = 2.05  # metres of height of a door that gives none
+    window_height: float = 1.2  # metres of height of a window that gives none
+    window_sill: float = 0.9  # metres of its sill above the floor
+    # metres of height that are left to a door or window higher than its wall, or else it is refused
+    least_height: float = 0.1
+
+
+OPENINGS = OpeningConfig()
 
 
 @dataclass(frozen=True)
@@ -73,7 +88,7 @@ class Opening:
     @property
     def leaves(self) -> int:
         """Number of its leaves: a wide door has two."""
-        return 2 if self.width > SINGLE else 1
+        return 2 if self.width > OPENINGS.one_leaf else 1
 
     @property
     def center(self) -> float:
@@ -122,7 +137,7 @@ class Room:
         Without a depth it is as deep as a landing must be, or as a leaf that swings in.
         """
         if depth is None:
-            depth = max(LANDING_DEPTH, door.width / door.leaves if door.swing == "in" else 0.0)
+            depth = max(OPENINGS.landing_depth, door.width / door.leaves if door.swing == "in" else 0.0)
         wall = self.walls[door.wall]
         near, far = door.offset, door.offset + door.width
         return (wall.point(near), wall.point(far), wall.point(far, depth), wall.point(near, depth))

@@ -6,9 +6,8 @@ from dataclasses import replace
 from functools import lru_cache
 
 from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene
+from robolayout.verify.limits import FINE
 from robolayout.verify.use import usage
-
-SPARE = 1.0  # metres that the empty room is wider than the thing with the body at full reach on both sides of it
 
 
 def unusable_alone(asset: Asset, agent: Agent) -> str:
@@ -18,7 +17,7 @@ def unusable_alone(asset: Asset, agent: Agent) -> str:
 
 @lru_cache(maxsize=1024)
 def _reason(asset: Asset, agent: Agent) -> str:
-    half = max(asset.size[:2]) / 2 + 2 * agent.circumradius + agent.reach + SPARE
+    half = max(asset.size[:2]) / 2 + 2 * agent.circumradius + agent.reach + FINE.spare
     door = Opening(0, half - agent.radius - 0.1, 2 * agent.radius + 0.2, agent.height + 0.1)
     room = Room(((0.0, 0.0), (2 * half, 0.0), (2 * half, 2 * half), (0.0, 2 * half)), agent.height + 1.0, (door,))
     layout = Layout({asset.name: Pose(half, half, asset.size[2] / 2, 0.0)})

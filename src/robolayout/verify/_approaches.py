@@ -12,14 +12,13 @@ from shapely import LineString
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import category_of
-from robolayout.scene import Agent, Asset
-from robolayout.scene.agent import TOUCH, horizontal_reach
+from robolayout.scene import ROUNDING, Agent, Asset
+from robolayout.scene.agent import BODY, horizontal_reach
 from robolayout.verify._boxes import Boxes
 from robolayout.verify._sides import SIDES, strips, within
-from robolayout.verify._space import QUAD_SEGS
 from robolayout.verify._swept import handle_reach, opening_zone, opens
 from robolayout.verify.heading import grown
-from robolayout.verify.limits import REACH_SLACK
+from robolayout.verify.limits import FINE
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,8 +52,8 @@ class Approaches:
 
     def touching(self, body: NDArray[np.float64]) -> NDArray[np.object_]:
         """Return (m,) from where a rectangular body with these corners (4, 2) around its centre touches each approach."""
-        size = float(np.hypot(*body.T).max()) + TOUCH
-        near = shapely.buffer(self.swept(body), TOUCH + REACH_SLACK, quad_segs=QUAD_SEGS)
+        size = float(np.hypot(*body.T).max()) + BODY.touch
+        near = shapely.buffer(self.swept(body), BODY.touch + ROUNDING, quad_segs=FINE.quad_segs)
         edge = ~self._whole
         beyond = strips(self.edges[edge], np.full(int(edge.sum()), size), size)
         near[edge] = shapely.intersection(near[edge], beyond)
@@ -88,7 +87,7 @@ def approaches(found: Boxes, agent: Agent) -> Approaches:
             if far is not None:
                 rows.append(row)
                 sides.append(side)
-                reach.append(far + REACH_SLACK)
+                reach.append(far + ROUNDING)
     index, at = np.array(rows, dtype=np.intp), np.array([SIDES.index(side or "front") for side in sides], dtype=np.intp)
     corners = shapely.get_coordinates(found.footprints[index]).reshape(-1, 5, 2)
     edges = np.stack([corners[np.arange(len(at)), at], corners[np.arange(len(at)), at + 1]], axis=1)
@@ -111,7 +110,7 @@ def _zones(
     """Return from where edges, or whole footprints, are within reach."""
     zones = np.empty(len(rows), dtype=object)
     zones[~whole] = within(edges[~whole], reach[~whole])
-    zones[whole] = shapely.buffer(found.footprints[rows[whole]], reach[whole], quad_segs=QUAD_SEGS)
+    zones[whole] = shapely.buffer(found.footprints[rows[whole]], reach[whole], quad_segs=FINE.quad_segs)
     return _not_under(found, agent, rows, zones, whole)
 
 

@@ -18,7 +18,7 @@ from robolayout.assets import category_of, prisms_of, surfaces_of
 from robolayout.assets.mass import centre_of_mass
 from robolayout.scene import Asset, Layout, Room, Scene
 from robolayout.scene.asset import FLAT_HEIGHT
-from robolayout.verify.limits import AT, CARRIED, LOOP, LOWER, STEADY, WITHIN
+from robolayout.verify.limits import JUDGE
 
 Place = tuple[float, float, float, float]  # x, y, z in metres and yaw in radians
 
@@ -57,7 +57,7 @@ class Boxes:
     @cached_property
     def chairs(self) -> NDArray[np.bool_]:
         """(n,) whether it is moved away from what it stands at: it is movable, stands on the floor and carries nothing."""
-        found = self.movable & ~self.flat & (self.bottom <= CARRIED + FLAT_HEIGHT)
+        found = self.movable & ~self.flat & (self.bottom <= JUDGE.carried + FLAT_HEIGHT)
         found[self.carriers[self.carriers >= 0]] = False
         return found
 
@@ -65,9 +65,9 @@ class Boxes:
         """Return the chairs that stand at an asset or at what carries it; none for a chair itself."""
         if row not in self._chairs_at:
             chairs, feet = np.flatnonzero(self.chairs), self.footprints
-            near = shapely.dwithin(feet[chairs], feet[row], AT)
+            near = shapely.dwithin(feet[chairs], feet[row], JUDGE.at)
             if self.carriers[row] >= 0:
-                near |= shapely.dwithin(feet[chairs], feet[self.carriers[row]], AT)
+                near |= shapely.dwithin(feet[chairs], feet[self.carriers[row]], JUDGE.at)
             self._chairs_at[row] = frozenset() if self.chairs[row] else frozenset(chairs[near].tolist())
         return self._chairs_at[row]
 
@@ -84,10 +84,10 @@ class Boxes:
     def contacts(self) -> dict[int, dict[int, Any]]:
         """For each asset above the floor, where it lies on surfaces of others: their rows and the area in contact."""
         found: dict[int, dict[int, Any]] = {}
-        raised = np.flatnonzero(self.placed & (self.bottom > CARRIED))
+        raised = np.flatnonzero(self.placed & (self.bottom > JUDGE.carried))
         for row in raised.tolist():
             level = self.bottom[row] + _lift(self.assets[row])
-            under = self.placed & (self.bottom < level - LOWER) & (self.top >= level - CARRIED - 1e-9)
+            under = self.placed & (self.bottom < level - JUDGE.lower) & (self.top >= level - JUDGE.carried - 1e-9)
             near = np.flatnonzero(under)
             near = near[shapely.intersects(self.footprints[near], self.footprints[row])]
             touched = {int(lower): _shared_base(*self.where(row), *self.where(lower)) for lower in near}
@@ -122,8 +122,8 @@ class Boxes:
         top = level + self.assets[row].size[2]
         return any(
             level - place.height >= -sunk
-            and top <= place.height + place.free + CARRIED
-            and place.region.buffer(WITHIN).covers(foot)
+            and top <= place.height + place.free + JUDGE.carried
+            and place.region.buffer(JUDGE.within).covers(foot)
             for place in surfaces_of(self.assets[lower])
         ) or self._hangs_from(row, lower)
 
@@ -153,8 +153,9 @@ def _base(asset: Asset, place: Place) -> Any:
     """Return the hull of a placed asset's lowest prisms, or of the loop that it hangs by."""
     ring, low, _ = _prism_table(asset)
     if category_of(asset).hangs:
-        return shapely.polygons(in_plan(np.array(LOOP), place))
-    return shapely.union_all(shapely.polygons(in_plan(ring[low <= low.min() + CARRIED], place))).convex_hull
+        x, y = JUDGE.loop
+        return shapely.polygons(in_plan(np.array([(x, -y), (x, y), (-x, y), (-x, -y)]), place))
+    return shapely.union_all(shapely.polygons(in_plan(ring[low <= low.min() + JUDGE.carried], place))).convex_hull
 
 
 def in_plan(points: NDArray[np.float64], place: Place) -> NDArray[np.float64]:
@@ -184,7 +185,7 @@ def _overhang(upper: Asset, place: Place, carriers: tuple[tuple[Asset, Place], .
     u, v, _ = centre_of_mass(upper)
     middle, depth = shapely.Point(in_plan(np.array([u, v]), place)), min(upper.size[:2])
     inward = hull.boundary.distance(middle) if hull.covers(middle) else -hull.distance(middle)
-    return min(STEADY[0], STEADY[1] * depth) - inward
+    return min(JUDGE.steady[0], JUDGE.steady[1] * depth) - inward
 
 
 @lru_cache(maxsize=4096)
@@ -192,7 +193,9 @@ def _shared_base(upper: Asset, place: Place, lower: Asset, under: Place) -> Any:
     """Return where a placed asset's base lies on surfaces of another."""
     level = (place[2] - upper.size[2] / 2 + _lift(upper)) - (under[2] - lower.size[2] / 2)
     hangs = _lift(upper) > 0.0
-    regions = [s.region for s in surfaces_of(lower) if s.is_hook == hangs and abs(s.height - level) <= CARRIED + 1e-9]
+    regions = [
+        s.region for s in surfaces_of(lower) if s.is_hook == hangs and abs(s.height - level) <= JUDGE.carried + 1e-9
+    ]
     if not regions:
         return Polygon()
     return shapely.union_all([in_room(region, under) for region in regions]).intersection(_base(upper, place))

@@ -17,11 +17,10 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout.assets import prisms_of
-from robolayout.scene import Agent, Asset
+from robolayout.assets.obstacles import SOLID
+from robolayout.scene import ROUNDING, Agent, Asset
 from robolayout.verify._boxes import Boxes, corners
 
-FILLED = 0.9  # share of a box's footprint from which on its prisms count as the whole box
-ROUNDING = 1e-6  # metres of height that may be shared by rounding
 Rectangles = NDArray[np.float64]  # (m, 4): least x, least y, greatest x, greatest y in metres, in the frame of an asset
 
 
@@ -98,7 +97,7 @@ def part_rectangles(asset: Asset, low: float, high: float) -> Rectangles | None:
     met = [p for p in prisms_of(asset) if p.high > low + ROUNDING and p.low < high - ROUNDING]
     kept = _outermost([(p.x - p.hx, p.y - p.hy, p.x + p.hx, p.y + p.hy) for p in met])
     covered = shapely.union_all(shapely.box(*kept.T)).area
-    return None if covered >= FILLED * asset.size[0] * asset.size[1] else kept
+    return None if covered >= SOLID * asset.size[0] * asset.size[1] else kept
 
 
 def _outermost(rows: Iterable[tuple[float, ...]]) -> Rectangles:

@@ -9,7 +9,7 @@ import shapely
 from numpy.typing import NDArray
 from shapely import LineString, Polygon
 
-from robolayout.verify._space import QUAD_SEGS
+from robolayout.verify.limits import FINE
 
 SIDES = ("front", "left", "back", "right")
 """Sides in counter-clockwise order, starting with the one that faces +x at zero rotation."""
@@ -38,7 +38,7 @@ def strips(edges: NDArray[np.float64], depth: NDArray[np.float64], margin: float
 def within(edges: NDArray[np.float64], reach: NDArray[np.float64]) -> NDArray[np.object_]:
     """Return everything on the right of edges (n, 2, 2) that is no farther from them than `reach` (n,) metres."""
     along, outward = (axis[:, None] * reach[:, None, None] for axis in _axes(edges))
-    turn = np.linspace(0.0, math.pi / 2, QUAD_SEGS + 1)[:, None]
+    turn = np.linspace(0.0, math.pi / 2, FINE.quad_segs + 1)[:, None]
     before = edges[:, :1] - along * np.cos(turn) + outward * np.sin(turn)
     after = edges[:, 1:] + outward * np.cos(turn) + along * np.sin(turn)
     return np.asarray(shapely.polygons(np.concatenate([before, after], axis=1)), dtype=object)

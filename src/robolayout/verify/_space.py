@@ -17,13 +17,12 @@ from numpy.typing import NDArray
 from shapely import MultiPolygon, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from robolayout.scene import LANDING_DEPTH, Room
+from robolayout.scene import ROUNDING, Room
+from robolayout.scene.room import OPENINGS
 from robolayout.verify._boxes import Boxes, landings, room_polygon
 from robolayout.verify._obstacles import NOTHING, Obstacles
-from robolayout.verify.limits import REACH_SLACK, SLIVER
+from robolayout.verify.limits import FINE, JUDGE
 
-QUAD_SEGS = 16  # chords per quarter turn in every round corner
-JOINT = 1e-6  # metres by which what opens where a chair was overlaps the free space beside it
 _NONE = np.empty(0, dtype=np.object_)
 
 
@@ -50,7 +49,7 @@ class Space:
         return self._opened[rows]
 
     def _grown(self, shapes: NDArray[np.object_], more: float) -> NDArray[np.object_]:
-        return shapely.buffer(shapes, self.radius + more, quad_segs=QUAD_SEGS)
+        return shapely.buffer(shapes, self.radius + more, quad_segs=FINE.quad_segs)
 
     @property
     def walkable_ratio(self) -> float:
@@ -82,7 +81,7 @@ def disc_space(room: Room, obstacles: Obstacles, radius: float) -> Space:
 @lru_cache(maxsize=1024)
 def _eroded(room: Room, radius: float) -> BaseGeometry:
     """Return where the centre of a disc may be in the empty room; the same for every layout of it."""
-    return room_polygon(room).buffer(-radius, quad_segs=QUAD_SEGS)
+    return room_polygon(room).buffer(-radius, quad_segs=FINE.quad_segs)
 
 
 def all_free(room: Room, obstacles: Obstacles, radius: float) -> BaseGeometry:
@@ -90,7 +89,7 @@ def all_free(room: Room, obstacles: Obstacles, radius: float) -> BaseGeometry:
     if not len(obstacles.shapes):
         return _eroded(room, radius)
     together: Any = shapely.multipolygons(obstacles.shapes)  # grown in one go: half the time of one by one
-    return _eroded(room, radius).difference(together.buffer(radius, quad_segs=QUAD_SEGS))
+    return _eroded(room, radius).difference(together.buffer(radius, quad_segs=FINE.quad_segs))
 
 
 Grow = Callable[[NDArray[np.object_], float], NDArray[np.object_]]
@@ -114,10 +113,10 @@ def opened(
     empty, free, main = spaces
     gone = np.isin(obstacles.rows, list(rows))
     shapes, others = obstacles.shapes[gone], obstacles.shapes[~gone]
-    if main.is_empty or not shapely.dwithin(main, shapes, size + 2 * JOINT).any():
+    if main.is_empty or not shapely.dwithin(main, shapes, size + 2 * ROUNDING).any():
         return _NONE
-    near = others[(shapely.distance(shapes[:, None], others) <= 2 * size + 2 * JOINT).any(axis=0)]
-    place = empty.intersection(shapely.union_all(grow(shapes, JOINT)))
+    near = others[(shapely.distance(shapes[:, None], others) <= 2 * size + 2 * ROUNDING).any(axis=0)]
+    place = empty.intersection(shapely.union_all(grow(shapes, ROUNDING)))
     parts = components(place.difference(shapely.union_all(grow(near, 0.0))) if len(near) else place)
     pieces = shapely.get_parts(free)
     shapely.prepare(main)
@@ -135,16 +134,16 @@ def opened(
 def components(space: BaseGeometry) -> NDArray[np.object_]:
     """Return the polygons of a free space, largest first, dust left out."""
     parts = shapely.get_parts(space)
-    parts = parts[(shapely.get_type_id(parts) == shapely.GeometryType.POLYGON) & (shapely.area(parts) > SLIVER)]
+    parts = parts[(shapely.get_type_id(parts) == shapely.GeometryType.POLYGON) & (shapely.area(parts) > JUDGE.sliver)]
     return parts[np.argsort(-shapely.area(parts), kind="stable")]
 
 
 def entry_zone(room: Room, number: int, eroded: BaseGeometry, radius: float) -> Polygon:
     """Return the landing through which a disc comes in by a door, deeper than 0.9 m if it could not stand in that at all."""
     landing: Polygon = landings(room)[number]
-    if eroded.intersection(landing).area > SLIVER:
+    if eroded.intersection(landing).area > JUDGE.sliver:
         return landing
-    return Polygon(room.landing(room.doors[number], max(LANDING_DEPTH, 2 * radius)))
+    return Polygon(room.landing(room.doors[number], max(OPENINGS.landing_depth, 2 * radius)))
 
 
 def met(parts: NDArray[np.object_], zone: Polygon) -> Polygon:
@@ -166,7 +165,7 @@ def further_doors(room: Room, radius: float) -> Mapping[int, Polygon]:
     eroded = _eroded(room, radius)
     zones = {number: entry_zone(room, number, eroded, radius) for number in range(len(room.doors))}
     main = met(components(eroded), zones[0]) if zones else Polygon()
-    return {number: zone for number, zone in zones.items() if number and main.intersection(zone).area > SLIVER}
+    return {number: zone for number, zone in zones.items() if number and main.intersection(zone).area > JUDGE.sliver}
 
 
 def standing_distances(found: Boxes, space: Space) -> NDArray[np.float64]:
@@ -182,7 +181,7 @@ def plan_distances(found: Boxes, space: Space, reach: float) -> NDArray[np.float
     distances = standing_distances(found, space)
     if space.blocking.movables and not space.main.is_empty:
         asked = found.placed & ~(found.flat | found.ceiling)
-        for row in np.flatnonzero(asked & (distances > reach + REACH_SLACK)).tolist():
+        for row in np.flatnonzero(asked & (distances > reach + ROUNDING)).tolist():
             moved = space.blocking.moved_for(found, row)
             beyond = shapely.distance(space.opened(moved), found.footprints[row]) if moved else ()
             distances[row] = min((distances[row], *beyond))
@@ -191,4 +190,4 @@ def plan_distances(found: Boxes, space: Space, reach: float) -> NDArray[np.float
 
 def reached_rows(found: Boxes, distances: NDArray[np.float64], reach: float) -> NDArray[np.bool_]:
     """Return which assets are reached from where the agent can be; ceiling assets and rugs need no reaching."""
-    return found.placed & (found.flat | found.ceiling | (distances <= reach + REACH_SLACK))
+    return found.placed & (found.flat | found.ceiling | (distances <= reach + ROUNDING))

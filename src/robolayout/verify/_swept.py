@@ -12,12 +12,11 @@ from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import Joint, sweeps_of
-from robolayout.scene import Agent, Asset, Point
+from robolayout.scene import ROUNDING, Agent, Asset, Point
 from robolayout.scene.agent import horizontal_reach
 from robolayout.verify._boxes import Boxes, in_room
 from robolayout.verify._sides import within
-from robolayout.verify._space import QUAD_SEGS
-from robolayout.verify.limits import REACH_SLACK
+from robolayout.verify.limits import FINE
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,12 +98,12 @@ def opening_zone(found: Boxes, agent: Agent, row: int) -> BaseGeometry:
 def _before(asset: Asset, radius: float, far: tuple[float | None, ...]) -> BaseGeometry:
     """Return the same in the asset's frame, for the reach to each of its handles."""
     x, y = asset.size[0] / 2, asset.size[1] / 2
-    most = max(reach for reach in far if reach is not None) + REACH_SLACK
+    most = max(reach for reach in far if reach is not None) + ROUNDING
     beyond = within(np.array([[(x, -y), (x, y)]]), np.array([most]))[0]
     zones: list[BaseGeometry] = []
     for sweep, reach in zip(sweeps_of(asset), far, strict=True):
         if sweep.joint is not None and reach is not None:
-            handle = shapely.Point(sweep.joint.handle[:2]).buffer(reach + REACH_SLACK, quad_segs=QUAD_SEGS)
-            leaf = sweep.leaf.buffer(radius, quad_segs=QUAD_SEGS)
+            handle = shapely.Point(sweep.joint.handle[:2]).buffer(reach + ROUNDING, quad_segs=FINE.quad_segs)
+            leaf = sweep.leaf.buffer(radius, quad_segs=FINE.quad_segs)
             zones.append(beyond.intersection(handle).difference(leaf))
     return shapely.union_all(zones)

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 import shapely
 from shapely import Polygon
 
-from robolayout.scene import Agent, Room
+from robolayout.scene import ROUNDING, Agent, Room
 from robolayout.verify._space import Space, further_doors, met
-from robolayout.verify.limits import REACH_SLACK, SLIVER
+from robolayout.verify.limits import JUDGE
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,14 +33,14 @@ def shut_doors(room: Room, agent: Agent, space: Space) -> tuple[ShutDoor, ...]:
     return tuple(
         ShutDoor(number, zone, met(shapely.get_parts(space.free), zone))
         for number, zone in further_doors(room, agent.radius).items()
-        if not any(misfits(room, number, agent)) and space.main.intersection(zone).area <= SLIVER
+        if not any(misfits(room, number, agent)) and space.main.intersection(zone).area <= JUDGE.sliver
     )
 
 
 def misfits(room: Room, number: int, agent: Agent) -> Iterator[str]:
     """Yield why a body does not fit through a door."""
     door, across = room.doors[number], agent.width or 2 * agent.radius
-    if door.width < across - REACH_SLACK:
+    if door.width < across - ROUNDING:
         yield f"Door {number} is {door.width:.2f} m wide, {agent.name} needs {across:.2f} m: it cannot come in."
-    if door.height < agent.height - REACH_SLACK:
+    if door.height < agent.height - ROUNDING:
         yield f"Door {number} is {door.height:.2f} m high, {agent.name} is {agent.height:.2f} m: it cannot come in."

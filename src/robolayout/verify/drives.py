@@ -18,12 +18,11 @@ import shapely
 from shapely import Polygon
 
 from robolayout.scene import Point, Room
-from robolayout.verify.heading import HEADINGS, HeadingSpace, Node
+from robolayout.verify.heading import HeadingSpace, Node
+from robolayout.verify.limits import FINE
 from robolayout.verify.routes import Mesh
 
 Pose = tuple[float, float, float]  # x and y of a body's centre in metres and its heading in radians
-TURN = 0.5  # metres of detour that a turn by one heading is worth
-INSIDE = 1e-4  # metres that a spot to turn on lies inside the place where turning is possible, against rounding
 
 
 @dataclass(frozen=True)
@@ -94,7 +93,7 @@ class _Planner:
             done.add(node)
             for other, place, turn in links.get(node, ()):
                 spot = _nearest(place, at)
-                further = spent + math.dist(at, spot) + TURN
+                further = spent + math.dist(at, spot) + FINE.turn
                 if further < cost.get(other, math.inf):
                     cost[other], self._spot[other] = further, spot
                     self._before[other] = (node, place, turn)
@@ -114,7 +113,7 @@ class _Planner:
         poses = [(*at, heading)]
         for (node, _, _), (_, goal, turn) in pairwise(chain):
             poses += [(*point, heading) for point in self._way(node, poses[-1][:2], goal)]
-            heading += turn * math.pi / HEADINGS
+            heading += turn * math.pi / FINE.headings
             poses.append((*poses[-1][:2], heading))
         poses += [(*point, heading) for point in self._way(chain[-1][0], poses[-1][:2], stand)]
         return Drive(name, tuple(pose for pose, before in zip(poses, [None, *poses], strict=False) if pose != before))
@@ -137,12 +136,12 @@ class _Planner:
         if shapely.covers(piece.buffer(1e-9), shapely.LineString((start, goal))):
             return (goal,)
         mesh = self._meshes.get(node) or self._meshes.setdefault(node, Mesh(piece))
-        points = mesh.route(mesh.search(start), shapely.Point(goal).buffer(INSIDE))
+        points = mesh.route(mesh.search(start), shapely.Point(goal).buffer(FINE.inside))
         return (*points[1:], goal)
 
 
 def _nearest(place: Polygon, point: Point) -> Point:
     """Return the spot in a place, a little inside its edge, that is nearest to a point."""
-    inner = place.buffer(-INSIDE)
+    inner = place.buffer(-FINE.inside)
     x, y = shapely.get_coordinates(shapely.shortest_line(place if inner.is_empty else inner, shapely.Point(point)))[0]
     return (float(x), float(y))

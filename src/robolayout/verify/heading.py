@@ -19,15 +19,14 @@ from numpy.typing import NDArray
 from shapely import MultiPolygon, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from robolayout.scene import LANDING_DEPTH, Agent, Layout, Room, Scene
+from robolayout.scene import ROUNDING, Agent, Layout, Room, Scene
+from robolayout.scene.room import OPENINGS
 from robolayout.verify._boxes import boxes, room_polygon
 from robolayout.verify._obstacles import Obstacles, obstacles
 from robolayout.verify._space import all_free, components, disc_space, opened
-from robolayout.verify.limits import REACH_SLACK
+from robolayout.verify.limits import FINE
 
 Node = tuple[int, int]  # a piece of free space: number of its heading, and its own among those of that heading
-HEADINGS = 8
-"""Headings in half a turn; a rectangle looks the same half a turn later, so this is a lattice of 22.5 degrees."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,16 +54,16 @@ class Headings:
 
     def __init__(self, room: Room, blocking: Obstacles, agent: Agent) -> None:
         self._room, self._blocking, self._agent = room, blocking, agent
-        wall, self._step = room.walls[room.doors[0].wall if room.doors else 0], math.pi / HEADINGS
+        wall, self._step = room.walls[room.doors[0].wall if room.doors else 0], math.pi / FINE.headings
         first = math.atan2(wall.normal[1], wall.normal[0])
-        self.headings = tuple(first + self._step * k for k in range(HEADINGS))
+        self.headings = tuple(first + self._step * k for k in range(FINE.headings))
         self._free: dict[int, list[Polygon]] = {}
         self._opened: dict[frozenset[int], tuple[tuple[int, Polygon], ...]] = {}
 
     @cached_property
     def space(self) -> HeadingSpace:
         """All of it."""
-        return self._joined(range(HEADINGS))
+        return self._joined(range(FINE.headings))
 
     @cached_property
     def surely(self) -> tuple[MultiPolygon, ...]:
@@ -72,7 +71,7 @@ class Headings:
         if not self._room.doors:
             return ()
         two = self._agent.turning_diameter is not None
-        return self._joined((0, HEADINGS // 2) if two else (0,)).standing
+        return self._joined((0, FINE.headings // 2) if two else (0,)).standing
 
     @cached_property
     def at_most(self) -> BaseGeometry:
@@ -96,7 +95,7 @@ class Headings:
     def _joined(self, numbers: Sequence[int]) -> HeadingSpace:
         """Return where the body gets to with these headings alone."""
         room, agent, shapes = self._room, self._agent, self._blocking.shapes
-        free = [self._pieces(k) if k in numbers else [] for k in range(HEADINGS)]
+        free = [self._pieces(k) if k in numbers else [] for k in range(FINE.headings)]
         joined = _Joined(free)
         pairs = [(k, numbers[(i + 1) % len(numbers)]) for i, k in enumerate(numbers)] if len(numbers) > 1 else []
         for place in self._turning if pairs else ():
@@ -111,7 +110,7 @@ class Headings:
         return HeadingSpace(
             headings=self.headings,
             standing=tuple(
-                MultiPolygon([p for i, p in enumerate(free[k]) if (k, i) in group]) for k in range(HEADINGS)
+                MultiPolygon([p for i, p in enumerate(free[k]) if (k, i) in group]) for k in range(FINE.headings)
             ),
             turning=MultiPolygon([place for place in self._turning if joined.node(0, place) in group] if pairs else []),
             pieces={(k, i): free[k][i] for k, i in sorted(group)},
@@ -121,9 +120,9 @@ class Headings:
 
     def _start(self, joined: _Joined) -> Node | None:
         room, agent = self._room, self._agent
-        if room.doors and (agent.width or 0.0) > room.doors[0].width + REACH_SLACK:
+        if room.doors and (agent.width or 0.0) > room.doors[0].width + ROUNDING:
             return None
-        return joined.entry(room, max(LANDING_DEPTH, agent.length or 0.0))
+        return joined.entry(room, max(OPENINGS.landing_depth, agent.length or 0.0))
 
     def _pieces(self, number: int) -> list[Polygon]:
         """Return the pieces of the free space of one heading."""

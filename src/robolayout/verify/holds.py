@@ -20,9 +20,9 @@ from shapely.geometry.base import BaseGeometry
 from robolayout.assets import Joint, parts, turned
 from robolayout.scene import Agent, Asset, Hold, Point
 from robolayout.verify._boxes import Boxes, Place, in_plan, out_of_room
-from robolayout.verify._space import QUAD_SEGS
 from robolayout.verify.drives import Pose
 from robolayout.verify.heading import grown, rectangle
+from robolayout.verify.limits import FINE
 
 STEPS = 12  # steps of a leaf from shut to open
 STRIDE = 0.10  # metres that a body may move while the leaf makes one of them
@@ -100,7 +100,7 @@ def _opening(asset: Asset, joint: Joint, z: float, agent: Agent, heading: float,
     """Return what opening asks; the same in every layout in which the thing's middle is as high."""
     met = _met(_leaf(asset, joint), agent, heading, z)
     hands = [shapely.Point(turned(joint, np.array([joint.handle]), far)[0, :2]) for far in _steps(joint)]
-    near: Any = shapely.buffer(hands, reach, quad_segs=QUAD_SEGS)
+    near: Any = shapely.buffer(hands, reach, quad_segs=FINE.quad_segs)
     free = [ring.difference(shapely.union_all(met[max(k - 1, 0) : k + 1])) for k, ring in enumerate(near)]
     about = shapely.box(*shapely.total_bounds(near))
     return _Opening(met, np.array(free), shapely.intersection_all(free), about)
@@ -148,7 +148,7 @@ def _aside(found: Boxes, row: int, joint: Joint) -> tuple[str, ...]:
 def _met(leaf: _Leaf, agent: Agent, heading: float, z: float) -> NDArray[np.object_]:
     """Return where the centre of a body is while it meets what is swept at its heights in each step."""
     if agent.length is None or agent.width is None:
-        larger = shapely.buffer(leaf.shapes, agent.radius, quad_segs=QUAD_SEGS)
+        larger = shapely.buffer(leaf.shapes, agent.radius, quad_segs=FINE.quad_segs)
     else:
         larger = grown(leaf.corners, rectangle(agent, heading)).reshape(leaf.shapes.shape)
     larger[~leaf.meets(agent.step - z, agent.height - z)] = shapely.Polygon()

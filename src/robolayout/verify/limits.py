@@ -6,22 +6,56 @@ touching distance with the agent.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
-AREA_TOLERANCE = 1e-4  # square metres of intersection in plan that still count as touching (DESIGN section 4)
-AT = 0.30  # metres within which a movable thing (a chair) stands at another (a table)
-CARRIED = 0.02  # metres between an asset and the surface that carries it (DESIGN section 4)
-LOWER = 1e-3  # metres by which what carries something begins below it, so that no two things carry each other
-STEADY = (0.005, 0.05)
-"""Metres, or the share of its shorter side where that is less, by which the centre of mass of a thing lies within what
-carries it."""
+from robolayout.scene.room import OPENINGS
 
-LOOP = ((0.01, -0.02), (0.01, 0.02), (-0.01, 0.02), (-0.01, -0.02))
-"""Corners in metres, about its middle, of the loop by which a thing hangs from a hook."""
 
-WITHIN = 0.005  # metres by which a thing may reach over the edge of a surface and still lie in it
-REACH_SLACK = 1e-6  # metres of rounding that a distance may be above the reach
-SLIVER = 1e-8  # square metres below which a piece of free space is numerical dust
+@dataclass(frozen=True)
+class Judgement:
+    """When something counts as touching, carried, steady, near or moved."""
+
+    area: float = 1e-4  # square metres of intersection in plan that still count as touching (DESIGN section 4)
+    at: float = 0.30  # metres within which a movable thing (a chair) stands at another (a table)
+    carried: float = 0.02  # metres between an asset and the surface that carries it (DESIGN section 4)
+    # metres by which what carries something begins below it, so that no two things carry each other
+    lower: float = 1e-3
+    # metres, or the share of its shorter side where that is less, by which the centre of mass of a thing lies within what
+    # carries it
+    steady: tuple[float, float] = (0.005, 0.05)
+    loop: tuple[float, float] = (0.01, 0.02)  # half depth and half width of the loop by which a thing hangs from a hook
+    within: float = 0.005  # metres by which a thing may reach over the edge of a surface and still lie in it
+    sliver: float = 1e-8  # square metres below which a piece of free space is numerical dust
+    # metres by which a body's centre may be further from an asset than its radius, and yet be said to touch it
+    touch: float = 0.02
+    along: float = math.radians(30.0)  # angle between a body's heading and an edge up to which it is beside that
+    far: float = 3.0  # metres from a side beyond which no place to stand is looked for
+    wide: float = 1.5  # metres of clear width beyond which a passage is not called narrow any more
+    still: float = 0.01  # metres up to which a thing counts as where the program put it: its numbers are rounded
+    straight: float = 1.0  # degrees up to which it does
+
+
+@dataclass(frozen=True)
+class Fineness:
+    """How finely, and how often, the judge looks."""
+
+    quad_segs: int = 16  # chords per quarter turn in every round corner
+    step: float = 0.005  # metres between the radii of passages that are tried; a width is known to twice that
+    # metres of clear width beyond what the agent needs from which the place of a passage is not looked for
+    located: float = 0.5
+    headings: int = 8  # headings in half a turn, after which a rectangle looks the same: a lattice of 22.5 degrees
+    turn: float = 0.5  # metres of detour that a turn by one heading is worth
+    inside: float = 1e-4  # metres that a spot to turn on lies inside the place for it, against rounding
+    aims: int = 3  # how often the end of a route is moved to the place nearest to its last corner
+    # metres to which corners of the free space are rounded: of two that differ by rounding nobody tells left from right
+    grain: float = 1e-7
+    neighbours: int = 12  # obstacles nearest to an unreached asset that are tried in pairs (66 pairs of 12)
+    trials: int = 400  # sets of assets that are tried in all, some 4 ms each with 40 assets
+    spare: float = 1.0  # metres that an empty room is wider than a thing with the body at full reach on both sides
+
+
+JUDGE, FINE = Judgement(), Fineness()
 
 
 @dataclass(frozen=True)
@@ -37,8 +71,8 @@ class PhysicsLimits:
     """Tolerances of the physical checks; the defaults are the definitions of DESIGN section 4."""
 
     # shared footprint in m2 above which two assets collide, or an asset stands in a landing
-    area: float = AREA_TOLERANCE
+    area: float = JUDGE.area
     height: float = 0.01  # shared height in metres above which two assets collide
     boundary: float = 0.01  # metres that a box may stick out of the room, in plan and in height
-    support: float = CARRIED  # metres between an asset and what holds it
-    door_height: float = 2.0  # metres below which nothing may stand in a landing
+    support: float = JUDGE.carried  # metres between an asset and what holds it
+    door_height: float = OPENINGS.landing_height  # metres below which nothing may stand in a landing

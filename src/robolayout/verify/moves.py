@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from robolayout.scene import Agent, Layout, Pose, Scene
 from robolayout.verify._boxes import boxes
+from robolayout.verify.limits import JUDGE
 from robolayout.verify.navigation import navigation
 from robolayout.verify.physics import physics
 from robolayout.verify.proofs import exempt_from_reach, exempt_from_use
@@ -16,9 +17,6 @@ from robolayout.verify.use import usage
 
 if TYPE_CHECKING:
     from robolayout.program import Program
-
-STILL, STRAIGHT = 0.01, 1.0
-"""Metres and degrees up to which a thing counts as where the program put it: its numbers are rounded."""
 
 TOLD = 3  # reasons that are told of each thing
 
@@ -36,7 +34,7 @@ class Move:
     @property
     def sentence(self) -> str:
         """The same in a sentence."""
-        turned = f" and turned by {self.degrees:.0f} degrees" if self.degrees > STRAIGHT else ""
+        turned = f" and turned by {self.degrees:.0f} degrees" if self.degrees > JUDGE.straight else ""
         there = "; ".join(text.rstrip(".") for text in self.why[:TOLD]) or "nothing would be violated by it alone"
         return f"{self.asset} was moved by {self.metres:.2f} m{turned}. Where the program put it: {there}."
 
@@ -71,7 +69,7 @@ def _off(layout: Layout, program: Program) -> list[Move]:
         pose = layout[name]
         metres = math.dist((pose.x, pose.y), guess.position[:2])
         degrees = 0.0 if guess.yaw is None else abs(math.degrees(math.remainder(pose.yaw - guess.yaw, math.tau)))
-        if metres > STILL or degrees > STRAIGHT:
+        if metres > JUDGE.still or degrees > JUDGE.straight:
             found.append(Move(name, metres, degrees, ()))
     return found
 

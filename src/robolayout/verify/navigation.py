@@ -17,17 +17,14 @@ import shapely
 from shapely import MultiPolygon, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from robolayout.scene import Agent, Layout, Point, Scene
+from robolayout.scene import ROUNDING, Agent, Layout, Point, Scene
 from robolayout.verify._boxes import Boxes, boxes, share
 from robolayout.verify._obstacles import Obstacles, obstacles
 from robolayout.verify._space import Space, disc_space, plan_distances, reached_rows, standing_distances
 from robolayout.verify.doors import ShutDoor, shut_doors
-from robolayout.verify.limits import REACH_SLACK
+from robolayout.verify.limits import JUDGE
 from robolayout.verify.passages import Passage, find_door_passages, find_passages
 from robolayout.verify.routes import Route, entry_point, find_routes
-
-TOUCH = 0.02
-"""Metres by which a body's centre may be further from an asset than its radius, and yet be said to touch it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +75,7 @@ class Navigation:
 
     def only_behind(self, door: ShutDoor) -> tuple[str, ...]:
         """Return the assets that are within reach from behind a shut door and from nowhere else."""
-        near = shapely.distance(self.boxes.footprints, door.beyond) <= self.agent.reach + REACH_SLACK
+        near = shapely.distance(self.boxes.footprints, door.beyond) <= self.agent.reach + ROUNDING
         return tuple(name for name in self.unreached if near[self.boxes.names.index(name)])
 
     @cached_property
@@ -109,7 +106,7 @@ class Navigation:
             return ()
         shapes = self.blocking.shapes
         gaps = np.maximum(shapely.distance(shapes, beyond), shapely.distance(shapes, self.main))
-        touching = np.flatnonzero(gaps <= self.space.radius + TOUCH)
+        touching = np.flatnonzero(gaps <= self.space.radius + JUDGE.touch)
         rows = self.blocking.rows[touching[np.argsort(gaps[touching], kind="stable")]]
         return tuple(dict.fromkeys(self.boxes.names[row] for row in rows))
 

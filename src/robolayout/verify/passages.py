@@ -16,16 +16,12 @@ import numpy as np
 import shapely
 from shapely import LineString, Polygon
 
-from robolayout.scene import Agent, Layout, Point, Scene
+from robolayout.scene import ROUNDING, Agent, Layout, Point, Scene
 from robolayout.verify._boxes import Boxes, boxes
 from robolayout.verify._obstacles import obstacles
 from robolayout.verify._space import Space, disc_space, further_doors, plan_distances, reached_rows
-from robolayout.verify.limits import REACH_SLACK, SLIVER
+from robolayout.verify.limits import FINE, JUDGE
 from robolayout.verify.routes import find_routes
-
-STEP = 0.005  # metres between the radii that are tried; a width is known to twice that
-WIDE = 1.5  # metres of clear width beyond which a passage is not called narrow any more
-LOCATED = 0.5  # metres of clear width beyond what the agent needs from which the place of a passage is not looked for
 
 
 @dataclass(frozen=True)
@@ -33,7 +29,7 @@ class Passage:
     """The narrowest place on the widest way to an asset."""
 
     asset: str  # where the way leads
-    # clear width in metres, to 1 cm; 0 if not even a disc of 1 cm gets there, `WIDE` stands for that or more
+    # clear width in metres, to 1 cm; 0 if not even a disc of 1 cm gets there, `JUDGE.wide` stands for that or more
     width: float
     # where it is, metres; None where no passage limits the way (open floor, ample width, or an arm too short)
     point: Point | None
@@ -56,7 +52,7 @@ class Passage:
         """The width in words: "0.62 m", "1.50 m or more", "none"."""
         if self.width == 0:
             return "none"
-        return f"{self.width:.2f} m" + (" or more" if self.width >= WIDE - 1e-9 else "")
+        return f"{self.width:.2f} m" + (" or more" if self.width >= JUDGE.wide - 1e-9 else "")
 
 
 def find_passages(scene: Scene, layout: Layout, agent: Agent, names: Sequence[str]) -> dict[str, Passage]:
@@ -71,7 +67,7 @@ def find_passages(scene: Scene, layout: Layout, agent: Agent, names: Sequence[st
 def find_door_passages(scene: Scene, layout: Layout, agent: Agent, numbers: Sequence[int]) -> dict[int, Passage]:
     """Return the narrowest passage on the way from the first door to the landing of each of these."""
     search, room = _Search(scene, boxes(scene, layout), agent), scene.room
-    thresholds = {number: Polygon(room.landing(room.doors[number], STEP)) for number in numbers}
+    thresholds = {number: Polygon(room.landing(room.doors[number], FINE.step)) for number in numbers}
     goals = {f"door {number}": (goal, partial(search.enters, number)) for number, goal in thresholds.items()}
     found = search.passages(goals)
     return {n: replace(found[f"door {n}"], cut_off=found[f"door {n}"].width == 0) for n in numbers}
@@ -97,14 +93,14 @@ class _Search:
     def passages(self, goals: Mapping[str, tuple[Polygon, Callable[[int], bool]]]) -> dict[str, Passage]:
         """Return the narrowest passage to each goal: its outline, and whether a disc of so many steps gets there."""
         radius = self._agent.radius
-        top = max(math.ceil(WIDE / 2 / STEP), math.floor(radius / STEP) + 1)
+        top = max(math.ceil(JUDGE.wide / 2 / FINE.step), math.floor(radius / FINE.step) + 1)
         widest = {name: largest(holds, top) for name, (_, holds) in goals.items()}
-        result = {name: Passage(name, 2 * STEP * min(step, top), None, ()) for name, step in widest.items()}
-        located = min(top, math.ceil((radius + LOCATED / 2) / STEP))
+        result = {name: Passage(name, 2 * FINE.step * min(step, top), None, ()) for name, step in widest.items()}
+        located = min(top, math.ceil((radius + FINE.located / 2) / FINE.step))
         for step in sorted({step for step in widest.values() if 0 < step < located}):
             group = {name: goals[name][0] for name, found in widest.items() if found == step}
             for name, place in self.necks(step, group).items():
-                between, ends = self.neighbours(place, step * STEP)
+                between, ends = self.neighbours(place, step * FINE.step)
                 result[name] = replace(result[name], point=place, between=between, ends=ends)
         return result
 
@@ -117,7 +113,7 @@ class _Search:
     def space(self, step: int) -> tuple[Space, list[bool]]:
         """Return the free space of a disc of `step` lattice steps and what it reaches."""
         if step not in self._spaces:
-            radius = step * STEP
+            radius = step * FINE.step
             space = disc_space(self._scene.room, self._obstacles, radius)
             reach = replace(self._agent, radius=radius).reach
             reached = reached_rows(self._found, plan_distances(self._found, space, reach), reach)
@@ -128,19 +124,19 @@ class _Search:
         return self.space(step)[1][row]
 
     def enters(self, number: int, step: int) -> bool:
-        zone = further_doors(self._scene.room, step * STEP).get(number)
-        return zone is not None and self.space(step)[0].main.intersection(zone).area > SLIVER
+        zone = further_doors(self._scene.room, step * FINE.step).get(number)
+        return zone is not None and self.space(step)[0].main.intersection(zone).area > JUDGE.sliver
 
     def stands_near(self, name: str) -> bool:
         """Tell whether the smallest disc could stand within reach of an asset, wherever it came from."""
         free = self.space(1)[0].free
-        reach = replace(self._agent, radius=STEP).reach
-        return not free.is_empty and free.distance(self.footprint(name)) <= reach + REACH_SLACK
+        reach = replace(self._agent, radius=FINE.step).reach
+        return not free.is_empty and free.distance(self.footprint(name)) <= reach + ROUNDING
 
     def necks(self, step: int, goals: Mapping[str, Polygon]) -> dict[str, Point]:
         """Return where the ways of the widest disc are cut when it grows by one step."""
         space, grown = self.space(step)[0], self.space(step + 1)[0]
-        reopened = grown.free.buffer(1.5 * STEP)
+        reopened = grown.free.buffer(1.5 * FINE.step)
         result: dict[str, Point] = {}
         for name, route in find_routes(self._scene.room, space, goals).items():
             cut = [part for part in shapely.get_parts(route.line.difference(reopened)) if isinstance(part, LineString)]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from robolayout._html import bullets, paragraph, table
 from robolayout._text import markdown as plain
 from robolayout.verify.agent_report import AgentReport
-from robolayout.verify.passages import WIDE
+from robolayout.verify.limits import JUDGE
 from robolayout.verify.use import Use
 from robolayout.words import AskedRow
 
@@ -161,7 +161,7 @@ def _agent_table(report: AgentReport) -> list[str]:
         lines.append(f"The room has no door: {plain(report.agent.name)} starts in the largest free part of the floor.")
     largest, needed = report.remedies.largest_disc, 2 * report.agent.radius
     if largest > 0:
-        more = " or more" if largest >= WIDE - 1e-9 else ""
+        more = " or more" if largest >= JUDGE.wide - 1e-9 else ""
         lines.append(
             f"The widest disc that reaches everything asked is {largest:.2f} m{more}; this body needs {needed:.2f} m."
         )

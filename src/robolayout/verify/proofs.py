@@ -18,20 +18,18 @@ import shapely
 from numpy.typing import NDArray
 
 from robolayout.assets import prisms_of
-from robolayout.scene import Agent, Asset, Scene
+from robolayout.scene import ROUNDING, Agent, Asset, Scene
 from robolayout.verify._alone import unusable_alone
 from robolayout.verify._boxes import Boxes, landings, room_polygon
 from robolayout.verify._obstacles import NOTHING
 from robolayout.verify._space import disc_space, plan_distances, reached_rows
 from robolayout.verify.doors import misfits
-from robolayout.verify.limits import REACH_SLACK, PhysicsLimits
+from robolayout.verify.limits import FINE, PhysicsLimits
 from robolayout.verify.navigation import Navigation
 from robolayout.verify.passages import largest
 
-NEIGHBOURS = 12  # obstacles nearest to an unreached asset that are tried in pairs (66 pairs of 12)
 NAMED = 3  # things, or kinds of things, that a sentence names
 HEIGHTS = np.arange(0.02, 1.5, 0.01)  # metres above the floor at which it is counted what all things fill
-TRIALS = 400  # sets of assets that are tried in all, some 4 ms each with 40 assets
 
 
 @dataclass(frozen=True)
@@ -98,7 +96,7 @@ def exempt_from_use(scene: Scene, agent: Agent) -> dict[str, str]:
     for asset in scene.assets:
         if asset.name in lying or not asset.on_floor or asset.on_wall or asset.on_object or asset.is_flat:
             continue
-        if asset.size[2] < down_to - REACH_SLACK:
+        if asset.size[2] < down_to - ROUNDING:
             aside[asset.name] = (
                 f"{asset.name} ends {asset.size[2]:.2f} m high and {agent.name} reaches down to {down_to:.2f} m"
             )
@@ -189,7 +187,7 @@ def body_misfits(scene: Scene, agent: Agent) -> Iterator[str]:
     room, name = scene.room, agent.name
     if room.doors:
         yield from misfits(room, 0, agent)
-    if room.wall_height < agent.height - REACH_SLACK:
+    if room.wall_height < agent.height - ROUNDING:
         yield f"The room is {room.wall_height:.2f} m high, {name} is {agent.height:.2f} m: it cannot stand in it."
 
 
@@ -223,7 +221,7 @@ class _Trials:
         """Return the smallest sets, of one or else of two, without which an asset is reached."""
         row, feet = self._found.names.index(name), self._found.footprints
         rows = [other for other in self._rows if other not in self._below[row]]
-        near = sorted(sorted(rows, key=lambda other: feet[other].distance(feet[row]))[:NEIGHBOURS])
+        near = sorted(sorted(rows, key=lambda other: feet[other].distance(feet[row]))[: FINE.neighbours])
         for sets in (itertools.combinations(rows, 1), itertools.combinations(near, 2)):
             helpful = [group for group in sets if self._reached(group, row)]
             if helpful:
@@ -233,7 +231,7 @@ class _Trials:
     def _reached(self, removed: tuple[int, ...], row: int) -> bool:
         """Tell whether an asset is reached without some others; no once all trials are used up."""
         if removed not in self._tried:
-            if len(self._tried) >= TRIALS:
+            if len(self._tried) >= FINE.trials:
                 return False
             kept = {other for other in self._rows if not self._below[other].intersection(removed)}
             space = disc_space(self._nav.scene.room, self._nav.blocking.of(kept), self._nav.agent.radius)

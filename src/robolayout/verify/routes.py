@@ -18,14 +18,10 @@ import shapely
 from shapely import LineString, Polygon
 
 from robolayout.scene import Point, Room
-from robolayout.scene.agent import TOUCH
+from robolayout.scene.agent import BODY
 from robolayout.verify._boxes import room_polygon
-from robolayout.verify._space import QUAD_SEGS, Space
-
-AIMS = 3  # how often the end of a route is moved to the place nearest to its last corner
-GRAIN = 1e-7
-"""Metres to which corners of the free space are rounded, since of two that differ by rounding nobody can tell left from right."""
-
+from robolayout.verify._space import Space
+from robolayout.verify.limits import FINE
 
 Portal = tuple[Point, Point]  # the ends of an edge that a way crosses: left and right
 
@@ -71,8 +67,8 @@ def find_routes(room: Room, space: Space, goals: Mapping[str, Polygon]) -> dict[
     tree = mesh.search(start)
     result: dict[str, Route] = {}
     for name, footprint in goals.items():
-        near = 1.002 * max(space.main.distance(footprint), space.radius + TOUCH) + 1e-4
-        result[name] = Route(name, mesh.route(tree, footprint.buffer(near, quad_segs=QUAD_SEGS)))
+        near = 1.002 * max(space.main.distance(footprint), space.radius + BODY.touch) + 1e-4
+        result[name] = Route(name, mesh.route(tree, footprint.buffer(near, quad_segs=FINE.quad_segs)))
     return result
 
 
@@ -80,7 +76,7 @@ class Mesh:
     """The triangles of a polygon and who neighbours whom."""
 
     def __init__(self, polygon: Polygon) -> None:
-        even = shapely.set_precision(polygon, GRAIN)
+        even = shapely.set_precision(polygon, FINE.grain)
         triangles = shapely.get_parts(shapely.constrained_delaunay_triangles(even))
         rings = shapely.get_coordinates(triangles).reshape(-1, 4, 2)[:, :3]
         self._triangles = triangles
@@ -133,7 +129,7 @@ class Mesh:
         portals = self._portals(tree, last)
         points: tuple[Point, ...] = (tree.cost[last][1], tree.cost[last][1])
         last_aim: Point | None = None
-        for _ in range(AIMS):
+        for _ in range(FINE.aims):
             x, y = shapely.get_coordinates(shapely.shortest_line(target, shapely.Point(points[-2:][0])))[0].tolist()
             if (x, y) == last_aim:
                 break

@@ -23,8 +23,8 @@ from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from robolayout.assets import sweeps_of
-from robolayout.scene import Agent, Hold, Layout, Point, Scene
-from robolayout.scene.agent import TOUCH, horizontal_reach
+from robolayout.scene import ROUNDING, Agent, Hold, Layout, Point, Scene
+from robolayout.scene.agent import BODY, horizontal_reach
 from robolayout.verify._approaches import approaches, needs_no_use
 from robolayout.verify._boxes import in_room, out_of_room, room_polygon, share, shared_area
 from robolayout.verify._knees import frontal, is_sat_at
@@ -34,11 +34,8 @@ from robolayout.verify._swept import Swept, by_hand, handle_heights, handle_near
 from robolayout.verify.drives import Drive, entry
 from robolayout.verify.heading import HeadingSpace, rectangle
 from robolayout.verify.holds import find_hold
-from robolayout.verify.limits import AREA_TOLERANCE, REACH_SLACK
+from robolayout.verify.limits import JUDGE
 from robolayout.verify.navigation import Navigation, navigation
-
-ALONG = math.radians(30.0)  # angle between a body's heading and an edge up to which it is beside that
-FAR = 3.0  # metres from a side beyond which no place to stand is looked for
 
 
 @dataclass(frozen=True)
@@ -209,7 +206,7 @@ class _Judge:
             return ~sideways
         along = self.ways.edges[:, 1] - self.ways.edges[:, 0]
         across = np.abs(along[:, 0] * math.sin(heading) - along[:, 1] * math.cos(heading)) / np.hypot(*along.T)
-        return ~sideways | (across <= math.sin(ALONG))
+        return ~sideways | (across <= math.sin(JUDGE.along))
 
     @property
     def _each(self) -> Iterator[tuple[int, str]]:
@@ -298,7 +295,7 @@ class _Judge:
         shapely.prepare((self._room, *zones))
         blockers = {row: list[str]() for row in rows.tolist()}
         for k in np.flatnonzero(~shapely.covers(self._room, zones)).tolist():
-            if zones[k].difference(self._room).area > AREA_TOLERANCE:
+            if zones[k].difference(self._room).area > JUDGE.area:
                 blockers[int(rows[k])].append("the wall")
         others = np.flatnonzero(found.placed & ~found.flat & ~found.movable)
         near = (
@@ -307,7 +304,7 @@ class _Judge:
         )
         near &= shapely.intersects(zones[:, None], found.footprints[others]) & (others != rows[:, None])
         at, what = np.nonzero(near)
-        inside = shared_area(found.footprints[others[what]], zones[at]) > AREA_TOLERANCE
+        inside = shared_area(found.footprints[others[what]], zones[at]) > JUDGE.area
         for k, other in zip(at[inside].tolist(), others[what[inside]].tolist(), strict=True):
             blockers[int(rows[k])].append(found.names[other])
         return {row: tuple(dict.fromkeys(names)) for row, names in blockers.items()}
@@ -343,14 +340,14 @@ class _Judge:
             return self._held[row]
         moved, beside = self.stances.opened(row)
         chairs, place = tuple(self.found.names[i] for i in sorted(moved)), self.found.where(row)[1]
-        before = self.ways.zone(next(i for i in self.ways.of(row) if self.ways.sides[i] == "front"), FAR)
+        before = self.ways.zone(next(i for i in self.ways.of(row) if self.ways.sides[i] == "front"), JUDGE.far)
         regions = [
             (self.stances.heading(number) - place[3], out_of_room(region & before, place), aside)
             for places, aside in ((self.stances.everywhere, ()), (beside, chairs))
             for number, region in places
         ]
         self._held[row] = tuple(
-            find_hold(self.found, self.agent, row, joint, reach + REACH_SLACK, regions)
+            find_hold(self.found, self.agent, row, joint, reach + ROUNDING, regions)
             for joint, reach in by_hand(self.found, self.agent, row)
         )
         return self._held[row]
@@ -388,19 +385,19 @@ class _Judge:
         if row in self._held:
             return "there is no place from which it could hold any of its doors and drawers until that is open"
         away = min((self._nearest(row, i) for i in numbers), default=math.inf)
-        if away > FAR:
+        if away > JUDGE.far:
             return f"there is no place to stand at its {sides}"
         if "sideways" in self._approach[numbers] and away <= reach:
             return f"it has no room for knees below its {sides}, and there is no place beside it"
         if self._touches:
-            return f"the nearest that it gets to its {sides} is {away:.2f} m, touching distance is {TOUCH:.2f} m"
+            return f"the nearest that it gets to its {sides} is {away:.2f} m, touching distance is {BODY.touch:.2f} m"
         if away <= reach:
             return f"where it would reach its {sides}, what opens there is in its way"
         return f"the nearest place to stand is {away:.2f} m from its {sides}, reach is {reach:.2f} m at that height"
 
     def _nearest(self, row: int, number: int) -> float:
         """Return metres from an approach to the nearest place to stand beyond it (or to a body that only touches)."""
-        zone, target = self.ways.zone(number, FAR), self.ways.target(number)
+        zone, target = self.ways.zone(number, JUDGE.far), self.ways.target(number)
         away = math.inf
         for heading, region in (*self.stances.everywhere, *self.stances.opened(row)[1]):
             place = region.intersection(zone)

@@ -6,6 +6,8 @@ wide, blocks every pixel within half that width of the box.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 import shapely
 from numpy.typing import NDArray
@@ -15,10 +17,19 @@ from robolayout.scene import Layout, Room, Scene
 from robolayout.verify._boxes import Boxes, boxes, shared_area
 from robolayout.verify.metrics._raster import Raster, raster
 
-ROBOT_WIDTH = 0.3  # metres
-HIGH = 1.5  # metres of box-centre height from which an object is no obstacle
-MARGIN = 0.2  # metres around the room in the picture
-ROUNDING = 1e-9  # metres and square metres that boxes may share by rounding: what stands on something only touches it
+
+@dataclass(frozen=True)
+class PhySceneConfig:
+    """The figures of PhyScene's code."""
+
+    robot_width: float = 0.3  # metres of the robot's width
+    high: float = 1.5  # metres of box-centre height from which an object is no obstacle
+    margin: float = 0.2  # metres around the room in the picture
+    # metres and square metres that boxes may share by rounding: what stands on something only touches it
+    rounding: float = 1e-9
+
+
+PHYSCENE = PhySceneConfig()
 
 
 def physcene(scene: Scene, layout: Layout) -> dict[str, float]:
@@ -31,11 +42,11 @@ def physcene(scene: Scene, layout: Layout) -> dict[str, float]:
     found = boxes(scene, layout)
     rows = np.flatnonzero(found.placed)
     hit = _overlapping(found, rows)
-    picture = raster(scene.room, MARGIN)
+    picture = raster(scene.room, PHYSCENE.margin)
     outside = [bool((picture.mask(found.footprints[row]) & ~picture.floor).any()) for row in rows]
-    blocking = [row for row in rows.tolist() if (found.bottom[row] + found.top[row]) / 2 < HIGH]
-    masks = [picture.mask(found.footprints[row].buffer(ROBOT_WIDTH / 2)) for row in blocking]
-    free = picture.eroded_floor(ROBOT_WIDTH) & ~np.logical_or.reduce([np.zeros_like(picture.floor), *masks])
+    blocking = [row for row in rows.tolist() if (found.bottom[row] + found.top[row]) / 2 < PHYSCENE.high]
+    masks = [picture.mask(found.footprints[row].buffer(PHYSCENE.robot_width / 2)) for row in blocking]
+    free = picture.eroded_floor(PHYSCENE.robot_width) & ~np.logical_or.reduce([np.zeros_like(picture.floor), *masks])
     numbered, counts = components(free)
     return {
         "Col_obj": float(hit.mean()) if len(hit) else 0.0,
@@ -54,7 +65,7 @@ def _overlapping(found: Boxes, rows: NDArray[np.intp]) -> NDArray[np.bool_]:
     a, b = rows[first], rows[second]
     height = np.minimum(found.top[a], found.top[b]) - np.maximum(found.bottom[a], found.bottom[b])
     area = shared_area(found.footprints[a], found.footprints[b])
-    both = (height > ROUNDING) & (area > ROUNDING)
+    both = (height > PHYSCENE.rounding) & (area > PHYSCENE.rounding)
     hit[first[both]] = hit[second[both]] = True
     return hit
 
@@ -70,7 +81,7 @@ def _walkable(room: Room, picture: Raster, numbered: NDArray[np.int32], counts: 
         x, y = room.walls[door.wall].point(door.center)
         away = np.hypot(picture.x[ys, xs] - x, picture.y[ys, xs] - y)
         nearest = int(np.argmin(away))
-        near = away[nearest] / picture.pixel <= ROBOT_WIDTH / picture.pixel + 1
+        near = away[nearest] / picture.pixel <= PHYSCENE.robot_width / picture.pixel + 1
         shares.append(float(counts[numbered[ys[nearest], xs[nearest]] - 1] / counts.sum()) if near else 0.0)
     return float(np.mean(shares))
 

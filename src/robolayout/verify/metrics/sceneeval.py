@@ -23,15 +23,25 @@ from robolayout.scene import Layout, Opening, Room, Scene
 from robolayout.verify._boxes import Boxes, boxes, room_polygon, share
 from robolayout.verify._sides import side_edge, strip
 from robolayout.verify.metrics._raster import raster
-from robolayout.verify.metrics.support import NEAR, supported
+from robolayout.verify.metrics.support import SUPPORT, supported
 
-ROBOT_WIDTH = 0.2  # metres
-HIGH = 2.0  # metres of box-centre height above which an object is no obstacle
-NUDGE = 0.005  # metres that the other object is moved before a collision is tested again
-SIDE_GAP, SIDE_DEPTH = 0.05, 0.2  # metres between a functional side and the rectangle that must be free, and its depth
-POINTS_PER_VOLUME, LEAST_POINTS, MOST_POINTS = 5000, 1000, 200_000
-"""Surface points per m3 of box, and their bounds; the upper one is ours."""
-WINDOW_DEPTH = 0.5  # metres that a window's clearance is deep; a door's is as deep as the door is wide
+
+@dataclass(frozen=True)
+class SceneEvalConfig:
+    """The figures of SceneEval's code."""
+
+    robot_width: float = 0.2  # metres of the robot's width
+    high: float = 2.0  # metres of box-centre height above which an object is no obstacle
+    nudge: float = 0.005  # metres that the other object is moved before a collision is tested again
+    side_gap: float = 0.05  # metres between a functional side and the rectangle that must be free
+    side_depth: float = 0.2  # metres that this rectangle is deep
+    points_per_volume: int = 5000  # surface points per cubic metre of a box
+    least_points: int = 1000  # least of them
+    most_points: int = 200_000  # most of them; this bound is ours
+    window_depth: float = 0.5  # metres that a window's clearance is deep; a door's is as deep as the door is wide
+
+
+SCENEEVAL = SceneEvalConfig()
 
 
 @dataclass(frozen=True)
@@ -87,7 +97,7 @@ def colliding(found: Boxes) -> set[str]:
     first, second = shapely.STRtree(found.footprints[rows]).query(found.footprints[rows], predicate="intersects")
     hit: set[str] = set()
     for a, b in zip(rows[first].tolist(), rows[second].tolist(), strict=True):
-        if a >= b or found.lies_in(a, b, NEAR) or found.lies_in(b, a, NEAR):
+        if a >= b or found.lies_in(a, b, SUPPORT.near) or found.lies_in(b, a, SUPPORT.near):
             continue
         contacts = _contacts(found, a, b, (0.0, 0.0, 0.0))
         if contacts and _contacts(found, a, b, _nudge(found, b, contacts)):
@@ -116,20 +126,20 @@ def _nudge(found: Boxes, b: int, contacts: list[tuple[BaseGeometry, float]]) -> 
     away = np.array(middle) - (contact.x, contact.y, height)
     length = float(np.linalg.norm(away))
     unit = away / length if length > 0 else np.array([0.0, 0.0, 1.0])
-    return (NUDGE * float(unit[0]), NUDGE * float(unit[1]), NUDGE * float(unit[2]))
+    return (SCENEEVAL.nudge * float(unit[0]), SCENEEVAL.nudge * float(unit[1]), SCENEEVAL.nudge * float(unit[2]))
 
 
 def _nav(room: Room, found: Boxes) -> float:
     picture = raster(room, 0.2)
-    free = picture.eroded_floor(ROBOT_WIDTH)
+    free = picture.eroded_floor(SCENEEVAL.robot_width)
     for row in map(int, _obstacles(found)):
-        free &= ~picture.mask(found.footprints[row].buffer(ROBOT_WIDTH / 2))
+        free &= ~picture.mask(found.footprints[row].buffer(SCENEEVAL.robot_width / 2))
     _, counts = components(free)
     return float(counts.max() / counts.sum()) if len(counts) else 0.0
 
 
 def _obstacles(found: Boxes) -> NDArray[np.intp]:
-    return np.flatnonzero(found.placed & ((found.bottom + found.top) / 2 <= HIGH))
+    return np.flatnonzero(found.placed & ((found.bottom + found.top) / 2 <= SCENEEVAL.high))
 
 
 def _accessibility(scene: Scene, found: Boxes) -> list[float]:
@@ -151,13 +161,17 @@ def _accessibility(scene: Scene, found: Boxes) -> list[float]:
 
 def _side_zone(footprint: Polygon, side: str) -> BaseGeometry:
     edge = side_edge(footprint, side)
-    return strip(edge, SIDE_GAP + SIDE_DEPTH).difference(strip(edge, SIDE_GAP).buffer(1e-12, cap_style="flat"))
+    return strip(edge, SCENEEVAL.side_gap + SCENEEVAL.side_depth).difference(
+        strip(edge, SCENEEVAL.side_gap).buffer(1e-12, cap_style="flat")
+    )
 
 
 def out_of_bounds(scene: Scene, found: Boxes, row: int, seed: int = 0) -> bool:
     """Tell whether less than 99 % of random points on an object's box lie above the floor."""
     depth, width, height = scene.assets[row].size
-    count = int(min(max(POINTS_PER_VOLUME * depth * width * height, LEAST_POINTS), MOST_POINTS))
+    count = int(
+        min(max(SCENEEVAL.points_per_volume * depth * width * height, SCENEEVAL.least_points), SCENEEVAL.most_points)
+    )
     rng = np.random.default_rng(seed)
     areas = np.array([width * height, depth * height, depth * width])
     axis = rng.choice(3, size=count, p=areas / areas.sum())
@@ -173,7 +187,7 @@ def out_of_bounds(scene: Scene, found: Boxes, row: int, seed: int = 0) -> bool:
 def _occlusion(room: Room, opening: Opening, found: Boxes) -> float:
     """Return the share of an opening that objects in its clearance hide, seen along the wall's normal."""
     wall = room.walls[opening.wall]
-    depth = WINDOW_DEPTH if opening.sill > 0 else opening.width
+    depth = SCENEEVAL.window_depth if opening.sill > 0 else opening.width
     zone = Polygon(
         [wall.point(opening.offset + u, v) for u, v in ((0, 0), (opening.width, 0), (opening.width, depth), (0, depth))]
     )
