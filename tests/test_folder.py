@@ -18,7 +18,7 @@ import pytest
 
 import robolayout as rl
 from robolayout import InputError
-from robolayout.many.variety import LEAST, Plan, things
+from robolayout.many.variety import VARIETY, Plan, things
 from robolayout.run.folder import open_folder
 from running import ROOT, Ran
 from stopped import MINE, NEW, OLD, prepare, write
@@ -266,7 +266,7 @@ def test_variants_of_a_sentence_are_other_plans_or_are_said_to_be_alike(
     for home in sorted(tmp_path.iterdir()):
         scene = rl.load_scene(home / "scene.json")
         plans.append(Plan(things(scene, rl.load_layout(home / "layout.json", scene))))
-    assert (min(a.difference(b) for a, b in combinations(plans, 2)) < LEAST) == alike
+    assert (min(a.difference(b) for a, b in combinations(plans, 2)) < VARIETY.least) == alike
     assert ("variant-1 is much like another variant (difference 0.00)" in ran.err) == alike
 
 

@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 import robolayout.scene
-from robolayout.cli.crash import ENDS
+from robolayout._text import TOLD
 from running import Ran
 
 Command = Callable[..., Ran]
@@ -88,7 +88,7 @@ def test_an_unforeseen_error_is_one_sentence_and_a_file(
     assert f"send {note}, which holds no names, keys or contents." in ran.err
     assert "command: agents" in text and "robolayout/cli/bodies.py:" in text and "numpy" in text
     assert "sk-" not in text and "bed-0" not in text and str(Path.home()) not in text
-    assert len(text.splitlines()) < 40 + 2 * 2 * ENDS
+    assert len(text.splitlines()) < 40 + 2 * 2 * TOLD.ends
 
 
 def test_an_error_on_loading_a_library(command: Command, notes: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -23,10 +23,7 @@ import difflib
 from collections.abc import Iterable
 from typing import Any
 
-LONGEST_NAME = 100
-"""Characters of an unknown name that a message repeats."""
-MOST_LISTED = 100
-"""Known names that a message lists."""
+MOST = 100  # characters of an unknown name, and known names, that a message shows
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
@@ -110,10 +107,10 @@ class UnknownNameError(InputError):
         self.kind = kind
         self.name = name
         self.known = sorted(known)
-        shown = name if len(name) <= LONGEST_NAME else f"{name[:LONGEST_NAME]}..."
-        more = f", ... ({len(self.known)} in all)" if len(self.known) > MOST_LISTED else ""
+        shown = name if len(name) <= MOST else f"{name[:MOST]}..."
+        more = f", ... ({len(self.known)} in all)" if len(self.known) > MOST else ""
         super().__init__(
-            f"unknown {kind} {shown!r}.{did_you_mean(shown, self.known)} Known: {', '.join(self.known[:MOST_LISTED])}{more}."
+            f"unknown {kind} {shown!r}.{did_you_mean(shown, self.known)} Known: {', '.join(self.known[:MOST])}{more}."
         )
 
 

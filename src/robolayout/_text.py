@@ -6,7 +6,22 @@ Whatever shows a name, a description, a path or a message uses one of these: in 
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from html import escape
+
+
+@dataclass(frozen=True)
+class Telling:
+    """How much of a long list a person is told."""
+
+    named: int = 3  # things, reasons, or kinds of things, that a sentence names
+    shown: int = 12  # violations, reasons or rooms that are listed; the report, or the index, holds all
+    kept: int = 5  # kept files that are named
+    ends: int = 20  # places kept at each end of a chain of calls; a recursion without end has thousands in between
+
+
+TOLD = Telling()
+
 
 JOINERS = "\u200c\u200d"
 """Characters that change nothing but how letters join: Persian and Indian words and pictured people are written with them."""

@@ -14,7 +14,7 @@ from robolayout.assets import Material, Part, load_mesh_parts
 from robolayout.assets.palette import PALETTES, PLAIN
 from robolayout.assets.rooms import STYLES
 from robolayout.assets.shapes import box
-from robolayout.assets.textures import MEAN, TILES, coordinates, media_type, picture, pixels
+from robolayout.assets.textures import TILE, TILES, coordinates, media_type, picture, pixels
 
 
 def linear(srgb: np.ndarray) -> np.ndarray:
@@ -23,7 +23,7 @@ def linear(srgb: np.ndarray) -> np.ndarray:
 
 @pytest.mark.parametrize("name", TILES)
 def test_a_tile_has_the_mean_that_colours_make_up_for(name: str) -> None:
-    assert linear(pixels(name) / 255).mean() == pytest.approx(MEAN, rel=0.02)
+    assert linear(pixels(name) / 255).mean() == pytest.approx(TILE.mean, rel=0.02)
 
 
 @pytest.mark.parametrize("name", TILES)

@@ -15,11 +15,11 @@ from robolayout.export import EXPORTERS, Options
 from robolayout.export._exporter import is_movable, mass
 from robolayout.export._mesh import as_box
 from robolayout.export._mujoco import load
-from robolayout.export.mjcf import AGENT, AGENT_MASS, build, start
+from robolayout.export.mjcf import AGENT, BASE, build, start
 from robolayout.scene import DEFAULT_AGENT, Agent, Layout, Pose, Scene
 
 ROUTES = {"wardrobe-0": [(4.0, 0.5), (4.0, 2.0)]}
-BASE = Options(agent=DEFAULT_AGENT, routes=ROUTES, start=Pose(4.0, 0.5, 0.0, math.pi / 2))
+GIVEN = Options(agent=DEFAULT_AGENT, routes=ROUTES, start=Pose(4.0, 0.5, 0.0, math.pi / 2))
 FREE = {"table_lamp-0", "dining_chair-0", "potted_plant-0"}
 
 
@@ -31,7 +31,7 @@ def loaded(scene: Scene, layout: Layout, options: Options) -> tuple[mujoco.MjMod
 
 @pytest.fixture(scope="module")
 def sim(scene: Scene, layout: Layout) -> tuple[mujoco.MjModel, mujoco.MjData]:
-    return loaded(scene, layout, BASE)
+    return loaded(scene, layout, GIVEN)
 
 
 def test_every_asset_is_a_body_at_its_pose(sim: tuple, scene: Scene, layout: Layout) -> None:
@@ -103,7 +103,7 @@ def test_the_agent_is_a_planar_base_with_world_coordinates(sim: tuple, scene: Sc
     joints = [int(model.joint(f"{AGENT}/{axis}").qposadr[0]) for axis in ("x", "y", "yaw")]
     assert data.qpos[joints] == pytest.approx((4.0, 0.5, math.pi / 2))
     assert model.nu == 3
-    assert model.body(AGENT).mass == pytest.approx(AGENT_MASS)
+    assert model.body(AGENT).mass == pytest.approx(BASE.mass)
     data.qpos[joints] = (2.0, 1.0, -0.4)
     mujoco.mj_forward(model, data)
     assert data.body(AGENT).xpos[:2] == pytest.approx((2.0, 1.0))
@@ -112,7 +112,7 @@ def test_the_agent_is_a_planar_base_with_world_coordinates(sim: tuple, scene: Sc
 
 
 def test_the_base_goes_where_its_actuators_say(scene: Scene) -> None:
-    model, data = loaded(scene, Layout({}), BASE)
+    model, data = loaded(scene, Layout({}), GIVEN)
     data.ctrl[:] = (-0.5, 1.0, 0.3)
     for _ in range(int(3 / model.opt.timestep)):
         mujoco.mj_step(model, data)

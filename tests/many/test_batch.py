@@ -24,7 +24,7 @@ from robolayout.assets import import_folder
 from robolayout.many import read_spec
 from robolayout.many.dataset import LOCK, room_path
 from robolayout.many.room import Made, make
-from robolayout.many.workers import Task
+from robolayout.many.workers import Task, WorkerConfig
 from running import Ran
 from tiny_sets import tiny_spec, tree
 
@@ -78,7 +78,7 @@ def test_two_processes_make_the_set_that_one_makes(tmp_path: Path, here: list[He
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("robolayout.many.dataset.Local", Local)
-        patch.setattr("robolayout.many.workers.RENEWED", 2)  # one of them makes way for a new one
+        patch.setattr("robolayout.many.workers.WORKERS", WorkerConfig(renewed=2))  # one of them makes way for a new one
         told: list[str] = []
         found = rl.batch(table, tmp_path / "two", workers=2, progress=lambda now: told.append(str(now)))
     assert found.ok and found.met == 3 and len(told) == 3 and told[-1].startswith("3 of 3 rooms, 3 met")

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from robolayout.many.variety import LEAST, NEAR, Plan, Thing, nearest
+from robolayout.many.variety import VARIETY, Plan, Thing, nearest
 
 number = st.floats(-5, 5).map(lambda value: round(value, 2))
 thing = st.tuples(st.sampled_from(["chair", "desk", "bed"]), number, number, number)
@@ -40,14 +40,14 @@ def test_a_room_is_like_itself_turned_and_mirrored(things: list[Thing]) -> None:
 def test_what_moved_turned_or_is_another_kind_has_no_counterpart() -> None:
     before = [("bed", 1.0, 0.0, 0.0), ("desk", -1.0, 1.0, 0.0), ("chair", -1.0, 0.5, 1.0), ("lamp", 0.3, 2.0, 0.0)]
     for after, difference in (
-        (("bed", 1.0, NEAR * 0.9, 0.0), 0.0),
-        (("bed", 1.0, NEAR * 1.1, 0.0), 0.25),
+        (("bed", 1.0, VARIETY.near * 0.9, 0.0), 0.0),
+        (("bed", 1.0, VARIETY.near * 1.1, 0.0), 0.25),
         (("bed", 1.0, 0.0, 0.5), 0.25),
         (("sofa", 1.0, 0.0, 0.0), 0.25),
     ):
         assert Plan(before).difference(Plan([after, *before[1:]])) == pytest.approx(difference)
     assert Plan(before).difference(Plan([])) == 1.0
-    assert Plan([]).difference(Plan([])) == 0.0 < LEAST
+    assert Plan([]).difference(Plan([])) == 0.0 < VARIETY.least
 
 
 def test_the_nearest_of_several() -> None:

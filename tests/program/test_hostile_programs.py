@@ -8,6 +8,7 @@ import pytest
 
 from robolayout._errors import ProgramError, ProgramLimitError
 from robolayout.program import Limits, _sandbox, read_program
+from robolayout.program._program import ReadingConfig
 from robolayout.scene import Asset, Scene
 
 QUICK = Limits(seconds=0.3, memory=64 * 2**20)
@@ -95,7 +96,7 @@ def test_our_process_neither_runs_nor_grows(scene, tmp_path):
 
 
 def test_the_child_is_killed_when_it_overruns(scene, monkeypatch):
-    monkeypatch.setattr(_sandbox, "GRACE", -4.7)
+    monkeypatch.setattr(_sandbox, "READING", ReadingConfig(grace=-4.7))
     with pytest.raises(ProgramLimitError, match="ran longer than 5 s"):
         read_program("while True: pass", scene)
 

@@ -6,7 +6,7 @@ import pytest
 
 from robolayout._errors import ProgramError, ProgramLimitError
 from robolayout.program import Limits, Program, read_program, read_salvaged
-from robolayout.program._reader import MOST_DROPPED
+from robolayout.program._program import READING
 from robolayout.scene import Scene
 
 GOOD = "solver.against_wall(bed[0], walls[3])"
@@ -74,7 +74,7 @@ def test_what_places_and_states_nothing_is_no_program(scene: Scene, text: str) -
 
 def test_an_answer_that_is_wrong_everywhere_is_refused_with_its_first_error(scene: Scene) -> None:
     with pytest.raises(ProgramError, match="line 1: unknown relation 'a0'"):
-        read_salvaged("\n".join(f"solver.a{i}(bed[0])" for i in range(MOST_DROPPED + 5)) + f"\n{GOOD}", scene)
+        read_salvaged("\n".join(f"solver.a{i}(bed[0])" for i in range(READING.dropped + 5)) + f"\n{GOOD}", scene)
 
 
 def test_limits_are_not_salvaged(scene: Scene) -> None:

@@ -31,8 +31,22 @@ USUAL = "door+handle: hinge z away front 90\ndrawer+handle+knob: slide x .6d"
 """How what is called door or drawer moves where a record says nothing of joints: side hung, and pulled out by the
 three fifths of the depth that plain runners allow (judgement)."""
 NOTHING = "-"  # what a record says whose parts look like doors but do not move
-NEAR = 0.05  # metres within which a part lies on the leader that it goes with
-PLAY = 0.004  # metres that an open leaf's handle stays short of its thing's side: hinges give
+
+
+@dataclass(frozen=True)
+class JointConfig:
+    """How leaves hang, and what they sweep."""
+
+    near: float = 0.05  # metres within which a part lies on the leader that it goes with
+    play: float = 0.004  # metres that an open leaf's handle stays short of its thing's side: hinges give
+    steps: int = 12
+    """Places of a leaf between shut and open, whose hulls make its sweep: a sector of 90 degrees misses 0.1 % of
+    its area."""
+    slight: float = 0.02  # metres by which a sweep must reach beyond the front to need room there: a button does not
+
+
+JOINTS = JointConfig()
+
 HANDLES = ("handle", "knob", "grip", "lock")
 """Parts that a hand takes hold of; without one, the edge away from the hinge is held."""
 HOW = "write 'PARTS: hinge|slide x|y|z EDGES HOW-FAR', as in 'door+handle: hinge z away front 90'"
@@ -116,7 +130,7 @@ def _groups(built: Sequence[Part], rules: Sequence[Rule]) -> Iterator[tuple[Rule
             for n, (rule, group) in enumerate(leaders)
             if part.name in rule.names and i not in taken
         ]
-        if near and min(near)[0] < NEAR:
+        if near and min(near)[0] < JOINTS.near:
             leaders[min(near)[1]][1].append(i)
     yield from leaders
     for rule in rules:
@@ -164,7 +178,7 @@ def _joint(rule: Rule, group: Sequence[Part], size: tuple[float, float, float]) 
 def _stop(points: Vector, at: Vector, side: float) -> float:
     """Return by how much a side-hung leaf turns until its handle is as far out as its thing's side, where a wall may be (rad)."""
     ahead, inward = points[:, 0] - at[0], np.abs(at[1] - points[:, 1])
-    beside = max(0.0, side - abs(at[1]) - PLAY) / np.maximum(np.hypot(ahead, inward), 1e-9)
+    beside = max(0.0, side - abs(at[1]) - JOINTS.play) / np.maximum(np.hypot(ahead, inward), 1e-9)
     return float((math.pi / 2 + np.arcsin(np.minimum(beside, 1.0)) - np.arctan2(ahead, inward)).min())
 
 

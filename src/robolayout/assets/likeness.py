@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product
 from typing import TYPE_CHECKING
@@ -28,13 +29,21 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Faces = Iterable[tuple[Array, NDArray[np.integer]]]
 
-SAMPLES = 500  # points on a surface
-SEEDS = range(4)  # seeds whose variants of a thing are compared with
-STRETCH = 0.08  # what an edge too long by a factor of e counts, in edges of the unit box
-STANDARD = (0.1, 0.03)
-"""What it counts if the axis that points up, or forward, is not where the file's format puts it: the second is often wrong."""
 
-CERTAIN = 0.05  # difference in edges of the unit box from which on an axis is certain
+@dataclass(frozen=True)
+class LikenessConfig:
+    """How two shapes are compared."""
+
+    samples: int = 500  # points on a surface
+    stretch: float = 0.08  # what an edge too long by a factor of e counts, in edges of the unit box
+    # what it counts if the axis that points up, or forward, is not where the format puts it: the second is often wrong
+    standard: tuple[float, float] = (0.1, 0.03)
+    certain: float = 0.05  # difference in edges of the unit box from which on an axis is certain
+
+
+LIKENESS = LikenessConfig()
+
+SEEDS = range(4)  # seeds whose variants of a thing are compared with
 WAYS = tuple((up, front) for up, front in product(AXES, AXES) if up[1] != front[1])
 """The 24 ways to stand: the axis that points up and the one that points forward."""
 
@@ -45,9 +54,9 @@ def sampled(surfaces: Faces, seed: int = 0) -> Array:
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     rng = np.random.default_rng(seed)
     if not area.sum() > 0:
-        return corners.reshape(-1, 3)[:SAMPLES]
-    chosen = corners[rng.choice(len(corners), SAMPLES, p=area / area.sum())]
-    a, b = np.sort(rng.random((2, SAMPLES)), axis=0)
+        return corners.reshape(-1, 3)[: LIKENESS.samples]
+    chosen = corners[rng.choice(len(corners), LIKENESS.samples, p=area / area.sum())]
+    a, b = np.sort(rng.random((2, LIKENESS.samples)), axis=0)
     return np.einsum("kn,nkd->nd", np.array([a, b - a, 1 - b]), chosen)
 
 
@@ -65,7 +74,7 @@ def stands(
     up, front = best = min(misfits, key=lambda way: misfits[way])
     rivals = ([way for way in misfits if way[0] != up], [way for way in misfits if way[0] == up and way != best])
     up_sure, front_sure = (
-        round(min((min((misfits[way] for way in ways), default=math.inf) - misfits[best]) / CERTAIN, 1.0), 2)
+        round(min((min((misfits[way] for way in ways), default=math.inf) - misfits[best]) / LIKENESS.certain, 1.0), 2)
         for ways in rivals
     )
     return up, front, up_sure, front_sure
@@ -85,8 +94,8 @@ def _misfit(points: Array, way: tuple[str, str], category: Category, standard: t
         (float(other.query(here)[0].mean()) + float(tree.query(there)[0].mean())) / 2
         for there, other in _models(category)
     )
-    off = sum(cost for cost, a, b in zip(STANDARD, way, standard or way, strict=True) if a != b)
-    return apart + STRETCH * float(np.ptp(stretch)) + off
+    off = sum(cost for cost, a, b in zip(LIKENESS.standard, way, standard or way, strict=True) if a != b)
+    return apart + LIKENESS.stretch * float(np.ptp(stretch)) + off
 
 
 def _unit(points: Array) -> Array:

@@ -12,14 +12,10 @@ from shapely import Polygon
 from shapely.geometry.base import BaseGeometry
 
 from robolayout._errors import AssetError
-from robolayout.assets.joints import turned
+from robolayout.assets.joints import JOINTS, turned
 from robolayout.assets.lexicon import category_of
 from robolayout.assets.part import Joint, Part
 from robolayout.scene import Asset
-
-STEPS = 12
-"""Places of a leaf between shut and open, whose hulls make up what it sweeps: a sector of 90 degrees misses 0.1 % of its area."""
-SLIGHT = 0.02  # metres by which a sweep must reach beyond the front to need room there: a button does not
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +45,9 @@ def sweeps_of(asset: Asset) -> tuple[Sweep, ...]:
     joints = dict.fromkeys(part.joint for part in made if part.joint is not None and part.joint.span[0] >= 0)
     found = [_sweep(joint, [part for part in made if part.joint == joint], asset) for joint in joints]
     ahead = [
-        sweep for sweep in found if not sweep.region.is_empty and sweep.region.bounds[2] > asset.size[0] / 2 + SLIGHT
+        sweep
+        for sweep in found
+        if not sweep.region.is_empty and sweep.region.bounds[2] > asset.size[0] / 2 + JOINTS.slight
     ]
     depth, width, height = asset.size
     strip = shapely.box(depth / 2, -width / 2, depth / 2 + deep, width / 2)
@@ -58,7 +56,7 @@ def sweeps_of(asset: Asset) -> tuple[Sweep, ...]:
 
 def _sweep(joint: Joint, moving: list[Part], asset: Asset) -> Sweep:
     """Return what some parts sweep beyond the front of their thing."""
-    far = np.linspace(0.0, joint.span[1], STEPS + 1 if joint.kind == "hinge" else 2)
+    far = np.linspace(0.0, joint.span[1], JOINTS.steps + 1 if joint.kind == "hinge" else 2)
     places = [[turned(joint, part.vertices, step) for step in far.tolist()] for part in moving]
     hulls = [
         shapely.MultiPoint(np.concatenate(pair)[:, :2]).convex_hull for steps in places for pair in pairwise(steps)

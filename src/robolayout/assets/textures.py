@@ -20,12 +20,19 @@ from robolayout.assets.part import Part
 
 Array = NDArray[np.float64]
 
-SIDE = 256  # pixels along a side of a tile
-MEAN = 0.8
-"""Mean of every tile, in linear light: what is darker and what is lighter than the plain colour both have room."""
 
-DARKEST = 1e-3  # least mean of a picture that is reckoned with, in linear light
-QUALITY = 82  # JPEG quality of tiles in files: 10 to 30 kB each
+@dataclass(frozen=True)
+class TileConfig:
+    """How the tile of a texture is made."""
+
+    side: int = 256  # pixels along a side of a tile
+    # mean of every tile, in linear light: what is darker and what is lighter than the plain colour both have room
+    mean: float = 0.8
+    darkest: float = 1e-3  # least mean of a picture that is reckoned with, in linear light
+    quality: int = 82  # JPEG quality of tiles in files: 10 to 30 kB each
+
+
+TILE = TileConfig()
 
 
 @dataclass(frozen=True)
@@ -46,10 +53,10 @@ class _Noise:
 
     def __call__(self, along: float, across: float) -> Array:
         """Return noise (SIDE, SIDE) of unit deviation whose features are so many parts of the tile long and wide."""
-        waves = np.fft.fftfreq(SIDE) * SIDE
+        waves = np.fft.fftfreq(TILE.side) * TILE.side
         v, u = np.meshgrid(waves, waves, indexing="ij")
         keep = np.exp(-0.5 * ((u * along) ** 2 + (v * across) ** 2))
-        field = np.fft.ifft2(np.fft.fft2(self._rng.normal(size=(SIDE, SIDE))) * keep).real
+        field = np.fft.ifft2(np.fft.fft2(self._rng.normal(size=(TILE.side, TILE.side))) * keep).real
         return field / max(float(field.std()), 1e-12)
 
 
@@ -120,10 +127,10 @@ def pixels(texture: str | bytes) -> NDArray[np.uint8]:
         with Image.open(io.BytesIO(texture)) as picture:
             return np.asarray(picture.convert("RGB"))
     tile = TILES[texture]
-    ramp = (np.arange(SIDE) + 0.5) / SIDE
+    ramp = (np.arange(TILE.side) + 0.5) / TILE.side
     v, u = np.meshgrid(ramp, ramp, indexing="ij")
     values = tile.draw(u, v, _Noise(texture))
-    values = MEAN * (1 + tile.contrast * (values - values.mean()) / max(float(values.std()), 1e-12))
+    values = TILE.mean * (1 + tile.contrast * (values - values.mean()) / max(float(values.std()), 1e-12))
     grey = encoded(np.clip(values, 0.0031308, 1.0))
     return np.repeat(np.round(grey * 255).astype(np.uint8)[..., None], 3, axis=2)
 
@@ -136,7 +143,7 @@ def picture(texture: str | bytes) -> bytes:
     from PIL import Image
 
     content = io.BytesIO()
-    Image.fromarray(pixels(texture)[..., 0]).save(content, "JPEG", quality=QUALITY)
+    Image.fromarray(pixels(texture)[..., 0]).save(content, "JPEG", quality=TILE.quality)
     return content.getvalue()
 
 
@@ -149,9 +156,9 @@ def media_type(data: bytes) -> str:
 def mean(texture: str | bytes) -> tuple[float, float, float]:
     """Return by how much a texture darkens red, green and blue on the whole, in linear light."""
     if isinstance(texture, str):
-        return (MEAN, MEAN, MEAN)
+        return (TILE.mean, TILE.mean, TILE.mean)
     light = linear(pixels(texture) / 255.0).mean(axis=(0, 1))
-    red, green, blue = np.maximum(light, DARKEST).tolist()
+    red, green, blue = np.maximum(light, TILE.darkest).tolist()
     return (red, green, blue)
 
 

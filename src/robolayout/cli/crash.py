@@ -13,14 +13,11 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
 
-from robolayout._text import utf8
+from robolayout._text import TOLD, utf8
 from robolayout._version import __version__
 
 DEBUG = "ROBOLAYOUT_DEBUG"
 """Environment variable: if set, the file also holds messages and the whole command line, and so names and contents."""
-
-ENDS = 20
-"""Places that are kept at each end of a chain of calls; a recursion without end has thousands in between."""
 
 LIBRARIES = ("jax", "jaxlib", "numpy", "scipy", "shapely", "trimesh", "typer", "pydantic-monty")
 """Libraries whose versions may matter."""
@@ -92,9 +89,9 @@ def _places(error: BaseException) -> Iterator[str]:
     """Yield file, line and function of each call, the file from its package on."""
     frames = traceback.extract_tb(error.__traceback__)
     for number, frame in enumerate(frames):
-        if ENDS <= number < len(frames) - ENDS:
-            if number == ENDS:
-                yield f"  ... {len(frames) - 2 * ENDS} more"
+        if TOLD.ends <= number < len(frames) - TOLD.ends:
+            if number == TOLD.ends:
+                yield f"  ... {len(frames) - 2 * TOLD.ends} more"
             continue
         yield f"  {_below_root(Path(frame.filename))}:{frame.lineno} {frame.name}"
 

@@ -13,7 +13,7 @@ import typer
 from typer import Argument, Option
 
 from robolayout._errors import InputError
-from robolayout._text import file_name
+from robolayout._text import TOLD, file_name
 from robolayout.cli.models import Who
 from robolayout.cli.options import Body, SeedOption, Told, names, spread
 from robolayout.cli.terminal import say, show, warn
@@ -24,9 +24,6 @@ if TYPE_CHECKING:
     from robolayout.run.folder import RunFolder
     from robolayout.run.result import Result
     from robolayout.scene import Scene
-
-DRAWS = 4  # how often a variant is drawn until it is not much like those before it
-KEPT_SHOWN = 5  # names of kept files that are said
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -81,23 +78,23 @@ def generate(asked: Asked) -> None:
 
 def _different(asked: Asked, given: Scene | None, run: RunFolder, variant: int, before: list[Plan]) -> Result:
     """Return a room that is not much like the variants before it: of a few draws the first one, else the most different."""
-    from robolayout.many.variety import LEAST, VARIED, Plan, nearest, things
+    from robolayout.many.variety import VARIETY, Plan, nearest, things
 
     found: list[tuple[tuple[bool, float], Plan, Result, Understanding | None]] = []
-    for draw in range(DRAWS if variant and not asked.asks_a_model else 1):
+    for draw in range(VARIETY.draws if variant and not asked.asks_a_model else 1):
         number = variant + draw * asked.variants
         planner = asked.planner(run, asked.seed + number)
         room, understood = (given, None) if given else _furnished(asked, planner, number)
         result = _laid_out(asked, room, planner, asked.seed + number)
         plan = Plan(things(result.scene, result.layout))
         apart = nearest(plan, list(enumerate(before)))[0]
-        found.append(((result.report.ok, min(apart, VARIED)), plan, result, understood))
-        if found[-1][0] == (True, VARIED):
+        found.append(((result.report.ok, min(apart, VARIETY.varied)), plan, result, understood))
+        if found[-1][0] == (True, VARIETY.varied):
             break
     worth, plan, result, understood = max(found, key=lambda one: one[0])
     if understood is not None:
         _understood(asked, understood, run)
-    if variant and worth[1] < LEAST:
+    if variant and worth[1] < VARIETY.least:
         warn(
             f"{run.target.name} is much like another variant (difference {worth[1]:.2f}); say less of the room to get others."
         )
@@ -222,8 +219,8 @@ def _tell(asked: Asked, result: Result, run: RunFolder, files: list[Path]) -> No
     who = result.report.planner
     warn_of = [f"warning: {warning}" for warning in who.get("warnings", ())]
     if run.kept and not asked.quiet:
-        more = f" and {len(run.kept) - KEPT_SHOWN} more" if len(run.kept) > KEPT_SHOWN else ""
-        warn_of.append(f"kept in {run.target} what no run wrote: {', '.join(run.kept[:KEPT_SHOWN])}{more}.")
+        more = f" and {len(run.kept) - TOLD.kept} more" if len(run.kept) > TOLD.kept else ""
+        warn_of.append(f"kept in {run.target} what no run wrote: {', '.join(run.kept[: TOLD.kept])}{more}.")
     for line in warn_of:
         warn(line)
 

@@ -12,6 +12,7 @@ import typer
 from typer import Argument, Option
 
 from robolayout._errors import InputError
+from robolayout._text import TOLD
 from robolayout.cli.options import Body, Told, names, spread
 from robolayout.cli.terminal import say, table, warn
 
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from robolayout.many.dataset import Batch, Progress
 
 EVERY = 30.0  # seconds between two lines about the progress where nobody looks at a terminal
-SHOWN = 12  # reasons and rooms that are said; the index holds all
 
 Workers = Annotated[int, Option(min=1, max=1024, help="Rooms that are made at the same time.")]
 
@@ -78,12 +78,12 @@ def _tell(found: Batch) -> None:
     say(f"{found.met} of {found.rooms} rooms meet all their demands.")
     if found.unmet:
         say(f"{found.unmet} do not, and were kept.")
-    for index, why in list(found.missing.items())[:SHOWN]:
+    for index, why in list(found.missing.items())[: TOLD.shown]:
         say(f"- room {index} was given up: {why}")
-    if len(found.missing) > SHOWN:
-        say(f"- and {len(found.missing) - SHOWN} more in the index")
+    if len(found.missing) > TOLD.shown:
+        say(f"- and {len(found.missing) - TOLD.shown} more in the index")
     if found.replaced:
-        rows = [[str(number), why] for why, number in list(found.replaced.items())[:SHOWN]]
+        rows = [[str(number), why] for why, number in list(found.replaced.items())[: TOLD.shown]]
         table(f"{sum(found.replaced.values())} tries were replaced", ["", "why"], rows)
     say(
         *(str(found.folder / name) for name in ("index.csv", "index.parquet", "index.html", "contact.png", "README.md"))

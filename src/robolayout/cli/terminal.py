@@ -11,12 +11,11 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
-from robolayout._text import printable
+from robolayout._text import TOLD, printable
 
 if TYPE_CHECKING:
     from robolayout.verify import Report
 
-SHOWN = 12  # violations that are printed; the report holds all
 WIDTH = 140  # columns of a table that goes to a file or another program
 
 
@@ -65,9 +64,9 @@ def show(report: Report, files: Sequence[Path]) -> None:
 
         found = [[name, text, met, source] for name, _, text, met, source in rule_rows(report)]
         table("rules of accessibility, beside the demands", ["rule", "measured", "", "source"], found)
-    say(*(f"- {sentence}" for sentence in report.violations[:SHOWN]))
-    if len(report.violations) > SHOWN:
-        say(f"- and {len(report.violations) - SHOWN} more in the report")
+    say(*(f"- {sentence}" for sentence in report.violations[: TOLD.shown]))
+    if len(report.violations) > TOLD.shown:
+        say(f"- and {len(report.violations) - TOLD.shown} more in the report")
     from robolayout.verify.present import lying_about
 
     say(*lying_about(report), *report.notes, *report.opinion.get("sentences", ()))

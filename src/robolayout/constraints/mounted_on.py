@@ -11,6 +11,8 @@ from robolayout.constraints._terms import Term
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.scene import Layout, Scene
 
+EYE_HEIGHT = 1.5  # metres above the floor of the middle of a wall thing that nobody gave a height
+
 
 @dataclass(frozen=True)
 class MountedOn(Relation):

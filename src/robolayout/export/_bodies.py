@@ -22,9 +22,6 @@ from robolayout.export._mesh import Box, FloatArray, as_box, numbers, obj, roll_
 from robolayout.export._rugs import laid_parts
 from robolayout.scene import Asset, Layout, Pose, Room, Scene, vertical_span
 
-THINNEST = 5e-4
-"""Half thickness in metres that a collider has at least; thinner parts become boxes of that thickness."""
-
 
 @dataclass(frozen=True)
 class BodyConfig:
@@ -37,6 +34,10 @@ class BodyConfig:
     slab: float = 0.1  # thickness of the floor that is stood on in metres, and how far it reaches beyond the room
     floor_friction: float = 0.6  # friction of the floor
     on_rug: float = 0.003  # largest gap in metres between a rug's top and what stands on it
+    # metres of half thickness that a collider has at least; thinner parts become boxes of that thickness
+    thinnest: float = 5e-4
+    # least kilograms of a link (kg m2 of a hinge's inertia) that count: fingers weigh next to nothing
+    lightest: float = 1e-4
 
 
 BODIES = BodyConfig()
@@ -159,7 +160,9 @@ def things(scene: Scene, layout: Layout, options: Options, *, free: Free | None 
     Args:
         free: Which assets may move as a whole; None where nothing of them moves, doors and drawers neither.
     """
-    shown = [part for part in room_parts(scene.room, seed=options.seed) if np.ptp(part.vertices[:, 2]) > THINNEST]
+    shown = [
+        part for part in room_parts(scene.room, seed=options.seed) if np.ptp(part.vertices[:, 2]) > BODIES.thinnest
+    ]
     shapes = [
         _shape(number, _stood(part, options.leaves), touched=not is_trim(part) and part.name != "floor")
         for number, part in enumerate(shown)
@@ -216,10 +219,12 @@ def _moved(shape: Shape, at: FloatArray) -> Shape:
 def _shape(number: int, part: Part, *, touched: bool) -> Shape:
     """Return a part as a box if it is one or is too thin for a hull, else as its hull."""
     box = as_box(part)
-    if box is None and (volume(part) < BODIES.smallest_volume or np.ptp(part.vertices, axis=0).min() < 2 * THINNEST):
+    if box is None and (
+        volume(part) < BODIES.smallest_volume or np.ptp(part.vertices, axis=0).min() < 2 * BODIES.thinnest
+    ):
         box = _around(part.vertices.min(axis=0), part.vertices.max(axis=0))
     if box is not None:
-        box = replace(box, half=np.maximum(box.half, THINNEST))
+        box = replace(box, half=np.maximum(box.half, BODIES.thinnest))
     return Shape(f"{part.name}/{number}", part, box, touched=touched)
 
 
@@ -248,7 +253,7 @@ def _stood(part: Part, leaves: str) -> Part:
 def _footed(part: Part, bottom: float) -> Part:
     """Return a part that stands on the bottom of its asset with a flat foot; any other part as it is."""
     heights = part.vertices[:, 2]
-    if heights.min() > bottom + THINNEST:
+    if heights.min() > bottom + BODIES.thinnest:
         return part
     low = heights < heights.min() + BODIES.foot * np.ptp(heights)
     vertices = part.vertices.copy()
@@ -264,7 +269,7 @@ def _patches(rug: Asset, scene: Scene, layout: Layout) -> Iterator[Box]:
         gap = abs(vertical_span(asset, pose)[0] - top)
         if not asset.is_flat and gap < BODIES.on_rug and covers(place, rug, pose):
             dx, dy, turn = pose.x - place.x, pose.y - place.y, pose.yaw - place.yaw
-            half = np.array([asset.size[0] / 2, asset.size[1] / 2, max(rug.size[2] / 2, THINNEST)])
+            half = np.array([asset.size[0] / 2, asset.size[1] / 2, max(rug.size[2] / 2, BODIES.thinnest)])
             a, b = math.cos(turn), math.sin(turn)
             axes = np.array([[a, -b, 0.0], [b, a, 0.0], [0.0, 0.0, 1.0]])
             yield Box(np.array([cosine * dx + sine * dy, cosine * dy - sine * dx, 0.0]), half, axes)

@@ -16,6 +16,7 @@ from robolayout._errors import LayoutError
 from robolayout._reading import LIMITS, Unreadable
 from robolayout._text import utf8
 from robolayout.assets import Part, category_of
+from robolayout.constraints import TOLERANCE
 from robolayout.scene import Agent, Asset, Layout, Point, Pose, Scene, vertical_span
 
 Routes = Mapping[str, Sequence[Point]]
@@ -23,8 +24,6 @@ Routes = Mapping[str, Sequence[Point]]
 
 Json = dict[str, object]
 Bundle = tuple[bytes, Mapping[str, bytes]]
-
-STANDING = 0.02  # largest gap in metres between a thing and what it stands on (DESIGN section 4)
 
 _ASTRAY = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, struct.error)
 """What a reader trips over in bytes of another form."""
@@ -97,7 +96,7 @@ def hangs(asset: Asset, scene: Scene, layout: Layout) -> bool:
     if not (asset.on_wall or asset.on_ceiling):
         return False
     bottom, _ = vertical_span(asset, layout[asset.name])
-    return bottom > STANDING and supporter(asset, scene, layout) is None
+    return bottom > TOLERANCE.support and supporter(asset, scene, layout) is None
 
 
 def is_movable(asset: Asset, scene: Scene, layout: Layout) -> bool:
@@ -148,7 +147,7 @@ def is_trim(part: Part) -> bool:
     return part.name.startswith("skirting")
 
 
-def supporter(asset: Asset, scene: Scene, layout: Layout, *, tolerance: float = STANDING) -> str | None:
+def supporter(asset: Asset, scene: Scene, layout: Layout, *, tolerance: float = TOLERANCE.support) -> str | None:
     """Return the name of the asset that another one rests on, or None.
 
     It rests on it if its bottom is within `tolerance` metres of the other's top and its centre is over the other's

@@ -11,14 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._errors import MissingExtraError
-from robolayout.export._bodies import THINNEST
-from robolayout.export.mjcf import AGENT_MASS, DAMPING, STIFFNESS
+from robolayout.export._bodies import BODIES
+from robolayout.export.mjcf import BASE
 from robolayout.scene import Agent
 
 ROOM_BODY = 1  # the room's body in a model: the first after the world
 
-MARGIN = 0.01
-"""Metres by which the collider of a base is smaller than the body: what a controller may stray from the planned line."""
 
 FloatArray = NDArray[np.float64]
 
@@ -49,10 +47,10 @@ def smaller(agent: Agent, *, disc: bool) -> Agent:
 
     What is just as high as it steps over, or as it is, does not touch it.
     """
-    body = replace(agent, step=agent.step + THINNEST, height=agent.height - THINNEST)
+    body = replace(agent, step=agent.step + BODIES.thinnest, height=agent.height - BODIES.thinnest)
     if disc or agent.length is None or agent.width is None:
-        return replace(body, radius=agent.radius - MARGIN, length=None, width=None)
-    return replace(body, length=agent.length - 2 * MARGIN, width=agent.width - 2 * MARGIN)
+        return replace(body, radius=agent.radius - BASE.margin, length=None, width=None)
+    return replace(body, length=agent.length - 2 * BASE.margin, width=agent.width - 2 * BASE.margin)
 
 
 def base(model: Any) -> tuple[int, list[int]]:
@@ -65,8 +63,8 @@ def controls(model: Any, wanted: FloatArray) -> FloatArray:
     """Return what the base's actuators are told so that it is at these poses (n, 3), a step each: speed and push fed forward."""
     step = float(model.opt.timestep)
     rates = np.gradient(wanted, step, axis=0)
-    push = np.gradient(rates, step, axis=0) * np.array([AGENT_MASS, AGENT_MASS, 0.0])
-    return wanted - model.key_qpos[0, -3:] + rates * (DAMPING / STIFFNESS) + push / STIFFNESS
+    push = np.gradient(rates, step, axis=0) * np.array([BASE.mass, BASE.mass, 0.0])
+    return wanted - model.key_qpos[0, -3:] + rates * (BASE.damping / BASE.stiffness) + push / BASE.stiffness
 
 
 def touched(model: Any, data: Any, body: int) -> set[str]:

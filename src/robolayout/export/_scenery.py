@@ -13,12 +13,21 @@ from robolayout.scene import Room
 
 LAMP = "lampshade"  # the material whose parts give a lamp's light
 
-LUMENS = 806.0
-"""Light of one lamp: a bulb that replaces one of 60 W (Commission Regulation (EC) No 244/2009, table 6)."""
 
-WARM = (1.0, 0.71, 0.42)  # linear colour of a bulb of about 3000 K
-FIELD = math.radians(40.0)  # vertical field of view of the camera
-ASPECT = 4 / 3  # width of its picture by the height
+@dataclass(frozen=True)
+class SceneryConfig:
+    """Light, camera and lines of files that are looked at."""
+
+    # light of one lamp: a bulb that replaces one of 60 W (Commission Regulation (EC) No 244/2009, table 6)
+    lumens: float = 806.0
+    warm: tuple[float, float, float] = (1.0, 0.71, 0.42)  # linear colour of a bulb of about 3000 K
+    field: float = math.radians(40.0)  # vertical field of view of the camera in radians
+    aspect: float = 4 / 3  # width of its picture by the height
+    bulb: float = 0.05  # metres of a lamp's light's radius
+    route_width: float = 0.03  # metres of width that routes are drawn with in USD
+
+
+SCENERY = SceneryConfig()
 
 
 def lamp(pieces: tuple[Part, ...]) -> tuple[float, float, float] | None:
@@ -50,5 +59,5 @@ def overview(room: Room) -> Viewpoint:
     reach = math.hypot(x1 - x0, y1 - y0, room.wall_height) / 2
     right = np.cross((0.0, 0.0, 1.0), back)
     right /= np.linalg.norm(right)
-    x, y, z = (middle + back * reach / math.sin(FIELD / 2)).tolist()
+    x, y, z = (middle + back * reach / math.sin(SCENERY.field / 2)).tolist()
     return Viewpoint((x, y, z), np.column_stack([right, np.cross(back, right), back]))

@@ -20,18 +20,14 @@ from pxr import Gf, Kind, Sdf, Tf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdSemantic
 from robolayout._text import xml
 from robolayout.assets import Joint, Material, Part, category_of
 from robolayout.assets.textures import media_type, picture
-from robolayout.export._bodies import Link, Thing, things
+from robolayout.export._bodies import BODIES, Link, Thing, things
 from robolayout.export._exporter import Options, Rows, unique
 from robolayout.export._mesh import Box, Surface, base_color, linear, quaternion, welded
-from robolayout.export._scenery import ASPECT, FIELD, LUMENS, WARM, lamp, overview
+from robolayout.export._scenery import SCENERY, lamp, overview
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
-
-BULB = 0.05  # radius in metres of a lamp's light
 
 WORLD, ROOM, ASSETS, ROUTES = "/World", "/World/Room", "/World/Assets", "/World/Routes"
 THING, SHAPES = "/Thing", "/Shapes"
-ROUTE_WIDTH = 0.03  # width in metres that routes are drawn with
-LIGHTEST = 1e-4  # kilograms of a link of which nothing has a mass, as in MJCF
 DOORS = "doors"  # variant set of what has joints: "shut", "open", and "drawn" where it is drawn half-open
 
 
@@ -140,9 +136,9 @@ class _KindLayer:
         bulb = lamp(tuple(shape.part for shape in base.shapes))
         if asset is not None and bulb is not None:
             light = UsdLux.SphereLight.Define(self.stage, _free(THING, "light", self.taken))
-            light.CreateRadiusAttr(BULB)
-            light.CreateIntensityAttr(LUMENS / (2 * math.pi * BULB) ** 2)
-            light.CreateColorAttr(Gf.Vec3f(*WARM))
+            light.CreateRadiusAttr(SCENERY.bulb)
+            light.CreateIntensityAttr(SCENERY.lumens / (2 * math.pi * SCENERY.bulb) ** 2)
+            light.CreateColorAttr(Gf.Vec3f(*SCENERY.warm))
             light.AddTranslateOp().Set(Gf.Vec3d(*bulb))
 
     def linked(self) -> None:
@@ -321,7 +317,7 @@ def _rigid(prim: Any, link: Link) -> None:
     turn = quaternion(axes * np.sign(np.linalg.det(axes)))
     UsdPhysics.RigidBodyAPI.Apply(prim)
     solid = UsdPhysics.MassAPI.Apply(prim)
-    solid.CreateMassAttr(max(weight, LIGHTEST))
+    solid.CreateMassAttr(max(weight, BODIES.lightest))
     solid.CreateCenterOfMassAttr(Gf.Vec3f(*middle.tolist()))
     solid.CreateDiagonalInertiaAttr(Gf.Vec3f(*moments.tolist()))
     solid.CreatePrincipalAxesAttr(Gf.Quatf(*turn))
@@ -350,8 +346,8 @@ def _camera(stage: Any, room: Room) -> None:
     view = overview(room)
     camera = UsdGeom.Camera.Define(stage, f"{WORLD}/Camera")
     height = camera.GetVerticalApertureAttr().Get()
-    camera.GetHorizontalApertureAttr().Set(height * ASPECT)
-    camera.GetFocalLengthAttr().Set(height / 2 / math.tan(FIELD / 2))
+    camera.GetHorizontalApertureAttr().Set(height * SCENERY.aspect)
+    camera.GetFocalLengthAttr().Set(height / 2 / math.tan(SCENERY.field / 2))
     matrix = np.eye(4)
     matrix[:3, :3], matrix[3, :3] = view.rotation.T, view.position
     camera.AddTransformOp().Set(Gf.Matrix4d(matrix.tolist()))
@@ -378,9 +374,9 @@ def _routes(stage: Any, options: Options) -> None:
         curve.CreateTypeAttr(UsdGeom.Tokens.linear)
         curve.CreatePointsAttr(points)
         curve.CreateCurveVertexCountsAttr([len(line)])
-        curve.CreateWidthsAttr([ROUTE_WIDTH])
+        curve.CreateWidthsAttr([SCENERY.route_width])
         curve.SetWidthsInterpolation(UsdGeom.Tokens.constant)
-        curve.CreateExtentAttr(UsdGeom.Curves.ComputeExtent(points, Vt.FloatArray([ROUTE_WIDTH])))
+        curve.CreateExtentAttr(UsdGeom.Curves.ComputeExtent(points, Vt.FloatArray([SCENERY.route_width])))
         curve.CreatePurposeAttr(UsdGeom.Tokens.guide)
         _custom(curve.GetPrim(), "name", Sdf.ValueTypeNames.String, xml(name))
 

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from robolayout._reading import show
+from robolayout.export._bodies import BODIES
 from robolayout.export._mesh import numbers
 from robolayout.export._mujoco import simulator
 from robolayout.scene import Agent, Figure
@@ -24,9 +25,6 @@ from robolayout.scene._model import Model
 Matrix = NDArray[np.float64]
 
 PACE = 18.0  # radians per second at which a held joint swings back, without swinging over (that of the base)
-
-LIGHTEST = 1e-4
-"""Least inertia in kg (kg m2 for hinges) for which a joint is held: fingers weigh next to nothing."""
 
 MESHES, PICTURES = (".stl", ".obj", ".msh"), (".png",)  # kinds of file that MuJoCo reads
 
@@ -165,7 +163,7 @@ def _weigh(inertial: ET.Element, model: Model) -> None:
     (weight,) = model.numbers(mass.get("value"), "<mass>", 1)
     rows = np.array([said[key] for key in ("ixx", "ixy", "ixz", "ixy", "iyy", "iyz", "ixz", "iyz", "izz")])
     if np.linalg.eigvalsh(rows.reshape(3, 3))[0] <= 0:
-        ball = f"{0.4 * max(weight, LIGHTEST) * 0.01**2:.9g}"
+        ball = f"{0.4 * max(weight, BODIES.lightest) * 0.01**2:.9g}"
         inertia.attrib.update({key: ball if key[1] == key[2] else "0" for key in INERTIA})
 
 
@@ -217,7 +215,7 @@ def _hold(mujoco: Any, compiled: Any, data: Any, actuators: ET.Element) -> None:
         if compiled.jnt_type[number] < int(mujoco.mjtJoint.mjJNT_SLIDE):
             continue
         name, value = compiled.joint(number).name, float(data.qpos[compiled.jnt_qposadr[number]])
-        weight = max(float(compiled.dof_M0[compiled.jnt_dofadr[number]]), LIGHTEST)
+        weight = max(float(compiled.dof_M0[compiled.jnt_dofadr[number]]), BODIES.lightest)
         stiff, damping = weight * PACE**2, 2 * weight * PACE
         bias = f"{stiff * value:.17g} {-stiff:.17g} {-damping:.17g}"
         drive = {"gaintype": "fixed", "biastype": "affine", "gainprm": f"{stiff:.17g}", "biasprm": bias}

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 
 from robolayout._errors import LayoutError
@@ -32,8 +33,16 @@ LAYERS = {
 }
 """Layers and their colours (AutoCAD colour index)."""
 
-WALL = 0.1  # thickness in metres that walls are drawn with
-LETTER = (0.03, 0.1)  # smallest and largest height of letters in metres
+
+@dataclass(frozen=True)
+class DrawingConfig:
+    """How the plan is drawn, in metres."""
+
+    wall: float = 0.1  # metres of thickness that walls are drawn with
+    letter: tuple[float, float] = (0.03, 0.1)  # metres of the smallest and the largest height of letters
+
+
+DRAWING = DrawingConfig()
 
 PLAIN = frozenset(range(32, 127)) - frozenset(b"%^\\")
 """Codes of the letters that stand for themselves in a text: `%%d`, `^J` and `\\U+` stand for others."""
@@ -135,7 +144,7 @@ def _name(asset: Asset, pose: Pose) -> list[Group]:
     along = pose.yaw if depth >= width else pose.yaw + math.pi / 2
     along = math.remainder(along - 1e-9, math.pi) + 1e-9
     long, short = max(depth, width), min(depth, width)
-    height = min(LETTER[1], max(LETTER[0], min(long / (0.7 * len(asset.name)), short / 2)))
+    height = min(DRAWING.letter[1], max(DRAWING.letter[0], min(long / (0.7 * len(asset.name)), short / 2)))
     down = short / 2 - height if asset.is_flat else 0.0
     x, y = pose.x + down * math.sin(along), pose.y - down * math.cos(along)
     groups: list[Group] = [(0, "TEXT"), (8, "NAMES"), (10, x), (20, y), (30, 0.0), (40, height), (1, asset.name)]
@@ -156,15 +165,15 @@ def _room(room: Room) -> list[Group]:
     for wall in room.walls:
         openings = [opening for opening in (*room.doors, *room.windows) if opening.wall == wall.index]
         for start, end in _solid(wall.length, openings):
-            far = outer[(wall.index + 1) % len(outer)] if end == wall.length else wall.point(end, -WALL)
-            near = outer[wall.index] if start == 0.0 else wall.point(start, -WALL)
+            far = outer[(wall.index + 1) % len(outer)] if end == wall.length else wall.point(end, -DRAWING.wall)
+            near = outer[wall.index] if start == 0.0 else wall.point(start, -DRAWING.wall)
             outline = (wall.point(start), wall.point(end), far, near)
             groups += _polyline("WALLS", outline, closed=True)
     for door in room.doors:
         groups += _door(room, door)
     for window in room.windows:
         wall, ends = room.walls[window.wall], (window.offset, window.offset + window.width)
-        for depth in (0.0, -WALL / 2, -WALL):
+        for depth in (0.0, -DRAWING.wall / 2, -DRAWING.wall):
             groups += _polyline("WINDOWS", [wall.point(offset, depth) for offset in ends])
     return groups
 
@@ -172,7 +181,7 @@ def _room(room: Room) -> list[Group]:
 def _mitre(room: Room, corner: int) -> Point:
     """Return where the outer faces of the two walls at a corner meet."""
     (ax, ay), (bx, by) = room.walls[corner - 1].normal, room.walls[corner].normal
-    scale = WALL / max(1 + ax * bx + ay * by, 0.1)
+    scale = DRAWING.wall / max(1 + ax * bx + ay * by, 0.1)
     x, y = room.vertices[corner]
     return (x - (ax + bx) * scale, y - (ay + by) * scale)
 

@@ -25,7 +25,7 @@ from robolayout.assets.textures import media_type, picture
 from robolayout.export._exporter import Exporter, Json, Options, Rows, facts, is_movable, placed, reader
 from robolayout.export._mesh import Surface, base_color, linear, merged, quaternion
 from robolayout.export._rugs import laid_parts
-from robolayout.export._scenery import ASPECT, FIELD, LUMENS, WARM, lamp, overview
+from robolayout.export._scenery import SCENERY, lamp, overview
 from robolayout.scene import Asset, Layout, Pose, Room, Scene
 
 MAGIC = b"glTF"
@@ -35,7 +35,7 @@ VERTICES, INDICES = 34962, 34963
 REPEAT: Json = {"magFilter": 9729, "minFilter": 9987, "wrapS": 10497, "wrapT": 10497}
 """How all textures are looked up: smoothly, and again and again."""
 LIGHTS = "KHR_lights_punctual"
-BULB: Json = {"type": "point", "color": list(WARM), "intensity": round(LUMENS / (4 * math.pi), 3)}
+BULB: Json = {"type": "point", "color": list(SCENERY.warm), "intensity": round(SCENERY.lumens / (4 * math.pi), 3)}
 """The light of every lamp, in candela."""
 
 
@@ -76,7 +76,10 @@ class _Builder:
     def camera(self, room: Room) -> int:
         """Add a camera that sees the whole room; return its node's index."""
         self.cameras.append(
-            {"type": "perspective", "perspective": {"yfov": FIELD, "aspectRatio": ASPECT, "znear": 0.05}}
+            {
+                "type": "perspective",
+                "perspective": {"yfov": SCENERY.field, "aspectRatio": SCENERY.aspect, "znear": 0.05},
+            }
         )
         view = overview(room)
         w, x, y, z = quaternion(view.rotation)

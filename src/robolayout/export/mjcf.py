@@ -17,18 +17,28 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from robolayout.assets import Material
-from robolayout.export._bodies import DRAG, STICTION, THINNEST, Free, Link, Shape, Thing, things
+from robolayout.export._bodies import BODIES, DRAG, STICTION, Free, Link, Shape, Thing, things
 from robolayout.export._exporter import Exporter, Options, Rows, free_name, is_movable, reader, unique
 from robolayout.export._mesh import numbers, quaternion
 from robolayout.export._xml import dump_xml, parse_xml, rgba
 from robolayout.scene import Agent, Figure, Layout, Pose, Scene
 
 AGENT = "agent"
-AGENT_MASS = 60.0  # mass of the planar base in kg (a person; judgement)
-INSIDE = 0.6  # metres inside the door at which a body starts if nothing is said, or more if it is longer
 
-STIFFNESS, DAMPING = 20_000.0, 2_200.0
-"""Gains of the base's actuators in N/m and N s/m (for the hinge N m/rad and N m s/rad): critically damped for its mass."""
+
+@dataclass(frozen=True)
+class BaseConfig:
+    """The planar base that moves a body in MuJoCo."""
+
+    mass: float = 60.0  # kilograms of the planar base (a person; judgement)
+    inside: float = 0.6  # metres inside the door at which a body starts if nothing is said, or more if it is longer
+    stiffness: float = 20_000.0  # gain of its actuators in N/m (for the hinge N m/rad)
+    damping: float = 2_200.0  # gain in N s/m (for the hinge N m s/rad): critically damped for its mass
+    # metres by which its collider is smaller than the body: what a controller may stray from the planned line
+    margin: float = 0.01
+
+
+BASE = BaseConfig()
 
 
 @dataclass
@@ -171,7 +181,7 @@ def start(scene: Scene, options: Options) -> Pose:
         return options.start
     if room.doors:
         wall = room.walls[room.doors[0].wall]
-        depth = max(INSIDE, (agent.length or 2 * agent.radius) / 2 + THINNEST if agent else 0.0)
+        depth = max(BASE.inside, (agent.length or 2 * agent.radius) / 2 + BODIES.thinnest if agent else 0.0)
         return Pose(*wall.point(room.doors[0].center, depth), 0.0, math.atan2(wall.normal[1], wall.normal[0]))
     low_x, low_y, high_x, high_y = room.bounds
     return Pose((low_x + high_x) / 2, (low_y + high_y) / 2, 0.0, 0.0)
@@ -191,7 +201,10 @@ def _agent(model: _Model, own: str, options: Options, pose: Pose) -> None:
     for name, (kind, value) in joints.items():
         axis = axes.get(name, "0 0 1")
         ET.SubElement(body, "joint", name=f"{own}/{name}", type=kind, axis=axis, ref=repr(value))
-        gains = {"gainprm": f"{STIFFNESS:.6g}", "biasprm": f"{STIFFNESS * value:.17g} {-STIFFNESS:.6g} {-DAMPING:.6g}"}
+        gains = {
+            "gainprm": f"{BASE.stiffness:.6g}",
+            "biasprm": f"{BASE.stiffness * value:.17g} {-BASE.stiffness:.6g} {-BASE.damping:.6g}",
+        }
         drive = {"gaintype": "fixed", "biastype": "affine", "joint": f"{own}/{name}"}
         ET.SubElement(model.actuators, "general", {"name": f"{own}/{name}", **drive, **gains})
         model.home.append(value)
@@ -222,7 +235,7 @@ def _shape(body: ET.Element, own: str, agent: Agent) -> None:
     shape = {"type": "cylinder", "size": f"{agent.radius:.9g} {half:.9g}"}
     if agent.length is not None and agent.width is not None:
         shape = {"type": "box", "size": f"{agent.length / 2:.9g} {agent.width / 2:.9g} {half:.9g}"}
-    look = {"rgba": "0.15 0.45 0.75 0.6", "friction": "0 0 0", "condim": "1", "mass": f"{AGENT_MASS:.6g}"}
+    look = {"rgba": "0.15 0.45 0.75 0.6", "friction": "0 0 0", "condim": "1", "mass": f"{BASE.mass:.6g}"}
     ET.SubElement(body, "geom", {"name": f"{own}/body", "pos": f"0 0 {low + half:.9g}", **shape, **look})
 
 

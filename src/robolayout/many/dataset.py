@@ -25,8 +25,8 @@ from robolayout._version import __version__
 from robolayout.many.index import Table, check_tables, write_index
 from robolayout.many.room import NOTE, Made, shelved
 from robolayout.many.spec import Ready, changed, read_spec
-from robolayout.many.variety import LEAST, Plan, nearest
-from robolayout.many.workers import Local, Ray, Task, Workers, check_cluster
+from robolayout.many.variety import VARIETY, Plan, nearest
+from robolayout.many.workers import WORKERS, Local, Ray, Task, Workers, check_cluster
 from robolayout.run.folder import open_folder
 
 HEAD, LOCK, TIMES, MESHES = "batch.json", ".robolayout-lock", "timing.csv", "meshes"
@@ -34,9 +34,6 @@ HEAD, LOCK, TIMES, MESHES = "batch.json", ".robolayout-lock", "timing.csv", "mes
 
 LEFT = ("rooms/*/.*.robolayout-*", ".*.tmp", f"{MESHES}/**/.*.tmp")
 """What a run leaves that is killed while it writes."""
-
-DEATHS = 5
-"""Workers that one try at a room may cost before it counts as failed: somebody else may have ended them."""
 
 STATIONS = ("draw", "generate", "scene", "plan", "program", "solve", "verify", "conflicts", "write")
 """Columns of CPU seconds in `timing.csv`; `generate` holds those between it and `write`."""
@@ -218,11 +215,13 @@ class _Run:
         """Keep what was made, or have the room made again."""
         if made is None:
             self.deaths[task] += 1
-            if self.deaths[task] < DEATHS:
+            if self.deaths[task] < WORKERS.deaths:
                 self.queue.appendleft(task.index)
                 return
             spec = self.ready.spec
-            made = Made(f"its worker ended {DEATHS} times; bounds are {spec.seconds:g} s and {spec.memory:g} GB")
+            made = Made(
+                f"its worker ended {WORKERS.deaths} times; bounds are {spec.seconds:g} s and {spec.memory:g} GB"
+            )
         self._time(task, made)
         if made.why:
             self._replace(task.index, made.why)
@@ -270,7 +269,7 @@ class _Run:
                 source = self.ready.sources[self.settled % len(self.ready.sources)].text
                 others = self.plans.setdefault(source, [])
                 room.nearest = nearest(room.plan, others)
-                if room.nearest[0] < LEAST:
+                if room.nearest[0] < VARIETY.least:
                     self._drop(self.settled, room)
                     continue
                 others.append((self.settled, room.plan))

@@ -21,7 +21,7 @@ from robolayout._text import markdown
 from robolayout.many.dataset import MESHES
 from robolayout.many.found import Found, find_rooms
 from robolayout.many.index import check_tables, write_rows
-from robolayout.many.page import columns, page
+from robolayout.many.page import PAGES, columns, page
 from robolayout.many.room import figures
 from robolayout.many.statistics import Mean, mean, sign_test
 from robolayout.run.folder import open_folder
@@ -29,8 +29,6 @@ from robolayout.scene import Agent, load_agents
 
 LOWER = ("COL", "Col_", "OOB", "R_out", "violations", "short", "exempt", "regions")
 """Parts of the names of figures of which less is better."""
-
-PLOTTED = 24  # figures that a plot shows
 
 
 @dataclass(frozen=True)
@@ -215,10 +213,10 @@ def _plots(found: Evaluation) -> dict[str, bytes]:
     shares = [
         n for n, mean in found.groups["all"].items() if n.endswith(("_share", "_ratio")) or n == "ok" if mean.count
     ]
-    by_group = {group: {name: part[name] for name in shares[:PLOTTED]} for group, part in found.groups.items()}
+    by_group = {group: {name: part[name] for name in shares[: PAGES.plotted]} for group, part in found.groups.items()}
     plots = {"means by group, with their intervals": by_group}
     if found.against:
-        names = [name for name, pair in found.against.items() if pair.better + pair.worse][:PLOTTED]
+        names = [name for name, pair in found.against.items() if pair.better + pair.worse][: PAGES.plotted]
         plots["differences, this folder less the other"] = {"": {n: found.against[n].difference for n in names}}
     return {name: _drawn(bars) for name, bars in plots.items() if any(bars.values())}
 

@@ -19,18 +19,14 @@ from robolayout._errors import MissingExtraError
 from robolayout._files import write_atomic
 from robolayout._reading import LIMITS, Unreadable, regular_bytes
 from robolayout._reading.glb import glb_notice
-from robolayout._text import markdown
+from robolayout._text import TOLD, markdown
 from robolayout._version import __version__
-from robolayout.many.page import columns, page
+from robolayout.many.page import PAGES, columns, page
 from robolayout.many.spec import Ready
-from robolayout.many.variety import LEAST
+from robolayout.many.variety import VARIETY
 from robolayout.page import part
 from robolayout.render import png_bytes
 from robolayout.render.animation import spread
-
-TILE = 160  # pixels of a side of one room in the picture of all
-MOST_TILES = 600  # rooms in that picture; of more, so many at even distances
-SHOWN = 12  # reasons that the card tells
 
 OWN = "Own meshes, with the notice that each file holds:"
 
@@ -103,16 +99,16 @@ def contact(folder: Path, rows: Sequence[Mapping[str, Any]]) -> bytes:
     from PIL import Image
 
     there = [row for row in rows if row["status"] != "missing"]
-    there = [there[k] for k in spread(len(there), MOST_TILES)]
+    there = [there[k] for k in spread(len(there), PAGES.tiles)]
     across = max(1, int(np.ceil(np.sqrt(1.6 * len(there)))))
     down = max(1, -(-len(there) // across))
-    sheet = Image.new("RGB", (across * TILE, down * TILE), "white")
+    sheet = Image.new("RGB", (across * PAGES.tile, down * PAGES.tile), "white")
     for number, row in enumerate(there):
         with Image.open(folder / row["path"] / "thumb.png") as picture:
             tile = picture.convert("RGB")
-        tile.thumbnail((TILE - 4, TILE - 4), Image.Resampling.LANCZOS)
-        left, top = (TILE - tile.width) // 2, (TILE - tile.height) // 2
-        sheet.paste(tile, (number % across * TILE + left, number // across * TILE + top))
+        tile.thumbnail((PAGES.tile - 4, PAGES.tile - 4), Image.Resampling.LANCZOS)
+        left, top = (PAGES.tile - tile.width) // 2, (PAGES.tile - tile.height) // 2
+        sheet.paste(tile, (number % across * PAGES.tile + left, number // across * PAGES.tile + top))
     return png_bytes(sheet.quantize(256))
 
 
@@ -124,10 +120,10 @@ def card(table: Table) -> str:
     states = [f"- {count['met']} rooms meet all their demands"]
     states += [f"- {count[status]} rooms {words}" for status, words in told.items() if count[status]]
     states += [f"- {sum(table.reasons.values())} tries were replaced"]
-    states += [f"  - {number} x {markdown(why)}" for why, number in list(table.reasons.items())[:SHOWN]]
+    states += [f"  - {number} x {markdown(why)}" for why, number in list(table.reasons.items())[: TOLD.shown]]
     if spec.distinct:
-        near = sum(row["difference"] < LEAST for row in rows if row["status"] != "missing")
-        alike = f"pairs with less than {LEAST:.0%} of their things at other places"
+        near = sum(row["difference"] < VARIETY.least for row in rows if row["status"] != "missing")
+        alike = f"pairs with less than {VARIETY.least:.0%} of their things at other places"
         states += [f"- {near} near-duplicates ({alike}) are left"]
     known = {name: [float(row[name]) for row in rows if row.get(name) is not None] for name in SUMMED}
     found = ((name, min(v), statistics.fmean(v), max(v)) for name, v in known.items() if v)

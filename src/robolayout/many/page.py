@@ -4,12 +4,25 @@ from __future__ import annotations
 
 import base64
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from robolayout._text import html, printable
 from robolayout.page import part, sealed
 
-MOST = 5000  # rows that one page holds; the index has all
+
+@dataclass(frozen=True)
+class PageConfig:
+    """How much of a data set its pages and pictures show."""
+
+    rows: int = 5000  # rows that one page holds; the index has all
+    tile: int = 160  # pixels of a side of one room in the picture of all
+    tiles: int = 600  # rooms in that picture; of more, so many at even distances
+    plotted: int = 24  # figures that a plot shows
+    thumb: int = 240  # pixels of a side of the small picture that every room has
+
+
+PAGES = PageConfig()
 
 
 def columns(rows: Sequence[Mapping[str, Any]]) -> list[str]:
@@ -27,9 +40,9 @@ def page(
         plots: PNG pictures to show above, by what they show.
     """
     names = columns(rows)
-    values = ((row.get(name) for name in names) for row in rows[:MOST])
+    values = ((row.get(name) for name in names) for row in rows[: PAGES.rows])
     cells = [[printable(value) if isinstance(value, str) else value for value in row] for row in values]
-    note = f"The first {MOST} of {len(rows)} rooms; the index has all." if len(rows) > MOST else ""
+    note = f"The first {PAGES.rows} of {len(rows)} rooms; the index has all." if len(rows) > PAGES.rows else ""
     shown = "".join(
         f'<figure><img alt="{html(name)}" src="data:image/png;base64,{base64.b64encode(data).decode()}">'
         f"<figcaption>{html(name)}</figcaption></figure>"

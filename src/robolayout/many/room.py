@@ -24,6 +24,7 @@ import numpy as np
 from robolayout._errors import InputError, RoboLayoutError
 from robolayout._files import write_atomic
 from robolayout.export import export_all
+from robolayout.many.page import PAGES
 from robolayout.many.spec import Ready, Source, Spec, read_spec
 from robolayout.many.variety import Thing, things
 from robolayout.planners import scene_from_sentence
@@ -49,7 +50,6 @@ NOBODY = {"name": "nobody", "radius": 0.001, "height": 0.05, "step": 0.03, "reac
 """A body so small that nothing is in its way, for a search that is to know none."""
 
 GRID = 0.05  # metres to which drawn lengths are rounded, as people say them
-THUMB = 240  # pixels of a side of the small picture that every room has
 NOTE = "room.json"  # A room's row in the index, with what else is needed to go on after a stop
 
 
@@ -236,8 +236,8 @@ def _thumb(result: Result, drawn: bytes | None) -> bytes:
     from robolayout.render import draw_plan, png_bytes
 
     plan = None if drawn else draw_plan(result.scene, result.layout, names=False)
-    picture = plan.image(2 * THUMB) if plan else Image.open(BytesIO(drawn or b"")).convert("RGB")
-    picture.thumbnail((THUMB, THUMB), Image.Resampling.LANCZOS)
+    picture = plan.image(2 * PAGES.thumb) if plan else Image.open(BytesIO(drawn or b"")).convert("RGB")
+    picture.thumbnail((PAGES.thumb, PAGES.thumb), Image.Resampling.LANCZOS)
     return png_bytes(picture.quantize(64))
 
 

@@ -1,7 +1,7 @@
 """How much two rooms differ: the share of their things that have no counterpart in the other one.
 
 Rooms are laid over each other by their middles and compared turned and mirrored in all eight ways. A thing has a counterpart
-where a thing of its kind stands within `NEAR` metres and faces the same way within `ALIKE` degrees; each counts once.
+where a thing of its kind stands within `VARIETY.near` metres and faces the same way within `VARIETY.alike` degrees; each counts once.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,11 +17,20 @@ from numpy.typing import NDArray
 
 from robolayout.scene import Layout, Scene
 
-NEAR = 0.25  # metres between two things that stand at the same place
-ALIKE = 20.0  # degrees between two fronts that face the same way
 
-LEAST, VARIED = 0.15, 0.4
-"""Difference below which two rooms are near-duplicates, and from which on they are variants that are worth having."""
+@dataclass(frozen=True)
+class VarietyConfig:
+    """When two rooms are alike."""
+
+    near: float = 0.25  # metres between two things that stand at the same place
+    alike: float = 20.0  # degrees between two fronts that face the same way
+    least: float = 0.15  # share of things at other places below which two rooms are near-duplicates
+    varied: float = 0.4  # share from which on they are variants worth having
+    draws: int = 4  # times that a variant is drawn until it is not much like those before it
+
+
+VARIETY = VarietyConfig()
+
 
 Thing = tuple[str, float, float, float]
 """Kind, x and y in metres from the middle of the room, heading in radians."""
@@ -59,7 +69,11 @@ class Plan:
         apart = self.seen[0][None, :, None] - other.seen[:, None, :]
         turned = np.abs((apart[..., 2] + math.pi) % (2 * math.pi) - math.pi)
         metres = np.hypot(apart[..., 0], apart[..., 1])
-        near = (metres <= NEAR) & (turned <= math.radians(ALIKE)) & (self.kinds[:, None] == other.kinds[None, :])
+        near = (
+            (metres <= VARIETY.near)
+            & (turned <= math.radians(VARIETY.alike))
+            & (self.kinds[:, None] == other.kinds[None, :])
+        )
         most = np.minimum(near.any(axis=2).sum(axis=1), near.any(axis=1).sum(axis=1))
         if (bound := self._share(int(most.max()), other)) >= below:
             return bound

@@ -27,14 +27,22 @@ from robolayout._files import write_atomic
 from robolayout.many.room import Made, make
 from robolayout.many.spec import Ready
 
-AHEAD = 2  # rooms under way for each processor of a cluster: one that is made, one that waits for it
-ANSWER = 10.0  # seconds in which a cluster must answer
-PATIENCE = 10  # seconds by the clock for each CPU second that a room may take
 
-RENEWED = 100
-"""Rooms after which a worker ends and another takes its place: caches and compiled programs add some megabytes a dozen rooms."""
+@dataclass(frozen=True)
+class WorkerConfig:
+    """How long workers are waited for and kept."""
 
-TICK = 0.2  # seconds to wait for a worker before something else is looked at
+    ahead: int = 2  # rooms under way for each processor of a cluster: one that is made, one that waits for it
+    answer: float = 10.0  # seconds in which a cluster must answer
+    patience: int = 10  # seconds by the clock for each CPU second that a room may take
+    # rooms after which a worker makes way for another: caches and compiled programs add some megabytes a dozen rooms
+    renewed: int = 100
+    tick: float = 0.2  # seconds to wait for a worker before something else is looked at
+    # workers that one try at a room may cost before it counts as failed: somebody else may have ended them
+    deaths: int = 5
+
+
+WORKERS = WorkerConfig()
 
 
 @dataclass(frozen=True)
@@ -57,7 +65,7 @@ class _Process:
 
 @dataclass
 class Local:
-    """Processes of this machine, started afresh (nothing is forked) and kept for `RENEWED` rooms: each loads programs once."""
+    """Processes of this machine, started afresh (nothing is forked) and kept for `WORKERS.renewed` rooms: each loads programs once."""
 
     ready: Ready  # what is asked for
     meshes: Path  # folder of the meshes of the catalogues
@@ -83,7 +91,7 @@ class Local:
     def done(self) -> Iterator[tuple[Task, Made | None]]:
         """Yield what processes have made, and None for the tries of those that have ended; after a moment, with or without any."""
         busy = [one for one in self._all if one.task is not None]
-        heard = connection.wait([*(one.pipe for one in busy), *(one.process.sentinel for one in busy)], TICK)
+        heard = connection.wait([*(one.pipe for one in busy), *(one.process.sentinel for one in busy)], WORKERS.tick)
         for one in busy:
             if one.pipe in heard or one.process.sentinel in heard:
                 task, one.task = cast(Task, one.task), None
@@ -92,7 +100,7 @@ class Local:
                 except (EOFError, OSError):
                     made = None
                 one.made += 1
-                if made is None or one.made == RENEWED:
+                if made is None or one.made == WORKERS.renewed:
                     self._all.remove(one)
                     one.process.kill()
                     one.process.join()
@@ -121,11 +129,11 @@ def _serve(pipe: connection.Connection, ready: Ready, meshes: Path) -> None:
 def bounded(ready: Ready, task: Task, meshes: Path) -> Made:
     """Return one try at a room, made within bounds of time and memory; the process ends where it takes too long.
 
-    Time is counted in CPU seconds, lest a busy machine lose rooms; one that only waits has `PATIENCE` times as long.
+    Time is counted in CPU seconds, lest a busy machine lose rooms; one that only waits has `WORKERS.patience` times as long.
     """
     _limit_memory(int(ready.spec.memory * 1e9))
     with open(os.devnull, "w") as nowhere:
-        faulthandler.dump_traceback_later(PATIENCE * ready.spec.seconds, exit=True, file=nowhere)
+        faulthandler.dump_traceback_later(WORKERS.patience * ready.spec.seconds, exit=True, file=nowhere)
         signal.setitimer(signal.ITIMER_PROF, ready.spec.seconds)  # its signal ends a process that does not expect it
         try:
             return make(ready, task.index, task.attempt, meshes)
@@ -165,10 +173,10 @@ class Ray:
             except (ConnectionError, ValueError, RuntimeError) as error:
                 raise InputError(f"there is no Ray cluster at {address!r}: {str(error).splitlines()[0]}") from None
         processors = int(ray.cluster_resources().get("CPU", 1))
-        self.slots = AHEAD * min(most or processors, processors)
+        self.slots = WORKERS.ahead * min(most or processors, processors)
         meshes = {name: path.read_bytes() for name, path in ready.meshes.items()}
         self.given = (ray.put(ready), [ray.put(meshes)])
-        self.function: Any = ray.remote(num_cpus=1, max_retries=0, max_calls=RENEWED)(_task)
+        self.function: Any = ray.remote(num_cpus=1, max_retries=0, max_calls=WORKERS.renewed)(_task)
         self.waiting: dict[Any, Task] = {}
 
     def send(self, task: Task) -> None:
@@ -177,7 +185,7 @@ class Ray:
 
     def done(self) -> Iterator[tuple[Task, Made | None]]:
         """Yield what tasks have made, and the tries of those whose process or node has ended."""
-        found, _ = self.ray.wait(list(self.waiting), timeout=TICK) if self.waiting else ([], [])
+        found, _ = self.ray.wait(list(self.waiting), timeout=WORKERS.tick) if self.waiting else ([], [])
         for reference in found:
             task = self.waiting.pop(reference)
             try:
@@ -207,7 +215,7 @@ def check_cluster(address: str) -> None:
     if not host:
         return
     try:
-        socket.create_connection((host, int(port)), ANSWER).close()
+        socket.create_connection((host, int(port)), WORKERS.answer).close()
     except (OSError, ValueError, OverflowError) as error:
         raise InputError(
             f"there is no Ray cluster at {address!r}: {error}; give HOST:PORT of its head, or local."

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import shapely
@@ -14,8 +15,19 @@ from robolayout.scene import Agent, Point
 from robolayout.verify import AgentReport, Demands, Passage, exempt_from_reach
 from robolayout.verify.sentences import unreached_sentence
 
-TOLERANCE = 0.004  # metres by which the drawn outline of a floor area may leave the exact one
-SMALLEST = 0.01  # square metres below which a drawn floor area is left out
+
+@dataclass(frozen=True)
+class ContentConfig:
+    """How finely the page shows a room and the search for it."""
+
+    tolerance: float = 0.004  # metres by which the drawn outline of a floor area may leave the exact one
+    smallest: float = 0.01  # square metres below which a drawn floor area is left out
+    frames: int = 120  # most moments of the search that the page holds
+    curve: int = 240  # most points of the loss curve
+
+
+CONTENT = ContentConfig()
+
 Rings = Sequence[Sequence[Point]]
 
 
@@ -56,14 +68,14 @@ def listed(point: Iterable[float]) -> list[int]:
 
 def _rings(shape: Polygon) -> list[list[int]]:
     """Return the rings of a polygon, outer first, without the points that no eye would miss."""
-    plain = shape.simplify(TOLERANCE)
+    plain = shape.simplify(CONTENT.tolerance)
     plain = plain if isinstance(plain, Polygon) and not plain.is_empty else shape
     return [[v for x, y in ring.coords[:-1] for v in listed((x, y))] for ring in (plain.exterior, *plain.interiors)]
 
 
 def _areas(shapes: Iterable[BaseGeometry]) -> list[list[list[int]]]:
     """Return the rings of every polygon that is large enough to be seen."""
-    return [_rings(shape) for shape in shapes if isinstance(shape, Polygon) and shape.area > SMALLEST]
+    return [_rings(shape) for shape in shapes if isinstance(shape, Polygon) and shape.area > CONTENT.smallest]
 
 
 def _beyond(report: AgentReport) -> BaseGeometry:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from robolayout._version import __version__
-from robolayout.page._agents import agent_content, listed, millimetres
+from robolayout.page._agents import CONTENT, agent_content, listed, millimetres
 from robolayout.page.notes import rule_rows
 from robolayout.program import Reconciled
 from robolayout.render import PlanMarks, palette
@@ -19,8 +19,6 @@ from robolayout.render.curves import TOTAL, loss_terms
 from robolayout.scene import Trace
 from robolayout.verify import Report
 
-FRAMES = 120  # most moments of the search that the page holds
-CURVE = 240  # most points of the loss curve
 Row = tuple[str, str, bool | None]
 """What was looked at, what came out, and whether that is enough (None: nothing is asked)."""
 
@@ -111,7 +109,7 @@ def _statements(report: Report, reconciled: Reconciled) -> Iterator[dict[str, An
 def _trace(trace: Trace, names: Sequence[str]) -> dict[str, Any]:
     """Return the moments of the search as flat lists of x, y, angle in the order of the assets; absent ones are None."""
     frames: list[list[Any]] = []
-    for snapshot in (trace.snapshots[k] for k in spread(len(trace.snapshots), FRAMES)):
+    for snapshot in (trace.snapshots[k] for k in spread(len(trace.snapshots), CONTENT.frames)):
         poses: list[int | None] = []
         for name in names:
             x, y, yaw = snapshot.poses.get(name, (None, None, None))
@@ -126,7 +124,7 @@ def _curve(trace: Trace) -> list[list[float]]:
     if total is None:
         return []
     steps = np.flatnonzero(np.isfinite(total) & (total > 0))
-    steps = steps[:: max(1, math.ceil(len(steps) / CURVE))]
+    steps = steps[:: max(1, math.ceil(len(steps) / CONTENT.curve))]
     return [[int(step), round(math.log10(float(total[step])), 3)] for step in steps]
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from robolayout.render import PlanMarks
@@ -14,10 +14,19 @@ from robolayout.verify import AgentReport, Navigation, Passage, exempt_from_reac
 if TYPE_CHECKING:
     from shapely import LineString, Polygon
 
-ARC = math.radians(16)  # half the angle of the arcs that show how far an arm reaches on the plan
-APART = 0.4  # metres between the places to stand that the plan shows
-CIRCLES = 3  # turning circles that the plan shows: the roomiest places
-PASSAGES = 8  # most passages that a sheet shows: the narrowest
+
+@dataclass(frozen=True)
+class MarkConfig:
+    """What the plan marks for a body."""
+
+    arc: float = math.radians(16)  # half the angle of the arcs that show how far an arm reaches on the plan
+    apart: float = 0.4  # metres between the places to stand that the plan shows
+    circles: int = 3  # turning circles that the plan shows: the roomiest places
+    passages: int = 8  # most passages that a sheet shows: the narrowest
+
+
+MARKS = MarkConfig()
+
 Rings = tuple[tuple[Point, ...], ...]
 
 
@@ -45,7 +54,7 @@ def sheet_marks(report: AgentReport) -> PlanMarks:
     widths: dict[frozenset[str], Passage] = {}
     for passage in _narrow(report):
         widths.setdefault(frozenset(passage.between), passage)
-    shown = list(widths.values())[:PASSAGES]
+    shown = list(widths.values())[: MARKS.passages]
     return replace(plan_marks(report), passages=tuple(_span(passage) for passage in shown))
 
 
@@ -72,7 +81,7 @@ def _circles(report: AgentReport) -> tuple[tuple[Point, float], ...]:
     if space is None:
         return ()
     diameter = max(2 * agent.circumradius, agent.turning_diameter or 0.0)
-    spots = [maximum_inscribed_circle(place, 0.01).coords[0] for place in list(space.turning.geoms)[:CIRCLES]]
+    spots = [maximum_inscribed_circle(place, 0.01).coords[0] for place in list(space.turning.geoms)[: MARKS.circles]]
     return tuple(((float(x), float(y)), diameter) for x, y in spots)
 
 
@@ -88,10 +97,10 @@ def _arcs(report: AgentReport) -> tuple[tuple[Point, ...], ...]:
     found: list[tuple[Point, ...]] = []
     for name, use in report.usage.uses.items() if agent.reach_distance is not None else ():
         reach = horizontal_reach(agent, *vertical_span(nav.scene.by_name[name], nav.layout[name]))
-        if use.stand is not None and reach is not None and all(math.dist(use.stand, a[0]) > APART for a in found):
+        if use.stand is not None and reach is not None and all(math.dist(use.stand, a[0]) > MARKS.apart for a in found):
             (x, y), pose = use.stand, nav.layout[name]
             middle = math.atan2(pose.y - y, pose.x - x)
-            turns = [middle + ARC * (step / 8 - 1) for step in range(17)]
+            turns = [middle + MARKS.arc * (step / 8 - 1) for step in range(17)]
             rays = [LineString([(x, y), (x + reach * math.cos(t), y + reach * math.sin(t))]) for t in turns]
             ends = [_inside(room, ray) for ray in rays if room.covers(LineString(ray.coords[:1] * 2))]
             found.append(((x, y), *ends))

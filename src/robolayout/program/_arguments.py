@@ -9,6 +9,7 @@ from typing import Any
 
 from robolayout._errors import did_you_mean
 from robolayout.constraints import RELATIONS, AssetRef, PointRef, Relation, WallRef
+from robolayout.program._program import READING
 from robolayout.scene import Scene
 
 Recorded = list[Any]
@@ -27,9 +28,6 @@ NOUNS = {
     "statement": "a statement such as solver.corner(plant[0]), or a list of those",
 }
 """Words for what an argument takes."""
-
-LARGEST = 1e6
-"""Largest number in an argument, in its own unit."""
 
 OTHER_NAMES = {"asset": "a", "asset1": "a", "asset2": "b", "target": "b", "assets": "items"}
 """Argument names that programs of LayoutVLM use, by ours."""
@@ -165,8 +163,8 @@ def _index(index: object, count: int) -> int:
 def _number(value: float, *, whole: bool = False) -> float:
     if not math.isfinite(value):
         raise ArgumentError("is not finite (NaN or infinite)")
-    if abs(value) > LARGEST:
-        raise ArgumentError(f"is {value:g}; numbers go up to {LARGEST:g}")
+    if abs(value) > READING.largest:
+        raise ArgumentError(f"is {value:g}; numbers go up to {READING.largest:g}")
     if whole and not value.is_integer():
         raise ArgumentError(f"takes a whole number, not {value:g}")
     return int(value) if whole else value

@@ -15,11 +15,9 @@ from shapely import Point, Polygon
 
 from robolayout.assets import resting_place
 from robolayout.constraints import TOLERANCE, AssetRef, Ref, WallRef
+from robolayout.constraints.mounted_on import EYE_HEIGHT
 from robolayout.scene import Asset, Room, Scene, Wall
 from robolayout.scene.room import OPENINGS
-
-EYE_HEIGHT = 1.5
-"""Metres above the floor of the middle of a wall thing that nobody gave a height."""
 
 Span = tuple[float, float]
 

@@ -17,6 +17,22 @@ from robolayout.scene import program_variable, split_name
 
 
 @dataclass(frozen=True)
+class ReadingConfig:
+    """What of a program counts as a mistake, and how much of it a message shows."""
+
+    line: int = 160  # characters of a line that a message shows
+    grace: float = 2.0  # seconds after its time limit at which the child is killed
+    message: int = 400  # characters kept of a message that a program raises
+    # statements of one answer left out before it counts as unreadable; each is a run of a few hundredths of a second
+    dropped: int = 40
+    farthest: float = 1e4  # metres from the origin beyond which a position is a mistake
+    largest: float = 1e6  # largest number in an argument, in its own unit
+
+
+READING = ReadingConfig()
+
+
+@dataclass(frozen=True)
 class Limits:
     """What a program may use; everything beyond ends in a `ProgramLimitError`."""
 

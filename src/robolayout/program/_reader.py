@@ -10,16 +10,10 @@ from typing import Any
 from robolayout._errors import ProgramError, ProgramLimitError
 from robolayout.constraints import RELATIONS, Relation
 from robolayout.program._arguments import WEIGHT, ArgumentError, Recorded, build_relation, wish_weight
-from robolayout.program._program import Guess, Limits, Program, Statement
+from robolayout.program._program import READING, Guess, Limits, Program, Statement
 from robolayout.program._sandbox import run
 from robolayout.program._source import Site, Source, read_source, without_line
 from robolayout.scene import Scene
-
-MOST_DROPPED = 40
-"""Statements of one answer that are left out before it counts as unreadable; each is one more run of a few hundredths of a second."""
-
-FARTHEST = 1e4
-"""Metres from the origin beyond which a position is a mistake."""
 
 
 def read_program(text: str, scene: Scene, limits: Limits | None = None) -> Program:
@@ -55,7 +49,7 @@ def read_salvaged(text: str, scene: Scene, limits: Limits | None = None) -> Prog
     The smallest Python statement that an error points at is left out and the rest read again, until all of it runs.
 
     Raises:
-        ProgramError: Nothing in it places or states anything, or more than `MOST_DROPPED` statements are wrong.
+        ProgramError: Nothing in it places or states anything, or more than `READING.dropped` statements are wrong.
     """
     dropped: list[str] = []
     rest, first = text, None
@@ -67,7 +61,7 @@ def read_salvaged(text: str, scene: Scene, limits: Limits | None = None) -> Prog
             raise
         except ProgramError as error:
             first = first or error
-            shorter = without_line(rest, error.line) if error.line and len(dropped) < MOST_DROPPED else None
+            shorter = without_line(rest, error.line) if error.line and len(dropped) < READING.dropped else None
             if shorter is None:
                 raise first from None
             rest = shorter
@@ -167,8 +161,8 @@ def _vector(recorded: Recorded, what: str, site: Site, source: Source) -> list[f
     if not items or any(item[0] != "number" for item in items):
         raise source.error(f"{what} takes a list of numbers", site.line or None, site.column)
     numbers: list[float] = [item[1] for item in items]
-    if not all(math.isfinite(value) and abs(value) <= FARTHEST for value in numbers):
+    if not all(math.isfinite(value) and abs(value) <= READING.farthest for value in numbers):
         shown = ", ".join(f"{value:g}" for value in numbers[:3])
-        message = f"{what} = [{shown}]: every number must be finite and within {FARTHEST:g}"
+        message = f"{what} = [{shown}]: every number must be finite and within {READING.farthest:g}"
         raise source.error(message, site.line or None, site.column)
     return numbers

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from robolayout._errors import ProgramError, ProgramLimitError, did_you_mean
 from robolayout.program._prelude import RESULT, prelude, scene_data
-from robolayout.program._program import Limits
+from robolayout.program._program import READING, Limits
 from robolayout.program._source import Source, characters
 from robolayout.scene import Scene
 
@@ -24,10 +24,6 @@ if TYPE_CHECKING:
 
 PROGRAM_FEED = "<python-input-1>"
 """What the interpreter calls the second feed: the program."""
-GRACE = 2.0
-"""Seconds after its time limit at which the child is killed."""
-LONGEST_MESSAGE = 400
-"""Characters kept of a message that a program raises."""
 
 
 def run(source: Source, scene: Scene, relations: Collection[str], limits: Limits) -> dict[str, Any]:
@@ -41,7 +37,7 @@ def run(source: Source, scene: Scene, relations: Collection[str], limits: Limits
     }
     try:
         with (
-            Monty(max_processes=1, request_timeout=limits.seconds + GRACE) as pool,
+            Monty(max_processes=1, request_timeout=limits.seconds + READING.grace) as pool,
             pool.checkout(limits=bounds, assert_message_annotations=False) as session,  # type: ignore[arg-type]
         ):
             data = scene_data(scene, limits)
@@ -62,7 +58,7 @@ def _translate(
     """Return our error for an error of the interpreter, at the line of the program that caused it."""
     line, column = _place(error, source)
     inner = error.exception()
-    text = (str(inner) or str(error))[:LONGEST_MESSAGE]
+    text = (str(inner) or str(error))[: READING.message]
     exceeded = _exceeded(error, text, limits)
     if exceeded:
         return source.error(exceeded, line, column, kind=ProgramLimitError)

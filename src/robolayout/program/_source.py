@@ -16,7 +16,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 from robolayout._errors import ProgramError, ProgramLimitError, did_you_mean
-from robolayout.program._program import Limits
+from robolayout.program._program import READING, Limits
 
 FENCE = re.compile(r"^(\s*)```+\s*([A-Za-z0-9_+-]*)")
 PYTHON = {"python", "py", "python3", "robolayout"}
@@ -34,8 +34,6 @@ FORBIDDEN = frozenset(
     {"eval", "exec", "compile", "open", "input", "getattr", "setattr", "delattr", "globals", "locals", "vars"}
 )
 """Builtins that no program needs to place furniture."""
-LONGEST_LINE = 160
-"""Characters shown of a line in a message."""
 
 
 @dataclass(frozen=True)
@@ -186,8 +184,8 @@ def error_at(
     if line is None or not 1 <= line <= len(lines):
         return kind(message)
     row = lines[line - 1]
-    start = max(0, (column or 0) - 60) if len(row) > LONGEST_LINE else 0
-    shown = row[start : start + LONGEST_LINE].replace("\t", " ")
+    start = max(0, (column or 0) - 60) if len(row) > READING.line else 0
+    shown = row[start : start + READING.line].replace("\t", " ")
     return kind(message, line=line, source=shown, column=None if column is None else column - start)
 
 

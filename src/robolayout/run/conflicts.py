@@ -17,8 +17,16 @@ from robolayout.scene import Layout, Scene
 from robolayout.solve import Proposals, carry, compile_problem
 from robolayout.verify import judge_agent, physics
 
-DRAWN = 96  # places drawn for each thing of an unmet statement
-LOOKED_AT = 10  # of the places at which the statement holds, so many are judged
+
+@dataclass(frozen=True)
+class ConflictConfig:
+    """How long it is looked for what two statements leave no place for."""
+
+    drawn: int = 96  # places drawn for each thing of an unmet statement
+    looked_at: int = 10  # of the places at which the statement holds, so many are judged
+
+
+CONFLICTS = ConflictConfig()
 
 
 @dataclass(frozen=True)
@@ -92,11 +100,11 @@ class _Looker:
         found: list[Layout] = []
         for name in statement.relation.asset_names():
             slot = self.problem.slot[name]
-            for pose in self.proposals.draw(slot, self.problem.start, DRAWN, self.rng):
+            for pose in self.proposals.draw(slot, self.problem.start, CONFLICTS.drawn, self.rng):
                 world = self.problem.start.copy()
                 carry(self.problem, world, slot, pose)
                 layout = self.problem.layout(world)
-                if len(found) < LOOKED_AT and statement.relation.check(self.scene, layout).met:
+                if len(found) < CONFLICTS.looked_at and statement.relation.check(self.scene, layout).met:
                     found.append(layout)
         return found
 

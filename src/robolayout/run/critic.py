@@ -17,8 +17,17 @@ from robolayout.verify import Report, verify
 if TYPE_CHECKING:
     from robolayout.run.flow import Run
 
-FULL_MARKS = 10  # rating at which nothing is amended
-MOST_REASONS, LONGEST_REASON = 5, 300  # reasons that are kept, and characters of one
+
+@dataclass(frozen=True)
+class CriticConfig:
+    """What is taken of a critic's answer."""
+
+    full_marks: int = 10  # rating at which nothing is amended
+    reasons: int = 5  # reasons that are kept
+    longest: int = 300  # characters of one
+
+
+CRITIC = CriticConfig()
 
 
 @dataclass(frozen=True)
@@ -55,9 +64,9 @@ class CriticPass:
     def _run(self, room: Attempt) -> tuple[Attempt, Critique]:
         report = self._verified(room)
         first = self._rating(room, report)
-        reasons = tuple(" ".join(reason.split())[:LONGEST_REASON] for reason in first.reasons[:MOST_REASONS])
+        reasons = tuple(" ".join(reason.split())[: CRITIC.longest] for reason in first.reasons[: CRITIC.reasons])
         said = Critique(f"The critic gave {first.score} of 10", before=first.score, reasons=reasons)
-        if first.score >= FULL_MARKS:
+        if first.score >= CRITIC.full_marks:
             return room, replace(said, outcome=f"{said.outcome} and had nothing to amend.")
         try:
             asked = read_salvaged(self._amended(room, report, reasons), self.whole.scene)

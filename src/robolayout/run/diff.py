@@ -13,10 +13,17 @@ from robolayout.run.result import Result
 from robolayout.scene import Asset, Pose
 from robolayout.verify import Report
 
-MOVED, TURNED = 0.001, 0.1
-"""Metres and degrees from which on a thing counts as moved, as turned: files round to less."""
 
-CHANGED = 1e-4  # difference of a figure from which on it counts as changed
+@dataclass(frozen=True)
+class DiffConfig:
+    """From when on something counts as changed."""
+
+    moved: float = 0.001  # metres from which on a thing counts as moved: files round to less
+    turned: float = 0.1  # degrees from which on it counts as turned
+    changed: float = 1e-4  # difference of a figure from which on it counts as changed
+
+
+DIFF = DiffConfig()
 
 
 @dataclass(frozen=True)
@@ -61,7 +68,7 @@ class Difference:
         return PlanMarks(
             ghosts=tuple(old[name].corners(old_sizes[name].size) for name in kept),
             arrows=tuple(
-                ((old[n].x, old[n].y), (new[n].x, new[n].y)) for n in kept if _metres(old[n], new[n]) >= MOVED
+                ((old[n].x, old[n].y), (new[n].x, new[n].y)) for n in kept if _metres(old[n], new[n]) >= DIFF.moved
             ),
             added=tuple(new[name].corners(new_sizes[name].size) for name in new if name not in old),
             gone=tuple(old[name].corners(old_sizes[name].size) for name in old if name not in new),
@@ -94,13 +101,15 @@ def _moved(old: Asset, new: Asset, start: Pose, end: Pose) -> Iterator[Change]:
     metres = _metres(start, end)
     turn = math.degrees(end.yaw - start.yaw) % 360.0
     degrees = min(turn, 360.0 - turn)
-    parts = [f"moved {metres:.2f} m"] if metres >= MOVED else []
-    parts += [f"turned {degrees:.0f} degrees"] if degrees >= TURNED else []
-    if math.dist(old.size, new.size) >= MOVED:
+    parts = [f"moved {metres:.2f} m"] if metres >= DIFF.moved else []
+    parts += [f"turned {degrees:.0f} degrees"] if degrees >= DIFF.turned else []
+    if math.dist(old.size, new.size) >= DIFF.moved:
         sizes = (" x ".join(f"{length:.2f}" for length in size) for size in (old.size, new.size))
         parts.append("is {1} m instead of {0} m".format(*sizes))
     if parts:
-        yield Change("thing", new.name, "", ", ".join(parts), metres * (metres >= MOVED), degrees * (degrees >= TURNED))
+        yield Change(
+            "thing", new.name, "", ", ".join(parts), metres * (metres >= DIFF.moved), degrees * (degrees >= DIFF.turned)
+        )
 
 
 def _metres(start: Pose, end: Pose) -> float:
@@ -113,7 +122,7 @@ def _figures(before: Report, after: Report) -> Iterator[Change]:
     old_text, new_text = shown
     for name, value in after.figures.items():
         gain = float(value) - float(before.figures.get(name, value))
-        if abs(gain) >= CHANGED:
+        if abs(gain) >= DIFF.changed:
             verdict = "better" if gain > 0 else "worse"
             words = name.removesuffix("_share").replace("_", " ")
             yield Change("figure", words, verdict, f"{old_text[name]} -> {new_text[name]}")

@@ -11,11 +11,17 @@ from robolayout.scene import Layout, Pose, Scene
 from robolayout.solve import Enough, Judge, Verdict, never
 from robolayout.verify import AgentReport, Navigation, judge_agent, kept_out, physics
 
-WALKABLE = 0.98
-"""Share of the free space that the solver wants connected to the door; the report demands 0.95."""
 
-SHUT = 0.25
-"""Weight of a door or drawer of a usable thing that no place lets a body open, in statements."""
+@dataclass(frozen=True)
+class WorthConfig:
+    """What layouts are chosen by."""
+
+    # share of the free space that the solver wants connected to the door; the report demands 0.95
+    walkable: float = 0.98
+    shut: float = 0.25  # weight of a door or drawer of a usable thing that no place lets a body open, in statements
+
+
+WORTH = WorthConfig()
 
 
 def make_judge(scene: Scene, program: Program) -> Judge:
@@ -44,7 +50,7 @@ def make_judge(scene: Scene, program: Program) -> Judge:
                 # how it drives there and opens what it uses is dear, and only ever makes it worse
                 fixable = _fixable(report, report.usage.usable, layout)
                 shut = [hold.asset for hold in report.usage.holds if not hold.poses]
-                soft += SHUT * len(shut)
+                soft += WORTH.shut * len(shut)
                 blamed += _blamed(report, [*fixable, *dict.fromkeys(shut)])
             access += _missing(report, fixable)
         return Verdict(found.hard, access, soft, tuple(dict.fromkeys([*failing, *blamed, *unmet])))
@@ -101,7 +107,7 @@ def _missing(found: AgentReport, fixable: list[str]) -> float:
 
 def _cut_off(nav: Navigation) -> float:
     """Return the share of free floor that an agent does not get to, as far as it matters."""
-    return max(0.0, WALKABLE - nav.walkable_ratio) if nav.free.area > 0 else 0.0
+    return max(0.0, WORTH.walkable - nav.walkable_ratio) if nav.free.area > 0 else 0.0
 
 
 def _blamed(found: AgentReport, names: list[str]) -> Iterator[str]:

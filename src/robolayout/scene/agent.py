@@ -75,7 +75,7 @@ class Agent:
 
 
 @dataclass(frozen=True)
-class BodyConfig:
+class BodyDefaults:
     """What is taken of every body, and of one whose figures do not say it."""
 
     # metres kept free on each side of a rectangular body for which no corridor is given (rule of thumb)
@@ -86,7 +86,7 @@ class BodyConfig:
     step: float = 0.03  # metres that the body of a model is taken to drive over; the model does not say
 
 
-BODY = BodyConfig()
+BODY = BodyDefaults()
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ from robolayout.constraints import IMPLICIT, AssetRef, FrameTerm, MirrorTerm, Re
 from robolayout.constraints.against_wall import wall_term
 from robolayout.constraints.behind import Behind
 from robolayout.constraints.in_front_of import InFrontOf
-from robolayout.constraints.mounted_on import MountedOn
+from robolayout.constraints.mounted_on import EYE_HEIGHT, MountedOn
 from robolayout.constraints.next_to import NextTo
 from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.constraints.symmetric_pair import SymmetricPair
@@ -31,9 +31,6 @@ from robolayout.scene import Asset, Layout, Pose, Scene
 from robolayout.solve.build import furnished
 
 Floats = NDArray[np.float64]
-
-EYE_HEIGHT = 1.5
-"""Metres above the floor of the middle of a wall thing that nobody gave a height."""
 
 DEEPEST = 8
 """Things that may stand on one another."""

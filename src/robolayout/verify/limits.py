@@ -13,7 +13,7 @@ from robolayout.scene.room import OPENINGS
 
 
 @dataclass(frozen=True)
-class Judgement:
+class JudgeConfig:
     """When something counts as touching, carried, steady, near or moved."""
 
     area: float = 1e-4  # square metres of intersection in plan that still count as touching (DESIGN section 4)
@@ -37,7 +37,7 @@ class Judgement:
 
 
 @dataclass(frozen=True)
-class Fineness:
+class FinenessConfig:
     """How finely, and how often, the judge looks."""
 
     quad_segs: int = 16  # chords per quarter turn in every round corner
@@ -55,7 +55,7 @@ class Fineness:
     spare: float = 1.0  # metres that an empty room is wider than a thing with the body at full reach on both sides
 
 
-JUDGE, FINE = Judgement(), Fineness()
+JUDGE, FINE = JudgeConfig(), FinenessConfig()
 
 
 @dataclass(frozen=True)

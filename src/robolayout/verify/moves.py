@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from robolayout._text import TOLD
 from robolayout.scene import Agent, Layout, Pose, Scene
 from robolayout.verify._boxes import boxes
 from robolayout.verify.limits import JUDGE
@@ -17,8 +18,6 @@ from robolayout.verify.use import usage
 
 if TYPE_CHECKING:
     from robolayout.program import Program
-
-TOLD = 3  # reasons that are told of each thing
 
 
 @dataclass(frozen=True)
@@ -35,7 +34,9 @@ class Move:
     def sentence(self) -> str:
         """The same in a sentence."""
         turned = f" and turned by {self.degrees:.0f} degrees" if self.degrees > JUDGE.straight else ""
-        there = "; ".join(text.rstrip(".") for text in self.why[:TOLD]) or "nothing would be violated by it alone"
+        there = (
+            "; ".join(text.rstrip(".") for text in self.why[: TOLD.named]) or "nothing would be violated by it alone"
+        )
         return f"{self.asset} was moved by {self.metres:.2f} m{turned}. Where the program put it: {there}."
 
     def to_dict(self) -> dict[str, Any]:

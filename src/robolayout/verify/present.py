@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from robolayout._html import bullets, paragraph, table
+from robolayout._text import TOLD
 from robolayout._text import markdown as plain
 from robolayout.verify.agent_report import AgentReport
 from robolayout.verify.limits import JUDGE
@@ -14,9 +15,6 @@ from robolayout.words import AskedRow
 
 if TYPE_CHECKING:
     from robolayout.verify.report import Report
-
-SHOWN = 12  # violations that a notebook shows; the report holds all
-
 
 LABELS = {"reachable_share": "reachable as it stands", "reachable_share_chairs_aside": "reachable with chairs aside"}
 """Names of figures for people, where they are not the keys."""
@@ -105,7 +103,7 @@ def html(report: Report) -> str:
     asked = [[row.words, row.understanding, row.verdict, row.value] for row in report.asked]
     head += table(["words", "understood as", "verdict", "measured"], asked) if asked else ""
     rules = table(["rule", "asks", "measured", "", "source"], rule_rows(report)) if report.rules else ""
-    return head + table(["check", "result", ""], rows) + bullets(report.violations, SHOWN) + rules
+    return head + table(["check", "result", ""], rows) + bullets(report.violations, TOLD.shown) + rules
 
 
 def _ledger(asked: Sequence[AskedRow]) -> list[str]:

@@ -17,6 +17,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from robolayout._text import TOLD
 from robolayout.assets import prisms_of
 from robolayout.scene import ROUNDING, Agent, Asset, Scene
 from robolayout.verify._alone import unusable_alone
@@ -28,7 +29,6 @@ from robolayout.verify.limits import FINE, PhysicsLimits
 from robolayout.verify.navigation import Navigation
 from robolayout.verify.passages import largest
 
-NAMED = 3  # things, or kinds of things, that a sentence names
 HEIGHTS = np.arange(0.02, 1.5, 0.01)  # metres above the floor at which it is counted what all things fill
 
 
@@ -143,16 +143,16 @@ def overfull(scene: Scene) -> tuple[str, ...]:
     left = needed - np.cumsum([fills[asset] for asset in standing])
     many = int(np.argmax(left <= floor.area - clear)) + 1
     out = [asset.name for asset in standing[:many]]
-    others = f" and {many - NAMED} more" if many > NAMED else ""
+    others = f" and {many - TOLD.named} more" if many > TOLD.named else ""
     areas: dict[str, list[float]] = {}
     for asset in standing:
         areas.setdefault(asset.category, []).append(fills[asset])
-    most = sorted(areas.items(), key=lambda item: -sum(item[1]))[:NAMED]
+    most = sorted(areas.items(), key=lambda item: -sum(item[1]))[: TOLD.named]
     taken = ", ".join(f"{len(each)} x {kind} ({sum(each):.2f} m2)" for kind, each in most)
     return (
         f"The {len(standing)} assets that stand on the floor cover {needed:.2f} m2, the floor outside door landings has "
-        f"{floor.area - clear:.2f} m2: they cannot all stand apart. Most is taken by {taken}. Leave out {', '.join(out[:NAMED])}{others}, "
-        f"or give the room {math.ceil(10 * (needed + clear)) / 10:.1f} m2 or more.",
+        f"{floor.area - clear:.2f} m2: they cannot all stand apart. Most is taken by {taken}. Leave out "
+        f"{', '.join(out[: TOLD.named])}{others}, or give the room {math.ceil(10 * (needed + clear)) / 10:.1f} m2 or more.",
     )
 
 

@@ -7,13 +7,12 @@ from collections.abc import Mapping
 import numpy as np
 import shapely
 
+from robolayout._text import TOLD
 from robolayout.verify.doors import ShutDoor
 from robolayout.verify.limits import Demands
 from robolayout.verify.navigation import Navigation
 from robolayout.verify.proofs import exempt_from_reach, impossible, kept_out
 from robolayout.verify.use import Usage
-
-NAMED = 3  # things that a sentence names as standing in the way
 
 
 def agent_violations(nav: Navigation, usage: Usage, exempt: Mapping[str, str], demands: Demands) -> tuple[str, ...]:
@@ -48,7 +47,7 @@ def _blocked_sentence(nav: Navigation) -> str:
     if zone is None:
         return f"{nav.agent.name} (a disc of {wide:.2f} m) has no place to stand: the furniture leaves none."
     near = nav.blocking.rows[shapely.distance(nav.blocking.shapes, zone) < nav.agent.radius]
-    names = " and ".join(nav.boxes.names[row] for row in np.unique(near)[:NAMED])
+    names = " and ".join(nav.boxes.names[row] for row in np.unique(near)[: TOLD.named])
     return f"{nav.agent.name} (a disc of {wide:.2f} m) cannot come in: the landing of door 0 is blocked by {names}."
 
 
@@ -59,7 +58,7 @@ def _shut_sentence(nav: Navigation, door: ShutDoor) -> str:
     width = (
         "no way to it, not even for a disc of 1 cm" if passage.cut_off else f"narrowest passage {passage.width:.2f} m"
     )
-    between = passage.sides or " and ".join(nav.shutting(door)[:NAMED])
+    between = passage.sides or " and ".join(nav.shutting(door)[: TOLD.named])
     found = f"Door {door.number} in wall {wall} cannot be reached by {agent}: {width}, needs {needed:.2f} m"
     found += f", between {between}." if between else "."
     if door.beyond.is_empty:
