@@ -142,6 +142,8 @@ class Chunker:
         if sided and following and following not in MARKS:
             leads = following in DETERMINERS or count_of(following) is not None
             return leads or following in (*JOINING, "there", "is", "stands", "with", "sits", "are", "stand", "hangs")
+        if "long side" in phrase and "room" in self.words[end : end + 3]:
+            return False
         if phrase in ("line", "lines"):
             return following in DETERMINERS or count_of(following) is not None
         if phrase in ("nearest", "flank", "block", "blocks"):

@@ -8,7 +8,7 @@ clause before, or what stands before "with". A noun with "the" that was named be
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import takewhile
+from itertools import dropwhile, takewhile
 
 from robolayout.assets import CATALOGUE
 from robolayout.words._chunk import Chunk
@@ -129,6 +129,8 @@ class Parser(Relating):
 
     def _deal(self, share: int, index: int) -> bool:
         """Let so many of the things named last be what the relation there is about: "two at one wall and two at the other"."""
+        each = bool({"each", "either"} & {*self.chunks[index].adjectives})  # "two lamps, one on each end"
+        each = each or any(chunk.det == "each" for chunk in self.chunks[index + 1 : index + 2])
         last = (self.group or self.subject or self.before)[-1:]
         more = self.chunks[self.at - 2].kind == "and" and last == self.acted and last[:1] and last[0].pick is None
         if (
@@ -137,16 +139,15 @@ class Parser(Relating):
             k = self.said.links[-1]
             self.dealt[last[0].thing] = last[0].thing.number
             own = Mention(last[0].thing, slice(0, last[0].thing.number))
-            self.said.links[-1] = replace(k, subjects=(own,)) if k.subjects == tuple(last) else k
-            last[0].thing.number += share
+            apart = k.subjects == tuple(last) and k.relation != "around"
+            self.said.links[-1] = replace(k, subjects=(own,)) if apart else k
+            last[0].thing.number += share * (2 if each else 1)
         first = self.dealt.get(last[0].thing, 0) if last else 0
         if not last or first + share > last[0].thing.count:
             return False
         self._understood(self.chunks[self.at - 1])
         if share == last[0].thing.count:
             return False
-        each = bool({"each", "either"} & {*self.chunks[index].adjectives})  # "two lamps, one on each end"
-        each = each or any(chunk.det == "each" for chunk in self.chunks[index + 1 : index + 2])
         self.dealt[last[0].thing] = first + (0 if each else share)
         self.subject = self.group = self.acted = [Mention(last[0].thing, None if each else slice(first, first + share))]
         self.verb = False
@@ -199,6 +200,8 @@ class Parser(Relating):
         joined = self._joined()
         if self.having and self.holder and self._put_on(mention, self.holder[0], joined=joined):
             self.said.links.append(Link("with", (mention,), tuple(self.holder), chunk.start, chunk.end))
+        elif joined and not _accessory(mention):
+            self.listed = True  # "a table with six stools and shelves along the wall"
         joined = not self._alone(mention, joined=joined) and joined
         together = joined and self.subject == self.group
         self.group = [*self.group, mention] if joined else [mention]
@@ -267,7 +270,10 @@ class Parser(Relating):
 
     def _alone(self, mention: Mention, *, joined: bool) -> bool:
         """Return whether a new clause begins with a thing: "..., and a rack stands at the wall"."""
-        following = self.chunks[self.at].value if self.at < len(self.chunks) else ""
+        rest = self.chunks[self.at :]
+        if [chunk.kind for chunk in rest[:1]] == ["with"]:  # "..., and a table with a lamp stands at the wall"
+            rest = [*dropwhile(lambda chunk: chunk.kind in ("with", "thing", "style", "and"), rest)]
+        following = rest[0].value if rest else ""
         starts = self.chunks[self.at - 2].kind in ("and", "comma")
         alone = following in ALONE_DOES and (mention.thing.count == 1 if joined else starts)
         self.subject, self.acted = ([], []) if alone else (self.subject, self.acted)
@@ -276,11 +282,8 @@ class Parser(Relating):
     def _put_on(self, mention: Mention, holder: Mention, *, joined: bool) -> bool:
         """Return whether what another thing has is on it or at it: what can stand nowhere else, what a table has first, seats."""
         tops = holder.thing.noun.kind.split()[-1] in ("table", "desk", "counter", "island")
-        kind = mention.thing.noun.kind
-        seat = kind.split()[-1] in SEATS
-        first = seat or CATALOGUE[kind].on_object
         told = self.chunks[self.at - 2].kind == "with"  # "a wardrobe with a mirror"
-        return (topped(mention) or (tops and not joined and first) or told) and not topped(holder)
+        return (topped(mention) or (tops and not joined and _accessory(mention)) or told) and not topped(holder)
 
     def _on_part(self, chunk: Chunk) -> None:
         """A place of the room that no relation leads to: what it has, doors and windows that are asked for."""
@@ -288,10 +291,14 @@ class Parser(Relating):
             self._new_zone()
         if [c.kind for c in self.chunks[max(self.at - 3, 0) : self.at - 1]] == ["thing", "with"]:
             self._fact(replace(chunk, kind="function"))  # "a wardrobe with two sliding doors"
-        elif chunk.value in ("window", "door"):
+            self.acted = self.group[-1:]
+            return
+        if chunk.value in ("window", "door"):
             self._on_opening(chunk)
         elif chunk.value == "side" and chunk.det == "each" and self.group and self._previous(chunk) == "for":
-            self._link(Chunk("rel", chunk.start, chunk.end, "flank"), self.group, self._meant("it"))
+            flank = Chunk("rel", chunk.start, chunk.end, "flank", adjectives=("each",))
+            if not self._at_sides(flank, self.group[-1:], None):  # "five chairs per side"
+                self._link(flank, self.group, self._meant("it"))
         elif chunk.value == "ceiling" and self.group and self._previous(chunk) == "from":
             self.acted, self.verb = self.group[-1:], False
             self._link(Chunk("rel", chunk.start, chunk.end, "hanging"), self.acted, [place_of(chunk)])
@@ -341,3 +348,9 @@ class Parser(Relating):
             self.at = index + 2
             return self.chunks[index + 1].adjectives
         return ()
+
+
+def _accessory(mention: Mention) -> bool:
+    """Return whether a thing goes with another: a seat, or what can stand on a top."""
+    kind = mention.thing.noun.kind
+    return kind.split()[-1] in SEATS or CATALOGUE[kind].on_object

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence, Set
+from collections.abc import Sequence
 from dataclasses import replace
 
 from robolayout.words._chunk import Chunk
@@ -301,7 +301,8 @@ class References:
         number = 1 if chunk.number is None and chunk.det in ("a", "new", "one") and not chunk.plural else chunk.number
         if chunk.det == "both" and number is None:
             number = 2
-        if number is None and chunk.plural and self._joined() and not target:
+        leads = [other.kind for other in self.chunks[self.at : self.at + 1]] == ["rel"]
+        if number is None and chunk.plural and self._joined() and not target and not leads:
             before = self.group[-1].thing.number
             number = before if before and before > 1 else None
         definite = chunk.det in ("the", "each", "all")
@@ -395,39 +396,44 @@ class References:
         corners = 4 if not sides or item.name == "wall" else 2 // sides
         return item.number or (corners if item.name in ("corner", "wall") else asked or 1)
 
+    def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> Chunk:
+        """Count what stands at each side of something; return the relation, which is "around" for several seats."""
+        thing = subjects[0].thing
+        if len(subjects) == 1 and subjects[0].per_side(chunk) and thing not in (*self.given, *self.dealt):
+            thing.number = 2 * (thing.number or 1)
+            around = [to for to in objects[:1] if isinstance(to, Mention) and to.det in ("each", "all")]
+            thing.times = around[0].thing.count if around else 1
+        several = all(mention.at_a_table and (mention.thing.number or 0) > 2 for mention in subjects)
+        return replace(chunk, value="around") if several else chunk
+
     def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
         """Note a relation; what stands at each of several things is as many times there."""
         led = objects or (
             self.holder or (self._meant("it") if chunk.value == "oneside" else [])
-            if chunk.value in ("next", "oneside", "flank", "left", "right", "front", "near", "under")
+            if chunk.value in ("next", "oneside", "flank", "left", "right", "front", "near", "under", "above", "behind")
             else []
         )
-        if any(
+        if (chunk.value in ("above", "behind") and not led) or any(
             a.thing is b.thing and a.pick in (None, b.pick) for a in subjects for b in led if isinstance(b, Mention)
         ):
-            self.said.missed.append(chunk)  # nothing stands at itself
+            self.said.missed.append(chunk)  # nothing stands at itself, or behind nothing
             return
         each = [item for item in objects if item.det == "each" and chunk.value not in ("apart", "far")]
         for item in each:
             count = self._number_of(item)
-            subjects = [_widened(mention, count) for mention in subjects]
+            subjects = [mention.widened(count) for mention in subjects]
             for mention in subjects:
                 owned = isinstance(item, Mention) and item.thing is mention.thing
                 dealt = mention.thing in self.dealt or mention.pick is not None  # "two lamps, one in each corner"
                 if mention.thing.times == 1 and not owned and not dealt and not self._given(mention):
                     mention.thing.times = count * (2 if chunk.value == "flank" and mention.thing.number == 1 else 1)
-        if chunk.value == "flank" and len(subjects) == 1 and not self._given(subjects[0]):
-            thing = subjects[0].thing
-            if thing.number == 1 and thing.times == 1:
-                around = objects[0] if objects else None
-                thing.times = 2 * (
-                    around.thing.count if isinstance(around, Mention) and around.det in ("each", "all") else 1
-                )
+        if chunk.value == "flank":
+            chunk = self._on_both_sides(chunk, subjects, objects)
         objects = led
         if objects:  # "a bed with a lamp on either side": the lamps are not on the bed
             own, to = {m.thing for m in subjects}, {m.thing for m in objects if isinstance(m, Mention)}
             elsewhere = chunk.value in ("on", "flank")
-            self.said.links[:] = [k for k in self.said.links if not _had(k, own, None if elsewhere else to)]
+            self.said.links[:] = [k for k in self.said.links if not k.had(own, None if elsewhere else to)]
         low, high = chunk.measure.values if chunk.measure else (0.0, 0.0)
         about = (tuple(subjects), tuple(objects))
         walls = any(isinstance(item, Place) and item.name == "wall" and item.plural for item in objects)
@@ -435,16 +441,3 @@ class References:
             self.said.links.remove(row)  # "lined up along two opposite walls": no one line
             self.said.read.update(range(row.start, row.end))
         self.said.links.append(Link(chunk.value, *about, chunk.start, chunk.end, (low, high), chunk.rows))
-
-
-def _had(link: Link, own: Set[Thing], to: Set[Thing] | None) -> bool:
-    """Return whether a relation only says that one of some things has a thing (any, for None)."""
-    has = {item.thing for item in link.objects if isinstance(item, Mention)}
-    return link.relation == "with" and link.subjects[0].thing in own and (to is None or bool(has & to))
-
-
-def _widened(mention: Mention, count: int) -> Mention:
-    """Return one of several things as so many of them: "one lamp is next to each sofa"."""
-    if mention.pick is None or mention.pick.start + count > mention.thing.count:
-        return mention
-    return Mention(mention.thing, slice(mention.pick.start, mention.pick.start + count), mention.det)

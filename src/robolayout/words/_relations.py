@@ -46,7 +46,7 @@ KEPT_OFF = 0.6
 """Metres between a thing and what it must not be near."""
 
 _ORDERS = "row rows columns huddle pairs backs stacked diagonal parallel crossed mutual abreast apart"
-ALONE = frozenset(f"{_ORDERS} next oneside lit middle flank left right front near under".split())
+ALONE = frozenset(f"{_ORDERS} next oneside lit middle flank left right front near under above behind".split())
 """Relations that may stand without an object."""
 
 
@@ -179,8 +179,7 @@ class Relating(LedTo):
         chunk, objects = self._other_side(chunk, objects)
         place = objects[0] if objects and isinstance(objects[0], Place) else None
         sides = place.name == "side" if place else chunk.value in ("flank", "oneside") and not objects
-        sides = sides and (place is not None or not self.holder or any(m.thing in self.dealt for m in subjects))
-        if sides and self._at_sides(chunk, subjects):
+        if sides and self._at_sides(chunk, subjects, place):
             self._understood(chunk)
             return
         if chunk.value == "between":  # "1 m between the bed and the wardrobe"
@@ -303,7 +302,7 @@ class Relating(LedTo):
             before, unknown = before[:-1], unknown + 1
         return unknown > 0 and bool(before) and before[-1].kind in ("and", "comma", "with")
 
-    def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention]) -> bool:
+    def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention], place: Place | None) -> bool:
         """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""
         tables = [thing for thing in self.said.things if thing.noun.kind.split()[-1] in ("table", "counter", "island")]
         seats = [
@@ -316,6 +315,11 @@ class Relating(LedTo):
             for link in self.said.links
             if link.subjects
         )
+        square = "square" in (*tables[-1].adjectives, *tables[-1].noun.said.split())
+        for seat in seats:
+            if seat.per_side(chunk, place) and seat.thing not in self.dealt:
+                seat.thing.number = (4 if square else 2) * (seat.thing.number or 1)
+        self.acted = list(subjects)
         if not known:
             self._link(Chunk("rel", chunk.start, chunk.end, "around"), seats, [Mention(tables[-1])])
             self.targets.append(Mention(tables[-1]))
@@ -376,7 +380,8 @@ class Relating(LedTo):
     def _subjects(self, relation: str) -> list[Mention]:
         """Return what a relation here is about."""
         previous = next((c for c in reversed(self.chunks[: self.at - 1]) if c.kind not in ("filler", "style")), None)
-        if previous is None or previous.kind == "stop" or (previous.kind == "part" and previous.det == "a"):
+        opening = previous is not None and previous.value in ("window", "door")
+        if previous is None or previous.kind == "stop" or (opening and previous.det == "a"):
             return []  # "a window on each side of it"
         if self.fronted is not None and previous.kind in ("and", "comma"):
             self.fronted = None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Set
 from dataclasses import dataclass, field
 
 from robolayout.assets import CATALOGUE
@@ -56,6 +57,24 @@ class Mention:
     pick: slice | None = None  # which of several; None is all of them
     det: str = ""  # the article
 
+    @property
+    def at_a_table(self) -> bool:
+        """Whether it is a seat of which several stand at one side of a table."""
+        return self.thing.noun.kind.split()[-1] in ("chair", "stool", "bench", "seat")
+
+    def per_side(self, chunk: Chunk, place: Place | None = None) -> bool:
+        """Return whether a number is said of one side: "four chairs on each side", while "two lamps on each side" are two."""
+        each = place.det == "each" if place else "each" in chunk.adjectives
+        one = self.thing.number == 1 and chunk.value == "flank"
+        told = one or (each and self.at_a_table and self.thing.number is not None)
+        return told and self.thing.times == 1 and self.pick is None
+
+    def widened(self, count: int) -> Mention:
+        """Return one of several things as so many of them: "one lamp is next to each sofa"."""
+        if self.pick is None or self.pick.start + count > self.thing.count:
+            return self
+        return Mention(self.thing, slice(self.pick.start, self.pick.start + count), self.det)
+
 
 @dataclass(frozen=True)
 class Place:
@@ -81,6 +100,11 @@ class Link:
     # least and most metres that lie between, where that is said
     metres: tuple[float, float] = (0.0, 0.0)
     rows: int = 0  # rows or columns that are said, 0 if none are
+
+    def had(self, own: Set[Thing], to: Set[Thing] | None) -> bool:
+        """Return whether it only says that one of some things has a thing (any, for None)."""
+        has = {item.thing for item in self.objects if isinstance(item, Mention)}
+        return self.relation == "with" and self.subjects[0].thing in own and (to is None or bool(has & to))
 
 
 @dataclass(eq=False)
