@@ -6,6 +6,7 @@ else it steps back as the leaf comes: a place for each step of the leaf, found f
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
@@ -78,7 +79,8 @@ def find_hold(found: Boxes, agent: Agent, row: int, joint: Joint, reach: float, 
     aside = _aside(found, row, joint)
     walk = Hold(asset.name, joint.name, ())
     for heading, region, chairs in stands:
-        asked = _opening(asset, joint, round(place[2], 6), agent, round(heading, 9), reach)
+        turn = round(math.remainder(heading, math.pi), 9)  # a rectangle is the same half a turn later
+        asked = _opening(asset, joint, round(place[2], 6), agent, turn, reach)
         still: Any = region & asked.still
         moved = tuple(dict.fromkeys(chairs + aside))
         if still.area > 0:
@@ -161,11 +163,11 @@ def _walk(region: BaseGeometry, asked: _Opening) -> list[Point]:
     if not shapely.intersects(region, asked.free).all():
         return []
     free = shapely.intersection(region, asked.free)
-    clear = shapely.buffer(shapely.difference(region, asked.met), GRAZE)
     for berth in BERTHS:
-        found = _steps_through(shapely.buffer(free, -berth))
-        if found and shapely.covers(clear, [shapely.LineString(ends) for ends in pairwise(found)]).all():
-            return found
+        if found := _steps_through(shapely.buffer(free, -berth)):
+            clear = shapely.buffer(shapely.difference(region, asked.met), GRAZE)
+            if shapely.covers(clear, [shapely.LineString(ends) for ends in pairwise(found)]).all():
+                return found
     return []
 
 
@@ -174,8 +176,8 @@ def _steps_through(free: NDArray[np.object_]) -> list[Point]:
     ways: list[BaseGeometry] = [free[-1]]
     for places in free[-2::-1]:
         ways.append(places.intersection(ways[-1].buffer(STRIDE)))
-    if ways[-1].is_empty:
-        return []
+        if ways[-1].is_empty:
+            return []
     at = ways.pop().representative_point()
     found = [(at.x, at.y)]
     while ways:
