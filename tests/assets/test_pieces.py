@@ -40,6 +40,11 @@ def test_solver_and_judge_see_the_same_of_every_category(body: Agent) -> None:
             assert shape(found).symmetric_difference(shapely.union_all(shapely.box(*theirs.T))).area < 1e-9
 
 
+def test_what_hangs_lower_than_a_body_by_rounding_alone_is_not_in_its_way() -> None:
+    found, _ = pieces(TABLE, BODIES[-1].height + TABLE.size[2] / 2 - 5e-7, BODIES[-1])
+    assert found.shape == (0, 4)
+
+
 @pytest.mark.parametrize("joined", [True, False])
 def test_an_own_mesh_is_cut_as_the_judge_cuts_it_to_a_centimetre(tmp_path: Path, joined: bool) -> None:
     import trimesh

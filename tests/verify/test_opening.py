@@ -8,11 +8,12 @@ from math import dist
 
 import numpy as np
 import pytest
-from shapely import Point, Polygon, box
+from shapely import GeometryCollection, LineString, Point, Polygon, box
 from verify_rooms import DISC, furnished, on_floor, square, thing
 
 from robolayout.scene import Agent, Asset
 from robolayout.verify import usage
+from robolayout.verify._space import areas
 from robolayout.verify._swept import Swept
 from robolayout.verify.heading import rectangle
 from robolayout.verify.holds import STEPS, STRIDE
@@ -116,6 +117,12 @@ def test_what_no_place_lets_a_body_open_is_not_usable() -> None:
         assert found.standing["chest-0"] and found.usable["chest-0"] == opens == bool(found.holds)
         assert "no place from which it could hold any" in found.uses["chest-0"].reason or opens
         assert found.shutting("chest-0") == (() if opens else ("wall-0",))
+
+
+def test_where_shapes_only_touch_there_is_no_place_to_stand() -> None:
+    """GEOS refused to intersect a region with what two rings of reach had left: an area and a line."""
+    found = areas(GeometryCollection([LineString([(2, 0), (3, 0)]), box(0, 0, 1, 1)]))
+    assert found.geom_type == "MultiPolygon" and found.equals(box(0, 0, 1, 1))
 
 
 def test_a_handle_within_its_own_footprint_is_out_of_reach() -> None:

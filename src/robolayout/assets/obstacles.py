@@ -49,7 +49,8 @@ def pieces(asset: Asset, z: float, agent: Agent) -> tuple[Pieces, bool]:
 def _met(asset: Asset, low: float, high: float) -> Pieces | None:
     """Return the prisms of an asset between two heights above its bottom; None where they are as good as its box."""
     met = [p for p in prisms_of(asset) if p.high - low > ROUNDING and high - p.low > ROUNDING]
-    boxes = shapely.box(*np.unique([(p.x - p.hx, p.y - p.hy, p.x + p.hx, p.y + p.hy) for p in met], axis=0).T)
+    bounds = np.array([(p.x - p.hx, p.y - p.hy, p.x + p.hx, p.y + p.hy) for p in met]).reshape(-1, 4)
+    boxes = shapely.box(*np.unique(bounds, axis=0).T)
     kept = boxes[shapely.covers(boxes[:, None], boxes).sum(axis=0) == 1]
     if shapely.union_all(kept).area >= SOLID * asset.size[0] * asset.size[1]:
         return None

@@ -138,6 +138,11 @@ def components(space: BaseGeometry) -> NDArray[np.object_]:
     return parts[np.argsort(-shapely.area(parts), kind="stable")]
 
 
+def areas(space: BaseGeometry) -> MultiPolygon:
+    """Return what of a free space has an area: where shapes only touch, their intersection holds lines, too, which GEOS may refuse."""
+    return MultiPolygon(list(components(space)))
+
+
 def entry_zone(room: Room, number: int, eroded: BaseGeometry, radius: float) -> Polygon:
     """Return the landing through which a disc comes in by a door, deeper than 0.9 m if it could not stand in that at all."""
     landing: Polygon = landings(room)[number]

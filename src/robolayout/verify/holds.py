@@ -21,6 +21,7 @@ from shapely.geometry.base import BaseGeometry
 from robolayout.assets import Joint, parts, turned
 from robolayout.scene import Agent, Asset, Hold, Point
 from robolayout.verify._boxes import Boxes, Place, in_plan, out_of_room
+from robolayout.verify._space import areas
 from robolayout.verify.drives import Pose
 from robolayout.verify.heading import grown, rectangle
 from robolayout.verify.limits import FINE
@@ -81,11 +82,10 @@ def find_hold(found: Boxes, agent: Agent, row: int, joint: Joint, reach: float, 
     for heading, region, chairs in stands:
         turn = round(math.remainder(heading, math.pi), 9)  # a rectangle is the same half a turn later
         asked = _opening(asset, joint, round(place[2], 6), agent, turn, reach)
-        still: Any = region & asked.still
+        still = areas(region & asked.still)
         moved = tuple(dict.fromkeys(chairs + aside))
-        if still.area > 0:
-            areas = [part for part in shapely.get_parts(still) if part.area > 0]  # where it only touches are lines, too
-            x, y = shapely.get_coordinates(shapely.maximum_inscribed_circle(shapely.MultiPolygon(areas)))[0].tolist()
+        if not still.is_empty:
+            x, y = shapely.get_coordinates(shapely.maximum_inscribed_circle(still))[0].tolist()
             return Hold(asset.name, joint.name, _in_room([(x, y, heading)], place), moved)
         if not walk.poses and (places := _walk(region, asked)):
             walk = Hold(asset.name, joint.name, _in_room([(x, y, heading) for x, y in places], place), moved)
@@ -105,7 +105,7 @@ def _opening(asset: Asset, joint: Joint, z: float, agent: Agent, heading: float,
     near: Any = shapely.buffer(hands, reach, quad_segs=FINE.quad_segs)
     free = [ring.difference(shapely.union_all(met[max(k - 1, 0) : k + 1])) for k, ring in enumerate(near)]
     about = shapely.box(*shapely.total_bounds(near))
-    return _Opening(met, np.array(free), shapely.intersection_all(free), about)
+    return _Opening(met, np.array(free), areas(shapely.intersection_all(free)), about)
 
 
 def _steps(joint: Joint) -> list[float]:

@@ -29,6 +29,7 @@ from robolayout.verify._approaches import approaches, needs_no_use
 from robolayout.verify._boxes import in_room, out_of_room, room_polygon, share, shared_area
 from robolayout.verify._knees import frontal, is_sat_at
 from robolayout.verify._sides import side_edge
+from robolayout.verify._space import areas
 from robolayout.verify._stances import Stances
 from robolayout.verify._swept import Swept, by_hand, handle_heights, handle_near, opens
 from robolayout.verify.drives import Drive, entry
@@ -342,7 +343,7 @@ class _Judge:
         chairs, place = tuple(self.found.names[i] for i in sorted(moved)), self.found.where(row)[1]
         before = self.ways.zone(next(i for i in self.ways.of(row) if self.ways.sides[i] == "front"), JUDGE.far)
         regions = [
-            (self.stances.heading(number) - place[3], out_of_room(region & before, place), aside)
+            (self.stances.heading(number) - place[3], out_of_room(areas(region & before), place), aside)
             for places, aside in ((self.stances.everywhere, ()), (beside, chairs))
             for number, region in places
         ]
