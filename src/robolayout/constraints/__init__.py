@@ -12,19 +12,19 @@ from robolayout.constraints._registry import RELATIONS as RELATIONS
 from robolayout.constraints._registry import own_relations
 from robolayout.constraints._registry import register as register
 from robolayout.constraints._registry import register_file as register_file
+from robolayout.constraints._relation import FAR as FAR
+from robolayout.constraints._relation import ClearTerm as ClearTerm
+from robolayout.constraints._relation import FrameTerm as FrameTerm
+from robolayout.constraints._relation import InsideTerm as InsideTerm
+from robolayout.constraints._relation import Interval as Interval
+from robolayout.constraints._relation import MirrorTerm as MirrorTerm
 from robolayout.constraints._relation import Outcome as Outcome
+from robolayout.constraints._relation import OverlapTerm as OverlapTerm
+from robolayout.constraints._relation import PairwiseTerm as PairwiseTerm
 from robolayout.constraints._relation import Relation as Relation
+from robolayout.constraints._relation import Term as Term
 from robolayout.constraints._relation import Way as Way
 from robolayout.constraints._relation import argument as argument
-from robolayout.constraints._terms import FAR as FAR
-from robolayout.constraints._terms import ClearTerm as ClearTerm
-from robolayout.constraints._terms import FrameTerm as FrameTerm
-from robolayout.constraints._terms import InsideTerm as InsideTerm
-from robolayout.constraints._terms import Interval as Interval
-from robolayout.constraints._terms import MirrorTerm as MirrorTerm
-from robolayout.constraints._terms import OverlapTerm as OverlapTerm
-from robolayout.constraints._terms import PairwiseTerm as PairwiseTerm
-from robolayout.constraints._terms import Term as Term
 from robolayout.constraints.door_clear import DoorClear
 from robolayout.constraints.inside_room import InsideRoom
 from robolayout.constraints.no_overlap import NoOverlap

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from robolayout.constraints._exact import TOLERANCE, angle_between, frame
 from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome
-from robolayout.constraints._terms import FrameTerm, Interval
+from robolayout.constraints._relation import FrameTerm, Interval, Outcome
 from robolayout.scene import Layout, Scene
 
 Link = tuple[AssetRef, AssetRef, float, float]

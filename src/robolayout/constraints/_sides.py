@@ -7,8 +7,7 @@ from typing import ClassVar
 
 from robolayout.constraints._exact import TOLERANCE, footprint, frame, half_size
 from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome, Relation, argument
-from robolayout.constraints._terms import FAR, FrameTerm, Interval, Term
+from robolayout.constraints._relation import FAR, FrameTerm, Interval, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene
 
 SIDES = ("front", "back", "left", "right", "beside")

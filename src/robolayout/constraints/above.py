@@ -6,8 +6,7 @@ from dataclasses import dataclass
 
 from robolayout.constraints._exact import TOLERANCE, frame, half_size
 from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome, Relation, argument
-from robolayout.constraints._terms import FrameTerm, Interval, Term
+from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene
 
 

@@ -7,8 +7,7 @@ from dataclasses import dataclass, replace
 
 from robolayout.constraints._exact import TOLERANCE, angle_between, footprint, frame
 from robolayout.constraints._refs import AssetRef, WallRef
-from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
-from robolayout.constraints._terms import FrameTerm, Interval, Term
+from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, Way, argument, best_way
 from robolayout.scene import Layout, Scene
 
 

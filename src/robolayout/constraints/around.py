@@ -10,8 +10,7 @@ from itertools import combinations
 from robolayout.constraints._assignment import assignment
 from robolayout.constraints._exact import TOLERANCE, facing_error, footprint, frame, half_size
 from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome, Relation, argument
-from robolayout.constraints._terms import FrameTerm, Interval, Term
+from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
 from robolayout.constraints.no_overlap import prisms_meet
 from robolayout.scene import Asset, Layout, Pose, Scene
 

@@ -9,8 +9,7 @@ from shapely import LineString
 
 from robolayout.constraints._exact import TOLERANCE, footprint, frame
 from robolayout.constraints._refs import AssetRef, PointRef
-from robolayout.constraints._relation import Outcome, Relation, argument
-from robolayout.constraints._terms import FrameTerm, Interval, Term
+from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene
 
 ENDS = 0.2  # part of that line, at either end, that the search keeps clear of

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from robolayout.constraints._refs import AssetRef, PointRef
-from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
-from robolayout.constraints._terms import Term
+from robolayout.constraints._relation import Outcome, Relation, Term, Way, argument, best_way
 from robolayout.constraints.near import Near
 from robolayout.scene import Layout, Scene
 

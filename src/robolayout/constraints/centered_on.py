@@ -7,8 +7,7 @@ from dataclasses import dataclass
 
 from robolayout.constraints._exact import TOLERANCE, frame, point_ref
 from robolayout.constraints._refs import AssetRef, PointRef, Ref, WallRef
-from robolayout.constraints._relation import Outcome, Relation, argument
-from robolayout.constraints._terms import FrameTerm, Interval, Term
+from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene
 
 MIDDLE = Interval(0.0, 0.0)

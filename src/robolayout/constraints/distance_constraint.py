@@ -9,8 +9,7 @@ from shapely import Point
 
 from robolayout.constraints._exact import TOLERANCE, frame, shape
 from robolayout.constraints._refs import AssetRef, Ref, WallRef
-from robolayout.constraints._relation import Outcome, Relation, argument
-from robolayout.constraints._terms import FAR, FrameTerm, Term
+from robolayout.constraints._relation import FAR, FrameTerm, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene
 
 

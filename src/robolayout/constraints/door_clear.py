@@ -9,8 +9,7 @@ from shapely import Polygon
 
 from robolayout.constraints._exact import TOLERANCE, common_area, footprint
 from robolayout.constraints._refs import AssetRef, WallRef
-from robolayout.constraints._relation import Outcome, Relation
-from robolayout.constraints._terms import ClearTerm, Term
+from robolayout.constraints._relation import ClearTerm, Outcome, Relation, Term
 from robolayout.scene import Layout, Opening, Room, Scene, vertical_span
 from robolayout.scene.room import OPENINGS
 

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 
 from robolayout.constraints._exact import TOLERANCE, facing_error
 from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome, Relation, argument
-from robolayout.constraints._terms import FrameTerm, Term
+from robolayout.constraints._relation import FrameTerm, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene
 
 

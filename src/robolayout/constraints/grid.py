@@ -6,8 +6,7 @@ from dataclasses import dataclass
 
 from robolayout.constraints._neighbours import Link, link_terms, links_outcome
 from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome, Relation, argument
-from robolayout.constraints._terms import Term
+from robolayout.constraints._relation import Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene
 
 

@@ -8,8 +8,7 @@ from shapely.ops import nearest_points
 
 from robolayout.constraints._exact import footprint, half_size
 from robolayout.constraints._refs import AssetRef, PointRef
-from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
-from robolayout.constraints._terms import FrameTerm, Term
+from robolayout.constraints._relation import FrameTerm, Outcome, Relation, Term, Way, argument, best_way
 from robolayout.constraints.near import Near
 from robolayout.scene import Layout, Scene
 

@@ -8,8 +8,7 @@ from shapely import Polygon
 
 from robolayout.constraints._exact import TOLERANCE, footprint
 from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome, Relation
-from robolayout.constraints._terms import InsideTerm, Term
+from robolayout.constraints._relation import InsideTerm, Outcome, Relation, Term
 from robolayout.scene import Layout, Scene
 
 

@@ -12,8 +12,7 @@ from shapely.geometry.base import BaseGeometry
 
 from robolayout.constraints._exact import TOLERANCE, common_area, footprint, half_size
 from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome, Relation, argument
-from robolayout.constraints._terms import ClearTerm, Term
+from robolayout.constraints._relation import ClearTerm, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene, vertical_span
 
 

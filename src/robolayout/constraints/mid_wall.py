@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
-from robolayout.constraints._terms import Term
+from robolayout.constraints._relation import Outcome, Relation, Term, Way, argument, best_way
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.constraints.centered_on import CenteredOn
 from robolayout.scene import Layout, Scene

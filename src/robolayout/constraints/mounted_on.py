@@ -6,8 +6,7 @@ from dataclasses import dataclass, replace
 
 from robolayout.constraints._exact import TOLERANCE
 from robolayout.constraints._refs import AssetRef, WallRef
-from robolayout.constraints._relation import Outcome, Relation, Way, argument
-from robolayout.constraints._terms import Term
+from robolayout.constraints._relation import Outcome, Relation, Term, Way, argument
 from robolayout.constraints.against_wall import AgainstWall
 from robolayout.scene import Layout, Scene
 

@@ -12,8 +12,7 @@ from shapely import Polygon
 from robolayout.assets import Prism, prisms_of
 from robolayout.constraints._exact import TOLERANCE, common_area, footprint
 from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome, Relation
-from robolayout.constraints._terms import OverlapTerm, Term
+from robolayout.constraints._relation import Outcome, OverlapTerm, Relation, Term
 from robolayout.scene import Asset, Layout, Pose, Scene, vertical_span
 
 

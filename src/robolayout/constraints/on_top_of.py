@@ -11,8 +11,7 @@ from robolayout.assets import Surface, resting_place, surfaces_of
 from robolayout.assets.surfaces import hung_from, named_surfaces, outer_surfaces
 from robolayout.constraints._exact import TOLERANCE, frame
 from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome, Relation, argument
-from robolayout.constraints._terms import FrameTerm, Interval, Term
+from robolayout.constraints._relation import FrameTerm, Interval, Outcome, Relation, Term, argument
 from robolayout.scene import Asset, Layout, Scene, vertical_span
 
 

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome, Relation
-from robolayout.constraints._terms import PairwiseTerm, Term
+from robolayout.constraints._relation import Outcome, PairwiseTerm, Relation, Term
 from robolayout.scene import Layout, Scene
 
 ALPHA = 0.01  # the paper's scale of the pairwise reachability loss

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 
 from robolayout.assets import category_of, sweeps_of
 from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome, Relation
-from robolayout.constraints._terms import ClearTerm, Term
+from robolayout.constraints._relation import ClearTerm, Outcome, Relation, Term
 from robolayout.constraints.keep_clear import region_outcome, strip_span
 from robolayout.scene import Asset, Layout, Scene
 

@@ -7,8 +7,7 @@ from itertools import pairwise
 
 from robolayout.constraints._neighbours import Link, link_terms, links_outcome
 from robolayout.constraints._refs import AssetRef, WallRef
-from robolayout.constraints._relation import Outcome, Relation, argument
-from robolayout.constraints._terms import Term
+from robolayout.constraints._relation import Outcome, Relation, Term, argument
 from robolayout.constraints.against_wall import wall_outcome, wall_term
 from robolayout.scene import Layout, Scene
 

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 
 from robolayout.constraints._exact import TOLERANCE
 from robolayout.constraints._refs import AssetRef
-from robolayout.constraints._relation import Outcome, Relation, Way, argument, best_way
-from robolayout.constraints._terms import Term
+from robolayout.constraints._relation import Outcome, Relation, Term, Way, argument, best_way
 from robolayout.constraints.corner import Corner, convex_corners
 from robolayout.constraints.next_to import NextTo
 from robolayout.scene import Layout, Scene

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 
 from robolayout.constraints._exact import TOLERANCE, frame
 from robolayout.constraints._refs import AssetRef, WallRef
-from robolayout.constraints._relation import Outcome, Relation, argument
-from robolayout.constraints._terms import MirrorTerm, Term
+from robolayout.constraints._relation import MirrorTerm, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene
 
 

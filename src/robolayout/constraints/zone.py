@@ -11,8 +11,7 @@ from shapely.geometry.polygon import orient
 
 from robolayout.constraints._exact import TOLERANCE, footprint
 from robolayout.constraints._refs import AssetRef, PointRef
-from robolayout.constraints._relation import Outcome, Relation, argument
-from robolayout.constraints._terms import FAR, FrameTerm, Interval, Term
+from robolayout.constraints._relation import FAR, FrameTerm, Interval, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Point, Scene
 
 
