@@ -14,6 +14,7 @@ from string import Template
 from typing import Any
 
 import numpy as np
+from PIL import Image
 
 from robolayout._errors import MissingExtraError
 from robolayout._files import write_atomic
@@ -96,8 +97,6 @@ def _column(values: list[Any]) -> list[Any]:
 
 def contact(folder: Path, rows: Sequence[Mapping[str, Any]]) -> bytes:
     """Return one picture of the rooms, in order."""
-    from PIL import Image
-
     there = [row for row in rows if row["status"] != "missing"]
     there = [there[k] for k in spread(len(there), PAGES.tiles)]
     across = max(1, int(np.ceil(np.sqrt(1.6 * len(there)))))

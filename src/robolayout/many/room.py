@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from PIL import Image
 
 from robolayout._errors import InputError, RoboLayoutError
 from robolayout._files import write_atomic
@@ -231,8 +232,6 @@ def _files(result: Result, spec: Spec, looks: int, meshes: Path | None) -> dict[
 
 def _thumb(result: Result, drawn: bytes | None) -> bytes:
     """Return the small picture of a room: from above where that is drawn, else the plan, which costs a fifth."""
-    from PIL import Image
-
     from robolayout.render import draw_plan, png_bytes
 
     plan = None if drawn else draw_plan(result.scene, result.layout, names=False)

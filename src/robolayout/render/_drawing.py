@@ -12,15 +12,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 from unicodedata import east_asian_width
+
+from PIL import Image, ImageChops, ImageDraw, ImageFont
 
 from robolayout._text import html, printable
 from robolayout.render._style import PLAN
-
-if TYPE_CHECKING:
-    from PIL.Image import Image
-    from PIL.ImageFont import FreeTypeFont
 
 Point = tuple[float, float]
 Anchor = Literal["start", "middle", "end"]
@@ -100,10 +98,8 @@ class Drawing:
 
         return draw_pdf(self)
 
-    def image(self, width: int = 1200) -> Image:
+    def image(self, width: int = 1200) -> Image.Image:
         """Return the drawing as an RGB picture `width` pixels wide."""
-        from PIL import Image
-
         scale = width / self.width
         size = (width, max(1, round(self.height * scale)))
         big = Image.new("RGB", (size[0] * PLAN.samples, size[1] * PLAN.samples), self.background)
@@ -142,10 +138,8 @@ def _rings(rings: Iterable[Iterable[Point]]) -> tuple[tuple[Point, ...], ...]:
 
 
 @lru_cache(maxsize=64)
-def font(pixels: int, latin: bool = True) -> FreeTypeFont:
+def font(pixels: int, latin: bool = True) -> ImageFont.FreeTypeFont:
     """Return the text font: Pillow's own for plain text, DejaVu Sans (from Matplotlib) for everything else."""
-    from PIL import ImageFont
-
     if not latin:
         from importlib.util import find_spec
         from pathlib import Path
@@ -199,17 +193,15 @@ def _svg_shape(item: Shape) -> str:
     return f'<path d="{path}" {style}{end}'
 
 
-def png_bytes(image: Image) -> bytes:
+def png_bytes(image: Image.Image) -> bytes:
     """Return a picture as PNG bytes."""
     stream = io.BytesIO()
     image.save(stream, "PNG", compress_level=3)
     return stream.getvalue()
 
 
-def paint(image: Image, items: Iterable[Shape | Text], scale: float) -> None:
+def paint(image: Image.Image, items: Iterable[Shape | Text], scale: float) -> None:
     """Paint items onto an RGB picture, `scale` pixels per millimetre."""
-    from PIL import ImageDraw
-
     pen = ImageDraw.Draw(image, "RGBA")
     for item in items:
         if isinstance(item, Text):
@@ -235,10 +227,8 @@ def paint(image: Image, items: Iterable[Shape | Text], scale: float) -> None:
                     )
 
 
-def _paint_holes(image: Image, rings: list[list[Point]], color: tuple[int, int, int, int]) -> None:
+def _paint_holes(image: Image.Image, rings: list[list[Point]], color: tuple[int, int, int, int]) -> None:
     """Fill rings by the even-odd rule."""
-    from PIL import Image, ImageChops, ImageDraw
-
     mask = Image.new("1", image.size)
     for ring in rings:
         one = Image.new("1", image.size)
@@ -247,10 +237,8 @@ def _paint_holes(image: Image, rings: list[list[Point]], color: tuple[int, int, 
     image.paste(color[:3], (0, 0), mask.convert("L").point([v * color[3] // 255 for v in range(256)]))
 
 
-def _paint_text(image: Image, item: Text, scale: float) -> None:
+def _paint_text(image: Image.Image, item: Text, scale: float) -> None:
     """Paint one line of text, turned if need be."""
-    from PIL import Image, ImageDraw
-
     text = printable(item.text)
     pixels = max(4, round(item.size * scale))
     face = font(pixels, is_latin(text))

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
 
 from robolayout._color import linear
 from robolayout.assets.textures import pixels
@@ -169,8 +170,6 @@ class GLRenderer:
 
     def _texture_array(self, textures: Sequence[str | bytes]) -> Any:
         """Return all textures, in linear light and of one size, with their smaller copies."""
-        from PIL import Image
-
         pictures = [Image.fromarray(pixels(texture)) for texture in textures] or [Image.new("RGB", (1, 1))]
         side = min(max(max(picture.size) for picture in pictures), LIGHT.texture)
         layers = [np.asarray(p if p.size == (side, side) else p.resize((side, side))) / 255.0 for p in pictures]

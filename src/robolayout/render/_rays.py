@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
 
 from robolayout._color import linear
 from robolayout.assets.textures import pixels
@@ -136,8 +137,6 @@ class RayRenderer:
 
 def _levels(texture: str | bytes) -> list[Floats]:
     """Return a texture in linear light, and halved again and again down to one pixel."""
-    from PIL import Image
-
     full = Image.fromarray(pixels(texture))
     levels = max(full.size).bit_length()
     halved = [full.reduce(2**k) if 2**k <= min(full.size) else full.resize((1, 1)) for k in range(levels)]

@@ -5,9 +5,9 @@ from __future__ import annotations
 import io
 import math
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
+from PIL import Image
 
 from robolayout._errors import InputError
 from robolayout.render._architecture import draw_floor, draw_walls, placing
@@ -17,9 +17,6 @@ from robolayout.render.contents import LEVELS, display_name, draw_footprint, lev
 from robolayout.render.curves import NO_SEARCH, TOTAL, Frame, draw_panel, is_still, loss_terms
 from robolayout.render.palette import INK, QUIET, ROUTE
 from robolayout.scene import Asset, Layout, Pose, Room, Scene, Snapshot, Trace
-
-if TYPE_CHECKING:
-    from PIL.Image import Image
 
 
 def progress_gif(
@@ -119,23 +116,21 @@ def draw_names(
 
 def _gif(sheet: Drawing, painted: Sequence[Sequence[Item]], size: int, pauses: Sequence[int]) -> bytes:
     """Return an endless GIF of the sheet with each frame's items painted over it."""
-    from PIL import Image as images
-
     scale = size / max(sheet.width, sheet.height)
     width, height = round(sheet.width * scale), round(sheet.height * scale)
-    back = images.new("RGB", (width * FILM.samples, height * FILM.samples), sheet.background)
+    back = Image.new("RGB", (width * FILM.samples, height * FILM.samples), sheet.background)
     paint(back, sheet.items, scale * FILM.samples)
 
-    def frame(items: Sequence[Item]) -> Image:
+    def frame(items: Sequence[Item]) -> Image.Image:
         big = back.copy()
         paint(big, items, scale * FILM.samples)
         return big.reduce(FILM.samples)
 
-    palette = frame(painted[-1]).quantize(FILM.search_colors, images.Quantize.MEDIANCUT)
-    return save_gif([frame(items).quantize(palette=palette, dither=images.Dither.NONE) for items in painted], pauses)
+    palette = frame(painted[-1]).quantize(FILM.search_colors, Image.Quantize.MEDIANCUT)
+    return save_gif([frame(items).quantize(palette=palette, dither=Image.Dither.NONE) for items in painted], pauses)
 
 
-def save_gif(frames: Sequence[Image], pauses: Sequence[int]) -> bytes:
+def save_gif(frames: Sequence[Image.Image], pauses: Sequence[int]) -> bytes:
     """Return an endless GIF of frames that share one palette, each shown for its milliseconds."""
     stream = io.BytesIO()
     frames[0].save(

@@ -10,11 +10,12 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
+from PIL import Image
 
 from robolayout._errors import UnknownNameError
 from robolayout.render._drawing import Drawing, Point, Text, circle, paint, text_width
@@ -22,10 +23,6 @@ from robolayout.render._style import MARKS, VIEW
 from robolayout.render.camera import Camera, spherical_camera
 from robolayout.render.view import Renderer, Studio, picture_size
 from robolayout.scene import Layout, Room, Scene
-
-if TYPE_CHECKING:
-    from PIL.Image import Image
-
 
 GRID_COLOR = "#0072b2"
 FRONT_COLOR = "#d55e00"
@@ -50,7 +47,7 @@ class Mark:
 
 def annotate(
     scene: Scene, layout: Layout, *, view: str = "top", size: int | tuple[int, int] = 768, renderer: Renderer = "auto"
-) -> Image:
+) -> Image.Image:
     """Return an annotated view of the room, taken by the paper's camera.
 
     Args:
@@ -105,14 +102,14 @@ def grid_points(room: Room) -> list[Point]:
     return [(round(x, 6), round(y, 6)) for y in ys for x in xs if polygon.covers(shapely.Point(x, y))]
 
 
-def draw_marks(color: NDArray[np.uint8], depth: NDArray[np.float32], camera: Camera, marks: Sequence[Mark]) -> Image:
+def draw_marks(
+    color: NDArray[np.uint8], depth: NDArray[np.float32], camera: Camera, marks: Sequence[Mark]
+) -> Image.Image:
     """Return the picture with marks drawn over it.
 
     Args:
         depth: (height, width) depths in metres; grid points behind something are faint and carry no numbers.
     """
-    from PIL import Image
-
     samples = 2 if camera.width <= 2048 else 1
     image = Image.fromarray(color)
     image = image.resize((camera.width * samples, camera.height * samples), Image.Resampling.NEAREST)

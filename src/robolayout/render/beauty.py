@@ -6,10 +6,11 @@ Same mesh, same camera and same cut walls as the fast views; light truly bounces
 from __future__ import annotations
 
 import importlib
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
 
 from robolayout._color import linear
 from robolayout._errors import MissingExtraError
@@ -22,9 +23,6 @@ from robolayout.render.camera import Camera
 from robolayout.render.view import Studio, picture_size
 from robolayout.scene import Agent, Layout, Scene
 
-if TYPE_CHECKING:
-    from PIL.Image import Image
-
 
 def render_beauty(  # noqa: PLR0913 - what `render_view` takes, and the paths of light
     scene: Scene,
@@ -36,7 +34,7 @@ def render_beauty(  # noqa: PLR0913 - what `render_view` takes, and the paths of
     agent: Agent | None = None,
     stand: tuple[float, float] | None = None,
     seed: int = 0,
-) -> Image:
+) -> Image.Image:
     """Return a path-traced picture of the room; the other arguments are those of `render_view`.
 
     Args:
@@ -60,10 +58,8 @@ def _load() -> tuple[Any, Any]:
     return mitsuba, denoiser.denoise
 
 
-def _trace(mi: Any, denoise: Any, mesh: Mesh, camera: Camera, samples: int, seed: int) -> Image:
+def _trace(mi: Any, denoise: Any, mesh: Mesh, camera: Camera, samples: int, seed: int) -> Image.Image:
     """Return the picture of a mesh."""
-    from PIL import Image
-
     world = mi.load_dict(_world(mi, mesh, camera, samples))
     data = np.array(mi.render(world, spp=samples, seed=seed), dtype=np.float32)
     color, alpha = np.ascontiguousarray(data[..., :3]), data[..., 3:4]

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+from PIL import Image
+
 from robolayout.render._drawing import Drawing, Point, Shape, circle, paint
 from robolayout.render._style import BODY
 from robolayout.render.palette import FREE, INK, NARROW, QUIET, REACH, ROUTE, TURN
@@ -31,7 +33,6 @@ def draw_body(agent: Agent) -> Drawing:
 def body_text(agent: Agent, *, columns: int = 76) -> str:
     """Return the outlines of the drawing as lines of at most `columns` Braille characters, for a terminal."""
     import numpy as np
-    from PIL import Image
 
     full = draw_body(agent)
     outlines = [replace(i, fill=None, dash=None, width=0.2) for i in full.items if isinstance(i, Shape) and i.stroke]

@@ -4,23 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+
+from PIL import Image, ImageDraw
 
 from robolayout.render._drawing import font, is_latin
 from robolayout.render.view import render_asset
 from robolayout.scene import Asset
 
-if TYPE_CHECKING:
-    from PIL.Image import Image
-
 PAPER, INK = (246, 245, 241), (40, 40, 40)
 MOST_COLUMNS = 10
 
 
-def asset_sheet(assets: Sequence[Asset], *, tile: int = 200, seed: int = 0) -> Image:
+def asset_sheet(assets: Sequence[Asset], *, tile: int = 200, seed: int = 0) -> Image.Image:
     """Return a sheet with a picture of every asset, `tile` pixels a side, row by row, its category below it."""
-    from PIL import Image, ImageDraw
-
     columns = min(MOST_COLUMNS, math.ceil(math.sqrt(len(assets))))
     label = tile // 8
     size = (columns * tile, math.ceil(len(assets) / columns) * (tile + label))

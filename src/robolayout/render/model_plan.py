@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import shapely
+from PIL import Image
 from shapely.affinity import rotate, translate
 
 from robolayout.assets import sweeps_of
@@ -22,13 +22,10 @@ from robolayout.render.palette import INK, QUIET, TIGHT
 from robolayout.render.plan import draw_legend
 from robolayout.scene import Agent, Layout, Room, Scene, Wall
 
-if TYPE_CHECKING:
-    from PIL.Image import Image
-
 
 def model_plan(
     scene: Scene, layout: Layout, *, marks: PlanMarks | None = None, agent: Agent | None = None, size: int = 1024
-) -> Image:
+) -> Image.Image:
     """Return the plan of a room for a model: seen from straight above, so that lengths are lengths everywhere.
 
     Args:

@@ -9,10 +9,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Literal, Protocol
+from typing import Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
 
 from robolayout._errors import InputError, UnknownNameError
 from robolayout.assets import parts
@@ -31,9 +32,6 @@ from robolayout.render._mesh import (
 from robolayout.render._style import VIEW
 from robolayout.render.camera import Camera, eye_camera, fitted_camera, room_points
 from robolayout.scene import Agent, Asset, Layout, Pose, Room, Scene, check_layout
-
-if TYPE_CHECKING:
-    from PIL.Image import Image
 
 Renderer = Literal["auto", "gl", "rays"]
 
@@ -128,10 +126,8 @@ class Studio:
         names = ("room", *(asset.name for asset in self.scene.assets))
         return Buffers(self._renderer.color(camera, keep), ids, depth, names, camera)
 
-    def picture(self, camera: Camera, *, inside: bool = False) -> Image:
+    def picture(self, camera: Camera, *, inside: bool = False) -> Image.Image:
         """Return the picture taken by a camera; `inside` keeps every wall and draws the ceiling."""
-        from PIL import Image
-
         return Image.fromarray(self._renderer.color(camera, self._keep(camera, inside)))
 
     def view(
@@ -141,7 +137,7 @@ class Studio:
         size: int | tuple[int, int] = 512,
         agent: Agent | None = None,
         stand: tuple[float, float] | None = None,
-    ) -> Image:
+    ) -> Image.Image:
         """Return a view by name (see `render_view`)."""
         camera = self.camera(view, picture_size(size), agent=agent, stand=stand)
         return self.picture(camera, inside=view.startswith("eye:"))
@@ -201,7 +197,7 @@ def render_view(
     renderer: Renderer = "auto",
     agent: Agent | None = None,
     stand: tuple[float, float] | None = None,
-) -> Image:
+) -> Image.Image:
     """Return a picture of the room.
 
     Args:
@@ -215,10 +211,8 @@ def render_view(
 
 def render_asset(
     asset: Asset, *, size: int | tuple[int, int] = 512, renderer: Renderer = "auto", seed: int = 0
-) -> Image:
+) -> Image.Image:
     """Return a picture of one asset alone, from its front, a little from its right and from above."""
-    from PIL import Image
-
     mesh = parts_mesh(parts(asset, seed), asset.name)
     box = np.array([(a, b, c) for a in (-0.5, 0.5) for b in (-0.5, 0.5) for c in (-0.5, 0.5)]) * asset.size
     camera = fitted_camera(box, math.radians(65), math.radians(-32), picture_size(size), margin=0.08)

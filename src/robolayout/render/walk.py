@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
+from PIL import Image
 
 from robolayout._errors import InputError
 from robolayout.render._drawing import Drawing, Item, circle, paint
@@ -18,9 +18,6 @@ from robolayout.render.contents import Shown, display_name, draw_contents
 from robolayout.render.marks import PlanMarks
 from robolayout.render.palette import INK, PAPER, ROUTE
 from robolayout.scene import Agent, Layout, Point, Pose, Scene
-
-if TYPE_CHECKING:
-    from PIL.Image import Image
 
 
 def walk_gif(
@@ -90,8 +87,6 @@ class _Film:
     """The unchanging picture of every leg, onto which each frame paints only the body."""
 
     def __init__(self, scene: Scene, layout: Layout, marks: PlanMarks, body: Agent, size: int) -> None:
-        from PIL import Image as images
-
         self._stage = Stage(scene.room, FILM.foot)
         sheet = self._stage.sheet
         below = Drawing(FILM.sheet, sheet.height)
@@ -101,13 +96,13 @@ class _Film:
         sheet.items += draw_names(scene, list(scene.assets), poses, self._stage)
         self._scale = FILM.samples * size / max(sheet.width, sheet.height)
         width, height = (FILM.samples * round(v * self._scale / FILM.samples) for v in (sheet.width, sheet.height))
-        self._plan = images.new("RGB", (width, height), sheet.background)
+        self._plan = Image.new("RGB", (width, height), sheet.background)
         paint(self._plan, sheet.items, self._scale)
         self._palette = self._colours()
         self._scene, self._layout, self._body = scene, layout, body
         self._leg: Leg | None = None
 
-    def frame(self, leg: Leg, pose: Pose) -> Image:
+    def frame(self, leg: Leg, pose: Pose) -> Image.Image:
         """Return the picture of the body on a leg, in the palette of all frames."""
         if leg is not self._leg:
             self._leg, self._back = leg, self._plan.copy()
@@ -150,7 +145,7 @@ class _Film:
         shown = names if len(names) <= 3 else [*names[:2], f"{len(names) - 2} more"]
         return "to " + " and ".join([", ".join(shown[:-1]), shown[-1]] if len(shown) > 1 else shown)
 
-    def _colours(self) -> Image:
+    def _colours(self) -> Image.Image:
         """Return a picture whose palette serves every frame."""
         sample = self._plan.reduce(FILM.samples)
         spot = (4, 4, sample.width // 6, sample.height // 6)
@@ -158,10 +153,8 @@ class _Film:
             sample.paste(mix, (spot[0] + 9 * k, spot[1], spot[0] + 9 * k + 9, spot[1] + 60))
         return sample.quantize(FILM.walk_colors, kmeans=2)
 
-    def _quantized(self, picture: Image) -> Image:
-        from PIL import Image as images
-
-        return picture.reduce(FILM.samples).quantize(palette=self._palette, dither=images.Dither.NONE)
+    def _quantized(self, picture: Image.Image) -> Image.Image:
+        return picture.reduce(FILM.samples).quantize(palette=self._palette, dither=Image.Dither.NONE)
 
 
 def _outline(body: Agent, pose: Pose) -> list[Point]:
