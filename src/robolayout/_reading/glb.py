@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import base64
 import binascii
+import io
 import struct
 from collections.abc import Mapping
 from typing import Any, cast
@@ -191,7 +192,6 @@ def _picture(image: Entry, where: str, views: list[Entry], binary: bytes) -> byt
 
 def _size(content: bytes, where: str) -> tuple[int, int]:
     """Return width and height in pixels as the picture's header says, without decoding it."""
-    import io
     import warnings
 
     from PIL import Image

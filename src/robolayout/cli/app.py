@@ -12,6 +12,7 @@ from typer import Option
 from typer.core import TyperGroup
 
 from robolayout._errors import InputError
+from robolayout._files import check_writable, write_atomic
 from robolayout._version import __version__
 from robolayout.cli.assets import assets
 from robolayout.cli.bodies import agents
@@ -110,7 +111,6 @@ def check(  # noqa: PLR0913 - one parameter per option
     told: Told,
 ) -> None:
     """Verify a layout, whoever made it."""
-    from robolayout._files import check_writable
     from robolayout.run import result
     from robolayout.run.outputs import write_result
 
@@ -144,7 +144,6 @@ def compare(  # noqa: PLR0913 - one parameter per option
     quiet: QuietOption = False,
 ) -> None:
     """Lay out one room for several bodies, side by side in one picture."""
-    from robolayout._files import write_atomic
     from robolayout.planners import OfflinePlanner
     from robolayout.run import flow
     from robolayout.run.outputs import comparison
@@ -173,7 +172,6 @@ def export(
     doors: DoorsOption = "swinging",
 ) -> None:
     """Write a layout for simulators and viewers."""
-    from robolayout._files import check_writable
     from robolayout.export import export_all, exporters, find_exporter
     from robolayout.run.flow import generate as solve_again
     from robolayout.run.outputs import export_options

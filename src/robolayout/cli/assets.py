@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from robolayout._errors import AssetError, InputError
+from robolayout._files import write_atomic
 from robolayout.cli.options import ending
 from robolayout.cli.terminal import say, table, warn
 
@@ -49,7 +50,6 @@ def assets(
 
 def _import(folder: Path | None, out: Path, front: str | None, pictures: Path | None) -> None:
     """Write the catalogue of a folder, draw it, and say what was skipped and what is unsure."""
-    from robolayout._files import write_atomic
     from robolayout.assets import import_folder
 
     if folder is None:
@@ -92,7 +92,6 @@ def _typical(kind: Category) -> Asset:
 
 def _draw(shown: Sequence[Asset], target: Path) -> None:
     """Draw things into one picture, each from its front."""
-    from robolayout._files import write_atomic
     from robolayout.render import asset_sheet, png_bytes
 
     ending(target, "pictures", (".png",))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from robolayout._errors import InputError
+from robolayout._files import write_atomic
 from robolayout.cli.options import ending
 from robolayout.cli.terminal import say, table
 
@@ -42,7 +43,6 @@ def agents(
 
 def _one(body: Agent, out: Path | None) -> None:
     """Show a body: its figures with their sources, and a drawing on the terminal or in a file."""
-    from robolayout._files import write_atomic
     from robolayout.render import body_text, draw_body
 
     suffix = "" if out is None else ending(out, "a body", (".svg", ".png", ".pdf"))

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 from typer import Argument, Option
 
+from robolayout._files import write_atomic
 from robolayout.cli.options import Body, ProgramOption, Told, ending, spread
 from robolayout.cli.terminal import say, table
 
@@ -26,7 +27,6 @@ def diff(  # noqa: PLR0913 - one parameter per option
     width: Annotated[int, Option(min=256, max=8192, help="Pixels of the PNG's width.")] = 1400,
 ) -> None:
     """Say what moved, turned, came, went, became better or worse between two layouts (exit code 1: something is worse)."""
-    from robolayout._files import write_atomic
     from robolayout.run.diff import diff as compare
     from robolayout.run.outputs import difference_picture
     from robolayout.run.result import load_judged

@@ -13,6 +13,7 @@ import typer
 from typer import Argument, Option
 
 from robolayout._errors import InputError
+from robolayout._files import write_atomic
 from robolayout._text import TOLD, file_name
 from robolayout.cli.models import Who
 from robolayout.cli.options import Body, SeedOption, Told, names, spread
@@ -151,8 +152,6 @@ def _furnished(asked: Asked, planner: Planner, variant: int) -> tuple[Scene, Und
 
 def _understood(asked: Asked, understood: Understanding, run: RunFolder) -> None:
     """Write and say what was understood of a sentence."""
-    from robolayout._files import write_atomic
-
     if not asked.quiet:
         for line in understood.sentences():
             warn(line)
@@ -201,7 +200,6 @@ def _written(asked: Asked, result: Result, run: RunFolder, tell: Callable[[str],
 
 def _walk(result: Result, folder: Path) -> list[Path]:
     """Write walk.gif, or say why there is none."""
-    from robolayout._files import write_atomic
     from robolayout.page.marks import plan_marks
     from robolayout.render import walk_gif
 

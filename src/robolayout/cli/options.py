@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any, get_type_hints
 from typer import Argument, Option
 
 from robolayout._errors import InputError, UnknownNameError
+from robolayout._files import check_writable
 from robolayout.cli.terminal import progress, say, warn
 
 if TYPE_CHECKING:
@@ -142,8 +143,6 @@ def one_of(kind: str, name: str, allowed: Sequence[str]) -> str:
 
 def ending(path: Path, what: str, allowed: Sequence[str]) -> str:
     """Return the ending of a file that is to be written, if it is allowed and the file's folder can be written to."""
-    from robolayout._files import check_writable
-
     if path.suffix.lower() not in allowed:
         raise InputError(f"{what} cannot be written to {path}: name a file that ends in {' or '.join(allowed)}.")
     check_writable(path.absolute().parent)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from typer import Option
 
+from robolayout._files import write_atomic
 from robolayout.cli.options import (
     AssetDirOption,
     DoorsOption,
@@ -87,8 +88,6 @@ def _check(report: Path | None) -> None:
 
 def _tell(found: Settled | Driven, report: Path | None, told: Told, show: Callable[[], None]) -> None:
     """Write and print what was found."""
-    from robolayout._files import write_atomic
-
     if report is not None:
         write_atomic(report, json.dumps(found.to_dict(), indent=2, ensure_ascii=False) + "\n")
     told.tell(found.to_dict(), show)

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from typer import Option
 
 from robolayout._errors import InputError, UnknownNameError
+from robolayout._files import write_atomic
 from robolayout.cli.options import DateOption, Laid, ending, spread
 from robolayout.cli.terminal import say
 
@@ -58,8 +59,6 @@ class Wish(Laid):
 @spread
 def render(wish: Wish) -> None:
     """Draw a layout."""
-    from robolayout._files import write_atomic
-
     _check(wish)
     given, placed = wish.read_both()
     view = wish.view

@@ -29,6 +29,7 @@ from robolayout.many.page import PAGES
 from robolayout.many.spec import Ready, Source, Spec, read_spec
 from robolayout.many.variety import Thing, things
 from robolayout.planners import scene_from_sentence
+from robolayout.render import draw_plan, png_bytes
 from robolayout.run.attempt import Clock
 from robolayout.run.flow import generate
 from robolayout.run.folder import RunFolder
@@ -232,8 +233,6 @@ def _files(result: Result, spec: Spec, looks: int, meshes: Path | None) -> dict[
 
 def _thumb(result: Result, drawn: bytes | None) -> bytes:
     """Return the small picture of a room: from above where that is drawn, else the plan, which costs a fifth."""
-    from robolayout.render import draw_plan, png_bytes
-
     plan = None if drawn else draw_plan(result.scene, result.layout, names=False)
     picture = plan.image(2 * PAGES.thumb) if plan else Image.open(BytesIO(drawn or b"")).convert("RGB")
     picture.thumbnail((PAGES.thumb, PAGES.thumb), Image.Resampling.LANCZOS)

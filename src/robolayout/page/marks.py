@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from shapely import LineString, Polygon, get_parts, maximum_inscribed_circle, union_all
 
 from robolayout.render import PlanMarks
 from robolayout.scene import Point, vertical_span
-from robolayout.verify import AgentReport, Navigation, Passage, exempt_from_reach
-
-if TYPE_CHECKING:
-    from shapely import LineString, Polygon
+from robolayout.verify import AgentReport, Navigation, Passage, exempt_from_reach, horizontal_reach
 
 
 @dataclass(frozen=True)
@@ -67,16 +66,12 @@ def _narrow(report: AgentReport) -> list[Passage]:
 
 def _under(nav: Navigation) -> tuple[Rings, ...]:
     """Return the free space under or inside furniture."""
-    from shapely import union_all
-
     shelter = nav.blocking.shelter
     return _rings(nav.main.intersection(union_all(shelter))) if len(shelter) else ()
 
 
 def _circles(report: AgentReport) -> tuple[tuple[Point, float], ...]:
     """Return the turning circle of a rectangular body at the roomiest spot of each place where it can turn."""
-    from shapely import maximum_inscribed_circle
-
     agent, space = report.agent, report.headings
     if space is None:
         return ()
@@ -87,10 +82,6 @@ def _circles(report: AgentReport) -> tuple[tuple[Point, float], ...]:
 
 def _arcs(report: AgentReport) -> tuple[tuple[Point, ...], ...]:
     """Return where the body stands to use things and how far its arm reaches there: a short arc towards each."""
-    from shapely import LineString, Polygon
-
-    from robolayout.verify import horizontal_reach
-
     room = Polygon(report.navigation.scene.room.vertices)
 
     agent, nav = report.agent, report.navigation
@@ -109,8 +100,6 @@ def _arcs(report: AgentReport) -> tuple[tuple[Point, ...], ...]:
 
 def _inside(room: Polygon, ray: LineString) -> Point:
     """Return where a ray that begins in a room first leaves it, or its end."""
-    from shapely import get_parts
-
     parts = [part.coords for part in get_parts(room.intersection(ray)) if part.geom_type == "LineString"]
     first = min(parts or [ray.coords], key=lambda coords: math.dist(coords[0], ray.coords[0]))
     x, y = first[-1]

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from shapely import Polygon, union_all
+
 from robolayout.render import SheetNotes
 from robolayout.scene import vertical_span
 from robolayout.verify import AgentReport, Report
@@ -48,8 +50,6 @@ def rule_rows(report: Report) -> list[dict[str, Any]]:
 
 def _areas(first: AgentReport) -> tuple[tuple[str, str], ...]:
     """Return the areas of a room, and how much of it is furnished and free."""
-    from shapely import Polygon, union_all
-
     nav = first.navigation
     room = Polygon(nav.scene.room.vertices)
     standing = [

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 
 from robolayout._color import linear
@@ -75,8 +76,6 @@ def _strip(mesh: Mesh, room: Room, wall: Wall) -> NDArray[np.float64]:
 
 def _floor_points(room: Room) -> NDArray[np.float64]:
     """Return a grid of points (n, 3) on the floor, inside the room."""
-    import shapely
-
     x0, y0, x1, y1 = room.bounds
     xs, ys = np.meshgrid(np.linspace(x0, x1, 32)[1:-1], np.linspace(y0, y1, 32)[1:-1])
     inside = shapely.contains_xy(shapely.Polygon(room.vertices), xs, ys)

@@ -9,9 +9,11 @@ from __future__ import annotations
 import io
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
+from importlib.util import find_spec
 from itertools import pairwise
+from pathlib import Path
 from typing import Any, Literal
 from unicodedata import east_asian_width
 
@@ -114,7 +116,6 @@ class Drawing:
 
     def moved(self, dx: float, dy: float) -> list[Shape | Text]:
         """Return the items moved by millimetres, to be put on another sheet."""
-        from dataclasses import replace
 
         def shift(p: Point) -> Point:
             return (p[0] + dx, p[1] + dy)
@@ -141,9 +142,6 @@ def _rings(rings: Iterable[Iterable[Point]]) -> tuple[tuple[Point, ...], ...]:
 def font(pixels: int, latin: bool = True) -> ImageFont.FreeTypeFont:
     """Return the text font: Pillow's own for plain text, DejaVu Sans (from Matplotlib) for everything else."""
     if not latin:
-        from importlib.util import find_spec
-        from pathlib import Path
-
         spec = find_spec("matplotlib")
         if spec is not None and spec.origin is not None:
             return ImageFont.truetype(Path(spec.origin).parent / "mpl-data/fonts/ttf/DejaVuSans.ttf", pixels)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
+import shapely
 
 from robolayout.render._architecture import Place
 from robolayout.render._drawing import Drawing, Point, circle, text_width
@@ -100,8 +101,6 @@ def passage_spots(
     marks: PlanMarks, place: Place, lines: Sequence[Sequence[Point]], solids: Sequence[Sequence[Point]]
 ) -> list[Point]:
     """Return where the width of each passage is written: beside its line, where it covers least."""
-    import shapely
-
     passages = sorted(marks.passages)
     strokes = [shapely.LineString(line) for line in lines]
     strokes += [shapely.LineString([place(*a), place(*b)]) for a, b, _ in passages]

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 
 from robolayout._color import linear
@@ -81,8 +82,6 @@ def parts_mesh(pieces: Iterable[Part], name: str, number: int = 1) -> Mesh:
 
 def ceiling_mesh(room: Room) -> Mesh:
     """Return a plain ceiling at wall height named CEILING, for views from inside the room."""
-    import shapely
-
     polygon = shapely.Polygon(room.vertices).buffer(0.1, join_style="mitre")
     triangles = shapely.get_parts(shapely.constrained_delaunay_triangles(polygon))
     rings = shapely.get_coordinates(shapely.orient_polygons(triangles, exterior_cw=True)).reshape(-1, 4, 2)[:, :3]

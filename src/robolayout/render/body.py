@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+import numpy as np
 from PIL import Image
 
 from robolayout.render._drawing import Drawing, Point, Shape, circle, paint
@@ -32,8 +33,6 @@ def draw_body(agent: Agent) -> Drawing:
 
 def body_text(agent: Agent, *, columns: int = 76) -> str:
     """Return the outlines of the drawing as lines of at most `columns` Braille characters, for a terminal."""
-    import numpy as np
-
     full = draw_body(agent)
     outlines = [replace(i, fill=None, dash=None, width=0.2) for i in full.items if isinstance(i, Shape) and i.stroke]
     top, bottom = BODY.head - 1.0, full.height - BODY.foot + 1.0

@@ -12,6 +12,7 @@ from functools import cached_property
 from typing import Literal, Protocol
 
 import numpy as np
+import shapely
 from numpy.typing import NDArray
 from PIL import Image
 
@@ -278,8 +279,6 @@ def _entrance(room: Room) -> tuple[float, float]:
     if room.doors:
         door = room.doors[0]
         return room.walls[door.wall].point(door.center, 0.3)
-    import shapely
-
     point = shapely.Polygon(room.vertices).representative_point()
     return (point.x, point.y)
 

@@ -11,8 +11,21 @@ from typing import TYPE_CHECKING
 from robolayout._files import write_atomic
 from robolayout._text import file_name
 from robolayout.export import Options, export, find_exporter, to_bytes
-from robolayout.page.marks import plan_marks
-from robolayout.render import Drawing, PlanMarks, png_bytes
+from robolayout.page import content, document
+from robolayout.page.marks import plan_marks, sheet_marks
+from robolayout.page.notes import sheet_notes
+from robolayout.render import (
+    Drawing,
+    PlanMarks,
+    Studio,
+    draw_comparison,
+    draw_losses,
+    draw_plan,
+    draw_sheet,
+    plan_svg,
+    png_bytes,
+    progress_gif,
+)
 from robolayout.run.folder import RunFolder, open_folder
 from robolayout.scene import scene_to_dict
 from robolayout.verify import Report
@@ -79,8 +92,6 @@ def page_html(result: Result) -> str:
 
 
 def _page(result: Result, glb: bytes, marks: Sequence[PlanMarks]) -> str:
-    from robolayout.page import content, document
-
     return document(content(result.report, result.reconciled, result.trace, marks), glb)
 
 
@@ -106,8 +117,6 @@ def _texts(result: Result, folder: Path) -> Iterator[tuple[str, str]]:
 
 
 def _pictures(result: Result, glb: bytes, date: str, looks: int) -> Iterator[tuple[str, str | bytes]]:
-    from robolayout.render import Studio, draw_losses, plan_svg, progress_gif
-
     marks = [plan_marks(body) for body in result.report.agents]
     yield "report.html", _page(result, glb, marks)
     for number, body in enumerate(result.report.agents, 1):
@@ -132,8 +141,6 @@ def comparison(results: Sequence[Result], suffix: str = ".png", *, width: int = 
 
 def difference_picture(found: Difference, suffix: str = ".png", *, width: int = 1400) -> bytes:
     """Return two layouts in one plan, with arrows from then to now; side by side if they are of different rooms."""
-    from robolayout.render import draw_plan
-
     before, after = found.before, found.after
     if before.scene.room == after.scene.room:
         return draw_plan(after.scene, after.layout, navigation=found.marks()).file(suffix, width)
@@ -141,17 +148,11 @@ def difference_picture(found: Difference, suffix: str = ".png", *, width: int = 
 
 
 def _side_by_side(titled: Sequence[tuple[str, Result]]) -> Drawing:
-    from robolayout.render import draw_comparison
-
     return draw_comparison([(title, r.scene, r.layout, plan_marks(r.report.agents[0])) for title, r in titled])
 
 
 def sheet(report: Report, suffix: str = ".pdf", *, date: str = "", width: int = 1600) -> bytes:
     """Return the sheet to print for the first body of a report; `date` is what its title block says."""
-    from robolayout.page.marks import sheet_marks
-    from robolayout.page.notes import sheet_notes
-    from robolayout.render import draw_sheet
-
     first, notes = report.agents[0], sheet_notes(report, date)
     drawing = draw_sheet(report.scene, report.layout, notes, marks=sheet_marks(first), agent=first.agent)
     return drawing.file(suffix, width)

@@ -9,16 +9,16 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from robolayout.export import Exporter, Options
-from robolayout.render import PlanMarks
+from robolayout.page.marks import plan_marks
+from robolayout.render import PlanMarks, draw_plan
 from robolayout.scene import Layout, Scene
+from robolayout.verify import judge_agent
 
 
 def _plan(suffix: str) -> Callable[[Scene, Layout, Options], bytes]:
     """Return what makes the plan as a file that ends so."""
 
     def made(scene: Scene, layout: Layout, options: Options) -> bytes:
-        from robolayout.render import draw_plan
-
         marks = _marks(scene, layout, options)
         return draw_plan(scene, layout, navigation=marks, agent=options.agent).file(suffix)
 
@@ -29,9 +29,6 @@ def _marks(scene: Scene, layout: Layout, options: Options) -> PlanMarks | None:
     """Return what the agent can do in the layout; None without an agent."""
     if options.agent is None:
         return None
-    from robolayout.page.marks import plan_marks
-    from robolayout.verify import judge_agent
-
     return plan_marks(judge_agent(scene, layout, options.agent))
 
 

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
+from robolayout.page.marks import plan_marks
 from robolayout.planners import Pictures
 from robolayout.program import Program
+from robolayout.render import Studio, annotate, model_plan, png_bytes, render_asset
 from robolayout.scene import Layout, Pose, Scene
 from robolayout.verify import Report, judge_agent
 
@@ -23,9 +25,6 @@ def room_pictures(scene: Scene, layout: Layout, new: Sequence[str], pictures: Pi
     kinds = sorted({scene.by_name[name].variable: name for name in reversed(new)}.values())
     if pictures != "drawn":
         return {} if pictures == "none" else dict.fromkeys(("plan", *VIEWS, *kinds), b"")
-    from robolayout.page.marks import plan_marks
-    from robolayout.render import annotate, model_plan, png_bytes, render_asset
-
     body = scene.agents[0]
     marks = plan_marks(judge_agent(scene, layout, body))
     images = {"plan": png_bytes(model_plan(scene, layout, marks=replace(marks, blocked=()), agent=body))}
@@ -37,17 +36,12 @@ def finished_pictures(scene: Scene, layout: Layout, pictures: Pictures) -> dict[
     """Return a finished room from above and from the side, with nothing written into it (see `room_pictures`)."""
     if pictures != "drawn":
         return {} if pictures == "none" else {f"finished {view}": b"" for view in VIEWS}
-    from robolayout.render import Studio, png_bytes
-
     studio = Studio(scene, layout)
     return {f"finished {view}": png_bytes(studio.view(view, size=PICTURE_SIZE)) for view in VIEWS}
 
 
 def failed_picture(report: Report, asked: Program, mine: Collection[str]) -> bytes:
     """Return the plan of what came of a program, with where it had put its things and arrows from there."""
-    from robolayout.page.marks import plan_marks
-    from robolayout.render import model_plan, png_bytes
-
     scene, layout, first = report.scene, report.layout, report.agents[0]
     meant: dict[str, Pose] = {}
     for move in report.moved:
