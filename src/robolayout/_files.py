@@ -11,8 +11,7 @@ from pathlib import Path
 from robolayout._errors import OutputError
 from robolayout._text import utf8
 
-AT_HERE, EXCHANGE = -100, 2
-"""Linux: names are relative to the current folder; `renameat2` swaps two names."""
+AT_HERE, EXCHANGE = -100, 2  # Linux: names are relative to the current folder; `renameat2` swaps two names
 
 
 def check_writable(folder: Path) -> None:

@@ -12,10 +12,8 @@ from numpy.typing import NDArray
 
 Mask = NDArray[np.bool_]
 
-SHORT = 100
-"""Cells up to which squared distances fit in 16 bits, which are twice as fast."""
-CHECK = 4
-"""Steps between two looks whether all distances are final."""
+SHORT = 100  # cells up to which squared distances fit in 16 bits, which are twice as fast
+CHECK = 4  # steps between two looks whether all distances are final
 
 
 def components(mask: Mask) -> tuple[NDArray[np.int32], NDArray[np.intp]]:

@@ -38,8 +38,7 @@ _NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _NOT_IN_A_FILE_NAME = re.compile(r'[<>:"/\\|?*]|\s+')
 """Characters that some system gives a meaning in names of files; blanks are kept, but one at a time."""
 
-LONGEST_NAME = 100
-"""Bytes of UTF-8 that a text gives to the name of a file, a third of what file systems take."""
+LONGEST_NAME = 100  # bytes of UTF-8 that a text gives to the name of a file, a third of what file systems take
 
 
 def printable(text: str) -> str:

@@ -32,5 +32,4 @@ if TYPE_CHECKING:
     from robolayout.assets.sweeps import Sweep as Sweep
     from robolayout.assets.sweeps import sweeps_of as sweeps_of
 
-__getattr__ = loader(__name__, __file__)
-"""Loads the names that need array libraries when they are first used."""
+__getattr__ = loader(__name__, __file__)  # loads the names that need array libraries when they are first used

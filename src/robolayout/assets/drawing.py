@@ -169,7 +169,6 @@ def _mirrored(place: Place, axis: str) -> Place:
 
 
 def _made(p: Piece, row: Row, material: Material, place: Place) -> Iterable[Part]:
-    """Return the parts of one place."""
     if row.shape in FRONTS:
         (y0, y1), (z0, z1) = place["y"], place["z"]
         numbers = {key: round(place[key][0]) for key in ("count", "low", "rows", "columns", "knobs") if key in place}

@@ -81,7 +81,6 @@ def read_joints(text: str, where: str) -> tuple[Rule, ...]:
 
 
 def _rule(line: str, where: str) -> Rule:
-    """Read one row."""
     names, _, rest = line.partition(": ")
     kind, axis, *words = [*rest.split(), "", ""][: max(2, len(rest.split()))]
     together = "together" in words

@@ -192,7 +192,6 @@ def singular(phrase: str) -> str:
 
 
 def _singular(word: str) -> str:
-    """Return one word in the singular."""
     if word in ENGLISH["irregular"]:
         return ENGLISH["irregular"][word]
     if len(word) <= 3 or not word.endswith("s") or word.endswith(tuple(ENGLISH["keeps_s"])):

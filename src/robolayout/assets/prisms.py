@@ -129,7 +129,6 @@ def level_tops(part: Part, thick: float) -> Iterator[tuple[float, Any]]:
 
 
 def _span(points: Array) -> Array:
-    """Return what points span."""
     x, y, z = points.T
     return np.array([f(a) for a in (x, y, z, x + y, x - y) for f in (np.min, np.max)])
 

@@ -220,7 +220,6 @@ def _frame(wall: Wall, hole: Opening, name: str, tone: Material, *, depth: Point
 
 
 def _door(wall: Wall, door: Opening, name: str, look: RoomStyle) -> Iterator[Part]:
-    """Yield a door: the frame, and its leaves as they stand."""
     yield from _frame(wall, door, name, look.trim, depth=(-SHELL.thickness + 0.004, -0.002))
     t = min(SHELL.frame, 0.15 * door.width, 0.15 * door.height)
     near, far, top = door.offset + t + 0.003, door.offset + door.width - t - 0.003, door.height - t - 0.003

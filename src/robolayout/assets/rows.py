@@ -173,7 +173,6 @@ class _Reading:
         return {key: self._add(*self._values(key, text, across)) for key, text in said.items()}
 
     def _values(self, key: str, text: str, across: str) -> list[Value]:
-        """Return the values of one field."""
         if key in LENGTHS:
             return self._ends(text, lambda item: self._place(item, key))
         if key == "at":

@@ -127,7 +127,6 @@ def surfaces_of(asset: Asset) -> tuple[Surface, ...]:
 
 
 def _box_top(asset: Asset) -> Surface:
-    """Return the top of an asset's box."""
     depth, width, height = asset.size
     return Surface("top", shapely.box(-depth / 2, -width / 2, depth / 2, width / 2), height, np.inf)
 

@@ -98,7 +98,6 @@ def _brick(u: Array, v: Array, noise: _Noise) -> Array:
 
 
 def _wicker(u: Array, v: Array, noise: _Noise) -> Array:
-    """Return canes around stakes."""
     canes = 16
     stakes = np.abs(np.sin(np.pi * (canes / 2 * u + 0.5 * (np.floor(v * canes) % 2))))
     return stakes * np.abs(np.sin(np.pi * canes * v)) + 0.1 * noise(0.02, 0.02)

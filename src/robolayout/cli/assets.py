@@ -83,7 +83,6 @@ def _own(entries: Mapping[str, Any], folder: Path) -> list[Asset]:
 
 
 def _typical(kind: Category) -> Asset:
-    """Return a thing of a category in its typical size."""
     from robolayout.scene import Asset, variable_name
 
     flags = {name: getattr(kind, name) for name in ("on_floor", "on_wall", "on_ceiling", "on_object")}

@@ -28,8 +28,7 @@ SUFFIXES = {"plan": (".png", ".svg", ".pdf"), "sheet": (".pdf", ".svg", ".png"),
 
 VIEWS = ("top", "side", *SUFFIXES)  # views that every room has; the others are an asset's name and eye:ASSET
 
-RENDERERS = {"auto": "auto", "gl": "gl", "ray": "rays", "rays": "rays"}
-"""Names on the command line and in Python."""
+RENDERERS = {"auto": "auto", "gl": "gl", "ray": "rays", "rays": "rays"}  # names on the command line and in Python
 
 SEEN_FROM = 1.3
 """An eye-level picture is taken where the asset is at least so many of its own sizes away, if the route is long enough."""
@@ -111,7 +110,6 @@ def _files(scene: Scene, layout: Layout, wish: Wish, target: Path) -> list[tuple
 
 
 def _drawn(scene: Scene, layout: Layout, wish: Wish, suffix: str) -> bytes:
-    """Return the plan, the sheet or the walk."""
     from robolayout.page.marks import plan_marks
     from robolayout.render import draw_plan, walk_gif
     from robolayout.run.outputs import sheet

@@ -10,8 +10,7 @@ from robolayout.constraints._refs import AssetRef
 from robolayout.constraints._relation import FAR, FrameTerm, Interval, Outcome, Relation, Term, argument
 from robolayout.scene import Layout, Scene
 
-SIDES = ("front", "back", "left", "right", "beside")
-"""Sides as the thing itself sees them; "beside" is left or right."""
+SIDES = ("front", "back", "left", "right", "beside")  # sides as the thing itself sees them; "beside" is left or right
 
 
 class BySide(Relation):

@@ -45,8 +45,7 @@ EXPORTERS: Mapping[str, Exporter] = MappingProxyType(
 )
 """The formats of this package, by name."""
 
-GROUP = "robolayout.exporters"
-"""Entry point group under which other packages register formats."""
+GROUP = "robolayout.exporters"  # entry point group under which other packages register formats
 
 
 @cache

@@ -13,8 +13,7 @@ from robolayout import _color
 from robolayout.assets import Material, Part
 from robolayout.assets.textures import coordinates, mean
 
-CREASE = math.cos(math.radians(40.0))
-"""Cosine of the angle between two faces above which their edge is drawn sharp."""
+CREASE = math.cos(math.radians(40.0))  # cosine of the angle between two faces above which their edge is drawn sharp
 
 SMALLEST_FACE = 1e-12  # area in square metres below which a triangle is dropped: it has no direction
 
@@ -111,7 +110,6 @@ def merged(parts: tuple[Part, ...]) -> tuple[tuple[Material, bool, Surface], ...
 
 
 def _joined(surfaces: list[Surface]) -> Surface:
-    """Return several surfaces as one."""
     offsets = np.cumsum([0] + [len(s.positions) for s in surfaces[:-1]])
     return Surface(
         np.vstack([s.positions for s in surfaces]),

@@ -283,7 +283,6 @@ class _KindLayer:
 
 
 def _cube(stage: Any, path: str, box: Box) -> Any:
-    """Return a new box."""
     cube = UsdGeom.Cube.Define(stage, path)
     place = np.eye(4)
     place[:3, :3], place[3, :3] = np.diag(box.half) @ box.rotation.T, box.center
@@ -292,7 +291,6 @@ def _cube(stage: Any, path: str, box: Box) -> Any:
 
 
 def _mesh(stage: Any, path: str, surface: Surface, part: Part) -> Any:
-    """Return a new mesh of a part."""
     mesh = UsdGeom.Mesh.Define(stage, path)
     points = Vt.Vec3fArray.FromNumpy(surface.positions.astype(np.float32))
     mesh.CreatePointsAttr(points)
@@ -311,7 +309,6 @@ def _mesh(stage: Any, path: str, surface: Surface, part: Part) -> Any:
 
 
 def _rigid(prim: Any, link: Link) -> None:
-    """Make a prim a rigid body with the mass and inertia of a link."""
     weight, middle, inertia = link.inertia()
     moments, axes = np.linalg.eigh(inertia)
     turn = quaternion(axes * np.sign(np.linalg.det(axes)))
@@ -354,7 +351,6 @@ def _camera(stage: Any, room: Room) -> None:
 
 
 def _custom(prim: Any, name: str, kind: Any, value: object) -> None:
-    """Set one attribute of ours on a prim."""
     prim.CreateAttribute(f"robolayout:{name}", kind, True, Sdf.VariabilityUniform).Set(value)
 
 

@@ -16,8 +16,7 @@ DRAKE = "http://drake.mit.edu"  # XML namespace of what only Drake reads
 STIFF = "1e7"
 """Pascals by which what touches gives way in Drake, over an area: by single points flat things creep on each other."""
 
-Tree = Mapping[str, "str | Tree"]
-"""What an element holds: attributes ("@name"), texts and trees of its children."""
+Tree = Mapping[str, "str | Tree"]  # what an element holds: attributes ("@name"), texts and trees of its children
 
 
 def put(parent: ET.Element, tag: str, content: str | Tree) -> ET.Element:

@@ -100,7 +100,6 @@ def _extents(room: Room) -> list[Group]:
 
 
 def _tables() -> list[Group]:
-    """Return the tables of line types, layers and applications."""
     groups: list[Group] = [(0, "SECTION"), (2, "TABLES"), (0, "TABLE"), (2, "LTYPE"), (70, 1), (0, "LTYPE")]
     groups += [(2, "CONTINUOUS"), (70, 0), (3, "Solid line"), (72, 65), (73, 0), (40, 0.0), (0, "ENDTAB")]
     groups += [(0, "TABLE"), (2, "LAYER"), (70, len(LAYERS))]
@@ -111,7 +110,6 @@ def _tables() -> list[Group]:
 
 
 def _polyline(layer: str, points: Iterable[Point], *, closed: bool = False) -> list[Group]:
-    """Return a polyline."""
     groups: list[Group] = [(0, "POLYLINE"), (8, layer), (66, 1), (10, 0.0), (20, 0.0), (30, 0.0), (70, int(closed))]
     for x, y in points:
         groups += [(0, "VERTEX"), (8, layer), (10, float(x)), (20, float(y)), (30, 0.0)]

@@ -67,7 +67,6 @@ Piece = tuple[Wall, float, float, Hole | None]
 
 
 def _holes(room: Room, wall: Wall) -> list[Hole]:
-    """Return the doors and windows of a wall, from its start on."""
     found = [("door", i, door) for i, door in enumerate(room.doors) if door.wall == wall.index]
     found += [("window", i, window) for i, window in enumerate(room.windows) if window.wall == wall.index]
     return sorted(found, key=lambda hole: hole[2].offset)
@@ -231,7 +230,6 @@ def read(data: bytes) -> Rows:
 
 
 def _flat(objects: list[Json]) -> list[Json]:
-    """Return objects and all their children."""
     return [each for entry in objects for each in (entry, *_flat(cast(list[Json], entry["children"])))]
 
 

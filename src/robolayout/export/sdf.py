@@ -80,7 +80,6 @@ def _joint(parent: ET.Element, child: str, still: str, rest: Tree) -> None:
 
 
 def _inertial(link: Link) -> Tree:
-    """Return mass and inertia of a link that has any."""
     weight, middle, inertia = link.inertia()
     pose = f"{numbers(middle.tolist())} 0 0 0"
     return {"inertial": {"pose": pose, "mass": numbers([weight]), "inertia": moments(inertia)}} if weight else {}

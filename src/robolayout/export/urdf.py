@@ -74,7 +74,6 @@ def _joint(robot: ET.Element, child: str, parent: str, rest: Tree) -> None:
 
 
 def _inertial(link: Link) -> Tree:
-    """Return mass and inertia of a link that has any."""
     weight, middle, inertia = link.inertia()
     origin, values = {"@xyz": numbers(middle.tolist()), "@rpy": "0 0 0"}, moments(inertia)
     entries = {f"@{name}": value for name, value in values.items()}

@@ -32,8 +32,7 @@ from robolayout.run.folder import open_folder
 HEAD, LOCK, TIMES, MESHES = "batch.json", ".robolayout-lock", "timing.csv", "meshes"
 """What a batch is of; who writes to it; how long each try took; the meshes that its rooms share."""
 
-LEFT = ("rooms/*/.*.robolayout-*", ".*.tmp", f"{MESHES}/**/.*.tmp")
-"""What a run leaves that is killed while it writes."""
+LEFT = ("rooms/*/.*.robolayout-*", ".*.tmp", f"{MESHES}/**/.*.tmp")  # what a run leaves that is killed while it writes
 
 STATIONS = ("draw", "generate", "scene", "plan", "program", "solve", "verify", "conflicts", "write")
 """Columns of CPU seconds in `timing.csv`; `generate` holds those between it and `write`."""

@@ -209,7 +209,6 @@ def write_evaluation(found: Evaluation, folder: str | Path) -> list[Path]:
 
 
 def _plots(found: Evaluation) -> dict[str, bytes]:
-    """Return the plots of a page: means by group, and differences."""
     shares = [
         n for n, mean in found.groups["all"].items() if n.endswith(("_share", "_ratio")) or n == "ok" if mean.count
     ]

@@ -213,7 +213,6 @@ def _unmet(report: Report) -> str:
 
 
 def _files(result: Result, spec: Spec, looks: int, meshes: Path | None) -> dict[str, bytes]:
-    """Return the files of a room by name."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         home = meshes or folder  # meshes that rooms share are named from their own folder, wherever the batch lies

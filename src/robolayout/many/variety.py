@@ -32,8 +32,7 @@ class VarietyConfig:
 VARIETY = VarietyConfig()
 
 
-Thing = tuple[str, float, float, float]
-"""Kind, x and y in metres from the middle of the room, heading in radians."""
+Thing = tuple[str, float, float, float]  # kind, x and y in metres from the middle of the room, heading in radians
 
 
 def things(scene: Scene, layout: Layout) -> tuple[Thing, ...]:

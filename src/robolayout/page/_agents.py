@@ -85,7 +85,6 @@ def _beyond(report: AgentReport) -> BaseGeometry:
 
 
 def _body(agent: Agent) -> str:
-    """Return the body in words."""
     plan = f"disc of {2 * agent.radius:.2f} m"
     if agent.length is not None and agent.width is not None:
         plan = f"{agent.length:.2f} x {agent.width:.2f} m"

@@ -12,8 +12,7 @@ from robolayout.constraints import RELATIONS, AssetRef, PointRef, Relation, Wall
 from robolayout.program._program import READING
 from robolayout.scene import Scene
 
-Recorded = list[Any]
-"""A value as the recorder wrote it: ["asset", name], ["number", 1.5], ["list", [...]], ..."""
+Recorded = list[Any]  # a value as the recorder wrote it, such as ["asset", name] or ["number", 1.5]
 
 NOUNS = {
     "asset": "an asset such as bed[0]",
@@ -33,8 +32,7 @@ OTHER_NAMES = {"asset": "a", "asset1": "a", "asset2": "b", "target": "b", "asset
 """Argument names that programs of LayoutVLM use, by ours."""
 
 
-WEIGHT, HEAVIEST = "weight", 100.0
-"""The keyword that weighs a wish, and the largest weight of one, either way."""
+WEIGHT, HEAVIEST = "weight", 100.0  # the keyword that weighs a wish, and the largest weight of one, either way
 
 
 class ArgumentError(Exception):
@@ -101,7 +99,6 @@ def _bind(
 
 
 def _convert(spec: dataclasses.Field[Any], recorded: Recorded, scene: Scene) -> object:
-    """Return the value of one argument."""
     if not spec.metadata["many"]:
         return _one(spec, recorded, scene)
     if recorded[0] == "none" and "none" in spec.metadata["takes"]:
@@ -118,7 +115,6 @@ def _convert(spec: dataclasses.Field[Any], recorded: Recorded, scene: Scene) -> 
 
 
 def _way(recorded: Recorded) -> tuple[Relation, ...]:
-    """Return the statements of one choice."""
     parts = recorded[1] if recorded[0] == "list" else [recorded]
     if not parts or any(part[0] != "statement" for part in parts):
         raise ArgumentError(f"takes {NOUNS['statement']}")
@@ -126,7 +122,6 @@ def _way(recorded: Recorded) -> tuple[Relation, ...]:
 
 
 def _one(spec: dataclasses.Field[Any], recorded: Recorded, scene: Scene) -> object:
-    """Return one thing that an argument takes."""
     takes: tuple[str, ...] = spec.metadata["takes"]
     kind = recorded[0]
     if kind == "list" and len(recorded[1]) == 1 and recorded[1][0][0] == "asset":

@@ -24,8 +24,7 @@ from robolayout.program._possible import inner_radius
 if TYPE_CHECKING:
     from robolayout.program._rules import Accepted
 
-ROOM = ""
-"""Stands for the frame of the room."""
+ROOM = ""  # stands for the frame of the room
 
 
 class Heading(NamedTuple):

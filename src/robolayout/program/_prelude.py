@@ -15,8 +15,7 @@ from robolayout.program._program import Limits
 from robolayout.program._source import MEANINGLESS
 from robolayout.scene import Scene
 
-RESULT = "_rl_result()"
-"""The expression that reads everything back as one JSON text."""
+RESULT = "_rl_result()"  # the expression that reads everything back as one JSON text
 
 
 def prelude(scene: Scene, relations: Iterable[str]) -> str:

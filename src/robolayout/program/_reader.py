@@ -90,7 +90,6 @@ class _Said:
         return tuple(self._statement(number, self.log[i]) for number, i in enumerate(own, start=1))
 
     def _statement(self, number: int, row: list[Any]) -> Statement:
-        """Return one recorded call as a statement."""
         site, weight = _site(self.source, row[0]), None
         try:
             if row[4]:
@@ -156,7 +155,6 @@ def _yaw(recorded: Recorded, expression: str, site: Site, source: Source) -> flo
 
 
 def _vector(recorded: Recorded, what: str, site: Site, source: Source) -> list[float]:
-    """Return a recorded list of finite numbers."""
     items = recorded[1] if recorded[0] == "list" else []
     if not items or any(item[0] != "number" for item in items):
         raise source.error(f"{what} takes a list of numbers", site.line or None, site.column)

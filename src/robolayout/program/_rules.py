@@ -41,8 +41,7 @@ from robolayout.scene import ROUNDING, Scene
 
 OVERHANG = 1.5
 """How many times as large as a top a thing on it may be (a lampshade is wider than what it stands on, a bed is not)."""
-AtWall = AgainstWall | MountedOn | Row
-"""Relations that put something at a wall."""
+AtWall = AgainstWall | MountedOn | Row  # relations that put something at a wall
 
 
 @dataclass(frozen=True)

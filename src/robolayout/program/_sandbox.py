@@ -22,8 +22,7 @@ from robolayout.scene import Scene
 if TYPE_CHECKING:
     from pydantic_monty import MontyError
 
-PROGRAM_FEED = "<python-input-1>"
-"""What the interpreter calls the second feed: the program."""
+PROGRAM_FEED = "<python-input-1>"  # what the interpreter calls the second feed: the program
 
 
 def run(source: Source, scene: Scene, relations: Collection[str], limits: Limits) -> dict[str, Any]:

@@ -20,16 +20,12 @@ from robolayout.program._program import READING, Limits
 
 FENCE = re.compile(r"^(\s*)```+\s*([A-Za-z0-9_+-]*)")
 PYTHON = {"python", "py", "python3", "robolayout"}
-IMPORTS = {"math", "typing", "__future__"}
-"""What may be imported: arithmetic, and names that only annotate."""
-NUMPY = "numpy"
-"""What may be imported under any one name; a few of its functions on plain numbers are there."""
+IMPORTS = {"math", "typing", "__future__"}  # what may be imported: arithmetic, and names that only annotate
+NUMPY = "numpy"  # what may be imported under any one name; a few of its functions on plain numbers are there
 MEANINGLESS = frozenset({"solve", "optimize", "run", "render", "visualize", "export"})
 """Calls of the solver that programs of LayoutVLM end with; here they are ignored with a note."""
-WISH = "wish"
-"""What `solver.wish.near(...)` goes through: the same statements, as wishes."""
-WRAPPED = ("program", "code", "arguments", "input")
-"""Fields of a JSON answer, or of a tool call, that hold the program."""
+WISH = "wish"  # what `solver.wish.near(...)` goes through: the same statements, as wishes
+WRAPPED = ("program", "code", "arguments", "input")  # fields of a JSON answer, or of a tool call, that hold the program
 FORBIDDEN = frozenset(
     {"eval", "exec", "compile", "open", "input", "getattr", "setattr", "delattr", "globals", "locals", "vars"}
 )
@@ -266,8 +262,7 @@ def _identifiers(node: ast.AST) -> Iterator[str]:
                 yield item
 
 
-Edit = tuple[int, int, int, str]
-"""Line, column in characters, a key that orders marks at one place, inserted text."""
+Edit = tuple[int, int, int, str]  # line, column in characters, a key that orders marks at one place, inserted text
 
 
 def _marks(

@@ -51,7 +51,6 @@ def why_unavailable() -> str | None:
 
 @lru_cache(maxsize=8)
 def _programs(context: Any) -> dict[str, Any]:
-    """Return the compiled shaders of a context."""
     words = {
         "bias": LIGHT.bias,
         "shoulder": LIGHT.shoulder,

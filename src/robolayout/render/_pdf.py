@@ -138,7 +138,6 @@ def _reader_font(collection: str, name: str, encoding: str, first: int) -> list[
 
 
 def _stream(data: bytes, more: str = "") -> bytes:
-    """Return a compressed stream."""
     packed = zlib.compress(data, 9)
     head = f"<< {more}/Length {len(packed)} /Filter /FlateDecode >>"
     return head.encode() + b"\nstream\n" + packed + b"\nendstream"

@@ -66,7 +66,6 @@ def spread(count: int, most: int) -> list[int]:
 
 
 def _draw_curve(sheet: Drawing, frame: Frame, trace: Trace) -> None:
-    """Draw the total loss on a logarithmic scale."""
     terms = loss_terms(trace)
     values = terms.get(TOTAL)
     if values is None:

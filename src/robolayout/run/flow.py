@@ -210,7 +210,6 @@ class Run:
             yield seed, asked
 
     def _read(self, text: str) -> Program:
-        """Read a program for the whole scene."""
         with self.clock.station("program"):
             self.say("program")
             return self.wishes.marked(read_program(text, self.scene))

@@ -32,8 +32,7 @@ FRESH, FORMER, READY, LOCK = (f"robolayout-{word}" for word in ("new", "old", "r
 """Ends of the names of our hidden files: a run being made; what a finished run replaces; a finished run whose files are
 being moved in; the lock."""
 
-CLAIM = "report."
-"""How the files begin that say what the layout achieves; they never stand beside another run's layout."""
+CLAIM = "report."  # how the files begin that say what the layout achieves; they never stand beside another run's layout
 
 
 @dataclass

@@ -12,8 +12,7 @@ from robolayout.planners import ModelPlanner, Planner, Understanding, scene_from
 from robolayout.scene import Agent, Scene, check_dress, load_agents, load_scene, scene_from_dict
 from robolayout.verify import AgentSpec
 
-LONGEST_WORD = 45
-"""Letters of the longest word of a dictionary: more of them without a blank are a path."""
+LONGEST_WORD = 45  # letters of the longest word of a dictionary: more of them without a blank are a path
 
 
 def as_scene(

@@ -36,8 +36,7 @@ if TYPE_CHECKING:
 
 PICTURE_SIZE = 900  # pixels of a side of `top.png` and `view.png`
 
-PLAIN = ("scene.json", "layout.json", "report.json")
-"""The files without which a layout cannot be judged again."""
+PLAIN = ("scene.json", "layout.json", "report.json")  # the files without which a layout cannot be judged again
 
 
 def write_result(

@@ -92,7 +92,6 @@ def _named(
 
 
 def _check_name(name: str) -> None:
-    """Raise SceneError for a name that is no text on one line."""
     where = f"the asset name {show(name)}"
     _CHECK.text(name, where, most=LIMITS.name)
     odd = next((c for c in name if unicodedata.category(c) in ("Cc", "Zl", "Zp") or c in NO_TEXT), None)

@@ -50,7 +50,6 @@ def _origin(element: Element, model: Model) -> Matrix:
 
 
 def _tree(robot: Element, links: Mapping[str, Element], model: Model) -> tuple[str, tuple[Joint, ...]]:
-    """Return the root link, and all joints from it outwards."""
     joints: dict[str, list[Joint]] = {}
     parents: dict[str, str] = {}
     for element in _children(robot, "joint", model):
