@@ -10,7 +10,9 @@ from robolayout._text import html
 def table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """Return a table; the first column is text, the others are figures."""
     top = "".join(f"<th>{html(head)}</th>" for head in heads)
-    body = "".join(f"<tr>{''.join(_cell(text, k) for k, text in enumerate(row))}</tr>" for row in rows)
+    styles = [' style="text-align:left"', *[""] * (len(heads) - 1)]
+    cells = ("".join(f"<td{style}>{html(text)}</td>" for style, text in zip(styles, row, strict=True)) for row in rows)
+    body = "".join(f"<tr>{row}</tr>" for row in cells)
     return f"<table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>"
 
 
@@ -25,8 +27,3 @@ def bullets(sentences: Sequence[str], most: int) -> str:
     if len(sentences) > most:
         shown.append(f"and {len(sentences) - most} more")
     return f"<ul>{''.join(f'<li>{html(sentence)}</li>' for sentence in shown)}</ul>" if shown else ""
-
-
-def _cell(text: str, column: int) -> str:
-    style = ' style="text-align:left"' if column == 0 else ""
-    return f"<td{style}>{html(text)}</td>"

@@ -69,16 +69,11 @@ def mesh_pieces(data: bytes, suffix: str) -> tuple[Piece, ...]:
         _check_promises(data, suffix)
         pieces = tuple(_pieces(data, suffix[1:]))
     except PARSER_ERRORS as error:
-        raise Unreadable(f"is broken and cannot be used: {_short(error)}") from None
+        short = " ".join(str(error).split())[:120].rstrip(".") or type(error).__name__
+        raise Unreadable(f"is broken and cannot be used: {short}") from None
     if not pieces:
         raise Unreadable("holds no triangles; export it again as a triangle mesh")
     return pieces
-
-
-def _short(error: BaseException) -> str:
-    """Return one line about a parser's error."""
-    text = " ".join(str(error).split())[:120].rstrip(".")
-    return text or type(error).__name__
 
 
 def _check_promises(data: bytes, suffix: str) -> None:

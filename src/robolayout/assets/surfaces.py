@@ -273,7 +273,7 @@ def _named(found: Iterable[tuple[Surface, str]]) -> Iterator[Surface]:
         else "shelf"
         if s.covered
         else "seat"
-        if _soft(word)
+        if "back" not in word and any(soft in word for soft in SOFT)
         else "top"
         if s.height == highest
         else "step"
@@ -282,11 +282,6 @@ def _named(found: Iterable[tuple[Surface, str]]) -> Iterator[Surface]:
     for i, (surface, _) in enumerate(ordered):
         alone = words.count(words[i]) == 1 and words[i] not in COUNTED
         yield replace(surface, name=words[i] if alone else f"{words[i]} {words[: i + 1].count(words[i])}")
-
-
-def _soft(part: str) -> bool:
-    """Return whether people sit or lie on a part of that name."""
-    return "back" not in part and any(word in part for word in SOFT)
 
 
 def _largest_rectangle(region: Polygon) -> tuple[float, float, float, float]:

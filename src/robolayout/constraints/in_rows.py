@@ -51,7 +51,8 @@ class InRows(Relation):
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """All headings alike or opposite within 10 degrees; in each line the middles within 5 cm; as many even lines as asked."""
         seen = frame(scene, layout, self.items[0])
-        turned = max(self._turned(layout, item) for item in self.items)
+        apart = [angle_between(layout[item.name].yaw, seen.yaw) for item in self.items]
+        turned = max(min(off, 180.0 - off) for off in apart)
         lines: list[list[float]] = []
         for u, item in sorted((self._beside(seen, layout, item)[0], item) for item in self.items):
             if lines and u - lines[-1][0] < scene.by_name[item.name].size[0] / 2:
@@ -67,7 +68,3 @@ class InRows(Relation):
 
     def _beside(self, seen: Frame, layout: Layout, item: AssetRef) -> tuple[float, float]:
         return seen.point(layout[item.name].x, layout[item.name].y)
-
-    def _turned(self, layout: Layout, item: AssetRef) -> float:
-        off = angle_between(layout[item.name].yaw, layout[self.items[0].name].yaw)
-        return min(off, 180.0 - off)

@@ -57,11 +57,6 @@ def _vector(x: float, y: float, z: float) -> Json:
     return {"x": x + 0.0, "y": z + 0.0, "z": y + 0.0}
 
 
-def _degrees(yaw: float) -> float:
-    """Return Unity's rotation about its y axis in degrees for one of our yaws."""
-    return (90.0 - math.degrees(yaw)) % 360.0
-
-
 Piece = tuple[Wall, float, float, Hole | None]
 """A wall, the metres along it where the piece starts and ends, and the hole in it."""
 
@@ -155,7 +150,8 @@ def _objects(scene: Scene, layout: Layout) -> tuple[list[Json], dict[str, Json]]
 
 def _pose(pose: Pose) -> Json:
     """Return a Unity position and rotation."""
-    return {"position": _vector(pose.x, pose.y, pose.z), "rotation": {"x": 0.0, "y": _degrees(pose.yaw), "z": 0.0}}
+    turn = (90.0 - math.degrees(pose.yaw)) % 360.0
+    return {"position": _vector(pose.x, pose.y, pose.z), "rotation": {"x": 0.0, "y": turn, "z": 0.0}}
 
 
 def _room(scene: Scene) -> Json:

@@ -12,7 +12,7 @@ from shapely.geometry.base import BaseGeometry
 
 from robolayout.render import PlanMarks
 from robolayout.scene import Agent, Point
-from robolayout.verify import AgentReport, Demands, Passage, exempt_from_reach
+from robolayout.verify import AgentReport, Demands, exempt_from_reach
 from robolayout.verify.sentences import unreached_sentence
 
 
@@ -132,7 +132,8 @@ def _asset(report: AgentReport, name: str) -> dict[str, Any]:
     elif nav.reached[name]:
         route = nav.routes.get(name)
         rows.append(("Reached", f"yes, after {route.length:.1f} m" if route else "yes", True))
-        rows.append(("Narrowest way", _narrow(passage), None))
+        between = f" between {' and '.join(passage.between)}" if passage.between else ""
+        rows.append(("Narrowest way", passage.shown + between, None))
     else:
         rows.append(("Reached", unreached_sentence(nav, name), False if asked else None))
     if not use.usable:
@@ -147,7 +148,3 @@ def _asset(report: AgentReport, name: str) -> dict[str, Any]:
         side = f"yes, from its {use.side}{how}" if use.side else "yes, from any side"
         rows.append(("Used", side + by + moved, True))
     return {"state": state, "stand": use.stand and listed(use.stand), "rows": rows}
-
-
-def _narrow(passage: Passage) -> str:
-    return passage.shown + (f" between {' and '.join(passage.between)}" if passage.between else "")

@@ -11,7 +11,7 @@ from shapely import LineString, Polygon, get_parts, maximum_inscribed_circle, un
 
 from robolayout.render import PlanMarks
 from robolayout.scene import Point, vertical_span
-from robolayout.verify import AgentReport, Navigation, Passage, exempt_from_reach, horizontal_reach
+from robolayout.verify import AgentReport, Passage, exempt_from_reach, horizontal_reach
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ def plan_marks(report: AgentReport) -> PlanMarks:
         passages=tuple(_span(passage) for passage in _narrow(report)[:1]),
         blocked=report.short,
         agent_at=nav.entry,
-        under=_under(nav),
+        under=_rings(nav.main.intersection(union_all(nav.blocking.shelter))),
         parts=tuple(rings[0] for shape in nav.blocking.shapes[nav.blocking.partial] for rings in _rings(shape)),
         circles=_circles(report),
         arcs=_arcs(report),
@@ -62,12 +62,6 @@ def _narrow(report: AgentReport) -> list[Passage]:
     aside = exempt_from_reach(report.navigation.scene, report.agent)
     ways = [p for name, p in report.navigation.passages.items() if name not in aside]
     return sorted((p for p in ways if p.point is not None and p.between), key=lambda p: p.width)
-
-
-def _under(nav: Navigation) -> tuple[Rings, ...]:
-    """Return the free space under or inside furniture."""
-    shelter = nav.blocking.shelter
-    return _rings(nav.main.intersection(union_all(shelter))) if len(shelter) else ()
 
 
 def _circles(report: AgentReport) -> tuple[tuple[Point, float], ...]:

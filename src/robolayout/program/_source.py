@@ -222,7 +222,7 @@ def _refusal(node: ast.AST, relations: Collection[str], variables: Collection[st
             return f"{node.attr!r}: attributes that start with an underscore do not exist in programs"
         known = {"solver": {*relations, *MEANINGLESS, WISH}, f"solver.{WISH}": {*relations}}
         if node.attr not in known.get(_dotted(node.value), (node.attr,)):
-            return _unknown_relation(node.attr, relations)
+            return f"unknown relation {node.attr!r}.{did_you_mean(node.attr, relations)} Known: {', '.join(relations)}."
     if isinstance(node, ast.Name) and node.id in FORBIDDEN and node.id not in variables:
         return f"{node.id!r} does not exist in programs; they only compute positions and state relations"
     if isinstance(node, ast.Yield | ast.YieldFrom | ast.Await | ast.AsyncFunctionDef | ast.AsyncFor | ast.AsyncWith):
@@ -246,10 +246,6 @@ def _refused_import(node: ast.Import | ast.ImportFrom) -> str | None:
         if name not in IMPORTS and not (name == NUMPY and isinstance(node, ast.Import) and len(names) == 1):
             return f"{name!r} cannot be imported; programs have only math (already there, with pi, radians and degrees)"
     return None
-
-
-def _unknown_relation(name: str, relations: Collection[str]) -> str:
-    return f"unknown relation {name!r}.{did_you_mean(name, relations)} Known: {', '.join(relations)}."
 
 
 def _identifiers(node: ast.AST) -> Iterator[str]:

@@ -206,8 +206,11 @@ def _blocks(given: _Given) -> list[Block]:
     scene, notes = given.scene, given.notes
     areas = [Row(words, value=value) for words, value in notes.areas]
     sizes = [
-        Row(f"{name} {'door' if name[0] == 'D' else 'window'}", value=_size(opening))
-        for name, opening in _named_openings(scene)
+        Row(
+            f"{name} {'door' if name[0] == 'D' else 'window'}",
+            value=f"{o.width:.2f} x {o.height:.2f}{f', sill {o.sill:.2f}' if o.sill else ''}",
+        )
+        for name, o in _named_openings(scene)
     ]
     findings = [Row(_numbered(sentence, scene, given.things), "-") for sentence in notes.findings]
     rules = [Row(_numbered(words, scene, given.things), "met" if met else "NOT") for words, met in notes.rules]
@@ -219,11 +222,6 @@ def _blocks(given: _Given) -> list[Block]:
     ]
     told = Block(f"Findings: {notes.verdict}".removesuffix(": "), tuple(findings), 1.0)
     return [*(block for block in blocks if block.rows), told]
-
-
-def _size(opening: Opening) -> str:
-    sill = f", sill {opening.sill:.2f}" if opening.sill else ""
-    return f"{opening.width:.2f} x {opening.height:.2f}{sill}"
 
 
 def _numbered(sentence: str, scene: Scene, things: Furniture) -> str:

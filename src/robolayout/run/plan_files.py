@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 from robolayout.export import Exporter, Options
 from robolayout.page.marks import plan_marks
-from robolayout.render import PlanMarks, draw_plan
+from robolayout.render import draw_plan
 from robolayout.scene import Layout, Scene
 from robolayout.verify import judge_agent
 
@@ -19,17 +19,11 @@ def _plan(suffix: str) -> Callable[[Scene, Layout, Options], bytes]:
     """Return what makes the plan as a file that ends so."""
 
     def made(scene: Scene, layout: Layout, options: Options) -> bytes:
-        marks = _marks(scene, layout, options)
-        return draw_plan(scene, layout, navigation=marks, agent=options.agent).file(suffix)
+        agent = options.agent
+        marks = None if agent is None else plan_marks(judge_agent(scene, layout, agent))
+        return draw_plan(scene, layout, navigation=marks, agent=agent).file(suffix)
 
     return made
-
-
-def _marks(scene: Scene, layout: Layout, options: Options) -> PlanMarks | None:
-    """Return what the agent can do in the layout; None without an agent."""
-    if options.agent is None:
-        return None
-    return plan_marks(judge_agent(scene, layout, options.agent))
 
 
 SVG = Exporter("svg", ".svg", "the plan as a picture to scale, with free space and routes", None, _plan(".svg"))

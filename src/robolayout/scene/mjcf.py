@@ -119,12 +119,9 @@ class _Reader:
         """Yield each joint that an equality makes follow another, and how."""
         for each in self.whole.iterfind("equality/joint"):
             if (leader := each.get("joint2")) and each.get("active") != "false":
-                offset, factor = self._some(each.get("polycoef") or "0 1", "polycoef", 2)
+                first = " ".join((each.get("polycoef") or "0 1").split()[:2])
+                offset, factor = self.model.numbers(first, "polycoef", 2)
                 yield each.get("joint1") or "", (leader, factor, offset)
-
-    def _some(self, text: str, where: str, count: int) -> list[float]:
-        """Return the first numbers of an attribute that may have more."""
-        return self.model.numbers(" ".join(text.split()[:count]), where, count)
 
     def _bodies(self, world: Element, pose: Matrix | None = None) -> Iterator[tuple[Element, Matrix]]:
         """Yield the bodies on an element, those in frames too, and the frame that each is in."""

@@ -118,7 +118,8 @@ class Navigation:
     @cached_property
     def routes(self) -> Mapping[str, Route]:
         """A short collision-free way to every asset that is reached and stands or hangs within the walls."""
-        goals = {name: self._footprint(name) for name in self._wanted if self.reached[name]}
+        feet = dict(zip(self.boxes.names, self.boxes.footprints, strict=True))
+        goals = {name: feet[name] for name in self._wanted if self.reached[name]}
         return find_routes(self.scene.room, self.space, goals)
 
     @cached_property
@@ -136,9 +137,6 @@ class Navigation:
         found = self.boxes
         rows = np.flatnonzero(found.placed & ~found.flat & ~found.ceiling).tolist()
         return tuple(found.names[row] for row in rows if not found.assets[row].lies_about)
-
-    def _footprint(self, name: str) -> Polygon:
-        return self.boxes.footprints[self.boxes.names.index(name)]
 
     def __repr__(self) -> str:
         return (

@@ -42,8 +42,8 @@ def verify(
     """
     wall, cpu = time.perf_counter(), time.process_time()
     placed = {name for name, pose in layout.items() if pose.is_finite}
-    demands = demands or Demands()
-    reports = tuple(judge_agent(scene, layout, body, demands) for body in _agents(scene, agent))
+    demands, bodies = demands or Demands(), scene.agents if agent is None else load_agents(agent)
+    reports = tuple(judge_agent(scene, layout, body, demands) for body in bodies)
     statements = () if program is None else tuple(_measure(scene, layout, s, placed) for s in program.statements)
     judged = physics(scene, layout)
     timing = {"verify": {"wall": time.perf_counter() - wall, "cpu": time.process_time() - cpu}}
@@ -54,12 +54,6 @@ def judge_agent(scene: Scene, layout: Layout, agent: Agent, demands: Demands | N
     """Judge what one agent can get to and use; its sentences complain of what falls short of the demands."""
     nav = navigation(scene, layout, agent)
     return AgentReport(agent, nav, usage(scene, layout, agent, nav=nav), demands or Demands())
-
-
-def _agents(scene: Scene, agent: AgentSpec | Iterable[AgentSpec] | None) -> tuple[Agent, ...]:
-    if agent is None:
-        return scene.agents
-    return load_agents(agent)
 
 
 def _measure(scene: Scene, layout: Layout, statement: Statement, placed: set[str]) -> StatementResult:

@@ -64,16 +64,11 @@ def _pinches(nav: Navigation, names: Iterable[str]) -> list[float] | None:
         return None
     # Where the slim disc lies within a wide one that is free.
     covered = shapely.get_parts(wide.free.buffer((ADA.route - ADA.pinch) / 2))
-    mesh, solid = Mesh(slim.main), _solid(nav)
+    mesh, solid = Mesh(slim.main), shapely.union_all([room_polygon(nav.scene.room).exterior, *nav.blocking.shapes])
     found: list[float] = []
     for route in find_routes(nav.scene.room, slim, goals).values():
         found += _narrow(route.line, covered, mesh, solid)
     return found or [0.0]
-
-
-def _solid(nav: Navigation) -> BaseGeometry:
-    """Return walls and obstacles."""
-    return shapely.union_all([room_polygon(nav.scene.room).exterior, *nav.blocking.shapes])
 
 
 def _narrow(line: LineString, covered: NDArray[np.object_], mesh: Mesh, solid: BaseGeometry) -> list[float]:
