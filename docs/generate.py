@@ -5,13 +5,11 @@ A table stands between `<!-- table: NAME -->` and `<!-- end of table -->`; `test
 
 from __future__ import annotations
 
-import ast
 import json
 import re
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING, Field
-from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -51,14 +49,12 @@ def statements() -> str:
 
 
 def spec() -> str:
-    """Return one row per key of a SPEC of many rooms: its default, and what its docstring says."""
-    tree = ast.parse((ROOT / "src" / "robolayout" / "many" / "spec.py").read_text(encoding="utf-8"))
-    found = next(node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == "Spec").body
-    said = {
-        ast.unparse(field.target): ast.literal_eval(told.value)
-        for field, told in pairwise(found)
-        if isinstance(field, ast.AnnAssign) and isinstance(told, ast.Expr)
-    }
+    """Return one row per key of a SPEC of many rooms: its default, and what stands beside or above it."""
+    text = (ROOT / "src" / "robolayout" / "many" / "spec.py").read_text(encoding="utf-8")
+    fields = text.partition("class Spec:")[2].partition("\n    def ")[0]
+    rows = re.findall(r"((?:    # .+\n)*)    (\w+): [^#\n]+?(?:  # (.+))?\n", fields)
+    said = {name: (beside or " ".join(re.findall(r"# (.+)", above))).strip() for above, name, beside in rows}
+    said = {name: f"{words[:1].upper()}{words[1:]}." for name, words in said.items()}
     default = Spec().to_dict()
     return table(
         ["key", "default", "what it is"], [[f"`{k}`", f"`{json.dumps(default[k])}`", v] for k, v in said.items()]

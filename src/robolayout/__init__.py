@@ -48,41 +48,11 @@ if TYPE_CHECKING:
 __getattr__ = loader(__name__, __file__)
 
 __all__ = [
-    "Agent",
-    "Asset",
-    "InputError",
-    "Layout",
-    "Pose",
-    "Program",
-    "Report",
-    "Result",
-    "RoboLayoutError",
-    "Room",
-    "Scene",
-    "SolverConfig",
-    "__version__",
-    "batch",
-    "compare",
-    "diff",
-    "evaluate",
-    "export",
-    "generate",
-    "judge",
-    "load_agent",
-    "load_layout",
-    "load_scene",
-    "page_html",
-    "plan_svg",
-    "read_program",
-    "reconcile",
-    "render",
-    "rooms",
-    "scene_from_dict",
-    "scene_from_sentence",
-    "solve",
-    "verify",
-    "write_result",
-]
+    "Agent", "Asset", "InputError", "Layout", "Pose", "Program", "Report", "Result", "RoboLayoutError", "Room",
+    "Scene", "SolverConfig", "__version__", "batch", "compare", "diff", "evaluate", "export", "generate", "judge",
+    "load_agent", "load_layout", "load_scene", "page_html", "plan_svg", "read_program", "reconcile", "render",
+    "rooms", "scene_from_dict", "scene_from_sentence", "solve", "verify", "write_result",
+]  # fmt: skip
 
 
 class _Page(ModuleType):

@@ -19,18 +19,9 @@ from robolayout.scene import Asset, Layout, Opening, Point, Pose, Room, Scene
 
 APPLICATION = "ROBOLAYOUT"
 LAYERS = {
-    "FLOOR": 8,
-    "WALLS": 7,
-    "DOORS": 3,
-    "WINDOWS": 5,
-    "RUGS": 9,
-    "FURNITURE": 30,
-    "TOPS": 40,
-    "WALL_MOUNTED": 6,
-    "CEILING": 4,
-    "NAMES": 7,
-    "ROUTES": 1,
-}
+    "FLOOR": 8, "WALLS": 7, "DOORS": 3, "WINDOWS": 5, "RUGS": 9, "FURNITURE": 30, "TOPS": 40, "WALL_MOUNTED": 6,
+    "CEILING": 4, "NAMES": 7, "ROUTES": 1,
+}  # fmt: skip
 """Layers and their colours (AutoCAD colour index)."""
 
 

@@ -110,13 +110,8 @@ def draw(ready: Ready, index: int, attempt: int = 0, meshes: Path | None = None)
     scene = scene.with_agents(*bodies) if bodies else scene
     scene = replace(scene, dress=dress) if dress else scene
     facts = {
-        "source": source.text,
-        "style": style,
-        "dress": scene.dress,
-        "solver": solver,
-        "reach": reach,
-        "seed": seed,
-    }
+        "source": source.text, "style": style, "dress": scene.dress, "solver": solver, "reach": reach, "seed": seed,
+    }  # fmt: skip
     facts |= {"bodies": ",".join(agent.name for agent in scene.agents), "text": scene.task_description}
     return Drawn(scene, solver, reach, seed, facts)
 

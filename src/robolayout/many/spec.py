@@ -37,83 +37,45 @@ def _bounded(default: Any, least: float, most: float) -> Any:
 class Spec:
     """What is asked of a batch, as it is written."""
 
+    # room types, sentences and scene files (paths from the SPEC's own folder), taken in turn
     rooms: tuple[str, ...] = ()
-    """Room types, sentences and scene files (paths from the SPEC's own folder), taken in turn."""
-
-    count: int = _bounded(100, 1, 10_000_000)
-    """Rooms in all; `each` takes its place."""
-
+    count: int = _bounded(100, 1, 10_000_000)  # rooms in all; `each` takes its place
+    # where above 0: so many rooms of every combination of rooms, bodies, styles, dress, solvers and reach, for
+    # comparing them
     each: int = _bounded(0, 0, 10_000)
-    """Where above 0: so many rooms of every combination of rooms, bodies, styles, dress, solvers and reach, for comparing them."""
-
-    seed: int = _bounded(0, 0, 2**31 - 1)
-    """Settles every choice."""
-
+    seed: int = _bounded(0, 0, 2**31 - 1)  # settles every choice
+    # bodies, one of them for each room; several together with commas. None: those that the room is usually for
     bodies: tuple[str, ...] = ()
-    """Bodies, one of them for each room; several together with commas. None: those that the room is usually for."""
-
+    # words of style ("industrial", "Scandinavian"), one of them said of each room that is made from a sentence
     styles: tuple[str, ...] = ()
-    """Words of style ("industrial", "Scandinavian"), one of them said of each room that is made from a sentence."""
-
+    # floor area, as a multiple of what is usual for the sentence; where it gives no size itself
     area: tuple[float, float] = _bounded((0.8, 1.5), 0.2, 20.0)
-    """Floor area, as a multiple of what is usual for the sentence; where it gives no size itself."""
-
-    ratio: tuple[float, float] = _bounded((0.75, 1.33), 0.2, 5.0)
-    """Width over depth, as a multiple of what is usual."""
-
-    height: tuple[float, float] = _bounded((2.5, 3.0), 2.0, 10.0)
-    """Height of the walls in metres."""
-
-    l_shaped: float = _bounded(0.2, 0.0, 1.0)
-    """Share of the rooms that are L-shaped."""
-
-    doors: tuple[int, int] = _bounded((1, 2), 1, 6)
-    """Doors of a room."""
-
-    windows: tuple[int, int] = _bounded((1, 3), 1, 12)
-    """Windows of a room."""
-
+    ratio: tuple[float, float] = _bounded((0.75, 1.33), 0.2, 5.0)  # width over depth, as a multiple of what is usual
+    height: tuple[float, float] = _bounded((2.5, 3.0), 2.0, 10.0)  # height of the walls in metres
+    l_shaped: float = _bounded(0.2, 0.0, 1.0)  # share of the rooms that are L-shaped
+    doors: tuple[int, int] = _bounded((1, 2), 1, 6)  # doors of a room
+    windows: tuple[int, int] = _bounded((1, 3), 1, 12)  # windows of a room
+    # share of the floor up to which things are added to those that such a room must have
     density: tuple[float, float] = _bounded((0.15, 0.35), 0.0, 0.5)
-    """Share of the floor up to which things are added to those that such a room must have."""
-
+    # how much lies about: "none", "some", "full", one of them for each room. None: what the words or the scene file say
     dress: tuple[str, ...] = ()
-    """How much lies about: "none", "some", "full", one of them for each room. None: what the words or the scene file say."""
-
+    # folders of own GLB files, or catalogues of them (`robolayout assets import`): where they have a thing of a kind,
+    # it is that one
     catalogues: tuple[str, ...] = ()
-    """Folders of own GLB files, or catalogues of them (`robolayout assets import`): where they have a thing of a kind, it is that one."""
-
-    formats: tuple[str, ...] = ()
-    """Export formats beside GLB ("mjcf", "usda")."""
-
+    formats: tuple[str, ...] = ()  # export formats beside GLB ("mjcf", "usda")
+    # "run": a folder as `generate` writes it; "formats": scene, layout, report and the formats alone
     files: str = "run"
-    """"run": a folder as `generate` writes it; "formats": scene, layout, report and the formats alone."""
-
-    pictures: bool = False
-    """Whether to draw what `generate` draws; a small picture is always drawn."""
-
-    solvers: tuple[str, ...] = ("default",)
-    """Solvers, one of them for each room."""
-
+    pictures: bool = False  # whether to draw what `generate` draws; a small picture is always drawn
+    solvers: tuple[str, ...] = ("default",)  # solvers, one of them for each room
+    # whether the search knows the body; where not, the layout is made for nobody and judged for the body
     reach: tuple[bool, ...] = (True,)
-    """Whether the search knows the body; where not, the layout is made for nobody and judged for the body."""
-
-    effort: str = "normal"
-    """How long to search: quick, normal or thorough."""
-
-    keep_unmet: bool = False
-    """Whether rooms that do not meet their demands are kept rather than replaced."""
-
-    tries: int = _bounded(8, 1, 100)
-    """Rooms that are drawn in the place of one until it is given up, and named."""
-
+    effort: str = "normal"  # how long to search: quick, normal or thorough
+    keep_unmet: bool = False  # whether rooms that do not meet their demands are kept rather than replaced
+    tries: int = _bounded(8, 1, 100)  # rooms that are drawn in the place of one until it is given up, and named
+    # CPU seconds after which a worker that is still at one room is ended
     seconds: float = _bounded(300.0, 1.0, 86_400.0)
-    """CPU seconds after which a worker that is still at one room is ended."""
-
-    memory: float = _bounded(8.0, 1.0, 1024.0)
-    """Gigabytes of a worker's data, beyond which the system refuses it more."""
-
-    test: float = _bounded(0.1, 0.0, 0.9)
-    """Share of the rooms that are set aside for testing."""
+    memory: float = _bounded(8.0, 1.0, 1024.0)  # gigabytes of a worker's data, beyond which the system refuses it more
+    test: float = _bounded(0.1, 0.0, 0.9)  # share of the rooms that are set aside for testing
 
     def to_dict(self) -> dict[str, Any]:
         """Return the table as plain values."""

@@ -5,13 +5,6 @@ from robolayout.program._reader import read_program, read_salvaged
 from robolayout.program._reconcile import Decision, Reconciled, reconcile
 
 __all__ = [
-    "Decision",
-    "Guess",
-    "Limits",
-    "Program",
-    "Reconciled",
-    "Statement",
-    "read_program",
-    "read_salvaged",
+    "Decision", "Guess", "Limits", "Program", "Reconciled", "Statement", "read_program", "read_salvaged",
     "reconcile",
-]
+]  # fmt: skip

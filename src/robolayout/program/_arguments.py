@@ -15,17 +15,10 @@ from robolayout.scene import Scene
 Recorded = list[Any]  # a value as the recorder wrote it, such as ["asset", name] or ["number", 1.5]
 
 NOUNS = {
-    "asset": "an asset such as bed[0]",
-    "wall": "a wall such as walls[0]",
-    "point": "a point such as [1.5, 2.0]",
-    "room": "room",
-    "none": "None",
-    "number": "a number",
-    "integer": "a whole number",
-    "text": "a text",
-    "polygon": "a list of points",
-    "statement": "a statement such as solver.corner(plant[0]), or a list of those",
-}
+    "asset": "an asset such as bed[0]", "wall": "a wall such as walls[0]", "point": "a point such as [1.5, 2.0]",
+    "room": "room", "none": "None", "number": "a number", "integer": "a whole number", "text": "a text",
+    "polygon": "a list of points", "statement": "a statement such as solver.corner(plant[0]), or a list of those",
+}  # fmt: skip
 """Words for what an argument takes."""
 
 OTHER_NAMES = {"asset": "a", "asset1": "a", "asset2": "b", "target": "b", "assets": "items"}

@@ -361,15 +361,6 @@ def _apart(name: str, other: AssetRef | WallRef | PointRef) -> str:
 
 
 RULES: tuple[Callable[[Accepted, Relation], Answer], ...] = (
-    known,
-    not_itself,
-    rug_below,
-    suits,
-    once,
-    one_wall,
-    one_heading,
-    wall_holds,
-    stands,
-    distance,
-)
+    known, not_itself, rug_below, suits, once, one_wall, one_heading, wall_holds, stands, distance,
+)  # fmt: skip
 """All rules, in the order in which they are asked."""

@@ -25,19 +25,9 @@ if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
 
 FIGURES = (
-    "radius",
-    "height",
-    "length",
-    "width",
-    "turning_diameter",
-    "turning_radius",
-    "reach_distance",
-    "reach_low",
-    "reach_high",
-    "shoulder_height",
-    "knee_height",
-    "step",
-)
+    "radius", "height", "length", "width", "turning_diameter", "turning_radius", "reach_distance", "reach_low",
+    "reach_high", "shoulder_height", "knee_height", "step",
+)  # fmt: skip
 """Figures of a profile, in metres; `reach` is short for `reach_distance`."""
 ENTRY_POINTS = "robolayout.agents"
 """Entry-point group through which other packages add agents: each loads to a dictionary or the path of a profile."""

@@ -59,14 +59,7 @@ class RuleResult:
         """Return plain data."""
         rule, found = self.rule, self.measured
         return {
-            "name": rule.name,
-            "agent": self.agent,
-            "source": rule.source,
-            "verified": rule.verified,
-            "asks": rule.asks,
-            "met": found.met,
-            "value": found.value,
-            "limit": rule.limit,
-            "unit": rule.unit,
+            "name": rule.name, "agent": self.agent, "source": rule.source, "verified": rule.verified,
+            "asks": rule.asks, "met": found.met, "value": found.value, "limit": rule.limit, "unit": rule.unit,
             "text": found.text,
-        }
+        }  # fmt: skip
