@@ -163,7 +163,10 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("a laptop and a mug are on the desk", {("on", "laptop", "desk"), ("on", "mug", "desk")}),
         ("a hood over the stove", {("above", "hood", "stove")}),
         ("a table with chairs around it and a bowl on top", {("around", "chair", "dining table"), ("on", "bowl", "dining table")}),
-        ("a table with four chairs stands in the center, and an armchair with a floor lamp sits in a corner", {("with", "chair", "dining table"), ("middle", "dining table", ""), ("with", "floor lamp", "armchair"), ("in", "armchair", "corner")}),
+        (
+            "a table with four chairs stands in the center, and an armchair with a floor lamp sits in a corner",
+            {("with", "chair", "dining table"), ("middle", "dining table", ""), ("with", "floor lamp", "armchair"), ("in", "armchair", "corner")},
+        ),
         ("a bed with a headboard against the east wall", {("wall", "bed", "wall")}),
         ("a vanity with two mirrors above", {("above", "mirror", "vanity")}),
         ("a worktable with six stools and shelves along the wall", {("with", "stool", "dining table"), ("wall", "shelving unit", "wall")}),

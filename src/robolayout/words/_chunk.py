@@ -7,17 +7,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from robolayout.words._function_words import DETERMINERS
+from robolayout.words._function_words import DETERMINERS, LATTER, REST
 from robolayout.words._lexicon import Noun, grammar
 from robolayout.words._tokens import Measure, count_of
 
 MARKS = {":": "colon", **dict.fromkeys(".;!?\n", "stop"), **dict.fromkeys(",()", "comma")}
-
-REST = ("other", "others", "remaining", "rest")
-"""Words for those that were not yet said."""
-
-LATTER = ("former", "latter")
-"""Words for the first and the second of the two things that were named last."""
 
 WITHOUT_NOUN = re.compile(
     r"(?:(?:the )?\b(another|(?<=the )(?:others?|remaining|rest|first|second|third|last|former|latter))"
@@ -47,17 +41,14 @@ class Chunk:
     sizes: tuple[Measure, ...] = ()  # measures of the thing
 
 
+NOTHING = Chunk("", 0, 0)
+"""What stands before the first phrase and after the last one."""
+
+
 def without_noun(
     words: Sequence[str], at: int, found: Sequence[Chunk], run: Callable[[int], Sequence[str]]
 ) -> Chunk | None:
-    """Return a phrase whose noun was said before: "another", "the other one", "the round ones", "the remaining two".
-
-    Args:
-        words: All words.
-        at: Where it begins.
-        found: The phrases before it.
-        run: What gives the words from a place on that can be part of a noun phrase.
-    """
+    """Return a phrase whose noun was said before: "another", "the other one", "the round ones", "the remaining two"."""
     match = WITHOUT_NOUN.match(" ".join(words[at : at + 4]) + " ")
     if match is None:
         return None
@@ -69,7 +60,9 @@ def without_noun(
         two = [c for c in found if c.kind == "thing" and not {*words[c.start : c.end]} & {*LATTER}][-2:]
         return replace(two[LATTER.index(picks) - 2], start=at, end=end, det="the", adjectives=()) if two[1:] else None
     new = words[at] in ("a", "an", "another")
+    told = told or ""
     nouns = [c for c in found if c.kind in ("thing", "part") and (new or _of_several(c))]
+    nouns = [c for c in nouns if not told or c.plural or c.number or c.kind == "thing"]  # "the upper one" is no corner
     led = [c for before, c in pairwise(found) if before.kind == "rel" and c in nouns]
     alike = [c for c in nouns if c.noun is not None and told in (*c.adjectives, *c.noun.said.split())]
     leads = [c.kind for c in found[-1:]] == ["rel"] and [c.value for c in found[-2:-1]] != ["one"]
@@ -94,7 +87,7 @@ def _of_several(chunk: Chunk) -> bool:
     """Return whether a phrase names several things, or one of them."""
     told = (
         chunk.number
-        or chunk.det in ("one", "both", "each")
+        or chunk.det in ("one", "both", "each", "first")
         or {"left", "right", *grammar().walls} & {*chunk.adjectives}
     )
     return chunk.plural or bool(told)

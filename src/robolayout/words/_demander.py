@@ -17,13 +17,7 @@ from robolayout.words.demands import Demand, Way, by_ways, single, stated
 
 
 class Demander:
-    """Turns links into demands on a scene.
-
-    Args:
-        scene: The scene.
-        names: Names of the assets that stand for each thing.
-        links: All relations of the text.
-    """
+    """Turns links into demands on a scene."""
 
     def __init__(self, scene: Scene, names: Mapping[Thing, tuple[str, ...]], links: Sequence[Link]) -> None:
         self.scene, self.room, self.names = scene, scene.room, names
@@ -53,8 +47,7 @@ class Demander:
         if not subjects:
             return ()
         if link.relation in ("apart", "bare"):
-            metres = link.metres if link.relation == "apart" else ways_of.OFF_A_WALL
-            return tuple(self._apart(subjects, link.objects, metres))
+            return tuple(self._apart(subjects, link.objects, link.metres if any(link.metres) else ways_of.OFF_A_WALL))
         rooms = [item for item in link.objects if isinstance(item, Place) and item.name == "room"]
         if link.relation in ways_of.ENDS and rooms:
             return tuple(self._at_place(subjects, Place("side", (ways_of.ENDS[link.relation],))))
@@ -126,11 +119,7 @@ class Demander:
             if asset.on_object and (not beside or self._is(b, ways_of.TOPS)):
                 yield self._resting(a, b)
             elif self._is(a, ways_of.SEATS) and self._is(b, ("desk", "counter", "island")):
-                ahead = (
-                    stated(side, AssetRef(a), AssetRef(b), -ways_of.BESIDE, ways_of.BESIDE)
-                    for side in ("in_front_of", "behind")
-                )
-                yield Demand(tuple((way,) for way in ahead))
+                yield by_ways(ways_of.AT_A_DESK, a, b)
             elif beside:
                 yield single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
 
@@ -211,12 +200,8 @@ class Demander:
 
     def _around(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         for a, b in self._matched(subjects, objects):
-            near = stated(
-                "near",
-                AssetRef(a),
-                AssetRef(b),
-                ways_of.NEAR if self._is(a, ("armchair", "sofa", "bag")) else ways_of.BESIDE,
-            )
+            gap = ways_of.NEAR if self._is(a, ("armchair", "sofa", "bag")) else ways_of.BESIDE
+            near = stated("near", AssetRef(a), AssetRef(b), gap)
             turns = not self._asset(a).is_flat and self._is(a, ways_of.SEATS)
             yield Demand(((near, stated("point_towards", AssetRef(a), AssetRef(b))) if turns else (near,),))
 
@@ -248,6 +233,14 @@ class Demander:
                 ways = [(*way, stated("in_front_of", AssetRef(a), AssetRef(others[i]), *ways_of.INTO)) for way in ways]
             if ways:
                 yield Demand(tuple(ways))
+
+    def _turnedfrom(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        """Looking away from a thing, a wall, a door or a window; a desk as one does who sits at it."""
+        place = self._place(objects)
+        for a in subjects:
+            points = [*map(AssetRef, self._others(objects)), *(self._points(place) if place is not None else ())]
+            angle = 0.0 if self._is(a, ("desk", "table")) else 180.0
+            yield from (single(stated("point_towards", AssetRef(a), point, angle)) for point in points)
 
     def _diagonal(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Turned by an eighth or three eighths from a wall."""

@@ -5,30 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from robolayout.assets import CATALOGUE
+from robolayout.words import _function_words as small
 from robolayout.words._said import Link, Mention, Parsed, Place
 from robolayout.words._ways import SEATS, TOPS
 
-STANDING = frozenset(
-    ("next", "oneside", "otherside", "flank", "behind", "front", "corner", "left", "right", "near", "far", "by", "foot")
-)
-"""Relations of what stands on the floor."""
-
-
-TABLES = ("table", "dining table", "round table")
-"""What a table without a closer word is taken for."""
-
-ROUND = frozenset(("round", "circular"))
-"""Words for things that are drawn round where the catalogue has them so."""
-
-LOUNGE = frozenset(("armchair", "sofa", "recliner", "chaise", "lounger"))
-"""Seats between which a table is a low one, and no table to eat at."""
-
-
 LOOKED_AT = "projection screen"
 """What a screen before seats is."""
-
-HIGH = ("counter", "island", "bar table")
-"""Last words of what one sits at on a high stool."""
 
 
 def settle_kinds(parsed: Parsed) -> None:
@@ -39,33 +21,35 @@ def settle_kinds(parsed: Parsed) -> None:
         if noun.said == "small table" and "chair" in heads and not heads & {"table", "desk"}:
             thing.noun = replace(noun, words="round table", kind="round table", others=())
             thing.adjectives = (*thing.adjectives, "small")
-        rounded = f"round {'table' if noun.kind in TABLES else noun.kind}" if ROUND & {*thing.adjectives} else ""
+        rounded = (
+            f"round {'table' if noun.kind in small.TABLES else noun.kind}" if small.ROUND & {*thing.adjectives} else ""
+        )
         if rounded in CATALOGUE:
             thing.noun = replace(noun, words=rounded, kind=rounded, others=())
     for link in parsed.links:
         _settle_low_table(link)
         _settle_high_stool(link)
         _settle_screen(link)
-        place = _where(link)
-        for mention in link.subjects:
+        hung = [item for item in link.objects if link.relation == "under" and isinstance(item, Mention)]
+        lit = [mention for mention in hung if mention.thing.noun.said in ("lamp", "light")]
+        place = "ceiling" if lit else _where(link)
+        for mention in lit or link.subjects:
             noun = mention.thing.noun
             for bearer in (item.thing for item in link.objects if isinstance(item, Mention)):
                 own = f"{noun.said} stand"
                 if link.relation == "on" and bearer.noun.said == "stand" and own in CATALOGUE:
                     bearer.noun = replace(bearer.noun, words=own, kind=own, guessed="")
-            standing = (
-                place == "wall" and CATALOGUE[noun.kind].on_floor and noun.said not in ("lamp", "light", "screen")
-            )
-            hung = f"wall {noun.kind.split()[-1].replace('bookshelf', 'shelf')}"
-            standing = standing and link.relation != "above"
+            free = CATALOGUE[noun.kind].on_floor and noun.said not in ("lamp", "light", "screen")
+            on_wall = f"wall {noun.kind.split()[-1].replace('bookshelf', 'shelf')}"
+            standing = place == "wall" and free and link.relation != "above"
             if (
                 place == "wall"
                 and link.relation == "above"
                 and not standing
-                and hung in CATALOGUE
+                and on_wall in CATALOGUE
                 and " " not in noun.said
             ):
-                mention.thing.noun = replace(noun, words=hung, kind=hung)
+                mention.thing.noun = replace(noun, words=on_wall, kind=on_wall)
                 continue
             fits = (
                 []
@@ -79,7 +63,7 @@ def settle_kinds(parsed: Parsed) -> None:
 
 def _settle_high_stool(link: Link) -> None:
     """Take stools at counters and islands for high ones."""
-    if any(isinstance(item, Mention) and item.thing.noun.kind.endswith(HIGH) for item in link.objects):
+    if any(isinstance(item, Mention) and item.thing.noun.kind.endswith(small.HIGH) for item in link.objects):
         for thing in (mention.thing for mention in link.subjects if mention.thing.noun.words == "stool"):
             thing.noun = replace(thing.noun, words="bar stool", kind="bar stool", others=())
 
@@ -95,9 +79,9 @@ def _settle_screen(link: Link) -> None:
 def _settle_low_table(link: Link) -> None:
     """Take a table between armchairs and sofas for a low one."""
     seats = {item.thing.noun.kind.split()[-1] for item in link.objects if isinstance(item, Mention)}
-    if link.relation in ("between", "amid") and seats and seats <= LOUNGE:
+    if link.relation in ("between", "amid") and seats and seats <= small.LOUNGE:
         low = "coffee table" if "sofa" in seats else "side table"
-        for thing in (mention.thing for mention in link.subjects if mention.thing.noun.kind in TABLES):
+        for thing in (mention.thing for mention in link.subjects if mention.thing.noun.kind in small.TABLES):
             thing.noun = replace(thing.noun, words=low, kind=low, others=())
 
 
@@ -116,5 +100,5 @@ def _where(link: Link) -> str:
         return "object" if not CATALOGUE[to.thing.noun.kind].size[2] < 0.03 else "floor"
     if link.relation == "flank" and isinstance(to, Mention) and to.thing.noun.kind.endswith("bed"):
         return ""  # on the night stands
-    small = isinstance(to, Mention) and CATALOGUE[to.thing.noun.kind].places == ("object",)
-    return "object" if small and link.relation in STANDING else "floor" if link.relation in STANDING else ""
+    tiny = isinstance(to, Mention) and CATALOGUE[to.thing.noun.kind].places == ("object",)
+    return "object" if tiny and link.relation in small.STANDING else "floor" if link.relation in small.STANDING else ""

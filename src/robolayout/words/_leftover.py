@@ -4,21 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
+from robolayout.words import _function_words as small
 from robolayout.words._chunk import MARKS, Chunk
-from robolayout.words._function_words import LED
-from robolayout.words._said import Parsed, same
+from robolayout.words._said import Mention, Parsed, same
 from robolayout.words._tokens import count_of
-
-PICKING = frozenset(["left", "right", "own", "same", "middle", "other", "front", "back"])
-"""Words before a noun that tell one thing from others of its kind."""
-
-_RELATING = "left right between under against above below near inside into onto around sides"
-RELATING = frozenset(_RELATING.split())
-"""Small words that say where a thing stands."""
-
-SILENT = ("comma", "stop", "colon", "and", "with", "verb", "pron", "filler")
-"""Kinds of chunks that ask for nothing by themselves."""
 
 
 def leftover(chunks: Sequence[Chunk], said: Parsed) -> list[Chunk]:
@@ -29,16 +20,35 @@ def leftover(chunks: Sequence[Chunk], said: Parsed) -> list[Chunk]:
     spans += [span for _, span in (*said.refused, *said.openings)]
     covered = said.read.union(*(range(*span) for span in spans))
     found: dict[int, Chunk] = {}
+    idle = _idle(chunks, said)
+    named = 0  # where the last clause that names something begins
     for clause in _clauses(chunks):
         start, end = clause[0].start, clause[-1].end
+        kinds = {chunk.kind for chunk in clause}
+        named = start if kinds & {*small.NAMING} and "pron" not in kinds else named
         refused = any(start <= at < end for _, (at, _) in said.refused)
         refused = refused or any(start <= k.start < end for k in said.links if k.relation in ("apart", "bare", "far"))
         for i, chunk in enumerate(clause):
             told = _named(chunk, said) or bool(covered.intersection(range(chunk.start, chunk.end)))
+            told = told and chunk.start not in idle
             if not told and _says(chunk, clause[i + 1 :]) and not (chunk.kind == "not" and refused):
-                found.setdefault(start, replace(chunk, start=start, end=end))
+                found.setdefault(start, replace(chunk, start=named, end=end))
     alone = [c for c in said.missed if c.kind != "rel" and not any(f.start <= c.start < f.end for f in found.values())]
     return [*alone, *found.values()]
+
+
+def _idle(chunks: Sequence[Chunk], said: Parsed) -> set[int]:
+    """Return the first tokens of what is named again in a sentence of which no row is about it."""
+    stops = [0, *(chunk.end for chunk in chunks if chunk.kind == "stop"), chunks[-1].end if chunks else 0]
+    found: set[int] = set()
+    for start, end in pairwise(stops):
+        links = [link for link in said.links if start <= link.start < end]
+        about = {item.thing for k in links for item in (*k.subjects, *k.objects) if isinstance(item, Mention)}
+        facts = any(start <= fact.start < end and fact.kind in small.OF_A_THING for fact in said.facts)
+        again = {span[0] for thing in said.things if thing not in about for span in thing.spans[1:]}
+        told = (c.start for c in chunks if c.start in again and c.det not in ("a", ""))
+        found |= {first for first in told if start <= first < end and not facts}
+    return found
 
 
 def _named(chunk: Chunk, said: Parsed) -> bool:
@@ -46,7 +56,7 @@ def _named(chunk: Chunk, said: Parsed) -> bool:
     again = [thing for thing in said.things if (chunk.start, chunk.end) in thing.spans[1:]]
     alike = [thing for thing in said.things if same(thing, chunk)]
     known = {word for thing in alike for word in (*thing.adjectives, *thing.told, *thing.noun.said.split())}
-    return any((chunk.number or 1) <= thing.count for thing in again) and {*chunk.adjectives} <= known | PICKING
+    return any((chunk.number or 1) <= thing.count for thing in again) and {*chunk.adjectives} <= known | small.PICKING
 
 
 def _says(chunk: Chunk, after: Sequence[Chunk]) -> bool:
@@ -55,14 +65,14 @@ def _says(chunk: Chunk, after: Sequence[Chunk]) -> bool:
         return bool(chunk.number and chunk.number > 1)
     if chunk.kind == "part" and chunk.value == "side" and chunk.det and [other.kind for other in after[:1]] == ["rel"]:
         return False  # "its headboard touches the wall"
-    if chunk.kind == "verb" and chunk.value in LED:
+    if chunk.kind == "verb" and chunk.value in small.LED:
         return not any(other.kind == "rel" for other in after)
-    where = chunk.value in RELATING and [other.kind for other in after[:1]] not in (
+    where = chunk.value in small.RELATING and [other.kind for other in after[:1]] not in (
         ["rel"],
         ["measure"],
     )  # "right behind"
     told = chunk.kind == "filler" and ((count_of(chunk.value) or 0) > 1 or where)
-    return chunk.kind not in SILENT or told
+    return chunk.kind not in small.SILENT or told
 
 
 def _clauses(chunks: Sequence[Chunk]) -> list[list[Chunk]]:

@@ -14,11 +14,8 @@ from robolayout.assets import CATALOGUE, Category, category_of, find_category
 from robolayout.assets.lexicon import phrase_index, singular
 from robolayout.assets.palette import LOOKS
 from robolayout.scene import Scene
-from robolayout.words._function_words import JOINED
+from robolayout.words._function_words import ALIKE, BEFORE_NOUNS, JOINED
 from robolayout.words.rooms import Rooms
-
-BEFORE_NOUNS = ("stacked", "piled", "diagonal", "angled", "left", "right", "poster", "drawer", "door", "tier", "person")
-"""Words before nouns that say how or where things stand, or of what they have so many."""
 
 LONGEST = 8
 """Most words of a phrase."""
@@ -64,7 +61,7 @@ def grammar() -> Grammar:
     data = tomllib.loads((files("robolayout.words") / "grammar.toml").read_text("utf-8"))
     phrases = {plain(word): ("verb", word) for word in data["verbs"]["words"]}
     phrases |= {word: ("pron", word) for word in data["pronouns"]["words"]}
-    phrases |= {phrase: ("and", phrase) for phrase in JOINED}
+    phrases |= {phrase: ("and", phrase) for phrase in (*JOINED, *ALIKE)}
     phrases |= {phrase: ("rel", name) for name, given in data["relations"].items() for phrase in given}
     short = {
         phrase.replace(" the ", " "): named for phrase, named in phrases.items() if " the " in phrase

@@ -11,12 +11,11 @@ from dataclasses import replace
 from itertools import dropwhile, takewhile
 
 from robolayout.assets import CATALOGUE
+from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
-from robolayout.words._function_words import NEGATING
 from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
-from robolayout.words._references import EVERY, SEVERAL
-from robolayout.words._relations import AIDS, PETS, Relating
+from robolayout.words._relations import AIDS, Relating
 from robolayout.words._said import (
     Link,
     Mention,
@@ -24,6 +23,7 @@ from robolayout.words._said import (
     Place,
     place_of,
     same,
+    several,
     topped,
 )
 from robolayout.words._tokens import count_of
@@ -33,23 +33,13 @@ SAID_OF = {"stacked": "stacked", "piled": "stacked", "diagonal": "diagonal", "an
 """Relations that stand before a noun."""
 
 
-FREE = ("free", "clear", "empty", "bare", "uncluttered")
-"""What a wall is said to stay where nothing is to stand at it."""
-
-SEATED = ("seating", "sitting", "eating", "dining", "seats")
-"""What a room is for that takes a seat for each."""
-
-ALONE_DOES = frozenset(["is", "stands", "sits", "hangs", "lies", "rests", "goes", "belongs"])
-"""Verbs of one thing."""
-
-
 class Parser(Relating):
     """Reads chunks from left to right."""
 
     def parse(self) -> Parsed:
         """Return what the chunks say."""
         while self.at < len(self.chunks):
-            chunk = self.chunks[self.at]
+            chunk = self._ahead()
             self.at += 1
             handler = getattr(self, f"_on_{chunk.kind}", None)
             if handler is not None:
@@ -63,8 +53,11 @@ class Parser(Relating):
         return self.said
 
     def _on_stop(self, chunk: Chunk | None) -> None:
-        if self.fronted is not None and not self.group:
+        if self.fronted is not None and not self.group and self.empty and isinstance(self.fronted[1][0], Place):
+            self._keep_empty(self.fronted[0], self.fronted[1])  # "South wall: nothing."
+        elif self.fronted is not None and not self.group:
             self.said.missed.append(self.fronted[0])  # nothing stands there
+        self.spoken = list({mention.thing: mention for mention in (*self.recent, *self.targets)}.values())
         self.before = self.subject or (self.recent if self.fronted else self.group) or self.before
         self._new_sentence()
 
@@ -85,18 +78,26 @@ class Parser(Relating):
 
     def _on_verb(self, chunk: Chunk) -> None:
         self.verb = True
+        who = self._ahead(-2)
+        if chunk.value in ("needs", "gets") and who.kind in ("people", "body") and who.det == "each":
+            self._on_with(chunk)
 
     def _on_not(self, chunk: Chunk) -> None:
-        self.refusing, self.negated = True, chunk.value in NEGATING
+        self.empty = chunk.value == "nothing"
+        the = self._ahead().det == "the"  # "neither the bed nor the desk"
+        self.refusing, self.negated = True, chunk.value in small.NEGATING or (the and chunk.value in ("neither", "nor"))
 
     def _on_filler(self, chunk: Chunk) -> None:
-        following = self.chunks[self.at] if self.at < len(self.chunks) else chunk
+        following = self._ahead()
         if chunk.value == "for" and following.kind == "filler" and (count_of(following.value) or 0) > 1:
             self._for_people(Chunk("people", chunk.start, following.end, number=count_of(following.value)))
         rest = self.chunks[self.at :]
+        last = self.said.links[-1] if self.said.links else None
+        if chunk.value == "too" and last is not None and self.group and not self.acted and last.start < self.began:
+            self.said.links.append(replace(last, subjects=tuple(self.group)))  # "a sofa by the window. A desk, too"
         led = list(takewhile(lambda other: other.kind in ("verb", "pron") or other.value == "of", rest))
         share, index = count_of(chunk.value), self.at + len(led)  # "one of them is against the wall"
-        leads = self._previous(chunk) != "for" and [other.kind for other in rest[len(led) : len(led) + 1]] == ["rel"]
+        leads = self._previous(chunk) != "for" and self._ahead(len(led)).kind in ("rel", "with")
         if share and leads and self._deal(share, index):
             self.at = index
 
@@ -119,7 +120,7 @@ class Parser(Relating):
 
     def _for_people(self, chunk: Chunk) -> None:
         """Note for how many the thing before is, or the room: "a table for six"."""
-        seated = self._previous(self.chunks[self.at - 1]) in SEATED
+        seated = self._previous(self.chunks[self.at - 1]) in small.SEATED
         if self.group:
             self.group[-1].thing.people = chunk.number or 0
             seated = seated or self.group[-1].thing.noun.kind.split()[-1] in (*TOPS, *SEATS)
@@ -156,7 +157,7 @@ class Parser(Relating):
     def _on_body(self, chunk: Chunk) -> None:
         """Who the room is laid out for; pets of somebody who was named live there, too."""
         people = [c for c in self.said.facts if c.kind == "people" and c.start >= self.began]
-        self._fact(replace(chunk, kind="users") if people and chunk.value in PETS else chunk)
+        self._fact(replace(chunk, kind="users") if people and chunk.value in small.PETS else chunk)
 
     def _on_pron(self, chunk: Chunk) -> None:
         """What was named before; "each" multiplies what it follows ("four chairs each"), or says what each one has."""
@@ -164,16 +165,21 @@ class Parser(Relating):
             self.relative = True
             return
         room = chunk.value == "it" and self.before[:1] and self.before[0].det in ("both", "all")
-        several = chunk.value in SEVERAL and (not self.group or self._previous(chunk) in ("and", ","))
-        if several and (self.before or len(self.recent) > 1):  # "..., and both of them face the table"
+        one = len(self.before) == 1 and not several(self.before[0]) and not self.group
+        if one and chunk.value in (*small.EVERY, "they") and chunk.value != "both":
+            many = [m for m in self.spoken if several(m)][-1:] or [m for m in self.spoken if not topped(m)]
+            self.before = many or self.before  # "a bed flanked by nightstands; each of them ..."
+        several_meant = chunk.value in small.SEVERAL and (not self.group or self._previous(chunk) in ("and", ","))
+        if several_meant and (self.before or len(self.recent) > 1):  # "..., and both of them face the table"
             self.subject = self.group = self._several_meant(self.recent if self.group else [], [])
         elif self.before and not self.group and not room:
             self.subject, self.group = list(self.before), list(self.before)
-        has = [following.kind for following in self.chunks[self.at : self.at + 1]] == ["with"]
-        if has and self.group and chunk.value in EVERY:
+        if self._ahead().kind == "with" and self.group and chunk.value in small.EVERY:
             self.at += 1
-            self.holder = [Mention(self.group[-1].thing, None, "each" if chunk.value.startswith("each") else "all")]
-            self._each_has(self.holder, self.holder[0].thing.count)
+            det = "each" if chunk.value.startswith(("each", "every")) else "all"
+            whose = self.group if all(m.thing.count == 1 for m in self.group) else self.group[-1:]
+            self.holder = [Mention(m.thing, None, det) for m in whose]
+            self._each_has(self.holder, sum(m.thing.count for m in whose))
         elif chunk.value == "each" and self.group and self.holder and self.group[-1].thing is not self.holder[0].thing:
             self.group[-1].thing.times = self.holder[0].thing.count
 
@@ -184,10 +190,7 @@ class Parser(Relating):
         mention = self._mention(chunk)
         self.recent.append(mention)
         self.target = None
-        if chunk.rows:
-            self.said.links.append(Link("rows", (mention,), (), chunk.start, chunk.end, rows=max(chunk.rows, 0)))
-        for word in set(SAID_OF) & set(chunk.adjectives):
-            self.said.links.append(Link(SAID_OF[word], (mention,), (), chunk.start, chunk.end))
+        self._note(chunk, mention)
         if chunk.det == "each" and self.group and self._previous(chunk) == "for":
             dealt = self.group[-1].thing.count == mention.thing.count  # "four microphones, one per seat"
             self.group[-1].thing.times = 1 if dealt else mention.thing.count
@@ -210,10 +213,20 @@ class Parser(Relating):
         self.acted = []
         self.verb = self.relative = self.broken = False
 
+    def _note(self, chunk: Chunk, mention: Mention) -> None:
+        """Note what a noun phrase itself says of how its thing stands."""
+        if chunk.rows:
+            self.said.links.append(Link("rows", (mention,), (), chunk.start, chunk.end, rows=max(chunk.rows, 0)))
+        for word in set(SAID_OF) & set(chunk.adjectives):
+            self.said.links.append(Link(SAID_OF[word], (mention,), (), chunk.start, chunk.end))
+        if self._previous(chunk) in small.ALIKE and self.said.links:  # "a sofa is by the window, and so is a desk"
+            self.said.links.append(replace(self.said.links[-1], subjects=(mention,)))
+
     def _none_of(self, chunk: Chunk) -> Chunk:
         """Return all of what was named before, where none of it is to stand as a relation says: "no bookcase blocks the door"."""
-        follows = self.at < len(self.chunks) and self.chunks[self.at].kind == "rel"
-        if not (self.refusing and follows and any(same(thing, chunk) for thing in self.said.things)):
+        if not (
+            self.refusing and self._ahead().kind == "rel" and any(same(thing, chunk) for thing in self.said.things)
+        ):
             return chunk
         self.negated = True
         self.chunks[self.at - 1] = replace(chunk, det="the", number=None)
@@ -254,50 +267,50 @@ class Parser(Relating):
 
     def _also_each(self, chunk: Chunk) -> bool:
         """Read what else each has, after what stands at it: "each table has a board on it and two chairs"."""
-        follows = [c.kind for c in self.chunks[self.at : self.at + 2]]
-        joined = self.chunks[self.at - 2].kind == "and" and chunk.det != "the"
-        own = joined and self.acted and (follows[:1] != ["rel"] or follows[1:] == ["pron"])
+        joined = self._ahead(-2).kind == "and" and chunk.det != "the"
+        own = joined and self.acted and (self._ahead().kind != "rel" or self._ahead(1).kind == "pron")
         if not (own and self.every and all(mention.thing.times == self.every[1] > 1 for mention in self.acted)):
             return False
         self.at -= 1
         self._each_has(*self.every)
+        self.target, self.acted = None, []
         return True
 
     def _elsewhere(self) -> bool:
         """Return whether a further thing of a list has its own place: "behind it a clock, four armchairs around a table"."""
-        following = self.chunks[self.at].kind if self.at < len(self.chunks) else "stop"
-        return self.fronted is not None and self.fronted[0].value != "on" and following == "rel"
+        return self.fronted is not None and self.fronted[0].value != "on" and self._ahead().kind == "rel"
 
     def _alone(self, mention: Mention, *, joined: bool) -> bool:
         """Return whether a new clause begins with a thing: "..., and a rack stands at the wall"."""
-        rest = self.chunks[self.at :]
-        if [chunk.kind for chunk in rest[:1]] == ["with"]:  # "..., and a table with a lamp stands at the wall"
-            rest = [*dropwhile(lambda chunk: chunk.kind in ("with", "thing", "style", "and"), rest)]
-        following = rest[0].value if rest else ""
-        starts = self.chunks[self.at - 2].kind in ("and", "comma")
-        alone = following in ALONE_DOES and (mention.thing.count == 1 if joined else starts)
+        following = self._ahead()
+        if following.kind == "with":  # "..., and a table with a lamp stands at the wall"
+            rest = dropwhile(lambda c: c.kind in ("with", "thing", "style", "and"), self.chunks[self.at :])
+            following = next(rest, following)
+        starts = self._ahead(-2).kind in ("and", "comma")
+        alone = following.value in small.ALONE_DOES and (mention.thing.count == 1 if joined else starts)
         self.subject, self.acted = ([], []) if alone else (self.subject, self.acted)
         return alone
 
     def _put_on(self, mention: Mention, holder: Mention, *, joined: bool) -> bool:
         """Return whether what another thing has is on it or at it: what can stand nowhere else, what a table has first, seats."""
         tops = holder.thing.noun.kind.split()[-1] in ("table", "desk", "counter", "island")
-        told = self.chunks[self.at - 2].kind == "with"  # "a wardrobe with a mirror"
+        told = self._ahead(-2).kind == "with"  # "a wardrobe with a mirror"
         return (topped(mention) or (tops and not joined and _accessory(mention)) or told) and not topped(holder)
 
     def _on_part(self, chunk: Chunk) -> None:
         """A place of the room that no relation leads to: what it has, doors and windows that are asked for."""
         if chunk.value == "room":
             self._new_zone()
-        if [c.kind for c in self.chunks[max(self.at - 3, 0) : self.at - 1]] == ["thing", "with"]:
+        if (self._ahead(-3).kind, self._ahead(-2).kind) == ("thing", "with"):
             self._fact(replace(chunk, kind="function"))  # "a wardrobe with two sliding doors"
             self.acted = self.group[-1:]
             return
         if chunk.value in ("window", "door"):
             self._on_opening(chunk)
         elif chunk.value == "side" and chunk.det == "each" and self.group and self._previous(chunk) == "for":
+            self._understood(*self.chunks[self.at - 3 : self.at - 1])  # "five per side"
             flank = Chunk("rel", chunk.start, chunk.end, "flank", adjectives=("each",))
-            if not self._at_sides(flank, self.group[-1:], None):  # "five chairs per side"
+            if not self._at_sides(flank, self.group[-1:], None):
                 self._link(flank, self.group, self._meant("it"))
         elif chunk.value == "ceiling" and self.group and self._previous(chunk) == "from":
             self.acted, self.verb = self.group[-1:], False
@@ -312,13 +325,11 @@ class Parser(Relating):
         walls = self._opening_walls() or (at.words if isinstance(at, Place) and at.name == "wall" else ())
         self.fronted = None if walls and not self.group else self.fronted
         if walls or self.holder or chunk.number or chunk.det == "a":
-            self.said.openings.append(
-                (replace(place_of(chunk), words=walls), (chunk.start, self.chunks[self.at - 1].end))
-            )
+            self.said.openings.append((replace(place_of(chunk), words=walls), (chunk.start, self._ahead(-1).end)))
 
     def _on_surface(self, chunk: Chunk) -> None:
         """A wall or the floor: how it looks, that it stays free, what it has ("the north wall has a sofa")."""
-        free = next((c for c in self.chunks[self.at : self.at + 2] if c.value in FREE), None)
+        free = next((c for c in (self._ahead(), self._ahead(1)) if c.value in small.FREE), None)
         coloured = bool(set(chunk.adjectives) - set(grammar().walls))
         if coloured:
             named = f"{' '.join(chunk.adjectives)} {chunk.value}"
@@ -331,23 +342,23 @@ class Parser(Relating):
         wall = self._which_wall(place_of(chunk))
         starts = self._previous(chunk) in ("", ".", ";", "\n")  # "North wall: a sofa"
         ends = ("with", "colon") if starts else ("with",)
-        follows = [c for c in self.chunks[self.at : self.at + 1] if c.kind in ends or c.value == "holds"]
-        if follows:
+        follows = self._ahead()
+        if follows.kind in ends or follows.value == "holds":
             self.at += 1
-            self.fronted, self.group = (Chunk("rel", chunk.start, follows[0].end, "on"), [wall]), []
-            self.said.read.update(range(chunk.start, follows[0].end))
+            self.fronted, self.group = (Chunk("rel", chunk.start, follows.end, "on"), [wall]), []
+            self._understood(chunk, follows)
         elif not coloured:
             self.said.missed.append(chunk)
 
     def _opening_walls(self) -> tuple[str, ...]:
         """Return the words of a wall that follows: "in the south wall"."""
-        index = self.at
-        while index < len(self.chunks) and self.chunks[index].kind in ("verb", "filler"):
-            index += 1
-        if index + 1 < len(self.chunks) and self.chunks[index].kind == "rel" and self.chunks[index + 1].value == "wall":
-            self.at = index + 2
-            return self.chunks[index + 1].adjectives
-        return ()
+        more = 0
+        while self._ahead(more).kind in ("verb", "filler"):
+            more += 1
+        if self._ahead(more).kind != "rel" or self._ahead(more + 1).value != "wall":
+            return ()
+        self.at += more + 2
+        return self._ahead(-1).adjectives
 
 
 def _accessory(mention: Mention) -> bool:

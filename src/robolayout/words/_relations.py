@@ -9,9 +9,9 @@ from dataclasses import replace
 from itertools import takewhile
 
 from robolayout.assets import CATALOGUE
+from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
 from robolayout.words._led_to import LedTo
-from robolayout.words._references import EVERY
 from robolayout.words._said import Link, Mention, Place, topped
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import SEATS, TOPS
@@ -19,35 +19,11 @@ from robolayout.words._ways import SEATS, TOPS
 REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on", "separated": "amid"}
 """Relations that are said from the other side."""
 
-PETS = ("cat", "dog_medium")
-"""Bodies of animals that live with people."""
-
 AIDS = {"wheelchair": "wheelchair", "walker": "elder_walker"}
 """Bodies by what they use; what a room is to contain is a thing."""
 
-NEARNESS = frozenset(("next", "near", "by", "under", "front"))
-"""Relations that say that one thing is close to another."""
-
-LAID = frozenset(("behind", "next", "near", "left", "right"))
-"""Relations that are about what holds a thing, where the thing lies on it: "a table with a cup behind the sofa"."""
-
-ZONES = ("room", "corner", "function", "part")
-"""Kinds of chunks that name a part of the room."""
-
-OF_THE_ROOM = ("measure", "style", "body", "corner")
-"""Kinds of chunks that "in" leads to where they say how the room is: "in a 5 m by 6 m dining room"."""
-
-
-_FINITE = "is are be was were been being stands stand sits sit lies lie hangs hang rests rest goes go should must will"
-FINITE = frozenset(_FINITE.split())
-"""Verbs that say something of the subject of a clause, not of the noun before them."""
-
 KEPT_OFF = 0.6
 """Metres between a thing and what it must not be near."""
-
-_ORDERS = "row rows columns huddle pairs backs stacked diagonal parallel crossed mutual abreast apart"
-ALONE = frozenset(f"{_ORDERS} next oneside lit middle flank left right front near under above behind".split())
-"""Relations that may stand without an object."""
 
 
 class Relating(LedTo):
@@ -75,11 +51,11 @@ class Relating(LedTo):
     def _on_with(self, chunk: Chunk) -> None:
         self.refusing = False
         self.fronted = None if self.acted else self.fronted
-        who = self.chunks[self.at - 2] if self.at > 1 else chunk
-        if who.kind == "people" and who.det == "each":
-            self._each_has([], next((c.number for c in self.said.facts if c.kind == "people" and c.number), 1))
+        who = self._ahead(-2)
+        if who.kind in ("people", "body") and who.det == "each":
+            self._each_has([], self._people() or 1)
             return
-        if self.target is not None and self.target.det == "a" and self.chunks[self.at - 2].kind == "thing":
+        if self.target is not None and self.target.det == "a" and who.kind == "thing":
             self.holder = [self.target]  # "facing a television with speakers"
         elif self.acted and not self.broken:
             self.holder = self.acted
@@ -96,12 +72,10 @@ class Relating(LedTo):
         """Read what each of some things or people has, up to the end of the clause."""
         self.every = (holder, times)
         first, had = len(self.said.things), 0
-        while self.at < len(self.chunks) and self.chunks[self.at].kind in ("thing", "and", "comma", "filler", "style"):
-            chunk = self.chunks[self.at]
-            following = self.chunks[self.at + 1 : self.at + 2]
+        while (chunk := self._ahead()).kind in ("thing", "and", "comma", "filler", "style"):
             if chunk.kind == "comma" and first < len(self.said.things) and not self._list_goes_on(had):
                 break
-            if chunk.kind == "and" and following and following[0].kind != "thing":
+            if chunk.kind == "and" and self._ahead(1).kind not in ("thing", ""):
                 break
             self.at, had = self.at + 1, had + (chunk.kind == "thing")
             own = holder and chunk.noun is not None and chunk.noun.kind == holder[0].thing.noun.kind
@@ -130,9 +104,8 @@ class Relating(LedTo):
             return False
         found: list[Mention | Place] = []
         while chunk.value != "open" and self.at < len(self.chunks):
-            following = self.chunks[self.at]
-            after = self.chunks[self.at + 1 : self.at + 2]
-            joins = following.kind == "and" and found and after and (after[0].kind == "part" or after[0].det == "the")
+            following, after = self._ahead(), self._ahead(1)
+            joins = following.kind == "and" and found and (after.kind == "part" or after.det == "the")
             if following.kind == "filler" or joins:
                 self.at += 1
             elif (item := self._object(chunk)) is not None:
@@ -155,7 +128,7 @@ class Relating(LedTo):
             self._objects(chunk)
             self.said.missed.append(chunk)
             return
-        every = self.at > 1 and self.chunks[self.at - 2].value in EVERY
+        every = self._ahead(-2).value in small.EVERY
         subjects = self._subjects(chunk.value)
         if every and chunk.value == "holds":
             subjects = [Mention(mention.thing, mention.pick, "each") for mention in subjects]
@@ -163,10 +136,13 @@ class Relating(LedTo):
             self._understood(chunk)
             self._on_with(chunk)
             return
+        beyond = self._ahead()
+        if beyond.kind == "thing" and beyond.value and chunk.value in ("on", "by"):  # "at the armchair's right"
+            chunk = replace(chunk, value=beyond.value)
         first, its = self.at, chunk.det == "its"
         self.about = [] if self._turned_round(first, self.at + (not its)) else subjects
         objects = list[Mention | Place](self._meant("it", chunk.value)) if its else self._objects(chunk)
-        self._keep(chunk.value, objects, pronoun=its or self.chunks[self.at - 1].kind == "pron", fronted=not subjects)
+        self._keep(chunk.value, objects, pronoun=its or self._ahead(-1).kind == "pron", fronted=not subjects)
         if not self._in_turn(chunk, objects):
             self._relate_to(chunk, subjects, objects, first, every=every)
 
@@ -182,15 +158,23 @@ class Relating(LedTo):
         if sides and self._at_sides(chunk, subjects, place):
             self._understood(chunk)
             return
+        backs = {"back", "backs"} & {*chunk.adjectives} and (place is None or place.name != "wall")
+        backs = backs and chunk.value == "wall"
+        if chunk.value == "separates" or backs:  # "with its back to the window"
+            chunk = replace(chunk, value="turnedfrom" if backs else "amid")
         if chunk.value == "between":  # "1 m between the bed and the wardrobe"
             chunk, subjects = replace(chunk, value="apart"), [m for m in objects if isinstance(m, Mention)][:1]
             objects = [item for item in objects if item not in subjects]
+        if not objects and not subjects and chunk.value in ("left", "right") and self.fronted is not None:
+            objects = list(self.fronted[1])  # "beside the sofa, on the right, a lamp"
         subjects, objects = self._held_by(chunk, subjects, objects)
         for item in objects if every and subjects else ():
             told = chunk.value in REVERSED and item.det != "the"  # "each surrounded by six chairs"
             own = isinstance(item, Mention) and (item.det == "a" or told or "own" in item.thing.adjectives)
             if isinstance(item, Mention) and own and item.thing.times == 1:
                 item.thing.times = subjects[0].thing.count  # "each facing a mirror"
+        if chunk.number and subjects and subjects[0].thing.number is None:
+            subjects[0].thing.number = chunk.number  # "in four rows of six"
         self._relate(chunk, subjects, objects, first)
 
     def _held_by(
@@ -198,8 +182,11 @@ class Relating(LedTo):
     ) -> tuple[list[Mention], list[Mention | Place]]:
         """Return what a relation is about and leads to, where that is not what a thing has but the thing itself."""
         held = self.having and self.holder and not self.listed
+        if chunk.value == "flank" and not objects and held and self.holder[0].thing.count == 2 and self.recent[2:]:
+            led = [m for m in self.recent if m.thing not in (self.holder[0].thing, subjects[0].thing)]
+            return self.holder, [*led[:1]]  # "two nightstands with lamps on either side"
         place = isinstance(objects[0], Place) if objects else chunk.value == "middle"
-        laid = chunk.value in LAID and held and topped(self.group[-1]) and not topped(self.holder[0])
+        laid = chunk.value in small.LAID and held and topped(self.group[-1]) and not topped(self.holder[0])
         if laid and chunk.det == "its" and self.target is not None:
             return [self.target], list(self.holder)  # "a bed with a lamp on the nightstand to its right"
         if laid and chunk.det == "its":  # "an armchair by the window, a table with a cup to its right"
@@ -216,12 +203,24 @@ class Relating(LedTo):
     def _refused(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
         """Note what must not be so: where nearness is refused, a gap is asked for; of what must not be there nothing is."""
         place = bool(objects) and isinstance(objects[0], Place)
-        if self.negated and subjects and (chunk.value in NEARNESS or (chunk.value in ("blocks", "wall") and place)):
+        if self.empty and place:
+            self._keep_empty(chunk, objects)
+        elif (
+            self.negated
+            and subjects
+            and (chunk.value in small.NEARNESS or (chunk.value in ("blocks", "wall") and place))
+        ):
             gap = Measure("apart", (KEPT_OFF, math.inf), 0, 0)
             self._link(replace(chunk, value="apart", measure=gap), subjects, objects)
         elif self.negated:
             self.said.missed.append(chunk)
         self.refusing = False
+
+    def _keep_empty(self, chunk: Chunk, objects: Sequence[Mention | Place]) -> None:
+        """Note that nothing is to stand at a place."""
+        walls = isinstance(objects[0], Place) and objects[0].name == "wall"
+        gap = (0.0, 0.0) if walls else (KEPT_OFF, math.inf)
+        self.said.links.append(Link("bare", (), tuple(objects), chunk.start, chunk.end, gap))
 
     def _relate(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Mention | Place], first: int) -> None:
         """Note what a relation says; what leads on from a colon says no more than which room it is."""
@@ -230,11 +229,9 @@ class Relating(LedTo):
             return
         if chunk.value == "amid" and not objects:
             objects = self._meant("them", chunk.value)
-        colon = self.at < len(self.chunks) and self.chunks[self.at].kind == "colon"
-        colon = colon and not any(isinstance(item, Mention) for item in objects)
-        if not objects and chunk.value not in ALONE:
-            follows = self.chunks[self.at].kind if self.at < len(self.chunks) else "stop"
-            self._understood(*[chunk] * (chunk.value in ("in", "by") and follows in OF_THE_ROOM))
+        colon = self._ahead().kind == "colon" and not any(isinstance(item, Mention) for item in objects)
+        if not objects and chunk.value not in small.ALONE:
+            self._understood(*[chunk] * (chunk.value in ("in", "by") and self._ahead().kind in small.OF_THE_ROOM))
         elif objects and self._is_room(chunk, objects):
             self._understood(chunk)
             self.broken = True
@@ -258,7 +255,7 @@ class Relating(LedTo):
     def _of_a_zone(self, index: int) -> bool:
         """Return whether a relation is about a part of the room, so that no thing stands there: "a kitchenette along the wall"."""
         before = [chunk.kind for chunk in self.chunks[max(index - 2, 0) : index]]
-        return self.fronted is None and before[-1:] != [] and before[-1] in ZONES and before[0] != "rel"
+        return self.fronted is None and before[-1:] != [] and before[-1] in small.ZONES and before[0] != "rel"
 
     def _fronted_things(self) -> list[Mention]:
         """Return the thing that a relation before this one leads to, while nothing stands there yet."""
@@ -267,17 +264,11 @@ class Relating(LedTo):
 
     def _in_an_aid(self) -> bool:
         """Note the body of "a person in a wheelchair"."""
-        following = self.chunks[self.at] if self.at < len(self.chunks) else None
-        who = self.chunks[self.at - 2].kind if self.at > 1 else ""
-        if (
-            following is None
-            or following.noun is None
-            or following.noun.kind not in AIDS
-            or who not in ("people", "body")
-        ):
+        following, who = self._ahead(), self._ahead(-2).kind
+        if following.noun is None or following.noun.kind not in AIDS or who not in ("people", "body"):
             return False
+        self._understood(self._ahead(-1))
         self.at += 1
-        self._understood(self.chunks[self.at - 2])
         self._fact(Chunk("body", following.start, following.end, AIDS[following.noun.kind]))
         return True
 
@@ -310,17 +301,13 @@ class Relating(LedTo):
         ]
         if not tables or not seats or len(seats) < len(subjects):
             return False
-        known = any(
-            link.relation == "around" and link.subjects[0].thing is seats[0].thing
-            for link in self.said.links
-            if link.subjects
-        )
         square = "square" in (*tables[-1].adjectives, *tables[-1].noun.said.split())
         for seat in seats:
             if seat.per_side(chunk, place) and seat.thing not in self.dealt:
                 seat.thing.number = (4 if square else 2) * (seat.thing.number or 1)
         self.acted = list(subjects)
-        if not known:
+        around = [link.subjects[0].thing for link in self.said.links if link.relation == "around"]
+        if seats[0].thing not in around:
             self._link(Chunk("rel", chunk.start, chunk.end, "around"), seats, [Mention(tables[-1])])
             self.targets.append(Mention(tables[-1]))
         return True
@@ -328,17 +315,15 @@ class Relating(LedTo):
     def _is_room(self, chunk: Chunk, objects: Sequence[Mention | Place]) -> bool:
         """Return whether a relation only says that a thing is in the room."""
         place = objects[0]
-        return isinstance(place, Place) and (
-            place.name in ("room", "floor") and chunk.value in ("in", "on", "by", "around")
-        )
+        there = isinstance(place, Place) and place.name in ("room", "floor")
+        return there and chunk.value in ("in", "on", "by", "around")
 
     def _reversed(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
         """Link what is said from the other side: "flanked by two lamps"."""
         moved = [item for item in objects if isinstance(item, Mention)]
-        while chunk.value == "holds" and self._another():
-            following = self.chunks[self.at + 1]
+        while chunk.value in ("holds", "flanked") and self._another():
             self.at += 2
-            moved.append(self._mention(following))
+            moved.append(self._mention(self._ahead(-1)))
         if moved and subjects:
             named = Chunk("rel", chunk.start, chunk.end, REVERSED[chunk.value])
             for mention in moved:
@@ -348,30 +333,32 @@ class Relating(LedTo):
             self.group, self.acted = moved, moved
 
     def _another(self) -> bool:
-        kinds = [chunk.kind for chunk in self.chunks[self.at : self.at + 3]]
-        noun = self.chunks[self.at + 1].noun if kinds[:2] == ["and", "thing"] else None
-        return noun is not None and (CATALOGUE[noun.kind].on_object or kinds[2:] in ([], ["stop"]))
+        noun = self._ahead(1).noun if self._ahead().kind == "and" else None
+        return noun is not None and (CATALOGUE[noun.kind].on_object or self._ahead(2).kind in ("", "stop"))
 
     def _nearest(self, relation: str) -> list[Mention]:
         """Return what a relation right after a noun is about: small things "on" something all together, else the noun."""
-        following = self.chunks[self.at].value if self.at < len(self.chunks) else ""
+        following = self._ahead().value
         noun = self.target.thing.noun if self.target is not None else None
         hung = noun is not None and any("wall" in CATALOGUE[kind].places for kind in (noun.kind, *noun.others))
-        told = relation in ("by", "next", "near", "holds") or (
-            following == "wall" and hung and relation in ("on", "wall")
-        )
+        told = relation in ("by", "next", "near", "holds", *(("on", "wall") if following == "wall" and hung else ()))
         last = self.group[-1:] or list(self.subject)
+        does = {
+            *self.chunks[self.at - 1].adjectives
+        } & small.PLURAL_DOES and not self.relative  # "a sofa and a chair face the TV"
+        if len(self.group) > 1 and (does or (relation == "around" and all(_sat_on(m) for m in self.group))):
+            return list(self.group)
         if self.target is not None and relation == "on" and following != "wall" and last:
             told = _on_tops(self.target) and not _on_tops(last[0])  # "a sofa facing a TV on a stand"
-        place = [chunk.kind for chunk in self.chunks[self.at : self.at + 1]] == ["part"]
+        place = self._ahead().kind == "part"
         if self.target is not None and place and last and relation not in ("on", "facing"):
             told = told or (_on_tops(last[0]) and not _on_tops(self.target))  # "a laptop on the desk under the window"
         if self.target is not None and told and self.acted:
             return [self.target]
-        if relation in _ORDERS.split() and last and last[0].thing.count == 1:
+        if relation in small.ORDERS and last and last[0].thing.count == 1:
             return list(self.group or self.subject)  # "fridge, stove and sink in a row"
         if relation == "on" and last and topped(last[0]) and len(self.group) > 1:
-            it = self.at < len(self.chunks) and self.chunks[self.at].kind == "pron"
+            it = self._ahead().kind == "pron"
             linked = {m for link in self.said.links if not it or link.relation != "with" for m in link.subjects}
             linked -= {last[0]}
             return [m for m in self.group if CATALOGUE[m.thing.noun.kind].on_object and m not in linked]
@@ -399,17 +386,23 @@ class Relating(LedTo):
             return list(self.before or self.subject) if not self.group else list(self.group)
         if self.relative:
             return self.group[-1:]
-        follows = [chunk.kind for chunk in self.chunks[self.at : self.at + 1]]
-        if previous.kind == "comma" and self.holder and not self.acted and follows != ["pron"]:
+        if previous.kind == "comma" and self.holder and not self.acted and self._ahead().kind != "pron":
             return list(self.holder)  # "three desks, each with a chair, in a row"
         return list(self.acted or self.group[-1:] or self.subject)
 
     def _of_the_noun(self) -> bool:
         """Return whether a participle leads from the noun before it to a relation: "..., a lamp hanging over it"."""
         index = self.at - 2
-        while index > 0 and self.chunks[index].kind in ("verb", "filler") and self.chunks[index].value not in FINITE:
+        while (
+            index > 0 and self.chunks[index].kind in ("verb", "filler") and self.chunks[index].value not in small.FINITE
+        ):
             index -= 1
         return index < self.at - 2 and self.chunks[index].kind == "thing" and self.group != self.subject
+
+
+def _sat_on(mention: Mention) -> bool:
+    """Return whether one sits on a thing."""
+    return mention.thing.noun.kind.split()[-1] in SEATS
 
 
 def _on_tops(mention: Mention) -> bool:

@@ -12,10 +12,13 @@ from robolayout.words._function_words import YOUNG
 from robolayout.words._lexicon import Noun
 from robolayout.words._tokens import Measure
 
+ONE_EACH = ("chair", "desk")
+"""Things of which everyone has one, where several are named without a number."""
+
 LONG = 3
 """Things of a row of which no number is said."""
 
-IN_PAIRS = ("curtain", "blinds")
+IN_PAIRS = frozenset(("curtain", "blinds", "parallel bar"))
 """What is one thing in the plural."""
 
 
@@ -44,7 +47,8 @@ class Thing:
     @property
     def count(self) -> int:
         """How many are asked for: as said, else two for a plural, `LONG` for each row that is told, else one; so many times over."""
-        usual = max(2, LONG * self.rows) if self.plural and self.noun.kind not in IN_PAIRS else 1
+        alone = {self.noun.kind, self.noun.said} & IN_PAIRS
+        usual = max(2, LONG * self.rows) if self.plural and not alone else 1
         one = usual if self.number is None else self.number + (self.bound == "more")
         return one * self.times
 
@@ -149,6 +153,12 @@ def same(thing: Thing, chunk: Chunk) -> bool:
     if old[-1] == new[-1] or old[-1].endswith(new[-1]):
         return len(new) == 1 or len(old) == 1
     return thing.noun.kind == chunk.noun.kind
+
+
+def more_of(thing: Thing, chunk: Chunk) -> bool:
+    """Return whether a plural names other things than the one that ends alike: "a high chair and chairs"."""
+    ends = chunk.noun is not None and chunk.noun.said.split()[-1] == thing.noun.said.split()[-1]
+    return chunk.plural and ends and thing.count == 1
 
 
 def same_words(thing: Thing, chunk: Chunk) -> bool:

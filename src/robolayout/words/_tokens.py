@@ -14,16 +14,18 @@ _NUMBER_WORDS = (
     "no zero, a an one, two both couple pair twin, three, four, five, six, seven, eight, nine, ten, eleven, twelve dozen, "
     "thirteen, fourteen, fifteen, sixteen, seventeen, eighteen, nineteen, twenty"
 )
-NUMBERS = {word: value for value, words in enumerate(_NUMBER_WORDS.split(", ")) for word in words.split()} | {
-    "some": 2,
-    "few": 3,
-    "several": 3,
-    "lots": 4,
-    "many": 4,
-    "thirty": 30,
-    "forty": 40,
-    "fifty": 50,
-}
+_TENS = ["thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety", "hundred"]
+NUMBERS = (
+    {word: value for value, words in enumerate(_NUMBER_WORDS.split(", ")) for word in words.split()}
+    | {
+        "some": 2,
+        "few": 3,
+        "several": 3,
+        "lots": 4,
+        "many": 4,
+    }
+    | {word: 10 * tens for tens, word in enumerate(_TENS, 3)}
+)
 """Counts by word; what says no exact number stands for a usual one."""
 
 VAGUE = frozenset(("some", "few", "several", "lots", "many"))
@@ -66,7 +68,10 @@ USUAL = (0.25, 4.0)
 APART = 0.3
 """Metres by which what lies between two things may differ from what is said."""
 
-_TOKEN = re.compile(r"[a-z]+-(?:in|mounted|hung)\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*|[.;!?:\n]|,|[()&+]")
+_TOKEN = re.compile(
+    rf"(?:twenty|{'|'.join(_TENS[:-1])})[- ](?:{_WORDS})\b"
+    r"|[a-z]+-(?:in|mounted|hung)\b|\d+(?:\.\d+)?|[^\W\d_]+(?:'[^\W\d_]+)*|[.;!?:\n]|,|[()&+]"
+)
 
 
 @dataclass(frozen=True)
@@ -125,6 +130,13 @@ ROOMS = {
 """Least and most that a measure of a room may be, and what is said of others."""
 
 
+_written = {"per": ("for", "each"), "apiece": ("each",)} | {
+    f"{ten}{mark}{one}": (str(NUMBERS[ten] + NUMBERS[one]),)
+    for ten in ("twenty", *_TENS[:-1]) for one in _WORDS.split("|") for mark in "- "
+}  # fmt: skip
+"""What some words are read as."""
+
+
 @dataclass(frozen=True)
 class Token:
     """A word or a mark."""
@@ -139,8 +151,8 @@ def tokens(text: str) -> list[Token]:
     lower = text.lower().replace("\u2019", "'")
     if len(lower) != len(text):  # a letter whose small form is longer: places would no longer fit
         lower = "".join(char.lower() if len(char.lower()) == 1 else char for char in text).replace("\u2019", "'")
-    found = ((m.span(), re.sub(r"['-]", "", m.group())) for m in _TOKEN.finditer(lower))
-    return [Token(word, *span) for span, said in found for word in (("for", "each") if said == "per" else (said,))]
+    found = ((m.span(), _written.get(m.group(), (re.sub(r"['-]", "", m.group()),))) for m in _TOKEN.finditer(lower))
+    return [Token(word, *span) for span, said in found for word in said]
 
 
 def measures(text: str) -> list[Measure]:

@@ -46,6 +46,9 @@ _PARALLEL = ((("align_with", 0.0),), (("align_with", 180.0),))
 Ways = tuple[tuple[tuple[str | float, ...], ...], ...]
 """Ways, each of statements, each with its further arguments."""
 
+AT_A_DESK: Ways = ((("in_front_of", -BESIDE, BESIDE),), (("behind", -BESIDE, BESIDE),))
+"""Where seats stand that a desk or counter has."""
+
 TO_ANOTHER: Mapping[str, Ways] = {
     "next": ((("near", BESIDE),),),
     "oneside": ((("near", BESIDE),),),

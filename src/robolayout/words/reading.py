@@ -9,23 +9,15 @@ from robolayout._errors import SceneError
 from robolayout.assets.palette import STYLED, WOODS
 from robolayout.words._chunk import Chunk
 from robolayout.words._chunks import Chunker
+from robolayout.words._function_words import AFTER_A_PLACE, LEAST_SAID
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
-from robolayout.words._said import Parsed, Place, Thing, children
-from robolayout.words._tokens import Token, measures, tokens
+from robolayout.words._said import ONE_EACH, Parsed, Place, Thing, children
+from robolayout.words._tokens import Token, count_of, measures, tokens
 
 LONGEST = 4000
 """Characters of a text that are read."""
-
-AFTER_A_PLACE = frozenset(("with", "colon", "stop", "comma", "filler", "verb", "measure", "rel", "people"))
-"""Kinds of chunks that may follow the name of a place that a text begins with."""
-
-ONE_EACH = ("chair", "desk")
-"""Things of which everyone has one, where several are named without a number."""
-
-LEAST_SAID = ("turtlebot4", "child_6")
-"""Bodies that give way to any other that is named: "a robot" may be told more closely, and children live in rooms for others, too."""
 
 MOST_OF_A_KIND = 200
 """Largest count that is furnished for."""
@@ -64,11 +56,6 @@ class Reading:
         return (found[0], found[1]) if found else None
 
     @property
-    def shape(self) -> str:
-        """Shape of the room: "rectangular" or "L-shaped"."""
-        return "L-shaped" if self.l_shaped else "rectangular"
-
-    @property
     def unwanted(self) -> frozenset[str]:
         """Kinds that must not be there."""
         return frozenset(noun.kind for noun, _ in self.parsed.refused)
@@ -98,7 +85,8 @@ class Reading:
     def unknown(self) -> list[str]:
         """Words before nouns of which nothing is known ("a frilly bed"), in order."""
         said = (word for thing in self.parsed.things for word in thing.adjectives)
-        return list(dict.fromkeys(word for word in said if word not in grammar().adjectives))
+        known = grammar().adjectives
+        return list(dict.fromkeys(word for word in said if word not in known and count_of(word) is None))
 
     @property
     def style(self) -> str:
@@ -114,12 +102,13 @@ class Reading:
         return next((floors[word] for word in (*said, self.style) if word in floors), "")
 
     @property
-    def l_shaped(self) -> bool:
-        """Whether the room is to have the shape of an L."""
+    def shape(self) -> str:
+        """Shape of the room: "rectangular" or "L-shaped"."""
         rooms = [chunk.adjectives for chunk in self.parsed.facts if chunk.kind == "room"]
         lower = self.text.lower().replace("-", " ")
         said = any(f"l shaped {noun}" in lower for noun in ("room", "layout", "space", "floor"))
-        return said or any("l" in words and {"shaped", "shape"} & set(words) for words in rooms)
+        said = said or any("l" in words and {"shaped", "shape"} & set(words) for words in rooms)
+        return "L-shaped" if said else "rectangular"
 
     @property
     def scale(self) -> float:

@@ -1,0 +1,111 @@
+"""The words of a text against the closed lists: where a relation begins, what bounds a count, which words go on."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from robolayout.words import _function_words as small
+from robolayout.words._chunk import MARKS
+from robolayout.words._lexicon import LONGEST, Lexicon, grammar
+from robolayout.words._tokens import Measure, Token, count_of
+
+HEAPS, HEAPED = ("stack", "pile"), ("stacked", "piled")
+"""Words for things one on top of the other: before "of", and of the things."""
+
+
+class ClosedWords:
+    """The words of a text."""
+
+    def __init__(self, words: Sequence[Token], found: Sequence[Measure], lexicon: Lexicon) -> None:
+        self.words = [word.text for word in words]
+        self.owners = {i for i, w in enumerate(words) if w.text.endswith("s") and w.end - w.start == len(w.text) + 1}
+        self.lexicon = lexicon
+        self.grammar = grammar()
+        self.measured = {
+            next((i for i, w in enumerate(words) if w.end > measure.start), len(words)): measure for measure in found
+        }
+        self.after = {i: sum(1 for w in words if w.start < m.end) for i, m in self.measured.items()}
+
+    def _word(self, i: int) -> str:
+        """Return the word at a place, "" outside of the text."""
+        return self.words[i] if 0 <= i < len(self.words) else ""
+
+    def _clause(self, at: int, end: int) -> bool:
+        """Return whether words begin a clause and what they are about follows: "..., on the right a desk"."""
+        before, following = (["", *self.words, ""][i] for i in (at, end + 1))
+        starts = not before or before in MARKS or before in small.JOINING
+        return starts and (following in small.DETERMINERS or bool(count_of(following)))
+
+    def _overlaid(self, at: int, size: int) -> bool:
+        """Return whether a relation that begins within this one goes on beyond it: "placed on either side of"."""
+        phrases = (self.words[i : at + size + more] for i in range(at + 1, at + size) for more in range(1, LONGEST))
+        return any(self.grammar.phrases.get(" ".join(words), ("", ""))[0] == "rel" for words in phrases)
+
+    def _is_relation(self, phrase: str, end: int) -> bool:
+        """Return whether a phrase is a relation here: "opposite walls", "left bank" and "to the left wall" are none."""
+        following = self.words[end] if end < len(self.words) else ""
+        if phrase in ("opposite", "across") and following.removesuffix("s") in ("wall", "side", "end", "corner"):
+            return False
+        sided = phrase.endswith(("left", "right", "middle", "center", "centre")) and " its " not in phrase
+        if sided and following and following not in MARKS:
+            leads = following in small.DETERMINERS or count_of(following) is not None
+            return leads or following in (
+                *small.JOINING,
+                "there",
+                "is",
+                "stands",
+                "with",
+                "sits",
+                "are",
+                "stand",
+                "hangs",
+            )
+        if "long side" in phrase and "room" in self.words[end : end + 3]:
+            return False
+        if phrase in ("round", "all round"):
+            return following in ("the", "it", "them", "each", "both", "that", "this")
+        if phrase in small.LEADING:
+            return following in small.DETERMINERS or (phrase in ("line", "lines") and count_of(following) is not None)
+        if phrase in ("at", "around", "over", "about") and (following.isdigit() or following in ("least", "most")):
+            return False
+        if phrase in ("before", "row"):
+            return phrase == "before" and (following in small.DETERMINERS or following in ("it", "them"))
+        if phrase in HEAPED or phrase in ("diagonal", "angled"):
+            return not self._continues(end - 1) or following in small.JOINING
+        return True
+
+    def _bound(self, at: int) -> tuple[str, int]:
+        """Return a bound on a count that begins here, and its length."""
+        for phrase, bound in small.BOUNDS.items():
+            if tuple(self.words[at : at + len(phrase)]) == phrase:
+                return bound, len(phrase)
+        return "", 0
+
+    def _told(self, i: int) -> bool:
+        """Return whether a word is an article or a number, or stands before the text."""
+        return i < 0 or self.words[i] in small.DETERMINERS or count_of(self.words[i]) is not None
+
+    def _begins_relation(self, i: int) -> bool:
+        for size in range(min(LONGEST, len(self.words) - i), 0, -1):
+            phrase = " ".join(self.words[i : i + size])
+            kind = self.grammar.phrases.get(phrase, ("", ""))[0]
+            if kind == "and" or (kind == "rel" and self._is_relation(phrase, i + size)):
+                return True
+        return False
+
+    def _continues(self, i: int) -> bool:
+        """Return whether a noun may follow: "hanging chair"."""
+        following = self.words[i + 1] if i + 1 < len(self.words) else ""
+        return (
+            bool(following)
+            and following not in MARKS
+            and following not in small.DETERMINERS
+            and not self._begins_relation(i + 1)
+        )
+
+    def _seats(self, i: int) -> bool:
+        """Return whether a number is part of a name here: "two-seater", "twin bed"."""
+        following, beyond = (*self.words[i + 1 : i + 3], "", "")[:2]
+        counted = following in ("door", "drawer", "person", "tier") and beyond not in MARKS and beyond.isalpha()
+        counted = counted and beyond not in (*small.JOINING, *small.WITH, *small.DETERMINERS)
+        return self.words[i] == "twin" or following in ("seat", "seater", "poster") or counted

@@ -1,0 +1,171 @@
+"""A row of the ledger before a layout is known, and what its phrase is judged by."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from shapely.geometry.base import BaseGeometry
+
+from robolayout.assets import category_of
+from robolayout.scene import Layout, Scene
+from robolayout.words._lexicon import grammar
+from robolayout.words._said import Mention, Place
+from robolayout.words._tokens import Measure
+from robolayout.words._ways import SEATS
+from robolayout.words.demands import Demand
+
+Verdict = Literal["met", "unmet", "not judged", "not understood"]
+
+SIZE_OFF, AREA_OFF = 0.1, 0.03
+"""Metres by which the sides and the height of a room, and share by which its area, may differ from what was asked."""
+
+Finding = tuple[Verdict, str]
+
+AIRY = 0.3
+"""Share of the floor that furniture takes at the most in an airy room; usual rooms have a quarter to two fifths."""
+
+SEAT = 0.5
+"""Metres of a bench or sofa that one person takes."""
+
+ZONES = (" area", " zone", " section", " space", " nook")
+"""Ends of names of a part of a room."""
+
+UP_TO = 0.5
+"""Metres between a body's edge and what a way leads up to."""
+
+
+@dataclass(frozen=True)
+class Furnished:
+    """What rows are judged by: a scene, a layout of it, and where the centre of its first body gets to from the door."""
+
+    scene: Scene
+    layout: Layout
+    walked: BaseGeometry | None = None
+
+
+@dataclass(frozen=True)
+class Row:
+    """A phrase before a layout is known: `judge` says how it stands in one."""
+
+    words: str
+    kind: str
+    understanding: str
+    judge: Callable[[Furnished], Finding]
+    things: tuple[str, ...] = ()
+    demands: tuple[Demand, ...] = ()
+
+
+def said(demand: Demand) -> str:
+    """Return a demand in words."""
+    if demand.exact is not None:
+        return f"{demand.exact.a} between {demand.exact.b} and {demand.exact.c}"
+    first = ", ".join(relation.sentence() for relation in demand.ways[0])
+    return f"{first} or one of {len(demand.ways) - 1} other ways" if len(demand.ways) > 1 else first
+
+
+def shown(item: Mention | Place) -> str:
+    """Return a thing or place in words."""
+    if isinstance(item, Place):
+        return " ".join((*item.words, item.name, *((item.by[0], item.by[1].name) if item.by is not None else ())))
+    return item.thing.noun.words
+
+
+def unread(words: str, why: str) -> Row:
+    """Return the row of words that were not understood."""
+    return Row(words, "not understood", why, lambda room: ("not understood", ""))
+
+
+def found(alike: bool, said: str) -> Finding:
+    """Return what a look that was found says."""
+    return ("met" if alike else "not judged"), said or "nothing is said of it"
+
+
+def mood(word: str) -> Row:
+    """Return the row of a word of taste: two moods can be judged, the others cannot."""
+    lists = grammar()
+    if word.lower() in lists.airy:
+        return Row(word, "style", f"furniture takes at most {AIRY:.0%} of the floor", airy)
+    if word.lower() in lists.cosy["words"]:
+        return Row(word, "style", "something soft and a warm light", cosy)
+    return Row(word, "style", "a matter of taste", taste)
+
+
+def airy(room: Furnished) -> Finding:
+    """Judge how much of the floor furniture takes."""
+    sizes = [asset.size for asset in room.scene.assets if asset.on_floor and not asset.is_flat]
+    share = sum(depth * width for depth, width, _ in sizes) / room.scene.room.area
+    return ("met" if share <= AIRY else "unmet"), f"it takes {share:.0%}"
+
+
+def cosy(room: Furnished) -> Finding:
+    """Judge whether something soft and a warm light are there."""
+    there = {category_of(room.scene.by_name[name]).name for name in room.layout if name in room.scene.by_name}
+    found = [next((kind for kind in grammar().cosy[row] if kind in there), "") for row in ("soft", "warm")]
+    return ("met" if all(found) else "unmet"), " and ".join(kind or "none" for kind in found)
+
+
+def as_given(room: Furnished) -> Finding:
+    """Take what the scene was made from."""
+    return "met", "as given"
+
+
+def taste(room: Furnished) -> Finding:
+    """Judge nothing."""
+    return "not judged", ""
+
+
+def seats_for(people: int) -> Callable[[Furnished], Finding]:
+    """Return what counts seats for so many."""
+
+    def judge(room: Furnished) -> Finding:
+        there = [asset for asset in room.scene.assets if asset.name in room.layout]
+        kinds = [(category_of(asset).name.split()[-1], asset) for asset in there]
+        seats = sum(
+            int(asset.size[1] // SEAT) or 1 if kind in ("sofa", "bench") else 1
+            for kind, asset in kinds
+            if kind in SEATS
+        )
+        return ("met" if seats >= people else "unmet"), f"{seats} seats there"
+
+    return judge
+
+
+def hangs(things: Sequence[str]) -> Callable[[Furnished], Finding]:
+    """Return what measures how far below the ceiling things hang."""
+
+    def judge(room: Furnished) -> Finding:
+        tops = [room.layout[name].z + room.scene.by_name[name].size[2] / 2 for name in things]
+        off = max((room.scene.room.wall_height - top for top in tops), default=0.0)
+        return ("met" if off <= SIZE_OFF else "unmet"), f"{off:.2f} m below the ceiling"
+
+    return judge
+
+
+def for_body(name: str) -> Callable[[Furnished], Finding]:
+    """Return what looks for a body."""
+
+    def judge(room: Furnished) -> Finding:
+        bodies = ", ".join(agent.name for agent in room.scene.agents)
+        return ("met" if name in bodies else "not judged"), f"laid out for {bodies}"
+
+    return judge
+
+
+def of_the_room(words: str, measure: Measure) -> Row:
+    """Return the row of a measure of the room."""
+    kind, values = measure.kind, measure.values
+
+    def judge(room: Furnished) -> Finding:
+        given = room.scene.room
+        x0, y0, x1, y1 = given.bounds
+        there = {"size": sorted((x1 - x0, y1 - y0)), "area": [given.area], "height": [given.wall_height]}.get(kind)
+        if there is None:
+            return "not judged", ""
+        off = max(abs(a - b) for a, b in zip(there, sorted(values), strict=True))
+        good = off <= (AREA_OFF * values[0] if kind == "area" else SIZE_OFF)
+        shown = " x ".join(f"{value:.2f}" for value in there)
+        return ("met" if good else "unmet"), f"{shown} {'m2' if kind == 'area' else 'm'}"
+
+    return Row(words, f"room {kind}" if kind != "grid" else "style", f"{kind} {measure.shown}", judge)
