@@ -203,6 +203,7 @@ def test_each_word_that_says_something_is_in_a_row(said: tuple[str, ...]) -> Non
         ("A bed, no desk in the corner.", "no desk in the corner"),
         ("A bed and a desk. The three desks are by the window.", "The three desks are by the window"),
         ("Keep the corner by the window free.", "Keep the corner by the window free"),
+        ("A bed and a desk. A lamp stands where the desk meets the bed.", "A lamp stands where the desk meets the bed"),
     ],
 )
 def test_what_no_row_is_about_is_quoted(text: str, quoted: str) -> None:

@@ -40,6 +40,20 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("a bed with a nightstand on each side", {"bed": 1, "night stand": 2}),
         ("a table, four chairs on each long side and one at each end", {"dining table": 1, "chair": 10}),
         ("a table. Three chairs on each side of the table and one at the head", {"dining table": 1, "chair": 7}),
+        ("a table with eight chairs: three per long side and one at either end", {"dining table": 1, "chair": 8}),
+        ("three kids. Each child needs a bed and a chair. Twenty-four books (x3)", {"bed": 3, "chair": 3, "book": 24}),
+        ("cabinets (x3), plates (five in total) and a glass", {"cabinet": 3, "plate": 5, "glass": 1}),
+        (
+            "a bed flanked by two nightstands; each of them carries a lamp",
+            {"bed": 1, "night stand": 2, "table lamp": 2},
+        ),
+        ("an office for four: desks in pairs, each desk has a monitor", {"desk": 4, "monitor": 4}),
+        ("The first sofa is at the north wall, the second one at the east wall.", {"sofa": 2}),
+        (
+            "a table, a high chair at one end and chairs along the sides",
+            {"dining table": 1, "high chair": 1, "chair": 2},
+        ),
+        ("a table displaying sweaters", {"dining table": 1, "clothes": 2}),
         ("a square table with one chair on each side", {"dining table": 1, "chair": 4}),
         ("a long table, five chairs per side", {"dining table": 1, "chair": 10}),
         (
@@ -165,7 +179,12 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("a table with chairs around it and a bowl on top", {("around", "chair", "dining table"), ("on", "bowl", "dining table")}),
         (
             "a table with four chairs stands in the center, and an armchair with a floor lamp sits in a corner",
-            {("with", "chair", "dining table"), ("middle", "dining table", ""), ("with", "floor lamp", "armchair"), ("in", "armchair", "corner")},
+            {
+                ("with", "chair", "dining table"),
+                ("middle", "dining table", ""),
+                ("with", "floor lamp", "armchair"),
+                ("in", "armchair", "corner"),
+            },
         ),
         ("a bed with a headboard against the east wall", {("wall", "bed", "wall")}),
         ("a vanity with two mirrors above", {("above", "mirror", "vanity")}),
@@ -324,6 +343,16 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
             {("on", "table lamp", "night stand"), ("right", "night stand", "bed")},
         ),
         ("a sofa with the TV on the wall in front of it", {("on", "television", "wall"), ("front", "television", "sofa")}),
+        ("The treadmill and the bike face the mirror.", {("facing", "treadmill", "mirror"), ("facing", "bicycle", "mirror")}),
+        ("a lamp at the armchair's right", {("right", "floor lamp", "armchair")}),
+        ("two chairs that face away from the window", {("turnedfrom", "chair", "window")}),
+        ("a sofa with its back to the door", {("turnedfrom", "sofa", "door")}),
+        ("an aquarium separates the table from the sofa", {("amid", "aquarium", "dining table"), ("amid", "aquarium", "sofa")}),
+        (
+            "a bed and two nightstands with lamps on either side",
+            {("with", "table lamp", "night stand"), ("flank", "night stand", "bed")},
+        ),
+        ("a table under a lamp", {("under", "dining table", "pendant lamp")}),
         ("Every table has a candle in its center.", {("middle", "candle", "dining table")}),
     ],
 )  # fmt: skip

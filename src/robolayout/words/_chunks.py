@@ -250,7 +250,12 @@ class Chunker(ClosedWords):
         whole = told and not self._does(run)
         if (owned := self._owned(at, i, run, before)) is not None:
             return owned
-        if told and len(run) == 1 and run[0] in self.grammar.styles and (noun := self.lexicon.noun(run)) is not None:
+        if (
+            det in ("a", "each")
+            and len(run) == 1
+            and run[0] in self.grammar.styles
+            and (noun := self.lexicon.noun(run)) is not None
+        ):
             return Chunk("thing", at, i + 1, "", noun, det, number, bound, _plural(run[0], noun))  # "a glass"
         for end in range(len(run), 0, -1):
             for start in range(end):

@@ -63,7 +63,8 @@ class ClosedWords:
         if "long side" in phrase and "room" in self.words[end : end + 3]:
             return False
         if phrase in ("round", "all round"):
-            return following in ("the", "it", "them", "each", "both", "that", "this")
+            walked = self._word(end - len(phrase.split()) - 1) in ("walk", "move", "go", "get", "way")
+            return not walked and following in ("the", "it", "them", "each", "both", "that", "this")
         if phrase in small.LEADING:
             return following in small.DETERMINERS or (phrase in ("line", "lines") and count_of(following) is not None)
         if phrase in ("at", "around", "over", "about") and (following.isdigit() or following in ("least", "most")):

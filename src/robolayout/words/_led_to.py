@@ -67,7 +67,8 @@ class LedTo(References):
             return self._place_of(following)
         if following.kind in ("room", "function", "people"):
             self.at += 1
-            if self._of_a_thing(following):
+            ends = following.value.endswith(("head", "foot")) or chunk.value in ("opposite", "facing", "near", "next")
+            if ends and self._of_a_thing(following):
                 return self._object(chunk)
             self._understood(following)
             if following.kind != "people":

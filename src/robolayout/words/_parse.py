@@ -308,7 +308,9 @@ class Parser(Relating):
         if chunk.value in ("window", "door"):
             self._on_opening(chunk)
         elif chunk.value == "side" and chunk.det == "each" and self.group and self._previous(chunk) == "for":
-            self._understood(*self.chunks[self.at - 3 : self.at - 1])  # "five per side"
+            if self._ahead(-3).kind == "filler":  # "ten chairs, five per side"
+                self._understood(self._ahead(-3))
+                self.dealt.setdefault(self.group[-1].thing, 0)
             flank = Chunk("rel", chunk.start, chunk.end, "flank", adjectives=("each",))
             if not self._at_sides(flank, self.group[-1:], None):
                 self._link(flank, self.group, self._meant("it"))
