@@ -95,13 +95,7 @@ class ProgramLimitError(ProgramError):
 
 
 class UnknownNameError(InputError):
-    """A name is not one of those known.
-
-    Args:
-        kind: What the name should be ("agent", "exporter").
-        name: The name given.
-        known: All names that would have worked.
-    """
+    """A name is not one of those known; `kind` says what it should be ("agent", "exporter")."""
 
     def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
         self.kind = kind
@@ -119,13 +113,7 @@ class OutputError(InputError):
 
 
 class MissingExtraError(InputError):
-    """An optional dependency is not installed.
-
-    Args:
-        feature: What was asked for.
-        extra: The extra that brings it, or the package itself where no extra does.
-        package: Whether `extra` is a package.
-    """
+    """An optional dependency is not installed: an extra of ours, or where no extra brings it a package."""
 
     def __init__(self, feature: str, extra: str, *, package: bool = False) -> None:
         self.extra = extra

@@ -24,32 +24,14 @@ def check_writable(folder: Path) -> None:
 
 
 def write_atomic(path: Path, data: bytes | str) -> Path:
-    """Write a file in one step: either the whole new content is there, or what was there before.
-
-    Args:
-        path: Where to write; missing folders are made.
-        data: The whole content; text is written as UTF-8 with the line ends it has.
-
-    Returns:
-        The path.
-
-    Raises:
-        OutputError: The folder or file cannot be written; nothing is left half-written.
-    """
+    """Write a file in one step, text as UTF-8, missing folders too: either the whole new content is there, or what was before."""
     return write_together({path: data})[0]
 
 
 def write_together(files: Mapping[Path, bytes | str]) -> list[Path]:
-    """Write files that need each other: none takes its place before the contents of all have reached the disk.
+    """Write files that need each other: none takes its place, in the order given, before the contents of all have reached the disk.
 
-    Args:
-        files: What each file is to hold, in the order in which they take their places.
-
-    Returns:
-        Their paths.
-
-    Raises:
-        OutputError: One of them cannot be written; no temporary file and no folder that was made for them is left.
+    Raises `OutputError` where one cannot be written; no temporary file and no folder that was made for them is left.
     """
     waiting: dict[Path, Path] = {}
     folders: list[Path] = []
@@ -96,12 +78,7 @@ def exchange(one: Path, other: Path) -> bool:
 def locked(path: Path, folder: Path) -> Generator[None]:
     """Hold a lock file while the block runs; the system lets go of it when the process ends, whatever ends it.
 
-    Args:
-        path: The lock file.
-        folder: What it locks, for the message.
-
-    Raises:
-        OutputError: Another process (or another block of this one) holds it, or it cannot be made.
+    Raises `OutputError`, which names the folder, where another process or block holds it, or it cannot be made.
     """
     try:
         descriptor = _hold(path, folder)

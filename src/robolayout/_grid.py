@@ -17,11 +17,7 @@ CHECK = 4  # steps between two looks whether all distances are final
 
 
 def components(mask: Mask) -> tuple[NDArray[np.int32], NDArray[np.intp]]:
-    """Return the 8-connected components of the cells where `mask` (m, n) holds.
-
-    Returns:
-        Labels (m, n), numbered from 1 in row order of their first cell, 0 outside; and the cell count of each component.
-    """
+    """Return the 8-connected components where `mask` (m, n) holds: labels (m, n) from 1 in row order, 0 outside; and their cell counts."""
     rows, columns = mask.shape
     width = columns + 2  # a gap before and after each row keeps runs apart
     line = np.zeros((rows, width), dtype=np.bool_)

@@ -14,11 +14,7 @@ if TYPE_CHECKING:
 def signed_distance(
     px: Float[Array, "*batch"], py: Float[Array, "*batch"], edges: Float[Array, "edges 4"]
 ) -> Float[Array, "*batch"]:
-    """Return the signed distance of points to a polygon in metres: negative inside.
-
-    Args:
-        edges: (x1, y1, x2, y2) of each edge, a closed ring; repeated edges of zero length do no harm.
-    """
+    """Return the signed distance of points to a polygon in metres, negative inside; `edges` (x1, y1, x2, y2) may have no length."""
     xp = backend(px)
     x1, y1, x2, y2 = (edges[:, i] for i in range(4))
     ex, ey = x2 - x1, y2 - y1

@@ -69,12 +69,7 @@ class Rule:
 
 @lru_cache(maxsize=512)
 def read_joints(text: str, where: str) -> tuple[Rule, ...]:
-    """Read a record's `joints`.
-
-    Args:
-        text: Its rows; empty for what is usual.
-        where: Whose they are, for messages ("chest in storage.toml").
-    """
+    """Read a record's `joints` (empty: what is usual); `where` says whose they are, for messages."""
     if text.strip() == NOTHING:
         return ()
     return tuple(_rule(line.strip(), where) for line in (text.strip() or USUAL).splitlines())

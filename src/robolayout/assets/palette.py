@@ -123,12 +123,7 @@ def material_of(name: str, p: Piece) -> Material:
 def make_piece(
     kind: str, variable: str, name: str, size: tuple[float, float, float], seed: int, look: str = ""
 ) -> Piece:
-    """Choose materials: as its look says, else the palette by seed, the rest by the asset's list, so that chairs of one list match.
-
-    Args:
-        seed: Picks the palette where the look names none.
-        look: Words of `LOOKS`, separated by commas ("bohemian, blue").
-    """
+    """Choose materials: as its look (words of `LOOKS`) says, else the palette by seed, the rest by the asset's list: chairs match."""
     rng = random.Random(utf8(f"{seed}/{variable}"))
     said = [word.strip() for word in look.split(",")]
     palette = next((STYLED[word] for word in said if word in STYLED), PALETTES[seed % len(PALETTES)])

@@ -77,11 +77,7 @@ def room_style(seed: int, floor: str = "") -> RoomStyle:
 
 
 def room_parts(room: Room, *, style: RoomStyle | None = None, seed: int = 0) -> tuple[Part, ...]:
-    """Return everything of the room that can be seen, in the world frame.
-
-    Args:
-        style: How it looks; None takes the style that the room's floor names, else that of `seed`.
-    """
+    """Return all that is seen of the room, in the world frame; without a style in that which its floor names, else that of `seed`."""
     look = style or room_style(seed, room.floor)
     built = [*_floor(room, look), *_walls(room, look)]
     for i, door in enumerate(room.doors):

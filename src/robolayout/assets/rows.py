@@ -46,11 +46,7 @@ Value = list[float]  # factors of the basis and of the lets
 
 @lru_cache(maxsize=512)
 def read_rows(text: str, where: str) -> Drawing:
-    """Read the rows of a record.
-
-    Args:
-        where: Whose they are, for messages ("night stand in sleeping.toml").
-    """
+    """Read the rows of a record; `where` says whose they are, for messages."""
     reading = _Reading(where)
     lines = [line for raw in text.splitlines() if (line := raw.split("#")[0].strip())]
     for line in (line for line in lines if line.startswith("let ")):

@@ -152,14 +152,9 @@ def named_surfaces(asset: Asset, name: str) -> tuple[Surface, ...]:
 
 @lru_cache(maxsize=4096)
 def resting_place(lower: Asset, upper: Asset, among: tuple[Surface, ...] | None = None) -> Surface:
-    """Return the surface of `lower` on which `upper` stands: the highest that can hold it.
+    """Return the surface of `lower` (of those `among` that are meant; None: of what lies open) on which `upper` stands.
 
-    Where nothing holds it wholly, it is a large place over which it then reaches; the box's top is left where there is none.
-
-    Args:
-        lower: What carries.
-        upper: What is carried.
-        among: The surfaces that are meant; None means what lies open, a seat before arms and back.
+    It is the highest that can hold it, a seat before arms and back, or a large place over which it then reaches, or the box's top.
     """
     hooks = [s for s in among or surfaces_of(lower) if s.is_hook]
     if hooks and category_of(upper).hangs:

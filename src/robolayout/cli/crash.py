@@ -36,12 +36,9 @@ def sentence(error: BaseException, note: Path | None) -> str:
 
 
 def write_note(error: BaseException, words: Sequence[str]) -> Path | None:
-    """Write what helps to find the mistake to the folder for temporary files, else to the current one.
+    """Write what helps to find the mistake to the folder for temporary files, else to the current one; None where neither can be written.
 
     The file is named after what it says: the same mistake twice is one file.
-
-    Returns:
-        The file; None where none can be written.
     """
     data = utf8("".join(f"{line}\n" for line in _lines(error, words)))
     name = f"robolayout-error-{hashlib.sha256(data).hexdigest()[:12]}.txt"

@@ -87,8 +87,7 @@ def _commands() -> None:
 def _open_streams() -> Outlet | None:
     """Open what was closed on starting, lest another file take its number, and make the streams such as never fail.
 
-    Returns:
-        Where standard output goes; None where a test or another program has put a stream of its own.
+    Returns where standard output goes; None where a test or another program has put a stream of its own.
     """
     for number in range(3):
         try:

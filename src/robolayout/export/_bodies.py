@@ -155,11 +155,7 @@ class Thing:
 
 
 def things(scene: Scene, layout: Layout, options: Options, *, free: Free | None = is_movable) -> Iterator[Thing]:
-    """Yield the room, its doors as the options say, and every placed asset, in the order of the scene.
-
-    Args:
-        free: Which assets may move as a whole; None where nothing of them moves, doors and drawers neither.
-    """
+    """Yield the room, its doors as the options say, and every placed asset in order; where `free` is None nothing moves, doors neither."""
     shown = [
         part for part in room_parts(scene.room, seed=options.seed) if np.ptp(part.vertices[:, 2]) > BODIES.thinnest
     ]

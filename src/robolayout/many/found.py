@@ -1,12 +1,4 @@
-"""Rooms found in a folder, whoever made them: a scene and a layout each.
-
-| there is | it is |
-|---|---|
-| `scene.json` with `layout.json` (and `program.py`) | a run of ours, or a room of a batch |
-| `X.json` with `X.layout.json`, `X_layout.json` or `X/layout.json` | scene and layout beside each other |
-| `X/layout.json`, and `X.json` in the folder of scenes | what LayoutVLM and the RoboLayout reference write |
-| a JSON file with `"format": "sceneState"` | a scene state of SceneEval |
-"""
+"""Rooms found in a folder, whoever made them: a scene and a layout each, in the forms that docs/many.md lists."""
 
 from __future__ import annotations
 

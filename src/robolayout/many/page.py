@@ -33,12 +33,7 @@ def columns(rows: Sequence[Mapping[str, Any]]) -> list[str]:
 def page(
     title: str, rows: Sequence[Mapping[str, Any]], *, thumbs: bool = False, plots: Mapping[str, bytes] | None = None
 ) -> str:
-    """Return the page.
-
-    Args:
-        thumbs: Whether each row's `path` holds a picture `thumb.png`.
-        plots: PNG pictures to show above, by what they show.
-    """
+    """Return the page: PNG plots by what they show, then the rows, each with `thumb.png` of its `path` if that is asked for."""
     names = columns(rows)
     values = ((row.get(name) for name in names) for row in rows[: PAGES.rows])
     cells = [[printable(value) if isinstance(value, str) else value for value in row] for row in values]

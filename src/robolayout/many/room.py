@@ -294,11 +294,7 @@ class Rooms(Sequence[Result]):
 
 
 def rooms(spec: str | Path | Mapping[str, Any], seed: int | None = None) -> Rooms:
-    """Return the rooms of a SPEC as a sequence that makes each one when it is asked for.
-
-    Raises:
-        InputError: The SPEC cannot be read.
-    """
+    """Return the rooms of a SPEC as a sequence that makes each one when asked for; raises `InputError` for a SPEC it cannot read."""
     ready = read_spec(spec, **({} if seed is None else {"seed": seed}))
     return Rooms(
         ready, None if not ready.meshes else shelved(ready, Path(tempfile.mkdtemp(prefix="robolayout-meshes-")))

@@ -22,11 +22,7 @@ Json = Mapping[str, Any]
 
 
 def read_state(data: Json, name: str, asset_dir: Path | None = None) -> tuple[Scene, Layout]:
-    """Return what a scene state of one room holds.
-
-    Args:
-        asset_dir: Folder in which the sizes of things are looked up that the file gives none for (`<id>/data.json`).
-    """
+    """Return what a scene state of one room holds; sizes that it does not give are looked up in a folder (`<id>/data.json`)."""
     try:
         return _read(data, name, asset_dir)
     except _ASTRAY as error:

@@ -60,11 +60,7 @@ class Plan:
         return self._share((self.counts & other.counts).total(), other)
 
     def difference(self, other: Plan, below: float = 2.0) -> float:
-        """Return the difference of two rooms: 0 where the same stands at the same places, 1 where nothing does.
-
-        Args:
-            below: What it is compared with: from there on, a bound that is no less may be returned instead.
-        """
+        """Return the difference of two rooms, 0 (all at the same places) to 1; from `below` on it may be a bound that is no less."""
         apart = self.seen[0][None, :, None] - other.seen[:, None, :]
         turned = np.abs((apart[..., 2] + math.pi) % (2 * math.pi) - math.pi)
         metres = np.hypot(apart[..., 0], apart[..., 1])

@@ -1,12 +1,4 @@
-"""`report.html`: a run to look at in a browser, in one file that asks nobody for anything.
-
-| file | what it holds |
-|---|---|
-| `_content` | the run as plain data: assets, statements, verdicts and figures |
-| `_agents` | the part of it that differs from body to body |
-| `_document` | data, scene and viewer put together, so that nothing in a scene can act on the page |
-| `data/` | the viewer, made from the folder `web` of the repository by `make page` |
-"""
+"""`report.html`: a run to look at in a browser, in one file that asks nobody for anything; `make page` bundles its viewer from `web`."""
 
 from __future__ import annotations
 

@@ -30,8 +30,7 @@ def document(data: Mapping[str, Any], glb: bytes) -> str:
 def sealed(template: str, script: str, style: str, data: object, *, images: str = "'none'", **parts: str) -> str:
     """Return a template with one script, one style and data that nothing runs, under a policy that allows no others.
 
-    Args:
-        template: HTML with {{policy}}, {{style}}, {{script}}, {{data}} and the names of further parts.
+    It has {{policy}}, {{style}}, {{script}}, {{data}} and the names of further parts.
     """
     found = {
         **parts,

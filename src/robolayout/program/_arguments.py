@@ -29,12 +29,7 @@ WEIGHT, HEAVIEST = "weight", 100.0  # the keyword that weighs a wish, and the la
 
 
 class ArgumentError(Exception):
-    """An argument does not fit.
-
-    Args:
-        message: What is wrong with it.
-        argument: Its place among the positional arguments, or its keyword; None for the whole call.
-    """
+    """An argument does not fit; `argument` is its place among the positional ones, or its keyword, or None for the whole call."""
 
     def __init__(self, message: str, argument: int | str | None = None) -> None:
         super().__init__(message)

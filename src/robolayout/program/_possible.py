@@ -33,11 +33,7 @@ def is_fixed_to_wall(asset: Asset) -> bool:
 
 
 def height_span(scene: Scene, name: str, parents: Mapping[str, str], mounted: Mapping[str, float]) -> Span:
-    """Return the heights in metres of bottom and top: on the floor, on its carriers, at the wall or at the ceiling.
-
-    Args:
-        mounted: Heights in metres of the middles of wall things.
-    """
+    """Return the heights of bottom and top in metres: on floor or carriers, at the wall (its middle as `mounted`) or the ceiling."""
     asset, ceiling = scene.by_name[name], scene.room.wall_height
     height = asset.size[2]
     if name in parents:

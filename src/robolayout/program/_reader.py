@@ -75,11 +75,7 @@ def read_salvaged(text: str, scene: Scene, limits: Limits | None = None) -> Prog
 
 
 class _Said:
-    """The recorded calls of a program as statements.
-
-    Args:
-        inner: Places of those that are part of another one.
-    """
+    """The recorded calls of a program as statements; `inner` are the places of those that are part of another one."""
 
     def __init__(self, log: list[list[Any]], inner: set[int], source: Source, scene: Scene) -> None:
         self.log, self.inner, self.source, self.scene = log, inner, source, scene

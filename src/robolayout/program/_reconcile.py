@@ -78,8 +78,7 @@ class Reconciled:
 def reconcile(program: Program, scene: Scene, *, paper: bool = False) -> Reconciled:
     """Return the program without statements that contradict the room or earlier statements.
 
-    Args:
-        paper: Put a thing always at the wall nearest to its first guess, as the paper does.
+    With `paper`, things are put at the wall nearest to their first guess, as the paper does.
     """
     so_far = Accepted(scene, program, paper)
     decisions: dict[int, Decision] = {}

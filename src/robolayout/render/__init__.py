@@ -1,25 +1,6 @@
-"""Pictures for people and for the VLM: views, plans, annotated views, curves and animations.
+"""Pictures for people and for the VLM (docs/pictures.md): views, plans, annotated views, curves and animations.
 
-| function | what it makes |
-|---|---|
-| `render_view(scene, layout, view=...)` | a picture from above, from the side, of one asset, or from an agent's eyes |
-| `Studio(scene, layout)` | the same for many views of one room, with ids and depths |
-| `render_asset(asset)` | one asset alone |
-| `asset_sheet(assets)` | many assets, each with its name |
-| `annotate(scene, layout, view=...)` | a view with grid, fronts, names and walls written into it, for a model |
-| `model_plan(scene, layout, marks=...)` | the plan for a model: ticks, names of programs, what must stay free |
-| `draw_plan(scene, layout, navigation=...)` | the plan to scale, with what the agent can do (`PlanMarks`) |
-| `draw_sheet(scene, layout, notes, ...)` | the plan as a sheet to print: dimensions, furniture list, findings (`SheetNotes`) |
-| `draw_body(agent)`, `body_text(agent)` | one body to scale, with its reach and what it steps over |
-| `draw_comparison(panels)` | several plans side by side |
-| `draw_losses(trace)` | the terms of the loss, linear and logarithmic |
-| `progress_gif`, `walk_gif` | the optimisation, and the agent on its round through the room |
-| `png_bytes(image)` | a picture as PNG |
-| `render_beauty(scene, layout, view=...)` | a path-traced picture (extra `beauty`) |
-
-What is drawn is a `Drawing`: `.svg()`, `.pdf()` and `.image(width)` are its forms.
-
-Nothing heavy is loaded before the first picture.
+What is drawn is a `Drawing`: `.svg()`, `.pdf()` and `.image(width)` are its forms. Nothing heavy is loaded before the first picture.
 """
 
 from __future__ import annotations

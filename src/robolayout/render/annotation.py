@@ -48,11 +48,7 @@ class Mark:
 def annotate(
     scene: Scene, layout: Layout, *, view: str = "top", size: int | tuple[int, int] = 768, renderer: Renderer = "auto"
 ) -> Image.Image:
-    """Return an annotated view of the room, taken by the paper's camera.
-
-    Args:
-        view: "top" or "side" (45 degrees).
-    """
+    """Return an annotated view of the room, "top" or "side" (45 degrees), taken by the paper's camera."""
     studio = Studio(scene, layout, renderer=renderer)
     buffers = studio.buffers(annotation_camera(scene.room, view, picture_size(size)))
     return draw_marks(buffers.color, buffers.depth, buffers.camera, annotation_marks(scene, layout))
@@ -105,11 +101,7 @@ def grid_points(room: Room) -> list[Point]:
 def draw_marks(
     color: NDArray[np.uint8], depth: NDArray[np.float32], camera: Camera, marks: Sequence[Mark]
 ) -> Image.Image:
-    """Return the picture with marks drawn over it.
-
-    Args:
-        depth: (height, width) depths in metres; grid points behind something are faint and carry no numbers.
-    """
+    """Return the picture with marks drawn over it; grid points behind something (`depth` in metres) are faint and carry no numbers."""
     samples = 2 if camera.width <= 2048 else 1
     image = Image.fromarray(color)
     image = image.resize((camera.width * samples, camera.height * samples), Image.Resampling.NEAREST)

@@ -35,11 +35,7 @@ def render_beauty(  # noqa: PLR0913 - what `render_view` takes, and the paths of
     stand: tuple[float, float] | None = None,
     seed: int = 0,
 ) -> Image.Image:
-    """Return a path-traced picture of the room; the other arguments are those of `render_view`.
-
-    Args:
-        samples: Light paths per pixel.
-    """
+    """Return a path-traced picture of the room, `samples` light paths per pixel; the other arguments are those of `render_view`."""
     mitsuba, denoise = _load()
     studio = Studio(scene, layout, renderer="rays")
     camera = studio.camera(view, picture_size(size), agent=agent, stand=stand)

@@ -28,8 +28,7 @@ def model_plan(
 ) -> Image.Image:
     """Return the plan of a room for a model: seen from straight above, so that lengths are lengths everywhere.
 
-    Args:
-        marks: What the body can do there; where things were meant to stand, as ghosts.
+    Its marks are what the body can do there and, as ghosts, where things were meant to stand.
     """
     sheet = _sheet(scene, layout, marks or PlanMarks(), agent)
     return sheet.image(round(size * sheet.width / max(sheet.width, sheet.height)))

@@ -63,11 +63,7 @@ class Buffers:
 
 
 class Studio:
-    """One scene and layout, ready to be drawn from anywhere.
-
-    Args:
-        renderer: "gl" for OpenGL on EGL, "rays" for ray casting, "auto" for the first that works here.
-    """
+    """One scene and layout, ready to be drawn from anywhere; by OpenGL ("gl"), ray casting ("rays"), or the first that works ("auto")."""
 
     def __init__(self, scene: Scene, layout: Layout, *, renderer: Renderer = "auto", seed: int = 0) -> None:
         check_layout(scene, layout, partial=True)

@@ -41,11 +41,7 @@ class _Standing:
 def conflicts(
     scene: Scene, reconciled: Reconciled, layout: Layout, said: Mapping[Relation, str], *, seed: int = 0
 ) -> dict[int, str]:
-    """Return for each unmet statement, by its number, what it lost to, in words.
-
-    Args:
-        said: The user's words by the statements that they ask for; a wish that stands against another is called by them.
-    """
+    """Return for each unmet statement, by its number, what it lost to; statements of `said` are called by the user's words."""
     found = {d.statement.number: f"the filter, {d.reason}" for d in reconciled.decisions if d.verdict != "accepted"}
     program = reconciled.program
     unmet = [s for s in program.statements if not s.relation.check(scene, layout).met]

@@ -75,9 +75,7 @@ def load_judged(
 ) -> Result:
     """Judge the layout of a run's folder, or a layout file for a scene that is given.
 
-    Args:
-        path: A folder with `scene.json` and `layout.json`, or a layout file.
-        program: File of the program whose statements are measured; None takes the folder's own, if there is one.
+    The statements measured are those of a program's file; of a folder its own, if none is given.
     """
     folder = path if path.is_dir() else None
     if scene is None:

@@ -17,11 +17,7 @@ PICTURE_SIZE = 768  # pixels of a side of the pictures of a finished room
 
 
 def room_pictures(scene: Scene, layout: Layout, new: Sequence[str], pictures: Pictures) -> dict[str, bytes]:
-    """Return the plan and the annotated views of a room, and one picture per kind of thing to place.
-
-    Args:
-        pictures: "drawn", "named" (the names with no bytes) or "none".
-    """
+    """Return plan and annotated views of a room and a picture per kind of thing to place; "named": names without bytes; "none": nothing."""
     kinds = sorted({scene.by_name[name].variable: name for name in reversed(new)}.values())
     if pictures != "drawn":
         return {} if pictures == "none" else dict.fromkeys(("plan", *VIEWS, *kinds), b"")

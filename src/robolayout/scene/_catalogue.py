@@ -14,12 +14,7 @@ _CHECK = Checker(SceneError)
 
 
 def find_catalogue(value: object, folders: Iterable[Path]) -> Path | None:
-    """Return the file that a scene calls its catalogue; None where it has none.
-
-    Args:
-        value: What the scene file says: a path relative to its own folder or to the folder of assets.
-        folders: These folders, in which the file must lie.
-    """
+    """Return the file that a scene calls its catalogue, a path relative to one of these folders and in it; None where it has none."""
     if value is None:
         return None
     text, places = _CHECK.text(value, "catalogue", most=1000), list(folders)

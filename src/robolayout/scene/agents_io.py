@@ -44,11 +44,7 @@ def agent_names() -> tuple[str, ...]:
 
 
 def load_agent(spec: str | Path | Mapping[str, object] | Agent) -> Agent:
-    """Return one agent.
-
-    Args:
-        spec: A name, the path of a .toml, .json, .urdf or .xml file, a dictionary of figures, or an agent itself.
-    """
+    """Return one agent: by name, from a .toml, .json, .urdf or .xml file, from a dictionary of figures, or as it is."""
     if isinstance(spec, Agent):
         return checked(spec)
     if not isinstance(spec, (str, Path)):
@@ -88,11 +84,9 @@ def built_in_agent(name: str) -> Agent:
 
 
 def agent_from_dict(data: object, name: str = "agent") -> Agent:
-    """Return the agent that a dictionary describes (the keys of `Agent`; `reach` is short for `reach_distance`).
+    """Return the agent that a dictionary describes; `name` is its name if it gives none.
 
-    Args:
-        data: The figures, each a number or {"value", "source", "verified"}.
-        name: Name if the dictionary gives none.
+    The keys are those of `Agent` (`reach` is short for `reach_distance`), each figure a number or {"value", "source", "verified"}.
     """
     content = dict(_CHECK.mapping(data, "the agent"))
     label = _CHECK.text(content.pop("name", name), "the agent's name", most=100)

@@ -27,12 +27,7 @@ _LEVEL = 1e-3  # degrees of roll or pitch that count as none
 
 
 def load_scene(path: str | Path, asset_dir: str | Path | None = None) -> Scene:
-    """Return the scene of a file.
-
-    Args:
-        path: A scene file in JSON (DESIGN section 3, or the reference's own).
-        asset_dir: Folder in which assets given as `<uid>-<n>` are looked up; it may also hold meshes.
-    """
+    """Return the scene of a JSON file; `asset_dir` is the folder in which assets given as `<uid>-<n>`, and meshes, are looked up."""
     file = Path(path)
     data = _SCENE.read_json(file, "scene file")
     return scene_from_dict(data, name=file.stem, base=file.parent, asset_dir=asset_dir)
@@ -41,11 +36,7 @@ def load_scene(path: str | Path, asset_dir: str | Path | None = None) -> Scene:
 def scene_from_dict(
     data: object, *, name: str = "scene", base: str | Path | None = None, asset_dir: str | Path | None = None
 ) -> Scene:
-    """Return the scene that a scene file's content describes.
-
-    Args:
-        base: Folder in which the meshes of assets may lie; None allows none but those in `asset_dir`.
-    """
+    """Return the scene that a scene file's content describes; meshes lie in the folder `base` or in `asset_dir`, nowhere else."""
     content = _SCENE.mapping(data, "the scene")
     warnings = misspelt(content, _KEYS, "the scene")
     room = read_room(content, warnings)
@@ -80,11 +71,7 @@ def check_dress(value: object) -> str:
 
 
 def scene_to_dict(scene: Scene, base: str | Path | None = None) -> dict[str, object]:
-    """Return the content of a scene file that reads back as an equal scene.
-
-    Args:
-        base: Folder that the file will stand in; meshes inside it are written relative to it.
-    """
+    """Return the content of a scene file that reads back as an equal scene; meshes in the folder `base` are written relative to it."""
     folder = None if base is None else Path(base)
     data: dict[str, object] = {"task_description": scene.task_description, "layout_criteria": scene.layout_criteria}
     data |= write_room(scene.room)
@@ -103,11 +90,7 @@ def load_layout(path: str | Path, scene: Scene) -> Layout:
 
 
 def layout_from_dict(data: object, scene: Scene | None = None) -> Layout:
-    """Return the layout that a layout file's content describes.
-
-    Args:
-        data: The content of a layout file: position in metres, rotation in degrees, by asset name.
-    """
+    """Return the layout that a layout file's content describes: position in metres, rotation in degrees, by asset name."""
     content = _LAYOUT.mapping(data, "the layout")
     if len(content) > LIMITS.assets:
         raise LayoutError(f"the layout has {len(content)} entries; at most {LIMITS.assets} are allowed.")

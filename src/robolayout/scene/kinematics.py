@@ -286,11 +286,7 @@ class Robot:
         return min(link for link, count in candidates.items() if count == most) if most >= 2 else None
 
     def reach(self, floor: float, seed: int = 0) -> list[tuple[float, float, float]]:
-        """Return how far from the root's axis the hand gets, by height above the floor: (from, to, metres), lowest first.
-
-        Args:
-            floor: Height of the ground in the root's frame.
-        """
+        """Return how far from the root's axis the hand gets, by height above the `floor` of its frame: (from, to, metres), lowest first."""
         if self.hand is None:
             return []
         rng = np.random.default_rng(seed)

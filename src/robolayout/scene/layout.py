@@ -58,11 +58,9 @@ class Layout(Mapping[str, Pose]):
         return len(self.poses)
 
     def moved(self, name: str, *, by: tuple[float, float] = (0.0, 0.0), turn: float = 0.0) -> Layout:
-        """Return the same layout with one asset elsewhere; what stands on it stays (`generate(start=...)` mends that).
+        """Return the same layout with one asset `by` metres along x and y, and turned counter-clockwise by `turn` degrees.
 
-        Args:
-            by: Metres along x and y.
-            turn: Degrees counter-clockwise.
+        What stands on it stays (`generate(start=...)` mends that).
         """
         if name not in self.poses:
             raise UnknownNameError("asset in the layout", name, self.poses)

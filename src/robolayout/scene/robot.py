@@ -25,11 +25,7 @@ from robolayout.scene.urdf import read_urdf
 
 
 def load_robot(path: Path, pose: Mapping[str, float] | None = None) -> Agent:
-    """Return the agent whose body is the collision geometry of a URDF or MJCF file.
-
-    Args:
-        pose: Values of joints in which it drives about, radians and metres, by name; None for the file's own or a folded one.
-    """
+    """Return the agent whose body is the collision geometry of a URDF or MJCF file, its joints at `pose` (radians, metres), else folded."""
     model = Model(path)
     root, text = model.root(path)
     if root.tag not in ("robot", "mujoco"):

@@ -84,11 +84,7 @@ def _reach(found: Boxes, agent: Agent, row: int, joint: Joint) -> float | None:
 
 
 def opening_zone(found: Boxes, agent: Agent, row: int) -> BaseGeometry:
-    """Return from where a body opens an asset: a handle within its reach, and room for its disc beside the open leaf.
-
-    Args:
-        row: The asset; one of its handles is within reach in height.
-    """
+    """Return from where a body opens an asset: one of its handles within reach, and room for the body's disc beside the open leaf."""
     asset = found.assets[row]
     far = tuple(_reach(found, agent, row, sweep.joint) if sweep.joint else None for sweep in sweeps_of(asset))
     return in_room(_before(asset, agent.radius, far), found.where(row)[1])

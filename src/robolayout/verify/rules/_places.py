@@ -52,11 +52,7 @@ def floor_space(body: AgentReport) -> Measured | None:
 
 
 def _has_floor(body: AgentReport, row: int, side: str, ways: tuple[int, ...]) -> bool:
-    """Tell whether a clear floor space adjoins a side of a thing, where the body gets to.
-
-    Args:
-        ways: 0 for parallel to the side (the long side adjoins it), 1 for straight towards it.
-    """
+    """Tell whether a clear floor space adjoins a side where the body gets to; `ways` 0: parallel to it, 1: straight towards it."""
     nav = body.navigation
     away = nav.blocking.moved_for(nav.boxes, row)
     rest = nav.blocking.of(set(nav.blocking.rows.tolist()) - away)
