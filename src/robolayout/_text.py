@@ -5,6 +5,7 @@ Whatever shows a name, a description, a path or a message uses one of these: in 
 
 from __future__ import annotations
 
+import json
 import re
 from dataclasses import dataclass
 from html import escape
@@ -67,6 +68,11 @@ def xml(text: str) -> str:
 def utf8(text: str) -> bytes:
     """Return text as UTF-8; half a character becomes its escape, as JSON and Python write it."""
     return text.encode("utf-8", "backslashreplace")
+
+
+def pretty(data: object) -> str:
+    """Return JSON text, indented, with a newline at its end; numbers keep every digit, and none but finite ones are written."""
+    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def file_name(text: str) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -11,6 +10,7 @@ import typer
 
 from robolayout._errors import AssetError, InputError
 from robolayout._files import write_atomic
+from robolayout._text import pretty
 from robolayout.cli.options import ending
 from robolayout.cli.terminal import say, table, warn
 
@@ -67,7 +67,7 @@ def _import(folder: Path | None, out: Path, front: str | None, pictures: Path | 
     if meshes.is_relative_to(home):  # then a scene beside the catalogue finds the meshes by it
         for entry in catalogue["assets"].values():
             entry["path"] = (meshes.relative_to(home) / entry["path"]).as_posix()
-    say(str(write_atomic(out, json.dumps(catalogue, indent=2, ensure_ascii=False) + "\n")))
+    say(str(write_atomic(out, pretty(catalogue))))
 
 
 def _own(entries: Mapping[str, Any], folder: Path) -> list[Asset]:

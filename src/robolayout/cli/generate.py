@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -14,7 +13,7 @@ from typer import Argument, Option
 
 from robolayout._errors import InputError
 from robolayout._files import write_atomic
-from robolayout._text import TOLD, file_name
+from robolayout._text import TOLD, file_name, pretty
 from robolayout.cli.models import Who
 from robolayout.cli.options import Body, SeedOption, Told, names, spread
 from robolayout.cli.terminal import say, show, warn
@@ -155,8 +154,7 @@ def _understood(asked: Asked, understood: Understanding, run: RunFolder) -> None
     if not asked.quiet:
         for line in understood.sentences():
             warn(line)
-    text = json.dumps(understood.to_dict(), indent=2, ensure_ascii=False) + "\n"
-    write_atomic(run.path / "understood.json", text)
+    write_atomic(run.path / "understood.json", pretty(understood.to_dict()))
 
 
 def _laid_out(asked: Asked, room: Scene, planner: Planner, seed: int) -> Result:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable
 from pathlib import Path
@@ -12,6 +11,7 @@ import typer
 from typer import Option
 
 from robolayout._files import write_atomic
+from robolayout._text import pretty
 from robolayout.cli.options import (
     AssetDirOption,
     DoorsOption,
@@ -89,7 +89,7 @@ def _check(report: Path | None) -> None:
 def _tell(found: Settled | Driven, report: Path | None, told: Told, show: Callable[[], None]) -> None:
     """Write and print what was found."""
     if report is not None:
-        write_atomic(report, json.dumps(found.to_dict(), indent=2, ensure_ascii=False) + "\n")
+        write_atomic(report, pretty(found.to_dict()))
     told.tell(found.to_dict(), show)
     raise typer.Exit(1 if found.violations else 0)
 

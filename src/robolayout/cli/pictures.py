@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,6 +13,7 @@ from typer import Option
 
 from robolayout._errors import InputError, UnknownNameError
 from robolayout._files import write_atomic
+from robolayout._text import pretty
 from robolayout.cli.options import DateOption, Laid, ending, spread
 from robolayout.cli.terminal import say
 
@@ -164,7 +164,7 @@ def _measured(studio: Studio, wish: Wish, target: Path, stand: Point | None) -> 
         files.append((target.with_name(f"{target.stem}-ids.png"), png_bytes(_id_picture(buffers))))
     if wish.depth:
         files.append((target.with_name(f"{target.stem}-depth.png"), png_bytes(_depth_picture(buffers))))
-    notes = json.dumps(_notes(buffers), indent=2, ensure_ascii=False) + "\n"
+    notes = pretty(_notes(buffers))
     return [*files, (target.with_suffix(".json"), notes.encode())]
 
 

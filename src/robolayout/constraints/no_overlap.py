@@ -88,5 +88,4 @@ class NoOverlap(Relation):
 
 def _placed(prism: Prism, pose: Pose) -> Polygon:
     """Return the outline of a prism in the room."""
-    (c, s), x, y = pose.forward, pose.x, pose.y
-    return Polygon([(x + c * u - s * v, y + s * u + c * v) for u, v in prism.outline])
+    return Polygon([pose.point(u, v) for u, v in prism.outline])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import re
 import struct
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -14,7 +13,7 @@ import numpy as np
 
 from robolayout._errors import LayoutError
 from robolayout._reading import LIMITS, Unreadable
-from robolayout._text import utf8
+from robolayout._text import pretty, utf8
 from robolayout.assets import Part, category_of
 from robolayout.constraints import TOLERANCE
 from robolayout.scene import Agent, Asset, Layout, Point, Pose, Scene, vertical_span
@@ -172,7 +171,7 @@ def covers(place: Pose, other: Asset, pose: Pose) -> bool:
 
 def dump_json(content: object) -> bytes:
     """Return JSON text, indented, with a newline at its end; numbers keep every digit."""
-    return utf8(json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False) + "\n")
+    return utf8(pretty(content))
 
 
 def reader(what: str) -> Callable[[Callable[[bytes], Rows]], Read]:

@@ -21,6 +21,7 @@ from typing import Any, cast
 from robolayout._errors import InputError, OutputError
 from robolayout._files import check_writable, locked, write_atomic
 from robolayout._reading import Checker
+from robolayout._text import pretty
 from robolayout._version import __version__
 from robolayout.many.index import Table, check_tables, write_index
 from robolayout.many.room import NOTE, Made, shelved
@@ -108,7 +109,7 @@ def batch(
     folder.mkdir(parents=True, exist_ok=True)
     with locked(folder / LOCK, folder):
         content = {"robolayout": __version__, "digest": ready.digest(), "spec": ready.spec.to_dict()}
-        write_atomic(folder / HEAD, json.dumps(content, indent=2, ensure_ascii=False) + "\n")
+        write_atomic(folder / HEAD, pretty(content))
         meshes = shelved(ready, folder / MESHES)
         run = _Run(ready, folder, progress or (lambda progress: None))
         run.go_on()

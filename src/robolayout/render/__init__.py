@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from robolayout.render.camera import eye_camera as eye_camera
     from robolayout.render.camera import fitted_camera as fitted_camera
     from robolayout.render.camera import spherical_camera as spherical_camera
-    from robolayout.render.catalogue import asset_sheet as asset_sheet
     from robolayout.render.curves import draw_losses as draw_losses
     from robolayout.render.marks import PlanMarks as PlanMarks
     from robolayout.render.model_plan import model_plan as model_plan
@@ -35,6 +34,7 @@ if TYPE_CHECKING:
     from robolayout.render.sheet import draw_sheet as draw_sheet
     from robolayout.render.view import Buffers as Buffers
     from robolayout.render.view import Studio as Studio
+    from robolayout.render.view import asset_sheet as asset_sheet
     from robolayout.render.view import render_asset as render_asset
     from robolayout.render.view import render_view as render_view
     from robolayout.render.walk import walk_gif as walk_gif

@@ -153,6 +153,7 @@ class ViewStyle:
     ghostly: float = 0.35  # opacity of a ghost
     steep: float = 0.9  # sine of the angle looking down above which what hangs from the ceiling is a ghost
     largest: int = 8192  # most pixels along a side of a picture
+    columns: int = 10  # most columns of a sheet of things
     cut_color: tuple[float, float, float] = (0.42, 0.41, 0.40)  # sRGB colour of a cut wall
     hides: float = 0.02  # share of the floor that a wall may hide before it is cut away
     on_wall: float = 0.25  # metres within which an asset fixed to a wall goes with it

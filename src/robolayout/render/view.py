@@ -7,6 +7,7 @@ forms. Walls that hide the floor are cut away, so that every view looks into the
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal, Protocol
@@ -14,11 +15,12 @@ from typing import Literal, Protocol
 import numpy as np
 import shapely
 from numpy.typing import NDArray
-from PIL import Image
+from PIL import Image, ImageDraw
 
 from robolayout._errors import InputError, UnknownNameError
 from robolayout.assets import parts
 from robolayout.render._cutaway import dress, hidden_parts, near_walls
+from robolayout.render._drawing import font, is_latin
 from robolayout.render._mesh import (
     CEILING,
     FLOOR_STRIP,
@@ -218,6 +220,21 @@ def render_asset(
     solid = scenery.opaque & (scenery.ids != ROOM)
     drawn = make_renderer(scenery, solid, solid, renderer)
     return Image.fromarray(drawn.color(camera, np.ones(len(scenery.names), np.bool_)))
+
+
+def asset_sheet(assets: Sequence[Asset], *, tile: int = 200, seed: int = 0) -> Image.Image:
+    """Return a sheet with a picture of every asset, `tile` pixels a side, row by row, its category below it."""
+    columns = min(VIEW.columns, math.ceil(math.sqrt(len(assets))))
+    label = tile // 8
+    size = (columns * tile, math.ceil(len(assets) / columns) * (tile + label))
+    sheet = Image.new("RGB", size, (246, 245, 241))
+    draw = ImageDraw.Draw(sheet)
+    for number, asset in enumerate(assets):
+        x, y = number % columns * tile, number // columns * (tile + label)
+        sheet.paste(render_asset(asset, size=tile, seed=seed), (x, y))
+        face = font(max(8, label // 2), is_latin(asset.category))
+        draw.text((x + tile / 2, y + tile + label / 2), asset.category, (40, 40, 40), face, anchor="mm")
+    return sheet
 
 
 def make_renderer(mesh: Mesh, sky: NDArray[np.bool_], sun: NDArray[np.bool_], renderer: Renderer = "auto") -> _Draws:

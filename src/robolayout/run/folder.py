@@ -23,6 +23,7 @@ from pathlib import Path, PurePosixPath
 
 from robolayout._errors import OutputError
 from robolayout._files import check_writable, exchange, locked, write_atomic
+from robolayout._text import pretty
 from robolayout._version import __version__
 
 RUN = "run.json"  # the list of a run's files
@@ -121,7 +122,7 @@ def _seal(folder: Path) -> None:
     """Write the list of a run's files."""
     names = sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
     content = {"robolayout": __version__, "files": names}
-    write_atomic(folder / RUN, json.dumps(content, indent=2, ensure_ascii=False) + "\n")
+    write_atomic(folder / RUN, pretty(content))
 
 
 def _saved(answers: Path, home: Path) -> Path | None:

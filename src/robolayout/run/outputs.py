@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from robolayout._files import write_atomic
-from robolayout._text import file_name
+from robolayout._text import file_name, pretty
 from robolayout.export import Options, export, find_exporter, to_bytes
 from robolayout.page import content, document
 from robolayout.page.marks import plan_marks, sheet_marks
@@ -102,16 +101,16 @@ def export_options(report: Report) -> Options:
 
 
 def _texts(result: Result, folder: Path) -> Iterator[tuple[str, str]]:
-    yield "scene.json", _json(scene_to_dict(result.scene, base=folder.resolve()))
+    yield "scene.json", pretty(scene_to_dict(result.scene, base=folder.resolve()))
     if result.solution:
-        yield "grouping.json", _json([group.to_dict() for group in result.groups])
+        yield "grouping.json", pretty([group.to_dict() for group in result.groups])
         if result.samples:
-            yield "samples.json", _json([sample.to_dict() for sample in result.samples])
+            yield "samples.json", pretty([sample.to_dict() for sample in result.samples])
     if result.solution or result.program.text:
         yield "program.py", result.program.text
-        yield "constraints.json", _json(result.reconciled.to_dict())
-    yield "layout.json", _json(result.layout.to_dict())
-    yield "report.json", _json(result.report.to_dict())
+        yield "constraints.json", pretty(result.reconciled.to_dict())
+    yield "layout.json", pretty(result.layout.to_dict())
+    yield "report.json", pretty(result.report.to_dict())
     yield "report.md", result.report.to_markdown()
 
 
@@ -155,7 +154,3 @@ def sheet(report: Report, suffix: str = ".pdf", *, date: str = "", width: int = 
     first, notes = report.agents[0], sheet_notes(report, date)
     drawing = draw_sheet(report.scene, report.layout, notes, marks=sheet_marks(first), agent=first.agent)
     return drawing.file(suffix, width)
-
-
-def _json(data: object) -> str:
-    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False) + "\n"

@@ -115,10 +115,8 @@ class Boxes:
             > self.assets[lower].size[0] * self.assets[lower].size[1]
         ):
             return self._hangs_from(row, lower)
-        pose, level = self.poses[lower], self.bottom[row] - self.bottom[lower]
-        x, y, _, yaw = pose
-        c, s = math.cos(yaw), math.sin(yaw)
-        foot = affine_transform(self.footprints[row], [c, s, -s, c, -c * x - s * y, s * x - c * y])
+        level = self.bottom[row] - self.bottom[lower]
+        foot = out_of_room(self.footprints[row], self.poses[lower])
         top = level + self.assets[row].size[2]
         return any(
             level - place.height >= -sunk

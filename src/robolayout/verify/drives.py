@@ -20,7 +20,7 @@ from shapely import Polygon
 from robolayout.scene import Point, Room
 from robolayout.verify.heading import HeadingSpace, Node
 from robolayout.verify.limits import FINE
-from robolayout.verify.routes import Mesh
+from robolayout.verify.routes import Mesh, nearest_place
 
 Pose = tuple[float, float, float]  # x and y of a body's centre in metres and its heading in radians
 
@@ -61,9 +61,7 @@ def entry(room: Room, piece: Polygon) -> Point:
         x, y = piece.representative_point().coords[0]
         return (float(x), float(y))
     door = room.doors[0]
-    target = shapely.Point(room.walls[door.wall].point(door.center))
-    x, y = shapely.get_coordinates(shapely.shortest_line(piece, target))[0]
-    return (float(x), float(y))
+    return nearest_place(piece, shapely.Point(room.walls[door.wall].point(door.center)))
 
 
 class _Planner:
@@ -143,5 +141,4 @@ class _Planner:
 def _nearest(place: Polygon, point: Point) -> Point:
     """Return the spot in a place, a little inside its edge, that is nearest to a point."""
     inner = place.buffer(-FINE.inside)
-    x, y = shapely.get_coordinates(shapely.shortest_line(place if inner.is_empty else inner, shapely.Point(point)))[0]
-    return (float(x), float(y))
+    return nearest_place(place if inner.is_empty else inner, shapely.Point(point))

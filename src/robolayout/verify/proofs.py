@@ -10,7 +10,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -19,8 +19,7 @@ from numpy.typing import NDArray
 
 from robolayout._text import TOLD
 from robolayout.assets import prisms_of
-from robolayout.scene import ROUNDING, Agent, Asset, Scene
-from robolayout.verify._alone import unusable_alone
+from robolayout.scene import ROUNDING, Agent, Asset, Layout, Opening, Pose, Room, Scene
 from robolayout.verify._boxes import Boxes, landings, room_polygon
 from robolayout.verify._obstacles import NOTHING
 from robolayout.verify._space import disc_space, plan_distances, reached_rows
@@ -28,6 +27,7 @@ from robolayout.verify.doors import misfits
 from robolayout.verify.limits import FINE, PhysicsLimits
 from robolayout.verify.navigation import Navigation
 from robolayout.verify.passages import largest
+from robolayout.verify.use import usage
 
 HEIGHTS = np.arange(0.02, 1.5, 0.01)  # metres above the floor at which it is counted what all things fill
 
@@ -100,7 +100,7 @@ def exempt_from_use(scene: Scene, agent: Agent) -> dict[str, str]:
             aside[asset.name] = (
                 f"{asset.name} ends {asset.size[2]:.2f} m high and {agent.name} reaches down to {down_to:.2f} m"
             )
-        elif why := unusable_alone(asset, agent):
+        elif why := _unusable_alone(asset, agent):
             aside[asset.name] = f"{asset.name} cannot be used by {agent.name} in an empty room: {why}"
     return aside
 
@@ -122,6 +122,21 @@ def kept_out(scene: Scene, agent: Agent) -> tuple[str, ...]:
 def impossible(scene: Scene, agent: Agent) -> tuple[str, ...]:
     """Return what no layout of this scene can achieve for an agent, each with its proof in numbers."""
     return (*kept_out(scene, agent), *overfull(scene))
+
+
+def _unusable_alone(asset: Asset, agent: Agent) -> str:
+    """Return why a body cannot use a thing that stands on the floor, with nothing around it; empty where it can."""
+    return _reason_alone(replace(asset, name="it", description=""), replace(agent, turning_radius=None))
+
+
+@lru_cache(maxsize=1024)
+def _reason_alone(asset: Asset, agent: Agent) -> str:
+    half = max(asset.size[:2]) / 2 + 2 * agent.circumradius + agent.reach + FINE.spare
+    door = Opening(0, half - agent.radius - 0.1, 2 * agent.radius + 0.2, agent.height + 0.1)
+    room = Room(((0.0, 0.0), (2 * half, 0.0), (2 * half, 2 * half), (0.0, 2 * half)), agent.height + 1.0, (door,))
+    layout = Layout({asset.name: Pose(half, half, asset.size[2] / 2, 0.0)})
+    found = usage(Scene(room, (asset,)).with_agents(agent), layout, agent)
+    return "" if found.usable[asset.name] else found.uses[asset.name].reason
 
 
 def overfull(scene: Scene) -> tuple[str, ...]:

@@ -16,6 +16,7 @@ from functools import cached_property
 import numpy as np
 import shapely
 from shapely import LineString, Polygon
+from shapely.geometry.base import BaseGeometry
 
 from robolayout.scene import Point, Room
 from robolayout.scene.agent import BODY
@@ -54,6 +55,11 @@ def entry_point(room: Room, space: Space) -> Point | None:
     else:
         door = room.doors[0]
         target, area = shapely.Point(room.walls[door.wall].point(door.center)), space.main.intersection(space.door)
+    return nearest_place(area, target)
+
+
+def nearest_place(area: BaseGeometry, target: BaseGeometry) -> Point:
+    """Return the place in an area that is nearest to something."""
     x, y = shapely.get_coordinates(shapely.shortest_line(area, target))[0]
     return (float(x), float(y))
 
