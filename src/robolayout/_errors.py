@@ -95,7 +95,7 @@ class ProgramLimitError(ProgramError):
 
 
 class UnknownNameError(InputError):
-    """A name is not one of those known; `kind` says what it should be ("agent", "exporter")."""
+    """A name is not one of those known."""
 
     def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
         self.kind = kind
@@ -113,7 +113,7 @@ class OutputError(InputError):
 
 
 class MissingExtraError(InputError):
-    """An optional dependency is not installed: an extra of ours, or where no extra brings it a package."""
+    """An optional dependency is not installed."""
 
     def __init__(self, feature: str, extra: str, *, package: bool = False) -> None:
         self.extra = extra
