@@ -16,7 +16,7 @@ from robolayout.verify import usage
 from robolayout.verify._space import areas
 from robolayout.verify._swept import Swept
 from robolayout.verify.heading import rectangle
-from robolayout.verify.holds import STEPS, STRIDE
+from robolayout.verify.holds import STRIDES
 
 ARM = replace(DISC, reach_distance=0.9, reach_low=0.2, reach_high=1.8)
 WARDROBE = thing("wardrobe-0", (0.6, 1.0, 2.0), "wardrobe")
@@ -95,7 +95,7 @@ def test_where_it_cannot_stand_clear_a_body_steps_back() -> None:
     scene, layout = furnished(square(5.0), (WARDROBE, on_floor(WARDROBE, 0.3, 0.9)))
     hold = usage(scene, layout, near).holds[0]
     steps = [dist(a, b) for a, b in pairwise(pose[:2] for pose in hold.poses)]
-    assert len(steps) == STEPS and 0.0 < max(steps) <= STRIDE + 1e-9
+    assert len(steps) == STRIDES.steps and 0.0 < max(steps) <= STRIDES.longest + 1e-9
 
 
 def test_what_people_move_is_moved_out_of_the_way_of_a_leaf() -> None:

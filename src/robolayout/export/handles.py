@@ -1,7 +1,7 @@
 """Opening in MuJoCo: do doors and drawers open by their handles, and what do leaf and body touch meanwhile.
 
 The body stands where it is said to, and steps back as it is said to. Its hand is a force at the handle along the way that the
-joint leaves it, no larger than `PULL`, which follows an even motion from shut to open.
+joint leaves it, no larger than `PULL.most`, which follows an even motion from shut to open.
 """
 
 from __future__ import annotations
@@ -17,23 +17,22 @@ from robolayout.export._mujoco import ROOM_BODY, FloatArray, base, controls, loa
 from robolayout.export.mjcf import build
 from robolayout.scene import Agent, Hold, Layout, Scene, check_layout
 
-PULL = 160.0
-"""Newtons at the most: heavy lids are lifted with two hands (judgement)."""
 
-SPEED = 0.25
-"""Metres per second of the handle."""
+@dataclass(frozen=True)
+class PullConfig:
+    """How a hand pulls a door or drawer open."""
 
-GRIP, EASE = 2_000.0, 200.0
-"""What the hand pulls with: newtons for each metre that the handle is behind, and for each metre per second."""
+    most: float = 160.0  # newtons at the most: heavy lids are lifted with two hands (judgement)
+    speed: float = 0.25  # metres per second of the handle
+    grip: float = 2_000.0  # newtons with which the hand pulls for each metre that the handle is behind
+    ease: float = 200.0  # newtons for each metre per second
+    linger: float = 0.5  # seconds that the hand stays where the leaf is to be open
+    stop: float = 1.02  # share of its range to where the hand pulls, against the stop
+    open: float = 0.99  # share from where a door or drawer is open
+    aside: float = 100.0  # metres to which what is moved away is moved
 
-LINGER = 0.5
-"""Seconds that the hand stays where the leaf is to be open."""
 
-STOP, OPEN = 1.02, 0.99
-"""Shares of its range: to where the hand pulls, against the stop, and from where a door or drawer is open."""
-
-ASIDE = 100.0
-"""Metres to which what is moved away is moved."""
+PULL = PullConfig()
 
 
 @dataclass(frozen=True)
@@ -47,7 +46,7 @@ class Pulled:
     @property
     def ok(self) -> bool:
         """Whether it opened to its stop and nothing was touched."""
-        return self.share >= OPEN and not self.contacts
+        return self.share >= PULL.open and not self.contacts
 
 
 @dataclass(frozen=True)
@@ -98,14 +97,14 @@ def _pulled(model: Any, data: Any, hand: _Hand, doors: Iterable[_Hand], hold: Ho
     mujoco, step = simulator(), float(model.opt.timestep)
     mujoco.mj_resetDataKeyframe(model, data, 0)
     for name in hold.moved if hold else ():
-        data.qpos[model.joint(name).qposadr[0]] += ASIDE
+        data.qpos[model.joint(name).qposadr[0]] += PULL.aside
     for door in doors:
         data.qpos[door.place] = door.ends[1]
     data.qpos[hand.place] = hand.ends[0]
     mujoco.mj_forward(model, data)
-    seconds = hand.span * float(np.linalg.norm(hand.way(data))) / SPEED
-    shares = np.minimum(np.arange(0.0, seconds + LINGER, step) / seconds, STOP)
-    poses = np.array(hold.poses if hold else [(ASIDE, ASIDE, 0.0)])
+    seconds = hand.span * float(np.linalg.norm(hand.way(data))) / PULL.speed
+    shares = np.minimum(np.arange(0.0, seconds + PULL.linger, step) / seconds, PULL.stop)
+    poses = np.array(hold.poses if hold else [(PULL.aside, PULL.aside, 0.0)])
     wanted = np.stack(
         [np.interp(shares * (len(poses) - 1), np.arange(len(poses)), column) for column in poses.T], axis=1
     )
@@ -146,8 +145,8 @@ class _Hand:
         way = self.way(data)
         lever = float(np.linalg.norm(way))
         behind = (share - self.opened(data)) * self.span * lever
-        slower = ((self.span / seconds if share < STOP else 0.0) - float(data.qvel[self._speed])) * lever
-        force = float(np.clip(GRIP * behind + EASE * slower, -PULL, PULL))
+        slower = ((self.span / seconds if share < PULL.stop else 0.0) - float(data.qvel[self._speed])) * lever
+        force = float(np.clip(PULL.grip * behind + PULL.ease * slower, -PULL.most, PULL.most))
         data.qfrc_applied[:] = 0.0
         simulator().mj_applyFT(
             self._model,

@@ -18,23 +18,22 @@ from robolayout.export._mujoco import FloatArray, base, controls, load, simulato
 from robolayout.export.mjcf import build
 from robolayout.scene import Agent, Asset, Layout, Scene, check_layout
 
-STILL, UPRIGHT = 0.01, math.radians(2.0)
-"""A stable asset moves by less than 1 cm and tilts by less than 2 degrees."""
 
-ACCELERATION = 0.5
-"""Metres per second squared."""
+@dataclass(frozen=True)
+class MotionConfig:
+    """When a thing counts as still, and how a body drives."""
 
-SLOWEST = 0.05
-"""Metres per second around a sharp corner."""
+    still: float = 0.01  # metres by which a stable asset moves at the most
+    upright: float = math.radians(2.0)  # radians by which it tilts at the most
+    acceleration: float = 0.5  # metres per second squared
+    slowest: float = 0.05  # metres per second around a sharp corner
+    turn_rate: float = 1.0  # radians per second of a long body that turns on the spot
+    spacing: float = 0.01  # metres between the points of a driven line
+    settling: float = 0.3  # seconds of standing still at the end of a way
 
-TURN_RATE = 1.0
-"""Radians per second of a long body that turns on the spot."""
 
-SPACING = 0.01
-"""Metres between the points of a driven line."""
+MOTION = MotionConfig()
 
-SETTLING = 0.3
-"""Seconds of standing still at the end of a way."""
 
 Ways = Mapping[str, Sequence[Sequence[float]]]
 """Places or poses on the way to each asset, by asset name."""
@@ -51,7 +50,7 @@ class Motion:
     @property
     def stable(self) -> bool:
         """Whether it moved by less than 1 cm and tilted by less than 2 degrees."""
-        return self.displacement < STILL and self.tilt < UPRIGHT
+        return self.displacement < MOTION.still and self.tilt < MOTION.upright
 
 
 @dataclass(frozen=True)
@@ -227,7 +226,7 @@ def _drive(model: Any, data: Any, way: FloatArray, speed: float) -> Drive:
     mujoco = simulator()
     step = float(model.opt.timestep)
     times, path = timeline(way, speed)
-    clock = np.arange(0.0, times[-1] + SETTLING, step)
+    clock = np.arange(0.0, times[-1] + MOTION.settling, step)
     wanted = np.stack([np.interp(clock, times, column) for column in path.T], axis=1)
     orders, (body, places) = controls(model, wanted), base(model)
     mujoco.mj_resetData(model, data)
@@ -246,7 +245,7 @@ def _drive(model: Any, data: Any, way: FloatArray, speed: float) -> Drive:
 def timeline(way: FloatArray, speed: float) -> tuple[FloatArray, FloatArray]:
     """Return when the base is where: times (n,) in seconds and poses (n, 3) as x, y, yaw.
 
-    It starts and ends at rest, accelerates by no more than `ACCELERATION`, turns no faster than `TURN_RATE` and slows down at
+    It starts and ends at rest, accelerates by no more than `MOTION.acceleration`, turns no faster than `MOTION.turn_rate` and slows down at
     corners: the cosine of the change of direction tells how much of the speed is kept, so it stops to drive back.
 
     Args:
@@ -254,7 +253,7 @@ def timeline(way: FloatArray, speed: float) -> tuple[FloatArray, FloatArray]:
         speed: Metres per second.
     """
     poses = np.pad(way, ((0, 0), (0, 3 - way.shape[1])))
-    counts = [max(1, math.ceil(np.abs(step).max() / SPACING)) for step in np.diff(poses, axis=0)]
+    counts = [max(1, math.ceil(np.abs(step).max() / MOTION.spacing)) for step in np.diff(poses, axis=0)]
     fine = [np.linspace(a, b, n, endpoint=False) for a, b, n in zip(poses[:-1], poses[1:], counts, strict=True)]
     path = np.concatenate([*fine, poses[-1:]])
     path = path[np.append(np.abs(np.diff(path, axis=0)).max(axis=1) > 0.0, True)]
@@ -266,8 +265,8 @@ def timeline(way: FloatArray, speed: float) -> tuple[FloatArray, FloatArray]:
     for order in (range(1, len(path)), range(len(path) - 2, -1, -1)):
         for i in order:
             before = i - order.step
-            reached = math.sqrt(rates[before] ** 2 + 2 * ACCELERATION * lengths[min(i, before)])
+            reached = math.sqrt(rates[before] ** 2 + 2 * MOTION.acceleration * lengths[min(i, before)])
             rates[i] = min(rates[i], reached)
-    spent = np.maximum(lengths / np.maximum((rates[1:] + rates[:-1]) / 2, SLOWEST), turned / TURN_RATE)
+    spent = np.maximum(lengths / np.maximum((rates[1:] + rates[:-1]) / 2, MOTION.slowest), turned / MOTION.turn_rate)
     times = np.concatenate([[0.0], np.cumsum(spent)])
-    return np.append(times, times[-1] + SPACING), np.concatenate([path, path[-1:]])
+    return np.append(times, times[-1] + MOTION.spacing), np.concatenate([path, path[-1:]])

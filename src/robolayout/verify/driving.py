@@ -29,13 +29,26 @@ from robolayout.verify.heading import free_of, grown, rectangle
 
 QUARTER = ((1, 0), (2, 1), (1, 1), (1, 2))  # directions of the headings of a quarter turn, in cells
 TURNS = 4 * len(QUARTER)
-CELL, FINEST = 0.10, 0.04  # metres between places of the lattice at most, unless the room is large, and at least
-ROWS = 3  # rows of places that the middle of a body finds in a straight corridor for its disc
-PLACES = 60_000  # places at most: larger rooms get wider cells
-REVERSAL, PIVOT = 2.0, 0.5  # metres of detour that a reversal, and a turn on the spot by one heading, are worth
-SAMPLE = math.radians(2.0)  # radians between the poses that stand for an arc
-ENTRY = 0.3  # metres between where a body comes in and the place of the lattice from which it drives
-ROUNDING = 1e-3  # metres by which a swept shape is drawn larger than the body: arcs bulge by less between two samples
+
+
+@dataclass(frozen=True)
+class LatticeConfig:
+    """How finely drives are looked for."""
+
+    cell: float = 0.10  # metres between places of the lattice at most, unless the room is large
+    finest: float = 0.04  # metres between them at least
+    rows: int = 3  # rows of places that the middle of a body finds in a straight corridor for its disc
+    places: int = 60_000  # places at most: larger rooms get wider cells
+    reversal: float = 2.0  # metres of detour that a reversal is worth
+    pivot: float = 0.5  # metres that a turn on the spot by one heading is worth
+    sample: float = math.radians(2.0)  # radians between the poses that stand for an arc
+    entry: float = 0.3  # metres between where a body comes in and the place of the lattice from which it drives
+    # metres by which a swept shape is drawn larger than the body: arcs bulge by less between two samples
+    bulge: float = 1e-3
+
+
+LATTICE = LatticeConfig()
+
 Poses = NDArray[np.float64]  # (n, 3): x and y in metres and heading in radians
 
 
@@ -145,7 +158,7 @@ class Lattice:
     def _clear(self, number: int, move: Move) -> NDArray[np.bool_]:
         """Return from which places the shape that a move sweeps meets nothing."""
         poses = np.concatenate([[(0.0, 0.0, _angle(number))], move.poses])
-        rings = [rectangle(self._agent, self._angle + turn, ROUNDING) + at @ self._axes for *at, turn in poses]
+        rings = [rectangle(self._agent, self._angle + turn, LATTICE.bulge) + at @ self._axes for *at, turn in poses]
         body = shapely.get_coordinates(shapely.MultiPoint(np.concatenate(rings)).convex_hull)[:-1].tobytes()
         free = _inside(self._grid, self._room, body).copy()
         for ring in shapely.get_coordinates(self._blocking.shapes).reshape(-1, 5, 2)[:, :4]:
@@ -182,7 +195,7 @@ class Lattice:
                 stands[k, here] = stands[turned, there] = True
         for k in range(TURNS):
             here = np.flatnonzero(stands[k] & stands[(k + half) % TURNS])
-            edges.append((k * count + here, (k + half) % TURNS * count + here, REVERSAL))
+            edges.append((k * count + here, (k + half) % TURNS * count + here, LATTICE.reversal))
         before, after = (np.concatenate(ends) for ends in list(zip(*edges, strict=True))[:2])
         return before, after, np.concatenate([np.full(len(rows), cost) for rows, _, cost in edges])
 
@@ -191,7 +204,7 @@ class Lattice:
         here, doors = np.flatnonzero(stands), self._room.doors
         away = np.hypot(*(self.places[here] - self._origin).T)
         aside = max(0.0, doors[0].width - (self._agent.width or 0.0)) / 2 if doors else 0.0
-        return int(here[np.argmin(away)]) if len(here) and away.min() <= ENTRY + aside else None
+        return int(here[np.argmin(away)]) if len(here) and away.min() <= LATTICE.entry + aside else None
 
     def drives(self, places: Callable[[float], tuple[Sequence[str], NDArray[np.object_]]]) -> dict[str, Drive]:
         """Return the cheapest drive to each thing that the body gets to.
@@ -240,10 +253,11 @@ class Lattice:
 
 def _cell(agent: Agent, room: Room) -> float:
     """Return how far apart places are: so that a corridor for the body's disc holds rows of them, and arcs are tight."""
-    slack = 2 * (agent.radius - ROUNDING) - (agent.width or 0.0)
+    slack = 2 * (agent.radius - LATTICE.bulge) - (agent.width or 0.0)
     low_x, low_y, high_x, high_y = room.bounds
     tight = (agent.turning_radius or 0.0) * math.tan(_angle(1) / 2)
-    cell = max(min(CELL, slack / ROWS), FINEST, math.sqrt((high_x - low_x) * (high_y - low_y) / PLACES))
+    widest = math.sqrt((high_x - low_x) * (high_y - low_y) / LATTICE.places)
+    cell = max(min(LATTICE.cell, slack / LATTICE.rows), LATTICE.finest, widest)
     return tight / math.ceil(tight / cell) if tight > 0 else cell
 
 
@@ -274,9 +288,9 @@ def _moves(number: int, cell: float, radius: float) -> Iterator[Move]:
     for turn in (1, -1):
         after = np.array(_direction((number + turn) % TURNS))
         bend = _between(number, (number + turn) % TURNS)
-        part = np.linspace(0.0, bend, math.ceil(abs(bend) / SAMPLE) + 1)
+        part = np.linspace(0.0, bend, math.ceil(abs(bend) / LATTICE.sample) + 1)
         if radius == 0.0:
-            yield Move((0, 0), turn, PIVOT, np.column_stack([0.0 * part, 0.0 * part, angle + part])[1:])
+            yield Move((0, 0), turn, LATTICE.pivot, np.column_stack([0.0 * part, 0.0 * part, angle + part])[1:])
         units = [math.hypot(*way) * cell for way in (ahead, after)]
         tangent = radius * math.tan(abs(bend) / 2)
         counts = [max(1, math.ceil(tangent / unit - 1e-9)) for unit in units]

@@ -26,11 +26,20 @@ from robolayout.verify.drives import Pose
 from robolayout.verify.heading import grown, rectangle
 from robolayout.verify.limits import FINE
 
-STEPS = 12  # steps of a leaf from shut to open
-STRIDE = 0.10  # metres that a body may move while the leaf makes one of them
-BERTHS = (0.04, 0.02, 0.0)
-"""Metres that it keeps from what it steps past, the first that leave it a way: strides are straight and would cut a corner by as much."""
-GRAZE = 0.005  # metres by which a stride may yet cut a corner
+
+@dataclass(frozen=True)
+class StrideConfig:
+    """How a body steps aside while it opens something."""
+
+    steps: int = 12  # steps of a leaf from shut to open
+    longest: float = 0.10  # metres that a body may move while the leaf makes one of them
+    # metres kept from what it steps past, the first that leave a way: strides are straight, and cut corners by as much
+    berths: tuple[float, float, float] = (0.04, 0.02, 0.0)
+    graze: float = 0.005  # metres by which a stride may yet cut a corner
+
+
+STRIDES = StrideConfig()
+
 
 Stands = Iterable[tuple[float, BaseGeometry, tuple[str, ...]]]
 """Headings in radians, where the centre of a body gets to before a thing at each, and what is moved away for that."""
@@ -110,7 +119,7 @@ def _opening(asset: Asset, joint: Joint, z: float, agent: Agent, heading: float,
 
 def _steps(joint: Joint) -> list[float]:
     """Return how far a joint is open at each step, radians or metres."""
-    return np.linspace(0.0, joint.span[1], STEPS + 1).tolist()
+    return np.linspace(0.0, joint.span[1], STRIDES.steps + 1).tolist()
 
 
 @lru_cache(maxsize=2048)
@@ -163,9 +172,9 @@ def _walk(region: BaseGeometry, asked: _Opening) -> list[Point]:
     if not shapely.intersects(region, asked.free).all():
         return []
     free = shapely.intersection(region, asked.free)
-    for berth in BERTHS:
+    for berth in STRIDES.berths:
         if found := _steps_through(shapely.buffer(free, -berth)):
-            clear = shapely.buffer(shapely.difference(region, asked.met), GRAZE)
+            clear = shapely.buffer(shapely.difference(region, asked.met), STRIDES.graze)
             if shapely.covers(clear, [shapely.LineString(ends) for ends in pairwise(found)]).all():
                 return found
     return []
@@ -175,7 +184,7 @@ def _steps_through(free: NDArray[np.object_]) -> list[Point]:
     """Return a place in each of some regions, each within a stride of the one before; none where there is no such way."""
     ways: list[BaseGeometry] = [free[-1]]
     for places in free[-2::-1]:
-        ways.append(places.intersection(ways[-1].buffer(STRIDE)))
+        ways.append(places.intersection(ways[-1].buffer(STRIDES.longest)))
         if ways[-1].is_empty:
             return []
     at = ways.pop().representative_point()
