@@ -10,8 +10,7 @@ from shapely import Polygon
 from robolayout.constraints._exact import TOLERANCE, common_area, footprint
 from robolayout.constraints._refs import AssetRef, WallRef
 from robolayout.constraints._relation import ClearTerm, Outcome, Relation, Term
-from robolayout.scene import Layout, Opening, Room, Scene, vertical_span
-from robolayout.scene.room import OPENINGS
+from robolayout.scene import OPENINGS, Layout, Opening, Room, Scene, vertical_span
 
 
 @dataclass(frozen=True)

@@ -88,4 +88,5 @@ class NoOverlap(Relation):
 
 def _placed(prism: Prism, pose: Pose) -> Polygon:
     """Return the outline of a prism in the room."""
-    return Polygon([pose.point(u, v) for u, v in prism.outline])
+    (c, s), x, y = pose.forward, pose.x, pose.y
+    return Polygon([(x + c * u - s * v, y + s * u + c * v) for u, v in prism.outline])

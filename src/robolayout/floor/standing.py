@@ -19,8 +19,7 @@ from robolayout.floor.config import FLOOR
 from robolayout.floor.furnished import Floor, Shadow
 from robolayout.floor.ground import patches
 from robolayout.floor.targets import SIDES, use_of
-from robolayout.scene import Agent, Asset
-from robolayout.scene.room import OPENINGS
+from robolayout.scene import OPENINGS, Agent, Asset
 
 
 @dataclass(frozen=True, eq=False)

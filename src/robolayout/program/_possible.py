@@ -16,8 +16,7 @@ from shapely import Point, Polygon
 from robolayout.assets import resting_place
 from robolayout.constraints import TOLERANCE, AssetRef, Ref, WallRef
 from robolayout.constraints.mounted_on import EYE_HEIGHT
-from robolayout.scene import Asset, Room, Scene, Wall
-from robolayout.scene.room import OPENINGS
+from robolayout.scene import OPENINGS, Asset, Room, Scene, Wall
 
 Span = tuple[float, float]
 

@@ -13,7 +13,6 @@ if TYPE_CHECKING:
     from robolayout.render._drawing import Drawing as Drawing
     from robolayout.render._drawing import png_bytes as png_bytes
     from robolayout.render.animation import progress_gif as progress_gif
-    from robolayout.render.annotation import Mark as Mark
     from robolayout.render.annotation import annotate as annotate
     from robolayout.render.annotation import annotation_camera as annotation_camera
     from robolayout.render.annotation import annotation_marks as annotation_marks

@@ -36,8 +36,10 @@ class Pose:
 
     def corners(self, size: tuple[float, float, float]) -> tuple[tuple[float, float], ...]:
         """Return the four footprint corners of a box of `size` at this pose, counter-clockwise."""
+        c, s = self.forward
         hx, hy = size[0] / 2, size[1] / 2
-        return tuple(self.point(x, y) for x, y in ((hx, -hy), (hx, hy), (-hx, hy), (-hx, -hy)))
+        local = ((hx, -hy), (hx, hy), (-hx, hy), (-hx, -hy))
+        return tuple((self.x + c * px - s * py, self.y + s * px + c * py) for px, py in local)
 
 
 @dataclass(frozen=True)

@@ -17,8 +17,7 @@ from numpy.typing import NDArray
 from shapely import MultiPolygon, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from robolayout.scene import ROUNDING, Room
-from robolayout.scene.room import OPENINGS
+from robolayout.scene import OPENINGS, ROUNDING, Room
 from robolayout.verify._boxes import Boxes, landings, room_polygon
 from robolayout.verify._obstacles import NOTHING, Obstacles
 from robolayout.verify.limits import FINE, JUDGE

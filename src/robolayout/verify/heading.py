@@ -19,8 +19,7 @@ from numpy.typing import NDArray
 from shapely import MultiPolygon, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from robolayout.scene import ROUNDING, Agent, Layout, Room, Scene
-from robolayout.scene.room import OPENINGS
+from robolayout.scene import OPENINGS, ROUNDING, Agent, Layout, Room, Scene
 from robolayout.verify._boxes import boxes, room_polygon
 from robolayout.verify._obstacles import Obstacles, obstacles
 from robolayout.verify._space import all_free, components, disc_space, opened
