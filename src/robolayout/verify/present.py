@@ -72,25 +72,19 @@ def markdown(report: Report) -> str:
     lines += ["| check | result | |", "|---|---:|---|"]
     lines += [f"| {name} | {value} | {'ok' if met else '**short**'} |" for name, value, met in report.rows()]
     lines += _told(report)
-    if report.violations:
-        lines += ["", "## What is wrong", "", *_listed(report.violations)]
-    if report.rules:
-        lines += ["", "## Rules of accessibility", "", RULES_ARE, ""]
-        lines += ["| rule | asks | measured | | source |", "|---|---|---|---|---|"]
-        lines += [f"| {' | '.join(map(plain, row))} |" for row in rule_rows(report)]
-    helps = [sentence for body in report.agents for sentence in body.remedies.sentences(body.agent)]
-    if helps:
-        lines += ["", "## What would help", "", *_listed(helps)]
-    if report.stability:
-        lines += ["", "## In a simulator", "", *_stability(report.stability)]
-    if report.moved:
-        lines += ["", "## What was moved from its guess", "", *_listed(move.sentence for move in report.moved)]
-    for body in report.agents:
-        lines += ["", f"## {plain(body.agent.title or body.agent.name)}", "", *_agent_table(body)]
-    if report.opinion:
-        lines += ["", "## What a model thinks", "", *_listed(report.opinion["sentences"])]
-    if report.planner:
-        lines += ["", "## Who planned", "", *_listed(report.planner.get("sentences", ()))]
+    rules = [f"| {' | '.join(map(plain, row))} |" for row in rule_rows(report)]
+    head = [RULES_ARE, "", "| rule | asks | measured | | source |", "|---|---|---|---|---|"]
+    sections = [
+        ("What is wrong", _listed(report.violations)),
+        ("Rules of accessibility", [*head, *rules] if rules else rules),
+        ("What would help", _listed(line for body in report.agents for line in body.remedies.sentences(body.agent))),
+        ("In a simulator", _stability(report.stability) if report.stability else []),
+        ("What was moved from its guess", _listed(move.sentence for move in report.moved)),
+        *((plain(body.agent.title or body.agent.name), _agent_table(body)) for body in report.agents),
+        ("What a model thinks", _listed(report.opinion.get("sentences", ()))),
+        ("Who planned", _listed(report.planner.get("sentences", ()))),
+    ]
+    lines += [line for title, told in sections if told for line in ("", f"## {title}", "", *told)]
     return "\n".join(lines) + "\n"
 
 
