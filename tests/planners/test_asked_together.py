@@ -31,6 +31,18 @@ def program(text: str) -> str:
             "a living room with two armchairs facing each other and a small table between them",
             ("wish.in_front_of(armchair[1], armchair[0]", "wish.align_with(armchair[1], armchair[0], 180)"),
         ),
+        (
+            "a nurse station with a reception desk and two office chairs behind it",
+            (
+                "wish.behind(office_chair[0], reception_desk[0], -0.2, 0.3",
+                "align_with(office_chair[0], reception_desk[0], 0)",
+            ),
+        ),
+        (
+            "a den with a TV and two recliners in front of it",
+            ("wish.in_front_of(recliner[1], tv_stand[0], 1.", "align_with(recliner[1], tv_stand[0], 180)"),
+        ),
+        ("a waiting room with ten chairs, a table with four small chairs", ("wish.against_wall(chair[9]",)),
         ("a bakery with a counter and a shelf behind it", ("wish.behind(", ", 0.7, 0.85)")),
         (
             "a bathroom with a shelf above the washing machine",

@@ -54,6 +54,8 @@ def links(text: str) -> set[tuple[str, ...]]:
             {"dining table": 1, "high chair": 1, "chair": 2},
         ),
         ("a table displaying sweaters", {"dining table": 1, "clothes": 2}),
+        ("bookshelves line two walls", {"bookshelf": 4}),
+        ("a desk for the therapist and a mirror", {"desk": 1, "mirror": 1}),
         ("a square table with one chair on each side", {"dining table": 1, "chair": 4}),
         ("a long table, five chairs per side", {"dining table": 1, "chair": 10}),
         (

@@ -62,11 +62,17 @@ class Known:
     roles: Mapping[str, Role]
 
     def useless(self, name: str, present: Iterable[str]) -> bool:
-        """Return whether a thing belongs at others of which none is there: a chair without a table."""
+        """Return whether a thing belongs at others of which none is there: a chair without a table, a candlestick without a top."""
+        if self.kinds[name].places == ("object",) and not any(self._is_top(other) for other in present):
+            return True
         role = self.roles.get(self.kinds[name].like or name)
         wanted = {other for join in role.joins if not join.loose for other in join.of} if role else set[str]()
         there = {self.roles[other].name for other in present if other in self.roles}
         return bool(wanted) and "*" not in wanted and not wanted & there
+
+    def _is_top(self, name: str) -> bool:
+        role = self.roles.get(self.kinds[name].like or name)
+        return role is not None and role.top
 
     def too_high(self, name: str, agents: Iterable[Agent]) -> bool:
         """Return whether a thing that is opened hangs above what one of the bodies reaches: a wall cabinet for a child."""

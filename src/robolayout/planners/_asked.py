@@ -33,7 +33,9 @@ class Gaps:
     before: float = 0.4
     backs: float = 0.02
     across: float = 1.0
-    """Metres between a seat and what it stands at, other things and what they stand before, things back to back, and face to face."""
+    watching: float = 1.2
+    """Metres between a seat and what it stands at, other things and what they stand before, things back to back, face to face, and
+    a seat and the stand of a screen."""
     touch: float = 0.6
     close: float = 3.0
     """Metres up to which what stands near a thing stands beside it, and up to which what stands before a thing belongs to it."""
@@ -93,6 +95,11 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         hung = any(r.name == "mounted_on" for demand in demands if name in subjects(demand) for r in demand.ways[0])
         if item.anchor is not None and item.anchor not in others and (hung or not _only_on(item)):
             found[name] = replace(item, anchor=None, join=None)
+    seats = (name for name in wanted if cast[name].role.name.endswith("seat"))
+    told = {anchor for anchor, join in (wanted[name] for name in seats) if join.slot == "around"}
+    for name in found.keys() - set(wanted):
+        if (join := found[name].join) is not None and join.slot == "around" and found[name].anchor in told:
+            found[name] = replace(found[name], anchor=None, join=None)  # that table has its own seats
     for a, b in (pair for demand in demands for relation in demand.ways[0] if len(pair := relation.asset_names()) == 2):
         if a in found and b in found:
             _loosen(b, a, found, set(wanted))
@@ -141,18 +148,21 @@ def _joins(demand: Demand, cast: Mapping[str, Cast], passage: float) -> list[tup
         names = relation.asset_names()
         if len(names) != 2 or not all(name in cast for name in names):
             continue
-        a, b = names
-        join = _join(
-            relation,
-            cast[a],
-            cast[b],
-            passage,
-            around=around,
-            turned=getattr(relations.get("align_with"), "angle", 0.0),
-        )
+        a, b = cast[names[0]], cast[names[1]]
+        if relation.name != "on_top_of":
+            b = _bearer(b, cast)
+        join = _join(relation, a, b, passage, around=around, turned=getattr(relations.get("align_with"), "angle", 0.0))
         if join is not None:
-            found.append((a, (b, join)))
+            said = join.say or join.all or (len(demand.ways) == 1 and b.name == names[1])
+            found.append((a.name, (b.name, join if said else replace(join, say=usual_say(join.slot)))))
     return found
+
+
+def _bearer(item: Cast, cast: Mapping[str, Cast]) -> Cast:
+    """Return what a thing stands on, down to the floor: who sits before a screen sits before its stand."""
+    while item.anchor is not None and item.joined.slot in ("on", "setting"):
+        item = cast[item.anchor]
+    return item
 
 
 def _chains(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: float) -> dict[str, tuple[str, Join]]:
@@ -196,7 +206,7 @@ def _join(relation: Relation, a: Cast, b: Cast, passage: float, *, around: bool,
     if _only_on(a) or (a.asset.on_wall and not a.asset.on_floor):
         return None
     known = next((join for join in a.role.joins if b.role.name in join.of), None)
-    if relation.name == "near" and around:
+    if relation.name == "near" and (around or (a.role.name.endswith("seat") and b.role.name.endswith("table"))):
         return known or Join("around", (b.role.name,), gap=GAPS.seated, all=("around({items}, {b}, gap={gap})",))
     if relation.name == "near" and known is not None:
         return known
@@ -205,15 +215,20 @@ def _join(relation: Relation, a: Cast, b: Cast, passage: float, *, around: bool,
     if isinstance(relation, InFrontOf) and relation.max_gap < GAPS.close:
         if known is not None and known.slot in ("front", "around"):
             return known
-        seated = a.role.name == "seat"
-        return Join("front", (b.role.name,), gap=GAPS.seated if seated else GAPS.before, loose=True, faces="anchor")
-    if relation.name == "behind" and turned == 180.0:
+        gap = GAPS.watching if b.role.name == "tv" else GAPS.seated if a.role.name == "seat" else GAPS.before
+        return Join("front", (b.role.name,), gap=gap, loose=True, faces="anchor")
+    if relation.name != "behind":
+        return None
+    return known if known is not None and known.slot == "behind" else _at_its_back(a, b, passage, turned)
+
+
+def _at_its_back(a: Cast, b: Cast, passage: float, turned: float) -> Join:
+    """Return how a thing joins another that it is asked to be behind: back to back, or with room for who stands between."""
+    if turned == 180.0:
         return Join("behind", (b.role.name,), gap=GAPS.backs, loose=True, faces="away", say=BACK_TO_BACK)
-    if relation.name == "behind":
-        # who takes something from a shelf or cabinet stands between
-        gap = passage if {"wall", "grid"} & {*a.role.stands} else GAPS.before
-        return Join("behind", (b.role.name,), gap=gap, loose=True, say=BEHIND)
-    return None
+    # who takes something from a shelf or cabinet stands between
+    gap = passage if {"wall", "grid"} & {*a.role.stands} else GAPS.before
+    return Join("behind", (b.role.name,), gap=gap, loose=True, say=BEHIND)
 
 
 def _at_its_side(relation: Relation, b: Cast) -> tuple[str, ...] | None:

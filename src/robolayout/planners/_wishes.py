@@ -124,7 +124,7 @@ def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wish
 
 def _room(reading: Reading, rooms: Rooms) -> tuple[RoomType, list[str]]:
     """Return the room type: as named, else the nearest one, else the one that most of the things belong in."""
-    if reading.room is not None:
+    if reading.room is not None and not (reading.guessed and reading.room == "room"):
         guess = [f"{reading.room_words!r} is no room type that is known: {reading.room} was taken."]
         return rooms.rooms[reading.room], guess if reading.guessed else []
     kinds = {thing.noun.kind for thing in reading.parsed.things}
@@ -134,7 +134,8 @@ def _room(reading: Reading, rooms: Rooms) -> tuple[RoomType, list[str]]:
     scores = {name: _belongs(kinds, room) for name, room in rooms.rooms.items()}
     best = max(scores, key=lambda name: (scores[name], name == "room"))
     best = best if scores[best] >= LIKELY else "room"
-    return rooms.rooms[best], [f"No room was named: {best} was taken."]
+    named = f"{reading.room_words!r} is no room type that is known" if reading.guessed else "No room was named"
+    return rooms.rooms[best], [f"{named}: {best} was taken."]
 
 
 def _cosy(things: Mapping[str, int], unwanted: frozenset[str]) -> dict[str, int]:

@@ -20,8 +20,8 @@ from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, Kno
 from robolayout.planners._knowledge import load_knowledge
 from robolayout.planners._openings import openings
 from robolayout.planners._own import own_sides
-from robolayout.planners._wishes import Wishes, read_wishes
-from robolayout.scene import Agent, Scene, load_agent, scene_from_dict, variable_name
+from robolayout.planners._wishes import Wishes, read_wishes, usual_there
+from robolayout.scene import FLAT_HEIGHT, Agent, Scene, load_agent, scene_from_dict, variable_name
 from robolayout.words import RoomType, dressing, read_rooms, wanted_openings
 
 
@@ -36,6 +36,11 @@ class Sizes:
     stretch: float = 0.25
     """Logarithm of the factor by which variants of a room are longer or shorter than usual at the most."""
     for_two: float = 1.2  # metres of a table's longer side up to which two sit at it, if nobody says how many
+    between: float = 1.25
+    aisle: float = 0.75
+    around: float = 0.7
+    before: float = 2.0
+    """Metres between rows of desks, between other rows, beside and behind a block of rows, and before it."""
     walkway: float = 0.6
     """Metres by which a room is longer and wider than the longest thing in it, where no size is given."""
 
@@ -220,8 +225,29 @@ def _room_size(
         area *= 1.2
     ratio = 1.0 if wishes.reading.square else stretch * width / depth
     width = max(math.sqrt(area * ratio), longest + SIZES.walkway)
-    depth = max(area / width, longest + SIZES.walkway) if given is None else area / width
+    if given is not None:
+        return (round(width, 2), round(area / width, 2))
+    depth = max(area / width, longest + SIZES.walkway)
+    short, long = sorted((width, depth))
+    for across, ahead in _blocks(wishes, known):  # the longer side of a room holds the longer side of a block
+        short, long = (max(pair) for pair in zip((short, long), sorted((across, ahead)), strict=True))
+    width, depth = (short, long) if width <= depth else (long, short)
     return (round(width, 2), round(depth, 2))
+
+
+def _blocks(wishes: Wishes, known: Known) -> Iterator[tuple[float, float]]:
+    """Yield how wide and how deep blocks of rows that are told are in metres, with what stands before them and ways around."""
+    links = wishes.reading.parsed.links
+    for link in links:
+        things = [mention.thing for mention in link.subjects] if link.relation == "rows" and link.rows > 1 else []
+        for thing in things[:1]:
+            kind = usual_there(thing, wishes.room, links) or thing.noun.kind
+            depth, width, height = known.kinds[kind].size
+            each = math.ceil(thing.count / link.rows)
+            aisle = SIZES.between if kind.endswith(("desk", "table")) else SIZES.aisle * (height >= FLAT_HEIGHT)
+            ahead = link.rows * (depth + aisle) + SIZES.around + SIZES.before
+            watching = any(k.relation == "facing" and thing in [m.thing for m in k.subjects] for k in links)
+            yield (ahead if watching else each * width + 2 * SIZES.around), ahead  # what they watch may be at any wall
 
 
 def _possible(shape: str, wished: Mapping[str, int], size: tuple[float, float], known: Known) -> None:

@@ -194,7 +194,7 @@ class Demander:
         for a, b in self._matched(subjects, objects):
             gap = ways_of.BACK_WALL if self._only_wall(a) else ways_of.BACK  # "on the wall behind the counter"
             ways = [(stated("behind", AssetRef(a), AssetRef(b), 0.0, gap),)]
-            if self._is(a, ways_of.SEATS) and self._is(b, ("desk", "counter")):
+            if self._is(a, ways_of.SEATS) and self._is(b, ("desk", "counter")) and not self._is(b, ("reception desk",)):
                 ways.insert(0, (stated("in_front_of", AssetRef(a), AssetRef(b), 0.0, ways_of.BACK),))
             yield Demand(tuple(ways))
 

@@ -246,8 +246,8 @@ class Parser(Relating):
             mention = self._mention(chunk)
             if CATALOGUE[mention.thing.noun.kind].on_object and not CATALOGUE[held[0].thing.noun.kind].on_object:
                 self.said.links.append(Link("on", (mention,), tuple(held), chunk.start, chunk.end))
-        elif bare and self.group and before == "for":
-            self._fact(replace(chunk, kind="function"))  # "a rack for shoes"
+        elif self.group and before == "for" and (bare or (noun is not None and noun.kind.startswith("unknown"))):
+            self._fact(replace(chunk, kind="function"))  # "a rack for shoes", "a desk for the therapist"
         else:
             return False
         return True

@@ -308,14 +308,18 @@ class References:
         if chunk.value == "flank":
             chunk = self._on_both_sides(chunk, subjects, objects)
         objects = led
+        walls = next((to.number for to in objects if chunk.value == "wall" and isinstance(to, Place)), None)
+        for thing in (mention.thing for mention in subjects):
+            if walls and thing.plural and thing.number is None:
+                thing.number = 2 * walls  # "bookshelves line two walls"
         if objects:  # "a bed with a lamp on either side": the lamps are not on the bed
             own, to = {m.thing for m in subjects}, {m.thing for m in objects if isinstance(m, Mention)}
             elsewhere = chunk.value in ("on", "flank")
             self.said.links[:] = [k for k in self.said.links if not k.had(own, None if elsewhere else to)]
         low, high = chunk.measure.values if chunk.measure else (0.0, 0.0)
         about = (tuple(subjects), tuple(objects))
-        walls = any(isinstance(item, Place) and item.name == "wall" and item.plural for item in objects)
-        for row in [k for k in self.said.links if walls and k.relation == "row" and k.subjects == about[0]]:
+        several = any(isinstance(item, Place) and item.name == "wall" and item.plural for item in objects)
+        for row in [k for k in self.said.links if several and k.relation == "row" and k.subjects == about[0]]:
             self.said.links.remove(row)  # "lined up along two opposite walls": no one line
             self.said.read.update(range(row.start, row.end))
         self.said.links.append(Link(chunk.value, *about, chunk.start, chunk.end, (low, high), chunk.rows))

@@ -18,6 +18,9 @@ ONE_EACH = ("chair", "desk")
 LONG = 3
 """Things of a row of which no number is said."""
 
+SEATED = 6
+"""Seats of each of more rows than that of which no number is said."""
+
 IN_PAIRS = frozenset(("curtain", "blinds", "parallel bar"))
 """What is one thing in the plural."""
 
@@ -46,9 +49,10 @@ class Thing:
 
     @property
     def count(self) -> int:
-        """How many are asked for: as said, else two for a plural, `LONG` for each row that is told, else one; so many times over."""
+        """How many are asked for: as said, else two for a plural, so many for each row that is told, else one; so many times over."""
+        row = SEATED if self.rows > LONG and self.noun.kind.split()[-1] in ("chair", "seat") else LONG
         alone = {self.noun.kind, self.noun.said} & IN_PAIRS
-        usual = max(2, LONG * self.rows) if self.plural and not alone else 1
+        usual = max(2, row * self.rows) if self.plural and not alone else 1
         one = usual if self.number is None else self.number + (self.bound == "more")
         return one * self.times
 

@@ -78,7 +78,8 @@ class Reading:
         """Whether things are to stand on both sides of the door, or in every corner, so that it stands off its own."""
         said = [(k.relation, item) for k in self.parsed.links for item in k.objects if isinstance(item, Place)]
         return any(
-            (item.name == "corner" and item.det == "each") or (to, item.name) == ("flank", "door") for to, item in said
+            (item.name == "corner" and (item.det == "each" or item.plural)) or (to, item.name) == ("flank", "door")
+            for to, item in said
         )
 
     @property
@@ -205,12 +206,13 @@ def _named_room(
         other = other or (
             follows == "comma" and chunk.noun is not None and not chunk.noun.guessed
         )  # "a toilet, a sink"
-        if last not in places or other or (chunk.number or 1) > 1 or follows not in AFTER_A_PLACE:
+        unknown = chunk.noun is not None and chunk.noun.kind.startswith("unknown") and follows in ("with", "colon")
+        if not (last in places or unknown) or other or (chunk.number or 1) > 1 or follows not in AFTER_A_PLACE:
             return None, list(chunks)
         named = [c for c in chunks[i + 1 :] if c.kind == "room" and c.value != "room"]
         if named:
             use = Chunk("function", chunk.start, chunk.end, last)
             return None, [*chunks[:i], use, *chunks[i + 1 :]]
-        fact = Chunk("room", chunk.start, chunk.end, places[last], adjectives=chunk.adjectives)
-        return (places[last], said, True, fact), [*chunks[:i], fact, *chunks[i + 1 :]]
+        fact = Chunk("room", chunk.start, chunk.end, places.get(last, "room"), adjectives=chunk.adjectives)
+        return (fact.value, said, True, fact), [*chunks[:i], fact, *chunks[i + 1 :]]
     return None, list(chunks)

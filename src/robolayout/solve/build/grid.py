@@ -29,9 +29,10 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
     between = (extent[2] - extent[0] - size[0], extent[3] - extent[1] - size[1])
     aisle0, gap0 = max(rows.aisle, site.corridor), rows.gap
     names = tuple(cluster.anchor for cluster in clusters)
+    wide = math.ceil(max(len(rows.items), len(names)) / (rows.rows or 1))  # of fewer there are fewer rows
     for columns in range(1, len(names) + 1):
         count = math.ceil(len(names) / columns)
-        if columns * (count - 1) >= len(names) or (rows.rows and columns != math.ceil(len(names) / rows.rows)):
+        if columns * (count - 1) >= len(names) or (rows.rows and columns != wide):
             continue
         for wider, closer in ((1.0, 1.0), (1.0, 0.1), (1.35, 1.0), (1.35, 0.1), (1.8, 1.8)):
             if closer < 1.0 and gap0 > TIGHTEST:
