@@ -267,6 +267,11 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
             {("facing", "sofa", "tv stand"), ("on", "television", "tv stand"), ("amid", "desk", "sofa"), ("amid", "desk", "tv stand")},
         ),
         ("a table with six chairs: two on each long side and one at each end", {("around", "chair", "dining table")}),
+        (
+            "There is a table. Six chairs are round it, three along each long side. A lamp hangs above it.",
+            {("around", "chair", "dining table"), ("above", "pendant lamp", "dining table")},
+        ),
+        ("a sofa in the cornor", {("in", "sofa", "corner")}),
         ("a sink with knee space under it", set()),
         ("nightstand on left side of bed", {("left", "night stand", "bed")}),
         (

@@ -71,11 +71,8 @@ def without_noun(
     det = "other" if picks in REST else DETERMINERS.get(picks or "", "new" if new else "the")
     side = words[end + 2] if words[end : end + 2] == ["on", "the"] and end + 2 < len(words) else ""
     told, end = (side, end + 3) if one is None and not picks and side in ("left", "right") else (told, end)
-    if (
-        leads
-        and picks == "other"
-        and any({"side", "left", "right"} & {*c.adjectives} for c in found if c.kind == "rel")
-    ):
+    sided = any({"side", "left", "right"} & {*c.adjectives} for c in found if c.kind == "rel")
+    if leads and picks == "other" and sided:
         return Chunk("part", at, end, "side", det="other")  # "stools on one side, the stove on the other"
     if last is None:
         return None

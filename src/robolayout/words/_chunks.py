@@ -118,12 +118,9 @@ class Chunker(ClosedWords):
             step = self._before_noun(i, det, number) if i < len(self.words) else None
             if step is None:
                 break
-            det, number, bound, rows = (
-                det if det in ("each", "one") else step[0] or det,
-                step[1] if step[1] is not None else number,
-                step[2] or bound,
-                step[3] or rows,
-            )
+            det = det if det in ("each", "one") else step[0] or det
+            number = number if step[1] is None else step[1]
+            bound, rows = step[2] or bound, step[3] or rows
             i += step[4]
         run = self._run(i, many=(number or 1) > 1)
         end = i + len(run)
@@ -220,9 +217,7 @@ class Chunker(ClosedWords):
         if self._begins_relation(i):
             return True
         if known and word.endswith("ing") and self.lexicon.noun([run[-1], word]) is None:
-            return (
-                self.words[i + 1 : i + 2] != [] and self.lexicon.noun(self.words[i : i + 2]) is None
-            )  # "a desk bearing"
+            return bool(self._word(i + 1)) and self.lexicon.noun(self.words[i : i + 2]) is None  # "a desk bearing"
         if word in ("left", "hanging", "standing", "built"):
             return not self._continues(i)
         if self.grammar.phrases.get(word, ("", ""))[0] not in ("verb", "pron"):
@@ -250,13 +245,9 @@ class Chunker(ClosedWords):
         whole = told and not self._does(run)
         if (owned := self._owned(at, i, run, before)) is not None:
             return owned
-        if (
-            det in ("a", "each")
-            and len(run) == 1
-            and run[0] in self.grammar.styles
-            and (noun := self.lexicon.noun(run)) is not None
-        ):
-            return Chunk("thing", at, i + 1, "", noun, det, number, bound, _plural(run[0], noun))  # "a glass"
+        noun = self.lexicon.noun(run) if det in ("a", "each") and run[0] in self.grammar.styles else None
+        if len(run) == 1 and noun is not None:  # "a glass"
+            return Chunk("thing", at, i + 1, "", noun, det, number, bound, _plural(run[0], noun))
         for end in range(len(run), 0, -1):
             for start in range(end):
                 tail = run[start:end]
@@ -266,19 +257,16 @@ class Chunker(ClosedWords):
                 if chunk and not (chunk[0] == "function" and start and self.lexicon.noun(run[start - 1 : start])):
                     kind, value, noun = chunk
                     after, number = self._counted_after(i + end, number) if kind == "thing" else (0, number)
-                    plural = (
-                        kind in ("thing", "part")
-                        and i + end - 1 not in self.owners
-                        and _plural(tail[-3 if "of" in tail else -1], noun)
-                    )
+                    owner = i + end - 1 in self.owners or kind not in ("thing", "part")
+                    plural = not owner and _plural(tail[-3 if "of" in tail else -1], noun)
                     adjectives = (*run[:start], *(HEAPED[:1] if set(HEAPS) & set(self.words[at:i]) else ()))
-                    adjectives += (
-                        tuple(tail[-1:]) if value == "side" and tail[-1] in small.HALVES else ()
-                    )  # "at the back"
+                    adjectives += tuple(tail[-1:]) if value == "side" and tail[-1] in small.HALVES else ()
                     end += after
                     return Chunk(kind, at, i + end, value, noun, det, number, bound, plural, adjectives, rows=rows)
             if end == len(run) and whole and (room := self.lexicon.room_like(run)):
                 return Chunk("room", at, i + end, room, None, det, number, bound)
+            if end == len(run) and whole and (part := self.lexicon.part_like(run)):  # "in the cornor"
+                return Chunk("part", at, i + end, part, None, det, number, bound, adjectives=tuple(run[:-1]))
             if end == len(run) and whole and self._promises(run):
                 noun = self.lexicon.guess(run)
                 return Chunk("thing", at, i + end, "", noun, det, number, bound, _plural(run[-1], noun), (), rows=rows)
@@ -349,7 +337,7 @@ class Chunker(ClosedWords):
     def _single(self, at: int) -> Chunk:
         """Return a word that is part of nothing larger."""
         word = self.words[at]
-        if word in small.COMPASS and at and self.words[at - 1] in ("facing", "faces", "face"):
+        if word in small.COMPASS and self._word(at - 1) in ("facing", "faces", "face"):
             return Chunk("part", at, at + 1, "wall", det="the", adjectives=(word,))
         if word[0].isdecimal() and self.words[at + 1 : at + 2] and self.words[at + 1] in small.SCALES:
             return Chunk("other", at, at + 2, word)  # "a 65 inch TV"
@@ -360,19 +348,10 @@ class Chunker(ClosedWords):
         kind, value = self.grammar.phrases.get(word, ("", ""))
         if kind in ("verb", "pron"):
             return Chunk(kind, at, at + 1, value)
-        if (
-            at
-            and self.words[at - 1] == "for"
-            and word not in (*small.DETERMINERS, *self.grammar.fillers)
-            and count_of(word) is None
-        ):
+        closed = word in small.DETERMINERS or word in self.grammar.fillers or count_of(word) is not None
+        if self._word(at - 1) == "for" and not closed:
             return Chunk("function", at, at + 1, word)  # "a bowl for keys"
-        if (
-            word in self.grammar.fillers
-            or word in small.DETERMINERS
-            or count_of(word) is not None
-            or word in small.BREAKING
-        ):
+        if closed or word in small.BREAKING:
             return Chunk("filler", at, at + 1, word)
         return Chunk("other", at, at + 1, word)
 

@@ -43,23 +43,13 @@ class ClosedWords:
 
     def _is_relation(self, phrase: str, end: int) -> bool:
         """Return whether a phrase is a relation here: "opposite walls", "left bank" and "to the left wall" are none."""
-        following = self.words[end] if end < len(self.words) else ""
+        following = self._word(end)
         if phrase in ("opposite", "across") and following.removesuffix("s") in ("wall", "side", "end", "corner"):
             return False
         sided = phrase.endswith(("left", "right", "middle", "center", "centre")) and " its " not in phrase
         if sided and following and following not in MARKS:
             leads = following in small.DETERMINERS or count_of(following) is not None
-            return leads or following in (
-                *small.JOINING,
-                "there",
-                "is",
-                "stands",
-                "with",
-                "sits",
-                "are",
-                "stand",
-                "hangs",
-            )
+            return leads or following in (*small.JOINING, *small.ALONE_DOES, "there", "with", "are", "stand")
         if "long side" in phrase and "room" in self.words[end : end + 3]:
             return False
         if phrase in ("round", "all round"):
@@ -96,13 +86,9 @@ class ClosedWords:
 
     def _continues(self, i: int) -> bool:
         """Return whether a noun may follow: "hanging chair"."""
-        following = self.words[i + 1] if i + 1 < len(self.words) else ""
-        return (
-            bool(following)
-            and following not in MARKS
-            and following not in small.DETERMINERS
-            and not self._begins_relation(i + 1)
-        )
+        following = self._word(i + 1)
+        closed = not following or following in MARKS or following in small.DETERMINERS
+        return not closed and not self._begins_relation(i + 1)
 
     def _seats(self, i: int) -> bool:
         """Return whether a number is part of a name here: "two-seater", "twin bed"."""

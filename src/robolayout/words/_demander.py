@@ -171,12 +171,8 @@ class Demander:
         for b, items in by.items():
             ways = [[("left", "right")[(i + first) % 2] for i in range(len(items))] for first in (0, 1)]
             gap = ways_of.BESIDE if len(items) < 3 else ways_of.BESIDE * len(items)
-            yield Demand(
-                tuple(
-                    tuple(stated("next_to", AssetRef(a), AssetRef(b), s, gap) for a, s in zip(items, way, strict=True))
-                    for way in ways
-                )
-            )
+            sided = ([*zip(items, way, strict=True)] for way in ways)
+            yield Demand(tuple(tuple(stated("next_to", AssetRef(a), AssetRef(b), s, gap) for a, s in w) for w in sided))
 
     def _otherside(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """On the other side of the first of some things than the rest of them."""
@@ -222,9 +218,8 @@ class Demander:
             yield Demand((tuple(stated("align_with", AssetRef(a), AssetRef(*one)) for a in subjects if a not in one),))
             subjects = one
         for i, a in enumerate(subjects):
-            targets = (
-                [AssetRef(b) for b in others if b != a] if others else self._points(place) if place is not None else []
-            )
+            points = self._points(place) if place is not None else []
+            targets = [AssetRef(b) for b in others if b != a] if others else points
             if len(others) == len(subjects):
                 targets = [AssetRef(others[i])]
             angles = (180.0, 0.0) if self._is(a, ("desk", "table")) else (0.0,)
@@ -349,11 +344,8 @@ class Demander:
                 yield from [Demand(tuple(ways))] if ways else []
             return
         for a, b in self._matched(subjects, objects):
-            yield (
-                self._resting(a, b)
-                if self._asset(a).on_object or self._asset(b).is_flat
-                else single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
-            )
+            on = self._asset(a).on_object or self._asset(b).is_flat
+            yield self._resting(a, b) if on else single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
         if not others:
             yield from self._at_place(subjects, Place("middle"), share=len(subjects) > 1)
 

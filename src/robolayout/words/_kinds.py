@@ -21,9 +21,8 @@ def settle_kinds(parsed: Parsed) -> None:
         if noun.said == "small table" and "chair" in heads and not heads & {"table", "desk"}:
             thing.noun = replace(noun, words="round table", kind="round table", others=())
             thing.adjectives = (*thing.adjectives, "small")
-        rounded = (
-            f"round {'table' if noun.kind in small.TABLES else noun.kind}" if small.ROUND & {*thing.adjectives} else ""
-        )
+        kind = "table" if noun.kind in small.TABLES else noun.kind
+        rounded = f"round {kind}" if small.ROUND & {*thing.adjectives} else ""
         if rounded in CATALOGUE:
             thing.noun = replace(noun, words=rounded, kind=rounded, others=())
     for link in parsed.links:
@@ -42,20 +41,12 @@ def settle_kinds(parsed: Parsed) -> None:
             free = CATALOGUE[noun.kind].on_floor and noun.said not in ("lamp", "light", "screen")
             on_wall = f"wall {noun.kind.split()[-1].replace('bookshelf', 'shelf')}"
             standing = place == "wall" and free and link.relation != "above"
-            if (
-                place == "wall"
-                and link.relation == "above"
-                and not standing
-                and on_wall in CATALOGUE
-                and " " not in noun.said
-            ):
+            hangs = place == "wall" and link.relation == "above" and not standing
+            if hangs and on_wall in CATALOGUE and " " not in noun.said:
                 mention.thing.noun = replace(noun, words=on_wall, kind=on_wall)
                 continue
-            fits = (
-                []
-                if standing
-                else [kind for kind in (noun.kind, *noun.others) if place and place in CATALOGUE[kind].places]
-            )
+            kinds = () if standing or not place else (noun.kind, *noun.others)
+            fits = [kind for kind in kinds if place in CATALOGUE[kind].places]
             if noun.others and fits and noun.words in (noun.kind, noun.said):
                 words = fits[0] if noun.words == noun.kind else noun.words
                 mention.thing.noun = replace(noun, words=words, kind=fits[0], others=())

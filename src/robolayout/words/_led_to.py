@@ -12,6 +12,9 @@ from robolayout.words._references import References
 from robolayout.words._said import Mention, Place, place_of, several
 from robolayout.words._ways import OTHER_SIDE
 
+CORNERS, WALLS = ("near", "far"), ("facing", "behind", "by", "with")
+"""Relations by which a door or window tells a corner or a wall from the others."""
+
 
 class LedTo(References):
     """Reads what relations lead to."""
@@ -135,13 +138,8 @@ class LedTo(References):
             return wall
         how = following[0].value if following[0].kind == "rel" else following[0].kind
         corner = wall.name == "corner" and following[1].value in ("door", "window")
-        most = (
-            corner and following[0].kind == "rel" and bool(small.MOST & {*following[0].adjectives})
-        )  # "nearest the window"
-        if most != corner or how not in (
-            "opposite",
-            *(("near", "far") if corner else ("facing", "behind", "by", "with")),
-        ):
+        most = corner and bool(small.MOST & {*following[0].adjectives})  # "nearest the window"
+        if most != corner or how not in ("opposite", *(CORNERS if corner else WALLS)):
             return wall
         self.at += 2
         self._understood(*following)

@@ -67,10 +67,8 @@ def _says(chunk: Chunk, after: Sequence[Chunk]) -> bool:
         return False  # "its headboard touches the wall"
     if chunk.kind == "verb" and chunk.value in small.LED:
         return not any(other.kind == "rel" for other in after)
-    where = chunk.value in small.RELATING and [other.kind for other in after[:1]] not in (
-        ["rel"],
-        ["measure"],
-    )  # "right behind"
+    leads = [other.kind for other in after[:1]] in (["rel"], ["measure"])  # "right behind"
+    where = chunk.value in small.RELATING and not leads
     told = chunk.kind == "filler" and ((count_of(chunk.value) or 0) > 1 or where)
     return chunk.kind not in small.SILENT or told
 

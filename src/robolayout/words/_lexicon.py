@@ -20,8 +20,8 @@ from robolayout.words.rooms import Rooms
 LONGEST = 8
 """Most words of a phrase."""
 
-SIMILAR = 0.86
-"""Likeness from which on a word is taken for a misspelt one."""
+SIMILAR, ALIKE_PARTS = 0.86, 0.83
+"""Likeness from which on a word is taken for a misspelt one: a thing or room, and a place of the room."""
 
 
 @dataclass(frozen=True)
@@ -63,10 +63,7 @@ def grammar() -> Grammar:
     phrases |= {word: ("pron", word) for word in data["pronouns"]["words"]}
     phrases |= {phrase: ("and", phrase) for phrase in (*JOINED, *ALIKE)}
     phrases |= {phrase: ("rel", name) for name, given in data["relations"].items() for phrase in given}
-    short = {
-        phrase.replace(" the ", " "): named for phrase, named in phrases.items() if " the " in phrase
-    }  # "on left side of"
-    phrases = short | phrases
+    phrases = {phrase.replace(" the ", " "): named for phrase, named in phrases.items()} | phrases  # "on left side of"
     return Grammar(
         phrases,
         frozenset(map(plain, data["fillers"]["words"])),
@@ -116,7 +113,6 @@ class Lexicon:
     """
 
     def __init__(self, rooms: Rooms, own: tuple[Category, ...] = (), scene: Scene | None = None) -> None:
-        self.rooms = rooms
         self.own = {word: thing.name for thing in own for word in (thing.name, *thing.synonyms)}
         self.there: dict[str, str] = {}
         if scene is not None:
@@ -132,18 +128,14 @@ class Lexicon:
         for text in (single, " ".join(words)):
             kind = self._known(text)
             if kind:
-                told = text in self._listed or text in self.there
+                told = text in grammar().kinds or text in self.there
                 others = tuple(kind.split("|")[1:]) if told or text in self.own else phrase_index().get(text, ())[1:]
                 return Noun(text if told else kind, kind.split("|")[0], single, "", others)
         return None
 
-    @property
-    def _listed(self) -> Mapping[str, str]:
-        return grammar().kinds
-
     def _known(self, text: str) -> str | None:
         """Return the kind of a phrase that is known as it stands."""
-        listed = self.own.get(text) or self.there.get(text) or self._listed.get(text)
+        listed = self.own.get(text) or self.there.get(text) or grammar().kinds.get(text)
         if listed:
             return listed
         names = phrase_index().get(text) or (_joined().get(text.replace(" ", "")) if len(text) > 3 else ())
@@ -153,6 +145,12 @@ class Lexicon:
         """Return the room type whose name is most like some words, None where none is."""
         near = get_close_matches(" ".join(words), self.room_words, n=1, cutoff=SIMILAR)
         return self.room_words[near[0]] if near else None
+
+    def part_like(self, words: Sequence[str]) -> str | None:
+        """Return the place of the room that the last of some words is a slip of, None where it is none."""
+        near = get_close_matches(words[-1], grammar().parts, n=1, cutoff=ALIKE_PARTS)
+        known = any(_misspelt(text.replace(" ", "")) for text in (" ".join(words), words[-1]))
+        return grammar().parts[near[0]] if near and len(words[-1]) > 4 and not known else None
 
     def guess(self, words: Sequence[str]) -> Noun:
         """Return the nearest kind of a noun that nobody knows: by a slip of spelling, its last word, or any known word."""
@@ -165,9 +163,8 @@ class Lexicon:
         if kind:
             return Noun(text, kind, text, f"by its last word, {head!r}")
         found = find_category(text).name
-        return Noun(
-            text, found, text, "as nothing that is known" if found.startswith("unknown") else "by one of its words"
-        )
+        how = "as nothing that is known" if found.startswith("unknown") else "by one of its words"
+        return Noun(text, found, text, how)
 
 
 @cache

@@ -16,16 +16,7 @@ from robolayout.words._chunk import Chunk
 from robolayout.words._leftover import leftover
 from robolayout.words._lexicon import grammar
 from robolayout.words._relations import AIDS, Relating
-from robolayout.words._said import (
-    Link,
-    Mention,
-    Parsed,
-    Place,
-    place_of,
-    same,
-    several,
-    topped,
-)
+from robolayout.words._said import Link, Mention, Parsed, Place, place_of, same, several, topped
 from robolayout.words._tokens import count_of
 from robolayout.words._ways import SEATS, TOPS
 
@@ -109,7 +100,9 @@ class Parser(Relating):
             before.pop()
         spans = [(before[-1].start, before[-1].end)] if before and before[-1].kind == "thing" else []
         thing = next((thing for thing in self.said.things if thing.spans[-1:] == spans), None)
-        if thing is not None and chunk.measure.fits(CATALOGUE[thing.noun.kind].size):
+        if thing is not None and chunk.measure.kind == "length" and self._ahead().kind == "rel":
+            self.gap = chunk  # "a table 40 cm in front of the sofa"
+        elif thing is not None and chunk.measure.fits(CATALOGUE[thing.noun.kind].size):
             thing.sizes.append(chunk.measure)
             self._understood(chunk)
         elif chunk.measure.kind in ("size", "area", "height", "grid"):
@@ -134,9 +127,7 @@ class Parser(Relating):
         each = each or any(chunk.det == "each" for chunk in self.chunks[index + 1 : index + 2])
         last = (self.group or self.subject or self.before)[-1:]
         more = self.chunks[self.at - 2].kind == "and" and last == self.acted and last[:1] and last[0].pick is None
-        if (
-            more and last[0].thing.number and last[0].thing not in self.dealt
-        ):  # "two chairs before it and one behind it"
+        if more and last[0].thing.number and last[0].thing not in self.dealt:  # "two before it and one behind it"
             k = self.said.links[-1]
             self.dealt[last[0].thing] = last[0].thing.number
             own = Mention(last[0].thing, slice(0, last[0].thing.number))
@@ -224,9 +215,8 @@ class Parser(Relating):
 
     def _none_of(self, chunk: Chunk) -> Chunk:
         """Return all of what was named before, where none of it is to stand as a relation says: "no bookcase blocks the door"."""
-        if not (
-            self.refusing and self._ahead().kind == "rel" and any(same(thing, chunk) for thing in self.said.things)
-        ):
+        again = any(same(thing, chunk) for thing in self.said.things)
+        if not (self.refusing and self._ahead().kind == "rel" and again):
             return chunk
         self.negated = True
         self.chunks[self.at - 1] = replace(chunk, det="the", number=None)

@@ -91,13 +91,7 @@ def halves_meant(scene: Scene, place: Place) -> Iterator[tuple[PointRef, ...]]:
     x0, y0, x1, y1 = scene.room.bounds
     x, y = (x0 + x1) / 2, (y0 + y1) / 2
     back = (x0, y, x1, y1)
-    halves = {
-        "left": (x0, y0, x, y1),
-        "right": (x, y0, x1, y1),
-        "back": back,
-        "rear": back,
-        "front": (x0, y0, x1, y),
-    }
+    halves = {"left": (x0, y0, x, y1), "right": (x, y0, x1, y1), "back": back, "rear": back, "front": (x0, y0, x1, y)}
     if scene.room.doors:  # what is across the room from who comes in
         nx, ny = scene.room.walls[scene.room.doors[0].wall].normal
         halves["far"] = halves[("left", "right")[nx > 0] if abs(nx) > abs(ny) else ("front", "back")[ny > 0]]

@@ -21,6 +21,7 @@ from robolayout.words._said import (
     several,
     topped,
 )
+from robolayout.words._tokens import APART
 from robolayout.words._ways import OTHER_SIDE
 
 AXES = {"left": "across", "right": "across", "front": "along", "behind": "along", "foot": "along"}
@@ -30,10 +31,9 @@ AXES = {"left": "across", "right": "across", "front": "along", "behind": "along"
 class References:
     """What was named so far in a text, and in its last sentence."""
 
-    def __init__(self, chunks: Sequence[Chunk], given: Sequence[Thing] = ()) -> None:
+    def __init__(self, chunks: Sequence[Chunk]) -> None:
         self.chunks = list(chunks)
         self.said = Parsed()
-        self.given = list(given)
         self.at = 0
         self.before: list[Mention] = []
         self.spoken: list[Mention] = []  # all that the last sentence named
@@ -44,6 +44,7 @@ class References:
         self.contrast: tuple[str, list[Mention]] = ("", [])  # the other side than the last one, and of what
         self.axis = ""  # along which line of it, where no "it" was said
         self.other: list[Mention] = []  # what was said since, by a noun
+        self.gap: Chunk | None = None  # a measure right before a relation
         self.told = 0  # where that was said
         self.began = 0
         self._new_sentence()
@@ -104,26 +105,25 @@ class References:
             return self.holder
         if word in small.SEVERAL:
             return self._several_meant(earlier, to)
-        if word == "it" and relation == self.contrast[0] and self.contrast[1] and self.contrast[1][0].thing not in own:
-            return self.contrast[1]  # "a lamp to the left of the sofa; to the right of it a plant"
+        side, of = self.contrast if self.told >= self.began or not earlier else ("", [])
+        if word == "it" and relation == side and of and of[0].thing not in own:
+            return of  # "a lamp to the left of the sofa; to the right of it a plant"
         kept = self.kept if self._keeps(relation) and {m.thing for m in self.other} <= own else []
         if kept and kept[0].thing not in own:
             return kept
         single, led = ([m for m in given if m.thing.count == 1] for given in (earlier, to))
         if word == "it" and earlier and earlier[-1].thing.count > 1:
             earlier = led or single or earlier
-        return earlier[-1:] or to[-1:] or self.before[:1] or self.group[:1]
+        before = self.before[:1]
+        if word == "it" and before and several(before[0]):  # "Six chairs are around it. A lamp hangs above it."
+            before = [m for m in (*self.spoken, *self.kept) if m.thing.count == 1][-1:] or before
+        return earlier[-1:] or to[-1:] or before or self.group[:1]
 
     def _several_meant(self, earlier: list[Mention], to: list[Mention]) -> list[Mention]:
         """Return what "them" stands for: several things named at once, or the last two."""
         own = {m.thing for m in self.about}
-        on = {
-            m.thing
-            for k in self.said.links
-            for m in k.subjects
-            for o in k.objects
-            if isinstance(o, Mention) and o.thing in own
-        }
+        to_own = [k for k in self.said.links if own & {o.thing for o in k.objects if isinstance(o, Mention)}]
+        on = {m.thing for k in to_own for m in k.subjects}
         earlier = [m for m in earlier if m.thing not in on or not topped(m)]
         several = [m for m in earlier if m.thing.count > 1]
         if several and earlier[-1:] == several[-1:]:
@@ -139,9 +139,7 @@ class References:
 
     def _keeps(self, relation: str) -> bool:
         """Return whether "it" still means here what it meant before."""
-        return bool(self.axis and self.axis == AXES.get(relation)) or (
-            not self.axis and relation not in (*small.CLOSE, "")
-        )
+        return self.axis == AXES.get(relation) if self.axis else relation not in (*small.CLOSE, "")
 
     def _keep(self, relation: str, objects: Sequence[Mention | Place], *, pronoun: bool, fronted: bool) -> None:
         """Note what a relation led to, so that a later "it" can mean the same."""
@@ -211,45 +209,37 @@ class References:
         """Return the thing named before that a noun phrase means; the one named last where several fit."""
         assert chunk.noun is not None
         bare = not chunk.det and chunk.number is None
-        fits = [t for t in [*self.given, *self.said.things] if same(t, chunk)]
+        fits = [t for t in self.said.things if same(t, chunk)]
         fits = [t for t in fits if same_words(t, chunk)] or [t for t in fits if not (bare and more_of(t, chunk))]
-        if not fits or (
-            chunk.det in small.ORDINALS and not self._has_so_many(fits[-1], small.ORDINALS.index(chunk.det) % 3)
-        ):
+        last, number = fits[-1] if fits else None, chunk.number
+        if last is None or not self._has_so_many(last, chunk.det):
             return None
         said = {word.removesuffix("s") for word in (*chunk.adjectives, *chunk.noun.said.split())}
-        if fits[-1].count > 1 and not chunk.plural and said & small.PEOPLE and not same_words(fits[-1], chunk):
+        alike, one = same_words(last, chunk), number == 1 and not chunk.det
+        if last.count > 1 and not chunk.plural and said & small.PEOPLE and not alike:
             return None  # "the teacher's desk"
-        one = target and chunk.number == 1 and chunk.det == ""
-        new = (chunk.det == "new" and not any(0 < self.dealt.get(thing, 0) < thing.count for thing in fits[-1:])) or (
-            chunk.number is not None and not one and chunk.det not in ("the", "all", "both", "one", "each", "other")
-        )
-        told = chunk.number is not None and not one and fits[-1].definite and fits[-1].number is None
-        if told and fits[-1].plural and same_words(fits[-1], chunk):
-            fits[-1].number = chunk.number  # "facing the mirrors, three mirrors on the wall"
-            return fits[-1]
+        told = number is not None and not (target and one)
+        if told and last.definite and last.number is None and last.plural and alike:
+            last.number = number  # "facing the mirrors, three mirrors on the wall"
+            return last
         follows = self._ahead().kind
-        earlier = fits[-1] not in [mention.thing for mention in self.recent]
-        if (fits[-1] in self.given and chunk.det != "new") or (
-            chunk.number == 1 and not chunk.det and follows == "verb" and earlier
-        ):
-            return fits[-1]  # "three lamps. One lamp should be next to the sofa"
-        if one and fits[-1].count > 1:
-            return fits[-1]
+        earlier = last not in [mention.thing for mention in self.recent]
+        if one and ((follows == "verb" and earlier) or (target and last.count > 1)):
+            return last  # "three lamps. One lamp should be next to the sofa"
         if bare and not chunk.plural and not target:
             # "1 bed, 1 desk: desk near bed", "watch it from bed"
-            again = follows == "rel" or self._previous(chunk) == "from"
-            return fits[-1] if again and same_words(fits[-1], chunk) else None
-        if chunk.det == "a" and not target and fits[-1].definite and same_words(fits[-1], chunk):
-            fits[-1].definite = False
-            return fits[-1]
-        if chunk.det == "a" and not (target and same_words(fits[-1], chunk)):
-            return None
-        return None if new else fits[-1]
+            return last if alike and (follows == "rel" or self._previous(chunk) == "from") else None
+        if chunk.det == "a":
+            again = alike and (target or last.definite)
+            last.definite = last.definite and target
+            return last if again else None
+        new = chunk.det == "new" and not 0 < self.dealt.get(last, 0) < last.count
+        return None if new or (told and chunk.det not in small.NAMED) else last
 
-    def _has_so_many(self, thing: Thing, index: int) -> bool:
+    def _has_so_many(self, thing: Thing, det: str) -> bool:
         """Return whether there is a thing of a number; what begins with "the first sofa" goes on with "the second"."""
-        if thing.definite and thing.number is None and not thing.plural:
+        index = small.ORDINALS.index(det) % 3 if det in small.ORDINALS else 0
+        if index and thing.definite and thing.number is None and not thing.plural:
             thing.number = index + 1
         return thing.count > index
 
@@ -261,9 +251,6 @@ class References:
             seen = seen or self.chunks[index].kind in ("and", "comma")
             index -= 1
         return seen and index >= 0 and self.chunks[index].kind == "thing" and bool(self.group) and not self.acted
-
-    def _given(self, mention: Mention) -> bool:
-        return mention.thing in self.given
 
     def _number_of(self, item: Mention | Place) -> int:
         """Return how many there are of a thing, of corners or walls, of doors or windows that are asked for."""
@@ -277,7 +264,7 @@ class References:
     def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> Chunk:
         """Count what stands at each side of something; return the relation, which is "around" for several seats."""
         thing = subjects[0].thing
-        if len(subjects) == 1 and subjects[0].per_side(chunk) and thing not in (*self.given, *self.dealt):
+        if len(subjects) == 1 and subjects[0].per_side(chunk) and thing not in self.dealt:
             thing.number = 2 * (thing.number or 1)
             around = [to for to in objects[:1] if isinstance(to, Mention) and to.det in ("each", "all")]
             thing.times = around[0].thing.count if around else 1
@@ -303,7 +290,7 @@ class References:
             for mention in subjects:
                 owned = isinstance(item, Mention) and item.thing is mention.thing
                 dealt = mention.thing in self.dealt or mention.pick is not None  # "two lamps, one in each corner"
-                if mention.thing.times == 1 and not owned and not dealt and not self._given(mention):
+                if mention.thing.times == 1 and not owned and not dealt:
                     mention.thing.times = count * (2 if chunk.value == "flank" and mention.thing.number == 1 else 1)
         if chunk.value == "flank":
             chunk = self._on_both_sides(chunk, subjects, objects)
@@ -323,3 +310,7 @@ class References:
             self.said.links.remove(row)  # "lined up along two opposite walls": no one line
             self.said.read.update(range(row.start, row.end))
         self.said.links.append(Link(chunk.value, *about, chunk.start, chunk.end, (low, high), chunk.rows))
+        if self.gap is not None and self.gap.measure is not None:
+            low = self.gap.measure.values[0]
+            self.said.links.append(Link("apart", *about, self.gap.start, chunk.end, (low, low + APART)))
+            self.gap = None

@@ -66,7 +66,9 @@ class Relating(LedTo):
         self.verb = self.listed = False
         self.broken = True
         if self.holder and self.holder[0].det in ("each", "both", "all") and self.holder[0].thing.count > 1:
-            self._each_has(self.holder, self.holder[0].thing.count)
+            alike = [thing for thing in self.said.things if thing.noun.said == self.holder[0].thing.noun.said]
+            self.holder = [Mention(thing, None, self.holder[0].det) for thing in alike]
+            self._each_has(self.holder, sum(thing.count for thing in alike))
 
     def _each_has(self, holder: list[Mention], times: int) -> None:
         """Read what each of some things or people has, up to the end of the clause."""
@@ -137,7 +139,8 @@ class Relating(LedTo):
             self._on_with(chunk)
             return
         beyond = self._ahead()
-        if beyond.kind == "thing" and beyond.value and chunk.value in ("on", "by"):  # "at the armchair's right"
+        laid = chunk.value == "on" and any(map(topped, subjects))  # "a globe on the desk's left side"
+        if beyond.kind == "thing" and beyond.value and chunk.value in ("on", "by") and not laid:
             chunk = replace(chunk, value=beyond.value)
         first, its = self.at, chunk.det == "its"
         self.about = [] if self._turned_round(first, self.at + (not its)) else subjects
@@ -195,21 +198,16 @@ class Relating(LedTo):
             laid = objects != self.holder
         hung = place and chunk.value in ("on", "hanging")  # "a sofa with the TV on the wall"
         low = held and not topped(self.group[-1]) and not CATALOGUE[self.holder[0].thing.noun.kind].on_floor
-        swapped = (
-            (place or laid) and held and not (hung or low) and subjects == self.group[-1:]
-        )  # "a table with a vase near the door"
+        swapped = (place or laid) and held and not (hung or low) and subjects == self.group[-1:]
         return (self.holder if swapped else subjects), objects
 
     def _refused(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
         """Note what must not be so: where nearness is refused, a gap is asked for; of what must not be there nothing is."""
         place = bool(objects) and isinstance(objects[0], Place)
+        barred = chunk.value in ("blocks", "wall")
         if self.empty and place:
             self._keep_empty(chunk, objects)
-        elif (
-            self.negated
-            and subjects
-            and (chunk.value in small.NEARNESS or (chunk.value in ("blocks", "wall") and place))
-        ):
+        elif self.negated and subjects and (chunk.value in small.NEARNESS or (barred and place)):
             gap = Measure("apart", (KEPT_OFF, math.inf), 0, 0)
             self._link(replace(chunk, value="apart", measure=gap), subjects, objects)
         elif self.negated:
@@ -296,9 +294,8 @@ class Relating(LedTo):
     def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention], place: Place | None) -> bool:
         """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""
         tables = [thing for thing in self.said.things if thing.noun.kind.split()[-1] in ("table", "counter", "island")]
-        seats = [
-            m for m in subjects if m.thing.noun.kind.split()[-1] in ("chair", "stool", "bench", "cushion", "armchair")
-        ]
+        around = ("chair", "stool", "bench", "cushion", "armchair")
+        seats = [m for m in subjects if m.thing.noun.kind.split()[-1] in around]
         if not tables or not seats or len(seats) < len(subjects):
             return False
         square = "square" in (*tables[-1].adjectives, *tables[-1].noun.said.split())
@@ -343,9 +340,7 @@ class Relating(LedTo):
         hung = noun is not None and any("wall" in CATALOGUE[kind].places for kind in (noun.kind, *noun.others))
         told = relation in ("by", "next", "near", "holds", *(("on", "wall") if following == "wall" and hung else ()))
         last = self.group[-1:] or list(self.subject)
-        does = {
-            *self.chunks[self.at - 1].adjectives
-        } & small.PLURAL_DOES and not self.relative  # "a sofa and a chair face the TV"
+        does = {*self._ahead(-1).adjectives} & small.PLURAL_DOES and not self.relative  # "a sofa and a chair face it"
         if len(self.group) > 1 and (does or (relation == "around" and all(_sat_on(m) for m in self.group))):
             return list(self.group)
         if self.target is not None and relation == "on" and following != "wall" and last:
@@ -355,6 +350,8 @@ class Relating(LedTo):
             told = told or (_on_tops(last[0]) and not _on_tops(self.target))  # "a laptop on the desk under the window"
         if self.target is not None and told and self.acted:
             return [self.target]
+        if self.target is not None and self.said.links and self.said.links[-1].relation == "in" and place:
+            return [self.target]  # "toys in a box under the window"
         if relation in small.ORDERS and last and last[0].thing.count == 1:
             return list(self.group or self.subject)  # "fridge, stove and sink in a row"
         if relation == "on" and last and topped(last[0]) and len(self.group) > 1:
@@ -376,9 +373,7 @@ class Relating(LedTo):
         if self._of_the_noun():
             return self._nearest(relation)
         if previous.kind == "verb" or self.verb:
-            told = (
-                [self.target] if self.target is not None else self.group[-1:]
-            )  # "the sink, which is under the window"
+            told = self.group[-1:] if self.target is None else [self.target]  # "the sink, which is under ..."
             return told if self.relative else list(self.subject or self.group)
         if previous.kind == "thing":
             return self._nearest(relation)

@@ -8,7 +8,6 @@ from dataclasses import dataclass, field
 from robolayout.assets import CATALOGUE
 from robolayout.assets.palette import LOOKS
 from robolayout.words._chunk import Chunk
-from robolayout.words._function_words import YOUNG
 from robolayout.words._lexicon import Noun
 from robolayout.words._tokens import Measure
 
@@ -127,19 +126,15 @@ class Parsed:
     openings: list[tuple[Place, tuple[int, int]]] = field(default_factory=list[tuple[Place, tuple[int, int]]])
     facts: list[Chunk] = field(default_factory=list[Chunk])  # Rooms, bodies, people, measures, styles ... as chunks.
     missed: list[Chunk] = field(default_factory=list[Chunk])  # chunks that nothing is made of
-    read: set[int] = field(
-        default_factory=set[int]
-    )  # further tokens that are understood: places that relations lead to
+    read: set[int] = field(default_factory=set[int])  # further tokens that are understood
     people: int = 0  # people that the room is for, where a bare number says it ("for ten"); 0 if none does
 
 
 def several(item: Mention | Place) -> bool:
     """Return whether something is more than one thing."""
-    return (
-        isinstance(item, Mention)
-        and item.thing.count > 1
-        and (item.pick is None or item.pick.stop - item.pick.start > 1)
-    )
+    if not isinstance(item, Mention) or item.thing.count < 2:
+        return False
+    return item.pick is None or item.pick.stop - item.pick.start > 1
 
 
 def place_of(chunk: Chunk) -> Place:
@@ -174,8 +169,3 @@ def topped(mention: Mention) -> bool:
     """Return whether a thing can stand nowhere but on another."""
     kind = CATALOGUE.get(mention.thing.noun.kind)
     return kind is not None and kind.on_object and not kind.on_floor and not kind.on_wall and not kind.on_ceiling
-
-
-def children(parsed: Parsed) -> bool:
-    """Return whether the people that are named are children."""
-    return any(chunk.kind == "people" and chunk.value in YOUNG for chunk in parsed.facts)

@@ -17,13 +17,7 @@ _NUMBER_WORDS = (
 _TENS = ["thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety", "hundred"]
 NUMBERS = (
     {word: value for value, words in enumerate(_NUMBER_WORDS.split(", ")) for word in words.split()}
-    | {
-        "some": 2,
-        "few": 3,
-        "several": 3,
-        "lots": 4,
-        "many": 4,
-    }
+    | {"some": 2, "few": 3, "several": 3, "lots": 4, "many": 4}
     | {word: 10 * tens for tens, word in enumerate(_TENS, 3)}
 )
 """Counts by word; what says no exact number stands for a usual one."""
@@ -125,7 +119,7 @@ class Measure:
 ROOMS = {
     "size": (1.0, 100.0, "a room of", "cannot be furnished; give 1 to 100 m on each side, for example 4 x 5 m or 13 x 16 ft"),
     "area": (2.0, 5000.0, "a floor of", "cannot be furnished; give 2 to 5000 m2"),
-    "height": (1.8, 20.0, "a ceiling at", "is too low or too high; give 1.8 to 20 m"),
+    "height": (1.8, 20.0, "a ceiling at", "is too low or too high; give 1.8 to 20 m")
 }  # fmt: skip
 """Least and most that a measure of a room may be, and what is said of others."""
 

@@ -267,9 +267,8 @@ class _Rows:
             bad = [outcome for outcome in outcomes if outcome is None or not outcome.met]
             shown = next((outcome for outcome in bad or outcomes if outcome is not None), None)
             text = shown.text if shown is not None else "not placed"
-            return ("unmet" if bad else "met"), text if len(
-                outcomes
-            ) == 1 else f"{len(outcomes) - len(bad)} of {len(outcomes)}: {text}"
+            share = f"{len(outcomes) - len(bad)} of {len(outcomes)}: " if len(outcomes) > 1 else ""
+            return ("unmet" if bad else "met"), share + text
 
         things = tuple(dict.fromkeys(name for demand in demands for name in sorted(demand.names())))
         said = "; ".join(dict.fromkeys(as_row.said(demand) for demand in demands[:2])) + (

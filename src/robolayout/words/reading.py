@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from robolayout._errors import SceneError
 from robolayout.assets.palette import STYLED, WOODS
 from robolayout.words._chunk import Chunk
 from robolayout.words._chunks import Chunker
-from robolayout.words._function_words import AFTER_A_PLACE, LEAST_SAID
+from robolayout.words._function_words import AFTER_A_PLACE, LEAST_SAID, YOUNG
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
 from robolayout.words._parse import Parser
-from robolayout.words._said import ONE_EACH, Parsed, Place, Thing, children
+from robolayout.words._said import ONE_EACH, Parsed, Place
 from robolayout.words._tokens import Token, count_of, measures, tokens
 
 LONGEST = 4000
@@ -123,13 +124,12 @@ class Reading:
         return any("square" in chunk.adjectives for chunk in self.parsed.facts if chunk.kind == "room")
 
 
-def read_text(text: str, lexicon: Lexicon, given: Sequence[Thing] = ()) -> Reading:
+def read_text(text: str, lexicon: Lexicon) -> Reading:
     """Return what a text says.
 
     Args:
         text: One or several sentences.
         lexicon: The nouns that are known.
-        given: Things that are there already.
 
     Raises:
         SceneError: Its figures make no sense.
@@ -138,7 +138,7 @@ def read_text(text: str, lexicon: Lexicon, given: Sequence[Thing] = ()) -> Readi
     words = tokens(read)
     chunks = Chunker(words, measures(read), lexicon).chunks()
     room, chunks = _named_room(chunks, words)
-    parsed = Parser(chunks, given).parse()
+    parsed = Parser(chunks).parse()
     if room is None:
         first = next((chunk for chunk in parsed.facts if chunk.kind == "room"), None)
         room = (first.value, " ".join(w.text for w in words[first.start : first.end]), False, first) if first else None
@@ -147,7 +147,8 @@ def read_text(text: str, lexicon: Lexicon, given: Sequence[Thing] = ()) -> Readi
     bodies.sort(key=lambda chunk: LEAST_SAID.index(chunk.value) if chunk.value in LEAST_SAID else -1)
     people = [c.number or 0 for c in parsed.facts if c.kind in ("people", "body") and c.number]
     people += [2 for c in parsed.facts if c.kind == "people" and c.value == "couple"] + [parsed.people]
-    young = children(parsed) or any(chunk.value == "child_6" for chunk in bodies)
+    young = any(c.kind == "people" and c.value in YOUNG for c in parsed.facts)
+    young = young or any(chunk.value == "child_6" for chunk in bodies)
     settle_kinds(parsed)
     number = bounded(people[0], "people")
     seats = number or next((thing.people * thing.count for thing in parsed.things if thing.people), 0)
@@ -203,13 +204,13 @@ def _named_room(
         last = said.split()[-1]
         other = chunk.kind == "part" and (chunk.value not in ("room", "corner", "middle") or said == last)
         follows = chunks[i + 1].kind if i + 1 < len(chunks) else "stop"
-        other = other or (
-            follows == "comma" and chunk.noun is not None and not chunk.noun.guessed
-        )  # "a toilet, a sink"
+        listed = follows == "comma" and chunk.noun is not None and not chunk.noun.guessed  # "a toilet, a sink"
         unknown = chunk.noun is not None and chunk.noun.kind.startswith("unknown") and follows in ("with", "colon")
-        if not (last in places or unknown) or other or (chunk.number or 1) > 1 or follows not in AFTER_A_PLACE:
+        wrong = other or listed or (chunk.number or 1) > 1 or follows not in AFTER_A_PLACE
+        if wrong or not (last in places or unknown):
             return None, list(chunks)
-        named = [c for c in chunks[i + 1 :] if c.kind == "room" and c.value != "room"]
+        later = [(before, c) for before, c in pairwise(chunks[i:]) if c.kind == "room" and c.value != "room"]
+        named = [c for before, c in later if before.kind != "with"]  # "a break room with a kitchenette"
         if named:
             use = Chunk("function", chunk.start, chunk.end, last)
             return None, [*chunks[:i], use, *chunks[i + 1 :]]
