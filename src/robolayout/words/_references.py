@@ -105,10 +105,11 @@ class References:
             return self.holder
         if word in small.SEVERAL:
             return self._several_meant(earlier, to)
-        side, of = self.contrast if self.told >= self.began or not earlier else ("", [])
+        fresh = self.told >= self.began or not earlier  # no thing was named since
+        side, of = self.contrast if fresh else ("", [])
         if word == "it" and relation == side and of and of[0].thing not in own:
             return of  # "a lamp to the left of the sofa; to the right of it a plant"
-        kept = self.kept if self._keeps(relation) and {m.thing for m in self.other} <= own else []
+        kept = self.kept if fresh and self._keeps(relation) and {m.thing for m in self.other} <= own else []
         if kept and kept[0].thing not in own:
             return kept
         single, led = ([m for m in given if m.thing.count == 1] for given in (earlier, to))
