@@ -104,13 +104,7 @@ class Noun:
 
 
 class Lexicon:
-    """All nouns, for one set of room types and own things.
-
-    Args:
-        rooms: Room types, bodies and corners.
-        own: Categories of the user's own.
-        scene: A scene whose things are known by the words of their categories.
-    """
+    """All nouns of room types, bodies, own categories, and of what stands in a scene already."""
 
     def __init__(self, rooms: Rooms, own: tuple[Category, ...] = (), scene: Scene | None = None) -> None:
         self.own = {word: thing.name for thing in own for word in (thing.name, *thing.synonyms)}

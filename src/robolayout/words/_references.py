@@ -272,6 +272,12 @@ class References:
         several = all(mention.at_a_table and (mention.thing.number or 0) > 2 for mention in subjects)
         return replace(chunk, value="around") if several else chunk
 
+    def _gap_told(self, end: int, about: tuple[tuple[Mention, ...], tuple[Mention | Place, ...]]) -> list[Link]:
+        """Return what a measure right before a relation says of it: "40 cm in front of the sofa"."""
+        gap, self.gap = self.gap, None
+        low = gap.measure.values[0] if gap is not None and gap.measure is not None else 0.0
+        return [Link("apart", *about, gap.start, end, (low, low + APART))] if gap is not None else []
+
     def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
         """Note a relation; what stands at each of several things is as many times there."""
         led = objects or (
@@ -311,7 +317,4 @@ class References:
             self.said.links.remove(row)  # "lined up along two opposite walls": no one line
             self.said.read.update(range(row.start, row.end))
         self.said.links.append(Link(chunk.value, *about, chunk.start, chunk.end, (low, high), chunk.rows))
-        if self.gap is not None and self.gap.measure is not None:
-            low = self.gap.measure.values[0]
-            self.said.links.append(Link("apart", *about, self.gap.start, chunk.end, (low, low + APART)))
-            self.gap = None
+        self.said.links += self._gap_told(chunk.end, about)

@@ -72,14 +72,7 @@ class Wishes:
         walked: BaseGeometry | None = None,
         against: Mapping[Relation, str] = MappingProxyType({}),
     ) -> tuple[AskedRow, ...]:
-        """Return every row with its verdict in a layout; what is not placed meets nothing.
-
-        Args:
-            scene: The scene.
-            layout: Where things stand.
-            walked: Where the centre of the first body gets to from the door; None leaves ways unjudged.
-            against: What unmet statements lost to, in words.
-        """
+        """Return every row with its verdict in a layout, with where the body gets to, and what unmet statements lost to."""
         found: list[AskedRow] = []
         room = Furnished(scene, layout, walked)
         for row in self.rows:
