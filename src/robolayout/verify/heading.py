@@ -159,7 +159,8 @@ def _swept(agent: Agent, heading: float, step: float) -> NDArray[np.float64]:
 
 def convex_places(room: Room, shapes: NDArray[np.object_], body: NDArray[np.float64]) -> list[Polygon]:
     """Return the pieces of the free space of a convex body, largest first; a passage just as wide as the body is none."""
-    return list(components(shapely.set_precision(free_of(room, shapes, body), FINE.grain)))
+    even = shapely.set_precision(free_of(room, shapes, body), FINE.grain)
+    return list(components(shapely.set_precision(even, 0.0)))  # what is worked out from them next is not on a grid
 
 
 def free_of(room: Room, shapes: NDArray[np.object_], body: NDArray[np.float64]) -> BaseGeometry:
