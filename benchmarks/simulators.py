@@ -16,6 +16,9 @@ Spot = tuple[float, float, float, float]
 STEP = 0.002
 """Seconds of one step."""
 
+AREAS = {"compliance_type": "compliant", "hydroelastic_modulus": 1e7, "resolution_hint": 0.05, "slab_thickness": 0.05}
+"""How Drake is asked to work out contact over areas, for shapes that do not ask for it: pascals, metres."""
+
 
 @dataclass(frozen=True)
 class Rested:
@@ -39,6 +42,9 @@ def in_drake(path: Path, seconds: float) -> Rested:
     plants: Any = import_module("pydrake.multibody.plant")
     builder = import_module("pydrake.systems.framework").DiagramBuilder()
     plant, geometry = plants.AddMultibodyPlantSceneGraph(builder, STEP)
+    if path.suffix == ".xml":  # MJCF has no word for what SDF and URDF say themselves: contact over areas
+        shapes: Any = import_module("pydrake.geometry")
+        geometry.set_config(shapes.SceneGraphConfig(default_proximity_properties=shapes.DefaultProximityProperties(**AREAS)))
     parser = import_module("pydrake.multibody.parsing").Parser(plant, geometry)
     parser.package_map().Add("models", str(path.parent / "models"))
     parser.SetAutoRenaming(True)
