@@ -44,7 +44,9 @@ def in_drake(path: Path, seconds: float) -> Rested:
     plant, geometry = plants.AddMultibodyPlantSceneGraph(builder, STEP)
     if path.suffix == ".xml":  # MJCF has no word for what SDF and URDF say themselves: contact over areas
         shapes: Any = import_module("pydrake.geometry")
-        geometry.set_config(shapes.SceneGraphConfig(default_proximity_properties=shapes.DefaultProximityProperties(**AREAS)))
+        geometry.set_config(
+            shapes.SceneGraphConfig(default_proximity_properties=shapes.DefaultProximityProperties(**AREAS))
+        )
     parser = import_module("pydrake.multibody.parsing").Parser(plant, geometry)
     parser.package_map().Add("models", str(path.parent / "models"))
     parser.SetAutoRenaming(True)
