@@ -165,7 +165,8 @@ class Solver:
         self.blind |= best.verdict.soft > self.effort.blind * len(self.problem.relations)
         if not self.config.starts or not (self.blind or best.verdict.broken):
             return best
-        return self._anew(stage, number, best)
+        best = self._anew(stage, number, best)
+        return best if best.verdict.broken else self._near(number, best)
 
     def _amiss(self, stage: Stage, best: _Best) -> float:
         """Return the share of what a stage moves that is out of place or out of reach."""

@@ -104,9 +104,9 @@ class Repair:
         return pack([plan_for(world) for world in worlds[part]], size)
 
     def _around(self, slot: int, world: Floats) -> Floats:
-        """Return poses (m, 4) around the guess of a slot and around where it is: where its rows hold, its walls, or free."""
-        rows = self.proposals.rows(slot)
-        free = [_rings(self.problem.start[slot], MENDING.rings), _rings(world[slot], MENDING.rings[: MENDING.turning])]
+        """Return poses (m, 4) around the guess of a slot, if it has one, and where it is: where its rows hold, its walls, or free."""
+        rows, middle = self.proposals.rows(slot), self.problem.start if self.problem.names[slot] in self.problem.guessed else world
+        free = [_rings(middle[slot], MENDING.rings), _rings(world[slot], MENDING.rings[: MENDING.turning])]
         walls, whole = np.concatenate(free), np.concatenate(free)
         for term in rows:
             walls = nearest(self.problem, term, slot, walls, world) if isinstance(term.b, WallRef) else walls
