@@ -105,7 +105,10 @@ class Repair:
 
     def _around(self, slot: int, world: Floats) -> Floats:
         """Return poses (m, 4) around the guess of a slot, if it has one, and where it is: where its rows hold, its walls, or free."""
-        rows, middle = self.proposals.rows(slot), self.problem.start if self.problem.names[slot] in self.problem.guessed else world
+        rows, middle = (
+            self.proposals.rows(slot),
+            self.problem.start if self.problem.names[slot] in self.problem.guessed else world,
+        )
         free = [_rings(middle[slot], MENDING.rings), _rings(world[slot], MENDING.rings[: MENDING.turning])]
         walls, whole = np.concatenate(free), np.concatenate(free)
         for term in rows:
