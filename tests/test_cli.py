@@ -169,6 +169,11 @@ def test_a_sentence_may_be_longer_than_a_file_name(command: Command, tmp_path: P
     assert ran.code in (0, 1) and "robolayout: A " in ran.err, ran
 
 
+def test_a_list_with_dashes_is_no_option(command: Command, tmp_path: Path) -> None:
+    words = "- 900 sofas\n- a rug"
+    refused(command("generate", words, "--out", tmp_path / "out"), "900", "sofa")
+
+
 def test_good_rooms(furnished: Furnished) -> None:
     assert furnished.code == (0 if furnished.printed["ok"] else 1)
     assert furnished.code == 0, furnished.printed["violations"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any
@@ -54,6 +55,10 @@ REFUSALS = (errno.ENAMETOOLONG, errno.EACCES, errno.EPERM, errno.ELOOP, errno.EN
 
 class Commands(TyperGroup):
     """The group of all commands."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Read the arguments; what begins with a dash and has a blank is a list in words ("- 1 sofa"), no option."""
+        return super().parse_args(ctx, [f" {arg}" if re.match(r"-[^=]*\s", arg) else arg for arg in args])
 
     def invoke(self, ctx: Any) -> Any:
         """Run a command; a path that the system refuses is the user's, all else is nobody's fault but ours."""
