@@ -75,6 +75,12 @@ ONE = (  # one thing each; {a}, {b}, {c} are things, {s} and {t} small ones, {r}
     ("If possible, {a} {p}. {B} too.", "a p, b p"),
     ("{A} flanked by {b} and {c}.", "b flank a, c flank a"),
     ("{A} and, to its left, {b}.", "b left a"),
+    ("There is {a} and {b} {p}.", "a p, b p"),
+    ("Put the {a_}, the {b_} and the {c_} {p}.", "a p, b p, c p"),
+    ("{S} and {t} on the {a_}, {b} {p}.", "s on a, t on a, b p"),
+    ("{A} and {b} {r} the {c_}.", "a r c, b r c"),
+    ("Neither the {a_} nor the {b_} should be near the window.", "a apart window, b apart window"),
+    ("{A} and {b} on either side of the {c_}.", "a flank c, b flank c"),
 )
 MANY = (  # {n} of {a}s; the counts of others follow
     ("There are {n} {a_}s, each with {b} and {s}.", "", "b s"),
@@ -95,6 +101,8 @@ MANY = (  # {n} of {a}s; the counts of others follow
     ("{N} {a_}s are {p}. Each faces {b}.", "a p, a facing b", "b"),
     ("The {a_}s ({n} in total) are {p}.", "a p", ""),
     ("{N} {a_}s {p}, one with {s} on it.", "a p, s on a", ""),
+    ("One of the {n} {a_}s is {p}, with {b} {r} it.", "a p, b r a", ""),
+    ("The room has {n} {a_}s; one of these is {r} {b}.", "a r b", ""),
     ("{N} {a_}s in a row {p}, {s} on every {a_}.", "s on a", "s"),
 )
 

@@ -39,6 +39,7 @@ class Chunk:
     rows: int = 0  # rows that it stands in ("three rows of four"), 0 if none are said
     measure: Measure | None = None  # A measure of the room
     sizes: tuple[Measure, ...] = ()  # measures of the thing
+    total: int | None = None  # of how many these are some: "two of the three stools"
 
 
 NOTHING = Chunk("", 0, 0)

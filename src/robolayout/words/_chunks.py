@@ -110,7 +110,7 @@ class Chunker(ClosedWords):
         """Return a noun phrase that begins here: a thing, a place, a room, a body or people."""
         bound, skip = self._bound(at)
         i = at + skip
-        det, number, rows = "", None, 0
+        det, number, total, rows = "", None, None, 0
         sized: list[int] = []
         while i < len(self.words):
             sized += range(i, i + self._sizes(i))
@@ -119,7 +119,10 @@ class Chunker(ClosedWords):
             if step is None:
                 break
             det = det if det in ("each", "one") else step[0] or det
-            number = number if step[1] is None else step[1]
+            if det == "one" and number is not None:
+                total = total or step[1]
+            else:
+                number = number if step[1] is None else step[1]
             bound, rows = step[2] or bound, step[3] or rows
             i += step[4]
         run = self._run(i, many=(number or 1) > 1)
@@ -131,6 +134,7 @@ class Chunker(ClosedWords):
             return Chunk("pron", at, i, "the two") if det == "the" and (number or 0) > 1 else None
         told = bool(det or number is not None or bound)
         chunk = self._named(at, i, run, told, (det, number, bound, rows))
+        chunk = replace(chunk, total=total) if chunk and total else chunk
         if not sized or chunk is None:
             return chunk
         inner = {k for j in sized if j in self.measured for k in range(j, self.after[j])}
@@ -162,7 +166,7 @@ class Chunker(ClosedWords):
         if word in ("only", "just", "exactly", "about", "additional", "more"):
             return ("", None, "", 0, 1) if self._run(i + 1) or count_of(rest[0] if rest else "") else None
         count = None if self._seats(i) or (rest[:1] and rest[0] in small.SCALES) else count_of(word)
-        if count and number is None and word not in ("a", "an", "twin", "couple"):
+        if count and (number is None or det == "one") and word not in ("a", "an", "twin", "couple"):
             return ("", count, "vague" if word in VAGUE else "", 0, 1 + (rest[:1] in (["of"], ["x"])))
         return None
 

@@ -314,7 +314,7 @@ class Demander:
         """Between two things, or a thing and a place: near both, and on the line between them."""
         ends: list[AssetRef | PointRef] = [AssetRef(name) for name in self._others(objects) if name not in subjects]
         place = self._place(objects)
-        ends += self._points(place)[:1] if place is not None else []
+        ends += self._points(place)[: 1 + place.plural] if place is not None else []
         for a in subjects if len(ends) > 1 else ():
             pairs = [(ends[0], ends[1])] if len(ends) == 2 else list(pairwise(ends))
             one, two = pairs[subjects.index(a) % len(pairs)]

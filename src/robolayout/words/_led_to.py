@@ -32,7 +32,8 @@ class LedTo(References):
             self.pending = []
             pronoun = self.chunks[self.at - 1].kind == "pron"
             two = chunk.value in ("amid", "between", "separates") and len(found) < 2
-            wants = two and (self._ahead().value == "from" or not (several(item) or pronoun))
+            plural = several(item) or (isinstance(item, Place) and item.plural)
+            wants = two and (self._ahead().value == "from" or not (plural or pronoun))
             both = chunk.value in ("amid", "facing", "under", "around", "near", "next", "on")
             if not (wants or (both and self._plain_pair(found, chunk))):
                 break

@@ -230,7 +230,7 @@ class Parser(Relating):
         held = [] if before != "of" or not bare or not self.group else self.group[-1:]
         if noun is not None and self.refusing and not (self.negated and chunk.det == "the"):
             self.said.refused.append((noun, (chunk.start, chunk.end)))
-        elif noun is not None and noun.kind in AIDS and before in ("use", "uses", "using"):
+        elif noun is not None and noun.kind in AIDS and before in ("use", "uses", "using", "for"):
             self._fact(Chunk("body", chunk.start, chunk.end, AIDS[noun.kind]))
         elif held and self.chunks[self.at - 3].kind == "thing":  # "a rack of dumbbells"
             mention = self._mention(chunk)

@@ -101,6 +101,13 @@ class References:
         earlier, to = ([m for m in given if m.thing not in own] for given in (self.recent, self.targets))
         many = holder is not None and several(holder) and holder.det != "each"
         one = not many if word == "it" else many or word not in small.SEVERAL or len(earlier) < 2
+        if (
+            word in small.EVERY
+            and word not in small.SEVERAL
+            and not many
+            and (led := [m for m in earlier if several(m)])
+        ):
+            return led[-1:]  # "a sofa with a table at each end and a lamp on each of them"
         if holder is not None and holder.thing not in own and one:
             return self.holder
         if word in small.SEVERAL:
@@ -173,12 +180,14 @@ class References:
         if number is None and chunk.plural and chunk.noun.kind in ONE_EACH and not self.said.things:
             number = self._people() or None  # "an office for four: desks ..."
         definite = chunk.det in ("the", "each", "all", "first")
+        some = chunk.det == "one"  # "one of the two beds"
+        number, number_of = (chunk.total, number) if some else (number, None)
         made = Thing(chunk.noun, number, chunk.bound, chunk.plural, chunk.adjectives, [(chunk.start, chunk.end)])
         made.rows, made.definite = chunk.rows, definite
         made.sizes += chunk.sizes
         self.said.things.append(made)
         first = (chunk.det == "first" or {"left", "right"} & {*chunk.adjectives}) and made.count == 1
-        return Mention(made, slice(0, 1) if first else None, chunk.det)
+        return Mention(made, slice(0, number_of or 1) if first or (some and made.count > 1) else None, chunk.det)
 
     def _people(self) -> int:
         """Return how many people the room was said to be for, 0 if nobody said."""
@@ -248,8 +257,10 @@ class References:
         """Return whether the last chunk only joins this thing to those before it."""
         index = self.at - 2
         seen = False
-        while index >= 0 and self.chunks[index].kind in ("and", "comma", "filler", "style"):
-            seen = seen or self.chunks[index].kind in ("and", "comma")
+        while index >= 0 and (
+            self.chunks[index].kind in ("and", "comma", "filler", "style") or self.chunks[index].value == "nor"
+        ):
+            seen = seen or self.chunks[index].kind in ("and", "comma", "not")
             index -= 1
         return seen and index >= 0 and self.chunks[index].kind == "thing" and bool(self.group) and not self.acted
 
@@ -264,8 +275,10 @@ class References:
 
     def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> Chunk:
         """Count what stands at each side of something; return the relation, which is "around" for several seats."""
-        thing = subjects[0].thing
-        if len(subjects) == 1 and subjects[0].per_side(chunk) and thing not in self.dealt:
+        for mention in subjects if "each" in chunk.adjectives else subjects[: len(subjects) == 1]:
+            thing = mention.thing
+            if not mention.per_side(chunk) or thing in self.dealt:
+                continue
             thing.number = 2 * (thing.number or 1)
             around = [to for to in objects[:1] if isinstance(to, Mention) and to.det in ("each", "all")]
             thing.times = around[0].thing.count if around else 1

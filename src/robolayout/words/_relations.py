@@ -10,8 +10,8 @@ from itertools import takewhile
 
 from robolayout.assets import CATALOGUE
 from robolayout.words import _function_words as small
+from robolayout.words._about import About
 from robolayout.words._chunk import Chunk
-from robolayout.words._led_to import LedTo
 from robolayout.words._said import Link, Mention, Place, topped
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import SEATS, TOPS
@@ -26,7 +26,7 @@ KEPT_OFF = 0.6
 """Metres between a thing and what it must not be near."""
 
 
-class Relating(LedTo):
+class Relating(About):
     """Reads relations; the parser reads the rest."""
 
     def _fact(self, chunk: Chunk) -> None:
@@ -332,74 +332,3 @@ class Relating(LedTo):
     def _another(self) -> bool:
         noun = self._ahead(1).noun if self._ahead().kind == "and" else None
         return noun is not None and (CATALOGUE[noun.kind].on_object or self._ahead(2).kind in ("", "stop"))
-
-    def _nearest(self, relation: str) -> list[Mention]:
-        """Return what a relation right after a noun is about: small things "on" something all together, else the noun."""
-        following = self._ahead().value
-        noun = self.target.thing.noun if self.target is not None else None
-        hung = noun is not None and any("wall" in CATALOGUE[kind].places for kind in (noun.kind, *noun.others))
-        told = relation in ("by", "next", "near", "holds", *(("on", "wall") if following == "wall" and hung else ()))
-        last = self.group[-1:] or list(self.subject)
-        does = {*self._ahead(-1).adjectives} & small.PLURAL_DOES and not self.relative  # "a sofa and a chair face it"
-        if len(self.group) > 1 and (does or (relation == "around" and all(_sat_on(m) for m in self.group))):
-            return list(self.group)
-        if self.target is not None and relation == "on" and following != "wall" and last:
-            told = _on_tops(self.target) and not _on_tops(last[0])  # "a sofa facing a TV on a stand"
-        place = self._ahead().kind == "part"
-        if self.target is not None and place and last and relation not in ("on", "facing"):
-            told = told or (_on_tops(last[0]) and not _on_tops(self.target))  # "a laptop on the desk under the window"
-        if self.target is not None and told and self.acted:
-            return [self.target]
-        if self.target is not None and self.said.links and self.said.links[-1].relation == "in" and place:
-            return [self.target]  # "toys in a box under the window"
-        if relation in small.ORDERS and last and last[0].thing.count == 1:
-            return list(self.group or self.subject)  # "fridge, stove and sink in a row"
-        if relation == "on" and last and topped(last[0]) and len(self.group) > 1:
-            it = self._ahead().kind == "pron"
-            linked = {m for link in self.said.links if not it or link.relation != "with" for m in link.subjects}
-            linked -= {last[0]}
-            return [m for m in self.group if CATALOGUE[m.thing.noun.kind].on_object and m not in linked]
-        return last
-
-    def _subjects(self, relation: str) -> list[Mention]:
-        """Return what a relation here is about."""
-        previous = next((c for c in reversed(self.chunks[: self.at - 1]) if c.kind not in ("filler", "style")), None)
-        opening = previous is not None and previous.value in ("window", "door")
-        if previous is None or previous.kind == "stop" or (opening and previous.det == "a"):
-            return []  # "a window on each side of it"
-        if self.fronted is not None and previous.kind in ("and", "comma"):
-            self.fronted = None
-            return []
-        if self._of_the_noun():
-            return self._nearest(relation)
-        if previous.kind == "verb" or self.verb:
-            told = self.group[-1:] if self.target is None else [self.target]  # "the sink, which is under ..."
-            return told if self.relative else list(self.subject or self.group)
-        if previous.kind == "thing":
-            return self._nearest(relation)
-        if previous.kind == "pron" and not self.relative:
-            return list(self.before or self.subject) if not self.group else list(self.group)
-        if self.relative:
-            return self.group[-1:]
-        if previous.kind == "comma" and self.holder and not self.acted and self._ahead().kind != "pron":
-            return list(self.holder)  # "three desks, each with a chair, in a row"
-        return list(self.acted or self.group[-1:] or self.subject)
-
-    def _of_the_noun(self) -> bool:
-        """Return whether a participle leads from the noun before it to a relation: "..., a lamp hanging over it"."""
-        index = self.at - 2
-        while (
-            index > 0 and self.chunks[index].kind in ("verb", "filler") and self.chunks[index].value not in small.FINITE
-        ):
-            index -= 1
-        return index < self.at - 2 and self.chunks[index].kind == "thing" and self.group != self.subject
-
-
-def _sat_on(mention: Mention) -> bool:
-    """Return whether one sits on a thing."""
-    return mention.thing.noun.kind.split()[-1] in SEATS
-
-
-def _on_tops(mention: Mention) -> bool:
-    """Return whether a thing can stand on another."""
-    return CATALOGUE[mention.thing.noun.kind].on_object
