@@ -275,7 +275,8 @@ class References:
 
     def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> Chunk:
         """Count what stands at each side of something; return the relation, which is "around" for several seats."""
-        for mention in subjects if "each" in chunk.adjectives else subjects[: len(subjects) == 1]:
+        each = self.having or "each" in chunk.adjectives  # "a sofa and a chair on either side of it" are one each
+        for mention in subjects if each else subjects[: len(subjects) == 1]:
             thing = mention.thing
             if not mention.per_side(chunk) or thing in self.dealt:
                 continue
