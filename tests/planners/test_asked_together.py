@@ -24,6 +24,17 @@ def program(text: str) -> str:
             ("wish.left_of(night_stand[0], bed[0]", "wish.left_of(bed[1], night_stand[0]"),
         ),
         (
+            "two single beds parallel to each other with a nightstand between them, and a dresser facing the beds",
+            ("wish.left_of(night_stand[0], single_bed[0]", "wish.left_of(single_bed[1], night_stand[0]"),
+        ),
+        (
+            "a bedroom with a desk and a TV mounted above it",
+            (
+                "solver.mounted_on(television[0]), solver.above(television[0], desk[0])",
+                "solver.wish.mounted_on(television[0]",
+            ),
+        ),
+        (
             "a laundry room with a washer and a dryer side by side",
             ('wish.next_to(clothes_dryer[0], washing_machine[0], "beside"',),
         ),

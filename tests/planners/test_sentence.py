@@ -294,3 +294,17 @@ def test_what_is_asked_to_stand_in_a_corner_is_placed_before_what_is_not() -> No
     scene, _ = scene_from_sentence("a living room with a bookshelf, a cabinet and a large plant in each corner")
     plan = OfflinePlanner().plan(PlanRequest(scene, asked=read_words(scene).demands))
     assert plan.index("corner(plant[0]") < plan.index("against_wall(cabinet[0]")
+
+
+@pytest.mark.parametrize(
+    ("text", "none"),
+    [
+        ("a dining room with a low table and six floor cushions around it", "chair"),
+        ("a bathroom with a toilet and a double vanity", "washbasin"),
+        ("a bedroom with a desk and a TV mounted above it", "tv stand"),
+        ("a nursery with a crib", "desk"),
+    ],
+)
+def test_nothing_is_added_of_which_something_else_does_the_work(text: str, none: str) -> None:
+    found = scene_from_sentence(text)[1]
+    assert none not in found.added and none not in found.wished

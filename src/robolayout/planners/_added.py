@@ -30,7 +30,7 @@ LIT = 22.0
 SPARE = 0.02
 """Metres between the top of a thing and the ceiling."""
 
-SEATS = {"bench", "stool", "pew"}
+SEATS = {"bench", "stool", "pew", "floor cushion"}
 """What people sit on at tables in place of chairs."""
 
 VAGUE = ("stand", "rack", "machine", "board")
@@ -38,6 +38,7 @@ VAGUE = ("stand", "rack", "machine", "board")
 
 
 IN_PLACE_OF = {
+    "bathroom vanity": "washbasin",
     "bathtub": "shower",
     "blackboard": "whiteboard",
     "projection screen": "television",
@@ -131,7 +132,12 @@ class Added:
         self.asked = {known.head(name) for name in wishes.things}
         self.asked |= {known.head(name) for name in wished if known.head(name) == "bed"}
         self.lasts = {name.split()[-1] for name in wishes.things} | wishes.general
-        on = [mention.thing for k in wishes.reading.parsed.links if k.relation == "on" for mention in k.subjects]
+        on = [
+            mention.thing
+            for k in wishes.reading.parsed.links
+            if k.relation in ("on", "above")
+            for mention in k.subjects
+        ]
         borne = {thing.noun.kind for thing in on if "floor" not in known.kinds[thing.noun.kind].places}
         self.spared = {
             other for name in borne for other in known.rooms.companions.get(name, {})

@@ -93,7 +93,7 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
         item = found[name]
         others = {other for demand in demands if name in subjects(demand) for other in demand.names()}
         hung = any(r.name == "mounted_on" for demand in demands if name in subjects(demand) for r in demand.ways[0])
-        if item.anchor is not None and item.anchor not in others and (hung or not _only_on(item)):
+        if item.anchor is not None and (hung or (item.anchor not in others and not _only_on(item))):
             found[name] = replace(item, anchor=None, join=None)
     seats = (name for name in wanted if cast[name].role.name.endswith("seat"))
     told = {anchor for anchor, join in (wanted[name] for name in seats) if join.slot == "around"}
@@ -172,7 +172,12 @@ def _chains(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: float)
     between = [names for names in between if len(names) == 3 and cast.keys() >= {*names}]
     pairs = [one.asset_names() for demand in demands for one in demand.ways[0] if isinstance(one, FacingPair)]
     for names in between:
-        others = [demand.names() for demand in demands if demand.names() != frozenset(names)]
+        placing = (one for demand in demands for one in demand.ways[0] if demand.names() != frozenset(names))
+        others = [
+            {*one.asset_names()}
+            for one in placing
+            if one.name not in ("align_with", "point_towards", "next_to", "near")
+        ]
         if not any(them >= {*names[1:]} for them in others):
             found |= _side_by_side([cast[name] for name in names], passage)
     for a, b in pairs:

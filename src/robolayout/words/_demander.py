@@ -24,7 +24,9 @@ class Demander:
         # of these only the first stands where they are put
         self.stacked = {mention.thing for link in links if link.relation == "stacked" for mention in link.subjects}
         # beside these others stand, so that they are no unbroken row
-        to = [item for link in links if link.relation in ways_of.AT_SIDES for item in link.objects]
+        to = [
+            item for link in links if link.relation in (*ways_of.AT_SIDES, "amid", "between") for item in link.objects
+        ]
         self.flanked = {name for item in to if isinstance(item, Mention) for name in names.get(item.thing, ())}
         # how many stand side by side in the straight rows that are told
         self.abreast = {
@@ -59,7 +61,9 @@ class Demander:
             twos = self._matched(ahead or subjects, link.objects)
             return (*at_place, *(by_ways(ways_of.TO_ANOTHER[link.relation], a, b) for a, b in twos))
         if link.relation in ways_of.IN_A_CHAIN:
-            return tuple(by_ways(ways_of.IN_A_CHAIN[link.relation], b, a) for a, b in pairwise(subjects))
+            apart = link.relation == "abreast" and self.flanked & {*subjects}
+            ways = ways_of.IN_A_CHAIN["abreast apart" if apart else link.relation]
+            return tuple(by_ways(ways, b, a) for a, b in pairwise(subjects))
         if link.relation in ways_of.BY_TWOS:
             twos = zip(subjects[::2], subjects[1::2], strict=False)
             desks = link.relation == "mutual" and self._is(subjects[0], ("desk",))  # who sits there looks over its back
@@ -304,10 +308,12 @@ class Demander:
                 yield single(stated("near", AssetRef(a), AssetRef(b), ways_of.AT_TABLE))
 
     def _above(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
+        """Over a thing, on the wall where it hangs there, or on it."""
         for a, b in self._matched(subjects, objects):
-            ways = [(stated("above", AssetRef(a), AssetRef(b)),)]
-            if self._asset(a).on_object:
-                ways.append((stated("on_top_of", AssetRef(a), AssetRef(b)),))
+            ways, asset = [(stated("above", AssetRef(a), AssetRef(b)),)], self._asset(a)
+            if asset.on_object:
+                hung = [(stated("mounted_on", AssetRef(a)), *ways[0])] if asset.on_wall else ways
+                ways = [*hung, (stated("on_top_of", AssetRef(a), AssetRef(b)),)]
             yield Demand(tuple(ways))
 
     def _amid(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:

@@ -79,6 +79,7 @@ AT_SIDES = frozenset(("flank", "left", "right", "next", "oneside"))
 
 IN_A_CHAIN: Mapping[str, Ways] = {
     "abreast": ((("near", AT_TABLE),),),
+    "abreast apart": ((("near", NEAR),),),  # something stands between them
     "parallel": _PARALLEL,
     "crossed": _BY_RIGHT_ANGLE,
     "stacked": ((("on_top_of",),),),
