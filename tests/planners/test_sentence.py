@@ -308,3 +308,26 @@ def test_what_is_asked_to_stand_in_a_corner_is_placed_before_what_is_not() -> No
 def test_nothing_is_added_of_which_something_else_does_the_work(text: str, none: str) -> None:
     found = scene_from_sentence(text)[1]
     assert none not in found.added and none not in found.wished
+
+
+@pytest.mark.parametrize(
+    ("text", "room"),
+    [
+        ("1 bed, 1 desk, 2 nightstands", "bedroom"),
+        ("a sofa, a TV and two plants", "living room"),
+        ("a bunk bed against the left wall, a desk with a laptop and two chairs", "children's room"),
+        ("stove, fridge, sink", "kitchen"),
+    ],
+)
+def test_the_things_say_which_room_it_is(text: str, room: str) -> None:
+    assert scene_from_sentence(text)[1].room_type == room
+
+
+def test_no_door_is_made_in_a_wall_at_which_things_are_asked_to_stand() -> None:
+    for seed in range(4):
+        scene, _ = scene_from_sentence(
+            "a study with bookshelves along the west wall, a desk at the north wall", seed=seed
+        )
+        for wall in (scene.room.walls[opening.wall] for opening in scene.room.doors):
+            assert wall.normal[0] < 0.5 and wall.normal[1] > -0.5
+        assert all(scene.room.walls[opening.wall].normal[0] < 0.5 for opening in scene.room.windows)

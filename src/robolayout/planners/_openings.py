@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -37,29 +37,39 @@ class Openings:
 OPENINGS = Openings()
 
 
+@dataclass(frozen=True)
+class Told:
+    """What words say of a room's doors and windows."""
+
+    wanted: Sequence[WantedOpening] = ()  # such as are asked for
+    flanked: bool = False  # whether things are to stand on both sides of a door
+    # walls, by compass, at which things are to stand, and such at which high ones are: no door and no window is made in these
+    # where another wall can have it
+    held: Set[str] = frozenset()
+    high: Set[str] = frozenset()
+
+
 Opening = dict[str, float]
 
 
 def openings(
     outline: Outline,
     wide: float,
-    wanted: Sequence[WantedOpening],
+    told: Told,
     rng: np.random.Generator,
     height: float = 2.6,
     *,
     varied: bool = False,
-    flanked: bool = False,
 ) -> tuple[list[Opening], list[Opening]]:
     """Return doors near the ends of long walls (varied: somewhere in any wall), and windows in other walls.
 
     Args:
         outline: Corners of the floor, metres.
         wide: Width of a door in metres.
-        wanted: What is asked for.
+        told: What is asked for.
         rng: Settles what is not.
         height: Height of the walls in metres; doors and windows are lower.
         varied: Whether doors may be where they are less usual.
-        flanked: Whether things are to stand on both sides of a door.
     """
     lengths = [math.dist(a, b) for a, b in zip(outline, outline[1:] + outline[:1], strict=True)]
     order = sorted(range(len(lengths)), key=lambda i: -lengths[i])
@@ -67,14 +77,16 @@ def openings(
     along = float(rng.random()) if varied else float(rng.random() < 0.5)
     corners = [*outline, outline[0]]
     area = abs(sum(ax * by - bx * ay for (ax, ay), (bx, by) in pairwise(corners))) / 2
-    asked = [item for item in wanted if item.kind == "door"]
+    asked = [item for item in told.wanted if item.kind == "door"]
     asked = asked or [WantedOpening("door", min(OPENINGS.most_doors, 1 + int(area / OPENINGS.door_each)))]
+    full, high = ({i for word in words for i in _meant(outline, word)} for words in (told.held, told.high))
     doors: list[Opening] = []
     for number, item in enumerate(i for i in asked for _ in range(i.count)):
         fits = [i for i in order if lengths[i] > wide and i not in {d["wall"] for d in doors}] or order
+        fits = [i for i in fits if i not in full] or fits
         start = fits.index(usual) if usual in fits and not number else 0
         wall = _wall(outline, item.wall, fits[start:] + fits[:start])
-        first = min(OPENINGS.flanked if flanked else OPENINGS.aside, (lengths[wall] - wide) / 2)
+        first = min(OPENINGS.flanked if told.flanked else OPENINGS.aside, (lengths[wall] - wide) / 2)
         offset = first + (1.0 - along) * (lengths[wall] - wide - 2 * first)
         doors.append(
             {
@@ -85,8 +97,10 @@ def openings(
             }
         )
     more = min(OPENINGS.most_windows, max(1 + int(rng.integers(0, 2)), int(area / OPENINGS.window_each)))
-    windows = [item for item in wanted if item.kind == "window"] or [WantedOpening("window", more)]
-    return doors, _windows(outline, lengths, {int(d["wall"]) for d in doors}, windows, rng, height)
+    windows = [item for item in told.wanted if item.kind == "window"] or [WantedOpening("window", more)]
+    taken = {int(d["wall"]) for d in doors}
+    taken |= high if len(taken | high) < len(lengths) else set[int]()
+    return doors, _windows(outline, lengths, taken, windows, rng, height)
 
 
 def _windows(
@@ -120,15 +134,16 @@ def _windows(
 
 def _wall(outline: Outline, word: str, order: Sequence[int]) -> int:
     """Return the first of some walls that is meant by a word; the first of all that it means where none of them is."""
-    if word not in COMPASS:
-        return order[0]
+    meant = _meant(outline, word)
+    return next((i for i in order if i in meant), [*meant, order[0]][0])
+
+
+def _meant(outline: Outline, word: str) -> list[int]:
+    """Return the walls that a word of the compass means, none for other words."""
     ring = list(zip(outline, outline[1:] + outline[:1], strict=True))
-    nx, ny = COMPASS[word]
-
-    def meant(i: int) -> bool:
-        (ax, ay), (bx, by) = ring[i]
-        length = math.dist(*ring[i])
-        return (-(by - ay) * nx + (bx - ax) * ny) / length > math.sqrt(0.5)
-
-    fits = [i for i in order if meant(i)] or [i for i in range(len(ring)) if meant(i)]
-    return fits[0] if fits else order[0]
+    nx, ny = COMPASS.get(word, (0.0, 0.0))
+    return [
+        i
+        for i, ((ax, ay), (bx, by)) in enumerate(ring)
+        if (-(by - ay) * nx + (bx - ax) * ny) / math.dist(*ring[i]) > math.sqrt(0.5)
+    ]

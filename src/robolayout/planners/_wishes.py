@@ -12,6 +12,7 @@ from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.palette import LOOKS
 from robolayout.scene import FLAT_HEIGHT
 from robolayout.words import (
+    COMPASS,
     Lexicon,
     Link,
     Measure,
@@ -29,7 +30,7 @@ from robolayout.words import (
 GENERAL = ("desk", "bed", "table", "chair", "seat", "shelf", "sink", "counter", "mat", "monitor", "scale")
 """Nouns that mean what is usual in a room: a desk of a classroom is a student desk."""
 
-LACKING, LIKELY = 0.4, 1.0
+LACKING, LIKELY = 0.6, 0.6
 """What a room loses by each thing that it always has and that is not named, and what makes it likely, in things that belong there."""
 
 CARRIED = 0.5
@@ -77,6 +78,20 @@ class Wishes:
     def seats(self) -> int:
         """Seats that are promised: at each of "five tables for four", at all "tables for 14 people" together."""
         return round(sum(_promised(thing) * thing.count for thing in self.reading.parsed.things))
+
+    def held(self, kinds: Mapping[str, Category], least: float = 0.0) -> frozenset[str]:
+        """Return the walls, by compass, at which something on the floor is asked to stand that is so many metres high."""
+        walls = grammar().walls
+        return frozenset(
+            walls[word]
+            for link in self.reading.parsed.links
+            for place in link.objects
+            if isinstance(place, Place) and place.name == "wall"
+            for kind in (kinds[mention.thing.noun.kind] for mention in link.subjects)
+            if kind.on_floor and kind.size[2] >= least
+            for word in place.words
+            if walls.get(word) in COMPASS
+        )
 
     @property
     def ignored(self) -> tuple[str, ...]:
@@ -128,6 +143,8 @@ def _room(reading: Reading, rooms: Rooms) -> tuple[RoomType, list[str]]:
         guess = [f"{reading.room_words!r} is no room type that is known: {reading.room} was taken."]
         return rooms.rooms[reading.room], guess if reading.guessed else []
     kinds = {thing.noun.kind for thing in reading.parsed.things}
+    usual = {kind for room in rooms.rooms.values() for kind in room.base}
+    kinds |= {"single bed"} if any(kind.endswith(" bed") for kind in kinds - usual) else set()
     if not kinds and not reading.parsed.facts:
         known = ", ".join(sorted(rooms.rooms))
         raise SceneError(f"the sentence names no room; known room types: {known}; words are read in English.")
@@ -148,7 +165,12 @@ def _belongs(kinds: set[str], room: RoomType) -> float:
     """Return how many of some kinds belong in a room; what always stands there counts double, and lacks where it is missing."""
     usual = {*room.extras, *room.person}
     found = sum(2.0 if kind in room.base else 1.0 for kind in kinds if kind in room.base or kind in usual)
-    return found - LACKING * sum(name not in kinds for name in room.base)
+    lights_and_rugs = {
+        kind.name
+        for kind in CATALOGUE.values()
+        if kind.size[2] < FLAT_HEIGHT or (kind.on_ceiling and not kind.on_floor)
+    }
+    return found - LACKING * len({*room.base} - kinds - lights_and_rugs)
 
 
 def _things(

@@ -18,7 +18,7 @@ from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.palette import PALETTES
 from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, Known, both, head, times_usual
 from robolayout.planners._knowledge import load_knowledge
-from robolayout.planners._openings import openings
+from robolayout.planners._openings import Told, openings
 from robolayout.planners._own import own_sides
 from robolayout.planners._wishes import Wishes, read_wishes, usual_there
 from robolayout.scene import FLAT_HEIGHT, Agent, Scene, load_agent, scene_from_dict, variable_name
@@ -41,6 +41,7 @@ class Sizes:
     around: float = 0.7
     before: float = 2.0
     """Metres between rows of desks, between other rows, beside and behind a block of rows, and before it."""
+    sill: float = 1.2  # metres from which height on what stands at a wall is high: no window is made behind it
     walkway: float = 0.6
     """Metres by which a room is longer and wider than the longest thing in it, where no size is given."""
 
@@ -317,11 +318,15 @@ def _scene(
     doors, windows = openings(
         outline,
         wide,
-        wanted_openings(wishes.reading),
+        Told(
+            wanted_openings(wishes.reading),
+            wishes.reading.flanked_door,
+            wishes.held(kinds),
+            wishes.held(kinds, SIZES.sill),
+        ),
         rng,
         found.height,
         varied=varied,
-        flanked=wishes.reading.flanked_door,
     )
     style = wishes.reading.style or str(rng.choice([palette.wood.name for palette in PALETTES]))
     floor = wishes.reading.floor or str(rng.choice(wishes.room.floors))

@@ -61,9 +61,7 @@ class Demander:
             twos = self._matched(ahead or subjects, link.objects)
             return (*at_place, *(by_ways(ways_of.TO_ANOTHER[link.relation], a, b) for a, b in twos))
         if link.relation in ways_of.IN_A_CHAIN:
-            apart = link.relation == "abreast" and self.flanked & {*subjects}
-            ways = ways_of.IN_A_CHAIN["abreast apart" if apart else link.relation]
-            return tuple(by_ways(ways, b, a) for a, b in pairwise(subjects))
+            return tuple(self._chained(subjects, link.relation))
         if link.relation in ways_of.BY_TWOS:
             twos = zip(subjects[::2], subjects[1::2], strict=False)
             desks = link.relation == "mutual" and self._is(subjects[0], ("desk",))  # who sits there looks over its back
@@ -275,6 +273,15 @@ class Demander:
         for before, a in pairwise(subjects):
             if self._asset(a).on_floor:
                 yield by_ways(((("next_to", "beside", ways_of.BACK), ("align_with",)),), a, before)
+
+    def _chained(self, subjects: Sequence[str], relation: str) -> Iterator[Demand]:
+        """Each to the one before it; mats side by side are a row, which nothing else keeps from lying on each other."""
+        if relation == "abreast" and alike(self.scene, subjects) and self._asset(subjects[0]).is_flat:
+            yield in_rows(subjects, 1)
+            return
+        apart = relation == "abreast" and self.flanked & {*subjects}
+        ways = ways_of.IN_A_CHAIN["abreast apart" if apart else relation]
+        yield from (by_ways(ways, b, a) for a, b in pairwise(subjects))
 
     def _rows(self, subjects: Sequence[str], link: Link) -> Iterator[Demand]:
         """Like things stand in a block, in so many rows if that is said; others near each other."""
