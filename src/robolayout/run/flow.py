@@ -42,6 +42,7 @@ class FlowConfig:
     ahead: int = 3  # rooms that are looked at before one is searched that is not right as it is built or guessed
     nearly: float = 4.0  # `Verdict.promise` up to which a room is mended at once: two things out of reach
     forlorn: float = 0.25  # share of assets amiss after all these programs from which on no other is asked for
+    many: int = 70  # things from which on two programs are asked for at most
     coarse: float = 0.25  # metres of a cell of the search's floor from which on the report says so
     most_ways: int = 6  # ways of open statements (the corners of a room) that are tried where one is not met
     solved_ways: int = 3  # how many of them, nearest to right as built, are searched
@@ -169,6 +170,8 @@ class Run:
             verdict = found.solution.verdict
             served = report.ok and not verdict.barred  # the judge asks for more free floor than the report demands
             if served or (verdict.ok and any(one.impossible for one in report.agents)):
+                break
+            if number and len(self.scene.assets) > FLOW.many:
                 break
             lost = best.solution.verdict.hard + best.solution.verdict.access
             if number + 1 >= FLOW.ahead and lost > FLOW.forlorn * len(self.scene.assets):
