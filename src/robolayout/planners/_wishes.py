@@ -30,7 +30,7 @@ from robolayout.words import (
 GENERAL = ("desk", "bed", "table", "chair", "seat", "shelf", "sink", "counter", "mat", "monitor", "scale")
 """Nouns that mean what is usual in a room: a desk of a classroom is a student desk."""
 
-LACKING, LIKELY = 0.6, 0.6
+LACKING, LIKELY = 0.6, 0.9
 """What a room loses by each thing that it always has and that is not named, and what makes it likely, in things that belong there."""
 
 CARRIED = 0.5
