@@ -88,6 +88,9 @@ class About(LedTo):
             return told if self.relative else list(self.subject or self.group)
         if previous.kind == "thing":
             return self._nearest(relation)
+        last = self.said.links[-1] if self.said.links else None
+        if previous.kind == "pron" and self.having and last and [*last.objects] == [*self.holder] and not self.verb:
+            return list(self.holder)  # "a rug with a table on it in front of the sofa"
         if previous.kind == "pron" and not self.relative:
             return list(self.before or self.subject) if not self.group else list(self.group)
         if self.relative:

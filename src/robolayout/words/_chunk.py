@@ -14,8 +14,9 @@ from robolayout.words._tokens import Measure, count_of
 MARKS = {":": "colon", **dict.fromkeys(".;!?\n", "stop"), **dict.fromkeys(",()", "comma")}
 
 WITHOUT_NOUN = re.compile(
-    r"(?:(?:the )?\b(another|(?<=the )(?:others?|remaining|rest|first|second|third|last|former|latter))"
-    r"(?: (two|three|four|five|six|[2-9]))?( ones?)?|(?:the|an?) (?:(?!other)(\w+) )?ones?) "
+    r"(?:(?:the |a )?\b(another|(?<=\ba )(?:second|third|fourth|fifth|sixth)(?! of)"
+    r"|(?<=the )(?:other half(?! of)|others?|remaining|rest|first|second|third|last|former|latter))"
+    r"(?: (two|three|four|five|six|[2-9]))?( ones?)?|(?:the|an?) (?:(?!other)(\w+) )?ones?|all but (one|two|three)(?! of)) "
 )
 """Phrases that leave out their noun: what picks, how many, whether "one" stands for the noun, an adjective."""
 
@@ -53,7 +54,7 @@ def without_noun(
     match = WITHOUT_NOUN.match(" ".join(words[at : at + 4]) + " ")
     if match is None:
         return None
-    picks, number, one, told = match.groups()
+    picks, number, one, told, but = match.groups()
     end = at + len(match.group().split())
     if (picks and not one and run(end)) or (told and told not in grammar().adjectives):
         return None
@@ -68,8 +69,10 @@ def without_noun(
     alike = [c for c in nouns if c.noun is not None and told in (*c.adjectives, *c.noun.said.split())]
     leads = [c.kind for c in found[-1:]] == ["rel"] and [c.value for c in found[-2:-1]] != ["one"]
     last = (alike or [c for c in nouns if (c in led) == leads] or nouns or [None])[-1]
-    many = " ones " in match.group() or picks in ("others", "rest") or bool(number and count_of(number) != 1)
-    det = "other" if picks in REST else DETERMINERS.get(picks or "", "new" if new else "the")
+    many = " ones " in match.group() or picks in ("others", "rest", "other half")
+    many = many or bool(but or (number and count_of(number) != 1))
+    det = "one" if but else "new" if new and picks else DETERMINERS.get(picks or "", "new" if new else "the")
+    det = "other" if (picks or "").removesuffix(" half") in REST else det
     side = words[end + 2] if words[end : end + 2] == ["on", "the"] and end + 2 < len(words) else ""
     told, end = (side, end + 3) if one is None and not picks and side in ("left", "right") else (told, end)
     sided = any({"side", "left", "right"} & {*c.adjectives} for c in found if c.kind == "rel")
@@ -77,7 +80,8 @@ def without_noun(
         return Chunk("part", at, end, "side", det="other")  # "stools on one side, the stove on the other"
     if last is None:
         return None
-    chunk = replace(last, start=at, end=end, det=det, number=count_of(number or ""), bound="", plural=many, rows=0)
+    count = -(count_of(but) or 0) if but else count_of(number or "")
+    chunk = replace(last, start=at, end=end, det=det, number=count, bound="", plural=many, rows=0)
     return replace(chunk, adjectives=(told,) if told else last.adjectives if last.kind == "part" else ())
 
 

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import MARKS, Chunk, without_noun
-from robolayout.words._closed import HEAPED, HEAPS, ClosedWords
+from robolayout.words._closed import HEAPS, ClosedWords
 from robolayout.words._lexicon import LONGEST, Noun
 from robolayout.words._tokens import VAGUE, count_of
 
@@ -118,7 +118,7 @@ class Chunker(ClosedWords):
             step = self._before_noun(i, det, number) if i < len(self.words) else None
             if step is None:
                 break
-            det = det if det in ("each", "one") else step[0] or det
+            det = det if det in ("each", "one", "half") else step[0] or det
             if det == "one" and number is not None:
                 total = total or step[1]
             else:
@@ -159,16 +159,26 @@ class Chunker(ClosedWords):
         seats = word == "that" and rest[:1] == ["seats"]
         if seats or i in self.measured or (word == "first" and self.lexicon.noun(self.words[i : i + 3])):
             return None  # "first aid kit"
+        if (some := self._some_of(word, rest)) is not None:
+            return some
         if "of" in rest[:2] and (of := self._of(word, rest, number)) is not None:
             return of
         if word in small.DETERMINERS and (det == "the" or word not in small.ORDINALS):
             return (small.DETERMINERS[word], None, "", 0, 1)
-        if word in ("only", "just", "exactly", "about", "additional", "more"):
-            return ("", None, "", 0, 1) if self._run(i + 1) or count_of(rest[0] if rest else "") else None
+        if word in small.ADDING:
+            new = "new" if number is not None and word in ("more", "additional", "further", "extra") else ""
+            return (new, None, "", 0, 1) if self._run(i + 1) or count_of(rest[0] if rest else "") else None
         count = None if self._seats(i) or (rest[:1] and rest[0] in small.SCALES) else count_of(word)
         if count and (number is None or det == "one") and word not in ("a", "an", "twin", "couple"):
             return ("", count, "vague" if word in VAGUE else "", 0, 1 + (rest[:1] in (["of"], ["x"])))
         return None
+
+    def _some_of(self, word: str, rest: list[str]) -> tuple[str, int | None, str, int, int] | None:
+        """Return the same of what says which share of several is meant: "half of", "every other", "all but one of"."""
+        if (word == "half" and rest[:1] in (["of"], ["the"])) or (word == "every" and rest[:1] in (["other"], ["second"])):
+            return ("half", None, "", 0, 1 + (rest[0] != "the"))
+        but = count_of(rest[1]) if word == "all" and rest[:1] == ["but"] and rest[1:] else None
+        return ("one", -but, "", 0, 3 + (rest[2:3] == ["of"])) if but else None
 
     def _of(self, word: str, rest: list[str], number: int | None) -> tuple[str, int | None, str, int, int] | None:
         """Return the same of what ends in "of": "two rows of", "each one of", "a pair of"."""
@@ -180,7 +190,7 @@ class Chunker(ClosedWords):
             return ("each", None, "", 0, 3 if rest[0] == "one" else 2)
         if rest[0] != "of":
             return None
-        if word.removesuffix("s") in small.SETS:
+        if word.removesuffix("s") in small.SETS and not (word == "wall" and rest[1:2] and rest[1] in small.DETERMINERS):
             twos = 2 * (number or 1) if word.startswith(("pair", "couple")) else None
             return ("", twos, "", SOME if word == "rows" and number is None else 0, 2)
         if word in ("both", "all"):
@@ -263,7 +273,7 @@ class Chunker(ClosedWords):
                     after, number = self._counted_after(i + end, number) if kind == "thing" else (0, number)
                     owner = i + end - 1 in self.owners or kind not in ("thing", "part")
                     plural = not owner and _plural(tail[-3 if "of" in tail else -1], noun)
-                    adjectives = (*run[:start], *(HEAPED[:1] if set(HEAPS) & set(self.words[at:i]) else ()))
+                    adjectives = (*run[:start], *(HEAPS[word] for word in self.words[at:i] if word in HEAPS))
                     adjectives += tuple(tail[-1:]) if value == "side" and tail[-1] in small.HALVES else ()
                     end += after
                     return Chunk(kind, at, i + end, value, noun, det, number, bound, plural, adjectives, rows=rows)

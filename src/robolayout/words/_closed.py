@@ -9,8 +9,8 @@ from robolayout.words._chunk import MARKS
 from robolayout.words._lexicon import LONGEST, Lexicon, grammar
 from robolayout.words._tokens import Measure, Token, count_of
 
-HEAPS, HEAPED = ("stack", "pile"), ("stacked", "piled")
-"""Words for things one on top of the other: before "of", and of the things."""
+HEAPS = {"stack": "stacked", "pile": "piled", "wall": "walled"}
+"""Words before "of" that say how things stand, and what they are to the things: one on the other, along a wall."""
 
 
 class ClosedWords:
@@ -61,7 +61,7 @@ class ClosedWords:
             return False
         if phrase in ("before", "row"):
             return phrase == "before" and (following in small.DETERMINERS or following in ("it", "them"))
-        if phrase in HEAPED or phrase in ("diagonal", "angled"):
+        if phrase in HEAPS.values() or phrase in ("diagonal", "angled"):
             return not self._continues(end - 1) or following in small.JOINING
         return True
 

@@ -14,11 +14,14 @@ BOUNDS = {tuple(phrase.split()): name for name, phrases in _DATA["bounds"].items
 ORDINALS = ("first", "second", "third", "last")
 JOINING, WITH, NEGATING, BREAKING = (_WORDS[name] for name in ("joining", "with", "negating", "breaking"))
 REFUSING = NEGATING | {"no", "without", "neither", "nor"}
-LED, FINITE, PLURAL_DOES, ALONE_DOES = (_WORDS[name] for name in ("led", "finite", "plural_does", "alone_does"))
+LED, FINITE, PLURAL_DOES, ALONE_DOES, LED_BACK = (
+    _WORDS[name] for name in ("led", "finite", "plural_does", "alone_does", "led_back")
+)
 PEOPLE, YOUNG, SEATED, LEADING = (_WORDS[name] for name in ("people", "young", "seated", "leading"))
 SETS, SCALES, COMPARING, FREE = (_WORDS[name] for name in ("sets", "scales", "comparing", "free"))
 PICKING, RELATING, NAMED = (_WORDS[name] for name in ("picking", "relating", "named"))
 JOINED, ALIKE, EVERY, SEVERAL = (_ROWS[name] for name in ("joined", "alike", "every", "several"))
+ADDING = _WORDS["adding"]
 NEARNESS, LAID, ZONES, OF_THE_ROOM = (_WORDS[name] for name in ("nearness", "laid", "zones", "of_the_room"))
 ORDERS, ALONE, PETS, CLOSE, SHARED = (_WORDS[name] for name in ("orders", "alone", "pets", "close", "shared"))
 MOST, STANDING, ROUND, LOUNGE = (_WORDS[name] for name in ("most", "standing", "round", "lounge"))

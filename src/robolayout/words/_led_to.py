@@ -63,8 +63,10 @@ class LedTo(References):
         following = self._ahead()
         if following.kind == "thing":
             self.at += 1
-            mention = self._mention(following, target=True)
-            self.targets.append(mention)
+            members = self._members(following)
+            self._understood(*[following] * bool(members))
+            mention, *self.pending = members or [self._mention(following, target=True)]
+            self.targets += [mention, *self.pending]
             return mention
         if following.kind == "part":
             self.at += 1
@@ -206,4 +208,5 @@ class LedTo(References):
         if index >= len(self.chunks) or self.chunks[index].kind != "thing":
             return False
         starts = self.chunks[first - 2].kind in ("and", "comma", "stop", "colon") if first >= 2 else True
+        starts = starts or self.chunks[end - 1].value == "which"  # "a rack beside which hangs a mirror"
         return starts and (verb or (index == end and self.chunks[index].det != "the"))

@@ -38,6 +38,7 @@ class Grammar:
     rooms: Mapping[str, float]  # factors on the floor of a room by adjective
     models: Mapping[str, tuple[float, float, float]]  # sizes in metres by adjective and kind ("king bed")
     kinds: Mapping[str, str]  # nearest kinds of nouns that the catalogue does not have
+    groups: Mapping[str, tuple[str, ...]]  # last words of the kinds that nouns for several of them mean
     heads: Mapping[str, str]  # nearest kinds by last word
     places: Mapping[str, str]  # nearest room types of places by last word
     airy: frozenset[str]  # words of rooms whose floor stays largely free
@@ -75,6 +76,7 @@ def grammar() -> Grammar:
         data["rooms"],
         {word: (d, w, h) for word, (d, w, h) in data["models"].items()},
         data["kinds"],
+        {word: tuple(kinds) for word, kinds in data["groups"].items()},
         data["heads"],
         data["places"],
         frozenset(data["airy"]["words"]),

@@ -20,7 +20,8 @@ from robolayout.words._said import Link, Mention, Parsed, Place, place_of, same,
 from robolayout.words._tokens import count_of
 from robolayout.words._ways import SEATS, TOPS
 
-SAID_OF = {"stacked": "stacked", "piled": "stacked", "diagonal": "diagonal", "angled": "diagonal"}
+SAID_OF = {"stacked": "stacked", "piled": "stacked", "diagonal": "diagonal", "angled": "diagonal", "walled": "wall"}
+SAID_OF |= {"wallmounted": "on", "wallhung": "on", "ceilingmounted": "hanging"}
 """Relations that stand before a noun."""
 
 
@@ -40,6 +41,7 @@ class Parser(Relating):
             elif chunk.kind in ("room", "people", "style", "function", "corner"):
                 self._fact(chunk)
         self._on_stop(None)
+        self.said.links += [link for zone in self.zones.values() for link in zone.links(self.said.links)]
         self.said.missed = leftover(self.chunks, self.said)
         return self.said
 
@@ -155,6 +157,11 @@ class Parser(Relating):
         if chunk.value in ("that", "which"):
             self.relative = True
             return
+        if chunk.value.endswith("furniture"):
+            clause = takewhile(lambda other: other.kind not in ("stop", "thing"), self.chunks[self.at :])
+            placed = any(other.kind == "rel" for other in clause)  # not "the furniture is white"
+            self._these([Mention(t) for t in self.said.things if placed and CATALOGUE[t.noun.kind].on_floor])
+            return
         room = chunk.value == "it" and self.before[:1] and self.before[0].det in ("both", "all")
         one = len(self.before) == 1 and not several(self.before[0]) and not self.group
         if one and chunk.value in (*small.EVERY, "they") and chunk.value != "both":
@@ -176,10 +183,16 @@ class Parser(Relating):
 
     def _on_thing(self, chunk: Chunk) -> None:
         chunk = self._none_of(chunk)
+        if members := self._members(chunk):
+            self._understood(chunk)
+            self._these(members)
+            return
         if self._no_thing(chunk) or self._also_each(chunk):
             return
         mention = self._mention(chunk)
         self.recent.append(mention)
+        if self.zone is not None and not mention.thing.spans[1:]:
+            self.zone.things.append(mention)
         self.target = None
         self._note(chunk, mention)
         if chunk.det == "each" and self.group and self._previous(chunk) == "for":
@@ -204,12 +217,23 @@ class Parser(Relating):
         self.acted = []
         self.verb = self.relative = self.broken = False
 
+    def _these(self, members: list[Mention]) -> None:
+        """Go on with several things that were named before: "The machines stand side by side"."""
+        self.recent += members
+        if self.fronted is not None:
+            self._link(self.fronted[0], members, self.fronted[1])
+        self.subject = self.group = members
+        self.target, self.acted = None, []
+        self.verb = self.relative = self.broken = False
+
     def _note(self, chunk: Chunk, mention: Mention) -> None:
         """Note what a noun phrase itself says of how its thing stands."""
         if chunk.rows:
             self.said.links.append(Link("rows", (mention,), (), chunk.start, chunk.end, rows=max(chunk.rows, 0)))
-        for word in set(SAID_OF) & set(chunk.adjectives):
-            self.said.links.append(Link(SAID_OF[word], (mention,), (), chunk.start, chunk.end))
+        noun = chunk.noun.said.split() if chunk.noun is not None else []
+        for word in set(SAID_OF) & {*chunk.adjectives, *noun}:
+            to = next(((Place(name),) for name in ("wall", "ceiling") if word.startswith(name)), ())
+            self.said.links.append(Link(SAID_OF[word], (mention,), to, chunk.start, chunk.end))
         if self._previous(chunk) in small.ALIKE and self.said.links:  # "a sofa is by the window, and so is a desk"
             self.said.links.append(replace(self.said.links[-1], subjects=(mention,)))
 
@@ -277,7 +301,9 @@ class Parser(Relating):
             rest = dropwhile(lambda c: c.kind in ("with", "thing", "style", "and"), self.chunks[self.at :])
             following = next(rest, following)
         starts = self._ahead(-2).kind in ("and", "comma")
+        plural = not joined and following.kind == "verb" and following.value in small.FINITE
         alone = following.value in small.ALONE_DOES and (mention.thing.count == 1 if joined else starts)
+        alone = alone or (plural and starts)
         self.subject, self.acted = ([], []) if alone else (self.subject, self.acted)
         return alone
 
@@ -289,8 +315,9 @@ class Parser(Relating):
 
     def _on_part(self, chunk: Chunk) -> None:
         """A place of the room that no relation leads to: what it has, doors and windows that are asked for."""
-        if chunk.value == "room":
-            self._new_zone()
+        if chunk.value == "room" or (chunk.value == "side" and self._is_zone(chunk)):
+            self._new_zone(chunk)
+            self._understood(*[chunk] * (chunk.value == "side"))
         if (self._ahead(-3).kind, self._ahead(-2).kind) == ("thing", "with"):
             self._fact(replace(chunk, kind="function"))  # "a wardrobe with two sliding doors"
             self.acted = self.group[-1:]
@@ -310,6 +337,11 @@ class Parser(Relating):
         elif chunk.value in ("floor", "wall"):
             self._on_surface(chunk)
         self.broken = True
+
+    def _is_zone(self, chunk: Chunk) -> bool:
+        """Return whether a side is a part of the room by what one does there: "the living part is on the left"."""
+        told = chunk.det in ("the", "a") and chunk.adjectives and not {*chunk.adjectives} & {*grammar().walls, *grammar().sizes}
+        return bool(told) and not self.group and self._ahead().kind in ("verb", "rel", "with")
 
     def _on_opening(self, chunk: Chunk) -> None:
         """A door or window: it is asked for where a wall is told, or a number, or "a"."""

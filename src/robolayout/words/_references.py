@@ -23,6 +23,7 @@ from robolayout.words._said import (
 )
 from robolayout.words._tokens import APART
 from robolayout.words._ways import OTHER_SIDE
+from robolayout.words._zones import Zone
 
 AXES = {"left": "across", "right": "across", "front": "along", "behind": "along", "foot": "along"}
 """Lines through a thing by the relations that say on which side of it another one stands."""
@@ -34,6 +35,8 @@ class References:
     def __init__(self, chunks: Sequence[Chunk]) -> None:
         self.chunks = list(chunks)
         self.said = Parsed()
+        self.zones: dict[str, Zone] = {}
+        self.zone: Zone | None = None  # the part of the room that this sentence is about
         self.at = 0
         self.before: list[Mention] = []
         self.spoken: list[Mention] = []  # all that the last sentence named
@@ -53,6 +56,7 @@ class References:
         if self.told < self.began:  # of the sentence before the last one
             self.contrast, self.kept = ("", []), []
         self.began = self.chunks[self.at - 1].start if self.at else 0
+        self.zone = None
         self.group: list[Mention] = []
         self.subject: list[Mention] = []
         self.acted: list[Mention] = []
@@ -67,8 +71,11 @@ class References:
         self.target: Mention | None = None
         self.every: tuple[list[Mention], int] | None = None  # what each has that is spoken of, and how many there are
 
-    def _new_zone(self) -> None:
+    def _new_zone(self, chunk: Chunk) -> None:
         """Forget what was spoken of: what a part of the room has belongs to no thing before it."""
+        name = " ".join((*chunk.adjectives, chunk.value)).split()[0]
+        self.zone = self.zones.setdefault(name, Zone())
+        self.fronted = None if self.group else self.fronted
         self.group, self.subject, self.acted, self.holder = [], [], [], []
         self.having = False
 
@@ -116,7 +123,9 @@ class References:
         side, of = self.contrast if fresh else ("", [])
         if word == "it" and relation == side and of and of[0].thing not in own:
             return of  # "a lamp to the left of the sofa; to the right of it a plant"
-        kept = self.kept if fresh and self._keeps(relation) and {m.thing for m in self.other} <= own else []
+        again = [c.kind for c in self.chunks[max(self.at - 5, 0) : self.at]] == ["pron", "and", "thing", "rel", "pron"]
+        again = again and relation != "on"  # "an armchair, a lamp behind it and a table beside it"
+        kept = self.kept if fresh and (again or self._keeps(relation)) and {m.thing for m in self.other} <= own else []
         if kept and kept[0].thing not in own:
             return kept
         single, led = ([m for m in given if m.thing.count == 1] for given in (earlier, to))
@@ -170,7 +179,10 @@ class References:
             if known.count == 1 and all(sides) and sides[0] != sides[1]:
                 known.number = 2  # "on the left nightstand ... on the right nightstand"
             known.spans.append((chunk.start, chunk.end))
-            return Mention(known, self._pick(chunk, known.count, self.dealt.get(known), target=target), chunk.det)
+            pick = self._pick(chunk, known.count, self.dealt.get(known), target=target)
+            if pick is not None and chunk.det in ("new", "half", "one"):
+                self.dealt[known] = pick.stop
+            return Mention(known, pick, chunk.det)
         number = 1 if chunk.number is None and chunk.det in ("a", "new", "one") and not chunk.plural else chunk.number
         if chunk.det == "both" and number is None:
             number = 2
@@ -179,7 +191,7 @@ class References:
             number = before if before and before > 1 else None
         if number is None and chunk.plural and chunk.noun.kind in ONE_EACH and not self.said.things:
             number = self._people() or None  # "an office for four: desks ..."
-        definite = chunk.det in ("the", "each", "all", "first")
+        definite = chunk.det in ("the", "each", "all", "first", "half")
         some = chunk.det == "one"  # "one of the two beds"
         number, number_of = (chunk.total, number) if some else (number, None)
         made = Thing(chunk.noun, number, chunk.bound, chunk.plural, chunk.adjectives, [(chunk.start, chunk.end)])
@@ -188,6 +200,18 @@ class References:
         self.said.things.append(made)
         first = (chunk.det == "first" or {"left", "right"} & {*chunk.adjectives}) and made.count == 1
         return Mention(made, slice(0, number_of or 1) if first or (some and made.count > 1) else None, chunk.det)
+
+    def _members(self, chunk: Chunk) -> list[Mention]:
+        """Return the things of several kinds named before that one noun means: "the appliances", "both lamps"."""
+        several = chunk.plural and chunk.det in ("the", "all", "both")
+        if chunk.noun is None or not (several or chunk.det == "each"):
+            return []
+        ends = grammar().groups.get(chunk.noun.said, ())
+        found = [t for t in self.said.things if same(t, chunk) or t.noun.kind.split()[-1] in ends]
+        count = sum(thing.count for thing in found)
+        again = any(same_words(thing, chunk) for thing in found) or (len(found) == 1 and same(found[0], chunk))
+        told = chunk.number or (2 if chunk.det == "both" else count)
+        return [] if again or count < 2 or count != told else [Mention(thing, None, chunk.det) for thing in found]
 
     def _people(self) -> int:
         """Return how many people the room was said to be for, 0 if nobody said."""
@@ -199,6 +223,10 @@ class References:
         first, many = dealt or 0, chunk.number or 1
         if count == 1:
             return None
+        if chunk.det == "half":
+            return slice(first, first + count // 2)
+        if many < 0:
+            return slice(0, count + many)  # "all but one"
         if chunk.det in ("other", "new"):
             first = (count - many if chunk.number else 1) if dealt is None else dealt
             return slice(first, count if chunk.plural else first + 1)
@@ -292,13 +320,23 @@ class References:
         low = gap.measure.values[0] if gap is not None and gap.measure is not None else 0.0
         return [Link("apart", *about, gap.start, end, (low, low + APART))] if gap is not None else []
 
+    def _led_back(self, relation: str) -> Sequence[Mention | Place]:
+        """Return what a relation leads to where nothing is named: "a loft bed with a desk underneath", "a bed on the left"."""
+        if self.holder or relation not in ("left", "right"):
+            return self.holder or self._meant("it", relation)
+        side, of = self.contrast
+        alone = {m.thing for m in self.recent} <= {m.thing for m in self.about}
+        if not (side == relation and of) and alone and len(self.before) == 1 and not several(self.before[0]):
+            of = self.before  # "A sofa is in the middle. On the left stands a lamp."
+            self.contrast = (OTHER_SIDE[relation], of)
+        elif side != relation:
+            of = []
+        return of or [Place("side", (relation,))]
+
     def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
         """Note a relation; what stands at each of several things is as many times there."""
-        led = objects or (
-            self.holder or (self._meant("it") if chunk.value == "oneside" else [])
-            if chunk.value in ("next", "oneside", "flank", "left", "right", "front", "near", "under", "above", "behind")
-            else []
-        )
+        self.about = list(subjects)
+        led = objects or (self._led_back(chunk.value) if chunk.value in small.LED_BACK else [])
         if (chunk.value in ("above", "behind") and not led) or any(
             a.thing is b.thing and a.pick in (None, b.pick) for a in subjects for b in led if isinstance(b, Mention)
         ):
@@ -316,6 +354,8 @@ class References:
         if chunk.value == "flank":
             chunk = self._on_both_sides(chunk, subjects, objects)
         objects = led
+        if not self.holder and objects and isinstance(objects[0], Place) and objects[0].name == "side":
+            chunk = replace(chunk, value="in")  # a half of the room
         walls = next((to.number for to in objects if chunk.value == "wall" and isinstance(to, Place)), None)
         for thing in (mention.thing for mention in subjects):
             if walls and thing.plural and thing.number is None:

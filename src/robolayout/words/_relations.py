@@ -36,7 +36,7 @@ class Relating(About):
             chunk = replace(chunk, measure=replace(chunk.measure, values=tuple(sides)))
         self.said.facts.append(chunk)
         if chunk.kind in ("room", "corner"):
-            self._new_zone()
+            self._new_zone(chunk)
         for mention in self.subject or self.group if chunk.kind == "style" and self.verb else ():
             mention.thing.told.append(chunk.value)  # "the bed is brown"
         if chunk.measure is not None and chunk.measure.kind == "grid" and self.group:
@@ -65,10 +65,11 @@ class Relating(About):
         self.having = True
         self.verb = self.listed = False
         self.broken = True
-        if self.holder and self.holder[0].det in ("each", "both", "all") and self.holder[0].thing.count > 1:
+        if self.holder and self.holder[0].det in ("each", "both", "all", "half") and self.holder[0].thing.count > 1:
             alike = [thing for thing in self.said.things if thing.noun.said == self.holder[0].thing.noun.said]
-            self.holder = [Mention(thing, None, self.holder[0].det) for thing in alike]
-            self._each_has(self.holder, sum(thing.count for thing in alike))
+            if self.holder[0].pick is None:
+                self.holder = [Mention(thing, None, self.holder[0].det) for thing in alike]
+            self._each_has(self.holder, sum(mention.count for mention in self.holder))
 
     def _each_has(self, holder: list[Mention], times: int) -> None:
         """Read what each of some things or people has, up to the end of the clause."""
@@ -94,6 +95,8 @@ class Relating(About):
     def _list_goes_on(self, had: int) -> bool:
         """Return whether from a comma here a plain list goes on to the end of the sentence: ", a keyboard and a chair." """
         rest = list(takewhile(lambda kind: kind != "stop", (chunk.kind for chunk in self.chunks[self.at :])))
+        while rest[-1:] in (["rel"], ["pron"]):  # "..., a keyboard and a chair in front of it"
+            rest.pop()
         return (
             rest[-2:] == ["and", "thing"]
             and (had > 1 or rest[1:2] != ["and"])  # "each with a lamp, and a sofa"
@@ -153,7 +156,8 @@ class Relating(About):
         self, chunk: Chunk, subjects: list[Mention], objects: list[Mention | Place], first: int, *, every: bool
     ) -> None:
         """Settle what a relation is about and leads to, and note what it says."""
-        if chunk.value == "ontop":
+        bare = chunk.value == "on" and not objects and self._ahead().kind in ("and", "comma", "stop", "")
+        if chunk.value == "ontop" or bare:  # "a desk with a lamp on"
             chunk, objects = replace(chunk, value="on"), objects or list(self.holder or self.subject)
         chunk, objects = self._other_side(chunk, objects)
         place = objects[0] if objects and isinstance(objects[0], Place) else None
@@ -165,6 +169,10 @@ class Relating(About):
         backs = backs and chunk.value == "wall"
         if chunk.value == "separates" or backs:  # "with its back to the window"
             chunk = replace(chunk, value="turnedfrom" if backs else "amid")
+        last = self.said.links[-1] if self.said.links else None
+        if "across" in chunk.adjectives and last is not None and (last.relation, last.end) == ("mutual", chunk.start):
+            chunk = replace(chunk, value="amid")  # "two sofas facing each other across a table"
+            subjects, objects = [item for item in objects if isinstance(item, Mention)], list(last.subjects)
         if chunk.value == "between":  # "1 m between the bed and the wardrobe"
             chunk, subjects = replace(chunk, value="apart"), [m for m in objects if isinstance(m, Mention)][:1]
             objects = [item for item in objects if item not in subjects]
@@ -237,8 +245,9 @@ class Relating(About):
             self._reversed(chunk, subjects, objects)
         elif not subjects and (named := self._fronted_things()):
             self._link(chunk, named, objects)  # "on the desk in the corner stands a lamp"
-        elif not subjects and self._of_a_zone(first - 1):
-            self.said.missed.append(chunk)
+        elif not subjects and self._of_a_zone(first - 1) and self.zone is not None:
+            side = not objects and chunk.value in ("left", "right")
+            self.zone.place = (replace(chunk, value="in"), [Place("side", (chunk.value,))]) if side else (chunk, objects)
         elif (not subjects and not colon) or (objects and self._turned_round(first, self.at)):
             place = self.fronted[1][:1] if self.fronted is not None and not self.group else []
             self.also = self.fronted if place and isinstance(place[0], Place) else None
@@ -252,6 +261,8 @@ class Relating(About):
 
     def _of_a_zone(self, index: int) -> bool:
         """Return whether a relation is about a part of the room, so that no thing stands there: "a kitchenette along the wall"."""
+        while index > 1 and self.chunks[index - 1].kind in ("verb", "filler"):
+            index -= 1
         before = [chunk.kind for chunk in self.chunks[max(index - 2, 0) : index]]
         return self.fronted is None and before[-1:] != [] and before[-1] in small.ZONES and before[0] != "rel"
 
@@ -315,13 +326,17 @@ class Relating(About):
         there = isinstance(place, Place) and place.name in ("room", "floor")
         return there and chunk.value in ("in", "on", "by", "around")
 
-    def _reversed(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
+    def _reversed(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Mention | Place]) -> None:
         """Link what is said from the other side: "flanked by two lamps"."""
         moved = [item for item in objects if isinstance(item, Mention)]
         while chunk.value in ("holds", "flanked") and self._another():
             self.at += 2
             moved.append(self._mention(self._ahead(-1)))
-        if moved and subjects:
+        if chunk.value == "flanked" and self._ahead().value in ("left", "right"):
+            self.holder, self.group, self.verb = subjects[:1], moved, False  # "flanked by a lamp on the left and ..."
+            self.acted = []
+            self._understood(chunk)
+        elif moved and subjects:
             named = Chunk("rel", chunk.start, chunk.end, REVERSED[chunk.value])
             for mention in moved:
                 if chunk.value == "holds" and len(subjects) == 1 and subjects[0].det == "each":

@@ -65,6 +65,11 @@ class Mention:
     det: str = ""  # the article
 
     @property
+    def count(self) -> int:
+        """How many are meant."""
+        return self.thing.count if self.pick is None else self.pick.stop - self.pick.start
+
+    @property
     def at_a_table(self) -> bool:
         """Whether it is a seat of which several stand at one side of a table."""
         return self.thing.noun.kind.split()[-1] in ("chair", "stool", "bench", "seat")
@@ -132,9 +137,7 @@ class Parsed:
 
 def several(item: Mention | Place) -> bool:
     """Return whether something is more than one thing."""
-    if not isinstance(item, Mention) or item.thing.count < 2:
-        return False
-    return item.pick is None or item.pick.stop - item.pick.start > 1
+    return isinstance(item, Mention) and item.count > 1
 
 
 def place_of(chunk: Chunk) -> Place:
