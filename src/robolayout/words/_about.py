@@ -67,6 +67,9 @@ class About(LedTo):
             return False
         if relation in ("wall", "flank") or where == ("object",):
             return True
+        unit = self.chunks[begun]  # "an armchair and ottoman"
+        if not (unit.det or unit.plural or unit.number is not None or earlier[1:]):
+            return True
         alike = all(map(_sat_at, self.group))
         if any(c.kind in ("room", "with", "colon") and c.start >= self.began for c in self.chunks[:begun]):
             return alike and not earlier[1:]
@@ -79,6 +82,7 @@ class About(LedTo):
         if previous is None or previous.kind == "stop" or (opening and previous.det == "a"):
             return []  # "a window on each side of it"
         if self.fronted is not None and previous.kind in ("and", "comma"):
+            self.also = self.fronted if not self.group else None  # "between them, under the window, is a table"
             self.fronted = None
             return []
         if self._of_the_noun():
@@ -89,7 +93,8 @@ class About(LedTo):
         if previous.kind == "thing":
             return self._nearest(relation)
         last = self.said.links[-1] if self.said.links else None
-        if previous.kind == "pron" and self.having and last and [*last.objects] == [*self.holder] and not self.verb:
+        of_it = previous.kind == "pron" and self.having and self.holder and not self.verb
+        if of_it and last and [*last.objects] == self.holder:
             return list(self.holder)  # "a rug with a table on it in front of the sofa"
         if previous.kind == "pron" and not self.relative:
             return list(self.before or self.subject) if not self.group else list(self.group)

@@ -118,7 +118,7 @@ class Chunker(ClosedWords):
             step = self._before_noun(i, det, number) if i < len(self.words) else None
             if step is None:
                 break
-            det = det if det in ("each", "one", "half") else step[0] or det
+            det = det if det in ("each", "one", *small.SHARES) else step[0] or det
             if det == "one" and number is not None:
                 total = total or step[1]
             else:
@@ -175,8 +175,11 @@ class Chunker(ClosedWords):
 
     def _some_of(self, word: str, rest: list[str]) -> tuple[str, int | None, str, int, int] | None:
         """Return the same of what says which share of several is meant: "half of", "every other", "all but one of"."""
-        if (word == "half" and rest[:1] in (["of"], ["the"])) or (word == "every" and rest[:1] in (["other"], ["second"])):
-            return ("half", None, "", 0, 1 + (rest[0] != "the"))
+        share = next((name for name in small.SHARES if [word, *rest][: len(name.split()) + 1] == [*name.split(), "of"]), "")
+        if share or (word == "half" and rest[:1] == ["the"]):
+            return (share or word, None, "", 0, len(share.split()) + 1)
+        if word == "every" and rest[:1] in (["other"], ["second"]):
+            return ("half", None, "", 0, 2)
         but = count_of(rest[1]) if word == "all" and rest[:1] == ["but"] and rest[1:] else None
         return ("one", -but, "", 0, 3 + (rest[2:3] == ["of"])) if but else None
 
@@ -227,6 +230,8 @@ class Chunker(ClosedWords):
 
     def _closed(self, i: int, run: Sequence[str], many: bool) -> bool:
         """Return whether a word here begins a relation or is a verb, not a part of what is named."""
+        if self.words[i] in ("seat", "seats") and run and (count_of(self._word(i + 1)) or 0) > 1:
+            return True  # "the dining table seats six"
         word, known = self.words[i], bool(run) and self.lexicon.noun(run[-1:]) is not None
         if self._begins_relation(i):
             return True

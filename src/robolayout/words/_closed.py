@@ -56,7 +56,8 @@ class ClosedWords:
             walked = self._word(end - len(phrase.split()) - 1) in ("walk", "move", "go", "get", "way")
             return not walked and following in ("the", "it", "them", "each", "both", "that", "this")
         if phrase in small.LEADING:
-            return following in small.DETERMINERS or (phrase in ("line", "lines") and count_of(following) is not None)
+            counted = phrase in ("line", "lines") and count_of(following) is not None
+            return following in small.DETERMINERS or following in ("it", "them") or counted
         if phrase in ("at", "around", "over", "about") and (following.isdigit() or following in ("least", "most")):
             return False
         if phrase in ("before", "row"):

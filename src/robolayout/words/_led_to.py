@@ -34,7 +34,8 @@ class LedTo(References):
             two = chunk.value in ("amid", "between", "separates") and len(found) < 2
             plural = several(item) or (isinstance(item, Place) and item.plural)
             wants = two and (self._ahead().value == "from" or not (plural or pronoun))
-            both = chunk.value in ("amid", "facing", "under", "around", "near", "next", "on")
+            both = chunk.value in ("amid", "facing", "under", "around", "near", "next", "on", "seen")
+            both = both or (isinstance(item, Mention) and item.det == "both")
             if not (wants or (both and self._plain_pair(found, chunk))):
                 break
             self.at += 1
@@ -86,7 +87,7 @@ class LedTo(References):
         """Return what a pronoun after a relation stands for; "which" only where a verb follows ("on which sits a lamp")."""
         following = self._ahead(1).kind
         which = word.value == "which" and following in ("verb", "thing")
-        that = word.value == "that" and following in ("comma", "stop", "")
+        that = word.value == "that" and following in ("comma", "stop", "verb", "")
         if word.value in ("that", "which", "both") and not which and not that:
             return None
         self.at += 1

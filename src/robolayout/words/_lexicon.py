@@ -144,6 +144,8 @@ class Lexicon:
 
     def part_like(self, words: Sequence[str]) -> str | None:
         """Return the place of the room that the last of some words is a slip of, None where it is none."""
+        if words[-1] in grammar().fillers:
+            return None  # "evenly spaced" is no space
         near = get_close_matches(words[-1], grammar().parts, n=1, cutoff=ALIKE_PARTS)
         known = any(_misspelt(text.replace(" ", "")) for text in (" ".join(words), words[-1]))
         return grammar().parts[near[0]] if near and len(words[-1]) > 4 and not known else None

@@ -20,8 +20,10 @@ from robolayout.words._said import Link, Mention, Parsed, Place, place_of, same,
 from robolayout.words._tokens import count_of
 from robolayout.words._ways import SEATS, TOPS
 
-SAID_OF = {"stacked": "stacked", "piled": "stacked", "diagonal": "diagonal", "angled": "diagonal", "walled": "wall"}
-SAID_OF |= {"wallmounted": "on", "wallhung": "on", "ceilingmounted": "hanging"}
+SAID_OF = {
+    "stacked": "stacked", "piled": "stacked", "diagonal": "diagonal", "angled": "diagonal", "walled": "wall",
+    "wallmounted": "on", "wallhung": "on", "ceilingmounted": "hanging",
+}  # fmt: skip
 """Relations that stand before a noun."""
 
 
@@ -36,6 +38,8 @@ class Parser(Relating):
             handler = getattr(self, f"_on_{chunk.kind}", None)
             if handler is not None:
                 handler(chunk)
+            elif chunk.kind == "other" and (self._ahead(-3).kind, self._ahead(-2).value) == ("thing", "of"):
+                self._fact(replace(chunk, kind="function"))  # "a cup of coffee"
             elif chunk.kind == "other":
                 self.said.missed.append(chunk)
             elif chunk.kind in ("room", "people", "style", "function", "corner"):
@@ -84,6 +88,9 @@ class Parser(Relating):
         following = self._ahead()
         if chunk.value == "for" and following.kind == "filler" and (count_of(following.value) or 0) > 1:
             self._for_people(Chunk("people", chunk.start, following.end, number=count_of(following.value)))
+        if chunk.value == "all" and self._ahead().kind == "rel" and self.recent:  # "two chairs, all on a rug"
+            self._these([m for m in self.recent if not topped(m)])
+            self.acted, self.holder = self.group, []
         rest = self.chunks[self.at :]
         last = self.said.links[-1] if self.said.links else None
         if chunk.value == "too" and last is not None and self.group and not self.acted and last.start < self.began:
@@ -150,12 +157,16 @@ class Parser(Relating):
     def _on_body(self, chunk: Chunk) -> None:
         """Who the room is laid out for; pets of somebody who was named live there, too."""
         people = [c for c in self.said.facts if c.kind == "people" and c.start >= self.began]
-        self._fact(replace(chunk, kind="users") if people and chunk.value in small.PETS else chunk)
+        lives = people or (chunk.det == "the" and self._previous(chunk) != "for")  # "so that the cat can look out"
+        self._fact(replace(chunk, kind="users") if lives and chunk.value in small.PETS else chunk)
 
     def _on_pron(self, chunk: Chunk) -> None:
         """What was named before; "each" multiplies what it follows ("four chairs each"), or says what each one has."""
         if chunk.value in ("that", "which"):
             self.relative = True
+            return
+        if chunk.value.startswith("the row"):
+            self._these(self._meant(chunk.value))
             return
         if chunk.value.endswith("furniture"):
             clause = takewhile(lambda other: other.kind not in ("stop", "thing"), self.chunks[self.at :])
@@ -200,7 +211,7 @@ class Parser(Relating):
             self.group[-1].thing.times = 1 if dealt else mention.thing.count
             self._link(Chunk("rel", chunk.start, chunk.end, "with"), self.group[-1:], [mention])
             return
-        if self._led(mention):
+        if self._led(mention) or self._elided(chunk, mention):
             return
         if self.verb and not self.group and not self.subject:
             self.subject = []
@@ -279,6 +290,19 @@ class Parser(Relating):
         self.broken = False
         return True
 
+    def _elided(self, chunk: Chunk, mention: Mention) -> bool:
+        """Return whether two things follow each other as the last two did: "the left desk has a lamp, the right one a vase"."""
+        last = next((link for link in reversed(self.said.links) if link.start < chunk.start), None)
+        before = self.recent[-2:-1]
+        if last is None or self._ahead(-2).kind != "thing" or not before or mention.pick is not None:
+            return False
+        to = [item.thing for item in last.objects if isinstance(item, Mention) and item.pick is not None]
+        if to[:1] != [before[0].thing] or before[0].pick is None or last.relation not in ("on", "with"):
+            return False
+        self._link(Chunk("rel", chunk.start, chunk.end, last.relation), [mention], before)
+        self.group, self.subject, self.acted = [mention], before, []
+        return True
+
     def _also_each(self, chunk: Chunk) -> bool:
         """Read what else each has, after what stands at it: "each table has a board on it and two chairs"."""
         joined = self._ahead(-2).kind == "and" and chunk.det != "the"
@@ -340,7 +364,10 @@ class Parser(Relating):
 
     def _is_zone(self, chunk: Chunk) -> bool:
         """Return whether a side is a part of the room by what one does there: "the living part is on the left"."""
-        told = chunk.det in ("the", "a") and chunk.adjectives and not {*chunk.adjectives} & {*grammar().walls, *grammar().sizes}
+        if [c.kind for c in self.chunks[self.at : self.at + 2]] in (["filler", "room"], ["filler", "part"]):
+            self._understood(*self.chunks[self.at : self.at + 2])
+            self.at += 2  # "the front half of the room"
+        told = chunk.det in ("the", "a") and len(chunk.adjectives) == 1 and not {*chunk.adjectives} & {*grammar().sizes}
         return bool(told) and not self.group and self._ahead().kind in ("verb", "rel", "with")
 
     def _on_opening(self, chunk: Chunk) -> None:

@@ -1,4 +1,4 @@
-"""What words refer to: a thing named before, "it", "the other one", a wall that something else tells."""
+"""What words refer to: a thing named before, a share of several, what a relation without an object leads back to."""
 
 from __future__ import annotations
 
@@ -6,169 +6,16 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from robolayout.words import _function_words as small
-from robolayout.words._chunk import NOTHING, Chunk
+from robolayout.words._chunk import Chunk
 from robolayout.words._lexicon import grammar
-from robolayout.words._said import (
-    ONE_EACH,
-    Link,
-    Mention,
-    Parsed,
-    Place,
-    Thing,
-    more_of,
-    same,
-    same_words,
-    several,
-    topped,
-)
+from robolayout.words._said import ONE_EACH, Link, Mention, Place, Thing, more_of, same, same_words, several
+from robolayout.words._spoken import Spoken
 from robolayout.words._tokens import APART
 from robolayout.words._ways import OTHER_SIDE
-from robolayout.words._zones import Zone
-
-AXES = {"left": "across", "right": "across", "front": "along", "behind": "along", "foot": "along"}
-"""Lines through a thing by the relations that say on which side of it another one stands."""
 
 
-class References:
-    """What was named so far in a text, and in its last sentence."""
-
-    def __init__(self, chunks: Sequence[Chunk]) -> None:
-        self.chunks = list(chunks)
-        self.said = Parsed()
-        self.zones: dict[str, Zone] = {}
-        self.zone: Zone | None = None  # the part of the room that this sentence is about
-        self.at = 0
-        self.before: list[Mention] = []
-        self.spoken: list[Mention] = []  # all that the last sentence named
-        self.pending: list[Mention] = []
-        self.dealt: dict[Thing, int] = {}
-        self.about: list[Mention] = []  # what the relation that is being read is about
-        self.kept: list[Mention] = []  # what the last "it" stood for, or the head of the sentence led to
-        self.contrast: tuple[str, list[Mention]] = ("", [])  # the other side than the last one, and of what
-        self.axis = ""  # along which line of it, where no "it" was said
-        self.other: list[Mention] = []  # what was said since, by a noun
-        self.gap: Chunk | None = None  # a measure right before a relation
-        self.told = 0  # where that was said
-        self.began = 0
-        self._new_sentence()
-
-    def _new_sentence(self) -> None:
-        if self.told < self.began:  # of the sentence before the last one
-            self.contrast, self.kept = ("", []), []
-        self.began = self.chunks[self.at - 1].start if self.at else 0
-        self.zone = None
-        self.group: list[Mention] = []
-        self.subject: list[Mention] = []
-        self.acted: list[Mention] = []
-        self.holder: list[Mention] = []
-        self.fronted: tuple[Chunk, list[Mention | Place]] | None = None
-        self.also: tuple[Chunk, list[Mention | Place]] | None = None  # "in the corner nearest the window stands a lamp"
-        self.refusing = self.negated = self.empty = self.verb = False
-        self.relative = False
-        self.broken = self.having = self.listed = False
-        self.recent: list[Mention] = []
-        self.targets: list[Mention] = []
-        self.target: Mention | None = None
-        self.every: tuple[list[Mention], int] | None = None  # what each has that is spoken of, and how many there are
-
-    def _new_zone(self, chunk: Chunk) -> None:
-        """Forget what was spoken of: what a part of the room has belongs to no thing before it."""
-        name = " ".join((*chunk.adjectives, chunk.value)).split()[0]
-        self.zone = self.zones.setdefault(name, Zone())
-        self.fronted = None if self.group else self.fronted
-        self.group, self.subject, self.acted, self.holder = [], [], [], []
-        self.having = False
-
-    def _ahead(self, more: int = 0) -> Chunk:
-        """Return the chunk that follows, or one so many further on; before the one that is read is -2."""
-        at = self.at + more
-        return self.chunks[at] if 0 <= at < len(self.chunks) else NOTHING
-
-    def _understood(self, *chunks: Chunk) -> None:
-        """Note chunks that are understood with what stands before them."""
-        self.said.read.update(token for chunk in chunks for token in range(chunk.start, chunk.end))
-
-    def _previous(self, chunk: Chunk) -> str:
-        """Return the value of the chunk before this one."""
-        index = self.chunks.index(chunk)
-        return self.chunks[index - 1].value if index else ""
-
-    def _skip(self) -> None:
-        while self._ahead().kind in ("filler", "style"):
-            self.at += 1
-
-    def _meant(self, word: str, relation: str = "") -> list[Mention]:
-        """Return what a pronoun stands for.
-
-        That is what stands before "with"; what the last "it" stood for ("a lamp behind it, a table to the left of it"); what was
-        named last before; what the last relation led to, where that is one and the other is several; the subject before.
-        """
-        own = {m.thing for m in self.about}
-        holder = self.holder[0] if self.holder else None
-        earlier, to = ([m for m in given if m.thing not in own] for given in (self.recent, self.targets))
-        many = holder is not None and several(holder) and holder.det != "each"
-        one = not many if word == "it" else many or word not in small.SEVERAL or len(earlier) < 2
-        if (
-            word in small.EVERY
-            and word not in small.SEVERAL
-            and not many
-            and (led := [m for m in earlier if several(m)])
-        ):
-            return led[-1:]  # "a sofa with a table at each end and a lamp on each of them"
-        if holder is not None and holder.thing not in own and one:
-            return self.holder
-        if word in small.SEVERAL:
-            return self._several_meant(earlier, to)
-        fresh = self.told >= self.began or not earlier  # no thing was named since
-        side, of = self.contrast if fresh else ("", [])
-        if word == "it" and relation == side and of and of[0].thing not in own:
-            return of  # "a lamp to the left of the sofa; to the right of it a plant"
-        again = [c.kind for c in self.chunks[max(self.at - 5, 0) : self.at]] == ["pron", "and", "thing", "rel", "pron"]
-        again = again and relation != "on"  # "an armchair, a lamp behind it and a table beside it"
-        kept = self.kept if fresh and (again or self._keeps(relation)) and {m.thing for m in self.other} <= own else []
-        if kept and kept[0].thing not in own:
-            return kept
-        single, led = ([m for m in given if m.thing.count == 1] for given in (earlier, to))
-        if word == "it" and earlier and earlier[-1].thing.count > 1:
-            earlier = led or single or earlier
-        before = self.before[:1]
-        if word == "it" and before and several(before[0]):  # "Six chairs are around it. A lamp hangs above it."
-            before = [m for m in (*self.spoken, *self.kept) if m.thing.count == 1][-1:] or before
-        return earlier[-1:] or to[-1:] or before or self.group[:1]
-
-    def _several_meant(self, earlier: list[Mention], to: list[Mention]) -> list[Mention]:
-        """Return what "them" stands for: several things named at once, or the last two."""
-        own = {m.thing for m in self.about}
-        to_own = [k for k in self.said.links if own & {o.thing for o in k.objects if isinstance(o, Mention)}]
-        on = {m.thing for k in to_own for m in k.subjects}
-        earlier = [m for m in earlier if m.thing not in on or not topped(m)]
-        several = [m for m in earlier if m.thing.count > 1]
-        if several and earlier[-1:] == several[-1:]:
-            return several[-1:]
-        if len(earlier) == 1:  # "a sofa facing the TV and a table between them"
-            earlier += [m for m in to[-1:] if m.thing is not earlier[0].thing]
-        before = self.before
-        if len(before) == 1 and before[0].thing.count == 1:
-            two = ([*k.subjects, *k.objects] for k in reversed(self.said.links) if k.relation != "on" and k.objects)
-            standing = ([m for m in both if isinstance(m, Mention) and not topped(m)] for both in two)
-            before = next((both for both in standing if len(both) > 1), before)
-        return earlier[-2:] or before
-
-    def _keeps(self, relation: str) -> bool:
-        """Return whether "it" still means here what it meant before."""
-        return self.axis == AXES.get(relation) if self.axis else relation not in (*small.CLOSE, "")
-
-    def _keep(self, relation: str, objects: Sequence[Mention | Place], *, pronoun: bool, fronted: bool) -> None:
-        """Note what a relation led to, so that a later "it" can mean the same."""
-        self.told = self._ahead(-1).start
-        things = [item for item in objects if isinstance(item, Mention) and item.thing.count == 1]
-        if not pronoun:
-            self.contrast = (OTHER_SIDE[relation], things[:1]) if relation in OTHER_SIDE else ("", [])
-        if things and (pronoun or (fronted and relation in AXES)):
-            self.kept, self.axis, self.other = things[:1], "" if pronoun else AXES[relation], []
-        elif not pronoun:
-            led = any(isinstance(item, Mention) for item in objects)
-            self.kept, self.other = [] if fronted or led else self.kept, list(self.about)
+class References(Spoken):
+    """Finds what noun phrases name and notes relations."""
 
     def _mention(self, chunk: Chunk, *, target: bool = False) -> Mention:
         """Return the thing that a noun phrase names: one named before, or a new one."""
@@ -180,7 +27,7 @@ class References:
                 known.number = 2  # "on the left nightstand ... on the right nightstand"
             known.spans.append((chunk.start, chunk.end))
             pick = self._pick(chunk, known.count, self.dealt.get(known), target=target)
-            if pick is not None and chunk.det in ("new", "half", "one"):
+            if pick is not None and chunk.det in ("new", "one", *small.SHARES):
                 self.dealt[known] = pick.stop
             return Mention(known, pick, chunk.det)
         number = 1 if chunk.number is None and chunk.det in ("a", "new", "one") and not chunk.plural else chunk.number
@@ -191,14 +38,17 @@ class References:
             number = before if before and before > 1 else None
         if number is None and chunk.plural and chunk.noun.kind in ONE_EACH and not self.said.things:
             number = self._people() or None  # "an office for four: desks ..."
-        definite = chunk.det in ("the", "each", "all", "first", "half")
+        definite = chunk.det in ("the", "each", "all", "first", *small.SHARES)
         some = chunk.det == "one"  # "one of the two beds"
         number, number_of = (chunk.total, number) if some else (number, None)
-        made = Thing(chunk.noun, number, chunk.bound, chunk.plural, chunk.adjectives, [(chunk.start, chunk.end)])
+        plural = chunk.plural or (chunk.det == "each" and number is None)
+        made = Thing(chunk.noun, number, chunk.bound, plural, chunk.adjectives, [(chunk.start, chunk.end)])
         made.rows, made.definite = chunk.rows, definite
         made.sizes += chunk.sizes
         self.said.things.append(made)
         first = (chunk.det == "first" or {"left", "right"} & {*chunk.adjectives}) and made.count == 1
+        if chunk.det in small.SHARES:
+            return Mention(made, self._pick(chunk, made.count, None, target=target), chunk.det)
         return Mention(made, slice(0, number_of or 1) if first or (some and made.count > 1) else None, chunk.det)
 
     def _members(self, chunk: Chunk) -> list[Mention]:
@@ -223,8 +73,8 @@ class References:
         first, many = dealt or 0, chunk.number or 1
         if count == 1:
             return None
-        if chunk.det == "half":
-            return slice(first, first + count // 2)
+        if chunk.det in small.SHARES:
+            return slice(first, first + max(int(count * small.SHARES[chunk.det]), 1))
         if many < 0:
             return slice(0, count + many)  # "all but one"
         if chunk.det in ("other", "new"):
@@ -254,7 +104,8 @@ class References:
             return None
         said = {word.removesuffix("s") for word in (*chunk.adjectives, *chunk.noun.said.split())}
         alike, one = same_words(last, chunk), number == 1 and not chunk.det
-        if last.count > 1 and not chunk.plural and said & small.PEOPLE and not alike:
+        owned = {word.removesuffix("s") for word in chunk.adjectives} if alike else said
+        if last.count > 1 and not chunk.plural and owned & small.PEOPLE:
             return None  # "the teacher's desk"
         told = number is not None and not (target and one)
         if told and last.definite and last.number is None and last.plural and alike:
@@ -333,15 +184,10 @@ class References:
             of = []
         return of or [Place("side", (relation,))]
 
-    def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
-        """Note a relation; what stands at each of several things is as many times there."""
-        self.about = list(subjects)
-        led = objects or (self._led_back(chunk.value) if chunk.value in small.LED_BACK else [])
-        if (chunk.value in ("above", "behind") and not led) or any(
-            a.thing is b.thing and a.pick in (None, b.pick) for a in subjects for b in led if isinstance(b, Mention)
-        ):
-            self.said.missed.append(chunk)  # nothing stands at itself, or behind nothing
-            return
+    def _counted(
+        self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]
+    ) -> Sequence[Mention]:
+        """Settle how many things are asked for that stand at each of several, at walls or in rows; return them."""
         each = [item for item in objects if item.det == "each" and chunk.value not in ("apart", "far")]
         for item in each:
             count = self._number_of(item)
@@ -351,15 +197,29 @@ class References:
                 dealt = mention.thing in self.dealt or mention.pick is not None  # "two lamps, one in each corner"
                 if mention.thing.times == 1 and not owned and not dealt:
                     mention.thing.times = count * (2 if chunk.value == "flank" and mention.thing.number == 1 else 1)
-        if chunk.value == "flank":
-            chunk = self._on_both_sides(chunk, subjects, objects)
-        objects = led
-        if not self.holder and objects and isinstance(objects[0], Place) and objects[0].name == "side":
-            chunk = replace(chunk, value="in")  # a half of the room
         walls = next((to.number for to in objects if chunk.value == "wall" and isinstance(to, Place)), None)
         for thing in (mention.thing for mention in subjects):
             if walls and thing.plural and thing.number is None:
                 thing.number = 2 * walls  # "bookshelves line two walls"
+        for mention in subjects if chunk.value == "rows" else ():
+            mention.thing.rows = mention.thing.rows or chunk.rows  # "clothing racks in three rows"
+        return subjects
+
+    def _link(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> None:
+        """Note a relation; what stands at each of several things is as many times there."""
+        self.about = list(subjects)
+        led = objects or (self._led_back(chunk.value) if chunk.value in small.LED_BACK else [])
+        if (chunk.value in ("above", "behind") and not led) or any(
+            a.thing is b.thing and a.pick in (None, b.pick) for a in subjects for b in led if isinstance(b, Mention)
+        ):
+            self.said.missed.append(chunk)  # nothing stands at itself, or behind nothing
+            return
+        subjects = self._counted(chunk, subjects, objects)
+        if chunk.value == "flank":
+            chunk = self._on_both_sides(chunk, subjects, objects)
+        if led != objects and isinstance(led[0], Place):
+            chunk = replace(chunk, value="in")  # a half of the room
+        objects = led
         if objects:  # "a bed with a lamp on either side": the lamps are not on the bed
             own, to = {m.thing for m in subjects}, {m.thing for m in objects if isinstance(m, Mention)}
             elsewhere = chunk.value in ("on", "flank")

@@ -65,7 +65,7 @@ class Relating(About):
         self.having = True
         self.verb = self.listed = False
         self.broken = True
-        if self.holder and self.holder[0].det in ("each", "both", "all", "half") and self.holder[0].thing.count > 1:
+        if self.holder and self.holder[0].det in ("each", "both", "all", *small.SHARES) and self.holder[0].thing.count > 1:
             alike = [thing for thing in self.said.things if thing.noun.said == self.holder[0].thing.noun.said]
             if self.holder[0].pick is None:
                 self.holder = [Mention(thing, None, self.holder[0].det) for thing in alike]
@@ -229,13 +229,12 @@ class Relating(About):
         self.said.links.append(Link("bare", (), tuple(objects), chunk.start, chunk.end, gap))
 
     def _relate(self, chunk: Chunk, subjects: list[Mention], objects: Sequence[Mention | Place], first: int) -> None:
-        """Note what a relation says; what leads on from a colon says no more than which room it is."""
+        """Note what a relation says."""
         if self.refusing:
             self._refused(chunk, subjects, objects)
             return
         if chunk.value == "amid" and not objects:
             objects = self._meant("them", chunk.value)
-        colon = self._ahead().kind == "colon" and not any(isinstance(item, Mention) for item in objects)
         if not objects and chunk.value not in small.ALONE:
             self._understood(*[chunk] * (chunk.value in ("in", "by") and self._ahead().kind in small.OF_THE_ROOM))
         elif objects and self._is_room(chunk, objects):
@@ -245,12 +244,12 @@ class Relating(About):
             self._reversed(chunk, subjects, objects)
         elif not subjects and (named := self._fronted_things()):
             self._link(chunk, named, objects)  # "on the desk in the corner stands a lamp"
-        elif not subjects and self._of_a_zone(first - 1) and self.zone is not None:
-            side = not objects and chunk.value in ("left", "right")
-            self.zone.place = (replace(chunk, value="in"), [Place("side", (chunk.value,))]) if side else (chunk, objects)
-        elif (not subjects and not colon) or (objects and self._turned_round(first, self.at)):
+        elif not subjects and self._of_a_zone(first - 1):
+            self._put_zone(chunk, objects)
+        elif not subjects or (objects and self._turned_round(first, self.at)):
             place = self.fronted[1][:1] if self.fronted is not None and not self.group else []
-            self.also = self.fronted if place and isinstance(place[0], Place) else None
+            also = None if self.group else self.also
+            self.also = self.fronted if place and isinstance(place[0], Place) else also
             self.fronted = (chunk, list(objects))
             self.group, self.acted = [], []
         elif subjects:
@@ -265,6 +264,16 @@ class Relating(About):
             index -= 1
         before = [chunk.kind for chunk in self.chunks[max(index - 2, 0) : index]]
         return self.fronted is None and before[-1:] != [] and before[-1] in small.ZONES and before[0] != "rel"
+
+    def _put_zone(self, chunk: Chunk, objects: Sequence[Mention | Place]) -> None:
+        """Note where the part of the room is that was named last: "a sleeping area on the left"."""
+        side = not objects and chunk.value in ("left", "right")
+        if self.zone is None or self.zone.place is not None:
+            self.said.missed.append(chunk)
+        elif side:
+            self.zone.place = replace(chunk, value="in"), [Place("side", (chunk.value,))]
+        else:
+            self.zone.place = chunk, objects
 
     def _fronted_things(self) -> list[Mention]:
         """Return the thing that a relation before this one leads to, while nothing stands there yet."""

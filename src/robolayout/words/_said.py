@@ -42,6 +42,11 @@ class Thing:
     told: list[str] = field(default_factory=list[str])  # words of taste that were said of it later ("the bed is brown")
 
     @property
+    def places(self) -> tuple[str, ...]:
+        """Where it can be: some of "floor", "wall", "ceiling", "object"."""
+        return CATALOGUE[self.noun.kind].places if self.noun.kind in CATALOGUE else ()
+
+    @property
     def look(self) -> tuple[str, ...]:
         """What is said of its colour, material and style, in words that can be drawn."""
         return tuple(word for word in (*self.adjectives, *self.told) if word in LOOKS)
@@ -170,5 +175,4 @@ def same_words(thing: Thing, chunk: Chunk) -> bool:
 
 def topped(mention: Mention) -> bool:
     """Return whether a thing can stand nowhere but on another."""
-    kind = CATALOGUE.get(mention.thing.noun.kind)
-    return kind is not None and kind.on_object and not kind.on_floor and not kind.on_wall and not kind.on_ceiling
+    return mention.thing.places == ("object",)

@@ -121,7 +121,9 @@ class _Rows:
         for thing in parsed.things:
             yield self._count(thing)
         for link in parsed.links:
-            yield self._relation(link)
+            row = self._relation(link)
+            yield row
+            yield from self._left_out(link, row)
         for noun, span in parsed.refused:
             yield self._refusal(noun.words, noun.kind, self.reading.span(*span))
         yield from self._unread()
@@ -268,6 +270,13 @@ class _Rows:
             " ..." if len(demands) > 2 else ""
         )
         return Row(understanding, "relation", said, judge, things, demands)
+
+    def _left_out(self, link: Link, row: Row) -> Iterator[Row]:
+        """Yield the things of a relation that its row asks nothing of, while it does of others."""
+        items = [item for item in (*link.subjects, *link.objects) if isinstance(item, Mention)]
+        for item in items if row.demands else ():
+            if (names := self.names.get(item.thing)) and not {*names} & {*row.things}:
+                yield as_row.unread(f"{as_row.shown(item)}: {row.words}", "nothing is asked of it there")
 
     def _way(self, link: Link, words: str) -> Row:
         """Return the row of a way: the body gets up to each of the things and places that are named."""
