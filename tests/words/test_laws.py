@@ -81,6 +81,12 @@ ONE = (  # one thing each; {a}, {b}, {c} are things, {s} and {t} small ones, {r}
     ("{A} and {b} {r} the {c_}.", "a r c, b r c"),
     ("Neither the {a_} nor the {b_} should be near the window.", "a apart window, b apart window"),
     ("{A} and {b} on either side of the {c_}.", "a flank c, b flank c"),
+    ("{A} and {b} beneath.", "b under a"),
+    ("{A} beside which stands {b}.", "b next a"),
+    ("There is {a} with {s} on it {p}.", "s on a, a p"),
+    ("{A}, {b} behind it and {c} beside it.", "b behind a, c next a"),
+    ("Between the {a_} and the {b_}, {p}, stands {c}.", "c amid a, c amid b, c p"),
+    ("A sleeping area on the left. The sleeping area has {a} and {b}.", "a in side, b in side"),
 )
 MANY = (  # {n} of {a}s; the counts of others follow
     ("There are {n} {a_}s, each with {b} and {s}.", "", "b s"),
@@ -104,6 +110,12 @@ MANY = (  # {n} of {a}s; the counts of others follow
     ("One of the {n} {a_}s is {p}, with {b} {r} it.", "a p, b r a", ""),
     ("The room has {n} {a_}s; one of these is {r} {b}.", "a r b", ""),
     ("{N} {a_}s in a row {p}, {s} on every {a_}.", "s on a", "s"),
+    ("{N} {a_}s. Most of the {a_}s are {p}.", "a p", ""),
+    ("{N} {a_}s. None of the {a_}s is near the window.", "a apart window", ""),
+    ("{N} {a_}s, all but one {p}.", "a p", ""),
+    ("{N} {a_}s surround {b}.", "a around b", ""),
+    ("{N} {a_}s in a row with {b} at the end of the row.", "b end a", ""),
+    ("{N} {a_}s, each with {s}, {t} and {b} in front.", "b front a", "s t b"),
 )
 
 

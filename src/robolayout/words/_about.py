@@ -52,6 +52,9 @@ class About(LedTo):
             return all(map(_sat_on, self.group))
         to = next((c for c in self.chunks[self.at :] if c.kind not in ("filler", "style")), Chunk("", 0, 0))
         again = to.kind == "pron" or any(same(thing, to) for thing in (*earlier, last))
+        again = again or (
+            to.kind in ("", "and", "comma", "stop") and relation in small.NEARNESS
+        )  # "a bed, a desk beneath"
         begun = next(i for i, c in enumerate(self.chunks) if c.end == last.spans[-1][1])
         closed = self.chunks[begun - 1].kind == "and"
         had = "with" if relation == "flank" else ""

@@ -175,7 +175,9 @@ class Chunker(ClosedWords):
 
     def _some_of(self, word: str, rest: list[str]) -> tuple[str, int | None, str, int, int] | None:
         """Return the same of what says which share of several is meant: "half of", "every other", "all but one of"."""
-        share = next((name for name in small.SHARES if [word, *rest][: len(name.split()) + 1] == [*name.split(), "of"]), "")
+        share = next(
+            (name for name in small.SHARES if [word, *rest][: len(name.split()) + 1] == [*name.split(), "of"]), ""
+        )
         if share or (word == "half" and rest[:1] == ["the"]):
             return (share or word, None, "", 0, len(share.split()) + 1)
         if word == "every" and rest[:1] in (["other"], ["second"]):

@@ -11,7 +11,7 @@ from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Asset, Opening, Scene, Wall
 from robolayout.words import _ways as ways_of
 from robolayout.words._places import centre, corners_meant, halves_meant, rectangle, wall_pairs, walls_meant
-from robolayout.words._rows import alike, in_rows, lines
+from robolayout.words._rows import alike, in_rows, lines, on_a_wall
 from robolayout.words._said import Link, Mention, Place, Thing
 from robolayout.words.demands import Demand, Way, by_ways, single, stated
 
@@ -58,7 +58,9 @@ class Demander:
         at_place = self._at_place(subjects, place, on=on, share=share) if place is not None else ()
         if link.relation in ways_of.TO_ANOTHER:
             ahead = self._of_rows(subjects, link.objects) if link.relation in ways_of.ENDS else []
-            twos = self._matched(ahead or subjects, link.objects)
+            to = [item for item in link.objects if isinstance(item, Mention)]
+            each = [self._named(item)[:1] for item in to] if len(subjects) == 1 and len(to) > 1 else []
+            twos = [(*subjects, *name) for name in each if name] or self._matched(ahead or subjects, link.objects)
             return (*at_place, *(by_ways(ways_of.TO_ANOTHER[link.relation], a, b) for a, b in twos))
         if link.relation in ways_of.IN_A_CHAIN:
             return tuple(self._chained(subjects, link.relation))
@@ -97,8 +99,6 @@ class Demander:
 
     def _place(self, objects: Sequence[Mention | Place]) -> Place | None:
         return next((item for item in objects if isinstance(item, Place)), None)
-
-    # what stands to another thing
 
     def _on(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         for a, b in self._matched(subjects, objects):
@@ -270,6 +270,8 @@ class Demander:
         if alike(self.scene, subjects) and not self.flanked & {*subjects}:
             yield in_rows(subjects, 1)
             return
+        if not any(self._asset(a).on_floor for a in subjects):
+            yield from self._huddle(subjects, objects)
         for before, a in pairwise(subjects):
             if self._asset(a).on_floor:
                 yield by_ways(((("next_to", "beside", ways_of.BACK), ("align_with",)),), a, before)
@@ -291,15 +293,19 @@ class Demander:
         yield in_rows(subjects, lines(self.scene, link, subjects))
 
     def _huddle(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        """Each near another one."""
+        """Each near another one; what hangs on walls, on one of them."""
+        if all(map(self._only_wall, subjects)):
+            yield from on_a_wall(subjects, self.room)
+            return
         for number, a in enumerate(subjects[1:], 1):
             beside = [*reversed(subjects[:number]), *subjects[number + 1 :]]
-            if self._asset(a).on_floor:
+            if self._asset(a).on_floor or not self._asset(a).on_object:
                 yield Demand(tuple((stated("near", AssetRef(a), AssetRef(b), ways_of.BACK),) for b in beside))
 
     def _seen(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        for a, b in self._matched(subjects, objects):
-            yield single(stated("point_towards", AssetRef(b), AssetRef(a)))
+        others = self._others(objects)
+        for i, b in enumerate(others):  # "visible from the bed and from the sofa"
+            yield single(stated("point_towards", AssetRef(b), AssetRef(subjects[i * len(subjects) // len(others)])))
 
     def _under(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """A rug below others; furniture below a window, a picture, a lamp; what stands on the floor cannot stand inside another."""

@@ -177,8 +177,9 @@ class LedTo(References):
             said = [k for k in self.said.links if to & {m.thing for m in k.objects if isinstance(m, Mention)}]
             sides = [k.relation for k in said if k.relation in ("left", "right")]
             return (replace(chunk, value=OTHER_SIDE[sides[-1]]) if sides else chunk), objects
-        if place is not None and (chunk.value, place.name) == ("oneside", "room"):
-            return replace(chunk, value="on"), [Place("side", det="one")]
+        if place is not None and place.name == "room" and chunk.value in ("oneside", "end"):
+            one = "one" in chunk.adjectives  # "at one end of the room"
+            return replace(chunk, value="on"), [Place("side", () if one else ("far",), det="one" if one else "")]
         sided = [link for link in self.said.links if link.relation in OTHER_SIDE and link.objects][-1:]
         if place is None or not sided or (place.name, place.det) != ("side", "other"):
             return chunk, objects

@@ -239,7 +239,7 @@ class Parser(Relating):
 
     def _note(self, chunk: Chunk, mention: Mention) -> None:
         """Note what a noun phrase itself says of how its thing stands."""
-        if chunk.rows:
+        if chunk.rows and mention.thing.count > 1:
             self.said.links.append(Link("rows", (mention,), (), chunk.start, chunk.end, rows=max(chunk.rows, 0)))
         noun = chunk.noun.said.split() if chunk.noun is not None else []
         for word in set(SAID_OF) & {*chunk.adjectives, *noun}:

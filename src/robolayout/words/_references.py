@@ -217,7 +217,7 @@ class References(Spoken):
         subjects = self._counted(chunk, subjects, objects)
         if chunk.value == "flank":
             chunk = self._on_both_sides(chunk, subjects, objects)
-        if led != objects and isinstance(led[0], Place):
+        if chunk.value in ("left", "right") and led and isinstance(led[0], Place) and led[0].name == "side":
             chunk = replace(chunk, value="in")  # a half of the room
         objects = led
         if objects:  # "a bed with a lamp on either side": the lamps are not on the bed

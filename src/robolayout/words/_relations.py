@@ -65,7 +65,11 @@ class Relating(About):
         self.having = True
         self.verb = self.listed = False
         self.broken = True
-        if self.holder and self.holder[0].det in ("each", "both", "all", *small.SHARES) and self.holder[0].thing.count > 1:
+        if (
+            self.holder
+            and self.holder[0].det in ("each", "both", "all", *small.SHARES)
+            and self.holder[0].thing.count > 1
+        ):
             alike = [thing for thing in self.said.things if thing.noun.said == self.holder[0].thing.noun.said]
             if self.holder[0].pick is None:
                 self.holder = [Mention(thing, None, self.holder[0].det) for thing in alike]
@@ -147,7 +151,9 @@ class Relating(About):
             chunk = replace(chunk, value=beyond.value)
         first, its = self.at, chunk.det == "its"
         self.about = [] if self._turned_round(first, self.at + (not its)) else subjects
-        objects = list[Mention | Place](self._meant("it", chunk.value)) if its else self._objects(chunk)
+        of_it = its and not {"its", "their"} & {*chunk.adjectives}  # "on the right a bed"
+        it = self._led_back(chunk.value) if of_it else self._meant("it", chunk.value)
+        objects = list[Mention | Place](it) if its else self._objects(chunk)
         self._keep(chunk.value, objects, pronoun=its or self._ahead(-1).kind == "pron", fronted=not subjects)
         if not self._in_turn(chunk, objects):
             self._relate_to(chunk, subjects, objects, first, every=every)

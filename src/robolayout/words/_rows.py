@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
-from robolayout.constraints import AssetRef
+from robolayout.constraints import AssetRef, WallRef
 from robolayout.constraints.in_rows import InRows
-from robolayout.scene import Scene
+from robolayout.scene import Room, Scene
 from robolayout.words._said import Link
-from robolayout.words._ways import BESIDE
-from robolayout.words.demands import Demand
+from robolayout.words._ways import BACK, BESIDE
+from robolayout.words.demands import Demand, stated
 
 
 def alike(scene: Scene, names: Sequence[str]) -> bool:
@@ -34,3 +35,11 @@ def in_rows(names: Sequence[str], rows: int | None) -> Demand:
     """Return that things stand in a block of so many straight rows, any number for None."""
     items = tuple(AssetRef(name) for name in names)
     return Demand(((InRows(items, BESIDE, 0.0, "alike", rows),),))
+
+
+def on_a_wall(names: Sequence[str], room: Room) -> Iterator[Demand]:
+    """Yield that each of several things hangs near the one before it, on the same wall."""
+    for one, two in pairwise(map(AssetRef, names)):
+        near = stated("near", one, two, BACK)
+        walls = [WallRef(wall.index) for wall in room.walls]
+        yield Demand(tuple((near, stated("mounted_on", one, w), stated("mounted_on", two, w)) for w in walls))

@@ -60,6 +60,7 @@ TO_ANOTHER: Mapping[str, Ways] = {
     "front": ((("in_front_of", 0.0, AHEAD),),),
     "foot": ((("in_front_of", 0.0, BESIDE),),),
     "end": ((("in_front_of", 0.0, BESIDE),), (("next_to", "beside", BESIDE),)),
+    "backsto": ((("behind", 0.0, AT_TABLE), ("align_with", 180.0)),),
     "aligned": _PARALLEL,
     "square": _BY_RIGHT_ANGLE,
 }

@@ -1,0 +1,190 @@
+"""What was spoken of in a text so far, and what "it", "them" and "the row" stand for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from robolayout.words import _function_words as small
+from robolayout.words._chunk import NOTHING, Chunk
+from robolayout.words._lexicon import grammar
+from robolayout.words._said import Mention, Parsed, Place, Thing, place_of, several, topped
+from robolayout.words._ways import OTHER_SIDE
+from robolayout.words._zones import Zone
+
+AXES = {
+    **dict.fromkeys(("left", "right"), "across"),
+    **dict.fromkeys(("front", "behind", "foot"), "along"),
+    **dict.fromkeys(("above", "under"), "up"),
+}
+"""Lines through a thing by the relations that say on which side of it another one stands."""
+
+
+class Spoken:
+    """What was named so far in a text, and in its last sentence."""
+
+    def __init__(self, chunks: Sequence[Chunk]) -> None:
+        self.chunks = list(chunks)
+        self.said = Parsed()
+        self.zones: dict[str, Zone] = {}
+        self.zone: Zone | None = None  # the part of the room that this sentence is about
+        self.at = 0
+        self.before: list[Mention] = []
+        self.spoken: list[Mention] = []  # all that the last sentence named
+        self.pending: list[Mention] = []
+        self.dealt: dict[Thing, int] = {}
+        self.about: list[Mention] = []  # what the relation that is being read is about
+        self.kept: list[Mention] = []  # what the last "it" stood for, or the head of the sentence led to
+        self.contrast: tuple[str, list[Mention]] = ("", [])  # the other side than the last one, and of what
+        self.axis = ""  # along which line of it, where no "it" was said
+        self.other: list[Mention] = []  # what was said since, by a noun
+        self.by_it = False  # whether an "it" at the head of a clause was the last one
+        self.gap: Chunk | None = None  # a measure right before a relation
+        self.told = 0  # where that was said
+        self.began = 0
+        self._new_sentence()
+
+    def _new_sentence(self) -> None:
+        if self.told < self.began:  # of the sentence before the last one
+            self.contrast, self.kept = ("", []), []
+        self.began = self.chunks[self.at - 1].start if self.at else 0
+        self.zone = None
+        self.group: list[Mention] = []
+        self.subject: list[Mention] = []
+        self.acted: list[Mention] = []
+        self.holder: list[Mention] = []
+        self.fronted: tuple[Chunk, list[Mention | Place]] | None = None
+        self.also: tuple[Chunk, list[Mention | Place]] | None = None  # "in the corner nearest the window stands a lamp"
+        self.refusing = self.negated = self.empty = self.verb = False
+        self.relative = False
+        self.broken = self.having = self.listed = False
+        self.recent: list[Mention] = []
+        self.targets: list[Mention] = []
+        self.target: Mention | None = None
+        self.every: tuple[list[Mention], int] | None = None  # what each has that is spoken of, and how many there are
+
+    def _new_zone(self, chunk: Chunk) -> None:
+        """Forget what was spoken of: what a part of the room has belongs to no thing before it."""
+        name = " ".join((*chunk.adjectives, chunk.value)).split()[0]
+        half = chunk.value == "side" and bool({*chunk.adjectives} & {*grammar().walls})
+        if self.zone is None or not self.zone.half:  # "the front half is a play area with a rug"
+            self.zone = self.zones.setdefault(name, Zone())
+        if half:
+            self.zone.half, self.zone.place = True, (replace(chunk, kind="rel", value="in"), [place_of(chunk)])
+        self.fronted = None if self.group else self.fronted
+        self.group, self.subject, self.acted, self.holder = [], [], [], []
+        self.having = False
+
+    def _ahead(self, more: int = 0) -> Chunk:
+        """Return the chunk that follows, or one so many further on; before the one that is read is -2."""
+        at = self.at + more
+        return self.chunks[at] if 0 <= at < len(self.chunks) else NOTHING
+
+    def _understood(self, *chunks: Chunk) -> None:
+        """Note chunks that are understood with what stands before them."""
+        self.said.read.update(token for chunk in chunks for token in range(chunk.start, chunk.end))
+
+    def _previous(self, chunk: Chunk) -> str:
+        """Return the value of the chunk before this one."""
+        index = self.chunks.index(chunk)
+        return self.chunks[index - 1].value if index else ""
+
+    def _skip(self) -> None:
+        while self._ahead().kind in ("filler", "style"):
+            self.at += 1
+
+    def _meant(self, word: str, relation: str = "") -> list[Mention]:
+        """Return what a pronoun stands for.
+
+        That is what stands before "with"; what the last "it" stood for ("a lamp behind it, a table to the left of it"); what was
+        named last before; what the last relation led to, where that is one and the other is several; the subject before.
+        """
+        own = {m.thing for m in self.about}
+        if word.startswith("the row"):
+            return next((list(k.subjects) for k in reversed(self.said.links) if k.relation in small.ORDERS), [])
+        holder = self.holder[0] if self.holder else None
+        earlier, to = ([m for m in given if m.thing not in own] for given in (self.recent, self.targets))
+        many = holder is not None and several(holder) and holder.det != "each"
+        one = not many if word == "it" else many or word not in small.SEVERAL or len(earlier) < 2
+        if (
+            word in small.EVERY
+            and word not in small.SEVERAL
+            and not many
+            and (led := [m for m in earlier if several(m)])
+        ):
+            return led[-1:]  # "a sofa with a table at each end and a lamp on each of them"
+        if holder is not None and holder.thing not in own and one:
+            return self.holder
+        if word in small.SEVERAL:
+            return self._several_meant(earlier, to)
+        return self._kept(word, relation, own, fresh=self.told >= self.began or not earlier) or self._last(
+            word, relation, earlier, to
+        )
+
+    def _kept(self, word: str, relation: str, own: set[Thing], *, fresh: bool) -> list[Mention]:
+        """Return what the last "it" stood for where this one stands for the same; fresh where no thing was named since."""
+        side, of = self.contrast
+        if not fresh:
+            return []
+        if word == "it" and relation == side and of and of[0].thing not in own:
+            return of  # "a lamp to the left of the sofa; to the right of it a plant"
+        again = [c.kind for c in self.chunks[max(self.at - 5, 0) : self.at]] == ["pron", "and", "thing", "rel", "pron"]
+        again = again and relation != "on"  # "an armchair, a lamp behind it and a table beside it"
+        again = again or (self.by_it and not self.about)  # "Under it is a bin, and next to it a cabinet."
+        kept = self.kept if (again or self._keeps(relation)) and {m.thing for m in self.other} <= own else []
+        return [m for m in kept if m.thing not in own]
+
+    def _last(self, word: str, relation: str, earlier: list[Mention], to: list[Mention]) -> list[Mention]:
+        """Return what was named last in this sentence, by itself or as what a relation led to, else in the one before."""
+        if relation in small.ROUND_IT:  # "a lamp over a table, and chairs around it"
+            off = {"wall", "ceiling", *(("object",) if relation == "around" else ())}
+            earlier, to = ([m for m in given if {*m.thing.places} - off] for given in (earlier, to))
+        single, led = ([m for m in given if m.thing.count == 1] for given in (earlier, to))
+        if word == "it" and earlier and earlier[-1].thing.count > 1:
+            earlier = led or single or earlier
+        before = self.before[:1]
+        if word == "it" and before and several(before[0]):  # "Six chairs are around it. A lamp hangs above it."
+            before = [m for m in (*self.spoken, *self.kept) if m.thing.count == 1][-1:] or before
+        if word == "it" and len(self.before) > 1:  # "On the desk are a lamp and a cup. Under it is a bin."
+            on = [k.objects for k in self.said.links if {m.thing for m in k.subjects} & {before[0].thing}]
+            before = [o for to in on for o in to if isinstance(o, Mention) and not several(o)][-1:] or before
+        return earlier[-1:] or to[-1:] or before or self.group[:1]
+
+    def _several_meant(self, earlier: list[Mention], to: list[Mention]) -> list[Mention]:
+        """Return what "them" stands for: several things named at once, or the last two."""
+        own = {m.thing for m in self.about}
+        to_own = [k for k in self.said.links if own & {o.thing for o in k.objects if isinstance(o, Mention)}]
+        on = {m.thing for k in to_own for m in k.subjects}
+        earlier = [m for m in earlier if m.thing not in on or not topped(m)]
+        several = [m for m in earlier if m.thing.count > 1]
+        if several and earlier[-1:] == several[-1:]:
+            return several[-1:]
+        if len(earlier) == 1:  # "a sofa facing the TV and a table between them"
+            earlier += [m for m in to[-1:] if m.thing is not earlier[0].thing]
+        before = self.before
+        if len(before) == 1 and before[0].thing.count == 1:
+            two = ([*k.subjects, *k.objects] for k in reversed(self.said.links) if k.relation != "on" and k.objects)
+            standing = ([m for m in both if isinstance(m, Mention) and not topped(m)] for both in two)
+            last = [m for m in self.spoken if not topped(m)][
+                -2:
+            ]  # "One bed is here and one bed there. Between them ..."
+            before = next((both for both in standing if len(both) > 1), last if len(last) > 1 else before)
+        return earlier[-2:] or before
+
+    def _keeps(self, relation: str) -> bool:
+        """Return whether "it" still means here what it meant before."""
+        return self.axis == AXES.get(relation) if self.axis else relation not in (*small.CLOSE, "")
+
+    def _keep(self, relation: str, objects: Sequence[Mention | Place], *, pronoun: bool, fronted: bool) -> None:
+        """Note what a relation led to, so that a later "it" can mean the same."""
+        if not objects:
+            return
+        self.told, self.by_it = self._ahead(-1).start, pronoun and fronted
+        things = [item for item in objects if isinstance(item, Mention) and item.thing.count == 1]
+        if not pronoun:
+            self.contrast = (OTHER_SIDE[relation], things[:1]) if relation in OTHER_SIDE else ("", [])
+        if things and (pronoun or (fronted and relation in AXES)):
+            self.kept, self.axis, self.other = things[:1], "" if pronoun else AXES[relation], []
+        elif not pronoun:
+            led = any(isinstance(item, Mention) for item in objects)
+            self.kept, self.other = [] if fronted or led else self.kept, list(self.about)

@@ -1,0 +1,119 @@
+"""How people put it: shares of several things, one word for several kinds, parts of the room, what is left out."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+
+from robolayout.planners import scene_from_sentence
+from robolayout.words import Lexicon, Mention, read_rooms, read_text, read_words
+
+LEXICON = Lexicon(read_rooms())
+
+
+def links(text: str) -> set[tuple[str, ...]]:
+    """Return (relation, subject, object) for everything that is said."""
+    found: set[tuple[str, ...]] = set()
+    for link in read_text(text, LEXICON).parsed.links:
+        to = [o.thing.noun.said if isinstance(o, Mention) else o.name for o in link.objects] or [""]
+        found |= {(link.relation, subject.thing.noun.said, other) for subject in link.subjects for other in to}
+    return found
+
+
+@pytest.mark.parametrize(
+    ("text", "counts"),
+    [
+        ("Four chairs are at a desk. One more chair is in the corner, another two by the door.", {"chair": 7, "desk": 1}),
+        ("Two plants flank the door and a third stands in the corner.", {"plant": 3}),
+        ("twelve desks. Every other desk has a monitor.", {"desk": 12, "monitor": 6}),
+        ("six chairs. Half of the chairs have a cushion.", {"chair": 6, "cushion": 3}),
+        ("a washer and a dryer. The machines are under a shelf.", {"washer": 1, "dryer": 1, "shelf": 1}),
+        ("a cup of tea on a table. It seats six, two chairs on each side and one at each end.", {"cup": 1, "table": 1, "chair": 6}),
+        ("three desks, each with a monitor, a keyboard and a chair in front", {"desk": 3, "monitor": 3, "keyboard": 3, "chair": 3}),
+        ("ten mats face the instructor's mat", {"mat": 11}),
+    ],
+)  # fmt: skip
+def test_counts(text: str, counts: dict[str, int]) -> None:
+    found: Counter[str] = Counter()
+    for thing in read_text(text, LEXICON).parsed.things:
+        found[thing.noun.said] += thing.count
+    assert found == counts
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("Six chairs surround the table.", {("around", "chair", "table")}),
+        ("a loft bed and a desk underneath", {("under", "desk", "loft bed")}),
+        ("A towel rack beside which hangs a mirror.", {("next", "mirror", "towel rack")}),
+        ("a desk with a lamp on and a chair in front of it", {("on", "lamp", "desk"), ("front", "chair", "desk")}),
+        ("There is a rug with a table on it in front of the sofa.", {("on", "table", "rug"), ("front", "rug", "sofa")}),
+        ("A bed flanked by a nightstand on the left and a lamp on the right.", {("left", "nightstand", "bed"), ("right", "lamp", "bed")}),
+        ("Two sofas facing each other across a table.", {("mutual", "sofa", ""), ("amid", "table", "sofa")}),
+        (
+            "A counter with a kettle is at the wall, and three stools are lined up in front of it.",
+            {("with", "kettle", "counter"), ("by", "counter", "wall"), ("row", "stool", ""), ("front", "stool", "counter")},
+        ),
+        ("an armchair, a lamp behind it and a table beside it", {("behind", "lamp", "armchair"), ("next", "table", "armchair")}),
+        ("None of the beds is under the window.", {("apart", "bed", "window")}),
+        ("a wall of bookshelves", {("wall", "bookshelve", "wall")}),
+        ("a wall-mounted TV", {("on", "wallmounted tv", "wall")}),
+        ("On the left a desk, on the right a bed.", {("in", "desk", "side"), ("in", "bed", "side")}),
+        (
+            "A sofa is in the middle. On the left stands a lamp, on the right a plant.",
+            {("middle", "sofa", ""), ("left", "lamp", "sofa"), ("right", "plant", "sofa")},
+        ),
+        ("A sleeping area on the left. The sleeping area has a bed and a wardrobe.", {("in", "bed", "side"), ("in", "wardrobe", "side")}),
+        ("A reading nook by the window with an armchair and a lamp.", {("by", "armchair", "window")}),
+        ("The front half of the room is a play area with a rug.", {("in", "rug", "side")}),
+        ("two armchairs and a sofa. All the seats face the door.", {("facing", "armchair", "door"), ("facing", "sofa", "door")}),
+        ("a bed and a desk. The furniture stands along the walls.", {("wall", "bed", "wall"), ("wall", "desk", "wall")}),
+        ("Along one wall: a sofa and a desk.", {("wall", "sofa", "wall"), ("wall", "desk", "wall")}),
+        ("The left desk holds a lamp, the right one a vase.", {("on", "lamp", "desk"), ("on", "vase", "desk")}),
+        ("three chairs in a row with a lamp at the end of the row", {("row", "chair", ""), ("end", "lamp", "chair")}),
+        (
+            "A sofa and a bench; between them, under the window, is a table.",
+            {("amid", "table", "sofa"), ("amid", "table", "bench"), ("under", "table", "window")},
+        ),
+        (
+            "On the desk are a lamp and a cup. Under it is a bin, and next to it a cabinet.",
+            {("on", "lamp", "desk"), ("on", "cup", "desk"), ("under", "bin", "desk"), ("next", "cabinet", "desk")},
+        ),
+        ("The TV is visible from both the bed and the sofa.", {("seen", "tv", "bed"), ("seen", "tv", "sofa")}),
+        ("a mirror above a desk, and chairs around it", {("above", "mirror", "desk"), ("around", "chair", "desk")}),
+        ("a sofa at one end of the room", {("on", "sofa", "side")}),
+        ("a table with magazines between two chairs", {("with", "magazine", "table"), ("amid", "table", "chair")}),
+    ],
+)  # fmt: skip
+def test_relations(text: str, said: set[tuple[str, ...]]) -> None:
+    assert links(text) == said
+
+
+@pytest.mark.parametrize(
+    ("text", "picked"),
+    [
+        ("Eight chairs. Half of the chairs are at the wall, the other half by the door.", [range(4), range(4, 8)]),
+        ("six chairs. All but one face the door.", [range(5)]),
+        ("Ten chairs. Most of the chairs face the door.", [range(7)]),
+        ("Two sofas. One of the sofas is by the door, another is by the window.", [range(1), range(1, 2)]),
+    ],
+)
+def test_some_of_several_are_picked(text: str, picked: list[range]) -> None:
+    said = [item for link in read_text(text, LEXICON).parsed.links for item in link.subjects]
+    assert [range(item.pick.start, item.pick.stop) for item in said if item.pick is not None] == picked
+
+
+def test_a_thing_that_a_row_leaves_out_of_its_relation_is_given_back() -> None:
+    scene, _ = scene_from_sentence("A bed, a wardrobe and a laptop. The bed, the wardrobe and the laptop are in a row.")
+    rows = read_words(scene).rows
+    (related,) = [row for row in rows if row.kind == "relation"]
+    assert "laptop-0" not in related.things
+    assert any(row.kind == "not understood" and row.words.startswith("laptop: ") for row in rows)
+
+
+def test_pictures_in_a_row_hang_on_one_wall() -> None:
+    scene, _ = scene_from_sentence("A living room with three pictures in a row.")
+    (row,) = [row for row in read_words(scene).rows if row.kind == "relation"]
+    assert len(row.demands) == 2
+    assert {said.name for demand in row.demands for way in demand.ways for said in way} == {"near", "mounted_on"}
