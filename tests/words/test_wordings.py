@@ -31,6 +31,7 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("a washer and a dryer. The machines are under a shelf.", {"washer": 1, "dryer": 1, "shelf": 1}),
         ("a cup of tea on a table. It seats six, two chairs on each side and one at each end.", {"cup": 1, "table": 1, "chair": 6}),
         ("three desks, each with a monitor, a keyboard and a chair in front", {"desk": 3, "monitor": 3, "keyboard": 3, "chair": 3}),
+        ("two students; each student has a bed, a desk with a lamp, and a chair", {"bed": 2, "desk": 2, "lamp": 2, "chair": 2}),
         ("ten mats face the instructor's mat", {"mat": 11}),
     ],
 )  # fmt: skip
@@ -83,6 +84,9 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("The TV is visible from both the bed and the sofa.", {("seen", "tv", "bed"), ("seen", "tv", "sofa")}),
         ("a mirror above a desk, and chairs around it", {("above", "mirror", "desk"), ("around", "chair", "desk")}),
         ("a sofa at one end of the room", {("on", "sofa", "side")}),
+        ("A bed is near a desk, both against the wall.", {("near", "bed", "desk"), ("wall", "bed", "wall"), ("wall", "desk", "wall")}),
+        ("The shelf holds five books, and a plant is on top.", {("on", "book", "shelf"), ("on", "plant", "shelf")}),
+        ("A bowl is on the table, with a candle in the middle.", {("on", "bowl", "table"), ("middle", "candle", "table")}),
         ("a table with magazines between two chairs", {("with", "magazine", "table"), ("amid", "table", "chair")}),
     ],
 )  # fmt: skip

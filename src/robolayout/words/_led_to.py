@@ -72,7 +72,8 @@ class LedTo(References):
         if following.kind == "part":
             self.at += 1
             return self._place_of(following)
-        if following.kind in ("room", "function", "people"):
+        clause = following.kind == "people" and self._ahead(-1).kind == "filler"  # "in front, so that people see it"
+        if following.kind in ("room", "function", "people") and not clause:
             self.at += 1
             ends = following.value.endswith(("head", "foot")) or chunk.value in ("opposite", "facing", "near", "next")
             if ends and self._of_a_thing(following):
@@ -183,7 +184,7 @@ class LedTo(References):
         sided = [link for link in self.said.links if link.relation in OTHER_SIDE and link.objects][-1:]
         if place is None or not sided or (place.name, place.det) != ("side", "other"):
             return chunk, objects
-        there = sided[0].subjects if sided[0].relation == "oneside" else ()
+        there = sided[0].subjects if OTHER_SIDE[sided[0].relation] == "otherside" else ()
         return replace(chunk, value=OTHER_SIDE[sided[0].relation]), [*sided[0].objects, *there]
 
     def _walls(self, subjects: list[Mention], place: Place) -> list[Mention]:

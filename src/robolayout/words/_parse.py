@@ -179,8 +179,9 @@ class Parser(Relating):
             many = [m for m in self.spoken if several(m)][-1:] or [m for m in self.spoken if not topped(m)]
             self.before = many or self.before  # "a bed flanked by nightstands; each of them ..."
         several_meant = chunk.value in small.SEVERAL and (not self.group or self._previous(chunk) in ("and", ","))
-        if several_meant and (self.before or len(self.recent) > 1):  # "..., and both of them face the table"
-            self.subject = self.group = self._several_meant(self.recent if self.group else [], [])
+        to = self.targets if self.group else []
+        if several_meant and (self.before or len([*self.recent, *to]) > 1):  # "..., and both of them face the table"
+            self.subject = self.group = self._several_meant(self.recent if self.group else [], to)
         elif self.before and not self.group and not room:
             self.subject, self.group = list(self.before), list(self.before)
         if self._ahead().kind == "with" and self.group and chunk.value in small.EVERY:

@@ -79,7 +79,14 @@ class Relating(About):
         """Read what each of some things or people has, up to the end of the clause."""
         self.every = (holder, times)
         first, had = len(self.said.things), 0
-        while (chunk := self._ahead()).kind in ("thing", "and", "comma", "filler", "style"):
+        while (chunk := self._ahead()).kind in ("thing", "and", "comma", "filler", "style", "with"):
+            inner = (
+                self.group[-1:] if chunk.kind == "with" and had else []
+            )  # "each has a desk with a lamp, and a chair"
+            if chunk.kind == "with" and (not inner or self._ahead(1).kind != "thing"):
+                break
+            self.at += chunk.kind == "with"
+            chunk = self._ahead()
             if chunk.kind == "comma" and first < len(self.said.things) and not self._list_goes_on(had):
                 break
             if chunk.kind == "and" and self._ahead(1).kind not in ("thing", ""):
@@ -93,8 +100,8 @@ class Relating(About):
                     one = holder and holder[0].det != "each" and mention.thing.number is None  # "both have lamps"
                     mention.thing.times, mention.thing.number = times, 1 if one else mention.thing.number
                     self.group = [mention]
-                if holder and mention.thing in self.said.things[first:]:
-                    self.said.links.append(Link("with", (mention,), tuple(holder), chunk.start, chunk.end))
+                if (inner or holder) and mention.thing in self.said.things[first:]:
+                    self.said.links.append(Link("with", (mention,), tuple(inner or holder), chunk.start, chunk.end))
 
     def _list_goes_on(self, had: int) -> bool:
         """Return whether from a comma here a plain list goes on to the end of the sentence: ", a keyboard and a chair." """
@@ -104,7 +111,7 @@ class Relating(About):
         return (
             rest[-2:] == ["and", "thing"]
             and (had > 1 or rest[1:2] != ["and"])  # "each with a lamp, and a sofa"
-            and re.fullmatch("(comma thing )*(comma )?and thing", " ".join(rest)) is not None
+            and re.fullmatch("(comma thing )*(comma )?and thing", " ".join(rest).replace(" with thing", "")) is not None
         )
 
     def _of_the_room(self, chunk: Chunk) -> bool:
@@ -164,7 +171,9 @@ class Relating(About):
         """Settle what a relation is about and leads to, and note what it says."""
         bare = chunk.value == "on" and not objects and self._ahead().kind in ("and", "comma", "stop", "")
         if chunk.value == "ontop" or bare:  # "a desk with a lamp on"
-            chunk, objects = replace(chunk, value="on"), objects or list(self.holder or self.subject)
+            on = [k.objects[:1] for k in self.said.links if k.relation == "on" and k.start >= self.began]
+            held = self.holder or [m for m in self.subject if m not in subjects] or list(on[-1] if on else self.subject)
+            chunk, objects = replace(chunk, value="on"), objects or list(held)
         chunk, objects = self._other_side(chunk, objects)
         place = objects[0] if objects and isinstance(objects[0], Place) else None
         sides = place.name == "side" if place else chunk.value in ("flank", "oneside") and not objects
@@ -202,6 +211,9 @@ class Relating(About):
         if chunk.value == "flank" and not objects and held and self.holder[0].thing.count == 2 and self.recent[2:]:
             led = [m for m in self.recent if m.thing not in (self.holder[0].thing, subjects[0].thing)]
             return self.holder, [*led[:1]]  # "two nightstands with lamps on either side"
+        if chunk.value == "middle" and not objects and held and topped(self.holder[0]):
+            on = [list(k.objects) for k in self.said.links if k.relation == "on" and self.holder[0] in k.subjects]
+            return subjects, on[-1] if on else objects  # "plates on the table, with a candle in the middle"
         place = isinstance(objects[0], Place) if objects else chunk.value == "middle"
         laid = chunk.value in small.LAID and held and topped(self.group[-1]) and not topped(self.holder[0])
         if laid and chunk.det == "its" and self.target is not None:

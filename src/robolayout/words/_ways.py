@@ -72,7 +72,14 @@ AT_PLACES = frozenset((*TO_ANOTHER, "on", "in", "flank", "under", "above", "hang
 OFF_A_WALL = (0.3, math.inf)
 """Metres between things and a wall that stays free, least and most."""
 
-OTHER_SIDE = {"left": "right", "right": "left", "front": "behind", "behind": "front", "oneside": "otherside"}
+OTHER_SIDE = {
+    "left": "right",
+    "right": "left",
+    "front": "behind",
+    "behind": "front",
+    "oneside": "otherside",
+    "next": "otherside",
+}
 """The relation of what is at the other side."""
 
 AT_SIDES = frozenset(("flank", "left", "right", "next", "oneside"))
