@@ -39,8 +39,24 @@ def program(text: str) -> str:
             ('wish.next_to(clothes_dryer[0], washing_machine[0], "beside"',),
         ),
         (
+            "a dining room with two benches facing each other across a long table",
+            ("solver.around([bench[0], bench[1]], dining_table[0]",),
+        ),
+        (
+            "a library with two rows of three bookshelves facing each other",
+            ('aisle=1.2, backs="facing", rows=2)',),
+        ),
+        (
+            "an office with six desks in two rows facing each other",
+            ('backs="paired", rows=2)',),
+        ),
+        (
+            "a playroom with a round table and four small chairs",
+            ("solver.around([kids_chair[0], kids_chair[1], kids_chair[2], kids_chair[3]], round_table[0]",),
+        ),
+        (
             "a living room with two armchairs facing each other and a small table between them",
-            ("wish.in_front_of(armchair[1], armchair[0]", "wish.align_with(armchair[1], armchair[0], 180)"),
+            ("solver.in_front_of(armchair[1], armchair[0]", "solver.align_with(armchair[1], armchair[0], 180)"),
         ),
         (
             "a nurse station with a reception desk and two office chairs behind it",

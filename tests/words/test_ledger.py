@@ -327,3 +327,40 @@ def test_who_looks_into_a_mirror_sits_before_it() -> None:
     gaps = [math.dist((poses[a].x, poses[a].y), (poses[b].x, poses[b].y)) for a, b in zip(chairs, mirrors, strict=True)]
     assert len(gaps) == 3 and max(gaps) < 1.5
     assert len({round(poses[name].yaw, 2) for name in mirrors}) == 1
+
+
+def test_rows_that_face_each_other_are_turned_and_leave_an_aisle() -> None:
+    text = "a library with two rows of three bookshelves facing each other and a bench between them"
+    result = generate(scene_from_sentence(text)[0])
+    words = ("bookshelf facing each other", "bench between bookshelf")
+    assert {row.words: row.verdict for row in result.report.asked if row.words in words} == dict.fromkeys(words, "met")
+    poses = dict(result.layout.poses)
+    for name in (f"bookshelf-{i}" for i in range(3)):  # the first row looks away from the second
+        poses[name] = replace(poses[name], yaw=poses[name].yaw + math.pi)
+    rows = judge(result.scene, replace(result.layout, poses=poses)).report.asked
+    assert next(row.verdict for row in rows if row.words == words[0]) == "unmet"
+
+
+@pytest.mark.parametrize(
+    ("text", "ways"),
+    [
+        (
+            "a bedroom with a bed and two nightstands, each holding a lamp and a clock",
+            {(f"{thing}-{i}", f"night_stand-{i}") for thing in ("table_lamp", "alarm_clock") for i in range(2)},
+        ),
+        (
+            "a playroom with a bookshelf full of toys along the wall",
+            {("toy-0", "bookshelf-0"), ("toy-1", "bookshelf-0"), ("bookshelf-0",)},
+        ),
+        (
+            "a lobby with two sofas facing each other across a coffee table",
+            {("sofa-1", "sofa-0"), ("coffee_table-0", "sofa-0"), ("coffee_table-0", "sofa-1")},
+        ),
+    ],
+)
+def test_what_is_held_and_what_is_between_is_shared_out(text: str, ways: set[tuple[str, ...]]) -> None:
+    rows = read_words(scene_from_sentence(text)[0]).rows
+    told = {
+        one.asset_names() for row in rows if row.kind == "relation" for demand in row.demands for one in demand.ways[0]
+    }
+    assert told == ways

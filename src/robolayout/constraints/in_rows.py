@@ -13,7 +13,7 @@ from robolayout.scene import Layout, Scene
 
 @dataclass(frozen=True)
 class InRows(Relation):
-    """The `items` stand in straight, even `rows` (None: any), at least `aisle` m apart, `gap` m beside; `backs` "paired": back to back."""
+    """The `items` stand in straight, even `rows` (None: any), at least `aisle` m apart, `gap` m beside; `backs`: "paired" or "facing"."""
 
     name = "in_rows"
     moves = ("items",)
@@ -23,7 +23,7 @@ class InRows(Relation):
     items: tuple[AssetRef, ...] = argument("asset", many=True)
     aisle: float = argument("number", unit="m", default=1.0)
     gap: float = argument("number", unit="m", default=0.0)
-    backs: str = argument("text", choices=("alike", "paired"), default="alike")
+    backs: str = argument("text", choices=("alike", "paired", "facing"), default="alike")
     rows: int | None = argument("integer", "none", default=None)
 
     def fault(self, scene: Scene) -> str:
@@ -49,20 +49,28 @@ class InRows(Relation):
         return tuple(rows)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
-        """All headings alike or opposite within 10 degrees; in each line the middles within 5 cm; as many even lines as asked."""
+        """Headings alike or opposite within 10 degrees (by turns with `backs`); middles of a line within 5 cm; as many lines as asked."""
         seen = frame(scene, layout, self.items[0])
         apart = [angle_between(layout[item.name].yaw, seen.yaw) for item in self.items]
         turned = max(min(off, 180.0 - off) for off in apart)
         lines: list[list[float]] = []
+        ahead: list[set[bool]] = []
         for u, item in sorted((self._beside(seen, layout, item)[0], item) for item in self.items):
-            if lines and u - lines[-1][0] < scene.by_name[item.name].size[0] / 2:
-                lines[-1].append(u)
-            else:
-                lines.append([u])
+            if not lines or u - lines[-1][0] >= scene.by_name[item.name].size[0] / 2:
+                lines.append([])
+                ahead.append(set())
+            lines[-1].append(u)
+            ahead[-1].add(math.cos(layout[item.name].yaw - seen.yaw) > 0)
         off = max(max(line) - min(line) for line in lines)
         longest = max(map(len, lines))
         even = self.rows is None or (len(lines) == self.rows and longest <= math.ceil(len(self.items) / self.rows))
-        met = off <= 2 * TOLERANCE.gap and turned <= TOLERANCE.angle and even
+        turns = [{(k % 2 == 0) == (self.backs == "facing")} for k in range(len(lines))]
+        met = (
+            off <= 2 * TOLERANCE.gap
+            and turned <= TOLERANCE.angle
+            and even
+            and (self.backs == "alike" or ahead == turns)
+        )
         text = f"{len(lines)} rows of at most {longest}, up to {off:.2f} m out of line, {turned:.0f} deg off"
         return Outcome(met, off, 2 * TOLERANCE.gap, "m", text)
 

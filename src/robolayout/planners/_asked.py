@@ -34,8 +34,9 @@ class Gaps:
     backs: float = 0.02
     across: float = 1.0
     watching: float = 1.2
+    sat_at: float = 0.6
     """Metres between a seat and what it stands at, other things and what they stand before, things back to back, face to face, and
-    a seat and the stand of a screen."""
+    a seat and the stand of a screen; height from which on one sits at a table."""
     touch: float = 0.6
     close: float = 3.0
     """Metres up to which what stands near a thing stands beside it, and up to which what stands before a thing belongs to it."""
@@ -87,7 +88,11 @@ def join_as_asked(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: 
     """
     found = dict(cast)
     wanted = {name: join for demand in demands for name, join in _joins(demand, cast, passage)}
-    wanted |= _chains(cast, demands, passage)
+    chains = _chains(cast, demands, passage)
+    tops = {
+        anchor for anchor, join in chains.values() if join.slot == "around"
+    }  # what is around a table comes after it
+    wanted = {name: join for name, join in wanted.items() if name not in tops} | chains
     placed = {first for demand in demands for first in subjects(demand)}
     for name in placed - set(wanted):
         item = found[name]
@@ -170,7 +175,9 @@ def _chains(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: float)
     found: dict[str, tuple[str, Join]] = {}
     between = [demand.exact.asset_names() for demand in demands if isinstance(demand.exact, BetweenTwo)]
     between = [names for names in between if len(names) == 3 and cast.keys() >= {*names}]
-    pairs = [one.asset_names() for demand in demands for one in demand.ways[0] if isinstance(one, FacingPair)]
+    pairs = [
+        (demand, *one.asset_names()) for demand in demands for one in demand.ways[0] if isinstance(one, FacingPair)
+    ]
     for names in between:
         placing = (one for demand in demands for one in demand.ways[0] if demand.names() != frozenset(names))
         others = [
@@ -180,14 +187,19 @@ def _chains(cast: Mapping[str, Cast], demands: Sequence[Demand], passage: float)
         ]
         if not any(them >= {*names[1:]} for them in others):
             found |= _side_by_side([cast[name] for name in names], passage)
-    for a, b in pairs:
-        depth = next((cast[middle].asset.size[0] for middle, *ends in between if {*ends} == {a, b}), 0.0)
-        gap = max(GAPS.across, depth + 2 * GAPS.before)
-        if cast.keys() >= {a, b}:
-            found[a] = (
-                b,
-                Join("front", (cast[b].role.name,), gap=gap, loose=True, faces="anchor", say=usual_say("front")),
-            )
+    for demand, a, b in pairs:
+        held = any(a in subjects(other) for other in demands if other is not demand)
+        if not cast.keys() >= {a, b}:
+            continue
+        top = next((cast[middle] for middle, *ends in between if {*ends} == {a, b}), None)
+        if top is not None and top.role.name.endswith("table") and top.asset.size[2] > GAPS.sat_at:
+            found |= dict.fromkeys((a, b), (top.name, _around(top)))
+            continue
+        gap = max(GAPS.across, (top.asset.size[0] if top is not None else 0.0) + 2 * GAPS.before)
+        found[a] = (
+            b,
+            Join("front", (cast[b].role.name,), gap=gap, loose=held, faces="anchor", say=usual_say("front")),
+        )
     return found
 
 
@@ -212,7 +224,7 @@ def _join(relation: Relation, a: Cast, b: Cast, passage: float, *, around: bool,
         return None
     known = next((join for join in a.role.joins if b.role.name in join.of), None)
     if relation.name == "near" and (around or (a.role.name.endswith("seat") and b.role.name.endswith("table"))):
-        return known or Join("around", (b.role.name,), gap=GAPS.seated, all=("around({items}, {b}, gap={gap})",))
+        return known or _around(b)
     if relation.name == "near" and known is not None:
         return known
     if (said := _at_its_side(relation, b)) is not None:
@@ -225,6 +237,11 @@ def _join(relation: Relation, a: Cast, b: Cast, passage: float, *, around: bool,
     if relation.name != "behind":
         return None
     return known if known is not None and known.slot == "behind" else _at_its_back(a, b, passage, turned)
+
+
+def _around(b: Cast) -> Join:
+    """Return how seats stand around a thing."""
+    return Join("around", (b.role.name,), gap=GAPS.seated, all=("around({items}, {b}, gap={gap})",))
 
 
 def _at_its_back(a: Cast, b: Cast, passage: float, turned: float) -> Join:

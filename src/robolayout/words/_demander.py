@@ -11,7 +11,7 @@ from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Asset, Opening, Scene, Wall
 from robolayout.words import _ways as ways_of
 from robolayout.words._places import centre, corners_meant, halves_meant, rectangle, wall_pairs, walls_meant
-from robolayout.words._rows import alike, in_rows, lines, on_a_wall
+from robolayout.words._rows import ToldRows, alike, in_rows, on_a_wall
 from robolayout.words._said import Link, Mention, Place, Thing
 from robolayout.words.demands import Demand, Way, by_ways, single, stated
 
@@ -23,20 +23,7 @@ class Demander:
         self.scene, self.room, self.names = scene, scene.room, names
         # of these only the first stands where they are put
         self.stacked = {mention.thing for link in links if link.relation == "stacked" for mention in link.subjects}
-        # beside these others stand, so that they are no unbroken row
-        to = [
-            item for link in links if link.relation in (*ways_of.AT_SIDES, "amid", "between") for item in link.objects
-        ]
-        self.flanked = {name for item in to if isinstance(item, Mention) for name in names.get(item.thing, ())}
-        # how many stand side by side in the straight rows that are told
-        self.abreast = {
-            name: math.ceil(len(named) / (lines(self.scene, link, named) or 1))
-            for link in links
-            if link.relation in ("row", "rows", "columns")
-            for named in [self._others(link.subjects)]
-            if alike(self.scene, named)
-            for name in named
-        }
+        self.told = ToldRows(scene, [(link, self._others(link.subjects), self._others(link.objects)) for link in links])
 
     def demands(self, link: Link) -> tuple[Demand, ...]:
         """Return what a link asks for; nothing where it cannot be said."""
@@ -65,13 +52,20 @@ class Demander:
         if link.relation in ways_of.IN_A_CHAIN:
             return tuple(self._chained(subjects, link.relation))
         if link.relation in ways_of.BY_TWOS:
-            twos = zip(subjects[::2], subjects[1::2], strict=False)
-            desks = link.relation == "mutual" and self._is(subjects[0], ("desk",))  # who sits there looks over its back
-            return tuple(by_ways(ways_of.BY_TWOS["mutual desks" if desks else link.relation], b, a) for a, b in twos)
+            return tuple(self._by_twos(subjects, link.relation))
         if link.relation in ("rows", "columns"):
             return tuple(self._rows(subjects, link))
         make = getattr(self, f"_{link.relation}", None)
         return (*at_place, *(make(subjects, link.objects) if make else ()))
+
+    def _by_twos(self, subjects: Sequence[str], relation: str) -> Iterator[Demand]:
+        """Yield what the second of every two is asked to be to the first; or how two rows of them are turned."""
+        if self.told.in_rows(subjects):
+            yield self.told.block(subjects)
+            return
+        desks = relation == "mutual" and self._is(subjects[0], ("desk",))  # who sits there looks over its back
+        ways = ways_of.BY_TWOS["mutual desks" if desks else relation]
+        yield from (by_ways(ways, b, a) for a, b in zip(subjects[::2], subjects[1::2], strict=False))
 
     def _named(self, mention: Mention) -> tuple[str, ...]:
         names = self.names.get(mention.thing, ())
@@ -94,8 +88,8 @@ class Demander:
 
     def _of_rows(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> list[str]:
         """Return the middle one of straight rows that all look at one thing, or stand before it."""
-        rows = len(subjects) > 2 and {*subjects} <= {*self.abreast} and len(self._others(objects)) < 2
-        return [subjects[self.abreast[subjects[0]] // 2]] if rows else []
+        rows = len(subjects) > 2 and self.told.in_rows(subjects) and len(self._others(objects)) < 2
+        return [subjects[self.told.abreast[subjects[0]] // 2]] if rows else []
 
     def _place(self, objects: Sequence[Mention | Place]) -> Place | None:
         return next((item for item in objects if isinstance(item, Place)), None)
@@ -267,7 +261,7 @@ class Demander:
 
     def _row(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Side by side: alike things in one line, others each at a side of the one before, turned the same way."""
-        if alike(self.scene, subjects) and not self.flanked & {*subjects}:
+        if alike(self.scene, subjects) and not self.told.flanked & {*subjects}:
             yield in_rows(subjects, 1)
             return
         if not any(self._asset(a).on_floor for a in subjects):
@@ -281,7 +275,7 @@ class Demander:
         if relation == "abreast" and alike(self.scene, subjects) and self._asset(subjects[0]).is_flat:
             yield in_rows(subjects, 1)
             return
-        apart = relation == "abreast" and self.flanked & {*subjects}
+        apart = relation == "abreast" and self.told.flanked & {*subjects}
         ways = ways_of.IN_A_CHAIN["abreast apart" if apart else relation]
         yield from (by_ways(ways, b, a) for a, b in pairwise(subjects))
 
@@ -290,7 +284,7 @@ class Demander:
         if not alike(self.scene, subjects):
             yield from self._huddle(subjects, link.objects)
             return
-        yield in_rows(subjects, lines(self.scene, link, subjects))
+        yield self.told.block(subjects)
 
     def _huddle(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         """Each near another one; what hangs on walls, on one of them."""
@@ -335,15 +329,18 @@ class Demander:
         place = self._place(objects)
         ends += self._points(place)[: 1 + place.plural] if place is not None else []
         for a in subjects if len(ends) > 1 else ():
-            pairs = [(ends[0], ends[1])] if len(ends) == 2 else list(pairwise(ends))
+            wide = self.told.abreast.get(self._others(objects)[0], 0) if place is None else 0
+            across = ends[wide // 2 :: wide] if wide and len(ends) > 2 else ends  # between two rows
+            pairs = [(across[0], across[1])] if len(across) == 2 else list(pairwise(ends))
             one, two = pairs[subjects.index(a) % len(pairs)]
             near = tuple(stated("near", AssetRef(a), end, self._within(a, end)) for end in (one, two))
             yield Demand((near,), BetweenTwo(AssetRef(a), one, two))
 
     def _within(self, a: str, end: AssetRef | PointRef) -> float:
         """Return how far from an end a thing between two stands: what is narrower than itself flanks it."""
-        flanked = isinstance(end, AssetRef) and self._asset(end.name).size[1] < self._asset(a).size[1]
-        return ways_of.BESIDE if flanked else ways_of.AHEAD
+        if isinstance(end, AssetRef) and end.name not in self.told.abreast:
+            return ways_of.BESIDE if self._asset(end.name).size[1] < self._asset(a).size[1] else ways_of.AHEAD
+        return ways_of.AHEAD
 
     # what stands at a place of the room
 

@@ -138,6 +138,8 @@ class Relating(About):
         """A relation: find what it is about, then what it leads to."""
         if chunk.value == "open" and self.verb and self.subject:  # "the table stands free in the middle"
             chunk = replace(chunk, value="middle")
+        if chunk.value == "opposite" and self.said.links and self.said.links[-1].relation == "mutual":
+            chunk = replace(chunk, value="separated")  # "facing each other across a table"
         if self._of_the_room(chunk) or (chunk.value == "in" and self._in_an_aid()):
             return
         if self._of_people() or self._of_what_is_unknown():
@@ -147,7 +149,10 @@ class Relating(About):
         every = self._ahead(-2).value in small.EVERY
         subjects = self._subjects(chunk.value)
         if every and chunk.value == "holds":
-            subjects = [Mention(mention.thing, mention.pick, "each") for mention in subjects]
+            own = (
+                subjects[-1:] if subjects and subjects[-1].thing.count > 1 else subjects
+            )  # "a bed and two stands, each"
+            subjects = [Mention(mention.thing, mention.pick, "each") for mention in own]
         if chunk.value == "holds" and not subjects:
             self._understood(chunk)
             self._on_with(chunk)
@@ -368,8 +373,11 @@ class Relating(About):
             for mention in moved:
                 if chunk.value == "holds" and len(subjects) == 1 and subjects[0].det == "each":
                     mention.thing.times = subjects[0].thing.count
-            self._link(named, moved, list(subjects))
-            self.group, self.acted = moved, moved
+            each = chunk.value == "holds" and subjects[0].det == "each"  # "each holding a lamp and a clock"
+            for together in [[mention] for mention in moved] if each else [moved]:
+                self._link(named, together, list(subjects))
+            held = chunk.value == "holds" and self._ahead().kind == "rel" and self._ahead().value != "on"
+            self.group = self.acted = list(subjects) if held else moved  # "a shelf full of toys along the wall"
 
     def _another(self) -> bool:
         noun = self._ahead(1).noun if self._ahead().kind == "and" else None

@@ -10,7 +10,7 @@ from robolayout.constraints import AssetRef, WallRef
 from robolayout.constraints.in_rows import InRows
 from robolayout.scene import Room, Scene
 from robolayout.words._said import Link
-from robolayout.words._ways import BACK, BESIDE
+from robolayout.words._ways import AISLE, AT_SIDES, BACK, BESIDE, NEAR
 from robolayout.words.demands import Demand, stated
 
 
@@ -31,10 +31,40 @@ def lines(scene: Scene, link: Link, names: Sequence[str]) -> int | None:
     return across if long or link.relation == "columns" else rows
 
 
-def in_rows(names: Sequence[str], rows: int | None) -> Demand:
-    """Return that things stand in a block of so many straight rows, any number for None."""
+class ToldRows:
+    """What is said of straight rows: how wide they are, how they are turned to each other, and what stands between them."""
+
+    def __init__(self, scene: Scene, links: Sequence[tuple[Link, list[str], list[str]]]) -> None:
+        self.scene = scene
+        # beside these others stand, so that they are no unbroken row
+        self.flanked = {name for link, _, to in links if link.relation in (*AT_SIDES, "amid", "between") for name in to}
+        # over the backs of desks look those who sit at them
+        self.turned = {
+            name: "facing" if link.relation == "mutual" and "desk" not in scene.by_name[name].category else "paired"
+            for link, about, _ in links
+            if link.relation in ("mutual", "backs")
+            for name in about
+        }
+        told = [link for link in links if link[0].relation in ("row", "rows", "columns") and alike(scene, link[1])]
+        self.count = {name: lines(scene, link, named) for link, named, _ in told for name in named}
+        self.abreast = {name: math.ceil(len(named) / (self.count[name] or 1)) for _, named, _ in told for name in named}
+
+    def in_rows(self, names: Sequence[str]) -> bool:
+        """Return whether all of some things stand in straight rows."""
+        return {*names} <= {*self.abreast}
+
+    def block(self, names: Sequence[str]) -> Demand:
+        """Return that such things stand in their rows."""
+        turned, amid = self.turned.get(names[0], "alike"), names[0] in self.flanked
+        return in_rows(names, self.count.get(names[0]), turned, amid=amid)
+
+
+def in_rows(names: Sequence[str], rows: int | None, backs: str = "alike", *, amid: bool = False) -> Demand:
+    """Return that things stand in a block of so many straight rows, any number for None; perhaps with something amid them."""
     items = tuple(AssetRef(name) for name in names)
-    return Demand(((InRows(items, BESIDE, 0.0, "alike", rows),),))
+    return Demand(
+        ((InRows(items, AISLE if amid and rows != 1 else NEAR if backs == "facing" else BESIDE, 0.0, backs, rows),),)
+    )
 
 
 def on_a_wall(names: Sequence[str], room: Room) -> Iterator[Demand]:

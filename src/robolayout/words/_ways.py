@@ -11,6 +11,9 @@ BESIDE, NEAR, AT_TABLE, AT_WINDOW, AT_DOOR = 0.6, 1.2, 0.5, 0.6, 1.4
 TOUCHING, INTO = 0.1, (0.5, 0.9)
 """Metres between the backs of desks at which people face each other, and before a mirror into which somebody looks."""
 
+AISLE = 2.0
+"""Metres between two rows between which something stands and can be got to."""
+
 AHEAD, BACK, BACK_WALL = 1.5, 1.2, 2.0
 """Metres from edge to edge that "in front of" and "behind" allow, and behind what stands free to what hangs on the wall."""
 

@@ -14,6 +14,9 @@ from robolayout.solve.build.member import GridPlan, Member, Rect, box_of
 from robolayout.solve.build.places import Batch, room_yaws, targets
 from robolayout.solve.build.site import Site
 
+BACKS = 0.03
+"""Metres between rows that stand back to back."""
+
 TIGHTEST = 0.5
 """Metres between things in a row up to which these may stand closer where there is no room for it."""
 
@@ -23,7 +26,6 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
     rows = site.wants[clusters[0].anchor].rows
     if rows is None:
         return
-    paired = rows.backs == "paired"
     extent = _extent(site, clusters[0])
     size = site.size(clusters[0].anchor)
     between = (extent[2] - extent[0] - size[0], extent[3] - extent[1] - size[1])
@@ -37,9 +39,11 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
         for wider, closer in ((1.0, 1.0), (1.0, 0.1), (1.35, 1.0), (1.35, 0.1), (1.8, 1.8)):
             if closer < 1.0 and gap0 > TIGHTEST:
                 continue
-            aisle = round(between[0] * (2 if paired else 1) + aisle0 * wider, 2)  # chairs of both rows stand in it
+            aisle = round(
+                between[0] * (1 if rows.backs == "alike" else 2) + aisle0 * wider, 2
+            )  # chairs of both rows stand in it
             gap = round(between[1] + gap0 * (closer if gap0 > 0.3 else 1.0), 2)
-            plan = GridPlan(names, count, columns, aisle, gap, paired, closer < 1.0)
+            plan = GridPlan(names, count, columns, aisle, gap, rows.backs, closer < 1.0)
             cluster = _cluster(clusters, plan, size)
             poses = _poses(site, cluster)
             if len(poses):
@@ -67,13 +71,14 @@ def _cluster(clusters: Sequence[Cluster], plan: GridPlan, size: tuple[float, flo
 
 
 def cell_poses(plan: GridPlan, size: tuple[float, float, float]) -> list[tuple[float, float, float]]:
-    """Return the place of each anchor in the frame of the first."""
+    """Return the place of each anchor in the frame of the first: rows behind it, or before it where they face each other."""
     found: list[tuple[float, float, float]] = []
-    x = 0.0
+    x, ahead = 0.0, 1.0 if plan.backs == "facing" else -1.0
     for row in range(plan.rows):
-        turned = plan.paired and row % 2 == 1
+        turned = plan.backs != "alike" and row % 2 == 1
         if row:
-            x -= size[0] + (0.03 if turned else plan.aisle)
+            close = plan.backs != "alike" and turned is (plan.backs == "paired")
+            x += ahead * (size[0] + (BACKS if close else plan.aisle))
         for column in range(plan.columns):
             if len(found) < len(plan.names):
                 found.append((x, -column * (size[1] + plan.gap), math.pi if turned else 0.0))

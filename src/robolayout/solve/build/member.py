@@ -44,7 +44,9 @@ class GridPlan:
     columns: int  # number of columns
     aisle: float  # metres between the boxes of one row and the next
     gap: float  # metres between neighbours in a row
-    paired: bool  # whether every second row is turned to stand back to back with the one before
+    backs: str = (
+        "alike"  # whether every second row is turned: back to back with the one before ("paired") or "facing" it
+    )
     tight: bool = False  # whether neighbours stand closer than they should
 
 

@@ -78,7 +78,7 @@ def _lay_free(site: Site, names: Sequence[str]) -> None:
     count = len(names)
     asked = site.wants[names[0]].rows
     rows = [k for k in range(1, count + 1) if count % k == 0 and (asked is None or asked.rows in (None, k))] or [count]
-    plans = [GridPlan(tuple(names), k, count // k, LAYING.between, LAYING.between, paired=False) for k in rows]
+    plans = [GridPlan(tuple(names), k, count // k, LAYING.between, LAYING.between) for k in rows]
     (_, pose), plan = min(((_free_floor(site, plan), plan) for plan in plans), key=lambda entry: entry[0][0])
     cells = [Member(n, *c).moved(*pose) for n, c in zip(names, cell_poses(plan, site.size(names[0])), strict=True)]
     if (

@@ -291,9 +291,10 @@ class _Reading:
         )
 
     def _rows(self) -> InRows | None:
-        """Return the block that it belongs to: with as many rows as are demanded, as far apart as is wished."""
-        said = sorted(self._all(InRows), key=lambda one: one[1] is None)
-        return replace(said[0][0], rows=said[-1][0].rows) if said else None
+        """Return the block that it belongs to: with rows as they are demanded, as far apart as is wished."""
+        said = [one for one, _ in sorted(self._all(InRows), key=lambda one: one[1] is None)]
+        turned = [one.backs for one in reversed(said) if one.backs != "alike"]
+        return replace(said[0], rows=said[-1].rows, backs=(*turned, "alike")[0]) if said else None
 
     def _all(self, kind: type[Kind]) -> Iterator[tuple[Kind, float | None]]:
         """Yield what is said with a relation, with its weight if it is a wish."""
