@@ -349,6 +349,18 @@ def test_rows_that_face_each_other_are_turned_and_leave_an_aisle() -> None:
             {(f"{thing}-{i}", f"night_stand-{i}") for thing in ("table_lamp", "alarm_clock") for i in range(2)},
         ),
         (
+            "an armchair with a small side table to the right of it holding a cup",
+            {("side_table-0", "armchair-0"), ("cup-0", "side_table-0")},
+        ),
+        (
+            "a bathroom for an elderly person with a walker, with a shower in the corner",
+            {("shower-0",)},
+        ),
+        (
+            "a bedroom with a bed and a nightstand with a reading lamp",
+            {("desk_lamp-0", "night_stand-0")},
+        ),
+        (
             "a playroom with a bookshelf full of toys along the wall",
             {("toy-0", "bookshelf-0"), ("toy-1", "bookshelf-0"), ("bookshelf-0",)},
         ),

@@ -7,7 +7,7 @@ from dataclasses import replace
 from robolayout.assets import CATALOGUE
 from robolayout.words import _function_words as small
 from robolayout.words._said import Link, Mention, Parsed, Place
-from robolayout.words._ways import SEATS, TOPS
+from robolayout.words._ways import BEARING, SEATS, TOPS
 
 LOOKED_AT = "projection screen"
 """What a screen before seats is."""
@@ -89,6 +89,8 @@ def _where(link: Link) -> str:
         return "wall" if wall else "ceiling"
     if link.relation == "on" and isinstance(to, Mention):
         return "object" if not CATALOGUE[to.thing.noun.kind].size[2] < 0.03 else "floor"
+    if link.relation == "with" and isinstance(to, Mention) and to.thing.noun.kind.split()[-1] in (*BEARING, "stand"):
+        return "object"
     if link.relation == "flank" and isinstance(to, Mention) and to.thing.noun.kind.endswith("bed"):
         return ""  # on the night stands
     tiny = isinstance(to, Mention) and CATALOGUE[to.thing.noun.kind].places == ("object",)

@@ -52,6 +52,8 @@ class Relating(About):
         self.refusing = False
         self.fronted = None if self.acted else self.fronted
         who = self._ahead(-2)
+        if self._in_an_aid():
+            return
         if who.kind in ("people", "body") and who.det == "each":
             self._each_has([], self._people() or 1)
             return
@@ -148,11 +150,8 @@ class Relating(About):
             return
         every = self._ahead(-2).value in small.EVERY
         subjects = self._subjects(chunk.value)
-        if every and chunk.value == "holds":
-            own = (
-                subjects[-1:] if subjects and subjects[-1].thing.count > 1 else subjects
-            )  # "a bed and two stands, each"
-            subjects = [Mention(mention.thing, mention.pick, "each") for mention in own]
+        if chunk.value == "holds":
+            subjects = self._holders(subjects, every=every)
         if chunk.value == "holds" and not subjects:
             self._understood(chunk)
             self._on_with(chunk)
@@ -304,7 +303,7 @@ class Relating(About):
         return [item for item in to[:1] if isinstance(item, Mention)]
 
     def _in_an_aid(self) -> bool:
-        """Note the body of "a person in a wheelchair"."""
+        """Note the body of "a person in a wheelchair", "an elderly person with a walker"."""
         following, who = self._ahead(), self._ahead(-2).kind
         if following.noun is None or following.noun.kind not in AIDS or who not in ("people", "body"):
             return False
@@ -312,6 +311,15 @@ class Relating(About):
         self.at += 1
         self._fact(Chunk("body", following.start, following.end, AIDS[following.noun.kind]))
         return True
+
+    def _holders(self, subjects: list[Mention], *, every: bool) -> list[Mention]:
+        """Return what of some things holds others: of "a bed and two stands, each" the last, and rather a top than a seat beside it."""
+        last = self.said.links[-1] if self.said.links else None
+        if last is not None and len(subjects) == 1 and subjects[0] in last.objects:
+            kinds = [mention.thing.noun.kind.split()[-1] for mention in (*last.subjects, *subjects)]
+            subjects = list(last.subjects) if kinds[0] in (*TOPS, "stand", "shelf") and kinds[-1] in SEATS else subjects
+        own = subjects[-1:] if every and subjects and subjects[-1].thing.count > 1 else subjects
+        return [Mention(mention.thing, mention.pick, "each") for mention in own] if every else subjects
 
     def _of_people(self) -> bool:
         """Return whether this clause is about somebody: "guests are received near the door" moves no furniture."""
