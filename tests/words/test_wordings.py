@@ -58,7 +58,7 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ),
         ("an armchair, a lamp behind it and a table beside it", {("behind", "lamp", "armchair"), ("next", "table", "armchair")}),
         ("None of the beds is under the window.", {("apart", "bed", "window")}),
-        ("a wall of bookshelves", {("wall", "bookshelve", "wall")}),
+        ("a wall of bookshelves", {("wall", "bookshelf", "wall")}),
         ("a wall-mounted TV", {("on", "wallmounted tv", "wall")}),
         ("On the left a desk, on the right a bed.", {("in", "desk", "side"), ("in", "bed", "side")}),
         (
@@ -121,3 +121,9 @@ def test_pictures_in_a_row_hang_on_one_wall() -> None:
     (row,) = [row for row in read_words(scene).rows if row.kind == "relation"]
     assert len(row.demands) == 2
     assert {said.name for demand in row.demands for way in demand.ways for said in way} == {"near", "mounted_on"}
+
+
+def test_rows_name_things_as_they_were_said() -> None:
+    scene, _ = scene_from_sentence("A hall with a tall vase in the corner.")
+    (row,) = [row for row in read_words(scene).rows if row.kind == "relation"]
+    assert row.words == "vase in corner"

@@ -69,7 +69,7 @@ def shown(item: Mention | Place) -> str:
     """Return a thing or place in words."""
     if isinstance(item, Place):
         return " ".join((*item.words, item.name, *((item.by[0], item.by[1].name) if item.by is not None else ())))
-    return item.thing.noun.words
+    return item.thing.noun.said
 
 
 def unread(words: str, why: str) -> Row:

@@ -290,12 +290,13 @@ class Relating(About):
     def _put_zone(self, chunk: Chunk, objects: Sequence[Mention | Place]) -> None:
         """Note where the part of the room is that was named last: "a sleeping area on the left"."""
         side = not objects and chunk.value in ("left", "right")
-        if self.zone is None or self.zone.place is not None:
+        place = (replace(chunk, value="in"), [Place("side", (chunk.value,))]) if side else (chunk, objects)
+        if self.zone is not None and self.zone.place is None:
+            self.zone.place = place
+        elif self.zone is None or self.zone.place is None or self.zone.place[1] != place[1]:
             self.said.missed.append(chunk)
-        elif side:
-            self.zone.place = replace(chunk, value="in"), [Place("side", (chunk.value,))]
         else:
-            self.zone.place = chunk, objects
+            self._understood(chunk)  # said again
 
     def _fronted_things(self) -> list[Mention]:
         """Return the thing that a relation before this one leads to, while nothing stands there yet."""
