@@ -47,6 +47,9 @@ class Told:
     # where another wall can have it
     held: Set[str] = frozenset()
     high: Set[str] = frozenset()
+    corners: Sequence[
+        Set[str]
+    ] = ()  # by the compass of their two walls, those where things are to stand: no door is beside one
 
 
 Opening = dict[str, float]
@@ -87,7 +90,7 @@ def openings(
         start = fits.index(usual) if usual in fits and not number else 0
         wall = _wall(outline, item.wall, fits[start:] + fits[:start])
         first = min(OPENINGS.flanked if told.flanked else OPENINGS.aside, (lengths[wall] - wide) / 2)
-        offset = first + (1.0 - along) * (lengths[wall] - wide - 2 * first)
+        offset = first + (1.0 - _aside(outline, wall, along, told.corners)) * (lengths[wall] - wide - 2 * first)
         doors.append(
             {
                 "wall": wall,
@@ -101,6 +104,14 @@ def openings(
     taken = {int(d["wall"]) for d in doors}
     taken |= high if len(taken | high) < len(lengths) else set[int]()
     return doors, _windows(outline, lengths, taken, windows, rng, height)
+
+
+def _aside(outline: Outline, wall: int, along: float, corners: Sequence[Set[str]]) -> float:
+    """Return where along a wall (1 at its start) a door is: at its other end, or in the middle, where its end is to be free."""
+    meant = [[set(_meant(outline, word)) for word in words] for words in corners]
+    ends = [{(wall - 1) % len(outline), wall}, {wall, (wall + 1) % len(outline)}]
+    start, end = (any(all(end & walls for walls in pair) for pair in meant) for end in ends)
+    return 0.5 if start and end else min(along, 1.0 - along) if start else max(along, 1.0 - along) if end else along
 
 
 def _windows(

@@ -80,7 +80,7 @@ class Wishes:
         return round(sum(_promised(thing) * thing.count for thing in self.reading.parsed.things))
 
     def held(self, kinds: Mapping[str, Category], least: float = 0.0) -> frozenset[str]:
-        """Return the walls, by compass, at which something on the floor is asked to stand that is so many metres high."""
+        """Return the walls, by compass, at which something is asked to stand; with a height what is lower counts only if it hangs."""
         walls = grammar().walls
         return frozenset(
             walls[word]
@@ -88,10 +88,22 @@ class Wishes:
             for place in link.objects
             if isinstance(place, Place) and place.name == "wall"
             for kind in (kinds[mention.thing.noun.kind] for mention in link.subjects)
-            if kind.on_floor and kind.size[2] >= least
+            if (kind.on_floor and kind.size[2] >= least) or (least and kind.on_wall)
             for word in place.words
             if walls.get(word) in COMPASS
         )
+
+    def corners(self, kinds: Mapping[str, Category]) -> tuple[frozenset[str], ...]:
+        """Return the corners, by the compass of their walls, in which something on the floor is asked to stand."""
+        walls = grammar().walls
+        told = [
+            frozenset(walls[word] for word in place.words if walls.get(word) in COMPASS)
+            for link in self.reading.parsed.links
+            for place in link.objects
+            if isinstance(place, Place) and place.name == "corner"
+            if any(kinds[mention.thing.noun.kind].on_floor for mention in link.subjects)
+        ]
+        return tuple(words for words in told if len(words) == 2)
 
     @property
     def ignored(self) -> tuple[str, ...]:

@@ -323,6 +323,7 @@ def _scene(
             wishes.reading.flanked_door,
             wishes.held(kinds),
             wishes.held(kinds, SIZES.sill),
+            wishes.corners(kinds),
         ),
         rng,
         found.height,

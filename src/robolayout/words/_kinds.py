@@ -84,6 +84,8 @@ def _where(link: Link) -> str:
     if isinstance(to, Place) and to.name in ("wall", "ceiling"):
         hung = link.relation in ("on", "hanging", "in")
         return "ceiling" if to.name == "ceiling" else "wall" if hung else "floor" if link.relation == "wall" else ""
+    if link.relation == "behind" and all(mention.thing.noun.said == "mirror" for mention in link.subjects):
+        return "wall"
     if link.relation == "above":
         wall = isinstance(to, Mention) and to.thing.noun.kind.split()[-1] not in (*TOPS, "chair", "island")
         return "wall" if wall else "ceiling"
