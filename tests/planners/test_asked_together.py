@@ -51,6 +51,10 @@ def program(text: str) -> str:
             ('backs="paired", rows=2)',),
         ),
         (
+            "a bedroom with two single beds and a folding screen between them",
+            ("wish.left_of(room_divider[0], bed[0]", "wish.align_with(room_divider[0], bed[0], 90)"),
+        ),
+        (
             "a playroom with a round table and four small chairs",
             ("solver.around([kids_chair[0], kids_chair[1], kids_chair[2], kids_chair[3]], round_table[0]",),
         ),

@@ -47,8 +47,9 @@ GAPS = Gaps()
 
 LEFT = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b})")
 BEHIND = ("behind({a}, {b}, {gap}, {most})", "align_with({a}, {b})")
+PARTING = ("left_of({a}, {b}, {gap}, {most})", "align_with({a}, {b}, 90)")
 BACK_TO_BACK = ('centered_on({a}, {b}, "side")',)
-"""What is said of a thing at the left of another and behind it, no nearer than its gap, and back to back with it."""
+"""What is said of a thing at the left of another, behind it, at its left to part it from the next one, and back to back with it."""
 
 IN_THE_LIGHT = -3.0
 """Weight of the wish of what something hangs above to stand at a window."""
@@ -209,6 +210,11 @@ def _side_by_side(three: Sequence[Cast], passage: float) -> list[tuple[str, tupl
     if first.anchor == last.name:
         first, last = last, first
     usual = any(join.slot == "beside" and first.role.name in join.of for join in middle.role.joins)
+    if middle.role.name == "privacy screen" and first.role is last.role:
+        gap = GAPS.before + middle.asset.size[0] / 2
+        beside = Join("beside", (first.role.name,), gap=2 * gap, loose=True, say=LEFT)
+        along = Join("beside", (first.role.name,), gap=GAPS.before, loose=True, say=PARTING)
+        return [(last.name, (first.name, beside)), (middle.name, (first.name, along))]
     if not usual or first.role is not last.role:
         return []
     chain, gap = ((middle, first), (last, middle)), max(GAPS.seated, (passage - middle.asset.size[1]) / 2)

@@ -9,6 +9,9 @@ from robolayout.words import _function_words as small
 from robolayout.words._said import Link, Mention, Parsed, Place
 from robolayout.words._ways import BEARING, SEATS, TOPS
 
+PARTING = "privacy screen"
+"""A curtain that hangs at no window."""
+
 LOOKED_AT = "projection screen"
 """What a screen before seats is."""
 
@@ -29,6 +32,7 @@ def settle_kinds(parsed: Parsed) -> None:
         _settle_low_table(link)
         _settle_high_stool(link)
         _settle_screen(link)
+        _settle_curtain(link)
         hung = [item for item in link.objects if link.relation == "under" and isinstance(item, Mention)]
         lit = [mention for mention in hung if mention.thing.noun.said in ("lamp", "light")]
         place = "ceiling" if lit else _where(link)
@@ -65,6 +69,14 @@ def _settle_screen(link: Link) -> None:
     for item in link.objects if sat and link.relation in ("front", "facing", "opposite", "around") else ():
         if isinstance(item, Mention) and item.thing.noun.said == "screen":
             item.thing.noun = replace(item.thing.noun, words=LOOKED_AT, kind=LOOKED_AT, others=())
+
+
+def _settle_curtain(link: Link) -> None:
+    """Take a curtain between things or around one for one that stands."""
+    to = any(isinstance(item, Mention) for item in link.objects)
+    for thing in (mention.thing for mention in link.subjects if to and link.relation in ("between", "amid", "around")):
+        if thing.noun.kind == "curtain":
+            thing.noun = replace(thing.noun, words=PARTING, kind=PARTING, others=())
 
 
 def _settle_low_table(link: Link) -> None:
