@@ -52,7 +52,7 @@ def program(text: str) -> str:
         ),
         (
             "a bedroom with two single beds and a folding screen between them",
-            ("wish.left_of(room_divider[0], bed[0]", "wish.align_with(room_divider[0], bed[0], 90)"),
+            ("wish.left_of(room_divider[0], single_bed[0]", "wish.align_with(room_divider[0], single_bed[0], 90)"),
         ),
         (
             "a playroom with a round table and four small chairs",
