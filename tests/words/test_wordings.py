@@ -33,6 +33,11 @@ def links(text: str) -> set[tuple[str, ...]]:
         ("three desks, each with a monitor, a keyboard and a chair in front", {"desk": 3, "monitor": 3, "keyboard": 3, "chair": 3}),
         ("two students; each student has a bed, a desk with a lamp, and a chair", {"bed": 2, "desk": 2, "lamp": 2, "chair": 2}),
         ("ten mats face the instructor's mat", {"mat": 11}),
+        ("six beds, three along each long wall, and a curtain between each two beds", {"bed": 6, "curtain": 4}),
+        ("two columns of six pews and a trio of candles", {"pew": 12, "candle": 3}),
+        ("three easels, each holding a canvas", {"easel": 3, "canvas": 3}),
+        ("a seating group of two sofas, a shelf with two bottles of detergent", {"sofa": 2, "shelf": 1, "bottle": 2}),
+        ("A judge's bench at the front, and three rows of benches at the back.", {"bench": 10}),
     ],
 )  # fmt: skip
 def test_counts(text: str, counts: dict[str, int]) -> None:
@@ -87,6 +92,15 @@ def test_counts(text: str, counts: dict[str, int]) -> None:
         ("A bed is near a desk, both against the wall.", {("near", "bed", "desk"), ("wall", "bed", "wall"), ("wall", "desk", "wall")}),
         ("The shelf holds five books, and a plant is on top.", {("on", "book", "shelf"), ("on", "plant", "shelf")}),
         ("A bowl is on the table, with a candle in the middle.", {("on", "bowl", "table"), ("middle", "candle", "table")}),
+        ("three pictures one above the other on the wall", {("tiered", "picture", ""), ("on", "picture", "wall")}),
+        ("Two lamps frame the fireplace.", {("flank", "lamp", "fireplace")}),
+        ("A plant flanks the door on each side.", {("flank", "plant", "door")}),
+        ("a loft bed, a desk tucked under the bed", {("under", "desk", "loft bed")}),
+        ("A dog bed lies at the foot of the bed.", {("foot", "dog bed", "bed")}),
+        ("a studio with a small kitchen in one corner", {("in", "kitchen", "corner")}),
+        ("A sink and a window above the sink.", {("under", "sink", "window")}),
+        ("a table with six chairs near the bar", {("with", "chair", "table"), ("near", "table", "bar")}),
+        ("a bed, a sofa, a shelf with cups above them", {("with", "cup", "shelf"), ("above", "shelf", "bed"), ("above", "shelf", "sofa")}),
         ("a table with magazines between two chairs", {("with", "magazine", "table"), ("amid", "table", "chair")}),
     ],
 )  # fmt: skip

@@ -112,7 +112,7 @@ class Wishes:
         spoken = [(chunk.start, chunk.end) for chunk in parsed.missed]
         unknown = [thing for thing in parsed.things if thing.noun.kind.startswith("unknown")]
         spoken += [(t.spans[0][1] - len(t.noun.said.split()), t.spans[0][1]) for t in unknown]
-        return (*(self.reading.span(*span) for span in sorted(spoken)), *self.reading.unknown)
+        return tuple(self.reading.span(*span) for span in sorted(spoken))
 
 
 def read_wishes(text: str, rooms: Rooms, own: tuple[Category, ...] = ()) -> Wishes:

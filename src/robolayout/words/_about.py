@@ -19,7 +19,7 @@ class About(LedTo):
         noun = self.target.thing.noun if self.target is not None else None
         hung = noun is not None and any("wall" in CATALOGUE[kind].places for kind in (noun.kind, *noun.others))
         told = relation in ("by", "next", "near", "holds", *(("on", "wall") if following == "wall" and hung else ()))
-        last = self.group[-1:] or list(self.subject)
+        last = self.group[-1:] or list(self.subject or ([self.target] if self.target is not None else []))
         does = {*self._ahead(-1).adjectives} & small.PLURAL_DOES and not self.relative  # "a sofa and a chair face it"
         if len(self.group) > 1 and (does or self._shared(relation)):
             return list(self.group)
@@ -49,7 +49,7 @@ class About(LedTo):
         """
         *earlier, last = (mention.thing for mention in self.group)
         if relation == "around":
-            return all(map(_sat_on, self.group))
+            return all(map(sat_on, self.group))
         to = next((c for c in self.chunks[self.at :] if c.kind not in ("filler", "style")), Chunk("", 0, 0))
         again = to.kind == "pron" or any(same(thing, to) for thing in (*earlier, last))
         again = again or (
@@ -115,7 +115,7 @@ class About(LedTo):
             index > 0 and self.chunks[index].kind in ("verb", "filler") and self.chunks[index].value not in small.FINITE
         ):
             index -= 1
-        return index < self.at - 2 and self.chunks[index].kind == "thing" and self.group != self.subject
+        return index < self.at - 2 and self.chunks[index].kind == "thing"
 
 
 def _where(relation: str, to: Chunk) -> tuple[str, ...]:
@@ -137,10 +137,10 @@ def _places(thing: Thing) -> set[str]:
 
 def _sat_at(mention: Mention) -> bool:
     """Return whether a thing is a seat or what one sits at."""
-    return _sat_on(mention) or mention.thing.noun.kind.split()[-1] in TOPS
+    return sat_on(mention) or mention.thing.noun.kind.split()[-1] in TOPS
 
 
-def _sat_on(mention: Mention) -> bool:
+def sat_on(mention: Mention) -> bool:
     """Return whether one sits on a thing."""
     return mention.thing.noun.kind.split()[-1] in SEATS
 

@@ -19,6 +19,9 @@ from robolayout.words._tokens import VAGUE, count_of
 SOME = -1
 """Rows of which no number is said."""
 
+PLACING = ("place", "put", "position", "install", "mount")
+"""Verbs that tell where a thing goes."""
+
 SIDES = {"left": "left", "right": "right", "foot": "foot", "head": "end"}
 """Relations to a thing by the side of it that is named."""
 
@@ -35,7 +38,8 @@ class Chunker(ClosedWords):
         at = 0
         while at < len(self.words):
             chunk = self._next(at)
-            if chunk.kind == "room" and any(c.kind == "room" and c.value != chunk.value for c in found):
+            put = bool(found) and found[-1].kind == "verb" and found[-1].value in PLACING  # "place a bar at the back"
+            if chunk.kind == "room" and (put or any(c.kind == "room" and c.value != chunk.value for c in found)):
                 chunk = self._in_room(chunk)
             found.append(without_noun(self.words, at, found, self._run) or chunk)
             at = found[-1].end
@@ -45,7 +49,7 @@ class Chunker(ClosedWords):
         """Return a further room as a thing of the first, where its name is one: "a studio with a kitchenette"."""
         words = self.words[chunk.start : chunk.end]
         noun = next((n for i in range(len(words)) if (n := self.lexicon.noun(words[i:]))), None)
-        return chunk if noun is None else replace(chunk, kind="thing", value="", noun=noun)
+        return chunk if noun is None or chunk.det == "the" else replace(chunk, kind="thing", value="", noun=noun)
 
     def _next(self, at: int) -> Chunk:
         if at in self.measured:
@@ -159,6 +163,8 @@ class Chunker(ClosedWords):
         seats = word == "that" and rest[:1] == ["seats"]
         if seats or i in self.measured or (word == "first" and self.lexicon.noun(self.words[i : i + 3])):
             return None  # "first aid kit"
+        if rest[1:2] == ["of"] and rest[0] in small.SETS and word not in small.DETERMINERS and not count_of(word):
+            return ("", None, "", 0, 3)  # "a seating group of"
         if (some := self._some_of(word, rest)) is not None:
             return some
         if "of" in rest[:2] and (of := self._of(word, rest, number)) is not None:
@@ -188,9 +194,10 @@ class Chunker(ClosedWords):
     def _of(self, word: str, rest: list[str], number: int | None) -> tuple[str, int | None, str, int, int] | None:
         """Return the same of what ends in "of": "two rows of", "each one of", "a pair of"."""
         count = count_of(word)
-        if rest[0] in ("rows", "row") and count:
+        if rest[0] in ("rows", "row", "columns", "column") and count:
             each = count_of((*rest[2:], "")[0])
-            return ("", count * each if each else None, "", count, 4 if each else 3)
+            rows = (each or SOME) if rest[0].startswith("column") else count
+            return ("", count * each if each else None, "", rows, 4 if each else 3)
         if word in ("each", "every") and rest[0] in ("one", "of"):
             return ("each", None, "", 0, 3 if rest[0] == "one" else 2)
         if rest[0] != "of":
@@ -245,6 +252,11 @@ class Chunker(ClosedWords):
             return bool(run) and run[-1] in ("people", "persons")  # "two people read"
         if not run and self.words[i - 1] in ("a", "an") and self.lexicon.noun([word]) is not None:
             return False  # "a watch"
+        ends = self._word(i + 1) in ("", *MARKS, *small.JOINING)
+        if word == "stands" and not run and self.words[i - 1] == "on" and ends:
+            return False  # "guitars on stands"
+        if word == "stand" and run and self._word(i - len(run) - 1) in ("a", "an"):
+            return self._word(i - len(run) - 2) in small.JOINING  # "on a keyboard stand"
         if self.lexicon.noun(self.words[i : i + 2]) is not None and self._continues(i):
             return False
         known = bool(run) and self.lexicon.noun([run[-1], word]) is not None

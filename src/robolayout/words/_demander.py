@@ -11,7 +11,7 @@ from robolayout.constraints.between import BetweenTwo
 from robolayout.scene import Asset, Opening, Scene, Wall
 from robolayout.words import _ways as ways_of
 from robolayout.words._places import centre, corners_meant, halves_meant, rectangle, wall_pairs, walls_meant
-from robolayout.words._rows import ToldRows, alike, in_rows, on_a_wall
+from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
 from robolayout.words._said import Link, Mention, Place, Thing
 from robolayout.words.demands import Demand, Way, by_ways, single, stated
 
@@ -116,8 +116,8 @@ class Demander:
                 yield self._resting(a, b)
             elif self._is(a, ways_of.SEATS) and self._is(b, ("desk", "counter", "island")):
                 yield by_ways(ways_of.AT_A_DESK, a, b)
-            elif beside:
-                yield single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE))
+            elif beside or asset.on_wall:
+                yield single(stated("near", AssetRef(a), AssetRef(b), ways_of.BESIDE if beside else ways_of.NEAR))
 
     def _far(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         x0, y0, x1, y1 = self.room.bounds
@@ -275,6 +275,8 @@ class Demander:
         if relation == "abreast" and alike(self.scene, subjects) and self._asset(subjects[0]).is_flat:
             yield in_rows(subjects, 1)
             return
+        if relation == "stacked" and all(map(self._only_wall, subjects)):
+            relation = "tiered"  # pictures on top of each other
         apart = relation == "abreast" and self.told.flanked & {*subjects}
         ways = ways_of.IN_A_CHAIN["abreast apart" if apart else relation]
         yield from (by_ways(ways, b, a) for a, b in pairwise(subjects))
@@ -331,7 +333,7 @@ class Demander:
         for a in subjects if len(ends) > 1 else ():
             wide = self.told.abreast.get(self._others(objects)[0], 0) if place is None else 0
             across = ends[wide // 2 :: wide] if wide and len(ends) > 2 else ends  # between two rows
-            pairs = [(across[0], across[1])] if len(across) == 2 else list(pairwise(ends))
+            pairs = [(across[0], across[1])] if len(across) == 2 else neighbours(ends, len(subjects))
             one, two = pairs[subjects.index(a) % len(pairs)]
             near = tuple(stated("near", AssetRef(a), end, self._within(a, end)) for end in (one, two))
             yield Demand((near,), BetweenTwo(AssetRef(a), one, two))

@@ -9,7 +9,7 @@ from itertools import takewhile
 from robolayout.words import _function_words as small
 from robolayout.words._chunk import Chunk
 from robolayout.words._references import References
-from robolayout.words._said import Mention, Place, place_of, several
+from robolayout.words._said import Mention, Place, place_of, several, topped
 from robolayout.words._ways import OTHER_SIDE
 
 CORNERS, WALLS = ("near", "far"), ("facing", "behind", "by", "with")
@@ -95,13 +95,23 @@ class LedTo(References):
         own, meant = {m.thing for m in self.about}, (self.acted or self.group)[-1:]
         if not which:
             others = [m for m in self.recent or self.before if m.thing not in own][-1:]
-            meant = others if that else self._meant(word.value, chunk.value)
+            meant = others if that else self._standing(self._meant(word.value, chunk.value), chunk)
         if word.value in small.SEVERAL:
             meant = [Mention(mention.thing, mention.pick) for mention in meant]
         self.pending = meant[1:]
         if word.value.startswith(("each", "every")) and meant:
             return Mention(meant[0].thing, None, "each")
         return meant[0] if meant else None
+
+    def _standing(self, meant: list[Mention], chunk: Chunk) -> list[Mention]:
+        """Return what bears a small thing where furniture is said to stand beside it: "a globe is on the desk and a bin beside it"."""
+        stands = self.about and not any("object" in mention.thing.places for mention in self.about)
+        if len(meant) != 1 or not (stands and topped(meant[0]) and chunk.value in small.STANDING):
+            return meant
+        on = [
+            k.objects for k in self.said.links if k.relation == "on" and meant[0].thing in {m.thing for m in k.subjects}
+        ]
+        return [item for item in on[-1] if isinstance(item, Mention)] or meant if on else meant
 
     def _of_a_thing(self, part: Chunk) -> bool:
         """Return whether a part is one of a thing that follows, and go there: "opposite the foot of the bed"."""

@@ -192,6 +192,7 @@ class Parser(Relating):
             self._each_has(self.holder, sum(m.thing.count for m in whose))
         elif chunk.value == "each" and self.group and self.holder and self.group[-1].thing is not self.holder[0].thing:
             self.group[-1].thing.times = self.holder[0].thing.count
+            self.having = False
 
     def _on_thing(self, chunk: Chunk) -> None:
         chunk = self._none_of(chunk)
@@ -246,6 +247,17 @@ class Parser(Relating):
         for word in set(SAID_OF) & {*chunk.adjectives, *noun}:
             to = next(((Place(name),) for name in ("wall", "ceiling") if word.startswith(name)), ())
             self.said.links.append(Link(SAID_OF[word], (mention,), to, chunk.start, chunk.end))
+        last = self.said.links[-1] if self.said.links else None
+        bare = (
+            last is not None
+            and self._previous(chunk) == "and"
+            and not chunk.det
+            and [m.count for m in last.subjects] == [1]
+        )
+        if (
+            bare and last is not None and last.relation == "stacked" and not last.objects
+        ):  # "a stacked washer and dryer"
+            self.said.links[-1] = replace(last, subjects=(*last.subjects, mention))
         if self._previous(chunk) in small.ALIKE and self.said.links:  # "a sofa is by the window, and so is a desk"
             self.said.links.append(replace(self.said.links[-1], subjects=(mention,)))
 
@@ -262,13 +274,17 @@ class Parser(Relating):
         """Return whether a noun names what is not to be there, what somebody moves with, or what a thing is for."""
         noun, before = chunk.noun, self._previous(chunk)
         several = chunk.plural or (noun is not None and noun.words.endswith("s"))
-        bare = several and not chunk.det and chunk.number is None
-        held = [] if before != "of" or not bare or not self.group else self.group[-1:]
+        alone = not chunk.det and chunk.number is None
+        bare = several and alone
+        held = [] if before != "of" or not alone or not self.group else self.group[-1:]
         if noun is not None and self.refusing and not (self.negated and chunk.det == "the"):
             self.said.refused.append((noun, (chunk.start, chunk.end)))
         elif noun is not None and noun.kind in AIDS and before in ("use", "uses", "using", "for"):
             self._fact(Chunk("body", chunk.start, chunk.end, AIDS[noun.kind]))
         elif held and self.chunks[self.at - 3].kind == "thing":  # "a rack of dumbbells"
+            if not several or (noun is not None and noun.kind == held[0].thing.noun.kind):
+                self._fact(replace(chunk, kind="function"))  # "a bottle of detergent", "a vase of flowers"
+                return True
             mention = self._mention(chunk)
             if CATALOGUE[mention.thing.noun.kind].on_object and not CATALOGUE[held[0].thing.noun.kind].on_object:
                 self.said.links.append(Link("on", (mention,), tuple(held), chunk.start, chunk.end))

@@ -83,11 +83,13 @@ class References(Spoken):
         if chunk.det == "one" or (chunk.number == 1 and not chunk.det and not target):
             return slice(first, first + many) if first + many <= count else slice(0, many)
         places = {
-            **dict.fromkeys(("left", "first", "lower", "bottom"), 0),
+            **dict.fromkeys(("left", "first", "lower", "bottom", "leftmost", "lowest", "bottommost"), 0),
             "second": 1,
             "third": 2,
             "middle": count // 2,
-            **dict.fromkeys(("right", "last", "upper", "top"), count - 1),
+            **dict.fromkeys(
+                ("right", "last", "upper", "top", "rightmost", "highest", "topmost", "uppermost"), count - 1
+            ),
         }
         told = [places[word] for word in (chunk.det, *chunk.adjectives) if word in places]
         told += [0] if chunk.number == 1 and not chunk.plural and target else []
@@ -97,7 +99,10 @@ class References(Spoken):
         """Return the thing named before that a noun phrase means; the one named last where several fit."""
         assert chunk.noun is not None
         bare = not chunk.det and chunk.number is None
-        fits = [t for t in self.said.things if same(t, chunk)]
+        own = {m.thing for m in self.about} if target else set[Thing]()
+        # nothing stands at itself: "a dog bed at the foot of the bed"
+        fits = [t for t in self.said.things if same(t, chunk) and (t not in own or same_words(t, chunk))]
+        fits = [t for t in fits if not (bare and chunk.rows and more_of(t, chunk))]
         fits = [t for t in fits if same_words(t, chunk)] or [t for t in fits if not (bare and more_of(t, chunk))]
         last, number = fits[-1] if fits else None, chunk.number
         if last is None or not self._has_so_many(last, chunk.det):
@@ -150,7 +155,20 @@ class References(Spoken):
         asked = sum(place.number or 0 for place, _ in self.said.openings if place.name == item.name)
         sides = len({*item.words} & {*grammar().walls})  # "in each of the back corners"
         corners = 4 if not sides or item.name == "wall" else 2 // sides
+        corners = 2 if item.name == "wall" and {"long", "short", "side", "opposite"} & {*item.words} else corners
         return item.number or (corners if item.name in ("corner", "wall") else asked or 1)
+
+    def _gaps(self, item: Mention | Place) -> int:
+        """Return how many gaps there are between neighbours of several things that stand in rows or along walls."""
+        walls = [
+            self._number_of(to) if to.det in ("each", "both") else to.number or 1
+            for link in self.said.links
+            if isinstance(item, Mention) and item.thing in {m.thing for m in link.subjects}
+            for to in link.objects
+            if isinstance(to, Place) and to.name == "wall"
+        ]
+        rows = item.thing.rows if isinstance(item, Mention) else 0
+        return max(self._number_of(item) - max(rows, *walls, 1), 1)
 
     def _on_both_sides(self, chunk: Chunk, subjects: Sequence[Mention], objects: Sequence[Mention | Place]) -> Chunk:
         """Count what stands at each side of something; return the relation, which is "around" for several seats."""
@@ -190,7 +208,7 @@ class References(Spoken):
         """Settle how many things are asked for that stand at each of several, at walls or in rows; return them."""
         each = [item for item in objects if item.det == "each" and chunk.value not in ("apart", "far")]
         for item in each:
-            count = self._number_of(item)
+            count = self._gaps(item) if chunk.value == "amid" else self._number_of(item)
             subjects = [mention.widened(count) for mention in subjects]
             for mention in subjects:
                 owned = isinstance(item, Mention) and item.thing is mention.thing
@@ -227,6 +245,7 @@ class References(Spoken):
         low, high = chunk.measure.values if chunk.measure else (0.0, 0.0)
         about = (tuple(subjects), tuple(objects))
         several = any(isinstance(item, Place) and item.name == "wall" and item.plural for item in objects)
+        several = several or chunk.value == "rows"  # "lined up in two rows"
         for row in [k for k in self.said.links if several and k.relation == "row" and k.subjects == about[0]]:
             self.said.links.remove(row)  # "lined up along two opposite walls": no one line
             self.said.read.update(range(row.start, row.end))

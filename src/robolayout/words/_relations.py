@@ -10,14 +10,17 @@ from itertools import takewhile
 
 from robolayout.assets import CATALOGUE
 from robolayout.words import _function_words as small
-from robolayout.words._about import About
+from robolayout.words._about import About, sat_on
 from robolayout.words._chunk import Chunk
-from robolayout.words._said import Link, Mention, Place, topped
+from robolayout.words._said import Link, Mention, Place, place_of, topped
 from robolayout.words._tokens import Measure
 from robolayout.words._ways import SEATS, TOPS
 
 REVERSED = {"flanked": "flank", "surrounded": "around", "holds": "on", "separated": "amid"}
 """Relations that are said from the other side."""
+
+AT_AN_OPENING = {"above": "under", "behind": "near", "next": "near", "near": "near", "by": "near"}
+"""What things are to a door or window of which it is said what it is to them."""
 
 AIDS = {"wheelchair": "wheelchair", "walker": "elder_walker"}
 """Bodies by what they use; what a room is to contain is a thing."""
@@ -142,11 +145,18 @@ class Relating(About):
             chunk = replace(chunk, value="middle")
         if chunk.value == "opposite" and self.said.links and self.said.links[-1].relation == "mutual":
             chunk = replace(chunk, value="separated")  # "facing each other across a table"
-        if self._of_the_room(chunk) or (chunk.value == "in" and self._in_an_aid()):
+        if (
+            self._of_the_room(chunk)
+            or self._of_an_opening(chunk, self.at - 2)
+            or (chunk.value == "in" and self._in_an_aid())
+        ):
             return
         if self._of_people() or self._of_what_is_unknown():
             self._objects(chunk)
-            self.said.missed.append(chunk)
+            if self._ahead(-1).kind == "rel" and self._ahead(-2).kind == "function":
+                self._understood(chunk)  # "an aisle down the middle"
+            else:
+                self.said.missed.append(chunk)
             return
         every = self._ahead(-2).value in small.EVERY
         subjects = self._subjects(chunk.value)
@@ -169,6 +179,21 @@ class Relating(About):
         if not self._in_turn(chunk, objects):
             self._relate_to(chunk, subjects, objects, first, every=every)
 
+    def _of_an_opening(self, chunk: Chunk, first: int) -> bool:
+        """Note where a door or window is by what is at it: "a window above the sink" puts the sink under the window."""
+        while first > 0 and self.chunks[first].kind in ("verb", "filler", "style"):
+            first -= 1
+        opening, at, led = (
+            self.chunks[first],
+            AT_AN_OPENING.get(chunk.value),
+            first > 0 and self.chunks[first - 1].kind == "rel",
+        )
+        if at is None or led or opening.value not in ("window", "door") or self._ahead().kind != "thing":
+            return False
+        things = [item for item in self._objects(chunk) if isinstance(item, Mention)]
+        self._link(replace(chunk, value=at), things, [place_of(opening)])
+        return True
+
     def _relate_to(
         self, chunk: Chunk, subjects: list[Mention], objects: list[Mention | Place], first: int, *, every: bool
     ) -> None:
@@ -181,14 +206,15 @@ class Relating(About):
         chunk, objects = self._other_side(chunk, objects)
         place = objects[0] if objects and isinstance(objects[0], Place) else None
         sides = place.name == "side" if place else chunk.value in ("flank", "oneside") and not objects
-        if sides and self._at_sides(chunk, subjects, place):
-            self._understood(chunk)
+        last = self.said.links[-1] if self.said.links else None
+        again = last is not None and last.relation == chunk.value == "flank" and last.subjects == tuple(self.acted)
+        if (again and not objects) or (sides and self._at_sides(chunk, subjects, place)):
+            self._understood(chunk)  # "a plant flanks the door on each side"
             return
         backs = {"back", "backs"} & {*chunk.adjectives} and (place is None or place.name != "wall")
         backs = backs and chunk.value == "wall"
         if chunk.value == "separates" or backs:  # "with its back to the window"
             chunk = replace(chunk, value="turnedfrom" if backs else "amid")
-        last = self.said.links[-1] if self.said.links else None
         if "across" in chunk.adjectives and last is not None and (last.relation, last.end) == ("mutual", chunk.start):
             chunk = replace(chunk, value="amid")  # "two sofas facing each other across a table"
             subjects, objects = [item for item in objects if isinstance(item, Mention)], list(last.subjects)
@@ -220,6 +246,7 @@ class Relating(About):
             return subjects, on[-1] if on else objects  # "plates on the table, with a candle in the middle"
         place = isinstance(objects[0], Place) if objects else chunk.value == "middle"
         laid = chunk.value in small.LAID and held and topped(self.group[-1]) and not topped(self.holder[0])
+        laid = laid and (chunk.value != "above" or len(objects) > 1)  # "a shelf with bottles above them"
         if laid and chunk.det == "its" and self.target is not None:
             return [self.target], list(self.holder)  # "a bed with a lamp on the nightstand to its right"
         if laid and chunk.det == "its":  # "an armchair by the window, a table with a cup to its right"
@@ -228,6 +255,9 @@ class Relating(About):
             laid = objects != self.holder
         hung = place and chunk.value in ("on", "hanging")  # "a sofa with the TV on the wall"
         low = held and not topped(self.group[-1]) and not CATALOGUE[self.holder[0].thing.noun.kind].on_floor
+        sat = held and sat_on(self.group[-1]) and self.holder[0].thing.noun.kind.split()[-1] in TOPS
+        to_it = {m.thing for m in self.holder or []} & {m.thing for m in objects if isinstance(m, Mention)}
+        laid = laid or (sat and chunk.value in small.STANDING and bool(objects) and not to_it)
         swapped = (place or laid) and held and not (hung or low) and subjects == self.group[-1:]
         return (self.holder if swapped else subjects), objects
 
@@ -259,7 +289,9 @@ class Relating(About):
             objects = self._meant("them", chunk.value)
         if not objects and chunk.value not in small.ALONE:
             self._understood(*[chunk] * (chunk.value in ("in", "by") and self._ahead().kind in small.OF_THE_ROOM))
-        elif objects and self._is_room(chunk, objects):
+        elif (objects and self._is_room(chunk, objects)) or (
+            chunk.value == "stacked" and [m.count for m in subjects] == [1]
+        ):
             self._understood(chunk)
             self.broken = True
         elif chunk.value in REVERSED:
@@ -341,7 +373,10 @@ class Relating(About):
         unknown = 0
         while before and before[-1].kind in ("other", "function"):
             before, unknown = before[:-1], unknown + 1
-        return unknown > 0 and bool(before) and before[-1].kind in ("and", "comma", "with")
+        held = (
+            bool(before) and (before[-1].kind == "with" or self.having) and bool(self.group)
+        )  # "a cabinet with gadgets along the wall"
+        return unknown > 0 and bool(before) and before[-1].kind in ("and", "comma", "with") and not held
 
     def _at_sides(self, chunk: Chunk, subjects: Sequence[Mention], place: Place | None) -> bool:
         """Seats on the sides or at the ends of a table stand around it; other things at a side are on top of it or beside it."""
@@ -350,6 +385,8 @@ class Relating(About):
         seats = [m for m in subjects if m.thing.noun.kind.split()[-1] in around]
         if not tables or not seats or len(seats) < len(subjects):
             return False
+        if place is not None and {"back", "front", "rear"} & {*place.words}:
+            return False  # of the room
         square = "square" in (*tables[-1].adjectives, *tables[-1].noun.said.split())
         for seat in seats:
             if seat.per_side(chunk, place) and seat.thing not in self.dealt:

@@ -6,12 +6,15 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from robolayout.constraints import AssetRef, WallRef
+from robolayout.constraints import AssetRef, PointRef, WallRef
 from robolayout.constraints.in_rows import InRows
 from robolayout.scene import Room, Scene
 from robolayout.words._said import Link
 from robolayout.words._ways import AISLE, AT_SIDES, BACK, BESIDE, NEAR
 from robolayout.words.demands import Demand, stated
+
+End = AssetRef | PointRef
+"""What a thing can stand between."""
 
 
 def alike(scene: Scene, names: Sequence[str]) -> bool:
@@ -73,3 +76,15 @@ def on_a_wall(names: Sequence[str], room: Room) -> Iterator[Demand]:
         near = stated("near", one, two, BACK)
         walls = [WallRef(wall.index) for wall in room.walls]
         yield Demand(tuple((near, stated("mounted_on", one, w), stated("mounted_on", two, w)) for w in walls))
+
+
+def neighbours(items: Sequence[End], gaps: int) -> list[tuple[End, End]]:
+    """Return each two that stand next to each other in rows that have so many gaps between them.
+
+    >>> [(a.name, b.name) for a, b in neighbours([AssetRef(name) for name in "abcd"], 2)]
+    [('a', 'b'), ('c', 'd')]
+    """
+    rows, pairs = len(items) - gaps, list(pairwise(items))
+    if not 1 < rows < len(items) or len(items) % rows:
+        return pairs
+    return [two for i, two in enumerate(pairs, 1) if i % (len(items) // rows)]

@@ -163,9 +163,8 @@ def same(thing: Thing, chunk: Chunk) -> bool:
 
 
 def more_of(thing: Thing, chunk: Chunk) -> bool:
-    """Return whether a plural names other things than the one that ends alike: "a high chair and chairs"."""
-    ends = chunk.noun is not None and chunk.noun.said.split()[-1] == thing.noun.said.split()[-1]
-    return chunk.plural and ends and thing.count == 1
+    """Return whether a plural names other things than one that is like them: "a high chair and chairs"."""
+    return chunk.plural and thing.count == 1
 
 
 def same_words(thing: Thing, chunk: Chunk) -> bool:

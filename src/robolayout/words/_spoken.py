@@ -101,7 +101,9 @@ class Spoken:
         """
         own = {m.thing for m in self.about}
         if word.startswith("the row"):
-            return next((list(k.subjects) for k in reversed(self.said.links) if k.relation in small.ORDERS), [])
+            rows = next((list(k.subjects) for k in reversed(self.said.links) if k.relation in small.ORDERS), [])
+            others = [m for m in self.recent if several(m) and m.thing not in own | {row.thing for row in rows}]
+            return [*rows, *others[:1]] if word == "the rows" and len(rows) == 1 and rows[0].thing.rows < 2 else rows
         holder = self.holder[0] if self.holder else None
         earlier, to = ([m for m in given if m.thing not in own] for given in (self.recent, self.targets))
         many = holder is not None and several(holder) and holder.det != "each"
@@ -116,7 +118,8 @@ class Spoken:
         if holder is not None and holder.thing not in own and one:
             return self.holder
         if word in small.SEVERAL:
-            return self._several_meant(earlier, to)
+            held = [m for m in earlier if holder is None or many or m.thing is not holder.thing]
+            return self._several_meant(held if len(held) > 1 else earlier, to)
         return self._kept(word, relation, own, fresh=self.told >= self.began or not earlier) or self._last(
             word, relation, earlier, to
         )

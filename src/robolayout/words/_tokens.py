@@ -11,7 +11,7 @@ from robolayout._errors import SceneError
 
 UNITS = {"": 1.0, "m": 1.0, "cm": 0.01, "ce": 0.01, "mm": 0.001, "ft": 0.3048, "in": 0.0254}
 _NUMBER_WORDS = (
-    "no zero, a an one, two both couple pair twin, three, four, five, six, seven, eight, nine, ten, eleven, twelve dozen, "
+    "no zero, a an one, two both couple pair twin, three trio, four, five, six, seven, eight, nine, ten, eleven, twelve dozen, "
     "thirteen, fourteen, fifteen, sixteen, seventeen, eighteen, nineteen, twenty"
 )
 _TENS = ["thirty", "forty", "fifty", "sixty", "seventy", "eighty", "ninety", "hundred"]

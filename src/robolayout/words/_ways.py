@@ -69,7 +69,7 @@ TO_ANOTHER: Mapping[str, Ways] = {
 }
 """What a thing is asked to be to another one, or to a place of the room, by the word of the list."""
 
-AT_PLACES = frozenset((*TO_ANOTHER, "on", "in", "flank", "under", "above", "hanging"))
+AT_PLACES = frozenset((*TO_ANOTHER, "on", "in", "flank", "under", "above", "behind", "hanging"))
 """Relations that lead to a place of the room as well as to things."""
 
 OFF_A_WALL = (0.3, math.inf)
@@ -94,6 +94,7 @@ IN_A_CHAIN: Mapping[str, Ways] = {
     "parallel": _PARALLEL,
     "crossed": _BY_RIGHT_ANGLE,
     "stacked": ((("on_top_of",),),),
+    "tiered": ((("above",),),),
 }
 """What each of several is asked to be to the one before it."""
 

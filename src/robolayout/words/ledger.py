@@ -131,8 +131,10 @@ class _Rows:
     def _unread(self) -> Iterator[Row]:
         """Yield what was not understood."""
         missed = [self.reading.span(chunk.start, chunk.end) for chunk in self.reading.parsed.missed]
-        for words in (*missed, *self.reading.unknown):
+        for words in missed:
             yield as_row.unread(words, "no word list has it")
+        for word in self.reading.unknown:
+            yield Row(word, "style", "said of a thing that is known; no word list has it", as_row.taste)
         if self.reading.unread:
             yield as_row.unread("...", f"{self.reading.unread} further characters were not read")
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 from robolayout._errors import SceneError
 from robolayout.assets.palette import STYLED, WOODS
 from robolayout.words._chunk import Chunk
-from robolayout.words._chunks import Chunker
+from robolayout.words._chunks import PLACING, Chunker
 from robolayout.words._function_words import AFTER_A_PLACE, LEAST_SAID, YOUNG
 from robolayout.words._kinds import settle_kinds
 from robolayout.words._lexicon import Lexicon, grammar
@@ -195,14 +195,21 @@ def _named_room(
     """
     places = grammar().places
     for i, chunk in enumerate(chunks):
+        if chunk.kind == "other" and chunk.value in places:  # "Dental clinic: ..."
+            fact = replace(chunk, kind="room", value=places[chunk.value])
+            return (fact.value, chunk.value, True, fact), [*chunks[:i], fact, *chunks[i + 1 :]]
+        if chunk.kind == "verb" and chunk.value in PLACING:
+            return None, list(chunks)  # "place a bar at the back"
         if chunk.kind in ("filler", "verb", "style", "measure", "comma", "colon", "pron", "other", "function"):
             continue
         if chunk.kind == "not" or chunk.kind not in ("thing", "part", "corner"):
             return None, list(chunks)
         said = " ".join(word.text for word in words[chunk.start : chunk.end])
         said = said.removeprefix("a ").removeprefix("an ").removeprefix("the ")
-        last = said.split()[-1]
-        other = chunk.kind == "part" and (chunk.value not in ("room", "corner", "middle") or said == last)
+        *more, last = said.split()
+        last = more[-1] if last in ("interior", "room", "space") and more[-1:] and more[-1] in places else last
+        part = chunk.kind == "part" and not (chunk.value == "door" and last in places and chunk.det == "a")
+        other = part and (chunk.value not in ("room", "corner", "middle") or said == last)
         follows = chunks[i + 1].kind if i + 1 < len(chunks) else "stop"
         listed = follows == "comma" and chunk.noun is not None and not chunk.noun.guessed  # "a toilet, a sink"
         unknown = chunk.noun is not None and chunk.noun.kind.startswith("unknown") and follows in ("with", "colon")
