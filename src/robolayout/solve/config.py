@@ -13,29 +13,14 @@ from robolayout._errors import UnknownNameError
 class Weights:
     """Factors of the hard terms against a statement of weight 1."""
 
-    overlap: float = 60.0
-    """No overlap: factor on p^2 + 0.02 p, p the penetration in metres plus margin."""
-
-    iou: float = 0.0
-    """Factor on the intersection over union, the paper's measure of overlap, in place of p^2 + 0.02 p; 0 takes that."""
-
-    inside: float = 60.0
-    """Inside the room: factor on d^2 + 0.02 d, d metres outside."""
-
-    clear: float = 60.0
-    """Door landings and strips to keep clear: as overlap."""
-
-    routes: float = 60.0
-    """Routes: factor on d^2 + 0.02 d, d metres short of the clearance."""
-
-    hinge: float = 0.02
-    """Linear part of the hard terms in metres, so that small violations still have a slope."""
-
-    margin: float = 0.015
-    """Metres that things are kept apart beyond touching (DESIGN section 6)."""
-
-    saturation: float = 1.0
-    """Residual of a statement, in metres, at which its pull has fallen to half."""
+    overlap: float = 60.0  # no overlap: factor on p^2 + 0.02 p, p the penetration in metres plus margin
+    iou: float = 0.0  # factor on the intersection over union, the paper's measure of overlap, in place of p^2 + 0.02 p; 0 takes that
+    inside: float = 60.0  # inside the room: factor on d^2 + 0.02 d, d metres outside
+    clear: float = 60.0  # door landings and strips to keep clear: as overlap
+    routes: float = 60.0  # routes: factor on d^2 + 0.02 d, d metres short of the clearance
+    hinge: float = 0.02  # linear part of the hard terms in metres, so that small violations still have a slope
+    margin: float = 0.015  # metres that things are kept apart beyond touching (DESIGN section 6)
+    saturation: float = 1.0  # residual of a statement, in metres, at which its pull has fallen to half
 
 
 @dataclass(frozen=True)
@@ -51,62 +36,33 @@ class SearchConfig:
 class Effort:
     """How long the search goes on, as counts: never a clock. Whatever ends it, the best layout so far is returned."""
 
-    layouts: int = 1500
-    """Layouts that the judge looks at in one stage before no further phase or round begins."""
-
-    stale: int = 160
-    """The same without a better one: the room is as right as it will be."""
-
+    layouts: int = 1500  # layouts that the judge looks at in one stage before no further phase or round begins
+    stale: int = 160  # the same without a better one: the room is as right as it will be
+    # share of what a stage moves that is out of place or out of reach after polishing, and metres that this moved each of them plus the
+    # share of statements that it leaves unmet, above both of which the guess is worth nothing: else a way that is blocked is opened
+    # first. Measured: guesses at random 0.8 to 1.5, rough ones of which as much is out of reach 0.3 to 0.5
     lost: tuple[float, float] = (0.6, 0.8)
-    """Share of what a stage moves that is out of place or out of reach after polishing, and metres that this moved each of them plus
-    the share of statements that it leaves unmet, above both of which the guess is worth nothing: else a way that is blocked is
-    opened first. Measured: guesses at random 0.8 to 1.5, rough ones of which as much is out of reach 0.3 to 0.5."""
-
-    blind: float = 0.25
-    """The same share once the ways are opened, and share of the statements that do not hold after mending."""
-
-    nearby: int = 30
-    """Things that are tried elsewhere near their guess, at most; none leaves it out."""
-
-    looked_at: int = 6
-    """Of the tries of one thing, so many are judged as they are; at most four of them are polished, too."""
-
-    put_back: int = 64
-    """Layouts judged while groups of moved things are put back to their guesses, at most."""
-
-    built: int = 2
-    """Batches of starts that are built one thing after the other."""
-
-    nearly: float = 3.0
-    """Promise of a built start up to which single things in it are placed anew before it is polished."""
-
+    blind: float = (
+        0.25  # the same share once the ways are opened, and share of the statements that do not hold after mending
+    )
+    nearby: int = 30  # things that are tried elsewhere near their guess, at most; none leaves it out
+    looked_at: int = (
+        6  # of the tries of one thing, so many are judged as they are; at most four of them are polished, too
+    )
+    put_back: int = 64  # layouts judged while groups of moved things are put back to their guesses, at most
+    built: int = 2  # batches of starts that are built one thing after the other
+    nearly: float = (
+        3.0  # promise of a built start up to which single things in it are placed anew before it is polished
+    )
+    # most layouts with one thing built anew that are judged in a row, and four times as many at the end; none leaves it out
     mendings: int = 32
-    """Most layouts with one thing built anew that are judged in a row, and four times as many at the end; none leaves it out."""
 
 
 EFFORTS: Mapping[str, Effort] = MappingProxyType(
     {
-        "quick": Effort(
-            layouts=300,
-            stale=40,
-            nearby=8,
-            looked_at=4,
-            put_back=32,
-            built=1,
-            nearly=3.0,
-            mendings=8,
-        ),
+        "quick": Effort(300, 40, nearby=8, looked_at=4, put_back=32, built=1, mendings=8),
         "normal": Effort(),
-        "thorough": Effort(
-            layouts=6000,
-            stale=640,
-            nearby=90,
-            looked_at=8,
-            put_back=128,
-            built=6,
-            nearly=6.0,
-            mendings=96,
-        ),
+        "thorough": Effort(6000, 640, nearby=90, looked_at=8, put_back=128, built=6, nearly=6.0, mendings=96),
     }
 )
 """The schedules by name."""
@@ -116,33 +72,21 @@ EFFORTS: Mapping[str, Effort] = MappingProxyType(
 class SolverConfig:
     """The default search."""
 
+    # starts, where polishing the guess is not enough: a quarter of them in each batch that is built; none leaves out building
     starts: int = 16
-    """Starts, where polishing the guess is not enough: a quarter of them in each batch that is built; none leaves out building."""
-
-    kept: int = 8
-    """How many go on to routes."""
-
-    judged: int = 8
-    """Layouts of each round of routes that the exact verifier sees, the most promising first."""
-
-    polish: SearchConfig = SearchConfig(steps=140, rate=0.02, final_rate=0.0005)
-    """Of starts that are near a solution."""
-
-    reroute: SearchConfig = SearchConfig(steps=120, rate=0.03, final_rate=0.001)
-    """After each planning of routes."""
-
-    route_rounds: int = 3
-    """Most rounds of planning routes and moving furniture out of their way; none leaves out all routes."""
-
-    cell: float = 0.05
-    """Metres per cell of the grid on which routes are planned."""
-
+    kept: int = 8  # how many go on to routes
+    judged: int = 8  # layouts of each round of routes that the exact verifier sees, the most promising first
+    polish: SearchConfig = SearchConfig(steps=140, rate=0.02, final_rate=0.0005)  # of starts that are near a solution
+    reroute: SearchConfig = SearchConfig(steps=120, rate=0.03, final_rate=0.001)  # after each planning of routes
+    route_rounds: int = (
+        3  # most rounds of planning routes and moving furniture out of their way; none leaves out all routes
+    )
+    cell: float = 0.05  # metres per cell of the grid on which routes are planned
     effort: Effort = field(default_factory=Effort)
 
     weights: Weights = field(default_factory=Weights)
 
-    trace: bool = False
-    """Whether to record poses and losses for the animation."""
+    trace: bool = False  # whether to record poses and losses for the animation
 
     def at(self, effort: str) -> SolverConfig:
         """Return the same search with the schedule of that name: "quick", "normal" or "thorough".

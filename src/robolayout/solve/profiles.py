@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
 from dataclasses import replace
-from types import MappingProxyType
 
 from robolayout._errors import UnknownNameError
 from robolayout.scene import Layout, Trace
@@ -22,66 +20,13 @@ PAPER = "paper"
 UNREFINED = "paper-unrefined"
 """The same without its last step, to see what that is worth."""
 
-Profile = Callable[[Problem, Judge, int, SolverConfig | None, Progress | None], Solution]
-"""Problem, judge, seed, constants of the default search, progress."""
-
-
-def _default(
-    problem: Problem, judge: Judge, seed: int, config: SolverConfig | None, progress: Progress | None
-) -> Solution:
-    from robolayout.solve.refine import Solver
-
-    return Solver(problem, judge, config, seed=seed, progress=progress).solve()
-
-
-def _paper(
-    problem: Problem, judge: Judge, seed: int, _config: SolverConfig | None, progress: Progress | None
-) -> Solution:
-    from robolayout.solve.paper.solver import PaperSolver
-
-    return PaperSolver(problem, judge, seed=seed, progress=progress).solve()
-
-
-def _paper_unrefined(
-    problem: Problem, judge: Judge, seed: int, _config: SolverConfig | None, progress: Progress | None
-) -> Solution:
-    from robolayout.solve.paper.solver import PAPER as CONSTANTS
-    from robolayout.solve.paper.solver import PaperSolver
-
-    return PaperSolver(problem, judge, seed=seed, config=replace(CONSTANTS, refine_steps=0), progress=progress).solve()
-
-
-def _trust_constr(
-    problem: Problem, judge: Judge, seed: int, _config: SolverConfig | None, progress: Progress | None
-) -> Solution:
-    from robolayout.solve.paper.scipy_solvers import ScipySolver
-
-    return ScipySolver(problem, judge, seed=seed, progress=progress).trust_constr()
-
-
-def _dual_annealing(
-    problem: Problem, judge: Judge, seed: int, _config: SolverConfig | None, progress: Progress | None
-) -> Solution:
-    from robolayout.solve.paper.scipy_solvers import ScipySolver
-
-    return ScipySolver(problem, judge, seed=seed, progress=progress).dual_annealing()
-
-
-PROFILES: Mapping[str, Profile] = MappingProxyType(
-    {
-        DEFAULT: _default,
-        PAPER: _paper,
-        UNREFINED: _paper_unrefined,
-        "trust-constr": _trust_constr,
-        "dual-annealing": _dual_annealing,
-    }
-)
-"""All solvers by name."""
+ANNEALING, TRUST = "dual-annealing", "trust-constr"
+"""SciPy's optimisers."""
 
 
 def solver_names() -> tuple[str, ...]:
     """Return the names of all solvers, the default one first."""
-    return tuple(PROFILES)
+    return (DEFAULT, PAPER, UNREFINED, TRUST, ANNEALING)
 
 
 def solve_with(
@@ -106,9 +51,21 @@ def solve_with(
     Raises:
         UnknownNameError: There is no solver of that name.
     """
-    if name not in PROFILES:
-        raise UnknownNameError("solver", name, PROFILES)
+    if name not in solver_names():
+        raise UnknownNameError("solver", name, solver_names())
     if not problem.names:
         nothing = Layout({})
         return conclude(nothing, judge(nothing), Trace())
-    return PROFILES[name](problem, judge, seed, config, progress)
+    if name == DEFAULT:
+        from robolayout.solve.refine import Solver
+
+        return Solver(problem, judge, config, seed=seed, progress=progress).solve()
+    if name in (ANNEALING, TRUST):
+        from robolayout.solve.paper.scipy_solvers import ScipySolver
+
+        scipy = ScipySolver(problem, judge, seed=seed, progress=progress)
+        return scipy.dual_annealing() if name == ANNEALING else scipy.trust_constr()
+    from robolayout.solve.paper import solver as paper
+
+    constants = replace(paper.PAPER, refine_steps=0) if name == UNREFINED else paper.PAPER
+    return paper.PaperSolver(problem, judge, seed=seed, config=constants, progress=progress).solve()

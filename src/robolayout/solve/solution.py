@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from robolayout.scene import Layout, Trace
+from robolayout.scene import Layout, Snapshot, Trace
 from robolayout.solve.judge import Verdict
 
 Progress = Callable[[str], None]
@@ -26,6 +26,11 @@ class Solution:
     message: str  # the status as a sentence
     phase: str = ""  # what made the winning layout: "guess", "push", "polish", ...; empty where a solver does not say
     trace: Trace = field(default_factory=Trace, repr=False)  # losses and poses on the way; empty unless asked for
+
+
+def snapshot(step: int, label: str, layout: Layout) -> Snapshot:
+    """Return where everything is at a step of a phase."""
+    return Snapshot(step, label, {name: (pose.x, pose.y, pose.yaw) for name, pose in layout.items()})
 
 
 def conclude(layout: Layout, verdict: Verdict, trace: Trace, phase: str = "") -> Solution:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -119,10 +120,9 @@ def make_stage(problem: Problem, number: int, world: Floats) -> Stage:
         world: (n, 4) current poses; those outside the stage stay.
     """
     count = len(problem.names)
-    size = bucket(count, SLOT_BUCKETS)
     moving = problem.movable(number)
     rows = _Rows(problem, set(moving))
-    rows.collect(problem)
+    size = rows.size
     anchor, carrier, limit = _frames(problem, number, world, size)
     free = np.zeros(size)
     free[list(moving)] = 1.0
@@ -131,15 +131,20 @@ def make_stage(problem: Problem, number: int, world: Floats) -> Stage:
     inside = np.zeros(size)
     inside[[i for i in rows.inside if not _held(problem, i)]] = 1.0
     every = size * (size - 1) // 2
-    tables = {**rows.prisms(size), **rows.frames(size), **rows.mirrors(size), **rows.clears(problem, size)}
+    tables = {
+        **rows.prisms(),
+        **rows.frames(rows.framed, bucket(len(rows.framed), (3 * size, 16 * size))),
+        **rows.mirrors(rows.mirrored, bucket(len(rows.mirrored), (MIRROR_BUCKET, 4 * size))),
+        **rows.clears(),
+    }
     arrays = Arrays(
         half=half,
         anchor=anchor,
         carrier=carrier,
         limit=limit,
         free=free,
-        fixed=_padded(rows.fixed, bucket(len(rows.fixed), (2 * size, 4 * size)), [FAR_AWAY, FAR_AWAY, 1, 0, 0, 0, 0]),
-        pairs=_padded(rows.pairs, bucket(len(rows.pairs), (4 * every, 16 * every)), [0, 0], np.int32),
+        fixed=rows.fixed_bodies(),  # now that all rows have named their points
+        pairs=padded(rows.pairs, bucket(len(rows.pairs), (4 * every, 16 * every)), [0, 0], np.int32),
         edges=_edges(problem),
         inner=_inner_corners(problem),
         inside=inside,
@@ -176,11 +181,11 @@ def no_routes(starts: int, size: int) -> Routes:
     )
 
 
-def _padded(rows: Sequence[Sequence[float]], size: int, filler: Sequence[float], kind: type = np.float64) -> Floats:
+def padded(rows: Sequence[Any], size: int, filler: Any, kind: type = np.float64) -> NDArray[Any]:
     """Return rows as an array of `size` rows."""
-    table = np.tile(np.array(filler, dtype=kind), (size, 1))
+    table = np.full((size, *np.shape(filler)), filler, dtype=kind)
     if rows:
-        table[: len(rows)] = np.array(rows, dtype=kind)
+        table[: len(rows)] = rows
     return table
 
 
@@ -216,13 +221,13 @@ def _on_top(problem: Problem, slot: int, carrier: Floats) -> tuple[Floats, Float
 
 def _edges(problem: Problem) -> Floats:
     ring = [(*wall.start, *wall.end) for wall in problem.scene.room.walls]
-    return _padded(ring, bucket(len(ring), EDGE_BUCKETS), [*ring[0][:2], *ring[0][:2]])
+    return padded(ring, bucket(len(ring), EDGE_BUCKETS), [*ring[0][:2], *ring[0][:2]])
 
 
 def _inner_corners(problem: Problem) -> Floats:
     room = problem.scene.room
     inner = sorted(set(range(len(room.vertices))) - set(convex_corners(room)))
-    return _padded([room.vertices[i] for i in inner], bucket(len(inner), EDGE_BUCKETS), [FAR_AWAY, FAR_AWAY])
+    return padded([room.vertices[i] for i in inner], bucket(len(inner), EDGE_BUCKETS), [FAR_AWAY, FAR_AWAY])
 
 
 def _stay_terms(problem: Problem) -> Iterable[Term]:
@@ -241,51 +246,81 @@ def _stay_terms(problem: Problem) -> Iterable[Term]:
             yield FrameTerm(AssetRef(name), top, along=Interval(u, u), across=Interval(v, v), weight=STAY)
 
 
-class _Rows:
+class Bodies:
+    """Numbers everything that a row may be about: slots, then walls, then fixed points; lists rows by these numbers."""
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem, self.size = problem, bucket(len(problem.names), SLOT_BUCKETS)
+        walls = problem.scene.room.walls
+        self._fixed: list[list[float]] = [[*w.midpoint, *w.direction, w.length / 2, 0.0, w.length / 2] for w in walls]
+
+    def index(self, ref: Ref) -> int:
+        """Return the number of what a row is about."""
+        if isinstance(ref, AssetRef):
+            return self.problem.slot[ref.name]
+        if isinstance(ref, WallRef):
+            return self.size + ref.index
+        self._fixed.append([ref.x, ref.y, math.cos(ref.yaw), math.sin(ref.yaw), 0.0, 0.0, 0.0])
+        return self.size + len(self._fixed) - 1
+
+    def frames(self, terms: Sequence[FrameTerm], count: int) -> dict[str, NDArray[Any]]:
+        """Return frame rows as arrays of `count` rows."""
+        index = [[self.index(term.a), self.index(term.b)] for term in terms]
+        idle = FrameTerm(WallRef(0), WallRef(0), weight=0.0).row()
+        return {
+            "frame_index": padded(index, count, [self.size] * 2, np.int32),
+            "frame_row": padded([term.row() for term in terms], count, idle),
+        }
+
+    def mirrors(self, terms: Sequence[MirrorTerm], count: int) -> dict[str, NDArray[Any]]:
+        """Return mirror rows as arrays of `count` rows."""
+        index = [[self.index(ref) for ref in (term.a, term.b, term.ref)] for term in terms]
+        return {
+            "mirror_index": padded(index, count, [self.size] * 3, np.int32),
+            "mirror_weight": padded([term.weight for term in terms], count, 0.0),
+            "mirror_normal": padded([float(isinstance(term.ref, WallRef)) for term in terms], count, 0.0),
+        }
+
+    def fixed_bodies(self) -> Floats:
+        """Return walls and the points of all rows so far."""
+        count = bucket(len(self._fixed), (2 * self.size, 4 * self.size))
+        return padded(self._fixed, count, [FAR_AWAY, FAR_AWAY, 1, 0, 0, 0, 0])
+
+
+class _Rows(Bodies):
     """Collects the rows of a stage's kernels."""
 
     def __init__(self, problem: Problem, moving: set[int]) -> None:
-        self.problem = problem
+        super().__init__(problem)
         self.moving = moving
         self.number = max((problem.stage[i] for i in moving), default=0)
-        self.size = bucket(len(problem.names), SLOT_BUCKETS)
-        walls = problem.scene.room.walls
-        self.fixed: list[list[float]] = [
-            [*wall.midpoint, *wall.direction, wall.length / 2, 0.0, wall.length / 2] for wall in walls
-        ]
         self.pairs: list[list[int]] = []
         self.prism: dict[tuple[int, Prism], int] = {}
         self.inside: set[int] = set()
-        self.frame: list[FrameTerm] = []
-        self.mirror: list[MirrorTerm] = []
+        self.framed: list[FrameTerm] = []
+        self.mirrored: list[MirrorTerm] = []
         self.clear: list[ClearTerm] = []
+        statements = (term for terms in problem.statement_terms for term in terms)
+        for term in (*problem.implicit_terms, *statements, *problem.wall_terms, *_stay_terms(problem)):
+            self._collect(term)
 
-    def collect(self, problem: Problem) -> None:
-        """Sort all rows that concern a moving slot into their kernels."""
-        for term in self._terms(problem):
-            if isinstance(term, OverlapTerm):
-                pair = [problem.slot[term.a.name], problem.slot[term.b.name]]
-                if self._at_hand(pair) and self.moving & set(pair) and not self._carried(*pair):
-                    prisms = zip(pair, (term.first, term.second), strict=True)
-                    self.pairs.append([self.prism.setdefault(key, len(self.prism)) for key in prisms])
-            elif isinstance(term, InsideTerm):
-                if problem.slot[term.a.name] in self.moving:
-                    self.inside.add(problem.slot[term.a.name])
-            elif isinstance(term, ClearTerm):
-                self.clear.append(term)
-            elif isinstance(term, FrameTerm):
-                movers = {"a": [term.a], "b": [term.b], "both": [term.a, term.b]}[term.moves]
-                if self._moves(movers):
-                    self.frame.append(term)
-            elif isinstance(term, MirrorTerm) and self._moves([term.a, term.b]):
-                self.mirror.append(term)
-
-    def _terms(self, problem: Problem) -> Iterable[Term]:
-        yield from problem.implicit_terms
-        for terms in problem.statement_terms:
-            yield from terms
-        yield from problem.wall_terms
-        yield from _stay_terms(problem)
+    def _collect(self, term: Term) -> None:
+        """Sort a row that concerns a moving slot to its kernel."""
+        slot = self.problem.slot
+        if isinstance(term, OverlapTerm):
+            pair = [slot[term.a.name], slot[term.b.name]]
+            if self._at_hand(pair) and self.moving & set(pair) and not self._carried(*pair):
+                prisms = zip(pair, (term.first, term.second), strict=True)
+                self.pairs.append([self.prism.setdefault(key, len(self.prism)) for key in prisms])
+        elif isinstance(term, InsideTerm):
+            self.inside |= {slot[term.a.name]} & self.moving
+        elif isinstance(term, ClearTerm):
+            self.clear.append(term)
+        elif isinstance(term, FrameTerm):
+            if self._moves({"a": [term.a], "b": [term.b], "both": [term.a, term.b]}[term.moves]):
+                self.framed.append(term)
+        elif isinstance(term, MirrorTerm) and self._moves([term.a, term.b]):
+            self.mirrored.append(term)
 
     def _at_hand(self, slots: list[int]) -> bool:
         """Return whether all slots have their own place already: they move now or were placed before."""
@@ -293,14 +328,6 @@ class _Rows:
 
     def _moves(self, refs: Iterable[Ref]) -> bool:
         return any(isinstance(ref, AssetRef) and self.problem.slot[ref.name] in self.moving for ref in refs)
-
-    def _body(self, ref: Ref) -> int:
-        if isinstance(ref, AssetRef):
-            return self.problem.slot[ref.name]
-        if isinstance(ref, WallRef):
-            return self.size + ref.index
-        self.fixed.append([ref.x, ref.y, math.cos(ref.yaw), math.sin(ref.yaw), 0.0, 0.0, 0.0])
-        return self.size + len(self.fixed) - 1
 
     def _carried(self, a: int, b: int) -> bool:
         """Return whether one of two slots lies wholly on a surface of the other, which keeps it off whatever rises there."""
@@ -311,49 +338,28 @@ class _Rows:
                 return place.holds(self.problem.scene.assets[upper].size)
         return False
 
-    def prisms(self, size: int) -> dict[str, Floats]:
+    def prisms(self) -> dict[str, NDArray[Any]]:
         """Return the prisms that pairs are made of; one that fills the table lies far away."""
-        rows = [[p.x, p.y, p.hx, p.hy, p.cut] for _, p in self.prism]
+        rows, count = [[p.x, p.y, p.hx, p.hy, p.cut] for _, p in self.prism], PRISMS.most * self.size
         return {
-            "prism_slot": _padded([[slot] for slot, _ in self.prism], PRISMS.most * size, [0], np.int32)[:, 0],
-            "prism": _padded(rows, PRISMS.most * size, [FAR_AWAY, FAR_AWAY, 0.0, 0.0, 0.0]),
+            "prism_slot": padded([slot for slot, _ in self.prism], count, 0, np.int32),
+            "prism": padded(rows, count, [FAR_AWAY, FAR_AWAY, 0.0, 0.0, 0.0]),
         }
 
-    def frames(self, size: int) -> dict[str, Floats]:
-        """Return the frame rows; fixed points are added to `fixed` on the way."""
-        count = bucket(len(self.frame), (3 * size, 16 * size))
-        index = [[self._body(term.a), self._body(term.b)] for term in self.frame]
-        rows = [term.row() for term in self.frame]
-        idle = FrameTerm(WallRef(0), WallRef(0), weight=0.0).row()
-        return {
-            "frame_index": _padded(index, count, [size, size], np.int32),
-            "frame_row": _padded(rows, count, idle),
-        }
-
-    def mirrors(self, size: int) -> dict[str, Floats]:
-        """Return the mirror rows."""
-        count = bucket(len(self.mirror), (MIRROR_BUCKET, 4 * size))
-        index = [[self._body(t.a), self._body(t.b), self._body(t.ref)] for t in self.mirror]
-        return {
-            "mirror_index": _padded(index, count, [size, size, size], np.int32),
-            "mirror_weight": _padded([[t.weight] for t in self.mirror], count, [0.0])[:, 0],
-            "mirror_normal": _padded([[float(isinstance(t.ref, WallRef))] for t in self.mirror], count, [0.0])[:, 0],
-        }
-
-    def clears(self, problem: Problem, size: int) -> dict[str, Floats]:
+    def clears(self) -> dict[str, NDArray[Any]]:
         """Return the clear boxes with the slots that each concerns."""
-        count = bucket(len(self.clear), (CLEAR_BUCKET, max(size, 2 * CLEAR_BUCKET), 4 * size))
-        weight = np.zeros((count, size))
+        count = bucket(len(self.clear), (CLEAR_BUCKET, max(self.size, 2 * CLEAR_BUCKET), 4 * self.size))
+        weight = np.zeros((count, self.size))
         for g, term in enumerate(self.clear):
-            for i, asset in enumerate(problem.scene.assets):
-                low, high = vertical_span(asset, problem.guess[asset.name])
+            for i, asset in enumerate(self.problem.scene.assets):
+                low, high = vertical_span(asset, self.problem.guess[asset.name])
                 concerned = not asset.is_flat and low < term.span[1] and high > term.span[0]
                 own = isinstance(term.owner, AssetRef) and term.owner.name == asset.name
                 if concerned and not own and asset.name not in term.exempt and self._at_hand([i]):
                     weight[g, i] = term.weight * (1.0 if term.hard else SOFT_CLEAR)
         boxes = [[*term.center, *term.half] for term in self.clear]
         return {
-            "clear_owner": _padded([[self._body(t.owner)] for t in self.clear], count, [size], np.int32)[:, 0],
-            "clear_box": _padded(boxes, count, [FAR_AWAY, FAR_AWAY, 0.0, 0.0]),
+            "clear_owner": padded([self.index(term.owner) for term in self.clear], count, self.size, np.int32),
+            "clear_box": padded(boxes, count, [FAR_AWAY, FAR_AWAY, 0.0, 0.0]),
             "clear_weight": weight,
         }

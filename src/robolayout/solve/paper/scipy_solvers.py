@@ -13,44 +13,26 @@ from typing import Any
 
 import numpy as np
 
-from robolayout.scene import Snapshot, Trace
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.judge import Judge
 from robolayout.solve.paper.project import projected
-from robolayout.solve.paper.solver import TERMS, Evaluation, paper_loss, random_start
-from robolayout.solve.solution import Progress, Solution, conclude, silent
+from robolayout.solve.paper.solver import Compared, Evaluation, paper_loss, random_start
+from robolayout.solve.solution import Progress, Solution, conclude
 
 
 @dataclass(frozen=True)
 class ScipyConfig:
     """Bounds of the search."""
 
-    tolerance: float = 1.0e-12
-    """gtol, xtol and barrier_tol of the paper."""
-
-    iterations: int = 300
-    """Most iterations of `trust-constr`."""
-
-    evaluations: int = 4000
-    """Evaluations of the loss after which `dual-annealing` starts no further round."""
-
-    rounds: int = 100
-    """Most rounds of annealing."""
-
-    polish: int = 60
-    """Iterations of `trust-constr` that follow annealing, to put headings on the unit circle."""
+    tolerance: float = 1.0e-12  # gtol, xtol and barrier_tol of the paper
+    iterations: int = 300  # most iterations of `trust-constr`
+    evaluations: int = 4000  # evaluations of the loss after which `dual-annealing` starts no further round
+    rounds: int = 100  # most rounds of annealing
+    polish: int = 60  # iterations of `trust-constr` that follow annealing, to put headings on the unit circle
 
 
-class ScipySolver:
-    """Solves one problem with one of SciPy's optimisers.
-
-    Args:
-        problem: The problem.
-        judge: The exact verifier, as an order on layouts.
-        seed: Seed of the random start and of the annealing.
-        config: Bounds of the search.
-        progress: Called with the name of each phase.
-    """
+class ScipySolver(Compared):
+    """Solves one problem with one of SciPy's optimisers; `config` bounds the search."""
 
     def __init__(
         self,
@@ -61,17 +43,12 @@ class ScipySolver:
         config: ScipyConfig | None = None,
         progress: Progress | None = None,
     ) -> None:
-        self.problem = problem
-        self.judge = judge
-        self.seed = seed
+        super().__init__(problem, judge, seed, progress)
         self.config = config or ScipyConfig()
-        self.progress = progress or silent
         self.loss = paper_loss(problem)
         self.start = random_start(problem, np.random.default_rng(seed))
         self.free = [i for i, name in enumerate(problem.names) if name not in problem.pinned]
         self.last = (np.empty(0), Evaluation(0.0, np.empty(0), np.empty(0)))
-        self.losses: list[dict[str, float]] = []
-        self.shots: list[Snapshot] = []
 
     def trust_constr(self) -> Solution:
         """Return the layout that a trust-region interior point method ends with."""
@@ -169,19 +146,14 @@ class ScipySolver:
         return self._at(x).gradient[self.free].ravel()
 
     def _record(self, x: Floats) -> None:
-        step, world = len(self.losses), self._world(_on_circle(x))
-        terms = dict(zip(TERMS, map(float, self._at(x).terms), strict=True))
-        self.losses.append({**terms, "total": sum(terms.values())})
-        if step % 10 == 0:
-            layout = self.problem.layout(world)
-            self.shots.append(Snapshot(step, "search", {name: (p.x, p.y, p.yaw) for name, p in layout.items()}))
+        self.record("search", self._at(x), self._world(_on_circle(x)))
 
     def _concluded(self, x: Floats) -> Solution:
         """Return the better of the raw result and of that after the hard corrections."""
         raw = self._world(_on_circle(x))
         layouts = [self.problem.layout(world) for world in (projected(self.problem, raw), raw)]
         verdict, layout = min(((self.judge(one), one) for one in layouts), key=lambda found: found[0].merit)
-        return conclude(layout, verdict, Trace(tuple(self.losses), tuple(self.shots)))
+        return conclude(layout, verdict, self.trace)
 
 
 def _on_circle(x: Floats) -> Floats:

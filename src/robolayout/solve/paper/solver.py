@@ -21,7 +21,7 @@ from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.judge import Judge
 from robolayout.solve.paper.project import footprint, into_room, outside, projected
 from robolayout.solve.paper.table import make_table, overlap_pairs
-from robolayout.solve.solution import Progress, Solution, conclude, silent
+from robolayout.solve.solution import Progress, Solution, conclude, silent, snapshot
 
 TERMS = ("overlap", "statements", "reachability")
 """The terms of L_total: no overlap, existing and new constraints (solved together), pairwise reach."""
@@ -31,62 +31,28 @@ TERMS = ("overlap", "statements", "reachability")
 class PaperConfig:
     """The paper's constants."""
 
-    steps: int = 400
-    """T. Not in the paper; the published code's default."""
-
-    rate: float = 0.03
-    """alpha_0, section "Learning Rate Scaling"."""
-
-    position_factor: float = 3.0
-    """alpha_pos = 3 alpha_0 / R_room, section "Learning Rate Scaling"."""
-
-    beta: float = 0.9
-    """beta_1 and beta_2, section "Adam Update"."""
-
-    epsilon: float = 1.0e-8
-    """epsilon, section "Adam Update"."""
-
-    clip: float = 10.0
-    """Longest gradient of one position or one heading, section "Adam Update"."""
-
-    decay: float = 0.95
-    """gamma, section "Adam Update"."""
-
-    decay_every: int = 100
-    """Steps between two decays, section "Adam Update"."""
-
-    project_every: int = 80
-    """Steps between two boundary projections, section "Feasibility Enforcement" (its listing says 100)."""
-
-    radius: float = 1.0
-    """Delta_0, section "Rotation Constraint"; the paper gives no figure. Metres and units of (cos, sin) together."""
-
-    most_radius: float = 1.0
-    """Delta_max, ibid.; the paper gives no figure."""
-
+    steps: int = 400  # T. Not in the paper; the published code's default
+    rate: float = 0.03  # alpha_0, section "Learning Rate Scaling"
+    position_factor: float = 3.0  # alpha_pos = 3 alpha_0 / R_room, section "Learning Rate Scaling"
+    beta: float = 0.9  # beta_1 and beta_2, section "Adam Update"
+    epsilon: float = 1.0e-8  # epsilon, section "Adam Update"
+    clip: float = 10.0  # longest gradient of one position or one heading, section "Adam Update"
+    decay: float = 0.95  # gamma, section "Adam Update"
+    decay_every: int = 100  # steps between two decays, section "Adam Update"
+    project_every: int = (
+        80  # steps between two boundary projections, section "Feasibility Enforcement" (its listing says 100)
+    )
+    radius: float = 1.0  # Delta_0, section "Rotation Constraint"; the paper gives no figure. Metres and units of (cos, sin) together
+    most_radius: float = 1.0  # Delta_max, ibid.; the paper gives no figure
+    # eta_1, ibid.; the paper gives no figure. This and the next three are the textbook's (Nocedal and Wright, chapter 4)
     accept: float = 0.1
-    """eta_1, ibid.; the paper gives no figure. This and the next three are the textbook's (Nocedal and Wright, chapter 4)."""
-
-    trust: float = 0.75
-    """eta_2, ibid."""
-
-    shrink: float = 0.5
-    """gamma_1, ibid."""
-
-    grow: float = 2.0
-    """gamma_2, ibid."""
-
-    refine_steps: int = 40
-    """T_cleanup, section "Refinement"."""
-
-    refine_rate: float = 0.01
-    """eta_cleanup, ibid."""
-
-    refine_clip: float = 1.0
-    """Gradient clipping, ibid."""
-
-    refine_project_every: int = 10
-    """K, ibid."""
+    trust: float = 0.75  # eta_2, ibid.
+    shrink: float = 0.5  # gamma_1, ibid.
+    grow: float = 2.0  # gamma_2, ibid.
+    refine_steps: int = 40  # T_cleanup, section "Refinement"
+    refine_rate: float = 0.01  # eta_cleanup, ibid.
+    refine_clip: float = 1.0  # gradient clipping, ibid.
+    refine_project_every: int = 10  # K, ibid.
 
 
 PAPER = PaperConfig()
@@ -223,16 +189,36 @@ def problematic(problem: Problem, world: Floats) -> tuple[int, ...]:
     return tuple(i for i in sorted(meeting) if problem.names[i] not in problem.pinned)
 
 
-class PaperSolver:
-    """Solves one problem as the paper does.
+class Compared:
+    """A solver that is kept to compare, with its losses and poses on the way.
 
     Args:
         problem: The problem.
         judge: The exact verifier, as an order on layouts.
-        seed: Seed of the random start.
-        config: The paper's constants.
+        seed: Seed of the random start, and of whatever else is drawn.
         progress: Called with the name of each phase.
     """
+
+    def __init__(self, problem: Problem, judge: Judge, seed: int, progress: Progress | None) -> None:
+        self.problem, self.judge, self.seed, self.progress = problem, judge, seed, progress or silent
+        self.losses: list[dict[str, float]] = []
+        self.shots: list[Snapshot] = []
+
+    @property
+    def trace(self) -> Trace:
+        """The record so far."""
+        return Trace(tuple(self.losses), tuple(self.shots))
+
+    def record(self, label: str, here: Evaluation, world: Floats) -> None:
+        """Keep the terms of a loss, and every tenth time the poses."""
+        terms = dict(zip(TERMS, map(float, here.terms), strict=True))
+        if len(self.losses) % 10 == 0:
+            self.shots.append(snapshot(len(self.losses), label, self.problem.layout(world)))
+        self.losses.append({**terms, "total": sum(terms.values())})
+
+
+class PaperSolver(Compared):
+    """Solves one problem as the paper does; `config` has its constants."""
 
     def __init__(
         self,
@@ -243,21 +229,16 @@ class PaperSolver:
         config: PaperConfig = PAPER,
         progress: Progress | None = None,
     ) -> None:
-        self.problem = problem
-        self.judge = judge
+        super().__init__(problem, judge, seed, progress)
         self.config = config
-        self.rng = np.random.default_rng(seed)
-        self.progress = progress or silent
         self.loss = paper_loss(problem, held=True)
-        self.losses: list[dict[str, float]] = []
-        self.shots: list[Snapshot] = []
         free = [name not in problem.pinned for name in problem.names]
         self.free = np.array(free, dtype=float)[:, None]
 
     def solve(self) -> Solution:
         """Return the layout that the paper's algorithm ends with."""
         self.progress("search")
-        world = self.search(random_start(self.problem, self.rng))
+        world = self.search(random_start(self.problem, np.random.default_rng(self.seed)))
         layout = self.problem.layout(world)
         verdict = self.judge(layout)
         problem_slots = problematic(self.problem, world)
@@ -267,7 +248,7 @@ class PaperSolver:
             better = self.judge(refined)
             if better.merit < verdict.merit:
                 layout, verdict = refined, better
-        return conclude(layout, verdict, Trace(tuple(self.losses), tuple(self.shots)))
+        return conclude(layout, verdict, self.trace)
 
     def search(self, world: Floats) -> Floats:
         """Return world poses (n, 4) after the main optimisation."""
@@ -275,7 +256,7 @@ class PaperSolver:
         rate, radius, moments = rates(room, config), config.radius, Moments.zero(world)
         here = self.loss(world)
         for count in range(1, config.steps + 1):
-            self._record("search", here, world)
+            self.record("search", here, world)
             gradient = clipped(here.gradient, config.clip) * self.free
             moments, step = adam(moments, gradient, decayed(rate, count, config), config)
             step = admissible(room, world, step, radius) * self.free
@@ -286,7 +267,7 @@ class PaperSolver:
             if count % config.project_every == 0:
                 world = projected(self.problem, world)
                 here = self.loss(world)
-        self._record("search", here, world)
+        self.record("search", here, world)
         return world
 
     def refine(self, world: Floats, slots: tuple[int, ...]) -> Floats:
@@ -298,20 +279,10 @@ class PaperSolver:
         pinned = frozenset(name for i, name in enumerate(self.problem.names) if i not in slots)
         for count in range(1, config.refine_steps + 1):
             here = self.loss(world)
-            self._record("refine", here, world)
+            self.record("refine", here, world)
             moments, step = adam(moments, clipped(here.gradient, config.refine_clip) * moving, rate, config)
             world = world + admissible(room, world, step, math.inf) * moving
             if count % config.refine_project_every == 0:
                 world = projected(replace(self.problem, pinned=pinned), world)
-        self._record("refine", self.loss(world), world)
+        self.record("refine", self.loss(world), world)
         return world
-
-    def _record(self, label: str, here: Evaluation, world: Floats) -> None:
-        step = len(self.losses)
-        terms = {name: float(value) for name, value in zip(TERMS, here.terms, strict=True)}
-        self.losses.append({**terms, "total": sum(terms.values())})
-        if step % 10 == 0:
-            layout = self.problem.layout(world)
-            self.shots.append(
-                Snapshot(step, label, {name: (pose.x, pose.y, pose.yaw) for name, pose in layout.items()})
-            )

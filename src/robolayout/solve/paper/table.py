@@ -2,25 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from itertools import combinations
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from robolayout.constraints import (
-    AssetRef,
-    FrameTerm,
-    MirrorTerm,
-    PairwiseTerm,
-    ReachablePairwise,
-    Ref,
-    WallRef,
-)
+from robolayout.constraints import FrameTerm, MirrorTerm, PairwiseTerm, ReachablePairwise
 from robolayout.constraints.no_overlap import share_height
 from robolayout.constraints.on_top_of import OnTopOf
-from robolayout.solve.compile import Floats, Problem
-from robolayout.solve.stage import SLOT_BUCKETS, bucket
+from robolayout.solve.compile import Problem
+from robolayout.solve.stage import Bodies, bucket, padded
 
 Array = Any
 
@@ -50,35 +41,31 @@ def make_table(problem: Problem, *, held: bool) -> Table:
         problem: The problem.
         held: Whether statements leave alone what they refer to.
     """
-    size = bucket(len(problem.names), SLOT_BUCKETS)
+    bodies = Bodies(problem)
+    size = bodies.size
     half = np.ones((size, 2))
     half[: len(problem.names)] = problem.half
     stacks = [[i, parent] for i, parent in enumerate(problem.parent) if parent >= 0]
     overlaps, required = overlap_pairs(problem), reach_pairs(problem)
     pairs = sorted({*overlaps, *required})
-    bodies = _Bodies(problem, size)
     said = [t for r in problem.relations if not isinstance(r, OnTopOf) for t in r.terms(problem.scene, problem.guess)]
     frames = [term for term in said if isinstance(term, FrameTerm)]
     mirrors = [term for term in said if isinstance(term, MirrorTerm)]
-    frame_index = [[bodies.index(t.a), bodies.index(t.b)] for t in frames]
-    mirror_index = [[bodies.index(t.a), bodies.index(t.b), bodies.index(t.ref)] for t in mirrors]
-    frame_rows = bucket(len(frames), (4 * size, 16 * size))
-    mirror_rows = bucket(len(mirrors), (size, 4 * size))
     everyone = size * (size - 1) // 2
+    rows = {
+        **bodies.frames(frames, bucket(len(frames), (4 * size, 16 * size))),
+        **bodies.mirrors(mirrors, bucket(len(mirrors), (size, 4 * size))),
+    }
     return Table(
         half=half,
-        fixed=_padded(bodies.fixed, bucket(len(bodies.fixed), (2 * size, 4 * size)), [0, 0, 1, 0, 0, 0, 0]),
-        pairs=_padded(pairs, everyone, [0, 0], np.int32),
-        pair_weight=_padded([float(pair in overlaps) for pair in pairs], everyone, 0.0),
-        required=_padded([required.get(pair, 0.0) for pair in pairs], everyone, 0.0),
-        stacks=_padded(stacks, size, [0, 0], np.int32),
-        stack_weight=_padded([1.0] * len(stacks), size, 0.0),
-        frame_index=_padded(frame_index, frame_rows, [size, size], np.int32),
-        frame_row=_padded([t.row() for t in frames], frame_rows, FrameTerm(WallRef(0), WallRef(0), weight=0.0).row()),
-        mirror_index=_padded(mirror_index, mirror_rows, [size, size, size], np.int32),
-        mirror_weight=_padded([t.weight for t in mirrors], mirror_rows, 0.0),
-        mirror_normal=_padded([float(isinstance(t.ref, WallRef)) for t in mirrors], mirror_rows, 0.0),
+        fixed=bodies.fixed_bodies(),
+        pairs=padded(pairs, everyone, [0, 0], np.int32),
+        pair_weight=padded([float(pair in overlaps) for pair in pairs], everyone, 0.0),
+        required=padded([required.get(pair, 0.0) for pair in pairs], everyone, 0.0),
+        stacks=padded(stacks, size, [0, 0], np.int32),
+        stack_weight=padded([1.0] * len(stacks), size, 0.0),
         held=np.float64(held),
+        **rows,
     )
 
 
@@ -99,29 +86,3 @@ def reach_pairs(problem: Problem) -> dict[tuple[int, int], float]:
 def _apart(problem: Problem, a: int, b: int) -> bool:
     """Return whether neither of two slots stands on the other."""
     return problem.parent[a] != b and problem.parent[b] != a
-
-
-class _Bodies:
-    """Numbers everything that a row may be about: slots, then walls, then fixed points."""
-
-    def __init__(self, problem: Problem, size: int) -> None:
-        self.slot = problem.slot
-        self.size = size
-        walls = problem.scene.room.walls
-        self.fixed: list[list[float]] = [[*w.midpoint, *w.direction, w.length / 2, 0.0, w.length / 2] for w in walls]
-
-    def index(self, ref: Ref) -> int:
-        if isinstance(ref, AssetRef):
-            return self.slot[ref.name]
-        if isinstance(ref, WallRef):
-            return self.size + ref.index
-        self.fixed.append([ref.x, ref.y, np.cos(ref.yaw), np.sin(ref.yaw), 0.0, 0.0, 0.0])
-        return self.size + len(self.fixed) - 1
-
-
-def _padded(rows: Sequence[Any], size: int, filler: Any, kind: type = np.float64) -> Floats:
-    """Return rows as an array of `size` rows."""
-    table = np.full((size, *np.shape(filler)), filler, dtype=kind)
-    if rows:
-        table[: len(rows)] = rows
-    return table
