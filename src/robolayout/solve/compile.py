@@ -10,7 +10,6 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
@@ -93,8 +92,19 @@ class Problem:
     def statement_terms(self) -> tuple[tuple[Term, ...], ...]:
         """Rows of each statement, and at less weight of each wish that keeps things together."""
         wished = (one.terms(self.scene, self.guess) for one in self.wishes)
-        weak = ((replace(row, weight=WISHED * row.weight) for row in rows if _weighed(row)) for rows in wished)
-        return (*(one.terms(self.scene, self.guess) for one in self.relations), *map(tuple, weak))
+        weighed = ([row for row in rows if isinstance(row, FrameTerm | MirrorTerm)] for rows in wished)
+        weak = (tuple(replace(row, weight=WISHED * row.weight) for row in rows) for rows in weighed)
+        return (*(one.terms(self.scene, self.guess) for one in self.relations), *weak)
+
+    @cached_property
+    def pairs(self) -> tuple[tuple[int, int, FrameTerm], ...]:
+        """Rows of statements about two things, after the slots of these."""
+        rows = (row for rows in self.statement_terms for row in rows if isinstance(row, FrameTerm))
+        return tuple(
+            (self.slot[row.a.name], self.slot[row.b.name], row)
+            for row in rows
+            if isinstance(row.a, AssetRef) and isinstance(row.b, AssetRef)
+        )
 
     @cached_property
     def implicit_terms(self) -> tuple[Term, ...]:
@@ -173,15 +183,11 @@ def compile_problem(
     resting = _resting(scene, relations, parents)
     heights = _heights(scene, relations, guesses, parents, resting)
     index = {asset.name: i for i, asset in enumerate(scene.assets)}
-    poses: dict[str, Pose] = {}
-    for asset in scene.assets:
-        x, y, yaw = plan[asset.name]
-        poses[asset.name] = Pose(x, y, heights[asset.name], yaw)
-    poses.update(pinned or {})
+    poses = {name: Pose(*plan[name][:2], heights[name], plan[name][2]) for name in index}
     return Problem(
         scene,
         relations,
-        Layout(poses),
+        Layout(poses | dict(pinned or {})),
         tuple(index.get(parents.get(asset.name, ""), -1) for asset in scene.assets),
         tuple(_depth(asset.name, parents) for asset in scene.assets),
         frozenset(pinned or ()),
@@ -196,10 +202,6 @@ def _resting(scene: Scene, relations: Iterable[Relation], parents: Mapping[str, 
     said = {r.a.name: r.place(scene) for r in relations if isinstance(r, OnTopOf) and parents.get(r.a.name) == r.b.name}
     usual = {a: resting_place(scene.by_name[b], scene.by_name[a]) for a, b in parents.items() if a not in said}
     return said | usual
-
-
-def _weighed(row: Term) -> TypeGuard[FrameTerm | MirrorTerm]:
-    return isinstance(row, FrameTerm | MirrorTerm)
 
 
 def _depth(name: str, parents: Mapping[str, str]) -> int:
@@ -294,30 +296,18 @@ def _heights(
 ) -> dict[str, float]:
     """Return the height of every box centre: on the floor, on its carrier, on the wall or at the ceiling."""
     mounted = {r.a.name: r.height for r in relations if isinstance(r, MountedOn) and r.height is not None}
-    heights: dict[str, float] = {}
-
-    def height(name: str) -> float:
-        if name not in heights:
-            heights[name] = _height(scene, scene.by_name[name])
-        return heights[name]
-
-    def _height(scene: Scene, asset: Asset) -> float:
-        half, ceiling = asset.size[2] / 2, scene.room.wall_height
-        if asset.name in parents:
-            carrier = scene.by_name[parents[asset.name]]
-            return height(carrier.name) - carrier.size[2] / 2 + resting[asset.name].height + half
-        if asset.on_ceiling and not asset.on_floor:
-            return ceiling - half
-        if asset.on_wall and not asset.on_floor:
-            guess = guesses.get(asset.name)
-            wanted = mounted.get(asset.name)
-            if wanted is None and guess is not None and guess.position is not None and guess.position[2] > half:
-                wanted = guess.position[2]
-            if wanted is None:
-                wanted = EYE_HEIGHT
-            return min(max(wanted, half), ceiling - half)
-        return half
-
-    for asset in scene.assets:
-        height(asset.name)
-    return heights
+    found: dict[str, float] = {}
+    for asset in sorted(scene.assets, key=lambda asset: _depth(asset.name, parents)):
+        name, half, ceiling = asset.name, asset.size[2] / 2, scene.room.wall_height
+        if name in parents:
+            carrier = scene.by_name[parents[name]]
+            found[name] = found[carrier.name] - carrier.size[2] / 2 + resting[name].height + half
+        elif asset.on_floor or not (asset.on_ceiling or asset.on_wall):
+            found[name] = half
+        elif asset.on_ceiling:
+            found[name] = ceiling - half
+        else:
+            guessed = guesses[name].position or (0.0, 0.0, 0.0)
+            wanted = mounted.get(name, guessed[2] if guessed[2] > half else EYE_HEIGHT)
+            found[name] = min(max(wanted, half), ceiling - half)
+    return found

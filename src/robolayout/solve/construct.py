@@ -201,7 +201,7 @@ class Builder:
         side = (np.abs(places[:, 2]) >= np.abs(places[:, 3])).astype(np.intp)  # the axis to push along: x or y
         bodies = self.zones.bodies(slot, places)
         low, high = bodies[rows, side, None], bodies[rows, side + 2, None]
-        others = np.concatenate([self.zones.landings, site.bodies[self._beside(slot, site)]]).T
+        others = np.concatenate([self.zones.landings, site.bodies[site.settled & self.zones.level(slot)]]).T
         meets = (others[1 - side] < bodies[rows, 3 - side, None] - BUILDING.grain) & (
             others[3 - side] > bodies[rows, 1 - side, None] + BUILDING.grain
         )
@@ -233,15 +233,8 @@ class Builder:
 
     def _cost(self, slot: int, places: Floats, world: Floats, site: _Site) -> Floats:
         """Return what each place (m, 4) of a slot costs, given what is settled."""
-        cost = self._priced(slot, places, world, site.settled) + self.rng.random(len(places)) * 0.01
+        cost, broken = self.score.hard(slot, places, world, site.settled)
+        missed = self.score.statements(slot, places, world, site.settled)
+        cost = cost + BUILDING.broken * broken + BUILDING.said * missed + self.rng.random(len(places)) * 0.01
         cost += BUILDING.away * np.hypot(*(places[:, :2] - world[slot, :2]).T)
         return cost + BUILDING.cramped * self._cramped(slot, places, world, site)
-
-    def _priced(self, slot: int, places: Floats, world: Floats, settled: NDArray[np.bool_]) -> Floats:
-        """Return the objective of places (m, 4) of a slot, given what is settled."""
-        cost, broken = self.score.hard(slot, places, world, settled)
-        return cost + BUILDING.broken * broken + BUILDING.said * self.score.statements(slot, places, world, settled)
-
-    def _beside(self, slot: int, site: _Site) -> NDArray[np.bool_]:
-        """Return with which of the settled slots (n,) a slot could collide."""
-        return site.settled & self.zones.level(slot)

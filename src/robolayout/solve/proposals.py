@@ -124,17 +124,9 @@ class Proposals:
         hx, hy = self.problem.half[slot]
         c, s = np.abs(np.cos(yaw)), np.abs(np.sin(yaw))
         spread = self._spread()
-        u = _draw(
-            term.along.low + term.along.low_extent * (c * hx + s * hy),
-            term.along.high - term.along.high_extent * (c * hx + s * hy),
-            spread,
-            rng,
-        )
-        v = _draw(
-            term.across.low + term.across.low_extent * (s * hx + c * hy),
-            term.across.high - term.across.high_extent * (s * hx + c * hy),
-            spread,
-            rng,
+        u, v = (
+            _draw(side.low + side.low_extent * extent, side.high - side.high_extent * extent, spread, rng)
+            for side, extent in ((term.along, c * hx + s * hy), (term.across, s * hx + c * hy))
         )
         if term.fold:
             v = np.where(rng.random(count) < 0.5, -v, v)

@@ -123,12 +123,8 @@ class Solver:
     def _judged(self, world: Floats, number: int, best: _Best | None = None) -> _Best:
         """Judge a layout of everything placed up to a stage, as far as it may be better than what is best so far."""
         layout = self.problem.layout(world)
-        placed = {
-            name: layout[name]
-            for name, stage in zip(self.problem.names, self.problem.stage, strict=True)
-            if stage <= number
-        }
-
+        stages = zip(self.problem.names, self.problem.stage, strict=True)
+        placed = {name: layout[name] for name, stage in stages if stage <= number}
         moved = self.problem.moved(world)
 
         def enough(verdict: Verdict) -> bool:
@@ -261,7 +257,7 @@ class Solver:
             worlds = np.array(made)
             routes = partial(self._open, stage, worlds) if self.config.route_rounds else None
             more = self.runner.advance(stage, worlds, self.config.polish, "polish", routes=routes)
-            best, run = self._with(more, 0, best, run)
+            best, run = self._best_of(more.ranked(), 0, best), run.joined(more).best(self.config.kept) if run else more
             best = self._mended(best, 0, self.effort.mendings)
         return best, run
 
@@ -269,10 +265,6 @@ class Solver:
         """Return a layout as a run in which nothing moves; it is only run where a record is asked for."""
         still = Run(best.world[None], np.zeros(1), np.zeros(1))
         return self.runner.advance(stage, still.world, STILL, label) if self.config.trace else still
-
-    def _with(self, more: Run, number: int, best: _Best, run: Run | None) -> tuple[_Best, Run]:
-        """Return the best layout with what another run found, and the best starts of both runs."""
-        return self._best_of(more.ranked(), number, best), run.joined(more).best(self.config.kept) if run else more
 
     def _open(self, stage: Stage, worlds: Floats, part: slice) -> Routes:
         """Return what keeps ways to everything open in some layouts."""

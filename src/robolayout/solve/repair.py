@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 
 from robolayout._geometry import compose
-from robolayout.constraints import AssetRef, FrameTerm, MirrorTerm, WallRef
+from robolayout.constraints import AssetRef, MirrorTerm, WallRef
 from robolayout.floor import Plan
 from robolayout.solve.arrays import Routes
 from robolayout.solve.compile import Floats, Problem
@@ -105,18 +105,15 @@ class Repair:
 
     def _around(self, slot: int, world: Floats) -> Floats:
         """Return poses (m, 4) around the guess of a slot, if it has one, and where it is: where its rows hold, its walls, or free."""
-        rows, middle = (
-            self.proposals.rows(slot),
-            self.problem.start if self.problem.names[slot] in self.problem.guessed else world,
-        )
+        rows = self.proposals.rows(slot)
+        middle = self.problem.start if self.problem.names[slot] in self.problem.guessed else world
         free = [_rings(middle[slot], MENDING.rings), _rings(world[slot], MENDING.rings[: MENDING.turning])]
         walls, whole = np.concatenate(free), np.concatenate(free)
         for term in rows:
             walls = nearest(self.problem, term, slot, walls, world) if isinstance(term.b, WallRef) else walls
         for term in rows * 2:
             whole = nearest(self.problem, term, slot, whole, world)
-        found = [whole, walls, *free]
-        poses = np.concatenate(found)
+        poses = np.concatenate([whole, walls, *free])
         _, first = np.unique(np.round(poses / MENDING.same), axis=0, return_index=True)
         return poses[np.sort(first)]
 
@@ -182,14 +179,12 @@ def _turned(poses: Floats, quarter: int) -> Floats:
 def _groups(problem: Problem) -> list[set[int]]:
     """Return for each slot the slots whose statements are about it (a chair for its table), and theirs in turn."""
     followers: list[set[int]] = [set() for _ in problem.names]
-    for terms in problem.statement_terms:
-        for term in terms:
-            if isinstance(term, FrameTerm) and isinstance(term.a, AssetRef) and isinstance(term.b, AssetRef):
-                followers[problem.slot[term.b.name]].add(problem.slot[term.a.name])
-            elif isinstance(term, MirrorTerm) and isinstance(term.ref, AssetRef):
-                followers[problem.slot[term.ref.name]] |= {
-                    problem.slot[ref.name] for ref in (term.a, term.b) if isinstance(ref, AssetRef)
-                }
+    for a, b, _ in problem.pairs:
+        followers[b].add(a)
+    for term in (term for terms in problem.statement_terms for term in terms):
+        if isinstance(term, MirrorTerm) and isinstance(term.ref, AssetRef):
+            twins = {problem.slot[ref.name] for ref in (term.a, term.b) if isinstance(ref, AssetRef)}
+            followers[problem.slot[term.ref.name]] |= twins
     for slot, direct in enumerate(followers):
         for other in sorted(direct):
             direct |= followers[other]

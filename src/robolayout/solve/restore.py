@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from itertools import product
 
 import numpy as np
 
 from robolayout._geometry import compose
-from robolayout.constraints import AssetRef, FrameTerm
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.proposals import carry
 from robolayout.solve.stage import relative
@@ -81,8 +80,11 @@ def squared(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool])
         if not STRAIGHT < abs(off) < ASKEW or meant or name in problem.pinned:
             continue
         turned = compose(world[slot], np.array([0.0, 0.0, math.cos(off), -math.sin(off)]))
-        aims = world[_looked_at(problem, slot)] * (1.0, 1.0, 0.0, 0.0) + (0.0, 0.0, 1.0, 0.0)
-        slides, rugs = (0.0, *relative(turned, aims)[:, 1].tolist()), _rugs(problem, slot)
+        mine = [(other, row) for one, other, row in problem.pairs if one == slot]
+        rugs = [other for other, row in mine if row.moves == "b"]
+        looked_at = [other for other, row in mine if row.look is not None]
+        aims = world[looked_at] * (1.0, 1.0, 0.0, 0.0) + (0.0, 0.0, 1.0, 0.0)
+        slides = (0.0, *relative(turned, aims)[:, 1].tolist())
         for slide, pull in product(slides, (0.0, PULL) if rugs else (0.0,)):
             trial = world.copy()
             carry(problem, trial, slot, compose(turned, np.array([0.0, slide, 1.0, 0.0])))
@@ -98,24 +100,6 @@ def squared(problem: Problem, world: Floats, no_worse: Callable[[Floats], bool])
 def _off_square(angle: float) -> float:
     """Return by how many radians an angle is off the nearest multiple of a right one."""
     return angle - round(angle / (math.pi / 2)) * (math.pi / 2)
-
-
-def _looked_at(problem: Problem, slot: int) -> list[int]:
-    """Return the slots that a slot is asked to look at."""
-    return [other for other, row in _rows(problem, slot) if row.look is not None]
-
-
-def _rugs(problem: Problem, slot: int) -> list[int]:
-    """Return the slots that are asked to lie under a slot."""
-    return [other for other, row in _rows(problem, slot) if row.moves == "b"]
-
-
-def _rows(problem: Problem, slot: int) -> Iterator[tuple[int, FrameTerm]]:
-    """Yield the rows of statements that are about a slot and another one, with that."""
-    mine = AssetRef(problem.names[slot])
-    for row in (row for rows in problem.statement_terms for row in rows):
-        if isinstance(row, FrameTerm) and row.a == mine and isinstance(row.b, AssetRef):
-            yield problem.slot[row.b.name], row
 
 
 def _nearer(problem: Problem, world: Floats, slot: int, no_worse: Callable[[Floats], bool]) -> Floats:
@@ -144,10 +128,8 @@ def _nearer(problem: Problem, world: Floats, slot: int, no_worse: Callable[[Floa
 def _units(problem: Problem) -> list[list[int]]:
     """Return the slots that the program places, each with what stands on it and what goes by it and leads nothing."""
     leaders: dict[int, list[int]] = {}
-    for terms in problem.statement_terms:
-        for term in terms:
-            if isinstance(term, FrameTerm) and isinstance(term.a, AssetRef) and isinstance(term.b, AssetRef):
-                leaders.setdefault(problem.slot[term.a.name], []).append(problem.slot[term.b.name])
+    for a, b, _ in problem.pairs:
+        leaders.setdefault(a, []).append(b)
     leading = {slot for found in leaders.values() for slot in found}
 
     def root(slot: int) -> int:

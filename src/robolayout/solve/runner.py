@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from robolayout.scene import Scene, Snapshot, Trace
+from robolayout.scene import Scene, Trace
 from robolayout.solve import programs
 from robolayout.solve.arrays import HISTORY, SNAPSHOTS, Found, Losses, Routes, Schedule
 from robolayout.solve.compile import Floats, Problem
 from robolayout.solve.config import SearchConfig, SolverConfig
+from robolayout.solve.solution import snapshot
 from robolayout.solve.stage import Stage, no_routes, sizes_of
 
 STILL = SearchConfig(steps=0, rate=0.0, final_rate=0.0)
@@ -29,34 +27,26 @@ PROGRAM = "search:advance"
 PROCESSORS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 """Processors that this process may use."""
 
-TERMS = ("overlap", "boundary", "clear", "statements", "reachability")
 BATCH = 4
 """Starts that run at once; more run in several batches side by side, so that one compiled program serves them all."""
 
 Planned = Callable[[slice], Routes]
 """Says what must not stand in the routes of some of the starts; asked where these run, beside the others."""
 
-Singles = NDArray[np.float32]
-
 Piece = tuple[Floats, Callable[[], Routes]]
 """World poses of a few starts and what says what must not stand in their routes."""
 
 
-@dataclass(frozen=True)
-class Run:
+class Run(NamedTuple):
     """What one run of the search left."""
 
     world: Floats  # (K, n, 4) poses
     energy: Floats  # (K,) objective at full weights
     hard: Floats  # (K,) hard part of it
 
-    def fields(self) -> tuple[Floats, Floats, Floats]:
-        """Return its arrays."""
-        return (self.world, self.energy, self.hard)
-
     def joined(self, other: Run) -> Run:
         """Return both runs as one."""
-        return Run(*(np.concatenate(pair) for pair in zip(self.fields(), other.fields(), strict=True)))
+        return Run(*map(np.concatenate, zip(self, other, strict=True)))
 
     def ranked(self) -> Floats:
         """Return the poses (K, n, 4), best first."""
@@ -65,7 +55,7 @@ class Run:
     def best(self, count: int) -> Run:
         """Return its best starts, best first."""
         first = self.order()[:count]
-        return Run(*(field[first] for field in self.fields()))
+        return Run(*(field[first] for field in self))
 
     def order(self) -> list[int]:
         """Return the starts, best first: hard part to 1e-3, then the whole."""
@@ -101,7 +91,7 @@ class Runner:
         runs = [self._run(stage, world[part], found) for part, found in zip(parts, results, strict=True)]
         if self.config.trace and label:
             self._record(stage, label, phase.steps, results[0])
-        return Run(*(np.concatenate(fields) for fields in zip(*(run.fields() for run in runs), strict=True)))
+        return Run(*map(np.concatenate, zip(*runs, strict=True)))
 
     def _results(self, stage: Stage, pieces: Sequence[Piece], phase: SearchConfig) -> list[Found]:
         """Run pieces of at most `BATCH` starts side by side, one on each processor."""
@@ -117,15 +107,12 @@ class Runner:
             return list(pool.map(run, pieces))
 
     def _run(self, stage: Stage, world: Floats, found: Found) -> Run:
-        count = len(stage.problem.names)
+        count, weights = len(stage.problem.names), self.config.weights
         result = self._settled(stage, world, np.asarray(found.world, np.float64)[: len(world), :count])
-        return Run(result, *self._energies(np.stack([np.asarray(part)[: len(world)] for part in found.losses])))
-
-    def _energies(self, parts: Floats) -> tuple[Floats, Floats]:
-        weights = self.config.weights
-        overlap, boundary, clear, statements, routes = parts.astype(np.float64)
+        parts = np.stack([np.asarray(part)[: len(world)] for part in found.losses]).astype(np.float64)
+        overlap, boundary, clear, statements, routes = parts
         hard = weights.overlap * overlap + weights.inside * boundary + weights.clear * clear + weights.routes * routes
-        return hard + statements, hard
+        return Run(result, hard + statements, hard)
 
     def _settled(self, stage: Stage, before: Floats, after: Floats) -> Floats:
         """Return poses with exact unit headings; what the stage does not move or carry stays bit for bit."""
@@ -144,7 +131,7 @@ class Runner:
         weights = self.config.weights
         factors = (weights.overlap, weights.inside, weights.clear, 1.0, weights.routes)
         for row in history[: min(max(steps, 1), HISTORY)]:
-            terms = {name: float(value) * f for name, value, f in zip(TERMS, row, factors, strict=True)}
+            terms = {name: float(value) * f for name, value, f in zip(Losses._fields, row, factors, strict=True)}
             self._losses.append(terms | {"total": sum(terms.values())})
         stride = max(1, SNAPSHOTS // 20)
         for i in range(0, SNAPSHOTS if steps else 1, stride):
@@ -152,18 +139,8 @@ class Runner:
 
     def trace(self, problem: Problem) -> Trace:
         """Return the record of all runs."""
-        shots = tuple(
-            Snapshot(
-                step,
-                label,
-                {
-                    n: (float(x), float(y), math.atan2(s, c))
-                    for n, (x, y, c, s) in zip(problem.names, poses.tolist(), strict=True)
-                },
-            )
-            for step, label, poses in self._shots
-        )
-        return Trace(tuple(self._losses), shots)
+        shots = ((step, label, problem.layout(poses)) for step, label, poses in self._shots)
+        return Trace(tuple(self._losses), tuple(snapshot(*shot) for shot in shots))
 
 
 def _arguments(stage: Stage, piece: Piece, phase: SearchConfig) -> tuple[Any, ...]:

@@ -14,7 +14,11 @@ def near(problem: Problem, world: Floats, moving: tuple[int, ...], count: int, r
     scale = 0.1 if problem.parent[moving[0]] >= 0 else 1.0
     starts = np.repeat(world[None], count, axis=0)
     for k, start in enumerate(starts[1:], 1):
-        _jitter(start, moving, (0.05 + 0.3 * k / count) * scale, rng)
+        sigma = (0.05 + 0.3 * k / count) * scale
+        for slot in moving:
+            start[slot, :2] += rng.normal(0.0, sigma, 2)
+            if rng.random() < sigma / 2:
+                start[slot, 2:] = [-start[slot, 3], start[slot, 2]]
     bring_in(problem, starts, moving)
     return starts
 
@@ -29,10 +33,3 @@ def bring_in(problem: Problem, starts: Floats, moving: tuple[int, ...]) -> None:
             outside = ~shapely.covers(room, points)
             ways = shapely.shortest_line(points[outside], room)
             starts[outside, slot, :2] = shapely.get_coordinates(ways)[1::2]
-
-
-def _jitter(world: Floats, moving: tuple[int, ...], sigma: float, rng: np.random.Generator) -> None:
-    for slot in moving:
-        world[slot, :2] += rng.normal(0.0, sigma, 2)
-        if rng.random() < sigma / 2:
-            world[slot, 2:] = [-world[slot, 3], world[slot, 2]]

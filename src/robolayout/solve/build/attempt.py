@@ -216,7 +216,7 @@ class Attempt:
         if not self.site.said.about([member.name for member in cluster.members]):
             return modes
         own = batches(self.site, cluster, modes)
-        if any(float(self.site.missed(batch.cluster, batch.poses).min()) < MISSED for batch in own):
+        if any(float(self.site.missed(batch.cluster.members, batch.poses).min()) < MISSED for batch in own):
             return modes
         return dict.fromkeys(("wall", "corner", "middle"), COSTS.otherwise) | dict(modes)
 
@@ -234,13 +234,11 @@ class Attempt:
                 self._place_alone(out)
                 return []
         elif next(iter(modes)) == "wall":
-            left = [
-                cluster for cluster in clusters if not self._place(cluster, {"wall": 0.0}, weights, limit=COSTS.bad)
-            ]
+            left = [one for one in clusters if not self._place(one, {"wall": 0.0}, weights, limit=COSTS.bad)]
         for equal in alike(self.site, left):
             for count in sorted({max(2, round(len(equal) * share)) for share in COSTS.shares}, reverse=True):
                 if count <= len(equal) and self._place_grid(equal[:count], weights, len(equal) - count):
-                    left = [cluster for cluster in left if cluster not in equal[:count]]
+                    left = [one for one in left if one not in equal[:count]]
                     break
         return left
 
@@ -269,7 +267,7 @@ class Attempt:
         choices: list[Choice] = []
         for batch in found:
             cost = self.site.base_cost(batch.cluster, batch.poses) + taste(self.site, batch, weights)
-            cost += self.site.missed(batch.cluster, batch.poses)
+            cost += self.site.missed(batch.cluster.members, batch.poses)
             cost += modes[batch.mode]
             cost += self.rng.random(len(cost)) * self.noise
             best = np.argsort(cost, kind="stable")[: COSTS.checked]
@@ -278,27 +276,26 @@ class Attempt:
 
     def _choose(self, ranked: Sequence[Choice]) -> Choice:
         """Return the first place that is exactly free and cuts nothing off, or else the one that does least harm."""
-        best, rejected, left = None, list[Choice](), dict[float, list[str]]()
+        best: Choice | None = None
+        rejected, left = list[Choice](), dict[float, list[str]]()
         for cost, batch, row in ranked:
             if best is not None and cost > best[0]:
                 break
-            if any(
-                _close(batch, row, other, at, COSTS.close + COSTS.widen * len(rejected)) for _, other, at in rejected
-            ):
+            apart = COSTS.close + COSTS.widen * len(rejected)
+            if any(_close(batch, row, other, at, apart) for _, other, at in rejected):
                 continue
             fault = self.site.fault(batch.cluster, batch.poses[row])
-            if fault:
-                wrong = cost + (COSTS.inexact if fault == "touches" else COSTS.shut)
-                best = min((c for c in (best, (wrong, batch, row)) if c), key=lambda choice: choice[0])
-                continue
-            trial = self.site.copy(trial=True)
-            _put(trial, batch, row)
-            lost = trial.unreached(self.lost)
-            harm = COSTS.unreached * (len(lost) - len(self.lost)) + COSTS.cut_off * trial.cut_off
-            left[cost + harm] = lost
-            best = min((c for c in (best, (cost + harm, batch, row)) if c), key=lambda choice: choice[0])
-            rejected.append((cost, batch, row))
-            if harm < COSTS.harmless or len(rejected) >= self.trials:
+            harm = COSTS.inexact if fault == "touches" else COSTS.shut
+            if not fault:
+                trial = self.site.copy(trial=True)
+                _put(trial, batch, row)
+                lost = trial.unreached(self.lost)
+                harm = COSTS.unreached * (len(lost) - len(self.lost)) + COSTS.cut_off * trial.cut_off
+                left[cost + harm] = lost
+                rejected.append((cost, batch, row))
+            if best is None or cost + harm < best[0]:
+                best = (cost + harm, batch, row)
+            if not fault and (harm < COSTS.harmless or len(rejected) >= self.trials):
                 break
         chosen = best or ranked[0]
         self.lost = left.get(chosen[0], self.lost)
@@ -358,7 +355,7 @@ class Attempt:
             last = last_cell(self.site, plan, batch)
             middle = replace(batch, poses=(batch.poses + last.poses) / 2)
             cost += sum(taste(self.site, one, weights) for one in (batch, middle, last)) / 3
-            unmet = self.site.missed(batch.cluster, batch.poses)
+            unmet = self.site.missed(batch.cluster.members, batch.poses)
             missed = min(missed, float(unmet.min()))
             cost += unmet + COSTS.tight * plan.tight + COSTS.ragged * (plan.rows * plan.columns - len(plan.names))
             cost += 0.3 * abs(plan.rows - plan.columns) ** 0.5

@@ -31,9 +31,6 @@ class Cluster:
         return replace(self, members=tuple(member.mirrored() for member in self.members))
 
 
-_SLOT_ORDER = {"around": 0, "front": 1, "behind": 2, "beside": 3, "flank": 4, "setting": 5, "on": 6}
-
-
 class ClusterBuilder:
     """Lays out what joins what.
 
@@ -58,12 +55,21 @@ class ClusterBuilder:
     def _members(self, name: str) -> list[Member]:
         """Return the asset at the origin and its followers around it, nearest kinds first."""
         anchor = self.wants[name]
-        placed = [Member(name, 0.0, 0.0, 0.0)]
+        placed = [Member(name)]
         by_kind: dict[str, list[Want]] = {}
         for item in self.followers.get(name, ()):
             by_kind.setdefault(item.kind, []).append(item)
-        for items in sorted(by_kind.values(), key=lambda group: (_SLOT_ORDER[_slot(group)], group[0].turn)):
-            for member in self._slots(anchor, items, placed):
+        slots: dict[str, Callable[[Want, Sequence[Want], Sequence[Member]], list[Member]]] = {
+            "around": self._around,
+            "front": self._front,
+            "behind": self._front,
+            "beside": self._beside,
+            "flank": self._flank,
+            "setting": self._on,
+            "on": self._on,
+        }  # in the order in which they are filled
+        for items in sorted(by_kind.values(), key=lambda group: ([*slots].index(_slot(group)), group[0].turn)):
+            for member in slots[_slot(items)](anchor, items, placed):
                 on_top = _slot(items) in ("on", "setting")
                 lift = resting_place(anchor.asset, self.wants[member.name].asset).height if on_top else 0.0
                 for part in self._members(member.name):
@@ -71,18 +77,6 @@ class ClusterBuilder:
                     side = member.side if part.name == member.name else part.side
                     placed.append(replace(moved, bottom=part.bottom + lift, side=side))
         return placed
-
-    def _slots(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
-        solvers: dict[str, Callable[[Want, Sequence[Want], Sequence[Member]], list[Member]]] = {
-            "beside": self._beside,
-            "flank": self._flank,
-            "front": self._front,
-            "behind": self._front,
-            "around": self._around,
-            "on": self._on,
-            "setting": self._on,
-        }
-        return solvers[_slot(items)](anchor, items, placed)
 
     def _beside(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """Left, right, left, ... with the backs in line, each outside of what stands there already."""
@@ -109,11 +103,8 @@ class ClusterBuilder:
             ax, ay = _half(item)
             side, row = item.joined.side or ("left", "right")[i % 2], i // 2
             sign = 1.0 if side == "left" else -1.0
-            found.append(
-                Member(
-                    item.name, row * (2 * ay + 0.1), sign * (by + item.joined.gap + ax), -sign * math.pi / 2, side=side
-                )
-            )
+            x, y = row * (2 * ay + 0.1), sign * (by + item.joined.gap + ax)
+            found.append(Member(item.name, x, y, -sign * math.pi / 2, side=side))
         return found
 
     def _front(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:

@@ -94,7 +94,7 @@ def _keep(site: Site, placed: Mapping[str, Pose]) -> None:
     given = [name for name in site.wants if name in placed]
     for name in given:
         want, pose = site.wants[name], placed[name]
-        member = Member(name, 0.0, 0.0, 0.0, pose.z - site.size(name)[2] / 2)
+        member = Member(name, bottom=pose.z - site.size(name)[2] / 2)
         mode = "hang" if want.hung else "ceiling" if want.overhead else "rug" if want.asset.is_flat else "given"
         mode = "join" if want.anchor is not None and member.bottom > ATTEMPTS.lifted else mode
         site.put(Cluster(name, (member,)), np.array([pose.x, pose.y, pose.yaw]), mode, None, want.anchor)

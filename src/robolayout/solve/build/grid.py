@@ -39,9 +39,8 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
         for wider, closer in ((1.0, 1.0), (1.0, 0.1), (1.35, 1.0), (1.35, 0.1), (1.8, 1.8)):
             if closer < 1.0 and gap0 > TIGHTEST:
                 continue
-            aisle = round(
-                between[0] * (1 if rows.backs == "alike" else 2) + aisle0 * wider, 2
-            )  # chairs of both rows stand in it
+            both = 1 if rows.backs == "alike" else 2  # chairs of both rows stand in the aisle
+            aisle = round(between[0] * both + aisle0 * wider, 2)
             gap = round(between[1] + gap0 * (closer if gap0 > 0.3 else 1.0), 2)
             plan = GridPlan(names, count, columns, aisle, gap, rows.backs, closer < 1.0)
             cluster = _cluster(clusters, plan, size)
@@ -52,12 +51,8 @@ def grid_batches(site: Site, clusters: Sequence[Cluster]) -> Iterator[tuple[Grid
 
 def _extent(site: Site, cluster: Cluster) -> Rect:
     boxes = [box_of(m, site.size(m.name)) for m in cluster.members if site.on_floor(m)]
-    return (
-        min(b[0] for b in boxes),
-        min(b[1] for b in boxes),
-        max(b[2] for b in boxes),
-        max(b[3] for b in boxes),
-    )
+    x0, y0, x1, y1 = zip(*boxes, strict=True)
+    return (min(x0), min(y0), max(x1), max(y1))
 
 
 def _cluster(clusters: Sequence[Cluster], plan: GridPlan, size: tuple[float, float, float]) -> Cluster:
@@ -87,11 +82,8 @@ def cell_poses(plan: GridPlan, size: tuple[float, float, float]) -> list[tuple[f
 
 def last_cell(site: Site, plan: GridPlan, batch: Batch) -> Batch:
     """Return the places of the last anchor of a grid in place of those of its first."""
-    cell = np.array(cell_poses(plan, site.size(plan.names[0]))[-1])
-    c, s = np.cos(batch.poses[:, 2]), np.sin(batch.poses[:, 2])
-    x = batch.poses[:, 0] + c * cell[0] - s * cell[1]
-    y = batch.poses[:, 1] + s * cell[0] + c * cell[1]
-    return replace(batch, poses=np.stack([x, y, batch.poses[:, 2]], axis=1))
+    x, y, _ = cell_poses(plan, site.size(plan.names[0]))[-1]
+    return replace(batch, poses=Member("", x, y).everywhere(batch.poses))
 
 
 def put_grid(site: Site, clusters: Sequence[Cluster], plan: GridPlan, frame: NDArray[np.float64]) -> None:

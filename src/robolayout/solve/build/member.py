@@ -5,6 +5,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
+import numpy as np
+from numpy.typing import NDArray
+
+Poses = NDArray[np.float64]
+"""(n, 3) metres and radians."""
+
 Size = tuple[float, float, float]
 Rect = tuple[float, float, float, float]
 """Smallest x, smallest y, largest x, largest y in metres."""
@@ -18,9 +24,9 @@ class Member:
     """One asset of a cluster."""
 
     name: str  # the asset
-    x: float  # metres, of its centre
-    y: float
-    yaw: float  # radians
+    x: float = 0.0  # metres, of its centre
+    y: float = 0.0
+    yaw: float = 0.0  # radians
     bottom: float = 0.0  # metres above what the anchor stands on
     side: str = ""  # side of the thing it joins ("left", "right", "front", "back", "")
 
@@ -28,6 +34,12 @@ class Member:
         """Return the member after the frame it is in was put at (x, y, yaw) of another frame."""
         c, s = math.cos(yaw), math.sin(yaw)
         return replace(self, x=x + c * self.x - s * self.y, y=y + s * self.x + c * self.y, yaw=self.yaw + yaw)
+
+    def everywhere(self, poses: Poses) -> Poses:
+        """Return its poses (n, 3) where the frame it is in has these (n, 3)."""
+        x, y, yaw = poses.T
+        c, s = np.cos(yaw), np.sin(yaw)
+        return np.column_stack([x + c * self.x - s * self.y, y + s * self.x + c * self.y, yaw + self.yaw])
 
     def mirrored(self) -> Member:
         """Return its image left to right."""
@@ -44,9 +56,8 @@ class GridPlan:
     columns: int  # number of columns
     aisle: float  # metres between the boxes of one row and the next
     gap: float  # metres between neighbours in a row
-    backs: str = (
-        "alike"  # whether every second row is turned: back to back with the one before ("paired") or "facing" it
-    )
+    # whether every second row is turned: back to back with the one before ("paired") or "facing" it
+    backs: str = "alike"
     tight: bool = False  # whether neighbours stand closer than they should
 
 

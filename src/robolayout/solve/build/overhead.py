@@ -13,7 +13,6 @@ from robolayout.assets.obstacles import use_sides
 from robolayout.floor import rect_points
 from robolayout.scene import Agent, Wall
 from robolayout.scene.agent import horizontal_reach
-from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.form import corners_of
 from robolayout.solve.build.member import Member
 from robolayout.solve.build.places import WALL_GAP, targets, wall_yaw
@@ -148,13 +147,10 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     if member.bottom < 2.0 and _in_landing(site, member):
         cost += 30.0
     cost += HANGING.juts_out * _juts_out(site, member)
-    outline = shapely.Polygon(corners_of(member, site.size(name)))
-    cost += HANGING.out_of_reach * bool(shapely.intersects(outline, site.openings).any())
+    cost += HANGING.out_of_reach * bool(shapely.intersects(site.outline(member), site.openings).any())
     cost += _crowding(site, name, member) + _sight(site, name, member) + _far(site, name, member)
     cost += HANGING.crowded * _used_room(site, name, member)
-    cost += float(
-        site.missed(Cluster(name, (Member(name, 0.0, 0.0, 0.0),)), np.array([[member.x, member.y, member.yaw]]))[0]
-    )
+    cost += float(site.missed([Member(name)], np.array([[member.x, member.y, member.yaw]]))[0])
     for names, weight in want.near:
         cost += weight * float(nearness(site, np.array([[member.x, member.y]]), names, far=weight < 0)[0])
     if want.weights.get("by_door"):
@@ -197,7 +193,7 @@ def _crowding(site: Site, name: str, member: Member) -> float:
 
 
 def _in_landing(site: Site, member: Member) -> bool:
-    outline = shapely.Polygon(corners_of(member, site.size(member.name)))
+    outline = site.outline(member)
     return any(shapely.Polygon(site.room.landing(door)).intersects(outline) for door in site.room.doors)
 
 
@@ -295,8 +291,8 @@ def _spread(site: Site, count: int) -> list[tuple[float, float]]:
 
 def _is_free_above(site: Site, name: str, point: tuple[float, float]) -> bool:
     """Whether nothing else hangs from the ceiling there and the whole thing is inside the room."""
-    outline = shapely.Polygon(corners_of(Member(name, *point, 0.0), site.size(name)))
-    others = [shapely.Polygon(corners_of(s.member, site.size(n))) for n, s in site.spots.items() if s.mode == "ceiling"]
+    outline = site.outline(Member(name, *point))
+    others = [site.foot(n) for n, s in site.spots.items() if s.mode == "ceiling"]
     return shapely.Polygon(site.room.vertices).covers(outline) and not any(
         outline.intersects(other) for other in others
     )

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from robolayout.constraints.corner import convex_corners
 from robolayout.scene import Wall
 from robolayout.solve.build.cluster import Cluster
-from robolayout.solve.build.member import Member
-from robolayout.solve.build.site import AT_WALL, Poses, Site
+from robolayout.solve.build.member import Member, Poses
+from robolayout.solve.build.site import AT_WALL, Site
 
 WALL_STEP = 0.1
 """Metres between places tried along a wall."""

@@ -10,12 +10,11 @@ import numpy as np
 import shapely
 
 from robolayout.floor import rect_points
-from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.form import corners_of
 from robolayout.solve.build.grid import cell_poses
-from robolayout.solve.build.member import GridPlan, Member
+from robolayout.solve.build.member import GridPlan, Member, Poses
 from robolayout.solve.build.places import centroid, room_yaws
-from robolayout.solve.build.site import Poses, Site, Spot
+from robolayout.solve.build.site import Site, Spot
 
 Pose = tuple[float, float, float]
 
@@ -81,10 +80,8 @@ def _lay_free(site: Site, names: Sequence[str]) -> None:
     plans = [GridPlan(tuple(names), k, count // k, LAYING.between, LAYING.between) for k in rows]
     (_, pose), plan = min(((_free_floor(site, plan), plan) for plan in plans), key=lambda entry: entry[0][0])
     cells = [Member(n, *c).moved(*pose) for n, c in zip(names, cell_poses(plan, site.size(names[0])), strict=True)]
-    if (
-        max(_covered(site, site.size(names[0]), np.array([_pose(cell) for cell in cells]))) > LAYING.most_covered
-        and count > 1
-    ):
+    covered = _covered(site, site.size(names[0]), np.array([_pose(cell) for cell in cells]))
+    if count > 1 and covered.max() > LAYING.most_covered:
         for name in names:
             _lay_free(site, [name])
         return
@@ -103,15 +100,14 @@ def _free_floor(site: Site, plan: GridPlan) -> tuple[float, Pose]:
     cells = [replace(cell, x=cell.x - centre[0], y=cell.y - centre[1]) for cell in cells]
     poses = np.array([(x, y, yaw) for yaw in room_yaws(site)[:2] for x in xs for y in ys])
     cost = 0.3 * np.hypot(poses[:, 0] - middle[0], poses[:, 1] - middle[1])
-    c, s = np.cos(poses[:, 2]), np.sin(poses[:, 2])
     others = [spot.member for spot in site.spots.values() if spot.mode == "rug"]
     for cell in cells:
-        x, y = poses[:, 0] + c * cell.x - s * cell.y, poses[:, 1] + s * cell.x + c * cell.y
-        cost += 6.0 * _covered(site, size, np.stack([x, y, poses[:, 2]], axis=1), LAYING.wanted)
+        there = cell.everywhere(poses)
+        cost += 6.0 * _covered(site, size, there, LAYING.wanted)
         for other in others:
-            away = np.hypot(x - other.x, y - other.y) / ((size[0] + size[1]) / 2)
+            away = np.hypot(there[:, 0] - other.x, there[:, 1] - other.y) / ((size[0] + size[1]) / 2)
             cost += 4.0 * np.maximum(0.0, 1.0 - away)
-    cost += site.missed(Cluster(plan.names[0], (Member(plan.names[0], 0.0, 0.0, 0.0),)), poses)
+    cost += site.missed([Member(plan.names[0])], poses)
     best = int(np.argmin(cost))
     first = cells[0].moved(*(float(value) for value in poses[best]))
     return float(cost[best]), _pose(first)

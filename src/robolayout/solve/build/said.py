@@ -8,10 +8,8 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from robolayout._geometry import Body, FrameRow, frame_residual
 from robolayout.constraints import AssetRef, FrameTerm, PointRef, Relation, WallRef, Way
@@ -22,25 +20,13 @@ from robolayout.constraints.on_top_of import OnTopOf
 from robolayout.constraints.under import Under
 from robolayout.program import Program
 from robolayout.scene import Layout, Pose, Scene
-from robolayout.solve.build.member import Member
-
-Poses = NDArray[np.float64]
-"""(n, 3) metres and radians."""
+from robolayout.solve.build.member import Member, Poses
 
 MISSED, PER_METRE, FARTHEST = 12.0, 6.0, 2.0
 """Cost of a place that misses a statement, and of each metre of its residual, up to so many."""
 
 SLACK = 0.015
 """Residual up to which a place counts as meeting a statement: 3 cm, or 10 degrees."""
-
-
-class Placed(Protocol):
-    """Something that has its place."""
-
-    @property
-    def member(self) -> Member:
-        """The asset in the world frame."""
-        ...
 
 
 @dataclass(frozen=True)
@@ -71,38 +57,28 @@ class Said:
         known = set(names)
         return [one for one in self.asked if known & one.names]
 
-    def missed(self, members: Sequence[Member], poses: Poses, spots: Mapping[str, Placed]) -> Poses:
-        """Return the cost (n,) of putting some things, given in one frame, where that frame has these poses (n, 3)."""
-        if not self.about([member.name for member in members]):
-            return np.zeros(len(poses))
-        c, s = np.cos(poses[:, 2]), np.sin(poses[:, 2])
-        moving = {
-            m.name: np.column_stack(
-                [poses[:, 0] + c * m.x - s * m.y, poses[:, 1] + s * m.x + c * m.y, poses[:, 2] + m.yaw]
-            )
-            for m in members
-        }
-        return self.cost(moving, {name: spot.member for name, spot in spots.items()})
-
-    def cost(self, moving: Mapping[str, Poses], placed: Mapping[str, Member]) -> Poses:
+    def missed(self, members: Sequence[Member], poses: Poses, placed: Mapping[str, Member]) -> Poses:
         """Return the cost (n,) of places by the statements that they miss; what is not placed yet is not asked about.
 
         Args:
-            moving: Poses of the assets that are put down together.
+            members: What is put down together, in one frame.
+            poses: (n, 3) of that frame.
             placed: What stands already.
         """
-        count = len(next(iter(moving.values())))
-        total = np.zeros(count)
+        total, about = np.zeros(len(poses)), self.about([member.name for member in members])
+        if not about:
+            return total
+        moving = {member.name: member.everywhere(poses) for member in members}
         there = {*moving, *placed}
         first = {name: Member(name, *poses[0].tolist()) for name, poses in moving.items()}
         now = Layout({name: _pose(self.scene, member) for name, member in (first | dict(placed)).items()})
-        for one in self.about(list(moving)):
+        for one in about:
             if not one.names <= there or len(one.names & moving.keys()) == len(one.names) > 1:
                 continue
-            best = np.full(count, np.inf)
+            best = np.full(len(poses), np.inf)
             for way in one.ways:
                 rows = [term for part in way for term in part.terms(self.scene, now) if isinstance(term, FrameTerm)]
-                best = np.minimum(best, sum((self._missed(row, moving, placed) for row in rows), np.zeros(count)))
+                best = np.minimum(best, sum((self._missed(row, moving, placed) for row in rows), np.zeros(len(poses))))
             total += MISSED * (best > SLACK) + PER_METRE * np.minimum(best, FARTHEST)
         return total
 

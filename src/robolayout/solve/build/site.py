@@ -31,11 +31,9 @@ from robolayout.program import Program
 from robolayout.scene import Room, Scene, Wall
 from robolayout.solve.build.cluster import Cluster, ClusterBuilder
 from robolayout.solve.build.form import Forms, at, corners_of, side_rect
-from robolayout.solve.build.member import GridPlan, Member, Rect, box_of, overlaps
+from robolayout.solve.build.member import GridPlan, Member, Poses, Rect, box_of, overlaps
 from robolayout.solve.build.said import Said
 from robolayout.solve.build.wants import Want, late
-
-Poses = NDArray[np.float64]
 
 CLASH = 100.0
 """Cost of a square metre of clash."""
@@ -52,21 +50,13 @@ AT_WALL = 0.35
 
 @dataclass(frozen=True)
 class Spot:
-    """Where one asset was put, and why.
+    """Where one asset was put, and why."""
 
-    Attributes:
-        member: The asset in the world frame; `bottom` is its height above the floor.
-        mode: How it stands ("wall", "corner", "middle", "facing", "grid", "hang", "ceiling", "rug", "join", "given").
-        wall: Index of its wall, or None.
-        anchor: The asset it joins, faces, hangs over or lies under.
-        cell: Its number in the grid it is part of, and the grid.
-    """
-
-    member: Member
-    mode: str
-    wall: int | None = None
-    anchor: str | None = None
-    grid: GridPlan | None = None
+    member: Member  # the asset in the world frame; `bottom` is its height above the floor
+    mode: str  # how it stands ("wall", "corner", "middle", "facing", "grid", "hang", "ceiling", "rug", "join", "given")
+    wall: int | None = None  # index of its wall
+    anchor: str | None = None  # the asset it joins, faces, hangs over or lies under
+    grid: GridPlan | None = None  # the grid it is part of
 
 
 @dataclass(frozen=True)
@@ -141,9 +131,9 @@ class Site:
             claims=dict(self.claims),
         )
 
-    def missed(self, cluster: Cluster, poses: Poses) -> Poses:
-        """Return the cost (n,) of places of a cluster by what is said and they miss."""
-        return self.said.missed(cluster.members, poses, self.spots)
+    def missed(self, members: Sequence[Member], poses: Poses) -> Poses:
+        """Return the cost (n,) of places of things in one frame by what is said and they miss."""
+        return self.said.missed(members, poses, {name: spot.member for name, spot in self.spots.items()})
 
     @property
     def room(self) -> Room:
@@ -199,7 +189,11 @@ class Site:
 
     def foot(self, name: str) -> shapely.Polygon:
         """Return the footprint of what has a place."""
-        return shapely.Polygon(corners_of(self.spots[name].member, self.size(name)))
+        return self.outline(self.spots[name].member)
+
+    def outline(self, member: Member) -> shapely.Polygon:
+        """Return the footprint of a member where it is."""
+        return shapely.Polygon(corners_of(member, self.size(member.name)))
 
     def claim(self, spot: Spot) -> Claim:
         """Return what a thing would ask of the floor there."""
@@ -212,8 +206,8 @@ class Site:
             place = (member.x, member.y, member.yaw)
             uses = [use_cells(self.floor, asset, a, place, member.bottom, carried=carried) for a in self.scene.agents]
             shadow = self.floor.shadow(corners_of(member, asset.size)) if self._takes_floor(spot) else None
-            foot = shapely.Polygon(corners_of(member, asset.size))
-            found = Claim(self.floor.flat(placed(points, *place))[0], tuple(uses), shadow, foot)
+            cells, _ = self.floor.flat(placed(points, *place))
+            found = Claim(cells, tuple(uses), shadow, self.outline(member))
             if not self.trial:
                 self.known[member, spot.mode] = found
         return found
