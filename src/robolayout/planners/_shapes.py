@@ -97,12 +97,6 @@ def table(value: object, where: str) -> dict[str, Any]:
     return dict(value)
 
 
-def texts(value: object, where: str) -> None:
-    """Refuse what is no list of texts."""
-    if not _is_list(value, _is_text):
-        raise SceneError(f"{where} must be a list of texts, but is {show(value)}.")
-
-
 def among(kind: str, names: Iterable[str], known: Iterable[str]) -> None:
     """Refuse the first name that is not known."""
     known = tuple(known)

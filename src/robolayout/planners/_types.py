@@ -29,12 +29,7 @@ class Group:
 
     def to_dict(self) -> dict[str, object]:
         """Return the group as it is written to `grouping.json`."""
-        return {
-            "label": self.label,
-            "rationale": self.rationale,
-            "items": list(self.items),
-            "relations": list(self.relations),
-        }
+        return {**vars(self), "items": list(self.items), "relations": list(self.relations)}
 
 
 @dataclass(frozen=True)

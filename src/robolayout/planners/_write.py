@@ -67,16 +67,9 @@ class Writer:
 
     def _turn(self, name: str) -> tuple[object, ...]:
         top = self.cast[root(self.cast, name)]
-        own, late = self.cast[name], top.role.rank >= SAYING.small and top.name not in self.asked
-        return (
-            top.name not in self.cornered,
-            late,
-            top.role.rank,
-            -top.asset.size[0] * top.asset.size[1],
-            top.name,
-            name != top.name,
-            own.role.rank,
-        )
+        late, area = top.role.rank >= SAYING.small and top.name not in self.asked, top.asset.size[0] * top.asset.size[1]
+        first = (top.name not in self.cornered, late, top.role.rank, -area, top.name)
+        return (*first, name != top.name, self.cast[name].role.rank)
 
     def lines(self, name: str) -> Iterator[Line]:
         """Yield what is said of one asset; sets of assets speak with their last one."""
@@ -117,9 +110,8 @@ class Writer:
         if join.slot == "on":
             for side in halves.get(join.at, ()):
                 yield Line(f'solver.wish.toward({a}, {b}, "{side}")', (item.name, item.anchor or ""))
-        plates = [
-            n for n, one in self.cast.items() if one.anchor == item.anchor and one.join and one.join.at == "plate"
-        ]
+        joined = ((n, one.join) for n, one in self.cast.items() if one.anchor == item.anchor)
+        plates = [n for n, its in joined if its and its.at == "plate"]
         number = self._peers(item).index(item.name)
         said = {
             "left": "left_of({a}, {p}, 0, 0.3)",
@@ -161,7 +153,8 @@ class Writer:
         slot = item.joined.slot
         others = [o for o in self.cast.values() if o.anchor == item.anchor and o.join and o.joined.slot == slot]
         if slot in ("front", "behind"):
-            return sum(max(o.asset.size[0] for o in others if o.role is role) for role in _roles(others, item))
+            roles = {o.role.name: o.role for o in others if o.role is not item.role}.values()
+            return sum(max(o.asset.size[0] for o in others if o.role is role) for role in roles)
         if slot == "beside":
             rank = [o.name for o in others].index(item.name)
             return sum(o.asset.size[1] + o.joined.gap for o in others[: rank // 2 * 2 : 2]) if rank > 1 else 0.0
@@ -204,6 +197,10 @@ class Writer:
                 found += [name] if left >= 0.0 and item.join is None and _modes(item) == ["wall"] else []
         return frozenset(found)
 
+    def _playing(self, *roles: str) -> list[str]:
+        """Return what plays some roles, in their order."""
+        return [n for role in roles for n, one in self.cast.items() if one.role.name == role]
+
     def _equal(self, item: Cast) -> list[str]:
         """Return what stands by itself in the same role."""
         return [n for n, one in self.cast.items() if one.role is item.role and one.anchor is None]
@@ -216,10 +213,8 @@ class Writer:
         x0, y0, x1, y1 = self.scene.room.bounds
         inner = (x1 - x0 - 2 * SAYING.along_walls) * (y1 - y0 - 2 * SAYING.along_walls) / ((x1 - x0) * (y1 - y0))
         count = 2 * round(len(equal) * inner / 2)
-        split = (
-            _modes(item)[0] == "wall" and self.scene.room.area >= SAYING.large and min(count, len(equal) - count) > 3
-        )
-        return equal[-count:] if split else equal
+        large = self.scene.room.area >= SAYING.large and min(count, len(equal) - count) > 3
+        return equal[-count:] if large and _modes(item)[0] == "wall" else equal
 
     def _in_rows(self, item: Cast, equal: Sequence[str]) -> Iterator[Line]:
         """Yield that equal things stand in rows, with the last of them."""
@@ -233,8 +228,8 @@ class Writer:
     def _off_the_floor(self, item: Cast, mode: str) -> Iterator[Line]:
         """Yield where a thing hangs or lies."""
         a, values = self._name(item.name), self._values(item)
-        over = [n for role in item.role.above for n, one in self.cast.items() if one.role.name == role]
-        owner = None if item.name in self.asked else self._owner(item, over)
+        over = self._playing(*item.role.above)
+        owner = None if item.name in self.asked else self._owner(item)
         if owner is not None:
             values |= {"b": self._name(owner), "b name": owner}
         if mode == "hang":
@@ -259,15 +254,14 @@ class Writer:
     def _shared(self, item: Cast, owner: str) -> bool:
         """Whether something else hangs over the same thing."""
         others = [o for o in self.cast.values() if o.role is item.role and o.name != item.name and o.role.above]
-        over = [n for role in item.role.above for n, one in self.cast.items() if one.role.name == role]
-        return any(self._owner(other, over) == owner for other in others)
+        return any(self._owner(other) == owner for other in others)
 
-    def _owner(self, item: Cast, over: Sequence[str]) -> str | None:
+    def _owner(self, item: Cast) -> str | None:
         """Return what a thing hangs over or lies under: of the first with as few others as any, each rug another one."""
         equal = [n for n, one in self.cast.items() if _modes(one)[0] == _modes(item)[0] and one.role.above]
         taken: dict[str, int] = {}
         for name in equal:
-            its = [n for role in self.cast[name].role.above for n, one in self.cast.items() if one.role.name == role]
+            its = self._playing(*self.cast[name].role.above)
             free = [n for n in its if not (taken.get(n) and _modes(item)[0] == "rug")]
             best = min(free, key=lambda n: (taken.get(n, 0), its.index(n)), default=None)
             if name == item.name:
@@ -302,15 +296,10 @@ class Writer:
 
     def _grouped(self, item: Cast, key: str, weight: float) -> Iterator[Line]:
         word, role = key.split(" ", 1)
-        others = [n for n, one in self.cast.items() if one.role.name == role and n != item.name]
+        others = [n for n in self._playing(role) if n != item.name]
         if others:
-            items = ", ".join(self._name(n) for n in others)
-            yield _wish(
-                f"grouped({self._name(item.name)}, [{items}])",
-                weight if word == "near" else -weight,
-                item.name,
-                *others,
-            )
+            call = f"grouped({self._name(item.name)}, [{', '.join(self._name(n) for n in others)}])"
+            yield _wish(call, weight if word == "near" else -weight, item.name, *others)
 
     def _cleared(self, item: Cast) -> Iterator[Line]:
         """Yield the sides that a thing wants clear, where its kind does not say it."""
@@ -345,7 +334,7 @@ class Writer:
         """Return what a thing should face: all of the first role that is there, one each where it stands before them."""
         face, equal = item.role.face, self._equal(item)
         for role in face.roles if face else ():
-            found = [n for n, one in self.cast.items() if one.role.name == role and n != item.name]
+            found = [n for n in self._playing(role) if n != item.name]
             if face and face.say and item.name in equal and found:
                 return [found[equal.index(item.name) % len(found)]]
             if found:
@@ -420,13 +409,6 @@ def _modes(item: Cast) -> list[str]:
     if asset.on_ceiling and not asset.on_floor:
         return ["ceiling"]
     return [mode for mode in stands if mode in ("wall", "corner", "middle", "facing", "grid")] or ["wall", "middle"]
-
-
-def _roles(others: Sequence[Cast], item: Cast) -> list[object]:
-    """Return the roles of what stands between a thing and what both join."""
-    roles = list(dict.fromkeys(id(o.role) for o in others))
-    found = {id(o.role): o.role for o in others}
-    return [found[key] for key in roles if found[key] is not item.role]
 
 
 def _keys(text: str) -> list[str]:

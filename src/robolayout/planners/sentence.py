@@ -70,18 +70,8 @@ class Understanding:
 
     def to_dict(self) -> dict[str, object]:
         """Return everything as plain values for a file."""
-        return {
-            "text": self.text,
-            "room_type": self.room_type,
-            "size": list(self.size),
-            "shape": self.shape,
-            "height": self.height,
-            "agent": self.agent,
-            "wished": dict(self.wished),
-            "added": dict(self.added),
-            "assumed": list(self.assumed),
-            "ignored": list(self.ignored),
-        }
+        lists = {key: list(value) for key, value in vars(self).items() if isinstance(value, tuple)}
+        return {**vars(self), **lists, "wished": dict(self.wished), "added": dict(self.added)}
 
     def sentences(self) -> tuple[str, ...]:
         """Return what was understood, in words."""
