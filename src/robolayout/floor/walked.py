@@ -72,9 +72,8 @@ class Walked:
 
     def left(self, near: Blocks, cells: Blocks) -> NDArray[np.int32]:
         """Return how many cells to walk on are left of some (m, 4) when others (4,) or (m, 4) are taken."""
-        both = np.concatenate(
-            [np.maximum(near[:, :2], cells[..., :2]), np.minimum(near[:, 2:], cells[..., 2:])], axis=1
-        )
+        low, high = np.maximum(near[:, :2], cells[..., :2]), np.minimum(near[:, 2:], cells[..., 2:])
+        both = np.concatenate([low, high], axis=1)
         both[:, 2:] = np.maximum(both[:, 2:], both[:, :2])
         return _count(self._sums, near) - _count(self._sums, both)
 
@@ -133,14 +132,8 @@ def _count(sums: NDArray[np.int32], cells: Blocks) -> NDArray[np.int32]:
 
 def _ring(grid: NDArray[Any], x0: int, y0: int, x1: int, y1: int) -> NDArray[Any]:
     """Return the values right around cells, in order."""
-    return np.concatenate(
-        [
-            grid[x0 - 1, y0 - 1 : y1 + 1],
-            grid[x0:x1, y1],
-            grid[x1, y0 - 1 : y1 + 1][::-1],
-            grid[x0:x1, y0 - 1][::-1],
-        ]
-    )
+    before, after = grid[x0 - 1, y0 - 1 : y1 + 1], grid[x1, y0 - 1 : y1 + 1]
+    return np.concatenate([before, grid[x0:x1, y1], after[::-1], grid[x0:x1, y0 - 1][::-1]])
 
 
 def _pieces(ring: Mask) -> int:

@@ -91,9 +91,8 @@ class Known:
     def floor_area(self, things: Mapping[str, int]) -> float:
         """Return the floor in m2 that things take."""
         kinds = ((self.kinds[name], count) for name, count in things.items())
-        return sum(
-            kind.size[0] * kind.size[1] * count for kind, count in kinds if kind.on_floor and kind.size[2] > 0.03
-        )
+        standing = (pair for pair in kinds if pair[0].on_floor and pair[0].size[2] > 0.03)
+        return sum(kind.size[0] * kind.size[1] * count for kind, count in standing)
 
 
 def times_usual(wishes: Wishes) -> float:
@@ -132,16 +131,13 @@ class Added:
         self.asked = {known.head(name) for name in wishes.things}
         self.asked |= {known.head(name) for name in wished if known.head(name) == "bed"}
         self.lasts = {name.split()[-1] for name in wishes.things} | wishes.general
-        on = [
-            mention.thing
-            for k in wishes.reading.parsed.links
-            if k.relation in ("on", "above")
-            for mention in k.subjects
-        ]
-        borne = {thing.noun.kind for thing in on if "floor" not in known.kinds[thing.noun.kind].places}
+        on = (link for link in wishes.reading.parsed.links if link.relation in ("on", "above"))
+        borne = {
+            kind for link in on for m in link.subjects if "floor" not in known.kinds[kind := m.thing.noun.kind].places
+        }
         self.spared = {
             other for name in borne for other in known.rooms.companions.get(name, {})
-        }  # what bears them is said
+        }  # their bearer is said
         height = wishes.reading.measure("height")
         self.ceiling = height[0] if height else math.inf
         self.found: dict[str, int] = {}

@@ -222,9 +222,8 @@ class _Reading:
 def _named(entries: object, where: str) -> list[dict[str, Any]]:
     """Return tables that say their names, from such ("[[role]]") or from a table of tables ("[role.bed]")."""
     if isinstance(entries, Mapping):
-        return [
-            {"name": name, **entry} for name, entry in zip(entries, tables([*entries.values()], where), strict=True)
-        ]
+        named = zip(entries, tables([*entries.values()], where), strict=True)
+        return [{"name": name, **entry} for name, entry in named]
     return tables(entries, where)
 
 

@@ -113,11 +113,7 @@ def _normal(text: str) -> str:
 
 def _fits(role: Role, asset: Asset) -> bool:
     """Whether the asset's flags allow any way of standing that the role knows."""
-    allowed = {
-        "hang": asset.on_wall,
-        "ceiling": asset.on_ceiling,
-        "rug": asset.on_floor and asset.size[2] <= 0.1,
-    }
+    allowed = {"hang": asset.on_wall, "ceiling": asset.on_ceiling, "rug": asset.on_floor and asset.size[2] <= 0.1}
     if any(allowed.get(mode, asset.on_floor) for mode in role.stands):
         return True
     return any(join_allowed(join, asset) for join in role.joins)

@@ -198,10 +198,8 @@ def _things(
         like = kind.like or (name if shown != name else "")
         size = _large_enough(thing, sized(kind, thing.adjectives, thing.sizes), links, lexicon)
         if not all(0.0 < side <= LONGEST for side in size):
-            shape = " x ".join(f"{side:g}" for side in size)
-            raise SceneError(
-                f"a {shown} of {shape} m cannot be placed; give it sides above 0 and at most {LONGEST:g} m."
-            )
+            shape = f"{' x '.join(f'{side:g}' for side in size)} m"
+            raise SceneError(f"a {shown} of {shape} cannot be placed; give it sides above 0 and at most {LONGEST:g} m.")
         kind = _as_placed(thing, replace(kind, name=shown, like=like, size=size), links, lexicon)
         if kind != lexicon.kinds[name] and wished.get(shown, 0) == 0:
             named[shown] = kind
@@ -244,16 +242,12 @@ def _large_enough(
         if thing not in to:
             continue
         for mention in link.subjects:
-            own = lexicon.kinds[mention.thing.noun.kind].size
-            each = mention.thing.count / thing.count
+            kind, each = mention.thing.noun.kind, mention.thing.count / thing.count
+            own = lexicon.kinds[kind].size
             if link.relation == "on" and height < FLAT_HEIGHT:
                 times = math.sqrt(max(1.0, each * (max(own[:2]) + APART) ** 2 / (depth * width)))
                 depth, width = round(depth * times, 2), round(width * times, 2)
-            elif (
-                link.relation in AT_A_LINE
-                and thing.noun.kind.endswith("counter")
-                and mention.thing.noun.kind.endswith(SEATS)
-            ):
+            elif link.relation in AT_A_LINE and thing.noun.kind.endswith("counter") and kind.endswith(SEATS):
                 width = round(max(width, each * (own[1] + APART)), 2)
     seats = 0 if thing.sizes else math.ceil(_seats(thing, links))
     if seats and thing.noun.kind.endswith("table"):

@@ -124,9 +124,8 @@ class Problem:
                 continue
             pose = self.guess[asset.name]
             wide = [w for w in walls if w.length >= asset.size[1]] or list(walls)
-            nearest = min(
-                wide, key=lambda w: abs((pose.x - w.start[0]) * w.normal[0] + (pose.y - w.start[1]) * w.normal[1])
-            )
+            off = [abs((pose.x - w.start[0]) * w.normal[0] + (pose.y - w.start[1]) * w.normal[1]) for w in wide]
+            nearest = wide[off.index(min(off))]
             found.append(wall_term(ref, WallRef(nearest.index), self.scene, 2.0))
         return tuple(found)
 
@@ -235,13 +234,9 @@ def _parents(
 ) -> dict[str, str]:
     """Return what each asset stands on: as the program says, else the nearest top that holds it."""
     parents: dict[str, str] = {}
-    for relation in relations:
-        if (
-            isinstance(relation, OnTopOf)
-            and _depth(relation.b.name, parents) < DEEPEST
-            and relation.a.name not in parents
-        ):
-            parents[relation.a.name] = relation.b.name
+    for on in (relation for relation in relations if isinstance(relation, OnTopOf)):
+        if _depth(on.b.name, parents) < DEEPEST and on.a.name not in parents:
+            parents[on.a.name] = on.b.name
     for asset in scene.assets:
         only_on_things = asset.on_object and not (asset.on_floor or asset.on_wall or asset.on_ceiling)
         if only_on_things and asset.name not in parents:

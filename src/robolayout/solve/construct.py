@@ -226,9 +226,8 @@ class Builder:
         which = self.rng.choice(len(walls), count, p=lengths / lengths.sum())
         along = hy + self.rng.random(count) * (lengths[which] - 2 * hy)
         along = np.where(self.rng.random(count) < 0.3, hy + BUILDING.closest, along)
-        starts, ways, normals = (
-            np.array([getattr(w, name) for w in walls])[which] for name in ("start", "direction", "normal")
-        )
+        lines = np.array([(wall.start, wall.direction, wall.normal) for wall in walls])
+        starts, ways, normals = lines[which].transpose(1, 0, 2)
         return np.concatenate([starts + along[:, None] * ways + (hx + BUILDING.closest) * normals, normals], axis=1)
 
     def _cost(self, slot: int, places: Floats, world: Floats, site: _Site) -> Floats:

@@ -121,9 +121,7 @@ def losses(local: Poses, arrays: Arrays, routes: Routes, near: Near, weights: We
     """Return every term of the objective per start, looking only at what may touch."""
     body = bodies(world_poses(local, arrays), arrays)
     framed, mirrored = statement_residuals(body, arrays)
-    body = body._replace(
-        c=stop_gradient(body.c), s=stop_gradient(body.s)
-    )  # things make way, they do not turn out of it
+    body = body._replace(c=stop_gradient(body.c), s=stop_gradient(body.s))  # things make way, but do not turn for it
     pull = jnp.sum(saturated(framed, weights) * arrays.frame_row[:, -1], axis=-1)
     pull += jnp.sum(saturated(mirrored, weights) * arrays.mirror_weight, axis=-1)
     clear = hard(clear_depths(body, arrays, near.clears, weights), weights)

@@ -106,17 +106,9 @@ def _nearer(problem: Problem, world: Floats, slot: int, no_worse: Callable[[Floa
     """Return poses (n, 4) with one thing, and what stands on it, as far back as it may go in one go."""
     here, there = world[slot], problem.start[slot]
     off = relative(here, there)
-    ways = (
-        (1.0, 1.0, there),
-        (1.0, 1.0, here),
-        (1.0, 0.0, here),
-        (0.0, 1.0, here),
-        (0.7, 0.7, here),
-        (0.4, 0.4, here),
-        (0.0, 0.0, there),
-    )
+    parts = ((1.0, 1.0), (1.0, 0.0), (0.0, 1.0), (0.7, 0.7), (0.4, 0.4))
     least = problem.moved(world) - GAIN
-    for along, across, heading in ways:
+    for (along, across), heading in (((1.0, 1.0), there), *((part, here) for part in parts), ((0.0, 0.0), there)):
         trial = world.copy()
         pose = compose(here, np.array([along * off[0], across * off[1], 1.0, 0.0]))
         carry(problem, trial, slot, np.concatenate([pose[:2], heading[2:]]))
@@ -137,9 +129,8 @@ def _units(problem: Problem) -> list[list[int]]:
             slot = int(problem.parent[slot])
         if slot in leading or slot not in leaders:
             return slot
-        return min(
-            leaders[slot], key=lambda other: (math.dist(problem.start[slot, :2], problem.start[other, :2]), other)
-        )
+        here = problem.start[slot, :2]
+        return min(leaders[slot], key=lambda other: (math.dist(here, problem.start[other, :2]), other))
 
     units: dict[int, list[int]] = {}
     for name in problem.guessed:

@@ -71,10 +71,8 @@ class Score:
         broken = (overlaps > self._weights.margin + EXACT).sum(axis=1)
         held = rows.held[known[arrays.clear_owner[rows.held[:, 0]]]]
         kept = rows.kept[known[rows.kept[:, 1]]]
-        for clears, owner, other in (
-            (held, _at(table, arrays.clear_owner[held[:, 0]]), own),
-            (kept, own, _at(table, kept[:, 1])),
-        ):
+        owners, others = _at(table, arrays.clear_owner[held[:, 0]]), _at(table, kept[:, 1])
+        for clears, owner, other in ((held, owners, own), (kept, own, others)):
             if len(clears):
                 depth = penetration(within(owner, arrays.clear_box[clears[:, 0]]), other, self._weights.margin)
                 weight = arrays.clear_weight[tuple(clears.T)]

@@ -87,15 +87,8 @@ def relative(outer: Floats, pose: Floats) -> Floats:
     """Return poses (..., 4) as seen from `outer`."""
     dx, dy = pose[..., 0] - outer[..., 0], pose[..., 1] - outer[..., 1]
     c, s = outer[..., 2], outer[..., 3]
-    return np.stack(
-        [
-            c * dx + s * dy,
-            c * dy - s * dx,
-            c * pose[..., 2] + s * pose[..., 3],
-            c * pose[..., 3] - s * pose[..., 2],
-        ],
-        axis=-1,
-    )
+    turned = (c * pose[..., 2] + s * pose[..., 3], c * pose[..., 3] - s * pose[..., 2])
+    return np.stack([c * dx + s * dy, c * dy - s * dx, *turned], axis=-1)
 
 
 def bucket(count: int, sizes: Sequence[int]) -> int:
@@ -209,10 +202,8 @@ def _frames(problem: Problem, number: int, world: Floats, size: int) -> tuple[Fl
 
 def _on_top(problem: Problem, slot: int, carrier: Floats) -> tuple[Floats, Floats]:
     """Return the middle (x, y, cos, sin) and the half sizes of what a slot may take of the surface on which it stands."""
-    place = problem.resting[slot]
-    x0, y0, x1, y1 = (
-        place.rectangle if place else (*-problem.half[problem.parent[slot]], *problem.half[problem.parent[slot]])
-    )
+    place, whole = problem.resting[slot], problem.half[problem.parent[slot]]
+    x0, y0, x1, y1 = place.rectangle if place else (*-whole, *whole)
     c, s = carrier[2:]
     u, v = (x0 + x1) / 2, (y0 + y1) / 2
     half = np.array([x1 - x0, y1 - y0]) / 2
@@ -234,16 +225,14 @@ def _stay_terms(problem: Problem) -> Iterable[Term]:
     """Yield weak rows that hold things where the program first put them, in the room or on their carrier."""
     for name in problem.guessed:
         slot = problem.slot[name]
-        carrier = problem.parent[slot]
+        me, carrier = AssetRef(name), problem.parent[slot]
         if carrier < 0:
             pose = problem.guess[name]
-            yield FrameTerm(
-                AssetRef(name), PointRef(pose.x, pose.y), distance=(0.0, 0.0), heading=pose.yaw, weight=STAY
-            )
+            yield FrameTerm(me, PointRef(pose.x, pose.y), distance=(0.0, 0.0), heading=pose.yaw, weight=STAY)
         else:
             u, v = (float(value) for value in relative(problem.start[carrier], problem.start[slot])[:2])
             top = AssetRef(problem.names[carrier])
-            yield FrameTerm(AssetRef(name), top, along=Interval(u, u), across=Interval(v, v), weight=STAY)
+            yield FrameTerm(me, top, along=Interval(u, u), across=Interval(v, v), weight=STAY)
 
 
 class Bodies:

@@ -110,12 +110,9 @@ class _Taped(WrapperModel):
             response = await self.wrapped.request(messages, model_settings, model_request_parameters)
             length = sum(len(part.content) for part in response.parts if isinstance(part, TextPart))
             if not (response.usage.input_tokens or response.usage.output_tokens):
-                self._client.note(
-                    f"{self._client.spec.name} tells no token counts; they are estimated from characters."
-                )
-                response.usage = RequestUsage(
-                    input_tokens=tokens_of(self._question), output_tokens=length // CHARACTERS_PER_TOKEN
-                )
+                name, sent = self._client.spec.name, tokens_of(self._question)
+                self._client.note(f"{name} tells no token counts; they are estimated from characters.")
+                response.usage = RequestUsage(input_tokens=sent, output_tokens=length // CHARACTERS_PER_TOKEN)
             self._answer = to_answer(response, self._tape.scrub)
             if response.finish_reason == "length":
                 self._client.cut |= {part["content"] for part in self._answer["parts"]}
@@ -266,12 +263,8 @@ class Client:
         self.sees = False
 
     async def _run_agent(self, taped: _Taped, question: Question, answer: type[T], check: Check | None) -> T:
-        agent = Agent(
-            taped,
-            output_type=self._output(question, answer),
-            instructions=question.instructions,
-            retries={"output": 2},
-        )
+        typed = self._output(question, answer)
+        agent = Agent(taped, output_type=typed, instructions=question.instructions, retries={"output": 2})
 
         @agent.output_validator
         def validate(context: RunContext[Any], output: Any) -> Any:
@@ -282,12 +275,8 @@ class Client:
 
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # what the library has to say is nothing that a user can act on
-            result = await agent.run(
-                _content(question),
-                model_settings=self._settings(question),
-                usage=self.spent,
-                usage_limits=UsageLimits(request_limit=None),
-            )
+            told, limits = self._settings(question), UsageLimits(request_limit=None)
+            result = await agent.run(_content(question), model_settings=told, usage=self.spent, usage_limits=limits)
         return result.output
 
     def _output(self, question: Question, answer: type[Any]) -> Any:
@@ -301,11 +290,8 @@ class Client:
 
     def _settings(self, question: Question) -> ModelSettings:
         options = self.options
-        settings = ModelSettings(
-            timeout=options.timeout,
-            request_timeout=PATIENCE * options.timeout,
-            temperature=question.temperature,
-        )
+        whole = PATIENCE * options.timeout
+        settings = ModelSettings(timeout=options.timeout, request_timeout=whole, temperature=question.temperature)
         if options.thinking is not None:
             settings["thinking"] = options.thinking
         if options.cache:

@@ -59,9 +59,8 @@ def complaint(scene: Scene, grouping: Grouping) -> str | None:
         )
         if names
     ]
-    return (
-        " ".join(parts) + " Answer again with every thing in exactly one group, under its own name." if parts else None
-    )
+    again = "Answer again with every thing in exactly one group, under its own name."
+    return " ".join([*parts, again]) if parts else None
 
 
 def groups_of(scene: Scene, grouping: Grouping) -> tuple[Group, ...]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import statistics
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from pydantic import BaseModel, Field
@@ -86,12 +86,8 @@ class Opinion:
 
 
 def _spread(scores: Sequence[int]) -> dict[str, float | int]:
-    return {
-        "mean": statistics.fmean(scores),
-        "lowest": min(scores),
-        "highest": max(scores),
-        "deviation": statistics.pstdev(scores),
-    }
+    mean, deviation = statistics.fmean(scores), statistics.pstdev(scores)
+    return {"mean": mean, "lowest": min(scores), "highest": max(scores), "deviation": deviation}
 
 
 class ModelJudge:
@@ -130,12 +126,8 @@ class ModelJudge:
         words = f"# What was asked for\n\n{quoted(scene.task_description)}\n{quoted(scene.layout_criteria)}"
         shown = tuple((image_label(name), data) for name, data in images_in_order(images))
         key = digest([given_data(scene, None, "judge"), poses_text(scene, layout)])
-        asked = [
-            Question(
-                "judge", scene.name, 1, i + 1, prompt("judge"), (words, *shown), key, FREEDOM, self.seed * 1000 + i
-            )
-            for i in range(self.votes)
-        ]
+        first = Question("judge", scene.name, 1, 1, prompt("judge"), (words, *shown), key, FREEDOM, self.seed * 1000)
+        asked = [replace(first, sample=i + 1, seed=first.seed + i) for i in range(self.votes)]
         answers = self._client.ask(asked, Vote)
         votes = tuple(answer for answer in answers if isinstance(answer, Vote))
         failures = [answer for answer in answers if isinstance(answer, InputError | ModelError)]

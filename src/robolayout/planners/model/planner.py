@@ -149,9 +149,8 @@ class ModelPlanner:
         self._asked.clear()
         if self.mode == "one_shot" or len(scene.assets) < 2:
             return (Group(EVERYTHING, "All at once.", tuple(asset.name for asset in scene.assets)),)
-        question = self._question(
-            scene, None, "group", instructions="group", parts=[texts.request_text(scene, None, names=True)]
-        )
+        parts = [texts.request_text(scene, None, names=True)]
+        question = self._question(scene, None, "group", instructions="group", parts=parts)
         (answer,) = self._client.ask([question], Grouping, lambda given: complaint(scene, given))
         if isinstance(answer, USELESS):
             self._client.note(f"The offline planner's groups are asked for: {answer}")
@@ -229,10 +228,8 @@ class ModelPlanner:
         label = group.label if group else EVERYTHING
         key = texts.digest(data)
         self._asked[kind, label, key] += 1
-        said = tuple(part for part in parts if part)
-        return Question(
-            kind, label, self._asked[kind, label, key], 1, texts.prompt(instructions), said, key, seed=self.seed
-        )
+        said, attempt = tuple(part for part in parts if part), self._asked[kind, label, key]
+        return Question(kind, label, attempt, 1, texts.prompt(instructions), said, key, seed=self.seed)
 
 
 def _sound(answer: T | Exception) -> T:

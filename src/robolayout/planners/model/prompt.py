@@ -24,6 +24,9 @@ from robolayout.scene import Agent, Asset, Layout, Opening, Pose, Room, Scene, a
 PROMPT_VERSION = "3"
 """Version of the prompt files; written into every exchange and every report."""
 
+PLACES = ("floor", "wall", "ceiling", "another thing")
+"""Where a thing may be."""
+
 LONGEST_DESCRIPTION = 400
 """Characters of a description that a model is shown."""
 
@@ -179,9 +182,8 @@ def agent_text(agent: Agent) -> str:
     if agent.turning_diameter:
         parts.append(f"turns in a circle of {agent.turning_diameter:.2f} m")
     if agent.reach_distance:
-        parts.append(
-            f"reaches {agent.reach_distance:.2f} m far, from {agent.reach_low:.2f} to {agent.reach_high:.2f} m high"
-        )
+        heights = f"from {agent.reach_low:.2f} to {agent.reach_high:.2f} m high"
+        parts.append(f"reaches {agent.reach_distance:.2f} m far, {heights}")
     if agent.step > 0:
         parts.append(f"gets over {agent.step:.2f} m")
     return f"{quoted(agent.title or agent.name)} {', '.join(parts)}."
@@ -189,19 +191,14 @@ def agent_text(agent: Agent) -> str:
 
 def asset_data(asset: Asset) -> dict[str, object]:
     """Return an asset as plain data."""
-    flags = {
-        "floor": asset.on_floor,
-        "wall": asset.on_wall,
-        "ceiling": asset.on_ceiling,
-        "another thing": asset.on_object,
-    }
+    flags = (asset.on_floor, asset.on_wall, asset.on_ceiling, asset.on_object)
     data: dict[str, object] = {
         "name": asset.name,
         "category": asset.category,
         "depth": round(asset.size[0], 3),
         "width": round(asset.size[1], 3),
         "height": round(asset.size[2], 3),
-        "on": [place for place, allowed in flags.items() if allowed],
+        "on": [place for place, allowed in zip(PLACES, flags, strict=True) if allowed],
     }
     if asset.description:
         short = asset.description[:LONGEST_DESCRIPTION]
@@ -233,9 +230,8 @@ def _labels() -> dict[str, str]:
 
 def image_label(name: str) -> str:
     """Return the line above an image."""
-    return _labels().get(
-        name, f"What {quoted(name)} looks like from its front, a little from its right and from above."
-    )
+    front = f"What {quoted(name)} looks like from its front, a little from its right and from above."
+    return _labels().get(name, front)
 
 
 def images_in_order(images: Mapping[str, bytes]) -> tuple[tuple[str, bytes], ...]:

@@ -157,9 +157,8 @@ class Attempt:
     def _apart(self, step: _Step, here: Member) -> float:
         """Return metres between a place and the nearest thing of a step's cluster."""
         spots = (self.site.spots[member.name].member for member in step.cluster.members) if step.cluster else ()
-        return min(
-            math.hypot(spot.x - here.x, spot.y - here.y) - min(self.site.size(spot.name)[:2]) / 2 for spot in spots
-        )
+        away = ((math.hypot(at.x - here.x, at.y - here.y), self.site.size(at.name)) for at in spots)
+        return min(far - min(size[:2]) / 2 for far, size in away)
 
     def _without(self, out: Sequence[_Step], *, trial: bool = False) -> Site:
         """Return the site with everything done again but some steps."""
@@ -365,7 +364,7 @@ class Attempt:
         told = told_rows(self.site.wants[clusters[0].anchor])
         limit = COSTS.hopeless + (
             missed if told else 0.0
-        )  # what no place of a demanded block meets speaks against none
+        )  # what no place meets of a demanded block speaks against none
         for cost, plan, batch, row in sorted(ranked, key=lambda entry: entry[0]):
             if cost > limit or tried >= 3 * COSTS.trials or (best is not None and cost > best[0]):
                 break

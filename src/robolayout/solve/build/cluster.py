@@ -134,9 +134,8 @@ class ClusterBuilder:
         """At the slots of the relation `around`."""
         seats = tuple(AssetRef(item.name) for item in items)
         slots = Around(seats, AssetRef(anchor.name)).slots(self.scene)
-        return [
-            Member(item.name, x, y, yaw, side=_side_of(yaw)) for item, (x, y, yaw) in zip(items, slots, strict=True)
-        ]
+        there = zip(items, slots, strict=True)
+        return [Member(item.name, x, y, yaw, side=_side_of(yaw)) for item, (x, y, yaw) in there]
 
     def _on(self, anchor: Want, items: Sequence[Want], placed: Sequence[Member]) -> list[Member]:
         """On the anchor's top: place settings before its seats, the rest where its kind belongs."""

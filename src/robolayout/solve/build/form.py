@@ -66,9 +66,7 @@ class Forms:
         return found
 
     def _wanted(self, cluster: Cluster) -> list[Strip]:
-        boxes = [
-            box_of(member, self.scene.by_name[member.name].size) for member in cluster.members if self.on_floor(member)
-        ]
+        boxes = [box_of(m, self.scene.by_name[m.name].size) for m in cluster.members if self.on_floor(m)]
         found: list[Strip] = []
         for member in cluster.members:
             if not self.on_floor(member):

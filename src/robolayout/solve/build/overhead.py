@@ -111,10 +111,8 @@ def _hang_offsets(site: Site, name: str, wall: Wall) -> list[float]:
 
 def _reach_top(site: Site, ahead: float) -> float:
     """Return the highest lower edge, in metres, of what every agent with an arm can take hold of over what juts out below."""
-    return (
-        min((_highest(a, ahead) for a in site.scene.agents if a.reach_distance is not None), default=9.0)
-        - HANGING.take_hold
-    )
+    highest = (_highest(a, ahead) for a in site.scene.agents if a.reach_distance is not None)
+    return min(highest, default=9.0) - HANGING.take_hold
 
 
 def _highest(agent: Agent, ahead: float) -> float:
@@ -154,7 +152,7 @@ def _hang_cost(site: Site, name: str, wall: Wall, t: float) -> tuple[float, Spot
     for names, weight in want.near:
         cost += weight * float(nearness(site, np.array([[member.x, member.y]]), names, far=weight < 0)[0])
     if want.weights.get("by_door"):
-        cost -= want.weights["by_door"] * _door_cost(site, member)
+        cost += want.weights["by_door"] * _to_door(site, member)
     return cost, Spot(member, "hang", wall.index, owner)
 
 
@@ -214,11 +212,11 @@ def _far(site: Site, name: str, member: Member) -> float:
     return 10.0 * (not site.serves(site.claim(Spot(member, "hang"))))
 
 
-def _door_cost(site: Site, member: Member) -> float:
+def _to_door(site: Site, member: Member) -> float:
     """Return how far the nearest door is, as a share of the room."""
     points = [site.room.walls[d.wall].point(d.center) for d in site.room.doors]
     away = [math.dist(point, (member.x, member.y)) for point in points]
-    return -min(away) / math.sqrt(site.room.area) if away else 0.0
+    return min(away) / math.sqrt(site.room.area) if away else 0.0
 
 
 def _sight(site: Site, name: str, member: Member) -> float:
@@ -276,11 +274,8 @@ def _spread(site: Site, count: int) -> list[tuple[float, float]]:
     i, j = np.nonzero(site.floor.inside)
     stride = max(1, len(i) // 4000)
     points = np.stack([i[::stride], j[::stride]], -1) + 0.5
-    order = (
-        np.lexsort((points[:, 1], points[:, 0]))
-        if np.ptp(points[:, 0]) > np.ptp(points[:, 1])
-        else np.lexsort(points.T)
-    )
+    x, y = points.T
+    order = np.lexsort((y, x) if np.ptp(x) > np.ptp(y) else (x, y))
     seeds = np.array([part.mean(0) for part in np.array_split(points[order], count)])
     for _ in range(30):
         nearest = np.argmin(((points[:, None] - seeds[None]) ** 2).sum(-1), axis=1)
@@ -293,6 +288,5 @@ def _is_free_above(site: Site, name: str, point: tuple[float, float]) -> bool:
     """Whether nothing else hangs from the ceiling there and the whole thing is inside the room."""
     outline = site.outline(Member(name, *point))
     others = [site.foot(n) for n, s in site.spots.items() if s.mode == "ceiling"]
-    return shapely.Polygon(site.room.vertices).covers(outline) and not any(
-        outline.intersects(other) for other in others
-    )
+    inside = shapely.Polygon(site.room.vertices).covers(outline)
+    return inside and not any(outline.intersects(other) for other in others)

@@ -48,9 +48,8 @@ class Said:
     def of(scene: Scene, program: Program) -> Said:
         """Return the statements of a program but those that hold by the way in which places are found."""
         relations = [one.relation for one in program.statements if not _built_in(one.relation)]
-        return Said(
-            scene, tuple(Asked(frozenset(one.asset_names()), one.ways(scene) or ((one,),)) for one in relations)
-        )
+        asked = (Asked(frozenset(one.asset_names()), one.ways(scene) or ((one,),)) for one in relations)
+        return Said(scene, tuple(asked))
 
     def about(self, names: Sequence[str]) -> list[Asked]:
         """Return the statements that have to do with some assets."""
@@ -100,10 +99,8 @@ class Said:
             poses = np.array([[ref.x, ref.y, ref.yaw]])
         else:
             depth, width, _ = self.scene.by_name[ref.name].size
-            there = placed.get(ref.name)
-            poses = (
-                moving[ref.name] if there is None or ref.name in moving else np.array([[there.x, there.y, there.yaw]])
-            )
+            at = placed.get(ref.name)
+            poses = moving[ref.name] if at is None or ref.name in moving else np.array([[at.x, at.y, at.yaw]])
         x, y, yaw = poses.T
         return Body(x, y, np.cos(yaw), np.sin(yaw), *np.array([[depth / 2], [width / 2], [core]]))
 

@@ -289,9 +289,8 @@ class Site:
             return False
         x, y, yaw = (float(value) for value in pose)
         strips = [strip for m in members if (strip := self.opening(m.moved(x, y, yaw))) is not None]
-        return bool(shapely.covers(_walls_of(self.room), strips).all()) and not _touch(
-            np.array(strips), [*self.fixed, *fixed]
-        )
+        inside = bool(shapely.covers(_walls_of(self.room), strips).all())
+        return inside and not _touch(np.array(strips), [*self.fixed, *fixed])
 
     def opening(self, member: Member) -> shapely.Polygon | None:
         """Return the strip that the doors or drawers of a floor thing open into, or None."""
@@ -348,11 +347,8 @@ class Site:
         """Return what covers a wall: (start, low, end, high) along it and up it, in metres, with a name each."""
         takers: list[tuple[Rect, str]] = []
         for kind, openings in (("door", self.room.doors), ("window", self.room.windows)):
-            takers += [
-                ((o.offset, o.sill, o.offset + o.width, o.sill + o.height), kind)
-                for o in openings
-                if o.wall == wall.index
-            ]
+            here = (o for o in openings if o.wall == wall.index)
+            takers += [((o.offset, o.sill, o.offset + o.width, o.sill + o.height), kind) for o in here]
         takers += [(s.rect, s.name) for s in self.spans if s.wall == wall.index and s.depth <= AT_WALL]
         return takers
 

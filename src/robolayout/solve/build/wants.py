@@ -324,9 +324,8 @@ class _Reading:
         modes = self._modes()
         if "hang" in modes:
             return {"hang": 0.0}
-        if "corner" in modes and (
-            modes["corner"] <= 0 or (math.isinf(modes.get("wall", 0)) and modes["corner"] < LEADS)
-        ):
+        walled = math.isinf(modes.get("wall", 0))
+        if (corner := modes.get("corner")) is not None and (corner <= 0 or (walled and corner < LEADS)):
             del modes["corner"]  # a wall's ends are corners, too
         if not any(math.isinf(weight) for weight in modes.values()):
             modes["facing" if face is not None and not face.away else "middle"] = 0.0

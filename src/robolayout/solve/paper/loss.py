@@ -66,7 +66,6 @@ def loss_terms(poses: Float[Array, "slots 4"], table: Table) -> Float[Array, " t
     framed = frame_residual(a, b, row)
     left, right, axis = (take(table.mirror_index[:, i]) for i in range(3))
     mirrored = mirror_residual(left, right, yielding(axis, loose), table.mirror_normal)
-    statements = (
-        jnp.sum(row.weight * framed) + jnp.sum(table.mirror_weight * mirrored) - jnp.sum(table.stack_weight * covered)
-    )
+    said = jnp.sum(row.weight * framed) + jnp.sum(table.mirror_weight * mirrored)
+    statements = said - jnp.sum(table.stack_weight * covered)
     return jnp.stack([overlap, statements, reach])
