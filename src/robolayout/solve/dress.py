@@ -109,11 +109,6 @@ class _Place:
     free: BaseGeometry
     rng: random.Random
 
-    @property
-    def bounds(self) -> tuple[float, float, float, float]:
-        """The largest rectangle on it."""
-        return self.surface.rectangle
-
 
 @dataclass
 class _Dresser:
@@ -171,26 +166,16 @@ class _Dresser:
 
     def _surface(self, asset: Asset, surface: Surface, rule: Mapping[str, Any], rng: random.Random) -> None:
         pose = self.layout[asset.name]
-        inner = (
-            surface.region
-            if surface.is_hook
-            else surface.region.buffer(self.config.slack - self.config.edge, join_style="mitre")
-        )
+        inner = surface.region
+        if not surface.is_hook:
+            inner = inner.buffer(self.config.slack - self.config.edge, join_style="mitre")
         free = inner.difference(self._taken(asset, pose, surface))
         if free.is_empty:
             return
         place = _Place(asset, pose, surface, free, rng)
-        ways = {
-            "row": self._row,
-            "back": self._back,
-            "middle": self._middle,
-            "about": self._about,
-            "places": self._places,
-            "hang": self._hang,
-        }
         for part in (rule, *rule.get("also", ())):
             if rng.random() < part.get("chance", 1.0):
-                ways[part["put"]](place, part)
+                getattr(self, f"_{part['put']}")(place, part)  # one of the methods below
 
     def _taken(self, asset: Asset, pose: Pose, surface: Surface) -> BaseGeometry:
         """Return what of a surface is covered by what stands there already, in the carrier's frame."""
@@ -215,17 +200,12 @@ class _Dresser:
         """Return one of the things that fit under what covers a surface, and into a width one way round or the other, in a size
         of its own; None where none does."""
         room, least = place.surface.free - self.config.air, 1 - self.config.vary
-        fit = [
-            kind
-            for kind in things
-            if CATALOGUE[kind].size[2] * least <= room
-            and min(CATALOGUE[kind].size[:2]) * least <= wide
-            and kind not in self._had
-        ]
+        sizes = {kind: CATALOGUE[kind].size for kind in things if kind not in self._had}
+        fit = [kind for kind, size in sizes.items() if size[2] * least <= room and min(size[:2]) * least <= wide]
         if not fit:
             return None
         kind = place.rng.choices(fit, [things[kind] for kind in fit])[0]
-        depth, width, height = CATALOGUE[kind].size
+        depth, width, height = sizes[kind]
         narrow = width if width * least <= wide else min(depth, width)
         scale = min(place.rng.uniform(least, 2 - least), (wide - 10 * self.config.slack) / narrow)
         tall = min(height * place.rng.uniform(least, 2 - least), room)
@@ -233,7 +213,7 @@ class _Dresser:
 
     def _row(self, place: _Place, rule: Mapping[str, Any]) -> None:
         """Stand things side by side along the front edge, runs of one kind; those of `tight` close, each in its own size."""
-        y, ahead, end = (place.bounds[i] + sign * self.config.edge for i, sign in ((1, 1), (2, -1), (3, -1)))
+        y, ahead, end = (place.surface.rectangle[i] + sign * self.config.edge for i, sign in ((1, 1), (2, -1), (3, -1)))
         while (thing := self._kind(place, rule["things"], end - y)) is not None:
             tight = thing.category in rule.get("tight", ())
             runs = place.rng.randint(1, rule["run"]) if "run" in rule and (tight or "tight" not in rule) else 1
@@ -253,7 +233,7 @@ class _Dresser:
 
     def _back(self, place: _Place, rule: Mapping[str, Any]) -> None:
         """Stand things along the back edge, with room between them."""
-        behind, y, _, end = place.bounds
+        behind, y, _, end = place.surface.rectangle
         y += place.rng.uniform(*self.config.spread)
         last = ""
         while y < end:
@@ -265,19 +245,13 @@ class _Dresser:
             askew = math.radians(place.rng.uniform(-self.config.turn, self.config.turn))
             half = (thing.size[1] * math.cos(askew) + thing.size[0] * abs(math.sin(askew))) / 2
             deep = (thing.size[0] * math.cos(askew) + thing.size[1] * abs(math.sin(askew))) / 2
-            own, x = (
-                self._variable(thing.category),
-                behind + self.config.edge + deep + place.rng.uniform(*self.config.loose),
-            )
+            own = self._variable(thing.category)
+            x = behind + self.config.edge + deep + place.rng.uniform(*self.config.loose)
             for ahead in self.config.ahead:  # a mirror on the wall, a lamp, or a screen may stand behind
                 if self._put(place, thing, (x + ahead, y + half, askew), own, rule=rule):
                     break
-            y += (
-                2 * half
-                + place.rng.uniform(*self.config.spread)
-                / max(rule.get("fill", 0.5) * (0.4 + 0.6 * self.amount), 0.05)
-                / 2
-            )
+            share = max(rule.get("fill", 0.5) * (0.4 + 0.6 * self.amount), 0.05)
+            y += 2 * half + place.rng.uniform(*self.config.spread) / share / 2
 
     def _middle(self, place: _Place, rule: Mapping[str, Any]) -> None:
         """Stand one thing in the middle."""
@@ -311,20 +285,17 @@ class _Dresser:
                 c, s = math.cos(facing), math.sin(facing)
                 away = ahead + thing.size[0] / 2
                 x, y = edge[0] + c * away + s * aside, edge[1] + s * away - c * aside
-                if self._put(
-                    place, thing, (x, y, facing + math.pi + math.radians(turn)), self._variable(kind)
-                ) or self._lies(place, kind, (x, y)):
+                at = (x, y, facing + math.pi + math.radians(turn))
+                if self._put(place, thing, at, self._variable(kind)) or self._lies(place, kind, (x, y)):
                     served.append((edge, facing))
             if kind == read_data("dressing.toml")["sets"][rule["set"]][0][0]:
                 seats = served  # where something else lies already, nothing is set
 
     def _lies(self, place: _Place, kind: str, at: tuple[float, float]) -> bool:
         """Return whether a thing of a kind stands within its own size of a point of a surface."""
-        pose, (c, s) = place.pose, place.pose.forward
-        point, near = (pose.x + c * at[0] - s * at[1], pose.y + s * at[0] + c * at[1]), max(CATALOGUE[kind].size[:2])
-        return any(
-            category_of(other).name == kind and math.dist(point, (its.x, its.y)) < near for other, its in self._standing
-        )
+        point, near = place.pose.point(*at), max(CATALOGUE[kind].size[:2])
+        same = (its for other, its in self._standing if category_of(other).name == kind)
+        return any(math.dist(point, (its.x, its.y)) < near for its in same)
 
     def _seats(self, place: _Place) -> Iterator[tuple[tuple[float, float], float]]:
         """Yield where the edge of a surface is before each seat, and which way the seat faces, in the carrier's frame."""
@@ -332,7 +303,8 @@ class _Dresser:
         c, s = math.cos(-pose.yaw), math.sin(-pose.yaw)
         for seat in self.scene.assets:
             at = self.layout.get(seat.name)
-            if at is None or not _is_seat(seat) or seat.name == place.carrier.name:
+            sat_on = category_of(seat).movable and any(surface.is_seat for surface in surfaces_of(seat))
+            if at is None or not sat_on or seat.name == place.carrier.name:
                 continue
             x, y = c * (at.x - pose.x) - s * (at.y - pose.y), s * (at.x - pose.x) + c * (at.y - pose.y)
             facing = at.yaw - pose.yaw
@@ -359,17 +331,16 @@ class _Dresser:
         low, high = (np.array([f(u) for u in (x, y, x + y, x - y)]) for f in (np.min, np.max))
         spans = piece_spans(place.carrier)
         top, least, most = spans[:, 5], spans[:, [0, 2, 6, 8]], spans[:, [1, 3, 7, 9]]
-        tops = (top <= place.surface.height + self.config.level) & (
-            top > place.surface.height - SURFACES.level - self.config.level
-        )
+        height, slack = place.surface.height, self.config.level
+        tops = (top <= height + slack) & (top > height - SURFACES.level - slack)
         under = tops & (least < high).all(axis=1) & (most > low).all(axis=1)
         if not under.any():
-            return place.surface.height  # a mesh of the user's own
+            return height  # a mesh of the user's own
         level = top[under].max()
-        if place.surface.height - level > self.config.sunk:
+        if height - level > self.config.sunk:
             return None
-        whole = under & (least <= low).all(axis=1) & (most >= high).all(axis=1) & (top > level - self.config.level)
-        return float(level) if whole.any() or level - top[under].min() < self.config.level else None
+        whole = under & (least <= low).all(axis=1) & (most >= high).all(axis=1) & (top > level - slack)
+        return float(level) if whole.any() or level - top[under].min() < slack else None
 
     def _put(
         self,
@@ -392,17 +363,14 @@ class _Dresser:
         height = self._height(place, shape) if place.free.covers(shape) else None
         if height is None:
             return False
-        place.free = place.free.difference(
-            shape.buffer(self.config.gap * 0.9 if gap is None else gap / 2, join_style="mitre")
-        )
-        pose, (c, s), rise = place.pose, place.pose.forward, thing.size[2] + self.config.lift
+        around = self.config.gap * 0.9 if gap is None else gap / 2
+        place.free = place.free.difference(shape.buffer(around, join_style="mitre"))
+        pose, rise = place.pose, thing.size[2] + self.config.lift
         level = pose.z - place.carrier.size[2] / 2 + height + self.config.lift + thing.size[2] / 2
-        most = min(
-            rule.get("stack", {}).get(thing.category, 1) if rule else 1, (place.surface.free - self.config.air) // rise
-        )
+        stack = rule.get("stack", {}).get(thing.category, 1) if rule else 1
+        most = min(stack, (place.surface.free - self.config.air) // rise)
         for i in range(place.rng.randint(int(most + 1) // 2, int(most)) if most > 1 else 1):
-            spot = Pose(pose.x + c * x - s * y, pose.y + s * x + c * y, level + i * rise, pose.yaw + turn)
-            self._lay(thing, spot, variable)
+            self._lay(thing, Pose(*pose.point(x, y), level + i * rise, pose.yaw + turn), variable)
         return True
 
     def _lay(self, thing: Asset, pose: Pose, variable: str) -> None:
@@ -420,12 +388,11 @@ class _Dresser:
         thing = self._kind(place, rule["things"])
         if thing is None or place.rng.random() > rule["fill"] * (0.5 + 0.5 * self.amount):
             return
-        pose, (c, s) = place.pose, place.pose.forward
+        pose = place.pose
         spot = hung_from(place.surface, thing)
-        x, y = spot.region.centroid.coords[0]
         level = pose.z - place.carrier.size[2] / 2 + spot.height + self.config.lift + thing.size[2] / 2
         yaw = pose.yaw + math.atan2(spot.out[1], spot.out[0])
-        at = Pose(pose.x + c * x - s * y, pose.y + s * x + c * y, level, yaw)
+        at = Pose(*pose.point(*spot.region.centroid.coords[0]), level, yaw)
         shape = Polygon(at.corners(thing.size))
         taken = [
             Polygon(other.corners(size.size))
@@ -434,8 +401,3 @@ class _Dresser:
         ]
         if level > thing.size[2] and not any(shape.intersects(other) for other in taken):
             self._lay(thing, at, self._variable(thing.category))
-
-
-def _is_seat(asset: Asset) -> bool:
-    """Return whether a person sits on a thing."""
-    return category_of(asset).movable and any(surface.is_seat for surface in surfaces_of(asset))
