@@ -331,3 +331,19 @@ def test_no_door_is_made_in_a_wall_at_which_things_are_asked_to_stand() -> None:
         for wall in (scene.room.walls[opening.wall] for opening in scene.room.doors):
             assert wall.normal[0] < 0.5 and wall.normal[1] > -0.5
         assert all(scene.room.walls[opening.wall].normal[0] < 0.5 for opening in scene.room.windows)
+
+
+@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize(
+    ("text", "doors", "windows"),
+    [
+        ("A bedroom with a bed under the window and a desk by the door.", {1}, {1}),
+        ("A 10 x 12 m office with a sofa by the door and ten desks.", {1}, {2, 3, 4, 5, 6}),
+        ("A bedroom with a bed between the windows.", {1}, {2, 3, 4, 5, 6}),
+        ("A lounge with two windows and a sofa under the window.", {1}, {2}),
+    ],
+)
+def test_the_window_is_the_only_one(text: str, doors: set[int], windows: set[int], seed: int) -> None:
+    room = scene_from_sentence(text, seed=seed)[0].room
+    assert len(room.doors) in doors
+    assert len(room.windows) in windows

@@ -42,6 +42,9 @@ class Told:
     """What words say of a room's doors and windows."""
 
     wanted: Sequence[WantedOpening] = ()  # such as are asked for
+    doors: tuple[int, int] = (1, OPENINGS.most_doors)
+    windows: tuple[int, int] = (1, OPENINGS.most_windows)
+    """How few and how many there are at the most where no number is asked for."""
     flanked: bool = False  # whether things are to stand on both sides of a door
     # walls, by compass, at which things are to stand, and such at which high ones are: no door and no window is made in these
     # where another wall can have it
@@ -81,7 +84,7 @@ def openings(
     corners = [*outline, outline[0]]
     area = abs(sum(ax * by - bx * ay for (ax, ay), (bx, by) in pairwise(corners))) / 2
     asked = [item for item in told.wanted if item.kind == "door"]
-    asked = asked or [WantedOpening("door", min(OPENINGS.most_doors, 1 + int(area / OPENINGS.door_each)))]
+    asked = asked or [WantedOpening("door", _within(told.doors, 1 + int(area / OPENINGS.door_each)))]
     full, high = ({i for word in words for i in _meant(outline, word)} for words in (told.held, told.high))
     doors: list[Opening] = []
     for number, item in enumerate(i for i in asked for _ in range(i.count)):
@@ -99,11 +102,15 @@ def openings(
                 "height": min(2.05, height - OPENINGS.lintel),
             }
         )
-    more = min(OPENINGS.most_windows, max(1 + int(rng.integers(0, 2)), int(area / OPENINGS.window_each)))
+    more = _within(told.windows, max(1 + int(rng.integers(0, 2)), int(area / OPENINGS.window_each)))
     windows = [item for item in told.wanted if item.kind == "window"] or [WantedOpening("window", more)]
     taken = {int(d["wall"]) for d in doors}
     taken |= high if len(taken | high) < len(lengths) else set[int]()
     return doors, _windows(outline, lengths, taken, windows, rng, height)
+
+
+def _within(limits: tuple[int, int], number: int) -> int:
+    return min(max(number, limits[0]), limits[1])
 
 
 def _aside(outline: Outline, wall: int, along: float, corners: Sequence[Set[str]]) -> float:

@@ -18,11 +18,11 @@ from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.palette import PALETTES
 from robolayout.planners._added import COMFORT, LARGER, SEATS, SPARE, Added, Known, both, head, times_usual
 from robolayout.planners._knowledge import load_knowledge
-from robolayout.planners._openings import Told, openings
+from robolayout.planners._openings import OPENINGS, Told, openings
 from robolayout.planners._own import own_sides
 from robolayout.planners._wishes import Wishes, read_wishes, usual_there
 from robolayout.scene import FLAT_HEIGHT, Agent, Scene, load_agent, scene_from_dict, variable_name
-from robolayout.words import RoomType, dressing, read_rooms, wanted_openings
+from robolayout.words import RoomType, dressing, read_rooms, spoken_openings, wanted_openings
 
 
 @dataclass(frozen=True)
@@ -310,6 +310,8 @@ def _scene(
         wide,
         Told(
             wanted_openings(wishes.reading),
+            spoken_openings(wishes.reading, "door", OPENINGS.most_doors),
+            spoken_openings(wishes.reading, "window", OPENINGS.most_windows),
             wishes.reading.flanked_door,
             wishes.held(kinds),
             wishes.held(kinds, SIZES.sill),

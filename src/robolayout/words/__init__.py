@@ -5,7 +5,7 @@ from robolayout.words._match import KIN
 from robolayout.words._places import COMPASS
 from robolayout.words._said import Link, Mention, Place, Thing
 from robolayout.words._tokens import Measure
-from robolayout.words._traits import WantedOpening, sized, wanted_openings
+from robolayout.words._traits import WantedOpening, sized, spoken_openings, wanted_openings
 from robolayout.words.demands import Demand
 from robolayout.words.ledger import AskedRow, Wishes, read_words, share_met
 from robolayout.words.reading import Reading, read_text
@@ -34,5 +34,6 @@ __all__ = [
     "read_words",
     "share_met",
     "sized",
+    "spoken_openings",
     "wanted_openings",
 ]

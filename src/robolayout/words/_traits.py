@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from robolayout.assets import Category
 from robolayout.words._lexicon import grammar
+from robolayout.words._said import Place
 from robolayout.words._tokens import Measure, Size
 from robolayout.words.reading import Reading
 
@@ -50,3 +51,12 @@ def wanted_openings(reading: Reading) -> tuple[WantedOpening, ...]:
         count = place.number or (2 if place.plural else 1)
         found.append(WantedOpening(place.name, min(count, 8), wall, bool(large)))
     return tuple(found)
+
+
+def spoken_openings(reading: Reading, kind: str, most: int) -> tuple[int, int]:
+    """Return how few and how many doors or windows a text takes a room to have: "under the window" means that it has one."""
+    objects = [o for link in reading.parsed.links for o in link.objects if isinstance(o, Place)]
+    named = [o for o in (*objects, *(o.by[1] for o in objects if o.by)) if o.name == kind and not o.words]
+    if any(o.plural for o in named):
+        return min(2, most), most
+    return 1, 1 if any(o.det == "the" for o in named) else most
