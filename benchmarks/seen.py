@@ -147,10 +147,11 @@ def _over(room: Room, a: str, b: str) -> bool:
     return -depth / 2 - 0.4 <= u <= depth / 2 + 0.1 and abs(v) <= width / 2 + 0.1 and room.box(a)[2] >= top - 0.05
 
 
-def _behind(room: Room, a: str, b: str) -> bool:
+def _at_desk(room: Room, a: str, b: str, most: float, sign: int) -> bool:
+    """Whether a is before b (1) or behind it (-1), or a seat at the other side of a desk, whichever side that has for its front."""
     seated = room.scene["assets"][a]["category"].endswith(("chair", "stool"))
-    at_desk = seated and room.scene["assets"][b]["category"].endswith(TWO_FRONTS)
-    return _before(room, a, b, 1.8, -1) or (at_desk and _before(room, a, b, 1.8))
+    either = seated and room.scene["assets"][b]["category"].endswith(TWO_FRONTS)
+    return _before(room, a, b, most, sign) or (either and _before(room, a, b, most, -sign))
 
 
 PAIRS: dict[str, Callable[[Room, str, str], bool]] = {
@@ -158,8 +159,8 @@ PAIRS: dict[str, Callable[[Room, str, str], bool]] = {
     "next": lambda room, a, b: room.gap(a, b) <= 0.8,
     "near": lambda room, a, b: room.gap(a, b) <= 1.5,
     "far": lambda room, a, b: room.gap(a, b) >= 1.0,
-    "front": lambda room, a, b: _before(room, a, b, 2.0),
-    "behind": _behind,
+    "front": partial(_at_desk, most=2.0, sign=1),
+    "behind": partial(_at_desk, most=1.8, sign=-1),
     "left": partial(_beside, side=1),
     "right": partial(_beside, side=-1),
     "around": lambda room, a, b: room.gap(a, b) <= 1.3,

@@ -142,7 +142,7 @@ def stage_arrays(problem: Problem) -> Arrays:
     row, clear = arrays.frame_row.copy(), arrays.clear_weight.copy()
     row[framed:, -1] = 0.0
     clear[:implicit] = 0.0
-    return arrays._replace(frame_row=row, clear_weight=clear, inside=arrays.free)
+    return arrays._replace(frame_row=row, clear_weight=clear, inside=arrays.free[:, 0])
 
 
 def flat_problem(scene: Scene, *relations: Relation, seed: int = 0) -> Problem:

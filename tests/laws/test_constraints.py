@@ -226,7 +226,7 @@ def implicit_case(room: str) -> tuple[Scene, Case]:
     scene = scene_of("f(sofa[0], desk[0], rug[0], floor_lamp[0], bed[0])", rng, room)
     problem = flat_problem(scene)
     arrays = make_stage(problem, 0, problem.start).arrays
-    arrays = arrays._replace(inside=arrays.free)  # in a rectangle the projection alone holds them
+    arrays = arrays._replace(inside=arrays.free[:, 0])  # in a rectangle the projection alone holds them
     random = anywhere(scene, rng)
     return scene, Case(scene, NoOverlap(), problem.guess, arrays, random, random)
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 
 from robolayout.constraints._exact import TOLERANCE, footprint, frame
 from robolayout.constraints._refs import AssetRef, WallRef
-from robolayout.constraints._relation import Outcome, Relation, Term, Way, argument, best_way
-from robolayout.constraints.against_wall import AgainstWall, wall_outcome
+from robolayout.constraints._relation import Interval, Outcome, Relation, Term, Way, argument, best_way
+from robolayout.constraints.against_wall import AgainstWall, wall_outcome, wall_term
 from robolayout.scene import Layout, Scene
 
 EYE_HEIGHT = 1.5  # metres above the floor of the middle of a wall thing that nobody gave a height
@@ -35,8 +35,11 @@ class MountedOn(Relation):
         return tuple((replace(self, wall=wall),) for wall in walls if isinstance(wall, WallRef))
 
     def terms(self, scene: Scene, near: Layout) -> tuple[Term, ...]:
-        """Return one row in the wall's frame; the height is kept by construction."""
-        return AgainstWall(self.a, self.wall).terms(scene, near)
+        """Return one row in the wall's frame, for the stretch of it beside doors and windows that is nearest; the height is kept."""
+        if self.wall is None:
+            return best_way(self.ways(scene), scene, near)[0][0].terms(scene, near)
+        low, high = self._stretch(self.wall, scene, near)
+        return (replace(wall_term(self.a, self.wall, scene, 1.0), along=Interval(low, high, 1.0, 1.0)),)
 
     def check(self, scene: Scene, layout: Layout) -> Outcome:
         """At the wall as `against_wall`, its centre within 5 cm of the height, and no door or window behind it."""
@@ -44,22 +47,29 @@ class MountedOn(Relation):
             return best_way(self.ways(scene), scene, layout)[1]
         outcome = wall_outcome(self.a, self.wall, scene, layout)
         off = 0.0 if self.height is None else abs(layout[self.a.name].z - self.height)
-        before = self._before(self.wall, scene, layout)
+        left, _, right, _ = frame(scene, layout, self.wall).local(footprint(scene, layout, self.a)).bounds
+        openings = self._openings(self.wall, scene, layout)
+        before = max((min(right, high) - max(left, low) for low, high in openings), default=0.0)
         text = outcome.text + (f", {off:.2f} m off its height" if off > TOLERANCE.gap else "")
         text += f", {before:.2f} m of it before a door or window" if before > TOLERANCE.gap else ""
         value = max(outcome.value, off, before)
         return Outcome(outcome.met and max(off, before) <= TOLERANCE.gap, value, TOLERANCE.gap, "m", text)
 
-    def _before(self, wall: WallRef, scene: Scene, layout: Layout) -> float:
-        """Return how many metres of its width are before a door or window of its wall."""
-        half = scene.by_name[self.a.name].size[2] / 2
-        left, _, right, _ = frame(scene, layout, wall).local(footprint(scene, layout, self.a)).bounds
-        middle, z = scene.room.walls[wall.index].length / 2, layout[self.a.name].z
-        return max(
-            (
-                min(right + middle, o.offset + o.width) - max(left + middle, o.offset)
-                for o in (*scene.room.doors, *scene.room.windows)
-                if o.wall == wall.index and z - half < o.sill + o.height and z + half > o.sill
-            ),
-            default=0.0,
-        )
+    def _openings(self, wall: WallRef, scene: Scene, layout: Layout) -> list[tuple[float, float]]:
+        """Return where doors and windows at its height begin and end, in metres from the wall's middle."""
+        middle, z, half = scene.room.walls[wall.index].length / 2, layout[self.a.name].z, self._size(scene)[2] / 2
+        found = [o for o in (*scene.room.doors, *scene.room.windows) if o.wall == wall.index]
+        level = [o for o in found if z - half < o.sill + o.height and z + half > o.sill]
+        return sorted((o.offset - middle, o.offset + o.width - middle) for o in level)
+
+    def _stretch(self, wall: WallRef, scene: Scene, near: Layout) -> tuple[float, float]:
+        """Return the nearest stretch of the wall beside its openings that is wide enough, else the whole wall."""
+        half, width = scene.room.walls[wall.index].length / 2, self._size(scene)[1]
+        openings, pose = self._openings(wall, scene, near), near[self.a.name]
+        ends = [-half, *(end for opening in openings for end in opening), half]
+        free = [(low, high) for low, high in zip(ends[::2], ends[1::2], strict=True) if high - low >= width]
+        along = frame(scene, near, wall).point(pose.x, pose.y)[0]
+        return min(free, key=lambda s: max(s[0] + width / 2 - along, along - s[1] + width / 2), default=(-half, half))
+
+    def _size(self, scene: Scene) -> tuple[float, float, float]:
+        return scene.by_name[self.a.name].size

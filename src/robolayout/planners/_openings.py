@@ -19,7 +19,7 @@ class Openings:
     """How doors and windows are made."""
 
     aside: float = 0.3
-    flanked: float = 0.9
+    flanked: float = 1.2
     """Metres between a door and the nearer end of its wall: usually, and where things are to stand on both sides of it."""
     large: tuple[float, float] = (2.2, 1.5)
     usual: tuple[float, float] = (1.8, 1.3)
@@ -93,7 +93,7 @@ def openings(
         start = fits.index(usual) if usual in fits and not number else 0
         wall = _wall(outline, item.wall, fits[start:] + fits[:start])
         first = min(OPENINGS.flanked if told.flanked else OPENINGS.aside, (lengths[wall] - wide) / 2)
-        offset = first + (1.0 - _aside(outline, wall, along, told.corners)) * (lengths[wall] - wide - 2 * first)
+        offset = first + (1.0 - _aside(outline, wall, along, told.corners, full)) * (lengths[wall] - wide - 2 * first)
         doors.append(
             {
                 "wall": wall,
@@ -113,12 +113,14 @@ def _within(limits: tuple[int, int], number: int) -> int:
     return min(max(number, limits[0]), limits[1])
 
 
-def _aside(outline: Outline, wall: int, along: float, corners: Sequence[Set[str]]) -> float:
+def _aside(outline: Outline, wall: int, along: float, corners: Sequence[Set[str]], full: Set[int]) -> float:
     """Return where along a wall (1 at its start) a door is: at its other end, or in the middle, where its end is to be free."""
     meant = [[set(_meant(outline, word)) for word in words] for words in corners]
-    ends = [{(wall - 1) % len(outline), wall}, {wall, (wall + 1) % len(outline)}]
-    start, end = (any(all(end & walls for walls in pair) for pair in meant) for end in ends)
-    return 0.5 if start and end else min(along, 1.0 - along) if start else max(along, 1.0 - along) if end else along
+    beside = ((wall - 1) % len(outline), (wall + 1) % len(outline))
+    start, end = (2 * any(all({wall, to} & walls for walls in pair) for pair in meant) + (to in full) for to in beside)
+    if start == end:
+        return 0.5 if start > 1 else along
+    return min(along, 1.0 - along) if start > end else max(along, 1.0 - along)
 
 
 def _windows(

@@ -63,13 +63,15 @@ class Writer:
 
     def order(self) -> list[str]:
         """Return all assets, what is placed first first: low ranks, big things, and what joins a thing right after it."""
-        return sorted(self.cast, key=self._turn)
+        seen = {name for one in self.cast.values() for name in self._faces(one)}
+        return sorted(self.cast, key=lambda name: self._turn(name, seen))
 
-    def _turn(self, name: str) -> tuple[object, ...]:
+    def _turn(self, name: str, seen: Collection[str]) -> tuple[object, ...]:
         top = self.cast[root(self.cast, name)]
-        late, area = top.role.rank >= SAYING.small and top.name not in self.asked, top.asset.size[0] * top.asset.size[1]
-        first = (top.name not in self.cornered, late, top.role.rank, -area, top.name)
-        return (*first, name != top.name, self.cast[name].role.rank)
+        hangs = bool(self.asked) and top.asset.on_wall and not top.asset.on_floor and top.name not in seen
+        late = (hangs or top.role.rank >= SAYING.small) and top.name not in self.asked
+        turn = (top.role.rank, -top.asset.size[0] * top.asset.size[1], top.name)
+        return (top.name not in self.cornered, late, *turn, name != top.name, self.cast[name].role.rank)
 
     def lines(self, name: str) -> Iterator[Line]:
         """Yield what is said of one asset; sets of assets speak with their last one."""

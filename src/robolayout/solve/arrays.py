@@ -18,7 +18,7 @@ class Arrays(NamedTuple):
     anchor: Array  # (A, 4) pose (x, y, cos, sin) that each slot's variables are relative to
     carrier: Array  # (A,) slot whose moving pose a slot is rigidly attached to; -1 for none
     limit: Array  # (A, 2) half sizes in metres of the rectangle around the anchor that a slot's box stays in
-    free: Array  # (A,) 1 where the slot moves in this stage
+    free: Array  # (A, 3) 1 where the slot moves in this stage along x and y, and turns
     fixed: Array  # (F, 7) walls and points as bodies (x, y, cos, sin, half x, half y, core)
     prism_slot: Array  # (S,) slot that each prism belongs to
     prism: Array  # (S, 5) centre and half size in the frame of the slot, and how much its corners are cut, metres

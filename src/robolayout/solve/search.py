@@ -79,7 +79,7 @@ def _project(local: Array, arrays: Arrays) -> Array:
     ex, ey = extents(Body(x, y, c, s, hx, hy, jnp.zeros_like(x)))
     lx, ly = jnp.maximum(arrays.limit[:, 0] - ex, 0.0), jnp.maximum(arrays.limit[:, 1] - ey, 0.0)
     moved = jnp.stack([jnp.clip(x, -lx, lx), jnp.clip(y, -ly, ly), c, s], axis=-1)
-    return jnp.where(arrays.free[None, :, None] > 0, moved, local)
+    return jnp.where(arrays.free[:, :1] > 0, moved, local)
 
 
 def advance(local: Array, arrays: Arrays, routes: Routes, schedule: Schedule, *, weights: Weights) -> Found:
@@ -108,12 +108,12 @@ def advance(local: Array, arrays: Arrays, routes: Routes, schedule: Schedule, *,
         fade = jnp.clip((FADED - done) / FADING, 0.0, 1.0)
         near = jax.lax.cond(renew, lambda: nearest(state.local, arrays), lambda: state.near)
         gradient, parts = jax.grad(objective, has_aux=True)(state.local, near, fade)
-        gradient = _tangent(state.local, gradient) * arrays.free[None, :, None]
+        gradient = _tangent(state.local, gradient) * arrays.free
         first = 0.9 * state.first + 0.1 * gradient
         second = 0.98 * state.second + 0.02 * gradient * gradient
         t = i + 1.0
         move = rate * (first / (1.0 - 0.9**t)) / (jnp.sqrt(second / (1.0 - 0.98**t)) + 1e-4)
-        local = _project(_moved(state.local, move * arrays.free[None, :, None] * (i < steps)), arrays)
+        local = _project(_moved(state.local, move * arrays.free * (i < steps)), arrays)
         history = state.history.at[jnp.minimum(i, HISTORY - 1)].set(jnp.stack(parts, axis=-1))
         shots = state.shots.at[jnp.minimum(i * SNAPSHOTS // jnp.maximum(steps, 1), SNAPSHOTS - 1)].set(state.local)
         return _State(local, first, second, near, history, shots, parts)

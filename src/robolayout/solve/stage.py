@@ -117,8 +117,9 @@ def make_stage(problem: Problem, number: int, world: Floats) -> Stage:
     rows = _Rows(problem, set(moving))
     size = rows.size
     anchor, carrier, limit = _frames(problem, number, world, size)
-    free = np.zeros(size)
+    free = np.zeros((size, 3))
     free[list(moving)] = 1.0
+    free[list(set(moving) - _turning(problem)), 2] = 0.0
     half = np.zeros((size, 2))
     half[:count] = problem.half
     inside = np.zeros(size)
@@ -180,6 +181,16 @@ def padded(rows: Sequence[Any], size: int, filler: Any, kind: type = np.float64)
     if rows:
         table[: len(rows)] = rows
     return table
+
+
+def _turning(problem: Problem) -> set[int]:
+    """Return the slots that gradients turn: of a room without guesses, which is built square, only what has to look at something."""
+    if problem.guessed:
+        return set(range(len(problem.names)))
+    rows = (
+        row for rows in problem.statement_terms for row in rows if isinstance(row, FrameTerm) and row.look is not None
+    )
+    return {problem.slot[row.a.name] for row in rows if isinstance(row.a, AssetRef)}
 
 
 def _frames(problem: Problem, number: int, world: Floats, size: int) -> tuple[Floats, NDArray[np.int32], Floats]:

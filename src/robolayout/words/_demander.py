@@ -8,21 +8,30 @@ from itertools import pairwise
 
 from robolayout.constraints import AssetRef, PointRef, Relation, WallRef
 from robolayout.constraints.between import BetweenTwo
-from robolayout.scene import Asset, Opening, Scene, Wall
+from robolayout.scene import Scene
 from robolayout.words import _ways as ways_of
-from robolayout.words._places import centre, corners_meant, halves_meant, rectangle, wall_pairs, walls_meant
+from robolayout.words._at_places import AtPlaces
+from robolayout.words._places import centre, corners_meant, rectangle, walls_meant
 from robolayout.words._rows import ToldRows, alike, in_rows, neighbours, on_a_wall
 from robolayout.words._said import Link, Mention, Place, Thing
-from robolayout.words.demands import Demand, Way, by_ways, single, stated
+from robolayout.words.demands import Demand, by_ways, single, stated
 
 
-class Demander:
+class Demander(AtPlaces):
     """Turns links into demands on a scene."""
 
     def __init__(self, scene: Scene, names: Mapping[Thing, tuple[str, ...]], links: Sequence[Link]) -> None:
-        self.scene, self.room, self.names = scene, scene.room, names
+        super().__init__(scene)
+        self.names = names
         # of these only the first stands where they are put
         self.stacked = {mention.thing for link in links if link.relation == "stacked" for mention in link.subjects}
+        self.manned = {  # desks with a seat behind them
+            b
+            for link in links
+            if link.relation == "behind"
+            for a, b in self._matched(self._others(link.subjects), link.objects)
+            if self._sits_behind(a, b) and self._is(b, ("desk",))
+        }
         self.told = ToldRows(scene, [(link, self._others(link.subjects), self._others(link.objects)) for link in links])
 
     def demands(self, link: Link) -> tuple[Demand, ...]:
@@ -40,15 +49,13 @@ class Demander:
         rooms = [item for item in link.objects if isinstance(item, Place) and item.name == "room"]
         if link.relation in ways_of.ENDS and rooms:
             return tuple(self._at_place(subjects, Place("side", (ways_of.ENDS[link.relation],))))
-        place = self._place(link.objects) if link.relation in ways_of.AT_PLACES else None
-        on, share = link.relation in ("on", "wall", "hanging"), len(subjects) > 1 and link.relation != "flank"
-        at_place = self._at_place(subjects, place, on=on, share=share) if place is not None else ()
+        at_place = tuple(self._there(link, subjects))
         if link.relation in ways_of.TO_ANOTHER:
             ahead = self._of_rows(subjects, link.objects) if link.relation in ways_of.ENDS else []
             to = [item for item in link.objects if isinstance(item, Mention)]
             each = [self._named(item)[:1] for item in to] if len(subjects) == 1 and len(to) > 1 else []
             twos = [(*subjects, *name) for name in each if name] or self._matched(ahead or subjects, link.objects)
-            return (*at_place, *(by_ways(ways_of.TO_ANOTHER[link.relation], a, b) for a, b in twos))
+            return (*at_place, *(by_ways(self._ways(link.relation, a, b), a, b) for a, b in twos))
         if link.relation in ways_of.IN_A_CHAIN:
             return tuple(self._chained(subjects, link.relation))
         if link.relation in ways_of.BY_TWOS:
@@ -57,6 +64,18 @@ class Demander:
             return tuple(self._rows(subjects, link))
         make = getattr(self, f"_{link.relation}", None)
         return (*at_place, *(make(subjects, link.objects) if make else ()))
+
+    def _there(self, link: Link, subjects: Sequence[str]) -> Iterator[Demand]:
+        """Yield that things stand at the place of the room to which their relation leads, if it does."""
+        place = self._place(link.objects) if link.relation in ways_of.AT_PLACES else None
+        if place is None:
+            return
+        if link.relation == "flank" and place.name in ("window", "door") and len(subjects) > 1:
+            yield Demand(tuple(self._ways_flanking(subjects, place)))
+            return
+        on, share = link.relation in ("on", "wall", "hanging"), len(subjects) > 1 and link.relation != "flank"
+        share = share or not self.manned.isdisjoint(subjects)  # somebody sits between
+        yield from self._at_place(subjects, place, on=on, share=share)
 
     def _by_twos(self, subjects: Sequence[str], relation: str) -> Iterator[Demand]:
         """Yield what the second of every two is asked to be to the first; or how two rows of them are turned."""
@@ -70,9 +89,6 @@ class Demander:
     def _named(self, mention: Mention) -> tuple[str, ...]:
         names = self.names.get(mention.thing, ())
         return names if mention.pick is None else names[mention.pick] or names[:1]
-
-    def _asset(self, name: str) -> Asset:
-        return self.scene.by_name[name]
 
     def _others(self, objects: Sequence[Mention | Place]) -> list[str]:
         return [name for item in objects if isinstance(item, Mention) for name in self._named(item)]
@@ -157,7 +173,7 @@ class Demander:
         return stated("distance_constraint", AssetRef(a), b, *bounds)
 
     def _flank(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
-        """Left and right of a thing, in turn; of a door or window: close to it."""
+        """Left and right of a thing, in turn."""
         by: dict[str, list[str]] = {}
         for a, b in self._matched(subjects, objects):
             if self._is(b, ways_of.BEARING) and self._asset(a).on_object and not self._asset(a).on_floor:
@@ -186,9 +202,20 @@ class Demander:
         for a, b in self._matched(subjects, objects):
             gap = ways_of.BACK_WALL if self._only_wall(a) else ways_of.BACK  # "on the wall behind the counter"
             ways = [(stated("behind", AssetRef(a), AssetRef(b), 0.0, gap),)]
-            if self._is(a, ways_of.SEATS) and self._is(b, ("desk", "counter")) and not self._is(b, ("reception desk",)):
-                ways.insert(0, (stated("in_front_of", AssetRef(a), AssetRef(b), 0.0, ways_of.BACK),))
+            if self._sits_behind(a, b):
+                ways = [(stated("in_front_of", AssetRef(a), AssetRef(b), 0.0, ways_of.BACK),), *ways]
+                ways = ways[:1] if b in self.manned else ways
             yield Demand(tuple(ways))
+
+    def _sits_behind(self, a: str, b: str) -> bool:
+        """Return whether who sits on a thing that is behind another uses that from there."""
+        return self._is(a, ways_of.SEATS) and self._is(b, ("desk", "counter")) and not self._is(b, ("reception desk",))
+
+    def _ways(self, relation: str, a: str, b: str) -> ways_of.Ways:
+        """Return what a relation asks for; before a desk behind which somebody sits is the other side of it, where one looks at it."""
+        if relation != "front" or b not in self.manned:
+            return ways_of.TO_ANOTHER[relation]
+        return (ways_of.ACROSS_A_DESK[0 if self._is(a, ways_of.SEATS) else 1],)
 
     def _around(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         for a, b in self._matched(subjects, objects):
@@ -219,6 +246,7 @@ class Demander:
             if len(others) == len(subjects):
                 targets = [AssetRef(others[i])]
             angles = (180.0, 0.0) if self._is(a, ("desk", "table")) else (0.0,)
+            angles = angles[:1] if a in self.manned else angles
             ways = [(stated("point_towards", AssetRef(a), b, angle),) for b in targets for angle in angles]
             if len(others) == len(subjects) > 1 and self._is(a, ways_of.SEATS) and self._is(others[i], ("mirror",)):
                 ways = [(*way, stated("in_front_of", AssetRef(a), AssetRef(others[i]), *ways_of.INTO)) for way in ways]
@@ -384,66 +412,7 @@ class Demander:
             found = (tuple(self._ways_at(a, place, on=on, share=share)) for a in subjects)
             yield from (Demand(ways) for ways in found if ways)
 
-    def _ways_at_walls(self, subjects: Sequence[str], place: Place, *, on: bool) -> Iterator[Way]:
-        """Yield the ways in which things are at one wall together, or one half at each of two walls that face each other."""
-        half = (len(subjects) + 1) // 2
-        yield from self._at_walls(subjects[half:], subjects[:half], place, on=on)
-
-    def _at_walls(self, subjects: Sequence[str], there: Sequence[str], place: Place, *, on: bool) -> Iterator[Way]:
-        """Yield the ways in which things are at the wall where others are, or at the one across from it."""
-        for one, two in wall_pairs(self.scene, same="same" in place.words):
-            both = [*((a, one) for a in there), *((a, two) for a in subjects)]
-            yield tuple(stated(self._held(a, on), AssetRef(a), WallRef(wall.index)) for a, wall in both)
-
     def _atwalls(self, subjects: Sequence[str], objects: Sequence[Mention | Place]) -> Iterator[Demand]:
         place = self._place(objects)
         if place is not None:
             yield Demand(tuple(self._at_walls(subjects, self._others(objects), place, on=True)))
-
-    def _held(self, name: str, on: bool) -> str:
-        """Return the statement that says that a thing is at a wall: hung on it, or standing against it."""
-        hung = on and self._asset(name).on_wall and not self._asset(name).on_floor
-        return "mounted_on" if hung or self._only_wall(name) else "against_wall"
-
-    def _ways_at(self, a: str, place: Place, *, on: bool, share: bool) -> Iterator[Way]:
-        """Yield the ways in which one thing can be at a place of the room."""
-        ref = AssetRef(a)
-        if place.name == "wall":
-            hangs = self._held(a, on)
-            walls = [w for w in walls_meant(self.scene, place) if self._fits(a, w)]
-            free = len(walls) == len(self.room.walls)
-            yield from [(stated(hangs, ref),)] if free else ((stated(hangs, ref, WallRef(w.index)),) for w in walls)
-        elif place.name == "corner":
-            yield from ((stated("corner", ref, vertex),) for vertex in corners_meant(self.scene, place))
-        elif place.name in ("window", "door"):
-            gap = (ways_of.AT_WINDOW if place.name == "window" else ways_of.AT_DOOR) * (1.5 if share else 1.0)
-            yield from ((stated("near", ref, point, gap),) for point in self._points(place))
-        elif place.name == "middle":
-            x0, y0, x1, y1 = self.room.bounds
-            most = max(ways_of.LEAST_MIDDLE, ways_of.MIDDLE_SHARE * min(x1 - x0, y1 - y0)) * (1.5 if share else 1.0)
-            x, y = centre(self.scene)
-            yield (stated("distance_constraint", ref, PointRef(x, y), None, round(most, 2)),)
-        elif place.name == "side":
-            yield from ((stated("zone", ref, half),) for half in halves_meant(self.scene, place))
-
-    def _fits(self, name: str, wall: Wall) -> bool:
-        return self._asset(name).size[1] <= wall.length
-
-    def _only_wall(self, name: str) -> bool:
-        asset = self._asset(name)
-        return asset.on_wall and not asset.on_floor and not asset.on_object
-
-    def _points(self, place: Place) -> list[PointRef]:
-        """Return the middles of doors or windows on the floor, or the middle of the room."""
-        openings: dict[str, tuple[Opening, ...]] = {"door": self.room.doors, "window": self.room.windows}
-        if place.name in openings:
-            spots = [self.room.walls[o.wall].point(o.center) for o in openings[place.name]]
-            return [PointRef(round(x, 3), round(y, 3)) for x, y in spots]
-        if place.name in ("middle", "room"):
-            return [PointRef(*centre(self.scene))]
-        walls = walls_meant(self.scene, place) if place.name == "wall" else []
-        return [PointRef(round(w.midpoint[0], 3), round(w.midpoint[1], 3)) for w in walls]
-
-    def _is(self, name: str, words: Sequence[str]) -> bool:
-        asset = self._asset(name)
-        return any(text.endswith(word) for text in (asset.category, asset.like) for word in words)

@@ -52,6 +52,9 @@ Ways = tuple[tuple[tuple[str | float, ...], ...], ...]
 AT_A_DESK: Ways = ((("in_front_of", -BESIDE, BESIDE),), (("behind", -BESIDE, BESIDE),))
 """Where seats stand that a desk or counter has."""
 
+ACROSS_A_DESK: Ways = ((("behind", 0.0, BESIDE), ("align_with", 0.0)), (("behind", 0.0, AHEAD),))
+"""Where a seat and another thing stand that are in front of a desk behind which somebody sits."""
+
 TO_ANOTHER: Mapping[str, Ways] = {
     "next": ((("near", BESIDE),),),
     "oneside": ((("near", BESIDE),),),
