@@ -44,6 +44,15 @@ AWAY = (5.0, 4.0, 0.0)
 
 
 @pytest.mark.parametrize(
+    ("x", "z", "met"),
+    [(1.0, 1.5, True), (3.96, 1.5, False), (3.45, 1.5, True), (3.6, 1.5, False), (4.5, 1.5, False), (4.5, 2.46, True)],
+)
+def test_nothing_hangs_before_a_door_or_window(x: float, z: float, met: bool) -> None:
+    picture = Asset("a-0", "picture", (0.04, 1.0, 0.8), on_floor=False, on_wall=True)
+    assert check(said("mounted_on", A), (x, 0.02, NORTH, z), assets=(picture,)) is met
+
+
+@pytest.mark.parametrize(
     ("pose", "met"),
     [
         ((3.0, 0.30, NORTH), True),

@@ -105,7 +105,7 @@ def test_every_room_of_a_size_is_of_one_shape() -> None:
 def test_padding_asks_for_nothing() -> None:
     arrays = arrays_of(room_of(BED))
     assert not arrays.frame_row[:, -1].any() and not arrays.mirror_weight.any() and not arrays.pairs.any()
-    assert arrays.free.tolist() == [1.0] + [0.0] * 7
+    assert arrays.free.tolist() == [[1.0, 1.0, 0.0]] + [[0.0] * 3] * 7
     assert (no_routes(2, 3).need < 0).all()
 
 
@@ -146,3 +146,12 @@ def test_a_wall_thing_without_a_wall_is_held_at_the_nearest_one() -> None:
     arrays = arrays_of(room_of(PICTURE), "picture[0].position = [3.8, 2, 1.5]")
     held = [index for index, row in zip(arrays.frame_index, arrays.frame_row, strict=True) if row[-1] > 1.0]
     assert [list(index) for index in held] == [[0, 8 + 1]]
+
+
+def test_a_room_without_guesses_is_not_turned_by_gradients() -> None:
+    scene = room_of(BED, TABLE, PICTURE)
+    text = "solver.point_towards(table[0], bed[0])"
+    names = [asset.name for asset in scene.assets]
+    turning = arrays_of(scene, text).free[: len(names), 2]
+    assert [name for name, turns in zip(names, turning, strict=True) if turns] == ["table-0"]
+    assert arrays_of(scene, "bed[0].position = [1, 1, 0.3]").free[:2, 2].all()

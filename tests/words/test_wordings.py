@@ -6,6 +6,9 @@ from collections import Counter
 
 import pytest
 
+from robolayout.constraints import WallRef
+from robolayout.constraints.against_wall import AgainstWall
+from robolayout.constraints.zone import Zone
 from robolayout.planners import scene_from_sentence
 from robolayout.words import Lexicon, Mention, read_rooms, read_text, read_words
 
@@ -141,3 +144,25 @@ def test_rows_name_things_as_they_were_said() -> None:
     scene, _ = scene_from_sentence("A hall with a tall vase in the corner.")
     (row,) = [row for row in read_words(scene).rows if row.kind == "relation"]
     assert row.words == "vase in corner"
+
+
+def test_who_sits_behind_a_desk_has_the_others_across_it() -> None:
+    text = (
+        "An office with a desk facing the door, an office chair behind it and two visitor chairs in front of the desk."
+    )
+    rows = {row.words: row.understanding for row in read_words(scene_from_sentence(text)[0]).rows}
+    assert rows["office chair behind desk"] == "in_front_of(office_chair-0, desk-0, max_gap=1.2)"
+    assert "angle=180" in rows["desk facing door"] and "other ways" not in rows["desk facing door"]
+    assert "behind(visitor_chair-0, desk-0" in rows["visitor chair in front of desk"]
+
+
+def test_what_flanks_a_door_is_at_its_wall_one_on_each_side() -> None:
+    scene, _ = scene_from_sentence("A hall with a bookcase on either side of the door.")
+    (row,) = [row for row in read_words(scene).rows if row.kind == "relation"]
+    (wall,) = [door.wall for door in scene.room.doors]
+    (demand,) = row.demands
+    assert len(demand.ways) == 2
+    for way in demand.ways:
+        assert [one.name for one in way] == ["against_wall", "near", "zone"] * 2
+        assert {one.wall for one in way if isinstance(one, AgainstWall)} == {WallRef(wall)}
+        assert len({one.polygon for one in way if isinstance(one, Zone)}) == 2
