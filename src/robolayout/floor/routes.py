@@ -25,7 +25,6 @@ class Plan:
 
     demands: Floats  # (m, 4) rows (x, y, slot, metres to keep)
     blocked: int  # how many goals cannot be reached without pushing
-    blockers: tuple[int, ...] = ()  # slots that take clearance from a route, the worst first
 
 
 def plan_routes(ground: Ground, world: Floats, obstacles: Obstacles, *, everywhere: bool = False) -> Plan:
@@ -49,10 +48,9 @@ def plan_routes(ground: Ground, world: Floats, obstacles: Obstacles, *, everywhe
     pockets = _pockets(ground, np.where(sheltered, 0, regions), here, field)
     pockets += [(i, j) for i, j in ground.doors[1:].tolist() if not home[i, j]]
     goals, points = _walks(ground, world, field, rows, pockets)
-    demands, blockers = _demands(ground, world, obstacles, boxes, points)
-    turning, turn_blockers = _turning(ground, world, obstacles, boxes, np.where(home, field, -np.inf))
-    blocked = goals + bool(len(turning))
-    return Plan(np.concatenate([turning, demands]), blocked, (*blockers, *turn_blockers))
+    demands = _demands(ground, world, obstacles, boxes, points)
+    turning = _turning(ground, world, obstacles, boxes, np.where(home, field, -np.inf))
+    return Plan(np.concatenate([turning, demands]), goals + bool(len(turning)))
 
 
 def _walks(
@@ -91,29 +89,24 @@ def _pockets(ground: Ground, regions: NDArray[np.intp], here: int, field: Floats
     return pockets
 
 
-def _turning(
-    ground: Ground, world: Floats, obstacles: Obstacles, boxes: Floats, field: Floats
-) -> tuple[Floats, tuple[int, ...]]:
+def _turning(ground: Ground, world: Floats, obstacles: Obstacles, boxes: Floats, field: Floats) -> Floats:
     """Return what must yield so that a body with a turning circle can turn at the roomiest place it gets to."""
     need = turning_radius(ground.agent)
     room = np.minimum(field, np.where(ground.wall_distance >= need + FLOOR.route_margin, np.inf, -np.inf))
     if ground.agent.length is None or room.max() >= need + FLOOR.route_margin or not np.isfinite(room.max()):
-        return np.empty((0, 4)), ()
+        return np.empty((0, 4))
     best = np.unravel_index(int(np.argmax(room)), room.shape)
     px, py = ground.xs[best[0]], ground.ys[best[1]]
     distance = box_distance(px, py, obstacles.poses(world).T, obstacles.half.T)
     near = np.flatnonzero(distance < need + FLOOR.nearby)
     points = np.full((len(near), 2), (px, py))
-    blocking = dict.fromkeys(obstacles.slot[distance < need].tolist())
-    return _rows(points, near, need + FLOOR.route_margin, world, obstacles, boxes), tuple(blocking)
+    return _rows(points, near, need + FLOOR.route_margin, world, obstacles, boxes)
 
 
-def _demands(
-    ground: Ground, world: Floats, obstacles: Obstacles, boxes: Floats, cells: Cells
-) -> tuple[Floats, tuple[int, ...]]:
-    """Return (x, y, slot, metres) for every point and everything near it, and what lacks clearance, the worst first."""
+def _demands(ground: Ground, world: Floats, obstacles: Obstacles, boxes: Floats, cells: Cells) -> Floats:
+    """Return (x, y, slot, metres) for every point and everything near it."""
     if not len(cells) or not len(obstacles.slot):
-        return np.empty((0, 4)), ()
+        return np.empty((0, 4))
     stride = max(1, round(FLOOR.route_spacing / ground.cell))
     spaced = cells[(cells.sum(axis=1) % stride) == 0]
     cells = spaced if len(spaced) else cells
@@ -125,12 +118,7 @@ def _demands(
     point, near = np.nonzero(about)
     distance = box_distance(points[point, 0], points[point, 1], poses[near].T, obstacles.half[near].T)
     close = distance < need + FLOOR.nearby
-    point, near, distance = point[close], near[close], distance[close]
-    lacking = np.zeros(len(poses))
-    np.maximum.at(lacking, near, need - FLOOR.route_margin - distance)
-    worst = np.argsort(-lacking, kind="stable")[: int((lacking > 0).sum())]
-    blockers = dict.fromkeys(obstacles.slot[worst].tolist())
-    return _rows(points[point], near, need, world, obstacles, boxes), tuple(blockers)
+    return _rows(points[point[close]], near[close], need, world, obstacles, boxes)
 
 
 def _rows(

@@ -23,7 +23,7 @@ from robolayout.assets import CATALOGUE, Category, find_category
 from robolayout.assets.category import HEADS, built_in_data
 from robolayout.assets.lexicon import place_of
 from robolayout.constraints import RELATIONS
-from robolayout.planners._own import own_rooms, own_things
+from robolayout.planners._own import own_rooms, own_thing
 from robolayout.planners._shapes import among, build, table, tables
 from robolayout.scene import Asset
 from robolayout.words.rooms import RoomType
@@ -136,11 +136,7 @@ def load_knowledge(extra: Iterable[Path] = ()) -> Knowledge:
     Raises:
         SceneError: A file is missing, broken, says what cannot be, or what another of `extra` says.
     """
-    return _parse(tuple((str(path), _read(path)) for path in extra))
-
-
-def _read(path: Path) -> str:
-    return _CHECK.read_text(path, "the knowledge file", MAX_BYTES)
+    return _parse(tuple((str(path), _CHECK.read_text(path, "the knowledge file", MAX_BYTES)) for path in extra))
 
 
 def usual_say(slot: str) -> tuple[str, ...]:
@@ -199,7 +195,7 @@ class _Reading:
         found = [_role(entry, group, self.slots) for entry in _named(data.get("role", []), "role")]
         self.roles |= {role.name: role for role in found}
         entries = [*_named(data.get("thing", []), "thing"), *_named(records, "thing")]
-        things = own_things(entries, group.label)
+        things = [own_thing(entry, group.label) for entry in entries]
         for thing in things:
             self.things[thing.name] = thing
             self.cast(thing)

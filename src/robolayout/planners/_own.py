@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from robolayout._errors import SceneError
 from robolayout.assets import CATALOGUE, Category
 from robolayout.assets.category import PLACES, SIDES
-from robolayout.planners._shapes import among, build, table, tables
+from robolayout.planners._shapes import among, build, table
 from robolayout.scene import agent_names
 from robolayout.words.rooms import RoomType
 
@@ -33,17 +33,8 @@ class _Thing:
     use_sides: tuple[str, ...] = ()
 
 
-def own_things(entries: object, group: str) -> tuple[Category, ...]:
-    """Return the categories of a file.
-
-    Args:
-        entries: Its records, each with its name.
-        group: The label of its group.
-    """
-    return tuple(_category(entry, group) for entry in tables(entries, "thing"))
-
-
-def _category(entry: Mapping[str, object], group: str) -> Category:
+def own_thing(entry: Mapping[str, object], group: str) -> Category:
+    """Return one record of a file, with its name, as a category of a group."""
     where = f"the thing {entry.get('name', 'without a name')!r}"
     thing = build(_Thing, entry, where)
     among(f"category in {where}: like", [thing.like], CATALOGUE)

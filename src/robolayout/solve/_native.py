@@ -26,14 +26,9 @@ class _Kind(NamedTuple):
     weak_type: bool = False
 
 
-class _Runtime(NamedTuple):
-    client: Any
-    device: Any
-    sharding: Any
-
-
 @cache
-def _runtime() -> _Runtime:
+def _runtime() -> tuple[Any, Any, Any]:
+    """Return the client, its device, and the sharding of what lies on that whole."""
     from jaxlib import xla_client
 
     def whole(_sharding: Any, _axes: int) -> Any:
@@ -43,7 +38,7 @@ def _runtime() -> _Runtime:
     here: Any = type("Here", (xla_client.SingleDeviceSharding,), {"memory_kind": None, "_to_xla_hlo_sharding": whole})
     client = xla_client.make_cpu_client()
     device = client.local_devices()[0]
-    return _Runtime(client, device, here(device))
+    return client, device, here(device)
 
 
 def dump(compiled: Any) -> tuple[dict[str, Any], bytes]:

@@ -313,13 +313,12 @@ class Solver:
     def _planned(self, world: Floats, kept: list[Floats], *, everywhere: bool = False) -> Plan:
         """Plan for every agent; demands of the two rounds before stay, so that furniture does not swing back."""
         if not self.config.route_rounds:
-            return Plan(np.empty((0, 4)), 0, ())
+            return Plan(np.empty((0, 4)), 0)
         plans = [plan_routes(ground, world, things, everywhere=everywhere) for ground, things in self.grounds]
         demands = np.concatenate([plan.demands for plan in plans])
         kept.append(demands)
         del kept[:-3]
-        blockers = tuple(dict.fromkeys(slot for plan in plans for slot in plan.blockers))
-        return Plan(np.concatenate(kept), sum(plan.blocked for plan in plans), blockers)
+        return Plan(np.concatenate(kept), sum(plan.blocked for plan in plans))
 
     def _restored(self, best: _Best) -> _Best:
         """Put back where the program had it what was moved without need, if that is worth anything, and square what is askew."""

@@ -57,11 +57,11 @@ def sentence(
             f"cannot connect to {spec.address} for {name}: {_first_line(str(_root(error)))}. Is the server running, and the address right?"
         )
     reason = unquoted(scrub(_reason(error)))[:LONGEST_REASON]
-    failed = _http_sentence(error, name, reason)
-    if failed is None:
+    if not isinstance(error, ModelHTTPError):
         return AnswerError(f"{name} gave no usable answer: {reason}.")
-    busy = isinstance(error, ModelHTTPError) and (error.status_code >= 500 or error.status_code in BUSY)
-    return (UnavailableError if busy and not isinstance(error, ModelQuotaExceededError) else ModelError)(failed)
+    busy = error.status_code >= 500 or error.status_code in BUSY
+    kind = UnavailableError if busy and not isinstance(error, ModelQuotaExceededError) else ModelError
+    return kind(_http_sentence(error, name, reason))
 
 
 def unquoted(reason: str) -> str:
@@ -69,9 +69,7 @@ def unquoted(reason: str) -> str:
     return re.sub(r"\s*[:,]?\s*(body: )?([{<]|\[(?!secret\])).*$", "", reason) or "it does not have the form asked for"
 
 
-def _http_sentence(error: Exception, name: str, reason: str) -> str | None:
-    if not isinstance(error, ModelHTTPError):
-        return None
+def _http_sentence(error: ModelHTTPError, name: str, reason: str) -> str:
     status = error.status_code
     if isinstance(error, ModelAuthenticationError):
         return f"{name} refused the key ({status}): {reason}. Check the key in the environment and what it allows."
@@ -82,16 +80,12 @@ def _http_sentence(error: Exception, name: str, reason: str) -> str | None:
     if isinstance(error, ModelQuotaExceededError):
         return f"the account for {name} has no credit left ({status}): {reason}."
     if isinstance(error, ModelRateLimitError):
-        return (
-            f"{name} is still busy after several tries ({status}): {reason}. Try again later, or with fewer --samples."
-        )
+        busy = f"{name} is still busy after several tries ({status})"
+        return f"{busy}: {reason}. Try again later, or with fewer --samples."
     if isinstance(error, ModelContextWindowExceededError):
-        return (
-            f"the room is too large for {name} ({status}): {reason}. Use --mode grouped or no_image, or a larger model."
-        )
-    return (
-        f"{name} failed after several tries ({status}): {reason}." if status >= 500 else f"{name} ({status}): {reason}."
-    )
+        large = f"the room is too large for {name} ({status})"
+        return f"{large}: {reason}. Use --mode grouped or no_image, or a larger model."
+    return f"{name}{' failed after several tries' if status >= 500 else ''} ({status}): {reason}."
 
 
 def _reason(error: Exception) -> str:

@@ -13,11 +13,11 @@ from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.grid import grid_batches, last_cell, put_grid
 from robolayout.solve.build.member import GridPlan, Member
 from robolayout.solve.build.overhead import hang, overhead
-from robolayout.solve.build.places import Batch, batches, centroid
+from robolayout.solve.build.places import Batch, batches
 from robolayout.solve.build.rugs import lay_rugs
 from robolayout.solve.build.said import MISSED
 from robolayout.solve.build.site import Site, Spot
-from robolayout.solve.build.sorts import alike, given_up, told_rows, uncommon
+from robolayout.solve.build.sorts import alike, given_up, uncommon
 from robolayout.solve.build.taste import keep_sight, looks, taste
 from robolayout.solve.build.wants import Want
 
@@ -70,8 +70,7 @@ Choice = tuple[float, Batch, int]
 def _put(site: Site, batch: Batch, row: int) -> None:
     """Put a cluster at one place of a batch."""
     wall = int(batch.walls[row])
-    anchor = batch.anchors[row] if batch.anchors else ""
-    site.put(batch.cluster, batch.poses[row], batch.mode, wall if wall >= 0 else None, anchor or None)
+    site.put(batch.cluster, batch.poses[row], batch.mode, wall if wall >= 0 else None)
     keep_sight(site, batch.cluster.anchor)
 
 
@@ -226,7 +225,7 @@ class Attempt:
 
     def _in_rows(self, clusters: Sequence[Cluster], modes: Modes, weights: Mapping[str, float]) -> list[Cluster]:
         """Place what fits well along the walls, put the rest into a grid, and return what fits nowhere."""
-        left, told = list(clusters), told_rows(self.site.wants[clusters[0].anchor])
+        left, told = list(clusters), self.site.wants[clusters[0].anchor].in_told_rows
         if told:
             out = uncommon(self.site, clusters)
             if self._place_grid([self._without_own(cluster, out) for cluster in clusters], weights, 0):
@@ -335,8 +334,8 @@ class Attempt:
 
     def _anywhere(self, cluster: Cluster) -> bool:
         """Put a cluster for which no place was found into the middle; the solver has to see."""
-        pose = np.array([*centroid(self.site), 0.0])
-        self.steps.append(_Step(lambda site: site.put(cluster, pose, "middle", None, None), COSTS.nowhere))
+        pose = np.array([*self.site.floor.middle, 0.0])
+        self.steps.append(_Step(lambda site: site.put(cluster, pose, "middle"), COSTS.nowhere))
         self.steps[-1].put(self.site)
         return True
 
@@ -361,7 +360,7 @@ class Attempt:
             ranked += [(float(cost[row]), plan, batch, int(row)) for row in np.argsort(cost, kind="stable")[:4]]
         best: tuple[float, GridPlan, Batch, int] | None = None
         before, tried = self.site.unreached(), 0
-        told = told_rows(self.site.wants[clusters[0].anchor])
+        told = self.site.wants[clusters[0].anchor].in_told_rows
         limit = COSTS.hopeless + (
             missed if told else 0.0
         )  # what no place meets of a demanded block speaks against none

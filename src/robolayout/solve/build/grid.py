@@ -91,8 +91,7 @@ def put_grid(site: Site, clusters: Sequence[Cluster], plan: GridPlan, frame: NDA
     x, y, yaw = frame.tolist()
     for cluster, cell in zip(clusters, cell_poses(plan, site.size(plan.names[0])), strict=True):
         pose = Member("", *cell).moved(x, y, yaw)
-        site.put(cluster, np.array([pose.x, pose.y, pose.yaw]), "grid", None, None)
-        site.spots[cluster.anchor] = replace(site.spots[cluster.anchor], grid=plan)
+        site.put(cluster, np.array([pose.x, pose.y, pose.yaw]), "grid")
 
 
 def _poses(site: Site, cluster: Cluster) -> NDArray[np.float64]:

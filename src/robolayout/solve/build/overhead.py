@@ -264,7 +264,7 @@ def _hang_from_ceiling(site: Site, name: str, point: tuple[float, float], yaw: f
     apart = [point, *((point[0] + dx, point[1] + dy) for dx in HANGING.aside for dy in HANGING.aside)]
     if owner is None:
         point = next((p for p in apart if _is_free_above(site, name, p)), point)
-    site.settle(name, Spot(Member(name, *point, yaw, bottom), "ceiling", None, owner))
+    site.settle(name, Spot(Member(name, *point, yaw, bottom), "ceiling"))
 
 
 def _spread(site: Site, count: int) -> list[tuple[float, float]]:

@@ -39,7 +39,6 @@ class Batch:
     cluster: Cluster  # the cluster, perhaps mirrored
     poses: Poses  # (n, 3) metres and radians, of the anchor
     walls: NDArray[np.int64]  # index of the wall of each place, or -1
-    anchors: tuple[str, ...] = ()  # name of what each place is for ("" if nothing)
 
 
 def batches(site: Site, cluster: Cluster, modes: Iterable[str]) -> list[Batch]:
@@ -49,13 +48,14 @@ def batches(site: Site, cluster: Cluster, modes: Iterable[str]) -> list[Batch]:
     lopsided = any(abs(m.y) > 0.02 for m in cluster.members) and not any(join and join.side for join in joins)
     for variant in (cluster, cluster.mirrored()) if lopsided else (cluster,):
         for mode in modes:
-            poses, walls, anchors = _PLACES[mode](site, variant)
+            poses, walls = _PLACES[mode](site, variant)
             if len(poses):
-                found.append(Batch(mode, variant, np.array(poses), np.array(walls), tuple(anchors)))
+                found.append(Batch(mode, variant, np.array(poses), np.broadcast_to(walls, len(poses))))
     return found
 
 
-Found = tuple[Sequence[tuple[float, float, float]] | Poses, list[int], list[str]]
+Found = tuple[Sequence[tuple[float, float, float]] | Poses, Sequence[int] | int]
+"""Places, and the index of the wall of each; -1 where they are at none."""
 
 
 def wall_yaw(wall: Wall) -> float:
@@ -88,7 +88,7 @@ def _at_walls(site: Site, cluster: Cluster) -> Found:
         yaw, offsets = wall_yaw(wall), _offsets(site, wall, width)
         poses += [(*wall.point(t, back + WALL_GAP), yaw) for t in offsets]
         walls += [wall.index] * len(offsets)
-    return poses, walls, [""] * len(poses)
+    return poses, walls
 
 
 def _in_corners(site: Site, cluster: Cluster) -> Found:
@@ -100,7 +100,7 @@ def _in_corners(site: Site, cluster: Cluster) -> Found:
             if width < wall.length and vertex in corners:
                 poses.append((*wall.point(t, depth / 2 + 0.04), wall_yaw(wall)))
                 walls.append(wall.index)
-    return poses, walls, [""] * len(poses)
+    return poses, walls
 
 
 def room_yaws(site: Site) -> list[float]:
@@ -115,17 +115,17 @@ def _in_the_middle(site: Site, cluster: Cluster) -> Found:
     step = max(0.15, math.sqrt((right - left) * (top - bottom)) / 30)
     xs, ys = np.arange(left + 0.3, right - 0.29, step), np.arange(bottom + 0.3, top - 0.29, step)
     grid = np.stack(np.meshgrid(xs, ys, indexing="ij"), -1).reshape(-1, 2)
-    grid = np.concatenate([grid, [centroid(site)]])
+    grid = np.concatenate([grid, [site.floor.middle]])
     frames = np.column_stack([grid, np.zeros(len(grid))])
     blocked = site.floor.maps().barred[site.floor.under(np.zeros((1, 2)), frames)][:, 0] > 0
     free = grid[~blocked]
     poses = np.concatenate([np.column_stack([free, np.full(len(free), yaw)]) for yaw in room_yaws(site)])
-    return poses, [-1] * len(poses), [""] * len(poses)
+    return poses, -1
 
 
 def _before_what_it_faces(site: Site, cluster: Cluster) -> Found:
     face = site.wants[cluster.anchor].face
-    poses, names = list[tuple[float, float, float]](), list[str]()
+    poses: list[tuple[float, float, float]] = []
     for name in targets(site, cluster.anchor):
         target = site.spots[name].member
         if face is None:
@@ -136,8 +136,7 @@ def _before_what_it_faces(site: Site, cluster: Cluster) -> Found:
             x = target.x + float(distance) * math.cos(target.yaw)
             y = target.y + float(distance) * math.sin(target.yaw)
             poses.append((x, y, target.yaw + turn))
-            names.append(name)
-    return poses, [-1] * len(poses), names
+    return poses, -1
 
 
 def _at_its_anchor(site: Site, cluster: Cluster) -> Found:
@@ -156,18 +155,13 @@ def _at_its_anchor(site: Site, cluster: Cluster) -> Found:
                 away = out + want.joined.gap + reach / 2
                 found.append(Member("", away, aside, turn * math.pi / 2).moved(0.0, 0.0, k * math.pi / 2))
     poses = [(m.x, m.y, m.yaw) for m in (m.moved(here.x, here.y, here.yaw) for m in found)]
-    return poses, [-1] * len(poses), [anchor] * len(poses)
+    return poses, -1
 
 
 def targets(site: Site, name: str) -> list[str]:
     """Return the placed assets that an asset should face."""
     face = site.wants[name].face
     return [other for other in face.names if other in site.spots] if face else []
-
-
-def centroid(site: Site) -> tuple[float, float]:
-    """Return the middle of the room's floor (inside it, for concave rooms: the inner cell nearest to it)."""
-    return site.floor.middle
 
 
 _PLACES = {

@@ -13,7 +13,7 @@ from robolayout.floor import rect_points
 from robolayout.solve.build.form import corners_of
 from robolayout.solve.build.grid import cell_poses
 from robolayout.solve.build.member import GridPlan, Member, Poses
-from robolayout.solve.build.places import centroid, room_yaws
+from robolayout.solve.build.places import room_yaws
 from robolayout.solve.build.site import Site, Spot
 
 Pose = tuple[float, float, float]
@@ -42,7 +42,7 @@ def lay_rugs(site: Site, names: Sequence[str]) -> None:
         if owner is None:
             free.setdefault(site.size(name), []).append(name)
         else:
-            site.settle(name, Spot(_fitted(site, name, _at_owner(site, name, owner), owner), "rug", None, owner))
+            site.settle(name, Spot(_fitted(site, name, _at_owner(site, name, owner), owner), "rug"))
     for equal in free.values():
         _lay_free(site, equal)
 
@@ -87,14 +87,14 @@ def _lay_free(site: Site, names: Sequence[str]) -> None:
         return
     for cell in cells:
         fitted = _fitted(site, cell.name, _pose(cell)) if count == 1 else cell
-        site.settle(cell.name, Spot(fitted, "rug", grid=plan if count > 1 else None))
+        site.settle(cell.name, Spot(fitted, "rug"))
 
 
 def _free_floor(site: Site, plan: GridPlan) -> tuple[float, Pose]:
     """Return cost and place of the first mat for the best place of a block: free floor, off other mats, near the middle."""
     left, bottom, right, top = site.room.bounds
     xs, ys = np.arange(left, right, 0.2), np.arange(bottom, top, 0.2)
-    size, middle = site.size(plan.names[0]), centroid(site)
+    size, middle = site.size(plan.names[0]), site.floor.middle
     cells = [Member("", *cell) for cell in cell_poses(plan, size)]
     centre = (np.mean([cell.x for cell in cells]), np.mean([cell.y for cell in cells]))
     cells = [replace(cell, x=cell.x - centre[0], y=cell.y - centre[1]) for cell in cells]

@@ -31,7 +31,7 @@ from robolayout.program import Program
 from robolayout.scene import Room, Scene, Wall
 from robolayout.solve.build.cluster import Cluster, ClusterBuilder
 from robolayout.solve.build.form import Forms, at, corners_of, side_rect
-from robolayout.solve.build.member import GridPlan, Member, Poses, Rect, box_of, overlaps
+from robolayout.solve.build.member import Member, Poses, Rect, box_of, overlaps
 from robolayout.solve.build.said import Said
 from robolayout.solve.build.wants import Want, late
 
@@ -55,8 +55,7 @@ class Spot:
     member: Member  # the asset in the world frame; `bottom` is its height above the floor
     mode: str  # how it stands ("wall", "corner", "middle", "facing", "grid", "hang", "ceiling", "rug", "join", "given")
     wall: int | None = None  # index of its wall
-    anchor: str | None = None  # the asset it joins, faces, hangs over or lies under
-    grid: GridPlan | None = None  # the grid it is part of
+    anchor: str | None = None  # the asset it joins or hangs over
 
 
 @dataclass(frozen=True)
@@ -301,16 +300,15 @@ class Site:
         inner = np.array([(left + 0.01, bottom), (right, bottom), (right, top), (left + 0.01, top)])
         return shapely.Polygon(at(member, inner))
 
-    def put(self, cluster: Cluster, pose: NDArray[np.float64], mode: str, wall: int | None, anchor: str | None) -> None:
+    def put(self, cluster: Cluster, pose: NDArray[np.float64], mode: str, wall: int | None = None) -> None:
         """Place a cluster: record its members and mark the floor, also what it wants clear unless this is a `trial`."""
         x, y, yaw = (float(value) for value in pose)
         rear = min(self.behind(member) for member in cluster.members)
         for member in cluster.members:
             first, at_wall = member.name == cluster.anchor, self.behind(member) < rear + 0.02 and abs(member.yaw) < 0.01
             own = mode if not first or at_wall or mode != "wall" else "middle"
-            here, item = member.moved(x, y, yaw), self.wants[member.name]
-            spot = Spot(here, own if first else "join", wall if at_wall else None, anchor if first else item.anchor)
-            self.settle(member.name, spot)
+            here, anchor = member.moved(x, y, yaw), self.wants[member.name].anchor
+            self.settle(member.name, Spot(here, own if first else "join", wall if at_wall else None, anchor))
         for strip in () if self.trial else self.forms.strips(cluster):
             self.floor.want(placed(strip.points, x, y, yaw), 1.0 if strip.group[1] != "any" else 0.5)
 

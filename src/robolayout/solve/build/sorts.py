@@ -10,7 +10,6 @@ from operator import and_
 from robolayout.solve.build.cluster import Cluster
 from robolayout.solve.build.member import Member
 from robolayout.solve.build.site import Site
-from robolayout.solve.build.wants import Want
 
 SIDES = (("front",), ("left",), ("left", "front"), ("left", "right"))
 """Sides whose things a cluster gives up, the fewest first; it is tried mirrored, too."""
@@ -26,15 +25,10 @@ def alike(site: Site, clusters: Sequence[Cluster]) -> list[list[Cluster]]:
         key = tuple(
             (site.wants[m.name].kind, *(round(v, 1) for v in site.size(m.name)[:2]))
             for m in cluster.members
-            if site.on_floor(m) and (m.name == cluster.anchor or not told_rows(site.wants[cluster.anchor]))
+            if site.on_floor(m) and (m.name == cluster.anchor or not site.wants[cluster.anchor].in_told_rows)
         )
         sets.setdefault(key, []).append(cluster)
     return [sorted(found, key=lambda one: -len(one.members)) for found in sets.values()]
-
-
-def told_rows(item: Want) -> bool:
-    """Return whether it is demanded in how many rows such things stand."""
-    return item.rows is not None and item.rows.rows is not None
 
 
 def uncommon(site: Site, clusters: Sequence[Cluster]) -> list[str]:

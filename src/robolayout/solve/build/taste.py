@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from robolayout.constraints.by_door import doorways
 from robolayout.solve.build.form import corners_of
-from robolayout.solve.build.places import Batch, centroid, targets
+from robolayout.solve.build.places import Batch, targets
 from robolayout.solve.build.site import Site, Spot
 
 Cost = NDArray[np.float64]
@@ -38,7 +38,7 @@ def taste(site: Site, batch: Batch, weights: Mapping[str, float]) -> Cost:
         weight = weights["by_door"]
         cost += -weight * np.maximum(0.0, 1.0 - away) if weight < 0 else weight * np.minimum(away, 1.5)
     if weights.get("middle"):
-        x, y = centroid(site)
+        x, y = site.floor.middle
         cost += weights["middle"] * np.hypot(xy[:, 0] - x, xy[:, 1] - y) / spread
     for names, weight in site.wants[batch.cluster.anchor].near:
         cost += weight * nearness(site, xy, names, far=weight < 0)

@@ -129,6 +129,11 @@ class Want:
         return self.join
 
     @property
+    def in_told_rows(self) -> bool:
+        """Whether it is demanded in how many rows such things stand."""
+        return self.rows is not None and self.rows.rows is not None
+
+    @property
     def hung(self) -> bool:
         """Whether it hangs at a wall."""
         return self.asset.on_wall and ("hang" in self.stands or not self.asset.on_floor)
@@ -257,7 +262,6 @@ class _Reading:
 
     def __init__(self, scene: Scene, want: Want, said: Sequence[Statement]) -> None:
         self.scene, self.bare, self.said = scene, want, said
-        self.me = AssetRef(want.name)
 
     def want(self) -> Want:
         """Return the thing with all of it."""
