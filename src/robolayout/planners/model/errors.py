@@ -46,9 +46,8 @@ def sentence(
     """Return an error of the model client as one of ours."""
     name = spec.name
     if isinstance(error, ModelTimeoutError | ModelRequestTimeout):
-        return UnavailableError(
-            f"{name} did not answer within {timeout:g} s. Raise --timeout, or choose a faster model."
-        )
+        late = f"{name} did not answer within {timeout:g} s"
+        return UnavailableError(f"{late}. Raise --timeout, or choose a faster model.")
     ours = next((cause for cause in _chain(error) if isinstance(cause, UnavailableError)), None)
     if ours is not None:  # what we refuse to read is no broken connection, whatever a client makes of it
         return ours
@@ -99,9 +98,8 @@ def _reason(error: Exception) -> str:
 def _message(body: dict[str, object]) -> str:
     """Return the words in an error's body: OpenAI's has a message, Anthropic's an error with a message."""
     inner = body.get("error")
-    found = body.get("message") or (
-        cast("dict[str, object]", inner).get("message") if isinstance(inner, dict) else inner
-    )
+    words = cast("dict[str, object]", inner).get("message") if isinstance(inner, dict) else inner
+    found = body.get("message") or words
     return found if isinstance(found, str) else json.dumps(found or body, default=str)
 
 

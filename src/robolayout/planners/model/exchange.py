@@ -94,9 +94,8 @@ class Tape:
 
     def __post_init__(self) -> None:
         if self.record and self.replay and self.record.resolve() == self.replay.resolve():
-            raise InputError(
-                f"cannot replay {self.replay} and record to it in one run. Give another folder to record to."
-            )
+            both = f"cannot replay {self.replay} and record to it in one run"
+            raise InputError(f"{both}. Give another folder to record to.")
         self._started = False
         self._secrets = secrets(os.environ)
         self._recorded = read_exchanges(self.replay) if self.replay else {}
@@ -226,17 +225,15 @@ def read_exchanges(folder: Path) -> dict[tuple[str, str, int, int, int], dict[st
     """Return the exchanges of a folder by slot; raises `InputError` for a folder or file that is none."""
     paths = sorted(folder.glob("*.json")) if folder.is_dir() else []
     if not paths:
-        raise InputError(
-            f"{folder} holds no recorded exchanges (*.json). Give the folder that a run with a model wrote."
-        )
+        meant = "the folder that a run with a model wrote"
+        raise InputError(f"{folder} holds no recorded exchanges (*.json). Give {meant}.")
     found: dict[tuple[str, str, int, int, int], dict[str, Any]] = {}
     for path in paths[:MOST_FILES]:
         try:
             entry = _checked(_CHECK.read_json(path, "the recorded exchange", MOST_BYTES))
         except InputError as error:
-            raise InputError(
-                f"{path} is no recorded exchange of format {FORMAT}: {error} Record the job again."
-            ) from None
+            what = f"no recorded exchange of format {FORMAT}"
+            raise InputError(f"{path} is {what}: {error} Record the job again.") from None
         found[entry["kind"], entry["label"], entry["attempt"], entry["sample"], entry["turn"]] = entry
     return found
 

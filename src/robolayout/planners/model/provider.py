@@ -77,9 +77,8 @@ def spec_of(model: str | Model, base_url: str | None) -> Spec:
     provider, _, rest = name.partition(":")
     if base_url is None:
         if not rest:
-            raise InputError(
-                f"the model {name!r} names no provider. Write 'openai:{name or 'gpt-4o'}', or give --base-url."
-            )
+            meant = f"openai:{name or 'gpt-4o'}"
+            raise InputError(f"the model {name!r} names no provider. Write '{meant}', or give --base-url.")
         if provider in ("openai", "openai-chat"):
             base_url = os.environ.get("OPENAI_BASE_URL") or None
         elif provider == "ollama":

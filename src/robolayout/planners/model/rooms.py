@@ -156,10 +156,7 @@ class Furnisher:
                 counts[stem] += 1
         data = _bare(assets) | {
             "task_description": self.text.strip(),
-            "boundary": {
-                "floor_vertices": [[*point, 0.0] for point in answer.corners],
-                "wall_height": answer.wall_height,
-            },
+            "boundary": {"floor_vertices": [[*at, 0.0] for at in answer.corners], "wall_height": answer.wall_height},
             "doors": [door.model_dump(exclude={"sill"}) for door in answer.doors],
             "windows": [window.model_dump() for window in answer.windows],
         }
@@ -175,9 +172,8 @@ class Furnisher:
         size = thing.size or (choice and choice.size)
         place = thing.place or (choice and choice.places[0])
         if size is None or place is None or len(size) != 3:
-            raise SceneError(
-                f"{thing.kind!r} is no kind of the list: give its size (depth, width, height) and its place."
-            )
+            needed = "give its size (depth, width, height) and its place"
+            raise SceneError(f"{thing.kind!r} is no kind of the list: {needed}.")
         entry: dict[str, object] = dict(choice.entry) if choice else {"category": thing.kind}
         if choice is None or thing.place is not None:
             entry |= {f"on{at.title()}": at == place for at in ("floor", "wall", "ceiling", "object")}
