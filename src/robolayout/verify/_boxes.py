@@ -110,10 +110,8 @@ class Boxes:
     def lies_in(self, row: int, lower: int, sunk: float) -> bool:
         """Return whether an asset hangs from another, or is wholly in the room over a surface of it, `sunk` metres in it at most,
         and below what covers that: on the surface, or on what lies there."""
-        if (
-            self.assets[row].size[0] * self.assets[row].size[1]
-            > self.assets[lower].size[0] * self.assets[lower].size[1]
-        ):
+        above, below = self.assets[row].size, self.assets[lower].size
+        if above[0] * above[1] > below[0] * below[1]:
             return self._hangs_from(row, lower)
         level = self.bottom[row] - self.bottom[lower]
         foot = out_of_room(self.footprints[row], self.poses[lower])
@@ -191,9 +189,8 @@ def _shared_base(upper: Asset, place: Place, lower: Asset, under: Place) -> Any:
     """Return where a placed asset's base lies on surfaces of another."""
     level = (place[2] - upper.size[2] / 2 + _lift(upper)) - (under[2] - lower.size[2] / 2)
     hangs = _lift(upper) > 0.0
-    regions = [
-        s.region for s in surfaces_of(lower) if s.is_hook == hangs and abs(s.height - level) <= JUDGE.carried + 1e-9
-    ]
+    near = (s for s in surfaces_of(lower) if abs(s.height - level) <= JUDGE.carried + 1e-9)
+    regions = [surface.region for surface in near if surface.is_hook == hangs]
     if not regions:
         return Polygon()
     return shapely.union_all([in_room(region, under) for region in regions]).intersection(_base(upper, place))

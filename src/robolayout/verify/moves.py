@@ -34,9 +34,8 @@ class Move:
     def sentence(self) -> str:
         """The same in a sentence."""
         turned = f" and turned by {self.degrees:.0f} degrees" if self.degrees > JUDGE.straight else ""
-        there = (
-            "; ".join(text.rstrip(".") for text in self.why[: TOLD.named]) or "nothing would be violated by it alone"
-        )
+        why = "; ".join(text.rstrip(".") for text in self.why[: TOLD.named])
+        there = why or "nothing would be violated by it alone"
         return f"{self.asset} was moved by {self.metres:.2f} m{turned}. Where the program put it: {there}."
 
     def to_dict(self) -> dict[str, Any]:
@@ -113,11 +112,9 @@ class _Wrong:
         for agent in self.agents:
             found += self._out_of_reach(layout, agent)
         for statement in self.program.statements:
-            if (
-                set(statement.relation.asset_names()) <= set(layout)
-                and not statement.relation.check(self.scene, layout).met
-            ):
-                found.append(f"statement {statement.number}, {statement.relation.sentence()}, is not met")
+            relation = statement.relation
+            if {*relation.asset_names()} <= {*layout} and not relation.check(self.scene, layout).met:
+                found.append(f"statement {statement.number}, {relation.sentence()}, is not met")
         return found
 
     def _out_of_reach(self, layout: Layout, agent: Agent) -> list[str]:
@@ -125,8 +122,5 @@ class _Wrong:
         used = usage(self.scene, layout, agent, nav=nav).usable
         reach, use = exempt_from_reach(self.scene, agent), exempt_from_use(self.scene, agent)
         found = [f"{agent.name} cannot reach {name}" for name, ok in nav.reached.items() if not (ok or name in reach)]
-        return found + [
-            f"{agent.name} cannot use {name}"
-            for name, ok in used.items()
-            if nav.reached[name] and not (ok or name in use)
-        ]
+        unused = (name for name, ok in used.items() if nav.reached[name] and not (ok or name in use))
+        return found + [f"{agent.name} cannot use {name}" for name in unused]

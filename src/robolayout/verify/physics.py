@@ -96,22 +96,19 @@ def physics(scene: Scene, layout: Layout, limits: PhysicsLimits | None = None) -
     inside = _inside(scene, found, limits)
     held = _held(scene, found, limits)
     blocked = obstructions(scene, found, limits)
-    sentences = [
-        f"{name} is not placed." for name, is_placed in zip(found.names, found.placed, strict=True) if not is_placed
-    ]
+    there = list(zip(found.names, map(bool, found.placed), strict=True))
+    sentences = [f"{name} is not placed." for name, is_placed in there if not is_placed]
     sentences += [f"{c.a} and {c.b} overlap by {c.area:.3f} m2 in plan and {c.height:.2f} m in height." for c in pairs]
     sentences += [_outside_sentence(scene, found, int(row)) for row in np.flatnonzero(found.placed & ~inside)]
     sentences += [_floating_sentence(scene, found, int(row), limits) for row in np.flatnonzero(found.placed & ~held)]
     sentences += [f"{o.asset} takes {o.area:.2f} m2 of the landing of door {o.door}." for o in blocked]
     return Physics(
         placed=_verdicts(found, found.placed),
-        collision_free={n: bool(p) and n not in hit for n, p in zip(found.names, found.placed, strict=True)},
+        collision_free={name: is_placed and name not in hit for name, is_placed in there},
         in_boundary=_verdicts(found, inside),
         supported=_verdicts(found, held),
         collisions=pairs,
-        boxes_apart={
-            n: bool(p) and i not in near for i, (n, p) in enumerate(zip(found.names, found.placed, strict=True))
-        },
+        boxes_apart={name: is_placed and row not in near for row, (name, is_placed) in enumerate(there)},
         obstructions=blocked,
         reasons=tuple(sentences),
     )

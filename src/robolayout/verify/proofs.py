@@ -97,9 +97,8 @@ def exempt_from_use(scene: Scene, agent: Agent) -> dict[str, str]:
         if asset.name in lying or not asset.on_floor or asset.on_wall or asset.on_object or asset.is_flat:
             continue
         if asset.size[2] < down_to - ROUNDING:
-            aside[asset.name] = (
-                f"{asset.name} ends {asset.size[2]:.2f} m high and {agent.name} reaches down to {down_to:.2f} m"
-            )
+            ends = f"{asset.name} ends {asset.size[2]:.2f} m high"
+            aside[asset.name] = f"{ends} and {agent.name} reaches down to {down_to:.2f} m"
         elif why := _unusable_alone(asset, agent):
             aside[asset.name] = f"{asset.name} cannot be used by {agent.name} in an empty room: {why}"
     return aside
@@ -111,9 +110,8 @@ def kept_out(scene: Scene, agent: Agent) -> tuple[str, ...]:
     floor, radius = room_polygon(scene.room), agent.radius
     if floor.buffer(-radius).is_empty:
         largest = 2 * float(shapely.maximum_inscribed_circle(floor, 1e-3).length)
-        found.append(
-            f"{agent.name} needs {2 * radius:.2f} m; the largest disc that fits into the empty room is {largest:.2f} m wide."
-        )
+        fits = f"the largest disc that fits into the empty room is {largest:.2f} m wide"
+        found.append(f"{agent.name} needs {2 * radius:.2f} m; {fits}.")
     elif not found:
         found += _shut_out(scene, agent)
     return tuple(found)

@@ -136,11 +136,8 @@ class Report:
     @cached_property
     def unmet(self) -> tuple[str, ...]:
         """Names of the figures that fall short of what is demanded; exempt assets are not demanded of an agent."""
-        least = (
-            dict.fromkeys(self.figures, 1.0)
-            | vars(self.demands)
-            | {"reachable_share": 0.0, "collision_free_boxes_share": 0.0}
-        )
+        told = {"reachable_share": 0.0, "collision_free_boxes_share": 0.0}
+        least = dict.fromkeys(self.figures, 1.0) | vars(self.demands) | told
         if not any(report.short for report in self.agents):
             least |= {"reachable_share_chairs_aside": 0.0, "usable_share": 0.0}
         return tuple(name for name, value in self.figures.items() if value < least[name])
